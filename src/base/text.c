@@ -1,0 +1,111 @@
+#include "base/text.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Cuts "1e-07" to "1e-7" and "1e+16" to "1e16". */
+static size_t trim_exponent(char *text)
+{
+    char *e = strchr(text, 'e');
+    if (!e)
+        return strlen(text);
+    char *to = e + 1;
+    const char *from = to;
+    if (*from == '-')
+        to++, from++;
+    else if (*from == '+')
+        from++;
+    while (*from == '0' && from[1])
+        from++;
+    memmove(to, from, strlen(from) + 1);
+    return strlen(text);
+}
+
+size_t text_shortest(char *out, double value)
+{
+    if (!isfinite(value)) {
+        strcpy(out, isnan(value) ? "nan" : value > 0 ? "inf" : "-inf");
+        return strlen(out);
+    }
+    /* fifteen digits always survive the way through a normal double, so fewer need not be tried there */
+    int digits = isnormal(value) || value == 0 ? 15 : 1;
+    for (; digits <= 17; digits++) {
+        snprintf(out, NUMBER_TEXT_MAX, "%.*g", digits, value);
+        if (strtod(out, NULL) == value)
+            break;
+    }
+    return trim_exponent(out);
+}
+
+size_t text_rounded(char *out, double value, int digits)
+{
+    if (!isfinite(value))
+        return text_shortest(out, value);
+    snprintf(out, NUMBER_TEXT_MAX, "%.*g", digits, value == 0 ? 0.0 : value);
+    return trim_exponent(out);
+}
+
+static bool only_spaces(const char *text)
+{
+    while (isspace((unsigned char)*text))
+        text++;
+    return *text == '\0';
+}
+
+bool text_to_double(const char *text, double *value)
+{
+    /* strtod takes hexadecimal, "inf" and "nan" too: none of them is a parameter */
+    for (const char *c = text; *c; c++)
+        if (!isdigit((unsigned char)*c) && !isspace((unsigned char)*c) && !strchr("+-.eE", *c))
+            return false;
+    char *end;
+    double read = strtod(text, &end);
+    if (end == text || !only_spaces(end) || !isfinite(read))
+        return false;
+    *value = read;
+    return true;
+}
+
+bool text_to_long(const char *text, long *value)
+{
+    char *end;
+    errno = 0;
+    long read = strtol(text, &end, 10);
+    if (end == text || !only_spaces(end) || errno)
+        return false;
+    *value = read;
+    return true;
+}
+
+static size_t smaller(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+size_t text_distance(const char *a, const char *b)
+{
+    enum { MAX = 64 };
+    size_t n = strlen(a), m = strlen(b);
+    if (n >= MAX || m >= MAX)
+        return MAX;
+    size_t rows[3][MAX];
+    size_t *before = rows[0], *last = rows[1], *now = rows[2];
+    for (size_t j = 0; j <= m; j++)
+        last[j] = before[j] = j;
+    for (size_t i = 1; i <= n; i++) {
+        now[0] = i;
+        for (size_t j = 1; j <= m; j++) {
+            size_t replaced = last[j - 1] + (a[i - 1] != b[j - 1]);
+            now[j] = smaller(replaced, smaller(last[j], now[j - 1]) + 1);
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                now[j] = smaller(now[j], before[j - 2] + 1);
+        }
+        size_t *free_row = before;
+        before = last, last = now, now = free_row;
+    }
+    return last[m];
+}

@@ -1,0 +1,25 @@
+/* Numbers and words as text, the same in every locale and on every machine. */
+#ifndef BASE_TEXT_H
+#define BASE_TEXT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { NUMBER_TEXT_MAX = 32 };
+
+/* Writes the shortest decimal text that reads back to the same double (".1" is written "0.1", 1e-7 as
+ * "1e-7"), with a point in every locale; "nan", "inf", "-inf" for what is no number. `out` holds
+ * NUMBER_TEXT_MAX characters. Returns the length. */
+size_t text_shortest(char *out, double value);
+
+/* Writes a number for people: `digits` significant digits, trailing zeros cut, never an exponent's padding. */
+size_t text_rounded(char *out, double value, int digits);
+
+/* Reads a finite number that fills the whole text, spaces around it allowed. False: it does not. */
+bool text_to_double(const char *text, double *value);
+bool text_to_long(const char *text, long *value);
+
+/* The number of edits (insert, delete, replace, swap neighbours) between two words; for "did you mean". */
+size_t text_distance(const char *a, const char *b);
+
+#endif

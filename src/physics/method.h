@@ -1,0 +1,206 @@
+/* What every front end knows of a method: nothing else.
+ *
+ * A Simulation is one problem, discretised by one method, at one moment. What never changes during the run
+ * (parameters, lattice, bonds) is its model; what changes is its state, which can be copied out and put back
+ * at any stage. A time step is a loop over a table of stages; the fast path runs the same stage functions.
+ *
+ * Front ends see named arrays (fields) over sets of things (particles, nodes, bonds), a row of numbers per
+ * time step (the series), the stages with their equations, and links between things (who gives to whom).
+ * Nothing here says whether the method is one- or two-dimensional, with or without a mesh.
+ *
+ * Files of this folder use no clock, no screen, no file, no printf, no exit, no rand and no global state.
+ * Every result is a function of the parameters alone: the same bits forwards, rewound, sliced, observed or
+ * not, at any number of threads and any vector width. */
+#ifndef PHYSICS_METHOD_H
+#define PHYSICS_METHOD_H
+
+#include "base/status.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Something measured: a column of a CSV file and a curve on the screen. */
+typedef struct Quantity {
+    const char *name;    /* column name: ASCII, no unit, e.g. "v_cm" */
+    const char *label;   /* on screen, short, e.g. "v_cm" or "stress" */
+    const char *unit;    /* "m/s"; in a problem without units its dimension, "length/time" */
+    const char *meaning; /* one line for people */
+} Quantity;
+
+/* A kind of thing that fields live on. */
+typedef struct Set {
+    const char *name;   /* "particle", "node", "bond": the index column of its CSV table */
+    const char *plural; /* "particles": the command line option that writes its table */
+    /* How many stages of a step must have run before a table of this set is worth writing: 0 for particles;
+     * for nodes of a grid that is forgotten at the end of the step, all stages before the momentum is
+     * integrated. A writer snapshots, runs that many stages, reads, restores. */
+    int ready_after;
+} Set;
+
+/* A named array over one set. */
+typedef struct Field {
+    Quantity quantity;
+    int set;        /* index into Simulation.sets */
+    bool in_table;  /* a column of the set's CSV table (in the order of the field table) */
+    bool integer;   /* values are whole numbers (indices, flags) */
+} Field;
+
+/* One stage of a time step. */
+typedef struct Stage {
+    const char *id;       /* "map", "strain": stable, for scripts and tests */
+    const char *name;     /* "map to nodes" */
+    const char *equation; /* as shown on screen, UTF-8, at most 76 columns a line, lines parted by '\n' */
+    const char *ascii;    /* the same in ASCII */
+    const char *source;   /* "eqs. 2, 3" */
+    const char *sentence; /* what happens, in one sentence for a student */
+    const char *reads;    /* names of fields, separated by spaces */
+    const char *writes;
+} Stage;
+
+/* "set_from[index_from] and the other are linked": a particle and a node of its cell, the two ends of a bond. */
+typedef struct Link {
+    int set;         /* of the other end */
+    size_t index;    /* of the other end */
+    double weight;   /* shape function N of the pair; for a bond its stretch */
+    double gradient; /* dN/dx of the pair; for a bond its force density times volume */
+    bool broken;     /* a bond that carries nothing any more */
+} Link;
+
+/* Something that happened in the run: in plain words, as the log and the caption show it. */
+typedef enum EventKind {
+    EVENT_CROSSING, /* a particle entered another cell */
+    EVENT_BREAK,    /* a bond broke (the first, the twentieth, ... : not every one) */
+    EVENT_ENERGY,   /* the energy left the range that the method promises */
+    EVENT_CHANGE,   /* a live parameter was changed */
+    EVENT_FAILURE   /* the run stopped: the text is the failure's */
+} EventKind;
+
+typedef struct Event {
+    long step; /* the step after which it is true */
+    EventKind kind;
+    char text[120]; /* "particle 49 crossed into cell 25" */
+} Event;
+
+enum { SIMULATION_EVENTS_MAX = 256, SIMULATION_DIMENSIONS_MAX = 2 };
+
+typedef struct Simulation Simulation;
+
+/* The verbs of a method. Each gets the simulation it belongs to. */
+typedef struct Method {
+    const char *name; /* "mpm", "pd" */
+    const char *title;
+
+    void (*destroy)(Simulation *);
+
+    /* Does items [first, end) of a stage; items are cells, rows of a lattice, ... as the method likes.
+     * A stage may be cut anywhere into consecutive slices, done in order: the bits are the same. False: the
+     * run cannot go on; the status names particle or node, step and time. */
+    bool (*stage)(Simulation *, int stage, size_t first, size_t end, Status *);
+
+    /* NULL, or whole steps faster than stage by stage, with the same bits; called between steps only.
+     * With `rows` it writes the series row of each of these steps (n_series numbers each). On failure the
+     * simulation stands at the last whole step that is sound and *done tells how many were. */
+    bool (*steps)(Simulation *, long count, double *rows, long *done, Status *);
+
+    /* Called between steps only: the series at the present state. Must not change what comes. */
+    void (*row)(Simulation *, double *row);
+
+    /* Values [first, first + count) of a field at the present stage. */
+    void (*field)(const Simulation *, int field, size_t first, size_t count, double *out);
+
+    /* The links of one thing, at most `max` of them; returns how many there are. May be NULL. */
+    size_t (*links)(const Simulation *, int set, size_t index, Link *out, size_t max);
+
+    /* The sum behind the stage just done, for one thing, written out with its numbers: "p15 0.25 x 0.5 +
+     * p16 0.75 x 0.5 = 0.5". UTF-8, lines parted by '\n', at most `size` bytes. `before` is the state before
+     * the stage as save() wrote it (NULL: not known). May be NULL: nothing to say. */
+    void (*explain)(const Simulation *, int stage, int set, size_t index, const void *before, char *out,
+                    size_t size);
+
+    /* The state as bytes. Between steps the size may be smaller than in the middle of one. load() sees what
+     * save() wrote at the same stage of the same simulation. */
+    size_t (*state_size)(const Simulation *);
+    void (*save)(const Simulation *, void *bytes);
+    void (*load)(Simulation *, const void *bytes);
+
+    /* Changes a parameter that may change in mid-run, between steps: key as in a scenario file, value as
+     * number (the index for a choice). False: not a live parameter of this method, or a bad value. */
+    bool (*change)(Simulation *, const char *key, double value, Status *);
+} Method;
+
+/* A simulation; each method's own struct begins with it. Read only for front ends. */
+struct Simulation {
+    const Method *method;
+
+    const Stage *stages; /* of the present algorithm; may change between steps with a live parameter */
+    int n_stages;
+    size_t stage_items; /* how many items a stage has */
+
+    const Set *sets;
+    int n_sets;
+    size_t counts[4]; /* things in each set */
+
+    const Field *fields;
+    int n_fields;
+
+    const Quantity *series;
+    int n_series;
+
+    /* Where things are: reference position and displacement fields of set 0, one per dimension. */
+    int dimensions;
+    int position[SIMULATION_DIMENSIONS_MAX];
+    int displacement[SIMULATION_DIMENSIONS_MAX];
+    int velocity[SIMULATION_DIMENSIONS_MAX];
+
+    double dt;  /* the time step in use */
+    long step;  /* whole steps done */
+    int stage;  /* stages of the current step done: 0 between steps */
+    size_t item; /* items of the current stage done: 0 but in the middle of a sliced stage */
+
+    Event events[SIMULATION_EVENTS_MAX]; /* the first ones; later ones are counted only */
+    int n_events;
+    long events_beyond;
+
+    bool failed; /* the run cannot go on; failure says why */
+    Status failure;
+};
+
+/* step * dt: never accumulated. */
+double simulation_time(const Simulation *);
+
+/* Does at most `items` items of the current stage (0: all that is left of it). *stage_done tells whether the
+ * stage came to its end; after the last stage the step is counted. False: the simulation failed. */
+bool simulation_slice(Simulation *, size_t items, bool *stage_done, Status *);
+
+/* Does the next stage, or what is left of it. */
+bool simulation_stage(Simulation *, Status *);
+
+/* Finishes the step that has begun, if one has; then `count` whole steps. `rows` may be NULL, else it takes
+ * one series row per whole step counted. *done (may be NULL) tells how many steps were counted. */
+bool simulation_steps(Simulation *, long count, double *rows, long *done, Status *);
+
+/* The series at the present state; between steps only. */
+void simulation_row(Simulation *, double *row);
+
+/* A snapshot: the state with step and stage. Taken between slices of a stage it is that of its beginning,
+ * so take it between stages. */
+size_t simulation_snapshot_size(const Simulation *);
+void simulation_snapshot(const Simulation *, void *bytes);
+
+/* Puts a snapshot of this simulation back; events after it are forgotten, a failure too. */
+void simulation_restore(Simulation *, const void *bytes);
+
+/* Appends an event; for methods. Text as by printf's rules is made by the caller. */
+void simulation_report(Simulation *, EventKind, const char *text);
+
+/* Marks the simulation as failed; returns false, as status_fail() does. */
+bool simulation_fail(Simulation *, Status *, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+/* The index of a field, series entry or stage by name; -1: there is none. */
+int simulation_find_field(const Simulation *, int set, const char *name);
+int simulation_find_series(const Simulation *, const char *name);
+int simulation_find_stage(const Simulation *, const char *id);
+
+void simulation_destroy(Simulation *); /* NULL is allowed */
+
+#endif

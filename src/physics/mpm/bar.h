@@ -1,0 +1,63 @@
+/* The material point method on a bar (axial vibration), one-dimensional.
+ *
+ * Source: A. da Silva Rocha, "Unidimensional Axial Vibration Using MPM" (paper M); equation numbers are its.
+ * Units: any consistent system; lengths, masses and forces are per unit cross-section. */
+#ifndef PHYSICS_MPM_BAR_H
+#define PHYSICS_MPM_BAR_H
+
+#include "physics/method.h"
+
+typedef enum BarSupports {
+    BAR_FIXED_FREE,
+    BAR_FREE_FIXED,
+    BAR_FIXED_FIXED,
+    BAR_FREE_FREE
+} BarSupports;
+
+typedef enum MpmAlgorithm {
+    MPM_USF, /* update stress first: as in paper M */
+    MPM_USL, /* update stress last */
+    MPM_MUSL /* modified USL: the nodal velocity for the strain is mapped again */
+} MpmAlgorithm;
+
+typedef enum MpmShape { MPM_HAT, MPM_GIMP, MPM_BSPLINE2, MPM_BSPLINE3 } MpmShape;
+
+typedef enum MpmTransfer { MPM_FLIP, MPM_APIC } MpmTransfer;
+
+/* What a bar is made of and how it is discretised. Take bar_default() and change what differs. */
+typedef struct BarDef {
+    double length;         /* L > 0; a whole number of cells */
+    double youngs_modulus; /* E > 0 */
+    double density;        /* rho > 0 */
+    BarSupports supports;
+
+    double cell_size;       /* dx > 0 */
+    int particles_per_cell; /* P, 1 to 8 */
+    int padding;            /* cells beyond each free end, >= 0 */
+
+    double body_force;     /* b, per unit mass (eq. 11) */
+    double traction;       /* t at each free end, outwards positive (eq. 11) */
+    double traction_layer; /* h of eq. 11; 0: dx / P, the last particle at each free end */
+
+    MpmAlgorithm algorithm;
+    MpmShape shape;
+    MpmTransfer transfer;
+    double flip_fraction; /* alpha: 1 is FLIP, 0 is PIC; FLIP transfer only */
+
+    double courant; /* dt = courant * dx / c, c = sqrt(E / rho) (eq. 21) */
+
+    /* The particle velocity at t = 0 (eq. 19 and its overtones); NULL: at rest. */
+    double (*initial_velocity)(double x, const void *context);
+    const void *initial_context; /* used during bar_create only */
+} BarDef;
+
+/* Paper M's first mode, at rest: L 25, E 100, rho 1, dx 1, two particles per cell, USF, hat, courant 0.1. */
+BarDef bar_default(void);
+
+/* Builds the simulation at t = 0. NULL: the status says what is wrong with the definition or that there is
+ * not enough memory. Fields: particles x0 x u v stress strain density mass (the CSV columns, in this order),
+ * then what only the screen shows; nodes x mass momentum velocity f_int f_ext f. Series: v_cm x_cm kinetic
+ * kinetic_grid strain work total. */
+Simulation *bar_create(const BarDef *definition, Status *status);
+
+#endif
