@@ -1,0 +1,75 @@
+/* The right answers for the axial vibration of a bar: the continuum's (exact) and the mesh's (predicted).
+ *
+ * Source: paper M, eqs. 16 to 20; the discrete dispersion relation is our own derivation for the material
+ * point method on a regular mesh (see the manual page). Units: any consistent system. */
+#ifndef THEORY_BAR_H
+#define THEORY_BAR_H
+
+#include <stdbool.h>
+
+enum { BAR_MODES_MAX = 16 };
+
+/* A bar that starts at rest in place, with velocity sum A_n phi_n(x), and loads that act from t = 0 on. */
+typedef struct BarTheory {
+    double length, youngs_modulus, density;
+    bool left_fixed, right_fixed;
+    int n_modes;
+    struct {
+        int number;      /* n >= 1; 0 is rigid motion of the free-free bar */
+        double velocity; /* A_n */
+    } modes[BAR_MODES_MAX];
+    double body_force; /* b, per unit mass */
+    double traction;   /* t, at each free end, outwards positive */
+} BarTheory;
+
+double bar_wave_speed(const BarTheory *bar);              /* c = sqrt(E / rho) */
+double bar_wave_number(const BarTheory *bar, int number); /* beta_n, eq. 17 */
+double bar_frequency(const BarTheory *bar, int number);   /* omega_n, eq. 18, radians per unit time */
+double bar_mode_shape(const BarTheory *bar, int number, double x); /* phi_n(x), eq. 16 */
+
+double bar_initial_velocity(const BarTheory *bar, double x); /* eq. 19 with overtones */
+
+/* The continuum's fields and means at a time; loads by superposition (d'Alembert). */
+double bar_displacement(const BarTheory *bar, double x, double t);
+double bar_velocity(const BarTheory *bar, double x, double t);
+double bar_stress(const BarTheory *bar, double x, double t);
+double bar_centre_velocity(const BarTheory *bar, double t); /* v_cm, eq. 20 */
+double bar_kinetic_energy(const BarTheory *bar, double t);  /* vibration only: loads must be 0 */
+double bar_strain_energy(const BarTheory *bar, double t);   /* likewise */
+
+/* The mesh on which the answer is predicted. */
+typedef enum MeshAlgorithm { MESH_USF, MESH_USL, MESH_MUSL } MeshAlgorithm;
+typedef enum MeshShape { MESH_HAT, MESH_GIMP, MESH_BSPLINE2, MESH_BSPLINE3 } MeshShape;
+
+typedef struct BarMesh {
+    double cell_size;
+    int particles_per_cell;
+    MeshAlgorithm algorithm;
+    MeshShape shape;
+    bool apic;
+    double flip_fraction;
+    double dt;
+} BarMesh;
+
+/* Discrete frequency and decay of one wave number. */
+typedef struct Dispersion {
+    bool known;         /* false: no formula for this mesh, or the step is beyond the stability limit */
+    double space_only;  /* omega_h: the mesh without time stepping */
+    double frequency;   /* Omega, as a run shows it */
+    double decay;       /* amplitude ~ exp(-decay t) */
+    double filter;      /* F: what particle -> node -> particle leaves of the wave */
+} Dispersion;
+
+Dispersion bar_dispersion(const BarTheory *bar, const BarMesh *mesh, double wave_number);
+
+/* Whether v_cm(t) is predicted whole: hat, fixed-free, flip_fraction 1, FLIP, USF or MUSL, no load. */
+bool bar_centre_velocity_is_predicted(const BarTheory *bar, const BarMesh *mesh);
+
+/* The predicted v_cm at step k (t = k dt), summed over the modes. */
+double bar_predicted_centre_velocity(const BarTheory *bar, const BarMesh *mesh, long k);
+
+/* The largest courant number dt c / dx at which no wave of the mesh grows; by scan and bisection over the
+ * wave numbers of the mesh's dispersion relation. NAN where no formula is known (bspline3). */
+double bar_largest_courant(const BarMesh *mesh);
+
+#endif

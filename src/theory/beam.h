@@ -1,0 +1,35 @@
+/* The right answers for beams: Euler-Bernoulli and Timoshenko, and the axially moving cantilever. SI units. */
+#ifndef THEORY_BEAM_H
+#define THEORY_BEAM_H
+
+#include "base/status.h"
+
+#include <stddef.h>
+
+typedef struct BeamTheory {
+    double length, height; /* m */
+    double youngs_modulus, density;
+    double amplitude; /* U */
+} BeamTheory;
+
+/* First period of the simply supported beam, s. Timoshenko: kappa 5/6, Poisson's ratio 1/3, exact frequency
+ * equation. */
+double beam_period_euler(const BeamTheory *beam);
+double beam_period_timoshenko(const BeamTheory *beam);
+
+/* Mid-point displacement U cos(2 pi t / T) and its velocity for a period T. */
+double beam_midpoint(const BeamTheory *beam, double period, double t);
+double beam_midpoint_velocity(const BeamTheory *beam, double period, double t);
+
+/* Axially moving cantilever, Euler-Bernoulli on L(t) = L0 + v0 t, by modal equations (four modes). */
+typedef struct MovingCantilever MovingCantilever;
+
+/* Solves from 0 to `end`; NULL: the status says why (not enough memory, the solver gave up). */
+MovingCantilever *moving_cantilever_solve(const BeamTheory *beam, double speed, double end, Status *status);
+void moving_cantilever_free(MovingCantilever *solution);
+
+/* Tip displacement (m) and its material velocity (m/s) at a time in [0, end]. */
+double moving_cantilever_tip(const MovingCantilever *solution, double t);
+double moving_cantilever_tip_velocity(const MovingCantilever *solution, double t);
+
+#endif

@@ -1,0 +1,30 @@
+/* The frequency of a recorded series. */
+#ifndef THEORY_FREQUENCY_H
+#define THEORY_FREQUENCY_H
+
+#include "base/status.h"
+
+#include <stddef.h>
+
+typedef struct FrequencyFit {
+    double frequency; /* radians per unit time */
+    double cosine, sine, offset;
+    double amplitude; /* of the oscillation */
+    double residual;  /* root mean square of what is left, over the amplitude */
+} FrequencyFit;
+
+/* Least squares of offset + a cos(omega t) + b sin(omega t), for equally spaced samples t = t0 + k dt; never
+ * the cosine alone: there is a half-step phase and a real offset. Starts at `start` (radians per unit time),
+ * or, where that is 0, at the largest line of the spectrum. Needs at least 8 samples and about half a period.
+ * False: the record is too short, at rest, or the fit does not converge. */
+bool frequency_fit(const double *values, size_t count, double t0, double dt, double start, FrequencyFit *fit,
+                   Status *status);
+
+/* Amplitude spectrum of equally spaced samples, their mean taken away, Hann window: out[k] belongs to
+ * k * 2 pi / (count dt), k = 0 .. count/2. False: not enough memory. */
+bool frequency_spectrum(const double *values, size_t count, double *out);
+
+/* Mean period from the upward zero crossings (interpolated) of values minus their mean; NAN with fewer than two. */
+double frequency_crossings(const double *values, size_t count, double dt);
+
+#endif
