@@ -7,12 +7,7 @@
 
 #include "physics/method.h"
 
-typedef enum BarSupports {
-    BAR_FIXED_FREE,
-    BAR_FREE_FIXED,
-    BAR_FIXED_FIXED,
-    BAR_FREE_FREE
-} BarSupports;
+typedef enum BarSupports { BAR_FIXED_FREE, BAR_FREE_FIXED, BAR_FIXED_FIXED, BAR_FREE_FREE } BarSupports;
 
 typedef enum MpmAlgorithm {
     MPM_USF, /* update stress first: as in paper M */

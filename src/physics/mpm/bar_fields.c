@@ -1,0 +1,276 @@
+/* What front ends read of a bar: fields, series, links. */
+#include "physics/mpm/bar_state.h"
+#include "physics/mpm/shape.h"
+
+enum { PARTICLES, NODES };
+
+/* One list for the table of fields and for the functions that fill them. */
+enum FieldIndex {
+    P_X0,
+    P_X,
+    P_U,
+    P_V,
+    P_STRESS,
+    P_STRAIN,
+    P_DENSITY,
+    P_MASS,
+    P_CELL,
+    P_NATURAL,
+    P_STRAIN_INCREMENT,
+    P_MOMENTUM,
+    P_AFFINE,
+    N_X,
+    N_MASS,
+    N_MOMENTUM,
+    N_VELOCITY,
+    N_F_INT,
+    N_F_EXT,
+    N_F,
+    N_ACCELERATION,
+    N_ACTIVE,
+    N_FIXED
+};
+
+const Field bar_fields[BAR_FIELDS] = {
+    [P_X0] = {{"x0", "x0", "length", "position at the start"}, PARTICLES, true, false},
+    [P_X] = {{"x", "x", "length", "position"}, PARTICLES, true, false},
+    [P_U] = {{"u", "displacement", "length", "displacement x - x0"}, PARTICLES, true, false},
+    [P_V] = {{"v", "velocity", "length/time", "velocity"}, PARTICLES, true, false},
+    [P_STRESS] = {{"stress", "stress", "force/length^2", "axial stress, tension positive"},
+                  PARTICLES,
+                  true,
+                  false},
+    [P_STRAIN] = {{"strain", "strain", "1", "sum of the strain increments"}, PARTICLES, true, false},
+    [P_DENSITY] = {{"density", "density", "mass/length^3", "density"}, PARTICLES, true, false},
+    [P_MASS] = {{"mass", "mass", "mass/length^2", "mass per unit cross-section; constant"},
+                PARTICLES,
+                true,
+                false},
+    [P_CELL] = {{"cell", "cell", "1", "cell of the mesh that the particle is in"}, PARTICLES, false, true},
+    [P_NATURAL] = {{"natural", "place in cell", "1", "0 at the left edge of its cell, 1 at the right"},
+                   PARTICLES,
+                   false,
+                   false},
+    [P_STRAIN_INCREMENT] = {{"strain_increment", "strain increment", "1",
+                             "strain of this time step; 0 before its stage"},
+                            PARTICLES,
+                            false,
+                            false},
+    [P_MOMENTUM] = {{"momentum", "momentum", "mass/(length*time)", "mass times velocity"},
+                    PARTICLES,
+                    false,
+                    false},
+    [P_AFFINE] = {{"affine", "slope C", "1/time", "slope of the velocity that APIC carries"},
+                  PARTICLES,
+                  false,
+                  false},
+    [N_X] = {{"x", "x", "length", "position of the node (Greville abscissa of a B-spline)"},
+             NODES,
+             true,
+             false},
+    [N_MASS] = {{"mass", "mass", "mass/length^2", "mass mapped from the particles"}, NODES, true, false},
+    [N_MOMENTUM] = {{"momentum", "momentum", "mass/(length*time)", "momentum"}, NODES, true, false},
+    [N_VELOCITY] = {{"velocity", "velocity", "length/time",
+                     "momentum over mass; 0 where the node is inactive"},
+                    NODES,
+                    true,
+                    false},
+    [N_F_INT] = {{"f_int", "internal force", "force/length^2", "force of the particles' stress"},
+                 NODES,
+                 true,
+                 false},
+    [N_F_EXT] = {{"f_ext", "external force", "force/length^2", "force of body force and traction"},
+                 NODES,
+                 true,
+                 false},
+    [N_F] = {{"f", "force", "force/length^2", "whole force; 0 at fixed nodes"}, NODES, true, false},
+    [N_ACCELERATION] = {{"acceleration", "acceleration", "length/time^2", "force over mass"},
+                        NODES,
+                        false,
+                        false},
+    [N_ACTIVE] = {{"active", "active", "1", "1: the node has mass"}, NODES, false, true},
+    [N_FIXED] = {{"fixed", "fixed", "1", "1: a support holds the node"}, NODES, false, true},
+};
+
+const Quantity bar_series[BAR_SERIES] = {
+    {"v_cm", "v_cm", "length/time", "velocity of the centre of mass"},
+    {"x_cm", "x_cm", "length", "position of the centre of mass"},
+    {"kinetic", "kinetic", "force/length", "kinetic energy of the particles"},
+    {"kinetic_grid", "seen by grid", "force/length",
+     "the part of it that the grid sees: sum p^2/(2m) of the nodes, boundary applied"},
+    {"strain", "strain", "force/length", "strain energy of the particles"},
+    {"work", "work", "force/length", "work of the external force so far"},
+    {"total", "total", "force/length", "kinetic + strain; without loads it should keep its value"},
+};
+
+/* Momentum over mass at present; 0 before the map. */
+static double node_velocity(const Bar *bar, int i)
+{
+    return bar->node_momentum[i] * bar->node_inverse[i];
+}
+
+/* The nodal velocity that the strain of this step was made of. */
+static double strain_velocity(const Bar *bar, int i)
+{
+    /* update stress first: that of before the momentum was integrated */
+    if (bar->head->algorithm == MPM_USF && bar_has_done(bar, OP_INTEGRATE))
+        return bar->node_drift[i] * (bar->dx / bar->dt) - bar->node_kick[i];
+    return node_velocity(bar, i);
+}
+
+static double strain_increment(const Bar *bar, int cell, double s)
+{
+    double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX], gradient = 0.0;
+    shape_at(bar->def.shape, bar->gimp_half, bar->n_cells, cell, s, n, dn);
+    for (int a = 0; a < bar->support; a++)
+        gradient += dn[a] * strain_velocity(bar, cell + a);
+    return bar->dt / bar->dx * gradient;
+}
+
+static void particle_field(const Bar *bar, int field, int first, int count, double *out)
+{
+    const bool moved = bar_has_done(bar, OP_UPDATE), strained = bar_has_done(bar, OP_STRAIN);
+    int cell = bar_cell_of(bar, first);
+    for (int i = 0; i < count; i++) {
+        int p = first + i, j = p % bar->slots, k = p / bar->slots;
+        while (bar->first[cell + 1] <= p)
+            cell++;
+        double s = bar->s[j][k], place = moved ? bar->moved[j][k] : s, start = (j + 0.5) / bar->slots;
+        switch ((enum FieldIndex)field) {
+        case P_X0:
+            out[i] = (k + start) * bar->dx;
+            break;
+        case P_X:
+            out[i] = ((cell - bar->origin) + place) * bar->dx;
+            break;
+        case P_U:
+            out[i] = ((cell - bar->origin - k) + (place - start)) * bar->dx;
+            break;
+        case P_V:
+            out[i] = bar->v[j][k];
+            break;
+        case P_STRESS:
+            out[i] = bar->stress[j][k];
+            break;
+        case P_STRAIN:
+            out[i] = bar->stress[j][k] / bar->def.youngs_modulus;
+            break;
+        case P_DENSITY:
+            out[i] = bar->mass / bar->volume[j][k];
+            break;
+        case P_MASS:
+            out[i] = bar->mass;
+            break;
+        case P_CELL:
+            out[i] = cell;
+            break;
+        case P_NATURAL:
+            out[i] = place;
+            break;
+        case P_STRAIN_INCREMENT:
+            out[i] = strained ? strain_increment(bar, cell, s) : 0.0;
+            break;
+        case P_MOMENTUM:
+            out[i] = bar->mass * bar->v[j][k];
+            break;
+        case P_AFFINE:
+            out[i] = bar->affine[j][k];
+            break;
+        default:
+            out[i] = 0.0;
+        }
+    }
+}
+
+/* The grid is forgotten between steps, and each of its fields is 0 before its stage. */
+static void node_field(const Bar *bar, int field, int first, int count, double *out)
+{
+    const bool mapped = bar->sim.stage > 0 && bar_has_done(bar, OP_MAP);
+    const bool forced = bar_has_done(bar, OP_FORCE);
+    for (int n = 0; n < count; n++) {
+        int i = first + n;
+        double external = forced ? bar->node_f_ext[i] : 0.0;
+        double force = forced && !bar_node_is_fixed(bar, i) ? bar->node_f_int[i] + external : 0.0;
+        switch ((enum FieldIndex)field) {
+        case N_X:
+            out[n] = bar_node_position(bar, i);
+            break;
+        case N_MASS:
+            out[n] = mapped ? bar->node_mass[i] : 0.0;
+            break;
+        case N_MOMENTUM:
+            out[n] = mapped ? bar->node_momentum[i] : 0.0;
+            break;
+        case N_VELOCITY:
+            out[n] = mapped ? node_velocity(bar, i) : 0.0;
+            break;
+        case N_F_INT:
+            out[n] = forced ? bar->node_f_int[i] : 0.0;
+            break;
+        case N_F_EXT:
+            out[n] = external;
+            break;
+        case N_F:
+            out[n] = force;
+            break;
+        case N_ACCELERATION:
+            out[n] = mapped ? force * bar->node_inverse[i] : 0.0;
+            break;
+        case N_ACTIVE:
+            out[n] = mapped && bar->node_inverse[i] > 0.0;
+            break;
+        case N_FIXED:
+            out[n] = bar_node_is_fixed(bar, i);
+            break;
+        default:
+            out[n] = 0.0;
+        }
+    }
+}
+
+void bar_field(const Simulation *sim, int field, size_t first, size_t count, double *out)
+{
+    const Bar *bar = bar_of_const(sim);
+    if (count == 0)
+        return;
+    if (bar_fields[field].set == PARTICLES)
+        particle_field(bar, field, (int)first, (int)count, out);
+    else
+        node_field(bar, field, (int)first, (int)count, out);
+}
+
+static Link link_of(const Bar *bar, int set, int index, int particle, int cell, int node)
+{
+    double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
+    double s = bar->s[particle % bar->slots][particle / bar->slots];
+    shape_at(bar->def.shape, bar->gimp_half, bar->n_cells, cell, s, n, dn);
+    return (Link){
+        .set = set, .index = (size_t)index, .weight = n[node - cell], .gradient = dn[node - cell] / bar->dx};
+}
+
+/* During a step shape functions are those of its beginning. A uGIMP particle far from a ghost node has no
+ * part in it: such pairs are left out. */
+size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t max)
+{
+    const Bar *bar = bar_of_const(sim);
+    size_t count = 0;
+    if (set == PARTICLES) {
+        int cell = bar_cell_of(bar, (int)index);
+        for (int node = cell; node < cell + bar->support && count < max; node++) {
+            Link link = link_of(bar, NODES, node, (int)index, cell, node);
+            if (link.weight != 0.0 || link.gradient != 0.0)
+                out[count++] = link;
+        }
+        return count;
+    }
+    int node = (int)index, low = node - bar->support + 1, high = node;
+    low = low < 0 ? 0 : low;
+    high = high < bar->n_cells ? high : bar->n_cells - 1;
+    for (int cell = low; cell <= high; cell++)
+        for (int p = bar->first[cell]; p < bar->first[cell + 1] && count < max; p++) {
+            Link link = link_of(bar, PARTICLES, p, p, cell, node);
+            if (link.weight != 0.0 || link.gradient != 0.0)
+                out[count++] = link;
+        }
+    return count;
+}

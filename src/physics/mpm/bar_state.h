@@ -1,0 +1,150 @@
+/* The inside of a bar simulation: model, state, scratch. For the files of this folder only.
+ *
+ * Particles never change places: those of a bar stay in the order in which they were made, as long as
+ * 1 + de > 0. So a cell owns a range of particles, first[cell] to first[cell + 1], and no list of indices is
+ * needed. A particle's place is its cell and its natural coordinate s in [0, 1) there,
+ *     x = (cell - origin + s) dx;
+ * the shape functions depend on s alone, and small displacements keep all their digits.
+ *
+ * Storage is by slot: particle p stands in array p % P at p / P, P particles per cell. In a run of cells that
+ * hold P particles each, the j-th particles of all cells then lie side by side, whatever crossed before.
+ *
+ * A cell touches `support` nodes, numbered cell to cell + support - 1 for every shape (uGIMP's first node is
+ * the ghost one). What a cell gives to its a-th node is summed in part[a][cell] in the order of particles,
+ * then a node adds the cells in their order: this fixes every bit, however the cells are divided up. */
+#ifndef PHYSICS_MPM_BAR_STATE_H
+#define PHYSICS_MPM_BAR_STATE_H
+
+#include "physics/mpm/bar.h"
+
+#include <stdint.h>
+
+enum {
+    BAR_SLOTS_MAX = 8,   /* particles per cell */
+    BAR_SUPPORT_MAX = 4, /* nodes that a cell touches */
+    BAR_SUM_BLOCK = 64,  /* sums over particles and nodes go by blocks of this many places */
+    BAR_CHECK_EVERY = 64 /* the energy is looked at after each step that is a multiple of this */
+};
+
+/* The work of a stage. Stage tables are lists of these. */
+typedef enum BarOp {
+    OP_MAP,
+    OP_FIX,
+    OP_STRAIN,
+    OP_FORCE,
+    OP_INTEGRATE,
+    OP_UPDATE,
+    OP_MAP_AGAIN,
+    OP_FORGET,
+    OP_COUNT
+} BarOp;
+
+/* The part of the state that is no array. Live parameters belong to it, so that a restored snapshot goes on
+ * with the parameters of its own time. */
+typedef struct BarHead {
+    MpmAlgorithm algorithm;
+    MpmTransfer transfer;
+    double flip_fraction, body_force, traction;
+    double work;      /* of the external force so far */
+    double peak_work; /* largest magnitude of it seen by the energy check */
+    int energy_level; /* how many thresholds of growth were reported */
+    int64_t cell_sum; /* sum of the particles' cells: exact, for x_cm */
+} BarHead;
+
+typedef struct Bar Bar;
+typedef struct BarKernels BarKernels;
+
+struct Bar {
+    Simulation sim; /* first: a Bar is a Simulation */
+    const BarKernels *kernels;
+
+    /* model: constant */
+    BarDef def;
+    int slots; /* P */
+    int n_particles;
+    int n_cells; /* of the mesh, padding included */
+    int n_nodes; /* n_cells + support - 1 */
+    int origin;  /* the cell that begins at x = 0 */
+    int support;
+    int places;     /* length of a slot's array: cells of the bar */
+    int fixed_left; /* nodes [0, fixed_left) and the last fixed_right ones are held */
+    int fixed_right;
+    int layer_left; /* particles [0, layer_left) and the last layer_right ones bear the traction */
+    int layer_right;
+    double layer;        /* its thickness h */
+    double dx, dt, mass; /* mass of one particle */
+    double mass_floor;   /* nodes not heavier than this are inactive */
+    double gimp_half;    /* half-width of a uGIMP particle over dx */
+    double energy_start;
+
+    /* state: one block; what lies beyond the particle part exists only within a step */
+    void *block;
+    size_t bytes_flip, bytes_apic, bytes_whole; /* to the end of the FLIP part, the APIC part, everything */
+    BarHead *head;
+    int32_t *first;    /* of each cell: its first particle; n_cells + 1 */
+    uint64_t *crossed; /* one bit per particle: has crossed a cell's edge */
+    double *s[BAR_SLOTS_MAX];
+    double *v[BAR_SLOTS_MAX];
+    double *stress[BAR_SLOTS_MAX];
+    double *volume[BAR_SLOTS_MAX];    /* m / rho: needs no division to be updated */
+    double *affine[BAR_SLOTS_MAX];    /* C of APIC */
+    double *moved[BAR_SLOTS_MAX];     /* s after the step, still counted from the old cell */
+    double *node_mass, *node_inverse; /* the inverse is 0 where the node is inactive */
+    double *node_momentum, *node_f_int, *node_f_ext;
+    double *node_kick;  /* dt f / m */
+    double *node_drift; /* dt p / (m dx) with the integrated momentum */
+
+    /* scratch of one stage */
+    double *part[2][BAR_SUPPORT_MAX]; /* what cells give to their nodes; readable from -4 to n_cells + 3 */
+    int32_t *old_first;
+    unsigned char *backup; /* the particle part at the beginning of a batch of steps */
+    bool jumped;           /* a particle jumped over a whole cell in this step */
+    size_t bytes_memory;
+};
+
+static inline Bar *bar_of(Simulation *sim)
+{
+    return (Bar *)sim;
+}
+
+static inline const Bar *bar_of_const(const Simulation *sim)
+{
+    return (const Bar *)sim;
+}
+
+/* The stages of an algorithm: tables of equal length, what people read and what is done. */
+typedef struct BarSchedule {
+    const Stage *stages;
+    const BarOp *ops;
+    int count;
+    const Set *sets;
+} BarSchedule;
+
+const BarSchedule *bar_schedule(const BarHead *head, MpmShape shape);
+enum { BAR_SETS = 2 };
+
+/* Whether the stage that does `op` is done in the step that is going on. */
+bool bar_has_done(const Bar *bar, BarOp op);
+
+/* Node i as counted in stage functions: held by a support, and where it lies (the Greville abscissa of a
+ * B-spline). */
+bool bar_node_is_fixed(const Bar *bar, int node);
+double bar_node_position(const Bar *bar, int node);
+
+/* The cell in which a particle is (during a step: in which it began it). */
+int bar_cell_of(const Bar *bar, int particle);
+
+/* bar_fields.c: what front ends read. */
+enum { BAR_FIELDS = 23, BAR_SERIES = 7 };
+extern const Field bar_fields[BAR_FIELDS];
+extern const Quantity bar_series[BAR_SERIES];
+void bar_field(const Simulation *sim, int field, size_t first, size_t count, double *out);
+size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t max);
+
+/* bar_steps.c: stages, whole steps, rows. */
+bool bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status);
+bool bar_steps(Simulation *sim, long count, double *rows, long *done, Status *status);
+void bar_row(Simulation *sim, double *row);
+double bar_energy(const Bar *bar);
+
+#endif

@@ -1,0 +1,82 @@
+#include "physics/bar_case.h"
+
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+
+BarCase bar_case(int mode, double v0)
+{
+    BarCase which = {.def = bar_default()};
+    bar_case_add_mode(&which, mode, v0);
+    return which;
+}
+
+void bar_case_add_mode(BarCase *which, int mode, double v0)
+{
+    which->modes[which->n_modes].number = mode;
+    which->modes[which->n_modes++].velocity = v0;
+}
+
+static const double pi = 3.14159265358979323846;
+
+double bar_case_wave_number(const BarCase *which, int mode)
+{
+    bool one_end_free = which->def.supports == BAR_FIXED_FREE || which->def.supports == BAR_FREE_FIXED;
+    return (one_end_free ? 2 * mode - 1 : 2 * mode) * pi / (2 * which->def.length);
+}
+
+static double velocity(double x, const void *context)
+{
+    const BarCase *which = context;
+    bool left_fixed = which->def.supports == BAR_FIXED_FREE || which->def.supports == BAR_FIXED_FIXED;
+    double v = 0;
+    for (int i = 0; i < which->n_modes; i++) {
+        double phase = bar_case_wave_number(which, which->modes[i].number) * x;
+        v += which->modes[i].velocity * (left_fixed ? sin(phase) : cos(phase));
+    }
+    return v;
+}
+
+Simulation *bar_case_create(const BarCase *which)
+{
+    BarDef def = which->def;
+    def.initial_velocity = velocity;
+    def.initial_context = which;
+    Status status = {0};
+    Simulation *sim = bar_create(&def, &status);
+    ck_assert_msg(sim != NULL, "%s", status.text);
+    return sim;
+}
+
+void advance(Simulation *sim, long steps)
+{
+    Status status = {0};
+    ck_assert_msg(simulation_steps(sim, steps, NULL, NULL, &status), "%s", status.text);
+}
+
+double series_now(Simulation *sim, const char *name)
+{
+    double row[16];
+    int which = simulation_find_series(sim, name);
+    ck_assert_int_ge(which, 0);
+    simulation_row(sim, row);
+    return row[which];
+}
+
+double *field_now(const Simulation *sim, int set, const char *name)
+{
+    int field = simulation_find_field(sim, set, name);
+    ck_assert_msg(field >= 0, "no field %s", name);
+    double *values = malloc(sim->counts[set] * sizeof *values);
+    ck_assert_ptr_nonnull(values);
+    sim->method->field(sim, field, 0, sim->counts[set], values);
+    return values;
+}
+
+unsigned char *snapshot_now(const Simulation *sim)
+{
+    unsigned char *bytes = calloc(1, simulation_snapshot_size(sim));
+    ck_assert_ptr_nonnull(bytes);
+    simulation_snapshot(sim, bytes);
+    return bytes;
+}
