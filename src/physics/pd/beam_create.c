@@ -1,0 +1,447 @@
+/* A beam from its definition: model, state at t = 0, time step. */
+#include "physics/pd/beam_internal.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+BeamDef beam_default(BeamProblem problem)
+{
+    BeamDef def = {
+        .problem = problem,
+        .length = 0.1,
+        .height = 0.005,
+        .thickness = 0.005,
+        .youngs_modulus = 71e9,
+        .density = 2700,
+        .horizon = 1e-3,
+        .spacing = 0.25e-3,
+        .surface_correction = SURFACE_ENERGY,
+        .volume_correction = VOLUME_PARTIAL,
+        .amplitude = 3e-6,
+        .end = 1.8e-3,
+        .threads = 1,
+    };
+    if (problem == BEAM_MOVING_CANTILEVER) {
+        def.speed = 10;
+        def.channel = 0.055;
+        def.clamp = CLAMP_FULL;
+        def.end = 5e-3;
+    }
+    if (problem == BEAM_NOTCHED) {
+        def.length = 0.21;
+        def.height = 0.07;
+        def.thickness = 0.0254;
+        def.youngs_modulus = 34.48e9;
+        def.density = 2400;
+        def.horizon = 2e-3;
+        def.spacing = 0.5e-3;
+        def.critical_stretch = 0.00085;
+        def.protected_depth = 0.003;
+        def.amplitude = 0;
+        def.notch_position = 0.065;
+        def.notch_depth = 0.0175;
+        def.load_stress = 60e6;
+        def.load_ramp = 1e-6;
+        def.load_position = 0.105;
+        def.load_width = 0.003;
+        def.support_left = 0.005;
+        def.support_right = 0.205;
+        def.dt = 1e-7;
+        def.end = 3e-4;
+    }
+    return def;
+}
+
+static void destroy(Simulation *sim)
+{
+    Beam *beam = (Beam *)sim;
+    pool_destroy(beam->pool);
+    for (int band = 0; beam->band_logs && band < beam->n_bands; band++)
+        free(beam->band_logs[band].breaks);
+    free(beam->band_logs);
+    free(beam->coefficient);
+    free(beam->notched);
+    free(beam->unbreakable);
+    free(beam->state);
+    free(beam->broken_at);
+    free(beam->damage);
+    free(beam->dirty);
+    free(beam->is_dirty);
+    free(beam->halo);
+    free(beam->row_energy);
+    free(beam->scratch);
+    free(beam->rescue);
+    lattice_free(&beam->lattice);
+    free(beam);
+}
+
+/* Zeroed, aligned to a cache line. */
+static void *zeroed(size_t bytes)
+{
+    bytes = (bytes + 63) / 64 * 64;
+    void *block = aligned_alloc(64, bytes ? bytes : 64);
+    if (block)
+        memset(block, 0, bytes);
+    return block;
+}
+
+static bool allocate(Beam *beam, Status *status)
+{
+    const Lattice *lattice = &beam->lattice;
+    size_t nodes = lattice_nodes(lattice), slots = lattice_slots(lattice);
+    beam->array = (size_t)lattice->ny * lattice->stride;
+    size_t head = (sizeof(StateHead) + 63) / 64 * 64, arrays = 6 * beam->array * sizeof(double);
+    beam->state_size = head + arrays + slots / 8;
+
+    /* small enough that threads share a short beam evenly, large enough that halos cost little */
+    beam->band_rows = lattice->ny / 10 < 1 ? 1 : lattice->ny / 10 > 8 ? 8 : lattice->ny / 10;
+    beam->n_bands = (lattice->ny + beam->band_rows - 1) / beam->band_rows;
+    size_t bands = (size_t)beam->n_bands, reach = (size_t)lattice->reach;
+
+    beam->coefficient = zeroed(slots * sizeof *beam->coefficient);
+    beam->notched = zeroed(slots / 8);
+    beam->unbreakable = zeroed(nodes);
+    beam->state = zeroed(beam->state_size);
+    beam->broken_at = calloc(slots, sizeof *beam->broken_at);
+    beam->damage = zeroed(nodes * sizeof *beam->damage);
+    beam->dirty = zeroed(nodes * sizeof *beam->dirty);
+    beam->is_dirty = zeroed(nodes);
+    beam->halo = zeroed(bands * 2 * reach * lattice->stride * sizeof *beam->halo);
+    beam->row_energy = zeroed((size_t)lattice->ny * sizeof *beam->row_energy);
+    beam->band_logs = zeroed(bands * sizeof *beam->band_logs);
+    beam->scratch = zeroed((size_t)beam->def.threads * BONDS_SCRATCH * sizeof *beam->scratch);
+    if (!beam->coefficient || !beam->notched || !beam->unbreakable || !beam->state || !beam->broken_at ||
+        !beam->damage || !beam->dirty || !beam->is_dirty || !beam->halo || !beam->row_energy ||
+        !beam->band_logs || !beam->scratch)
+        return status_fail(status, STATUS_FAILED, "not enough memory for %zu bonds (pd.spacing)",
+                           lattice_bonds(lattice));
+
+    double *arrays_at = (double *)((char *)beam->state + head);
+    double **each[] = {&beam->nodes.ux, &beam->nodes.uy, &beam->nodes.vx,
+                       &beam->nodes.vy, &beam->nodes.fx, &beam->nodes.fy};
+    for (size_t k = 0; k < 6; k++)
+        *each[k] = arrays_at + k * beam->array;
+    beam->head = beam->state;
+    beam->broken = (uint8_t *)beam->state + head + arrays;
+    beam->head->load_stress = beam->def.load_stress;
+    beam->head->critical_stretch = beam->def.critical_stretch;
+    beam->head->first_break = beam->head->twentieth_break = beam->head->arrival = -1;
+    if (beam->def.threads > 1) {
+        beam->pool = pool_create(beam->def.threads, status);
+        return beam->pool != NULL;
+    }
+    return true;
+}
+
+/* A bond between the two sides of the notch is cut if it passes at or below the notch's end. Decided once for
+ * each bond: many pass exactly through the end. */
+static bool is_cut(const Beam *beam, BondPlace place)
+{
+    const Lattice *lattice = &beam->lattice;
+    const Offset *offset = &lattice->offsets[place.offset];
+    double tolerance = 1e-6 * lattice->spacing, at = beam->def.notch_position;
+    double x = lattice_x(lattice, place.i), y = lattice_y(lattice, place.j);
+    double other_x = lattice_x(lattice, place.i + offset->p),
+           other_y = lattice_y(lattice, place.j + offset->q);
+    bool left = x - at < -tolerance, other_left = other_x - at < -tolerance;
+    if (left == other_left)
+        return false;
+    double height = y + (at - x) / (other_x - x) * (other_y - y);
+    return height <= beam->def.notch_depth + tolerance;
+}
+
+static void set_bonds(Beam *beam)
+{
+    const Lattice *lattice = &beam->lattice;
+    bool has_notch = beam->def.problem == BEAM_NOTCHED && beam->def.notch_depth > 0 && !beam->free_body;
+    for (BondPlace bond = lattice_next_bond(lattice, (BondPlace){0, 0, -1}); bond.j < lattice->ny;
+         bond = lattice_next_bond(lattice, bond)) {
+        size_t slot = lattice_slot(lattice, bond);
+        if (has_notch && is_cut(beam, bond)) {
+            uint8_t bit = (uint8_t)(1u << slot % 8);
+            beam->notched[slot / 8] |= bit;
+            beam->broken[slot / 8] |= bit;
+            beam->facts.notch_bonds++;
+        } else {
+            beam->coefficient[slot] = lattice_coefficient(lattice, bond);
+        }
+    }
+    beam->system = (BondSystem){
+        .lattice = lattice,
+        .ux = beam->nodes.ux,
+        .uy = beam->nodes.uy,
+        .coefficient = beam->coefficient,
+        .broken = beam->broken,
+        .unbreakable = beam->unbreakable,
+        .energy_scale = beam_volume(beam) / 2 * beam->def.thickness,
+    };
+    bonds_set_limits(&beam->system, beam->def.critical_stretch);
+}
+
+static bool support(Beam *beam, int i, int j, bool x, bool y, Status *status)
+{
+    if (beam->n_supports == SUPPORTS_MAX)
+        return status_fail(status, STATUS_USAGE, "supports: more than %d nodes", SUPPORTS_MAX);
+    beam->supports[beam->n_supports++] = (Support){i, j, x, y};
+    return true;
+}
+
+/* One node at each end, at mid-height. */
+static bool set_simple_supports(Beam *beam, Status *status)
+{
+    int j = (beam->lattice.ny - 1) / 2, last = beam->lattice.nx - 1;
+    beam->facts.real_span = last * beam->lattice.spacing;
+    return support(beam, 0, j, true, true, status) && support(beam, last, j, false, true, status);
+}
+
+/* Nodes of the bottom row within half a spacing of the support: two where it lies between two. */
+static bool set_bottom_supports(Beam *beam, Status *status)
+{
+    const Lattice *lattice = &beam->lattice;
+    const double at[2] = {beam->def.support_left, beam->def.support_right};
+    double middle[2];
+    for (int end = 0; end < 2; end++) {
+        int found = 0;
+        middle[end] = 0;
+        for (int i = 0; i < lattice->nx; i++)
+            if (fabs(lattice_x(lattice, i) - at[end]) <= lattice->spacing * (0.5 + 1e-6)) {
+                if (!support(beam, i, 0, beam->def.pinned && end == 0, true, status))
+                    return false;
+                middle[end] += lattice_x(lattice, i);
+                found++;
+            }
+        if (!found)
+            return status_fail(status, STATUS_USAGE, "supports.%s: no node lies at %g",
+                               end ? "right" : "left", at[end]);
+        middle[end] /= found;
+    }
+    beam->facts.real_span = middle[1] - middle[0];
+    return true;
+}
+
+static bool set_load(Beam *beam, Status *status)
+{
+    const Lattice *lattice = &beam->lattice;
+    double reach = beam->def.load_width / 2 + 1e-6 * lattice->spacing;
+    for (int i = 0; i < lattice->nx; i++)
+        if (fabs(lattice_x(lattice, i) - beam->def.load_position) <= reach) {
+            if (beam->load_end == 0)
+                beam->load_first = i;
+            beam->load_end = i + 1;
+        }
+    if (beam->load_end == 0)
+        return status_fail(status, STATUS_USAGE,
+                           "load.width: %g at %g holds no node of the top row (at least pd.spacing = %g)",
+                           beam->def.load_width, beam->def.load_position, lattice->spacing);
+    return true;
+}
+
+/* Nodes nearer than pd.protected to the load or a support: none of their bonds ever breaks. */
+static void protect(Beam *beam)
+{
+    const Lattice *lattice = &beam->lattice;
+    double p = beam->def.protected_depth, tolerance = 1e-6 * lattice->spacing;
+    if (p <= 0)
+        return;
+    double top = beam->def.height - p + tolerance, bottom = p - tolerance;
+    double beside_load = beam->def.load_width / 2 + p - tolerance;
+    for (int j = 0; j < lattice->ny; j++)
+        for (int i = 0; i < lattice->nx; i++) {
+            double x = lattice_x(lattice, i), y = lattice_y(lattice, j);
+            bool near_load = y > top && fabs(x - beam->def.load_position) < beside_load;
+            bool near_support = y < bottom && (fabs(x - beam->def.support_left) < bottom ||
+                                               fabs(x - beam->def.support_right) < bottom);
+            beam->unbreakable[(size_t)j * (size_t)lattice->nx + (size_t)i] = near_load || near_support;
+        }
+}
+
+static bool set_problem(Beam *beam, Status *status)
+{
+    const Lattice *lattice = &beam->lattice;
+    int nx = lattice->nx, ny = lattice->ny;
+    beam->probe_j[0] = (ny - 1) / 2;
+    beam->probe_j[1] = ny / 2;
+    beam->probe_i[0] = beam->probe_i[1] = nx - 1;
+    if (beam->def.problem == BEAM_SIMPLY_SUPPORTED) {
+        beam->probe_i[0] = (nx - 1) / 2;
+        beam->probe_i[1] = nx / 2;
+    }
+    if (beam->def.problem == BEAM_NOTCHED) {
+        beam->probe_i[0] = beam->probe_i[1] = nx / 2;
+        beam->probe_j[0] = beam->probe_j[1] = ny - 1;
+    }
+    if (beam->free_body)
+        return true;
+    if (beam->def.problem == BEAM_SIMPLY_SUPPORTED)
+        return set_simple_supports(beam, status);
+    if (beam->def.problem == BEAM_MOVING_CANTILEVER)
+        return true;
+    protect(beam);
+    return set_bottom_supports(beam, status) && set_load(beam, status);
+}
+
+/* Eqs. 15, 16. */
+static void bend_supported(const Beam *beam, double x, double y, double u[2])
+{
+    double k = M_PI / beam->def.length, U = beam->def.amplitude;
+    u[0] = -y * U * k * cos(k * x);
+    u[1] = U * sin(k * x);
+}
+
+/* The first root of 1 + cosh z cos z = 0. */
+static double cantilever_root(void)
+{
+    double z = 1.8751;
+    for (int round = 0; round < 8; round++)
+        z -= (1 + cosh(z) * cos(z)) / (sinh(z) * cos(z) - cosh(z) * sin(z));
+    return z;
+}
+
+/* Eqs. 17, 18; zero inside the channel. */
+static void bend_cantilever(const Beam *beam, double x, double y, double u[2])
+{
+    u[0] = u[1] = 0;
+    if (x <= 0)
+        return;
+    double z = cantilever_root(), k = z / beam->def.length, U = beam->def.amplitude;
+    double ratio = (sinh(z) - sin(z)) / (cosh(z) + cos(z));
+    u[0] = -U * k * y * (sinh(k * x) + sin(k * x) - ratio * (cosh(k * x) - cos(k * x)));
+    u[1] = U * (cosh(k * x) - cos(k * x) - ratio * (sinh(k * x) - sin(k * x)));
+}
+
+static void set_motion(Beam *beam, const BeamOptions *options)
+{
+    const Lattice *lattice = &beam->lattice;
+    for (int j = 0; j < lattice->ny; j++)
+        for (int i = 0; i < lattice->nx; i++) {
+            double x = lattice_x(lattice, i), y = lattice_y(lattice, j), u[2] = {0, 0}, v[2] = {0, 0};
+            if (beam->def.problem == BEAM_SIMPLY_SUPPORTED)
+                bend_supported(beam, x, y, u);
+            if (beam->def.problem == BEAM_MOVING_CANTILEVER) {
+                bend_cantilever(beam, x, y, u);
+                v[0] = beam->def.speed;
+            }
+            if (options && options->initial)
+                options->initial(x, y, u, v, options->context);
+            size_t at = lattice_at(lattice, i, j);
+            beam->nodes.ux[at] = u[0];
+            beam->nodes.uy[at] = u[1];
+            beam->nodes.vx[at] = v[0];
+            beam->nodes.vy[at] = v[1];
+        }
+    /* before the first force, or the energy jumps */
+    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++) {
+        size_t at = lattice_at(lattice, s->i, s->j);
+        if (s->x)
+            beam->nodes.ux[at] = beam->nodes.vx[at] = 0;
+        if (s->y)
+            beam->nodes.uy[at] = beam->nodes.vy[at] = 0;
+    }
+}
+
+static bool set_time_step(Beam *beam, Status *status)
+{
+    double critical;
+    if (!beam_critical_step(beam, &critical, status))
+        return false;
+    beam->facts.critical_step = critical;
+    beam->sim.dt = beam->def.dt > 0 ? beam->def.dt : critical / 2;
+    if (!(beam->sim.dt <= critical))
+        return status_fail(status, STATUS_USAGE,
+                           "time.step: %g is above the critical time step (at most %.4g, or auto)",
+                           beam->sim.dt, critical);
+    return true;
+}
+
+/* Forces at t = 0; a bond that is stretched too far by the initial shape breaks now. */
+static bool start(Beam *beam, Status *status)
+{
+    beam_all_forces(beam);
+    for (int band = 0; band < beam->n_bands; band++) {
+        beam->band_logs[band].strained = false;
+        if (beam->band_logs[band].unstable)
+            return status_fail(status, STATUS_USAGE,
+                               "initial.amplitude: %g tears the beam apart at the start (a smaller one)",
+                               beam->def.amplitude);
+        if (!beam_take_log(beam, &beam->band_logs[band], -1))
+            return status_fail(status, STATUS_FAILED, "not enough memory for the broken bonds");
+    }
+    if (beam->load_end > beam->load_first)
+        for (int i = beam->load_first; i < beam->load_end; i++)
+            beam->nodes.fy[lattice_at(&beam->lattice, i, beam->lattice.ny - 1)] += beam_body_force(beam, 0);
+    beam_update_damage(beam, 0);
+    beam_rebuild_damage(beam);
+    return true;
+}
+
+static const Method beam_method = {
+    .name = "pd",
+    .title = "peridynamics",
+    .destroy = destroy,
+    .stage = beam_stage,
+    .steps = beam_steps,
+    .row = beam_row,
+    .field = beam_field,
+    .links = beam_links,
+    .explain = beam_explain,
+    .state_size = beam_state_size,
+    .save = beam_save,
+    .load = beam_load,
+    .change = beam_change,
+};
+
+static bool build(Beam *beam, const BeamOptions *options, Status *status)
+{
+    if (!beam_check(&beam->def, status) || !lattice_init(&beam->lattice, &beam->def, status) ||
+        !allocate(beam, status))
+        return false;
+    set_bonds(beam);
+    if (!set_problem(beam, status) || !set_time_step(beam, status))
+        return false;
+    set_motion(beam, options);
+    if (!start(beam, status))
+        return false;
+
+    const Lattice *lattice = &beam->lattice;
+    beam->facts.micromodulus = lattice->micromodulus;
+    beam->facts.nx = lattice->nx;
+    beam->facts.ny = lattice->ny;
+    beam->facts.real_height = lattice->ny * lattice->spacing;
+    if (beam->def.problem == BEAM_MOVING_CANTILEVER)
+        beam->facts.real_span = beam->def.length;
+    beam->facts.family = 2 * (size_t)lattice->n_offsets;
+    beam->facts.bonds = lattice_bonds(lattice);
+    beam_set_tables(beam);
+    return true;
+}
+
+Simulation *beam_create_with(const BeamDef *definition, const BeamOptions *options, Status *status)
+{
+    Beam *beam = calloc(1, sizeof *beam);
+    if (!beam) {
+        status_fail(status, STATUS_FAILED, "not enough memory");
+        return NULL;
+    }
+    beam->sim.method = &beam_method;
+    beam->def = *definition;
+    beam->free_body = options && options->free_body;
+    beam->kernels = bond_kernels(options && options->force_level ? options->level : cpu_best());
+    if (!beam->kernels || !build(beam, options, status)) {
+        if (!beam->kernels)
+            status_fail(status, STATUS_FAILED, "this machine has no %s", cpu_name(options->level));
+        destroy(&beam->sim);
+        return NULL;
+    }
+    return &beam->sim;
+}
+
+Simulation *beam_create(const BeamDef *definition, Status *status)
+{
+    return beam_create_with(definition, NULL, status);
+}
+
+void beam_facts(const Simulation *sim, BeamFacts *facts)
+{
+    *facts = ((const Beam *)sim)->facts;
+}

@@ -1,0 +1,402 @@
+/* One time step, eqs. 9 to 11: each stage is a function of one lattice row; the fast path calls the same
+ * functions for bands of rows, several threads at once, and joins the end of one step to the start of the
+ * next. */
+#include "physics/pd/beam_internal.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+void beam_run(Beam *beam, PoolWork *work, int chunks)
+{
+    if (beam->pool)
+        pool_run(beam->pool, work, beam, chunks);
+    else
+        for (int chunk = 0; chunk < chunks; chunk++)
+            work(beam, chunk, 0);
+}
+
+/* A node is held at time t while it is inside the channel; the tolerance decides when one is released. */
+int beam_held_columns(const Beam *beam, double time)
+{
+    if (beam->def.problem != BEAM_MOVING_CANTILEVER || beam->free_body)
+        return 0;
+    double limit = -1e-6 * beam->lattice.spacing;
+    int low = 0, high = beam->lattice.nx;
+    while (low < high) {
+        int middle = low + (high - low) / 2;
+        if (lattice_x(&beam->lattice, middle) + beam->def.speed * time < limit)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+double beam_body_force(const Beam *beam, double time)
+{
+    double ramp = beam->def.load_ramp > 0 ? fmin(1, time / beam->def.load_ramp) : 1;
+    return -beam->head->load_stress * ramp / beam->lattice.spacing;
+}
+
+/* --- what the stages do to one row; `step` is the number of whole steps before this one --- */
+
+static void constrain_velocity(Beam *beam, int j, double time)
+{
+    const NodeArrays *nodes = &beam->nodes;
+    size_t row = lattice_at(&beam->lattice, 0, j);
+    size_t held = (size_t)beam_held_columns(beam, time);
+    for (size_t i = row; i < row + held; i++) {
+        nodes->vy[i] = 0;
+        if (beam->def.clamp == CLAMP_FULL)
+            nodes->vx[i] = beam->def.speed;
+    }
+    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
+        if (s->j == j) {
+            if (s->x)
+                nodes->vx[row + (size_t)s->i] = 0;
+            if (s->y)
+                nodes->vy[row + (size_t)s->i] = 0;
+        }
+}
+
+static void constrain_displacement(Beam *beam, int j, double time)
+{
+    const NodeArrays *nodes = &beam->nodes;
+    size_t row = lattice_at(&beam->lattice, 0, j);
+    size_t held = (size_t)beam_held_columns(beam, time);
+    for (size_t i = row; i < row + held; i++) {
+        nodes->uy[i] = 0;
+        if (beam->def.clamp == CLAMP_FULL)
+            nodes->ux[i] = beam->def.speed * time;
+    }
+    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
+        if (s->j == j) {
+            if (s->x)
+                nodes->ux[row + (size_t)s->i] = 0;
+            if (s->y)
+                nodes->uy[row + (size_t)s->i] = 0;
+        }
+}
+
+static void kick(Beam *beam, int j)
+{
+    size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
+    double factor = beam->sim.dt / (2 * beam->def.density);
+    beam->kernels->add(beam->nodes.vx + row, beam->nodes.fx + row, factor, count);
+    beam->kernels->add(beam->nodes.vy + row, beam->nodes.fy + row, factor, count);
+}
+
+static void half_kick(Beam *beam, int j, long step)
+{
+    kick(beam, j);
+    constrain_velocity(beam, j, (double)step * beam->sim.dt);
+}
+
+static bool is_loaded_row(const Beam *beam, int j)
+{
+    return j == beam->lattice.ny - 1 && beam->load_end > beam->load_first;
+}
+
+static void drift(Beam *beam, int j, long step)
+{
+    size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
+    double dt = beam->sim.dt;
+    beam->kernels->add(beam->nodes.ux + row, beam->nodes.vx + row, dt, count);
+    beam->kernels->add(beam->nodes.uy + row, beam->nodes.vy + row, dt, count);
+    if (is_loaded_row(beam, j)) {
+        /* the load at the midpoint times v^{n+1/2} dt */
+        double force = beam_body_force(beam, ((double)step + 0.5) * dt), work = 0;
+        for (int i = beam->load_first; i < beam->load_end; i++)
+            work += force * beam->nodes.vy[row + (size_t)i];
+        beam->head->work += work * beam_volume(beam) * beam->def.thickness * dt;
+    }
+}
+
+static void constraints(Beam *beam, int j, long step)
+{
+    double time = (double)(step + 1) * beam->sim.dt;
+    constrain_displacement(beam, j, time);
+    constrain_velocity(beam, j, time);
+}
+
+static void body_force(Beam *beam, int j, long step)
+{
+    if (!is_loaded_row(beam, j))
+        return;
+    size_t row = lattice_at(&beam->lattice, 0, j);
+    double force = beam_body_force(beam, (double)(step + 1) * beam->sim.dt);
+    for (int i = beam->load_first; i < beam->load_end; i++)
+        beam->nodes.fy[row + (size_t)i] += force;
+}
+
+static void second_kick(Beam *beam, int j, long step)
+{
+    kick(beam, j);
+    constrain_velocity(beam, j, (double)(step + 1) * beam->sim.dt);
+}
+
+/* --- bond forces: a band at a time --- */
+
+static int band_end(const Beam *beam, int band)
+{
+    int end = (band + 1) * beam->band_rows;
+    return end < beam->lattice.ny ? end : beam->lattice.ny;
+}
+
+/* Row `row` above the band's end, in the band's halo: its column 0. */
+static double *halo_row(const Beam *beam, int band, int component, int row)
+{
+    size_t reach = (size_t)beam->lattice.reach, stride = beam->lattice.stride;
+    return beam->halo + (((size_t)band * 2 + (size_t)component) * reach + (size_t)row) * stride +
+           LATTICE_BLOCK;
+}
+
+static void clear_band(Beam *beam, int band)
+{
+    int first = band * beam->band_rows, rows = band_end(beam, band) - first;
+    size_t stride = beam->lattice.stride, bytes = stride * sizeof(double);
+    memset(beam->nodes.fx + (size_t)first * stride, 0, (size_t)rows * bytes);
+    memset(beam->nodes.fy + (size_t)first * stride, 0, (size_t)rows * bytes);
+    memset(halo_row(beam, band, 0, 0) - LATTICE_BLOCK, 0, 2 * (size_t)beam->lattice.reach * bytes);
+}
+
+static void bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy)
+{
+    int band = j / beam->band_rows, end = band_end(beam, band);
+    if (j == band * beam->band_rows)
+        clear_band(beam, band);
+    double *fx[LATTICE_REACH_MAX + 1], *fy[LATTICE_REACH_MAX + 1];
+    for (int q = 0; q <= beam->lattice.reach; q++) {
+        bool inside = j + q < end;
+        size_t at = inside ? lattice_at(&beam->lattice, 0, j + q) : 0;
+        fx[q] = inside ? beam->nodes.fx + at : halo_row(beam, band, 0, j + q - end);
+        fy[q] = inside ? beam->nodes.fy + at : halo_row(beam, band, 1, j + q - end);
+    }
+    beam->kernels->forces(&beam->system, j, fx, fy, log, with_energy ? &beam->row_energy[j] : NULL);
+}
+
+/* What the bands below have for this row. */
+static void add_halos(Beam *beam, int j)
+{
+    size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
+    int own = j / beam->band_rows, reach = beam->lattice.reach;
+    int lowest = own - (reach + beam->band_rows - 1) / beam->band_rows;
+    for (int band = lowest > 0 ? lowest : 0; band < own; band++) {
+        int above = j - band_end(beam, band);
+        if (above >= reach)
+            continue;
+        beam->kernels->add(beam->nodes.fx + row, halo_row(beam, band, 0, above), 1, count);
+        beam->kernels->add(beam->nodes.fy + row, halo_row(beam, band, 1, above), 1, count);
+    }
+}
+
+static void bonds_of_band(Beam *beam, int band, int worker, bool with_energy)
+{
+    BondLog *log = &beam->band_logs[band];
+    log->scratch = beam->scratch + (size_t)worker * BONDS_SCRATCH;
+    for (int j = band * beam->band_rows; j < band_end(beam, band); j++)
+        bonds_of_row(beam, j, log, with_energy);
+}
+
+static void bonds_chunk(void *context, int band, int worker)
+{
+    bonds_of_band(context, band, worker, false);
+}
+
+static void bonds_and_energy_chunk(void *context, int band, int worker)
+{
+    bonds_of_band(context, band, worker, true);
+}
+
+static void halos_chunk(void *context, int band, int worker)
+{
+    (void)worker;
+    Beam *beam = context;
+    for (int j = band * beam->band_rows; j < band_end(beam, band); j++)
+        add_halos(beam, j);
+}
+
+static void energy_chunk(void *context, int band, int worker)
+{
+    (void)worker;
+    Beam *beam = context;
+    for (int j = band * beam->band_rows; j < band_end(beam, band); j++)
+        beam->row_energy[j] = beam->kernels->energy(&beam->system, j);
+}
+
+void beam_all_forces(Beam *beam)
+{
+    beam_run(beam, bonds_chunk, beam->n_bands);
+    beam_run(beam, halos_chunk, beam->n_bands);
+}
+
+static double sum_of_rows(const Beam *beam)
+{
+    double sum = 0;
+    for (int j = 0; j < beam->lattice.ny; j++)
+        sum += beam->row_energy[j];
+    return sum;
+}
+
+double beam_strain(Beam *beam)
+{
+    if (!beam->strain_known) {
+        beam_run(beam, energy_chunk, beam->n_bands);
+        beam->strain = sum_of_rows(beam);
+        beam->strain_known = true;
+    }
+    return beam->strain;
+}
+
+/* Breaks go to the list; what went wrong becomes the run's failure. */
+static bool take_log(Beam *beam, BondLog *log, long step, Status *status)
+{
+    bool written = beam_take_log(beam, log, step);
+    beam->strained |= log->strained;
+    log->strained = false;
+    if (log->unstable) {
+        log->unstable = false;
+        BondPlace place = lattice_slot_place(&beam->lattice, log->unstable_slot);
+        return simulation_fail(&beam->sim, status,
+                               "unstable: at node %zu a bond has doubled its length in step %ld, t = %.6g s "
+                               "(a smaller time.step or a smaller load)",
+                               (size_t)place.j * (size_t)beam->lattice.nx + (size_t)place.i, step + 1,
+                               (double)(step + 1) * beam->sim.dt);
+    }
+    if (!written)
+        return simulation_fail(&beam->sim, status,
+                               "not enough memory for the list of broken bonds in step %ld", step + 1);
+    return true;
+}
+
+/* --- stage by stage --- */
+
+typedef void RowStage(Beam *beam, int j, long step);
+
+static RowStage *const row_stages[N_STAGES] = {
+    [STAGE_HALF_KICK] = half_kick,     [STAGE_DRIFT] = drift,
+    [STAGE_CONSTRAINTS] = constraints, [STAGE_BODY_FORCE] = body_force,
+    [STAGE_SECOND_KICK] = second_kick,
+};
+
+static bool bonds_stage(Beam *beam, int first, int end, Status *status)
+{
+    BondLog *log = &beam->band_logs[0];
+    log->scratch = beam->scratch;
+    for (int j = first; j < end; j++)
+        bonds_of_row(beam, j, log, false);
+    if (!take_log(beam, log, beam->sim.step, status))
+        return false;
+    if (end == beam->lattice.ny)
+        for (int j = 0; j < beam->lattice.ny; j++)
+            add_halos(beam, j);
+    return true;
+}
+
+bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status)
+{
+    Beam *beam = (Beam *)sim;
+    beam->strain_known = false;
+    if (stage == STAGE_BONDS)
+        return bonds_stage(beam, (int)first, (int)end, status);
+    if (stage == STAGE_DAMAGE) {
+        if (end == sim->stage_items)
+            beam_update_damage(beam, sim->step + 1);
+        return true;
+    }
+    for (size_t j = first; j < end; j++)
+        row_stages[stage](beam, (int)j, sim->step);
+    return true;
+}
+
+/* --- whole steps --- */
+
+static void begin_row(Beam *beam, int j, long step)
+{
+    half_kick(beam, j, step);
+    drift(beam, j, step);
+    constraints(beam, j, step);
+}
+
+static void end_row(Beam *beam, int j, long step)
+{
+    add_halos(beam, j);
+    body_force(beam, j, step);
+    second_kick(beam, j, step);
+}
+
+static void begin_chunk(void *context, int band, int worker)
+{
+    (void)worker;
+    Beam *beam = context;
+    for (int j = band * beam->band_rows; j < band_end(beam, band); j++)
+        begin_row(beam, j, beam->sim.step);
+}
+
+static void end_chunk(void *context, int band, int worker)
+{
+    (void)worker;
+    Beam *beam = context;
+    for (int j = band * beam->band_rows; j < band_end(beam, band); j++)
+        end_row(beam, j, beam->sim.step);
+}
+
+/* The end of this step and the start of the next, while the row is at hand. */
+static void turn_chunk(void *context, int band, int worker)
+{
+    (void)worker;
+    Beam *beam = context;
+    for (int j = band * beam->band_rows; j < band_end(beam, band); j++) {
+        end_row(beam, j, beam->sim.step);
+        begin_row(beam, j, beam->sim.step + 1);
+    }
+}
+
+/* A run that is about to burst is kept as it was before the step, so that it can stand at a sound one. */
+static bool keep_rescue(Beam *beam)
+{
+    if (!beam->strained)
+        return false;
+    beam->strained = false;
+    if (!beam->rescue)
+        beam->rescue = malloc(beam->state_size);
+    if (!beam->rescue)
+        return false;
+    beam_save(&beam->sim, beam->rescue);
+    return true;
+}
+
+bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
+{
+    Beam *beam = (Beam *)sim;
+    bool begun = false;
+    for (*done = 0; *done < count; ++*done) {
+        bool rescued = !begun && keep_rescue(beam);
+        beam->strain_known = false;
+        if (!begun)
+            beam_run(beam, begin_chunk, beam->n_bands);
+
+        beam_run(beam, rows ? bonds_and_energy_chunk : bonds_chunk, beam->n_bands);
+        bool sound = true;
+        for (int band = 0; band < beam->n_bands; band++)
+            sound = take_log(beam, &beam->band_logs[band], sim->step, status) && sound;
+        if (!sound) {
+            if (rescued)
+                beam_load(sim, beam->rescue);
+            return false;
+        }
+
+        bool pause = rows || beam->strained || *done + 1 == count;
+        beam_run(beam, pause ? end_chunk : turn_chunk, beam->n_bands);
+        begun = !pause;
+        beam_update_damage(beam, sim->step + 1);
+        sim->step++;
+        if (rows) {
+            beam->strain = sum_of_rows(beam);
+            beam->strain_known = true;
+            beam_row(sim, rows + *done * sim->n_series);
+        }
+    }
+    return true;
+}

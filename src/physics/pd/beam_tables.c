@@ -1,0 +1,563 @@
+/* What front ends see: sets, fields, series and links. */
+#include "physics/pd/beam_internal.h"
+#include "physics/pd/crack.h"
+
+#include <math.h>
+#include <string.h>
+
+static const Set sets[N_SETS] = {
+    [SET_PARTICLE] = {"particle", "particles", 0},
+    [SET_BOND] = {"bond", "bonds", 0},
+};
+
+/* --- fields: one row each; the value of one thing --- */
+
+typedef double FieldValue(const Beam *beam, size_t index);
+
+static int column(const Beam *beam, size_t node)
+{
+    return (int)(node % (size_t)beam->lattice.nx);
+}
+
+static int row(const Beam *beam, size_t node)
+{
+    return (int)(node / (size_t)beam->lattice.nx);
+}
+
+static size_t at(const Beam *beam, size_t node)
+{
+    return lattice_at(&beam->lattice, column(beam, node), row(beam, node));
+}
+
+static double rest_x(const Beam *beam, size_t node)
+{
+    return lattice_x(&beam->lattice, column(beam, node));
+}
+
+static double rest_y(const Beam *beam, size_t node)
+{
+    return lattice_y(&beam->lattice, row(beam, node));
+}
+
+static double ux(const Beam *beam, size_t node)
+{
+    return beam->nodes.ux[at(beam, node)];
+}
+
+static double uy(const Beam *beam, size_t node)
+{
+    return beam->nodes.uy[at(beam, node)];
+}
+
+static double vx(const Beam *beam, size_t node)
+{
+    return beam->nodes.vx[at(beam, node)];
+}
+
+static double vy(const Beam *beam, size_t node)
+{
+    return beam->nodes.vy[at(beam, node)];
+}
+
+static double fx(const Beam *beam, size_t node)
+{
+    return beam->nodes.fx[at(beam, node)];
+}
+
+static double fy(const Beam *beam, size_t node)
+{
+    return beam->nodes.fy[at(beam, node)];
+}
+
+static double damage(const Beam *beam, size_t node)
+{
+    return beam->damage[node];
+}
+
+static double surface_x(const Beam *beam, size_t node)
+{
+    return beam->lattice.factor_x[node];
+}
+
+static double surface_y(const Beam *beam, size_t node)
+{
+    return beam->lattice.factor_y[node];
+}
+
+static double surface_factor(const Beam *beam, size_t node)
+{
+    return (surface_x(beam, node) + surface_y(beam, node)) / 2;
+}
+
+static double strain_energy(const Beam *beam, size_t node)
+{
+    BondPlace family[FAMILY_MAX];
+    size_t n = beam_family(beam, column(beam, node), row(beam, node), family);
+    double sum = 0;
+    for (size_t k = 0; k < n; k++)
+        sum += beam_bond(beam, family[k]).energy / 2;
+    return sum;
+}
+
+static double family_size(const Beam *beam, size_t node)
+{
+    BondPlace family[FAMILY_MAX];
+    return (double)beam_family(beam, column(beam, node), row(beam, node), family);
+}
+
+static double largest_stretch(const Beam *beam, size_t node)
+{
+    BondPlace family[FAMILY_MAX];
+    size_t n = beam_family(beam, column(beam, node), row(beam, node), family);
+    double largest = 0;
+    bool found = false;
+    for (size_t k = 0; k < n; k++) {
+        BondNow bond = beam_bond(beam, family[k]);
+        if (!bond.broken && (!found || bond.stretch > largest)) {
+            largest = bond.stretch;
+            found = true;
+        }
+    }
+    return largest;
+}
+
+static double speed(const Beam *beam, size_t node)
+{
+    return hypot(vx(beam, node), vy(beam, node));
+}
+
+static double held(const Beam *beam, size_t node)
+{
+    int i = column(beam, node), j = row(beam, node);
+    double flags = i < beam_held_columns(beam, simulation_time(&beam->sim)) ? 1 : 0;
+    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
+        if (s->i == i && s->j == j)
+            flags = 1;
+    return flags;
+}
+
+static double loaded(const Beam *beam, size_t node)
+{
+    int i = column(beam, node);
+    return row(beam, node) == beam->lattice.ny - 1 && i >= beam->load_first && i < beam->load_end;
+}
+
+static double protected_node(const Beam *beam, size_t node)
+{
+    return beam->unbreakable[node];
+}
+
+typedef double BondValue(const Beam *beam, BondPlace place, const BondNow *bond);
+
+static double end_i(const Beam *beam, BondPlace place, const BondNow *bond)
+{
+    (void)beam, (void)place;
+    return (double)bond->a;
+}
+
+static double end_j(const Beam *beam, BondPlace place, const BondNow *bond)
+{
+    (void)beam, (void)place;
+    return (double)bond->b;
+}
+
+static double x_i(const Beam *beam, BondPlace place, const BondNow *bond)
+{
+    (void)place;
+    return rest_x(beam, bond->a);
+}
+
+static double y_i(const Beam *beam, BondPlace place, const BondNow *bond)
+{
+    (void)place;
+    return rest_y(beam, bond->a);
+}
+
+static double x_j(const Beam *beam, BondPlace place, const BondNow *bond)
+{
+    (void)place;
+    return rest_x(beam, bond->b);
+}
+
+static double y_j(const Beam *beam, BondPlace place, const BondNow *bond)
+{
+    (void)place;
+    return rest_y(beam, bond->b);
+}
+
+static double stretch(const Beam *beam, BondPlace place, const BondNow *bond)
+{
+    (void)beam, (void)place;
+    return bond->stretch;
+}
+
+static double broken(const Beam *beam, BondPlace place, const BondNow *bond)
+{
+    (void)beam, (void)place;
+    return bond->broken;
+}
+
+static double broken_at(const Beam *beam, BondPlace place, const BondNow *bond)
+{
+    return bond->broken ? (double)beam->broken_at[lattice_slot(&beam->lattice, place)] : -1;
+}
+
+static double is_notch(const Beam *beam, BondPlace place, const BondNow *bond)
+{
+    (void)beam, (void)place;
+    return bond->notch;
+}
+
+static double pull(const Beam *beam, BondPlace place, const BondNow *bond)
+{
+    (void)beam, (void)place;
+    return bond->pull;
+}
+
+static double energy(const Beam *beam, BondPlace place, const BondNow *bond)
+{
+    (void)beam, (void)place;
+    return bond->energy;
+}
+
+typedef enum FieldIndex {
+    F_X0,
+    F_Y0,
+    F_UX,
+    F_UY,
+    F_VX,
+    F_VY,
+    F_DAMAGE,
+    F_SURFACE,
+    F_STRAIN_ENERGY,
+    F_FX,
+    F_FY,
+    F_SPEED,
+    F_STRETCH,
+    F_FAMILY,
+    F_SURFACE_X,
+    F_SURFACE_Y,
+    F_HELD,
+    F_LOADED,
+    F_PROTECTED,
+    F_I,
+    F_J,
+    F_XI,
+    F_YI,
+    F_XJ,
+    F_YJ,
+    F_BOND_STRETCH,
+    F_BROKEN,
+    F_BROKEN_AT,
+    F_NOTCH,
+    F_PULL,
+    F_BOND_ENERGY,
+    N_FIELDS
+} FieldIndex;
+
+#define PARTICLE(name, label, unit, meaning, table, whole)                                                   \
+    {                                                                                                        \
+        {name, label, unit, meaning}, SET_PARTICLE, table, whole                                             \
+    }
+#define BOND(name, label, unit, meaning, table, whole)                                                       \
+    {                                                                                                        \
+        {name, label, unit, meaning}, SET_BOND, table, whole                                                 \
+    }
+
+static const Field fields[N_FIELDS] = {
+    [F_X0] = PARTICLE("x0", "x0", "m", "reference position along the beam", true, false),
+    [F_Y0] = PARTICLE("y0", "y0", "m", "reference position across the beam", true, false),
+    [F_UX] = PARTICLE("ux", "ux", "m", "displacement along the beam", true, false),
+    [F_UY] = PARTICLE("uy", "uy", "m", "displacement across the beam", true, false),
+    [F_VX] = PARTICLE("vx", "vx", "m/s", "velocity along the beam", true, false),
+    [F_VY] = PARTICLE("vy", "vy", "m/s", "velocity across the beam", true, false),
+    [F_DAMAGE] = PARTICLE("damage", "damage", "1",
+                          "broken share of the family, the notch's bonds included (eq. 5)", true, false),
+    [F_SURFACE] = PARTICLE("surface_factor", "surface factor", "1",
+                           "surface correction of the node: the mean of its two directions", true, false),
+    [F_STRAIN_ENERGY] = PARTICLE("strain_energy", "strain energy", "J",
+                                 "half of the energy of the node's bonds", true, false),
+    [F_FX] = PARTICLE("fx", "force x", "N/m^3", "force density along the beam", false, false),
+    [F_FY] = PARTICLE("fy", "force y", "N/m^3", "force density across the beam", false, false),
+    [F_SPEED] = PARTICLE("speed", "speed", "m/s", "magnitude of the velocity", false, false),
+    [F_STRETCH] =
+        PARTICLE("stretch", "stretch", "1", "largest stretch of the node's whole bonds", false, false),
+    [F_FAMILY] = PARTICLE("family", "family", "1", "number of bonds, broken ones included", false, true),
+    [F_SURFACE_X] = PARTICLE("surface_x", "g_x", "1", "surface factor along the beam", false, false),
+    [F_SURFACE_Y] = PARTICLE("surface_y", "g_y", "1", "surface factor across the beam", false, false),
+    [F_HELD] = PARTICLE("held", "held", "1", "1: a support or the channel holds the node", false, true),
+    [F_LOADED] = PARTICLE("loaded", "loaded", "1", "1: the load acts on the node", false, true),
+    [F_PROTECTED] = PARTICLE("protected", "protected", "1", "1: bonds of the node never break", false, true),
+    [F_I] = BOND("i", "i", "1", "particle at one end", true, true),
+    [F_J] = BOND("j", "j", "1", "particle at the other end", true, true),
+    [F_XI] = BOND("x_i", "x_i", "m", "reference position of particle i along the beam", true, false),
+    [F_YI] = BOND("y_i", "y_i", "m", "reference position of particle i across the beam", true, false),
+    [F_XJ] = BOND("x_j", "x_j", "m", "reference position of particle j along the beam", true, false),
+    [F_YJ] = BOND("y_j", "y_j", "m", "reference position of particle j across the beam", true, false),
+    [F_BOND_STRETCH] =
+        BOND("stretch", "stretch", "1", "stretch s between the two particles (eq. 3)", true, false),
+    [F_BROKEN] = BOND("broken", "broken", "1", "1: the bond is broken", true, true),
+    [F_BROKEN_AT] = BOND("broken_at", "broken at", "1",
+                         "step after which it was broken; 0: notch; -1: not broken", true, true),
+    [F_NOTCH] = BOND("notch", "notch", "1", "1: the notch cuts the bond", false, true),
+    [F_PULL] = BOND("pull", "pull", "N/m^3", "force density on its ends, positive in tension", false, false),
+    [F_BOND_ENERGY] = BOND("energy", "energy", "J", "strain energy of the bond", false, false),
+};
+
+static FieldValue *const particle_values[N_FIELDS] = {
+    [F_X0] = rest_x,
+    [F_Y0] = rest_y,
+    [F_UX] = ux,
+    [F_UY] = uy,
+    [F_VX] = vx,
+    [F_VY] = vy,
+    [F_DAMAGE] = damage,
+    [F_SURFACE] = surface_factor,
+    [F_STRAIN_ENERGY] = strain_energy,
+    [F_FX] = fx,
+    [F_FY] = fy,
+    [F_SPEED] = speed,
+    [F_STRETCH] = largest_stretch,
+    [F_FAMILY] = family_size,
+    [F_SURFACE_X] = surface_x,
+    [F_SURFACE_Y] = surface_y,
+    [F_HELD] = held,
+    [F_LOADED] = loaded,
+    [F_PROTECTED] = protected_node,
+};
+
+static BondValue *const bond_values[N_FIELDS] = {
+    [F_I] = end_i,
+    [F_J] = end_j,
+    [F_XI] = x_i,
+    [F_YI] = y_i,
+    [F_XJ] = x_j,
+    [F_YJ] = y_j,
+    [F_BOND_STRETCH] = stretch,
+    [F_BROKEN] = broken,
+    [F_BROKEN_AT] = broken_at,
+    [F_NOTCH] = is_notch,
+    [F_PULL] = pull,
+    [F_BOND_ENERGY] = energy,
+};
+
+void beam_field(const Simulation *sim, int field, size_t first, size_t count, double *out)
+{
+    const Beam *beam = (const Beam *)sim;
+    if (fields[field].set == SET_PARTICLE) {
+        for (size_t k = 0; k < count; k++)
+            out[k] = particle_values[field](beam, first + k);
+        return;
+    }
+    if (count == 0)
+        return;
+    BondPlace place = lattice_bond_place(&beam->lattice, first);
+    for (size_t k = 0; k < count; k++) {
+        BondNow bond = beam_bond(beam, place);
+        out[k] = bond_values[field](beam, place, &bond);
+        place = lattice_next_bond(&beam->lattice, place);
+    }
+}
+
+/* --- bonds --- */
+
+BondNow beam_bond(const Beam *beam, BondPlace place)
+{
+    const Lattice *lattice = &beam->lattice;
+    const Offset *offset = &lattice->offsets[place.offset];
+    size_t own = lattice_at(lattice, place.i, place.j);
+    size_t other = lattice_at(lattice, place.i + offset->p, place.j + offset->q);
+    size_t slot = lattice_slot(lattice, place), nx = (size_t)lattice->nx;
+    double ex = beam->nodes.ux[other] - beam->nodes.ux[own], ey = beam->nodes.uy[other] - beam->nodes.uy[own];
+    double rx = offset->x + ex, ry = offset->y + ey, length = sqrt(rx * rx + ry * ry);
+    double d = ex * (offset->x + rx) + ey * (offset->y + ry);
+    BondNow bond = {
+        .a = (size_t)place.j * nx + (size_t)place.i,
+        .b = (size_t)(place.j + offset->q) * nx + (size_t)(place.i + offset->p),
+        .stretch = d / (offset->length * (length + offset->length)),
+        .direction_x = length > 0 ? rx / length : 0,
+        .direction_y = length > 0 ? ry / length : 0,
+        .broken = beam_bit(beam->broken, slot),
+        .notch = beam_bit(beam->notched, slot),
+    };
+    bond.pull = beam->coefficient[slot] * bond.stretch;
+    bond.energy = bond.pull * bond.stretch * offset->length * beam->system.energy_scale;
+    return bond;
+}
+
+size_t beam_family(const Beam *beam, int i, int j, BondPlace *out)
+{
+    const Lattice *lattice = &beam->lattice;
+    size_t n = 0;
+    /* the bonds that others own, then its own: so the other ends come row by row, column by column */
+    for (int q = lattice->reach; q >= 0; q--)
+        for (int o = lattice->first[q + 1] - 1; o >= lattice->first[q]; o--)
+            if (lattice_has(lattice, i - lattice->offsets[o].p, j - q))
+                out[n++] = (BondPlace){i - lattice->offsets[o].p, j - q, o};
+    for (int o = 0; o < lattice->n_offsets; o++)
+        if (lattice_has(lattice, i + lattice->offsets[o].p, j + lattice->offsets[o].q))
+            out[n++] = (BondPlace){i, j, o};
+    return n;
+}
+
+size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_t max)
+{
+    const Beam *beam = (const Beam *)sim;
+    if (set == SET_BOND) {
+        BondNow bond = beam_bond(beam, lattice_bond_place(&beam->lattice, index));
+        double gradient = bond.pull * beam_volume(beam);
+        const size_t ends[2] = {bond.a, bond.b};
+        for (size_t k = 0; k < 2 && k < max; k++)
+            out[k] = (Link){SET_PARTICLE, ends[k], bond.stretch, gradient, bond.broken};
+        return 2;
+    }
+    BondPlace family[FAMILY_MAX];
+    size_t n = beam_family(beam, column(beam, index), row(beam, index), family);
+    for (size_t k = 0; k < n && k < max; k++) {
+        BondNow bond = beam_bond(beam, family[k]);
+        out[k] = (Link){SET_PARTICLE, bond.a == index ? bond.b : bond.a, bond.stretch,
+                        bond.pull * beam_volume(beam), bond.broken};
+    }
+    return n;
+}
+
+/* --- series --- */
+
+static double probe(const Beam *beam, const double *array)
+{
+    double sum = 0;
+    for (int b = 0; b < 2; b++)
+        for (int a = 0; a < 2; a++)
+            sum += array[lattice_at(&beam->lattice, beam->probe_i[a], beam->probe_j[b])];
+    return sum / 4;
+}
+
+static double u_probe(Beam *beam)
+{
+    return probe(beam, beam->nodes.uy);
+}
+
+static double v_probe(Beam *beam)
+{
+    return probe(beam, beam->nodes.vy);
+}
+
+static double kinetic(Beam *beam)
+{
+    double sum = 0;
+    for (int j = 0; j < beam->lattice.ny; j++) {
+        size_t first = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
+        sum += beam->kernels->dot(beam->nodes.vx + first, beam->nodes.vx + first, count);
+        sum += beam->kernels->dot(beam->nodes.vy + first, beam->nodes.vy + first, count);
+    }
+    return sum * beam->def.density / 2 * beam_volume(beam) * beam->def.thickness;
+}
+
+static double work(Beam *beam)
+{
+    return beam->head->work;
+}
+
+static double dissipated(Beam *beam)
+{
+    return beam->head->dissipated;
+}
+
+static double total(Beam *beam)
+{
+    return kinetic(beam) + beam_strain(beam) + beam->head->dissipated;
+}
+
+static double broken_bonds(Beam *beam)
+{
+    return (double)beam->head->broken;
+}
+
+static double length(Beam *beam)
+{
+    return beam->def.length + beam->def.speed * simulation_time(&beam->sim);
+}
+
+static const CrackCache *crack(Beam *beam)
+{
+    Crack measured;
+    if (!beam->crack.valid && crack_measure(&beam->sim, &measured))
+        beam->crack = (CrackCache){true, measured.x, measured.y, measured.length};
+    return &beam->crack;
+}
+
+static double crack_x(Beam *beam)
+{
+    return crack(beam)->x;
+}
+
+static double crack_y(Beam *beam)
+{
+    return crack(beam)->y;
+}
+
+static double crack_length(Beam *beam)
+{
+    return crack(beam)->length;
+}
+
+typedef struct SeriesEntry {
+    Quantity quantity;
+    double (*value)(Beam *beam);
+    unsigned problems; /* bits of BeamProblem */
+} SeriesEntry;
+
+enum { ALL = 1 << BEAM_SIMPLY_SUPPORTED | 1 << BEAM_MOVING_CANTILEVER | 1 << BEAM_NOTCHED };
+
+static const SeriesEntry series[BEAM_SERIES_MAX] = {
+    {{"u_probe", "u", "m", "transverse displacement at the probe"}, u_probe, ALL},
+    {{"v_probe", "v", "m/s", "transverse velocity at the probe"}, v_probe, ALL},
+    {{"length", "length", "m", "length outside the channel, L0 + v0 t"}, length, 1 << BEAM_MOVING_CANTILEVER},
+    {{"crack_x", "crack x", "m", "the crack's tip along the beam"}, crack_x, 1 << BEAM_NOTCHED},
+    {{"crack_y", "crack y", "m", "the crack's tip above the bottom"}, crack_y, 1 << BEAM_NOTCHED},
+    {{"crack_length", "crack length", "m", "the crack's path from the notch's end to its tip"},
+     crack_length,
+     1 << BEAM_NOTCHED},
+    {{"kinetic", "kinetic", "J", "kinetic energy"}, kinetic, ALL},
+    {{"strain", "strain", "J", "energy of the bonds"}, beam_strain, ALL},
+    {{"work", "work", "J", "work of the load"}, work, ALL},
+    {{"dissipated", "dissipated", "J", "energy of the bonds when they broke"}, dissipated, ALL},
+    {{"total", "total", "J", "kinetic + strain + dissipated; less the work it keeps its value"}, total, ALL},
+    {{"broken_bonds", "broken bonds", "1", "bonds broken in the run, without the notch's"},
+     broken_bonds,
+     ALL},
+};
+
+void beam_row(Simulation *sim, double *out)
+{
+    Beam *beam = (Beam *)sim;
+    for (int k = 0; k < sim->n_series; k++)
+        out[k] = series[beam->series_entry[k]].value(beam);
+}
+
+void beam_set_tables(Beam *beam)
+{
+    Simulation *sim = &beam->sim;
+    sim->stages = beam_stage_table;
+    sim->n_stages = N_STAGES;
+    sim->stage_items = (size_t)beam->lattice.ny;
+    sim->sets = sets;
+    sim->n_sets = N_SETS;
+    sim->counts[SET_PARTICLE] = lattice_nodes(&beam->lattice);
+    sim->counts[SET_BOND] = lattice_bonds(&beam->lattice);
+    sim->fields = fields;
+    sim->n_fields = N_FIELDS;
+    for (int k = 0; k < BEAM_SERIES_MAX; k++)
+        if (series[k].problems >> beam->def.problem & 1) {
+            beam->series_entry[sim->n_series] = k;
+            beam->series[sim->n_series++] = series[k].quantity;
+        }
+    sim->series = beam->series;
+    sim->dimensions = 2;
+    sim->position[0] = F_X0;
+    sim->position[1] = F_Y0;
+    sim->displacement[0] = F_UX;
+    sim->displacement[1] = F_UY;
+    sim->velocity[0] = F_VX;
+    sim->velocity[1] = F_VY;
+}

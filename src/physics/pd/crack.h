@@ -1,0 +1,34 @@
+/* The crack of the notched beam: what paper P tells of it (figs. 9 and 10), measured.
+ *
+ * The tip is the highest node with damage above 0.35 between the notch - 10 mm and the load that is not in a
+ * protected zone. The path is the damage-weighted centre of each row. SI units. */
+#ifndef PHYSICS_PD_CRACK_H
+#define PHYSICS_PD_CRACK_H
+
+#include "physics/method.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct Crack {
+    double first_break; /* time of the first broken bond with its middle within 2 delta of the notch's end;
+                         * NAN: none */
+    double twentieth_break; /* of the twentieth; NAN: fewer */
+    double arrival;         /* time at which the tip came to the load's protected zone; NAN: not yet */
+    double x, y;            /* the tip; the notch's end before anything broke */
+    double length;          /* of the path from the notch's end to the tip */
+    long broken;            /* bonds, without the notch's */
+    long notch;             /* bonds cut by the notch */
+} Crack;
+
+/* False: the simulation is no beam with a notch. Between steps. */
+bool crack_measure(const Simulation *beam, Crack *crack);
+
+/* The angle (degrees) between the notch and the straight line through the path (least squares of x over y)
+ * over `height` from 2 mm above the notch's end; NAN: fewer than two rows of path. */
+double crack_angle(const Simulation *beam, double height);
+
+/* The path: at most `max` rows from the notch's end upwards, x and y of each; returns how many there are. */
+size_t crack_path(const Simulation *beam, double *x, double *y, size_t max);
+
+#endif

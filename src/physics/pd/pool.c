@@ -1,0 +1,169 @@
+/* One word says it all: the number of the job in its upper half, the next chunk to take in its lower. A
+ * thread takes a chunk by adding one to the word it read; if the job has ended meanwhile the word has changed
+ * and the attempt fails, so that nobody works for a job that is gone. */
+#include "physics/pd/pool.h"
+
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+enum {
+    SPIN_WORK = 2000, /* looks for a new job before sleeping: some ten microseconds */
+    SPIN_DONE = 2000  /* looks for the last chunk's end before sleeping */
+};
+
+typedef struct Worker {
+    Pool *pool;
+    pthread_t thread;
+    int number;
+} Worker;
+
+struct Pool {
+    _Alignas(64) _Atomic uint64_t ticket;
+    _Alignas(64) _Atomic int left;     /* chunks of this job not yet done */
+    _Alignas(64) _Atomic int sleepers; /* workers that wait for a job */
+    _Atomic bool caller_sleeps;
+    _Atomic bool ends;
+
+    /* of the present job; written before the ticket */
+    PoolWork *work;
+    void *context;
+    _Atomic int chunks;
+
+    pthread_mutex_t lock;
+    pthread_cond_t job, done;
+    int n_workers;
+    Worker workers[];
+};
+
+static void rest(void)
+{
+#if defined(__x86_64__) || defined(__i386__)
+    __builtin_ia32_pause();
+#endif
+}
+
+static void chunk_done(Pool *pool)
+{
+    if (atomic_fetch_sub(&pool->left, 1) == 1 && atomic_load(&pool->caller_sleeps)) {
+        pthread_mutex_lock(&pool->lock);
+        pthread_cond_signal(&pool->done);
+        pthread_mutex_unlock(&pool->lock);
+    }
+}
+
+/* Takes and does chunks until there are none. */
+static void take_chunks(Pool *pool, int worker)
+{
+    uint64_t ticket = atomic_load(&pool->ticket);
+    while ((int)(uint32_t)ticket < atomic_load(&pool->chunks)) {
+        /* read before the attempt: after it the job cannot end before this chunk has */
+        if (!atomic_compare_exchange_weak(&pool->ticket, &ticket, ticket + 1))
+            continue;
+        pool->work(pool->context, (int)(uint32_t)ticket, worker);
+        chunk_done(pool);
+        ticket = atomic_load(&pool->ticket);
+    }
+}
+
+static bool idle(Pool *pool)
+{
+    return (int)(uint32_t)atomic_load(&pool->ticket) >= atomic_load(&pool->chunks) &&
+           !atomic_load(&pool->ends);
+}
+
+static void *serve(void *argument)
+{
+    Worker *worker = argument;
+    Pool *pool = worker->pool;
+    while (!atomic_load(&pool->ends)) {
+        take_chunks(pool, worker->number);
+        for (int i = 0; i < SPIN_WORK && idle(pool); i++)
+            rest();
+        if (!idle(pool))
+            continue;
+        pthread_mutex_lock(&pool->lock);
+        atomic_fetch_add(&pool->sleepers, 1);
+        while (idle(pool))
+            pthread_cond_wait(&pool->job, &pool->lock);
+        atomic_fetch_sub(&pool->sleepers, 1);
+        pthread_mutex_unlock(&pool->lock);
+    }
+    return NULL;
+}
+
+void pool_run(Pool *pool, PoolWork *work, void *context, int chunks)
+{
+    uint64_t job = (atomic_load(&pool->ticket) >> 32) + 1;
+    /* no chunk of a job without chunks can be taken while the job is changed */
+    atomic_store(&pool->chunks, 0);
+    atomic_store(&pool->left, chunks);
+    pool->work = work;
+    pool->context = context;
+    atomic_store(&pool->ticket, job << 32);
+    atomic_store(&pool->chunks, chunks);
+    if (atomic_load(&pool->sleepers) > 0) {
+        pthread_mutex_lock(&pool->lock);
+        pthread_cond_broadcast(&pool->job);
+        pthread_mutex_unlock(&pool->lock);
+    }
+    take_chunks(pool, 0);
+    for (int i = 0; i < SPIN_DONE && atomic_load(&pool->left) > 0; i++)
+        rest();
+    if (atomic_load(&pool->left) > 0) {
+        pthread_mutex_lock(&pool->lock);
+        atomic_store(&pool->caller_sleeps, true);
+        while (atomic_load(&pool->left) > 0)
+            pthread_cond_wait(&pool->done, &pool->lock);
+        atomic_store(&pool->caller_sleeps, false);
+        pthread_mutex_unlock(&pool->lock);
+    }
+}
+
+Pool *pool_create(int threads, Status *status)
+{
+    Pool *pool = aligned_alloc(64, (sizeof *pool + (size_t)threads * sizeof *pool->workers + 63) / 64 * 64);
+    if (!pool) {
+        status_fail(status, STATUS_FAILED, "not enough memory for %d threads", threads);
+        return NULL;
+    }
+    atomic_init(&pool->ticket, 0);
+    atomic_init(&pool->left, 0);
+    atomic_init(&pool->sleepers, 0);
+    atomic_init(&pool->caller_sleeps, false);
+    atomic_init(&pool->ends, false);
+    atomic_init(&pool->chunks, 0);
+    pthread_mutex_init(&pool->lock, NULL);
+    pthread_cond_init(&pool->job, NULL);
+    pthread_cond_init(&pool->done, NULL);
+    pool->n_workers = 0;
+    while (pool->n_workers < threads - 1) {
+        Worker *worker = &pool->workers[pool->n_workers];
+        *worker = (Worker){.pool = pool, .number = pool->n_workers + 1};
+        if (pthread_create(&worker->thread, NULL, serve, worker) != 0) {
+            pool_destroy(pool);
+            status_fail(status, STATUS_FAILED, "--threads: cannot start %d threads", threads);
+            return NULL;
+        }
+        pool->n_workers++;
+    }
+    return pool;
+}
+
+void pool_destroy(Pool *pool)
+{
+    if (!pool)
+        return;
+    pthread_mutex_lock(&pool->lock);
+    atomic_store(&pool->ends, true);
+    pthread_cond_broadcast(&pool->job);
+    pthread_mutex_unlock(&pool->lock);
+    for (int i = 0; i < pool->n_workers; i++)
+        pthread_join(pool->workers[i].thread, NULL);
+    pthread_mutex_destroy(&pool->lock);
+    pthread_cond_destroy(&pool->job);
+    pthread_cond_destroy(&pool->done);
+    free(pool);
+}

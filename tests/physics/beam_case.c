@@ -1,0 +1,107 @@
+#include "physics/beam_case.h"
+
+#include <check.h>
+#include <stdlib.h>
+#include <string.h>
+
+BeamDef small_beam(BeamProblem problem)
+{
+    BeamDef def = beam_default(problem);
+    if (problem == BEAM_NOTCHED) {
+        def.length = 0.1;
+        def.height = 0.04;
+        def.horizon = 4e-3;
+        def.spacing = 1e-3;
+        def.notch_position = 0.03;
+        def.notch_depth = 0.01;
+        def.load_position = 0.05;
+        def.load_width = 0.004;
+        def.support_left = 0.0055;
+        def.support_right = 0.0945;
+        def.pinned = true;
+        def.protected_depth = 0.006;
+        def.dt = 2e-7;
+        return def;
+    }
+    def.length = 0.05;
+    def.horizon = 2e-3;
+    def.spacing = 0.5e-3;
+    def.dt = 5e-8;
+    if (problem == BEAM_MOVING_CANTILEVER) {
+        def.speed = 50;
+        def.channel = 0.01;
+        def.end = 1e-4;
+    }
+    return def;
+}
+
+Simulation *beam_case_create(const BeamDef *def, const BeamOptions *options)
+{
+    Status status = {0};
+    Simulation *sim = beam_create_with(def, options, &status);
+    ck_assert_msg(sim != NULL, "%s", status.text);
+    return sim;
+}
+
+void advance(Simulation *sim, long steps)
+{
+    Status status = {0};
+    ck_assert_msg(simulation_steps(sim, steps, NULL, NULL, &status), "%s", status.text);
+}
+
+double series_now(Simulation *sim, const char *name)
+{
+    double row[32];
+    int which = simulation_find_series(sim, name);
+    ck_assert_msg(which >= 0, "no series %s", name);
+    simulation_row(sim, row);
+    return row[which];
+}
+
+double *field_now(const Simulation *sim, int set, const char *name)
+{
+    int field = simulation_find_field(sim, set, name);
+    ck_assert_msg(field >= 0, "no field %s", name);
+    double *values = malloc(sim->counts[set] * sizeof *values);
+    ck_assert_ptr_nonnull(values);
+    sim->method->field(sim, field, 0, sim->counts[set], values);
+    return values;
+}
+
+unsigned char *snapshot_now(const Simulation *sim)
+{
+    unsigned char *bytes = calloc(1, simulation_snapshot_size(sim));
+    ck_assert_ptr_nonnull(bytes);
+    simulation_snapshot(sim, bytes);
+    return bytes;
+}
+
+static void expect_same_field(const Simulation *a, const Simulation *b, int set, const char *name,
+                              const char *what)
+{
+    double *x = field_now(a, set, name), *y = field_now(b, set, name);
+    for (size_t k = 0; k < a->counts[set]; k++)
+        ck_assert_msg(memcmp(&x[k], &y[k], sizeof x[k]) == 0,
+                      "%s: %s of %zu is %.17g and %.17g at step %ld stage %d", what, name, k, x[k], y[k],
+                      a->step, a->stage);
+    free(x);
+    free(y);
+}
+
+void expect_same_state(const Simulation *a, const Simulation *b, const char *what)
+{
+    ck_assert_msg(a->step == b->step && a->stage == b->stage, "%s: step %ld stage %d and step %ld stage %d",
+                  what, a->step, a->stage, b->step, b->stage);
+    /* what a snapshot does not hold first: it tells more */
+    expect_same_field(a, b, SET_PARTICLE, "damage", what);
+    expect_same_field(a, b, SET_PARTICLE, "uy", what);
+    expect_same_field(a, b, SET_BOND, "broken_at", what);
+    size_t size = simulation_snapshot_size(a);
+    ck_assert_uint_eq(size, simulation_snapshot_size(b));
+    unsigned char *x = snapshot_now(a), *y = snapshot_now(b);
+    for (size_t k = 0; k < size; k++)
+        ck_assert_msg(x[k] == y[k], "%s: byte %zu of %zu differs at step %ld stage %d", what, k, size,
+                      a->step, a->stage);
+    free(x);
+    free(y);
+}
