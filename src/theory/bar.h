@@ -15,7 +15,7 @@ typedef struct BarTheory {
     bool left_fixed, right_fixed;
     int n_modes;
     struct {
-        int number;      /* n >= 1; 0 is rigid motion of the free-free bar */
+        int number;      /* n >= 1; 0 is rigid motion of the free-free bar, and no motion of a held one */
         double velocity; /* A_n */
     } modes[BAR_MODES_MAX];
     double body_force; /* b, per unit mass */
@@ -29,7 +29,8 @@ double bar_mode_shape(const BarTheory *bar, int number, double x); /* phi_n(x), 
 
 double bar_initial_velocity(const BarTheory *bar, double x); /* eq. 19 with overtones */
 
-/* The continuum's fields and means at a time; loads by superposition (d'Alembert). */
+/* The continuum's fields and means at a time; loads by superposition (d'Alembert). A body force accelerates
+ * the free-free bar as a whole. Beyond the bar's ends there is no answer. */
 double bar_displacement(const BarTheory *bar, double x, double t);
 double bar_velocity(const BarTheory *bar, double x, double t);
 double bar_stress(const BarTheory *bar, double x, double t);
@@ -53,11 +54,11 @@ typedef struct BarMesh {
 
 /* Discrete frequency and decay of one wave number. */
 typedef struct Dispersion {
-    bool known;         /* false: no formula for this mesh, or the step is beyond the stability limit */
-    double space_only;  /* omega_h: the mesh without time stepping */
-    double frequency;   /* Omega, as a run shows it */
-    double decay;       /* amplitude ~ exp(-decay t) */
-    double filter;      /* F: what particle -> node -> particle leaves of the wave */
+    bool known;        /* false: no formula for this mesh, or the step is beyond the stability limit */
+    double space_only; /* omega_h: the mesh without time stepping */
+    double frequency;  /* Omega, as a run shows it */
+    double decay;      /* amplitude ~ exp(-decay t) */
+    double filter;     /* F: what particle -> node -> particle leaves of the wave */
 } Dispersion;
 
 Dispersion bar_dispersion(const BarTheory *bar, const BarMesh *mesh, double wave_number);
@@ -68,8 +69,8 @@ bool bar_centre_velocity_is_predicted(const BarTheory *bar, const BarMesh *mesh)
 /* The predicted v_cm at step k (t = k dt), summed over the modes. */
 double bar_predicted_centre_velocity(const BarTheory *bar, const BarMesh *mesh, long k);
 
-/* The largest courant number dt c / dx at which no wave of the mesh grows; by scan and bisection over the
- * wave numbers of the mesh's dispersion relation. NAN where no formula is known (bspline3). */
+/* The largest courant number dt c / dx at which no wave of the mesh grows: the least over the angles of the
+ * mesh's dispersion relation. mesh->dt does not matter. NAN where no formula is known (bspline3). */
 double bar_largest_courant(const BarMesh *mesh);
 
 #endif

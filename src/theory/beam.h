@@ -1,4 +1,5 @@
-/* The right answers for beams: Euler-Bernoulli and Timoshenko, and the axially moving cantilever. SI units. */
+/* The right answers for beams: Euler-Bernoulli and Timoshenko, and the axially moving cantilever. SI units.
+ */
 #ifndef THEORY_BEAM_H
 #define THEORY_BEAM_H
 
@@ -21,7 +22,7 @@ double beam_period_timoshenko(const BeamTheory *beam);
 double beam_midpoint(const BeamTheory *beam, double period, double t);
 double beam_midpoint_velocity(const BeamTheory *beam, double period, double t);
 
-/* Axially moving cantilever, Euler-Bernoulli on L(t) = L0 + v0 t, by modal equations (four modes). */
+/* Axially moving cantilever, Euler-Bernoulli on L(t) = L0 + v0 t, by modal equations; see the .c file. */
 typedef struct MovingCantilever MovingCantilever;
 
 /* Solves from 0 to `end`; NULL: the status says why (not enough memory, the solver gave up). */

@@ -21,10 +21,12 @@ bool frequency_fit(const double *values, size_t count, double t0, double dt, dou
                    Status *status);
 
 /* Amplitude spectrum of equally spaced samples, their mean taken away, Hann window: out[k] belongs to
- * k * 2 pi / (count dt), k = 0 .. count/2. False: not enough memory. */
+ * k * 2 pi / (count dt), k = 0 .. count/2. A sine that fits the record shows its amplitude, and half of it on
+ * either neighbour. False: not enough memory. */
 bool frequency_spectrum(const double *values, size_t count, double *out);
 
-/* Mean period from the upward zero crossings (interpolated) of values minus their mean; NAN with fewer than two. */
+/* Mean period from the upward zero crossings (interpolated) of values minus their mean; NAN with fewer than
+ * two. */
 double frequency_crossings(const double *values, size_t count, double dt);
 
 #endif

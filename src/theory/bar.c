@@ -1,0 +1,226 @@
+/* The continuum's answer for the bar.
+ *
+ *     u_tt = c^2 u_xx + b,   u = 0 at a fixed end,   E u_x = t at a free end,   u = 0, u_t = sum A phi at t =
+ * 0
+ *
+ * Vibration and load are superposed. The load's part is its static displacement w(x) less the free motion
+ * that starts at rest from w, which d'Alembert gives: u = w(x) - (W(x - ct) + W(x + ct))/2, where W continues
+ * w beyond the ends, oddly about a fixed end and evenly about a free one. Nothing holds the free-free bar:
+ * there the body force accelerates it as a whole, u = b t^2/2, and only the traction stretches it. */
+#include "theory/bar.h"
+
+#include <math.h>
+
+static bool is_free_free(const BarTheory *bar)
+{
+    return !bar->left_fixed && !bar->right_fixed;
+}
+
+double bar_wave_speed(const BarTheory *bar)
+{
+    return sqrt(bar->youngs_modulus / bar->density);
+}
+
+double bar_wave_number(const BarTheory *bar, int number)
+{
+    if (number < 1)
+        return 0;
+    bool one_free_end = bar->left_fixed != bar->right_fixed;
+    return (one_free_end ? number - 0.5 : number) * M_PI / bar->length;
+}
+
+double bar_frequency(const BarTheory *bar, int number)
+{
+    return bar_wave_number(bar, number) * bar_wave_speed(bar);
+}
+
+double bar_mode_shape(const BarTheory *bar, int number, double x)
+{
+    if (number < 1)
+        return is_free_free(bar) ? 1 : 0;
+    double phase = bar_wave_number(bar, number) * x;
+    return bar->left_fixed ? sin(phase) : cos(phase);
+}
+
+/* phi'(x) */
+static double mode_slope(const BarTheory *bar, int number, double x)
+{
+    double beta = bar_wave_number(bar, number);
+    return bar->left_fixed ? beta * cos(beta * x) : -beta * sin(beta * x);
+}
+
+/* The mean of phi over the bar. */
+static double mode_mean(const BarTheory *bar, int number)
+{
+    if (is_free_free(bar))
+        return number < 1 ? 1 : 0;
+    if (number < 1)
+        return 0;
+    double angle = bar_wave_number(bar, number) * bar->length;
+    return (bar->left_fixed ? 1 - cos(angle) : sin(angle)) / angle;
+}
+
+double bar_initial_velocity(const BarTheory *bar, double x)
+{
+    double sum = 0;
+    for (int i = 0; i < bar->n_modes; i++)
+        sum += bar->modes[i].velocity * bar_mode_shape(bar, bar->modes[i].number, x);
+    return sum;
+}
+
+/* The static displacement under the loads, 0 <= x <= L. */
+static double static_displacement(const BarTheory *bar, double x)
+{
+    double length = bar->length;
+    double stretch = bar->traction / bar->youngs_modulus;
+    double bend = bar->body_force * bar->density / bar->youngs_modulus;
+    if (bar->left_fixed && bar->right_fixed)
+        return bend * x * (length - x) / 2;
+    if (bar->left_fixed)
+        return bend * x * (length - x / 2) + stretch * x;
+    if (bar->right_fixed)
+        return bend * (length - x) * (length + x) / 2 - stretch * (length - x);
+    return stretch * (x - length / 2);
+}
+
+static double static_slope(const BarTheory *bar, double x)
+{
+    double length = bar->length;
+    double stretch = bar->traction / bar->youngs_modulus;
+    double bend = bar->body_force * bar->density / bar->youngs_modulus;
+    if (bar->left_fixed && bar->right_fixed)
+        return bend * (length / 2 - x);
+    if (bar->left_fixed)
+        return bend * (length - x) + stretch;
+    if (bar->right_fixed)
+        return stretch - bend * x;
+    return stretch;
+}
+
+/* Folds any x back into the bar. *sign is what the reflections on the way do to a displacement, *turned tells
+ * whether left and right are swapped. */
+static double fold(const BarTheory *bar, double x, double *sign, bool *turned)
+{
+    double bars = floor(x / bar->length);
+    double inside = x - bars * bar->length;
+    /* to the right the right end is met first, to the left the left end */
+    double met = bars < 0 ? -bars : bars;
+    double first = ceil(met / 2), second = floor(met / 2);
+    double left = bars < 0 ? first : second, right = bars < 0 ? second : first;
+    bool flipped = (bar->left_fixed && fmod(left, 2) != 0) != (bar->right_fixed && fmod(right, 2) != 0);
+    *sign = flipped ? -1 : 1;
+    *turned = fmod(met, 2) != 0;
+    return *turned ? bar->length - inside : inside;
+}
+
+static double continued_displacement(const BarTheory *bar, double x)
+{
+    double sign;
+    bool turned;
+    double inside = fold(bar, x, &sign, &turned);
+    return sign * static_displacement(bar, inside);
+}
+
+static double continued_slope(const BarTheory *bar, double x)
+{
+    double sign;
+    bool turned;
+    double inside = fold(bar, x, &sign, &turned);
+    return (turned ? -sign : sign) * static_slope(bar, inside);
+}
+
+static bool is_loaded(const BarTheory *bar)
+{
+    return bar->body_force != 0 || bar->traction != 0;
+}
+
+double bar_displacement(const BarTheory *bar, double x, double t)
+{
+    double sum = 0;
+    for (int i = 0; i < bar->n_modes; i++) {
+        double omega = bar_frequency(bar, bar->modes[i].number);
+        double shape = bar_mode_shape(bar, bar->modes[i].number, x);
+        /* a rigid motion has no frequency: sin(omega t)/omega becomes t */
+        sum += bar->modes[i].velocity * shape * (omega > 0 ? sin(omega * t) / omega : t);
+    }
+    if (is_loaded(bar)) {
+        double way = bar_wave_speed(bar) * t;
+        sum += static_displacement(bar, x);
+        sum -= (continued_displacement(bar, x - way) + continued_displacement(bar, x + way)) / 2;
+        sum += is_free_free(bar) ? bar->body_force * t * t / 2 : 0;
+    }
+    return sum;
+}
+
+double bar_velocity(const BarTheory *bar, double x, double t)
+{
+    double sum = 0;
+    for (int i = 0; i < bar->n_modes; i++) {
+        int number = bar->modes[i].number;
+        sum += bar->modes[i].velocity * bar_mode_shape(bar, number, x) * cos(bar_frequency(bar, number) * t);
+    }
+    if (is_loaded(bar)) {
+        double c = bar_wave_speed(bar);
+        sum += c / 2 * (continued_slope(bar, x - c * t) - continued_slope(bar, x + c * t));
+        sum += is_free_free(bar) ? bar->body_force * t : 0;
+    }
+    return sum;
+}
+
+double bar_stress(const BarTheory *bar, double x, double t)
+{
+    double strain = 0;
+    for (int i = 0; i < bar->n_modes; i++) {
+        int number = bar->modes[i].number;
+        double omega = bar_frequency(bar, number);
+        if (omega > 0)
+            strain += bar->modes[i].velocity * mode_slope(bar, number, x) * sin(omega * t) / omega;
+    }
+    if (is_loaded(bar)) {
+        double way = bar_wave_speed(bar) * t;
+        strain += static_slope(bar, x);
+        strain -= (continued_slope(bar, x - way) + continued_slope(bar, x + way)) / 2;
+    }
+    return bar->youngs_modulus * strain;
+}
+
+double bar_centre_velocity(const BarTheory *bar, double t)
+{
+    double sum = 0;
+    for (int i = 0; i < bar->n_modes; i++) {
+        int number = bar->modes[i].number;
+        sum += bar->modes[i].velocity * mode_mean(bar, number) * cos(bar_frequency(bar, number) * t);
+    }
+    if (is_loaded(bar)) {
+        /* the mean of bar_velocity over the bar, integrated in closed form */
+        double c = bar_wave_speed(bar), length = bar->length;
+        double right = continued_displacement(bar, length - c * t) - continued_displacement(bar, -c * t);
+        double left = continued_displacement(bar, length + c * t) - continued_displacement(bar, c * t);
+        sum += c / (2 * length) * (right - left);
+        sum += is_free_free(bar) ? bar->body_force * t : 0;
+    }
+    return sum;
+}
+
+/* The modes are orthogonal, so their energies add. */
+double bar_kinetic_energy(const BarTheory *bar, double t)
+{
+    double sum = 0;
+    for (int i = 0; i < bar->n_modes; i++) {
+        int number = bar->modes[i].number;
+        double velocity = bar->modes[i].velocity * cos(bar_frequency(bar, number) * t);
+        double mean_square = number < 1 ? (is_free_free(bar) ? 1 : 0) : 0.5;
+        sum += bar->density * bar->length * mean_square * velocity * velocity / 2;
+    }
+    return sum;
+}
+
+double bar_strain_energy(const BarTheory *bar, double t)
+{
+    double sum = 0;
+    for (int i = 0; i < bar->n_modes; i++) {
+        double velocity = bar->modes[i].velocity * sin(bar_frequency(bar, bar->modes[i].number) * t);
+        sum += bar->density * bar->length * velocity * velocity / 4;
+    }
+    return sum;
+}

@@ -1,0 +1,46 @@
+/* Periods of the simply supported beam. */
+#include "theory/beam.h"
+
+#include <math.h>
+
+/* Radius of gyration squared of a rectangle. */
+static double gyration(const BeamTheory *beam)
+{
+    return beam->height * beam->height / 12;
+}
+
+double beam_period_euler(const BeamTheory *beam)
+{
+    double wave_number = M_PI / beam->length;
+    double omega = wave_number * wave_number * sqrt(gyration(beam) * beam->youngs_modulus / beam->density);
+    return 2 * M_PI / omega;
+}
+
+/* With r^2 = I/A, k = pi/L and z = omega^2 the beam between two pins has, exactly,
+ *
+ *     (rho r^2 / (kappa G)) z^2 - (1 + r^2 k^2 (1 + E/(kappa G))) z + (E/rho) r^2 k^4 = 0,
+ *
+ * of which the smaller root is bending. G = E / (2 (1 + nu)), nu = 1/3, kappa = 5/6. */
+double beam_period_timoshenko(const BeamTheory *beam)
+{
+    const double poisson = 1.0 / 3, kappa = 5.0 / 6;
+    double wave_number = M_PI / beam->length, k2 = wave_number * wave_number, r2 = gyration(beam);
+    double shear = kappa * beam->youngs_modulus / (2 * (1 + poisson));
+    double a = beam->density * r2 / shear;
+    double b = 1 + r2 * k2 * (1 + beam->youngs_modulus / shear);
+    double c = beam->youngs_modulus / beam->density * r2 * k2 * k2;
+    /* this form of the smaller root does not subtract two like numbers */
+    double z = 2 * c / (b + sqrt(b * b - 4 * a * c));
+    return 2 * M_PI / sqrt(z);
+}
+
+double beam_midpoint(const BeamTheory *beam, double period, double t)
+{
+    return beam->amplitude * cos(2 * M_PI * t / period);
+}
+
+double beam_midpoint_velocity(const BeamTheory *beam, double period, double t)
+{
+    double omega = 2 * M_PI / period;
+    return -beam->amplitude * omega * sin(omega * t);
+}

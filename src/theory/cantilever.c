@@ -1,0 +1,282 @@
+/* The axially moving cantilever, Euler-Bernoulli on L(t) = L0 + v t, by its modal equations.
+ *
+ * With s = x/L, phi_n the clamped-free modes (int phi^2 = 1, phi_n(1) = +-2) and w = sum q_n(t) phi_n(s):
+ *
+ *     q'' + (2 v/L) B q' + (v/L)^2 (C - 2 B) q + (E h^2 / (12 rho)) (lambda/L)^4 q = 0
+ *     B_mn = int phi_m (1 - s) phi_n' ds,   C_mn = int phi_m (1 - s)^2 phi_n'' ds
+ *     q(0) = (U, 0, ...),   q'(0) = -(v/L) B q(0)
+ *
+ * The initial rate makes the body stand still across while it moves along. The tip is always the same
+ * material point, so its velocity is sum q_n' phi_n(1).
+ *
+ * The solution is kept as displacement, velocity and acceleration of the tip at equal times, close enough
+ * that the quintic between two of them is as good as the solver. */
+#include "theory/beam.h"
+#include "theory/quiet.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+#include <gsl/gsl_odeiv2.h>
+#include <gsl/gsl_roots.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+/* Four modes are right to a nanometre in six micrometres, ten to the digits that the tests know. The fast
+ * modes hardly move, so few samples of them suffice. */
+enum { MODES = 10, GAUSS_POINTS = 64, SAMPLES_PER_FAST_PERIOD = 16 };
+
+typedef struct Tip {
+    double displacement, velocity, acceleration;
+} Tip;
+
+struct MovingCantilever {
+    double step; /* between two samples, s */
+    size_t count;
+    Tip samples[];
+};
+
+typedef struct Modes {
+    double lambda[MODES];
+    double b[MODES][MODES], c[MODES][MODES];
+    double length, speed, stiffness; /* L0, v, E h^2 / (12 rho) */
+} Modes;
+
+/* --- the modes ----------------------------------------------------------------------------------- */
+
+/* (1 + cosh x cos x) / cosh x: the same roots, without its growth. */
+static double characteristic(double x, void *context)
+{
+    (void)context;
+    return 1 / cosh(x) + cos(x);
+}
+
+/* The n-th root, n from 1, lies near (n - 1/2) pi. NAN: the solver gave up (not seen). */
+static double clamped_free_root(gsl_root_fsolver *solver, int n)
+{
+    gsl_function function = {characteristic, NULL};
+    double centre = (n - 0.5) * M_PI;
+    if (gsl_root_fsolver_set(solver, &function, centre - 0.5, centre + 0.5) != GSL_SUCCESS)
+        return NAN;
+    for (int i = 0; i < 100; i++) {
+        if (gsl_root_fsolver_iterate(solver) != GSL_SUCCESS)
+            return NAN;
+        double low = gsl_root_fsolver_x_lower(solver), high = gsl_root_fsolver_x_upper(solver);
+        if (gsl_root_test_interval(low, high, 0, 1e-15) == GSL_SUCCESS)
+            break;
+    }
+    return gsl_root_fsolver_root(solver);
+}
+
+/* phi, phi' or phi'' (derivative 0, 1, 2) of the mode with root lambda. cosh - sigma sinh is written with
+ * exponentials, for their difference loses its digits towards the tip. */
+static double mode_derivative(double lambda, int derivative, double s)
+{
+    double sigma = (sinh(lambda) - sin(lambda)) / (cosh(lambda) + cos(lambda));
+    /* 1 - sigma, without subtracting two like numbers */
+    double rest = (exp(-lambda) + cos(lambda) + sin(lambda)) / (cosh(lambda) + cos(lambda));
+    double x = lambda * s;
+    double grows = rest / 2 * exp(x), falls = (1 + sigma) / 2 * exp(-x);
+    double square = derivative == 0 ? 1 : derivative == 1 ? lambda : lambda * lambda;
+    double hyperbolic = derivative == 1 ? grows - falls : grows + falls;
+    double circular = derivative == 0   ? -cos(x) + sigma * sin(x)
+                      : derivative == 1 ? sin(x) + sigma * cos(x)
+                                        : cos(x) - sigma * sin(x);
+    return square * (hyperbolic + circular);
+}
+
+static void integrate_couplings(Modes *modes, const gsl_integration_glfixed_table *table)
+{
+    for (size_t i = 0; i < GAUSS_POINTS; i++) {
+        double s, weight;
+        gsl_integration_glfixed_point(0, 1, i, &s, &weight, table);
+        for (int m = 0; m < MODES; m++)
+            for (int n = 0; n < MODES; n++) {
+                double left = weight * mode_derivative(modes->lambda[m], 0, s) * (1 - s);
+                modes->b[m][n] += left * mode_derivative(modes->lambda[n], 1, s);
+                modes->c[m][n] += left * (1 - s) * mode_derivative(modes->lambda[n], 2, s);
+            }
+    }
+}
+
+static bool build_modes(Modes *modes, Status *status)
+{
+    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+    gsl_integration_glfixed_table *table = gsl_integration_glfixed_table_alloc(GAUSS_POINTS);
+    bool sound = solver && table;
+    if (sound) {
+        for (int n = 0; n < MODES; n++) {
+            modes->lambda[n] = clamped_free_root(solver, n + 1);
+            sound = sound && isfinite(modes->lambda[n]);
+        }
+        integrate_couplings(modes, table);
+    }
+    if (solver)
+        gsl_root_fsolver_free(solver);
+    if (table)
+        gsl_integration_glfixed_table_free(table);
+    return sound || status_fail(status, STATUS_FAILED, "not enough memory for the modes of the cantilever");
+}
+
+/* --- the equations of motion --------------------------------------------------------------------- */
+
+/* y holds q, then q'. */
+static int modal_equations(double t, const double y[], double rate[], void *context)
+{
+    const Modes *modes = context;
+    double length = modes->length + modes->speed * t, ratio = modes->speed / length;
+    for (int m = 0; m < MODES; m++) {
+        double wave_number = modes->lambda[m] / length;
+        double sum = modes->stiffness * pow(wave_number, 4) * y[m];
+        for (int n = 0; n < MODES; n++) {
+            sum += 2 * ratio * modes->b[m][n] * y[MODES + n];
+            sum += ratio * ratio * (modes->c[m][n] - 2 * modes->b[m][n]) * y[n];
+        }
+        rate[m] = y[MODES + m];
+        rate[MODES + m] = -sum;
+    }
+    return GSL_SUCCESS;
+}
+
+static Tip tip_of(const Modes *modes, double t, const double y[])
+{
+    double rate[2 * MODES];
+    modal_equations(t, y, rate, (void *)modes);
+    Tip tip = {0};
+    for (int n = 0; n < MODES; n++) {
+        double at_tip = n % 2 ? -2 : 2;
+        tip.displacement += at_tip * y[n];
+        tip.velocity += at_tip * y[MODES + n];
+        tip.acceleration += at_tip * rate[MODES + n];
+    }
+    return tip;
+}
+
+/* Fills the samples for U = 1 and scales them: the equations are linear, and the solver's tolerance is
+ * relative to 1. */
+static bool integrate_motion(const Modes *modes, double amplitude, MovingCantilever *solution, Status *status)
+{
+    gsl_odeiv2_system system = {modal_equations, NULL, 2 * MODES, (void *)modes};
+    /* velocities are larger than displacements by about omega_1 */
+    double omega = sqrt(modes->stiffness) * pow(modes->lambda[0] / modes->length, 2);
+    double weights[2 * MODES];
+    for (int n = 0; n < MODES; n++)
+        weights[n] = 1, weights[MODES + n] = omega;
+    gsl_odeiv2_driver *driver = gsl_odeiv2_driver_alloc_scaled_new(
+        &system, gsl_odeiv2_step_rk8pd, solution->step, 1e-13, 1e-12, 1, 0, weights);
+    if (!driver)
+        return status_fail(status, STATUS_FAILED, "not enough memory for the moving cantilever");
+    double y[2 * MODES] = {1}, t = 0;
+    for (int m = 0; m < MODES; m++)
+        y[MODES + m] = -modes->speed / modes->length * modes->b[m][0];
+    bool sound = true;
+    for (size_t k = 0; sound && k < solution->count; k++) {
+        double next = solution->step * (double)k;
+        sound = k == 0 || gsl_odeiv2_driver_apply(driver, &t, next, y) == GSL_SUCCESS;
+        Tip tip = tip_of(modes, next, y);
+        sound = sound && isfinite(tip.displacement) && isfinite(tip.velocity) && isfinite(tip.acceleration);
+        solution->samples[k] =
+            (Tip){amplitude * tip.displacement, amplitude * tip.velocity, amplitude * tip.acceleration};
+    }
+    gsl_odeiv2_driver_free(driver);
+    return sound || status_fail(status, STATUS_FAILED,
+                                "the moving cantilever's equations cannot be solved beyond "
+                                "%g s",
+                                t);
+}
+
+static bool check_definition(const BeamTheory *beam, double speed, double end, Status *status)
+{
+    const double positive[] = {beam->length, beam->height, beam->youngs_modulus, beam->density};
+    for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
+        if (!(positive[i] > 0) || !isfinite(positive[i]))
+            return status_fail(status, STATUS_USAGE,
+                               "length, height, Young's modulus and density of a beam must be above 0");
+    if (!(end >= 0) || !isfinite(end) || !isfinite(speed) || !isfinite(beam->amplitude))
+        return status_fail(status, STATUS_USAGE, "no moving cantilever until t = %g at speed %g", end, speed);
+    if (!(beam->length + speed * end > 0))
+        return status_fail(status, STATUS_USAGE, "the cantilever has no length left at t = %g (speed %g)",
+                           end, speed);
+    return true;
+}
+
+static MovingCantilever *solve(const BeamTheory *beam, double speed, double end, Status *status)
+{
+    Modes modes = {.length = beam->length,
+                   .speed = speed,
+                   .stiffness = beam->youngs_modulus * beam->height * beam->height / (12 * beam->density)};
+    if (!build_modes(&modes, status))
+        return NULL;
+    /* the fastest mode is fastest where the beam is shortest */
+    double shortest = fmin(beam->length, beam->length + speed * end);
+    double fastest = sqrt(modes.stiffness) * pow(modes.lambda[MODES - 1] / shortest, 2);
+    double steps = ceil(fmax(1, end * fastest / (2 * M_PI) * SAMPLES_PER_FAST_PERIOD));
+    if (!(steps < (double)(SIZE_MAX / sizeof(Tip) / 4)))
+        return status_fail(status, STATUS_FAILED, "too long a motion of the cantilever: t = %g", end), NULL;
+    size_t count = (size_t)steps + 1;
+    MovingCantilever *solution = malloc(sizeof *solution + count * sizeof solution->samples[0]);
+    if (!solution)
+        return status_fail(status, STATUS_FAILED, "not enough memory for the moving cantilever"), NULL;
+    solution->step = end > 0 ? end / steps : 1;
+    solution->count = end > 0 ? count : 1;
+    if (!integrate_motion(&modes, beam->amplitude, solution, status)) {
+        free(solution);
+        return NULL;
+    }
+    return solution;
+}
+
+MovingCantilever *moving_cantilever_solve(const BeamTheory *beam, double speed, double end, Status *status)
+{
+    if (!check_definition(beam, speed, end, status))
+        return NULL;
+    quiet_begin();
+    MovingCantilever *solution = solve(beam, speed, end, status);
+    quiet_end();
+    return solution;
+}
+
+void moving_cantilever_free(MovingCantilever *solution)
+{
+    free(solution);
+}
+
+/* --- between the samples ------------------------------------------------------------------------- */
+
+/* The quintic through both ends with their velocities and accelerations; its coefficients over u in [0, 1].
+ */
+static double quintic(const MovingCantilever *solution, double t, double coefficients[6])
+{
+    double place = fmin(fmax(t / solution->step, 0), (double)(solution->count - 1));
+    size_t k = (size_t)place;
+    if (k + 1 >= solution->count)
+        k = solution->count > 1 ? solution->count - 2 : 0;
+    const Tip *from = &solution->samples[k];
+    const Tip *to = solution->count > 1 ? from + 1 : from;
+    double h = solution->step;
+    double v0 = from->velocity * h, v1 = to->velocity * h;
+    double a0 = from->acceleration * h * h / 2, a1 = to->acceleration * h * h / 2;
+    double rise = to->displacement - from->displacement - v0 - a0;
+    double turn = v1 - v0 - 2 * a0;
+    double bend = a1 - a0;
+    coefficients[0] = from->displacement, coefficients[1] = v0, coefficients[2] = a0;
+    coefficients[3] = 10 * rise - 4 * turn + bend;
+    coefficients[4] = -15 * rise + 7 * turn - 2 * bend;
+    coefficients[5] = 6 * rise - 3 * turn + bend;
+    return place - (double)k;
+}
+
+double moving_cantilever_tip(const MovingCantilever *solution, double t)
+{
+    double c[6];
+    double u = quintic(solution, t, c);
+    return c[0] + u * (c[1] + u * (c[2] + u * (c[3] + u * (c[4] + u * c[5]))));
+}
+
+double moving_cantilever_tip_velocity(const MovingCantilever *solution, double t)
+{
+    double c[6];
+    double u = quintic(solution, t, c);
+    double rate = c[1] + u * (2 * c[2] + u * (3 * c[3] + u * (4 * c[4] + u * 5 * c[5])));
+    return rate / solution->step;
+}

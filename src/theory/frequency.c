@@ -1,0 +1,342 @@
+/* The frequency of a recorded series, by nonlinear least squares from a start found in the spectrum. */
+#include "theory/frequency.h"
+#include "theory/quiet.h"
+
+#include <float.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_fft_complex.h>
+#include <gsl/gsl_linalg.h>
+#include <gsl/gsl_multifit_nlinear.h>
+#include <math.h>
+#include <stdlib.h>
+
+enum { UNKNOWNS = 4, ITERATIONS_MAX = 60, SAMPLES_MIN = 8 };
+
+/* --- the spectrum -------------------------------------------------------------------------------- */
+
+/* exp(-i pi k^2 / n); k^2 is reduced first, so that the phase keeps its digits in long records. */
+static void chirp(size_t k, size_t n, double *real, double *imaginary)
+{
+    unsigned long long square = (unsigned long long)k * k % (2 * (unsigned long long)n);
+    double angle = M_PI * (double)square / (double)n;
+    *real = cos(angle), *imaginary = -sin(angle);
+}
+
+/* Bluestein: a transform of any length as a convolution with a chirp, so that a record whose length is a
+ * prime costs no more than another. `work` holds 2 m complex numbers, m a power of 2 >= 2 n. */
+static void transform_amplitudes(const double *windowed, size_t n, size_t m, double *work, double *out)
+{
+    double *signal = work, *kernel = work + 2 * m;
+    for (size_t i = 0; i < 4 * m; i++)
+        work[i] = 0;
+    for (size_t k = 0; k < n; k++) {
+        double real, imaginary;
+        chirp(k, n, &real, &imaginary);
+        signal[2 * k] = windowed[k] * real, signal[2 * k + 1] = windowed[k] * imaginary;
+        kernel[2 * k] = real, kernel[2 * k + 1] = -imaginary;
+        if (k > 0)
+            kernel[2 * (m - k)] = real, kernel[2 * (m - k) + 1] = -imaginary;
+    }
+    gsl_fft_complex_radix2_forward(signal, 1, m);
+    gsl_fft_complex_radix2_forward(kernel, 1, m);
+    for (size_t i = 0; i < 2 * m; i += 2) {
+        double real = signal[i] * kernel[i] - signal[i + 1] * kernel[i + 1];
+        double imaginary = signal[i] * kernel[i + 1] + signal[i + 1] * kernel[i];
+        signal[i] = real, signal[i + 1] = imaginary;
+    }
+    gsl_fft_complex_radix2_inverse(signal, 1, m);
+    for (size_t k = 0; k <= n / 2; k++)
+        out[k] = hypot(signal[2 * k], signal[2 * k + 1]);
+}
+
+bool frequency_spectrum(const double *values, size_t count, double *out)
+{
+    if (count == 0)
+        return true;
+    size_t m = 1;
+    while (m < 2 * count)
+        m *= 2;
+    double *windowed = malloc(count * sizeof *windowed);
+    double *work = malloc(4 * m * sizeof *work);
+    if (!windowed || !work) {
+        free(windowed), free(work);
+        return false;
+    }
+    double mean = 0;
+    for (size_t k = 0; k < count; k++)
+        mean += values[k] / (double)count;
+    for (size_t k = 0; k < count; k++) {
+        double s = sin(M_PI * (double)k / (double)count);
+        windowed[k] = (values[k] - mean) * s * s;
+    }
+    transform_amplitudes(windowed, count, m, work, out);
+    /* the window has mean 1/2, and a line has half of its amplitude on the side of negative frequencies */
+    for (size_t k = 0; k <= count / 2; k++)
+        out[k] *= (k == 0 || 2 * k == count ? 2 : 4) / (double)count;
+    free(windowed), free(work);
+    return true;
+}
+
+/* --- least squares ------------------------------------------------------------------------------- */
+
+/* The record as the fit sees it: its time runs from -1 to 1, its values are of order 1. Angles are then
+ * half the record's, and the unknowns hardly depend on each other. Unknowns: angle, cosine, sine, offset. */
+typedef struct Record {
+    const double *values;
+    size_t count;
+    double middle, scale; /* value = middle + scale * scaled value */
+} Record;
+
+static double scaled_time(const Record *record, size_t k)
+{
+    return 2 * (double)k / (double)(record->count - 1) - 1;
+}
+
+static double scaled_value(const Record *record, size_t k)
+{
+    return (record->values[k] - record->middle) / record->scale;
+}
+
+static int residuals(const gsl_vector *unknowns, void *context, gsl_vector *out)
+{
+    const Record *record = context;
+    double angle = gsl_vector_get(unknowns, 0), a = gsl_vector_get(unknowns, 1);
+    double b = gsl_vector_get(unknowns, 2), offset = gsl_vector_get(unknowns, 3);
+    for (size_t k = 0; k < record->count; k++) {
+        double phase = angle * scaled_time(record, k);
+        gsl_vector_set(out, k, offset + a * cos(phase) + b * sin(phase) - scaled_value(record, k));
+    }
+    return GSL_SUCCESS;
+}
+
+static int jacobian(const gsl_vector *unknowns, void *context, gsl_matrix *out)
+{
+    const Record *record = context;
+    double angle = gsl_vector_get(unknowns, 0), a = gsl_vector_get(unknowns, 1);
+    double b = gsl_vector_get(unknowns, 2);
+    for (size_t k = 0; k < record->count; k++) {
+        double time = scaled_time(record, k);
+        double cosine = cos(angle * time), sine = sin(angle * time);
+        gsl_matrix_set(out, k, 0, time * (b * cosine - a * sine));
+        gsl_matrix_set(out, k, 1, cosine);
+        gsl_matrix_set(out, k, 2, sine);
+        gsl_matrix_set(out, k, 3, 1);
+    }
+    return GSL_SUCCESS;
+}
+
+/* With the angle given, the other unknowns are a linear problem, of three normal equations. Returns the sum
+ * of the squares that are left, relative to that of the record; 1 where the equations have no answer. */
+static double linear_part(const Record *record, double angle, double unknowns[UNKNOWNS])
+{
+    double matrix[9] = {0}, right[3] = {0}, squares = 0;
+    for (size_t k = 0; k < record->count; k++) {
+        double time = scaled_time(record, k), value = scaled_value(record, k);
+        double row[3] = {cos(angle * time), sin(angle * time), 1};
+        for (int i = 0; i < 3; i++) {
+            right[i] += row[i] * value;
+            for (int j = 0; j < 3; j++)
+                matrix[3 * i + j] += row[i] * row[j];
+        }
+        squares += value * value;
+    }
+    double kept[3] = {right[0], right[1], right[2]};
+    unknowns[0] = angle, unknowns[1] = unknowns[2] = unknowns[3] = 0;
+    gsl_matrix_view view = gsl_matrix_view_array(matrix, 3, 3);
+    gsl_vector_view vector = gsl_vector_view_array(right, 3);
+    if (gsl_linalg_cholesky_decomp1(&view.matrix) != GSL_SUCCESS ||
+        gsl_linalg_cholesky_svx(&view.matrix, &vector.vector) != GSL_SUCCESS)
+        return 1;
+    for (int i = 0; i < 3; i++) {
+        unknowns[1 + i] = right[i];
+        squares -= right[i] * kept[i];
+    }
+    return squares;
+}
+
+/* The unit vectors along which the sum of squares still falls, as a cosine: 0 at a minimum. */
+static double slope_left(const gsl_multifit_nlinear_workspace *fit, const Record *record)
+{
+    const gsl_vector *left = gsl_multifit_nlinear_residual(fit);
+    const gsl_matrix *columns = gsl_multifit_nlinear_jac(fit);
+    double norm = 0, worst = 0;
+    for (size_t k = 0; k < record->count; k++)
+        norm += gsl_vector_get(left, k) * gsl_vector_get(left, k);
+    /* what rounding leaves of a perfect record, most of it in the phases, points anywhere */
+    norm = fmax(sqrt(norm), 1e-8 * sqrt((double)record->count));
+    for (size_t j = 0; j < UNKNOWNS; j++) {
+        double product = 0, length = 0;
+        for (size_t k = 0; k < record->count; k++) {
+            double entry = gsl_matrix_get(columns, k, j);
+            product += entry * gsl_vector_get(left, k);
+            length += entry * entry;
+        }
+        if (length > 0)
+            worst = fmax(worst, fabs(product) / (sqrt(length) * norm));
+    }
+    return worst;
+}
+
+/* Levenberg and Marquardt from a start; the end is left in `unknowns`. */
+static bool refine(const Record *record, double unknowns[UNKNOWNS], Status *status)
+{
+    gsl_multifit_nlinear_parameters parameters = gsl_multifit_nlinear_default_parameters();
+    gsl_multifit_nlinear_fdf problem = {
+        .f = residuals, .df = jacobian, .n = record->count, .p = UNKNOWNS, .params = (void *)record};
+    gsl_multifit_nlinear_workspace *fit =
+        gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, record->count, UNKNOWNS);
+    if (!fit)
+        return status_fail(status, STATUS_FAILED, "not enough memory to fit %zu samples", record->count);
+    gsl_vector_view start = gsl_vector_view_array(unknowns, UNKNOWNS);
+    bool done = gsl_multifit_nlinear_init(&start.vector, &problem, fit) == GSL_SUCCESS;
+    for (int i = 0; done && i < ITERATIONS_MAX; i++) {
+        /* it also ends where no step makes the sum smaller: whether that is a minimum is asked below */
+        if (gsl_multifit_nlinear_iterate(fit) != GSL_SUCCESS)
+            break;
+        gsl_vector *step = fit->dx, *at = gsl_multifit_nlinear_position(fit);
+        double moved = 0, size = 0;
+        for (size_t j = 0; j < UNKNOWNS; j++) {
+            moved = fmax(moved, fabs(gsl_vector_get(step, j)));
+            size = fmax(size, fabs(gsl_vector_get(at, j)));
+        }
+        if (moved <= 1e-14 * size)
+            break;
+    }
+    done = done && slope_left(fit, record) < 1e-5;
+    for (size_t j = 0; done && j < UNKNOWNS; j++)
+        unknowns[j] = gsl_vector_get(gsl_multifit_nlinear_position(fit), j);
+    gsl_multifit_nlinear_free(fit);
+    return done || status_fail(status, STATUS_FAILED, "the frequency fit does not converge");
+}
+
+/* A start for the angle. A line well inside the spectrum is taken from there, between two bins by the
+ * parabola through the logarithms; with few periods the lines overlap, and a scan of the linear problem
+ * finds the deepest valley. 0: not enough memory. */
+static double find_start(const Record *record)
+{
+    size_t count = record->count, peak = 1;
+    double *lines = malloc((count / 2 + 1) * sizeof *lines);
+    if (!lines || !frequency_spectrum(record->values, count, lines)) {
+        free(lines);
+        return 0;
+    }
+    for (size_t k = 2; k <= count / 2; k++)
+        peak = lines[k] > lines[peak] ? k : peak;
+    /* half the record is (count - 1)/2 steps: the angle of one bin */
+    double bin = M_PI * (double)(count - 1) / (double)count;
+    double place = (double)peak;
+    if (peak > 5 && peak < count / 2 && lines[peak - 1] > 0 && lines[peak + 1] > 0) {
+        double left = log(lines[peak - 1] / lines[peak]), right = log(lines[peak + 1] / lines[peak]);
+        place += left + right < 0 ? (left - right) / (2 * (left + right)) : 0;
+    }
+    free(lines);
+    if (peak > 5)
+        return place * bin;
+    double best = 0, least = INFINITY, unknowns[UNKNOWNS];
+    for (int i = 4; i <= 12 * 8 && (double)i / 12 < (double)count / 2; i++) {
+        double angle = bin * i / 12;
+        double left = linear_part(record, angle, unknowns);
+        if (left < least)
+            least = left, best = angle;
+    }
+    return best;
+}
+
+/* The record's middle and half its range. False: it cannot be fitted at all. */
+static bool measure_record(Record *record, Status *status)
+{
+    if (record->count < SAMPLES_MIN)
+        return status_fail(status, STATUS_FAILED,
+                           "too short a record to measure a frequency (%zu of %d samples)", record->count,
+                           SAMPLES_MIN);
+    double low = INFINITY, high = -INFINITY;
+    for (size_t k = 0; k < record->count; k++) {
+        if (!isfinite(record->values[k]))
+            return status_fail(status, STATUS_FAILED, "sample %zu is no number: no frequency", k);
+        low = fmin(low, record->values[k]), high = fmax(high, record->values[k]);
+    }
+    record->middle = low / 2 + high / 2, record->scale = high / 2 - low / 2;
+    /* what rounding leaves of a constant is no motion */
+    if (!(record->scale > 16 * DBL_EPSILON * fmax(fabs(low), fabs(high))) || record->scale < DBL_MIN)
+        return status_fail(status, STATUS_FAILED, "nothing moves: no frequency");
+    return true;
+}
+
+/* From the scaled unknowns to the caller's units. */
+static void fill_fit(const Record *record, const double unknowns[UNKNOWNS], double t0, double dt,
+                     FrequencyFit *fit)
+{
+    double half = dt * (double)(record->count - 1) / 2, middle = t0 + half;
+    double a = unknowns[1] * record->scale, b = unknowns[2] * record->scale;
+    fit->frequency = unknowns[0] / half;
+    double shift = fit->frequency * middle;
+    fit->cosine = a * cos(shift) - b * sin(shift);
+    fit->sine = a * sin(shift) + b * cos(shift);
+    fit->offset = unknowns[3] * record->scale + record->middle;
+    fit->amplitude = hypot(a, b);
+    double squares = 0;
+    for (size_t k = 0; k < record->count; k++) {
+        double phase = unknowns[0] * scaled_time(record, k);
+        double left =
+            unknowns[3] + unknowns[1] * cos(phase) + unknowns[2] * sin(phase) - scaled_value(record, k);
+        squares += left * left;
+    }
+    fit->residual = sqrt(squares / (double)record->count) * record->scale / fit->amplitude;
+}
+
+static bool fit_record(const Record *record, double half, double start, double unknowns[UNKNOWNS],
+                       Status *status)
+{
+    double angle = start > 0 ? start * half : find_start(record);
+    if (angle <= 0)
+        return status_fail(status, STATUS_FAILED, "not enough memory for the spectrum of %zu samples",
+                           record->count);
+    linear_part(record, angle, unknowns);
+    if (!refine(record, unknowns, status))
+        return false;
+    if (unknowns[0] < 0)
+        unknowns[0] = -unknowns[0], unknowns[2] = -unknowns[2];
+    /* less than half a period, 2 angle < pi, could be a piece of almost anything; a little room is left
+     * for a record that was cut just there */
+    if (unknowns[0] < 0.45 * M_PI)
+        return status_fail(status, STATUS_FAILED, "too short a record: it holds less than half a period");
+    if (unknowns[0] > M_PI * (double)(record->count - 1) / 2)
+        return status_fail(status, STATUS_FAILED, "the frequency fit left what the samples can show");
+    return true;
+}
+
+bool frequency_fit(const double *values, size_t count, double t0, double dt, double start, FrequencyFit *fit,
+                   Status *status)
+{
+    Record record = {.values = values, .count = count};
+    if (!(dt > 0) || !isfinite(dt) || !isfinite(t0) || !isfinite(start) || start < 0)
+        return status_fail(status, STATUS_FAILED, "no frequency from samples %g apart, start %g", dt, start);
+    if (!measure_record(&record, status))
+        return false;
+    double unknowns[UNKNOWNS];
+    quiet_begin();
+    bool done = fit_record(&record, dt * (double)(count - 1) / 2, start, unknowns, status);
+    quiet_end();
+    if (done)
+        fill_fit(&record, unknowns, t0, dt, fit);
+    return done;
+}
+
+/* --- zero crossings ------------------------------------------------------------------------------ */
+
+double frequency_crossings(const double *values, size_t count, double dt)
+{
+    double mean = 0, first = NAN, last = NAN;
+    long crossings = 0;
+    for (size_t k = 0; k < count; k++)
+        mean += values[k] / (double)count;
+    for (size_t k = 1; k < count; k++) {
+        double before = values[k - 1] - mean, after = values[k] - mean;
+        if (!(before < 0 && after >= 0))
+            continue;
+        last = dt * ((double)(k - 1) - before / (after - before));
+        if (crossings++ == 0)
+            first = last;
+    }
+    return crossings < 2 ? NAN : (last - first) / (double)(crossings - 1);
+}

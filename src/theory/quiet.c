@@ -1,0 +1,25 @@
+#include "theory/quiet.h"
+
+#include <gsl/gsl_errno.h>
+#include <pthread.h>
+
+/* GSL's handler is global, so what counts its users has to be global too. */
+static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+static int users;
+static gsl_error_handler_t *before;
+
+void quiet_begin(void)
+{
+    pthread_mutex_lock(&lock);
+    if (users++ == 0)
+        before = gsl_set_error_handler_off();
+    pthread_mutex_unlock(&lock);
+}
+
+void quiet_end(void)
+{
+    pthread_mutex_lock(&lock);
+    if (--users == 0)
+        gsl_set_error_handler(before);
+    pthread_mutex_unlock(&lock);
+}

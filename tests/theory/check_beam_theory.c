@@ -1,0 +1,155 @@
+/* Periods of the beam between two pins, and the cantilever that moves along itself. */
+#include "suite.h"
+#include "theory/beam.h"
+
+#include <math.h>
+#include <string.h>
+
+static const BeamTheory paper = {
+    .length = 0.1, .height = 0.005, .youngs_modulus = 71e9, .density = 2700, .amplitude = 3e-6};
+
+START_TEST(periods)
+{
+    ck_assert_double_eq_tol(beam_period_euler(&paper), 0.860109e-3, 5e-10);
+    ck_assert_double_eq_tol(beam_period_timoshenko(&paper), 0.86381e-3, 5e-9);
+    /* the slender beam has no shear, the stubby one a lot */
+    BeamTheory slender = paper;
+    slender.length = 10;
+    ck_assert_double_eq_tol(beam_period_timoshenko(&slender) / beam_period_euler(&slender), 1, 1e-6);
+    BeamTheory stubby = paper;
+    stubby.length = 0.01;
+    ck_assert_double_gt(beam_period_timoshenko(&stubby) / beam_period_euler(&stubby), 1.3);
+}
+END_TEST
+
+START_TEST(midpoint_swings)
+{
+    double period = beam_period_euler(&paper);
+    ck_assert_double_eq(beam_midpoint(&paper, period, 0), 3e-6);
+    ck_assert_double_eq_tol(beam_midpoint(&paper, period, period / 2), -3e-6, 1e-18);
+    ck_assert_double_eq_tol(beam_midpoint_velocity(&paper, period, period / 4), -3e-6 * 2 * M_PI / period,
+                            1e-14);
+    double h = 1e-8, t = 0.3e-3;
+    double slope = (beam_midpoint(&paper, period, t + h) - beam_midpoint(&paper, period, t - h)) / (2 * h);
+    ck_assert_double_eq_tol(beam_midpoint_velocity(&paper, period, t), slope, 1e-9);
+}
+END_TEST
+
+START_TEST(moving_tip)
+{
+    Status status = {0};
+    MovingCantilever *moving = moving_cantilever_solve(&paper, 10, 5e-3, &status);
+    ck_assert_msg(moving != NULL, "%s", status.text);
+    const double tips[] = {-4.6415, -2.1552, 6.6507, 2.6689, -5.5831};
+    for (int i = 0; i < 5; i++)
+        ck_assert_double_eq_tol(moving_cantilever_tip(moving, (i + 1) * 1e-3) * 1e6, tips[i], 5.1e-5);
+    const double zeros[] = {0.6249e-3, 2.1919e-3, 4.2915e-3};
+    for (int i = 0; i < 3; i++) {
+        double before = moving_cantilever_tip(moving, zeros[i] - 0.6e-7);
+        double after = moving_cantilever_tip(moving, zeros[i] + 0.6e-7);
+        ck_assert_msg(before * after < 0, "no zero at %g", zeros[i]);
+    }
+    ck_assert_double_eq_tol(moving_cantilever_tip(moving, 0), 6e-6, 1e-18);
+    moving_cantilever_free(moving);
+}
+END_TEST
+
+START_TEST(tip_velocity_is_its_slope)
+{
+    MovingCantilever *moving = moving_cantilever_solve(&paper, 10, 5e-3, NULL);
+    ck_assert_ptr_nonnull(moving);
+    for (double t = 1e-5; t < 4.99e-3; t += 0.83e-5) {
+        const double h = 1e-8;
+        double slope =
+            (moving_cantilever_tip(moving, t + h) - moving_cantilever_tip(moving, t - h)) / (2 * h);
+        ck_assert_double_eq_tol(moving_cantilever_tip_velocity(moving, t), slope, 2e-7);
+    }
+    /* outside the solved time the answer stays that of the nearest end */
+    ck_assert_double_eq(moving_cantilever_tip(moving, 1), moving_cantilever_tip(moving, 5e-3));
+    ck_assert_double_eq(moving_cantilever_tip(moving, -1), moving_cantilever_tip(moving, 0));
+    moving_cantilever_free(moving);
+}
+END_TEST
+
+/* The same motion from another length of record: the samples lie elsewhere, the answer must not. */
+START_TEST(samples_do_not_matter)
+{
+    MovingCantilever *one = moving_cantilever_solve(&paper, 10, 5e-3, NULL);
+    MovingCantilever *other = moving_cantilever_solve(&paper, 10, 4.1234e-3, NULL);
+    ck_assert(one && other);
+    for (double t = 0; t < 4.12e-3; t += 1.117e-5)
+        ck_assert_double_eq_tol(moving_cantilever_tip(one, t), moving_cantilever_tip(other, t), 1e-15);
+    moving_cantilever_free(one), moving_cantilever_free(other);
+}
+END_TEST
+
+START_TEST(standing_still_it_is_a_cantilever)
+{
+    MovingCantilever *still = moving_cantilever_solve(&paper, 0, 5e-3, NULL);
+    ck_assert_ptr_nonnull(still);
+    const double period = 2.41436e-3;
+    for (double t = 0; t < 5e-3; t += 1e-4)
+        ck_assert_double_eq_tol(moving_cantilever_tip(still, t), 6e-6 * cos(2 * M_PI * t / period),
+                                6e-6 * 3e-5);
+    moving_cantilever_free(still);
+}
+END_TEST
+
+/* Slowly lengthened, the amplitude grows as L^(1/2). */
+START_TEST(amplitude_grows_with_length)
+{
+    MovingCantilever *slow = moving_cantilever_solve(&paper, 0.25, 0.2, NULL);
+    ck_assert_ptr_nonnull(slow);
+    double early = 0, late = 0;
+    for (double t = 0; t < 0.01; t += 1e-6) {
+        early = fmax(early, fabs(moving_cantilever_tip(slow, t)));
+        late = fmax(late, fabs(moving_cantilever_tip(slow, 0.19 + t)));
+    }
+    double ratio = (0.1 + 0.25 * 0.195) / (0.1 + 0.25 * 0.005);
+    ck_assert_double_eq_tol(late / early / sqrt(ratio), 1, 0.02);
+    moving_cantilever_free(slow);
+}
+END_TEST
+
+static void expect_refused(BeamTheory beam, double speed, double end, const char *words)
+{
+    Status status = {0};
+    ck_assert_ptr_null(moving_cantilever_solve(&beam, speed, end, &status));
+    ck_assert_msg(status.code != STATUS_DONE && strstr(status.text, words), "\"%s\" does not say \"%s\"",
+                  status.text, words);
+}
+
+START_TEST(what_cannot_be_solved)
+{
+    BeamTheory thin = paper, soft = paper, odd = paper;
+    thin.height = 0, soft.youngs_modulus = -1, odd.density = NAN;
+    expect_refused(thin, 10, 1e-3, "above 0");
+    expect_refused(soft, 10, 1e-3, "above 0");
+    expect_refused(odd, 10, 1e-3, "above 0");
+    expect_refused(paper, -10, 0.011, "no length left");
+    expect_refused(paper, 10, -1, "until t = -1");
+    expect_refused(paper, NAN, 1, "speed nan");
+    expect_refused(paper, 0, 1e300, "too long");
+    MovingCantilever *start = moving_cantilever_solve(&paper, 10, 0, NULL);
+    ck_assert_ptr_nonnull(start);
+    ck_assert_double_eq_tol(moving_cantilever_tip(start, 0), 6e-6, 1e-18);
+    moving_cantilever_free(start);
+    moving_cantilever_free(NULL);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *pins = tcase_create("pins");
+    tcase_add_test(pins, periods);
+    tcase_add_test(pins, midpoint_swings);
+    suite_add_tcase(suite, pins);
+    TCase *moving = tcase_create("moving");
+    tcase_add_test(moving, moving_tip);
+    tcase_add_test(moving, tip_velocity_is_its_slope);
+    tcase_add_test(moving, samples_do_not_matter);
+    tcase_add_test(moving, standing_still_it_is_a_cantilever);
+    tcase_add_test(moving, amplitude_grows_with_length);
+    tcase_add_test(moving, what_cannot_be_solved);
+    suite_add_tcase(suite, moving);
+}

@@ -1,0 +1,235 @@
+/* The exact bar: wave equation, ends and start for every kind of support, energies, loads in closed form. */
+#include "suite.h"
+#include "theory/bar.h"
+
+#include <math.h>
+
+static const bool ends[4][2] = {{true, false}, {false, true}, {true, true}, {false, false}};
+
+static BarTheory paper_bar(int supports)
+{
+    return (BarTheory){.length = 25,
+                       .youngs_modulus = 100,
+                       .density = 1,
+                       .left_fixed = ends[supports][0],
+                       .right_fixed = ends[supports][1],
+                       .n_modes = 2,
+                       .modes = {{1, 0.1}, {3, 0.03}}};
+}
+
+static BarTheory loaded_bar(int supports, double body_force, double traction)
+{
+    BarTheory bar = paper_bar(supports);
+    bar.n_modes = 0;
+    bar.body_force = body_force, bar.traction = traction;
+    return bar;
+}
+
+START_TEST(paper_numbers)
+{
+    BarTheory bar = paper_bar(0);
+    bar.n_modes = 1;
+    ck_assert_double_eq(bar_wave_speed(&bar), 10);
+    ck_assert_double_eq_tol(bar_wave_number(&bar, 1), M_PI / 50, 1e-16);
+    ck_assert_double_eq_tol(bar_frequency(&bar, 1), 0.62831853071795865, 1e-15);
+    ck_assert_double_eq_tol(bar_frequency(&bar, 5), 5.654866776461628, 1e-14);
+    ck_assert_double_eq_tol(bar_frequency(&bar, 10), 11.938052083641213, 1e-14);
+    /* eq. 20: v0 / (beta L) */
+    ck_assert_double_eq_tol(bar_centre_velocity(&bar, 0), 0.1 / (M_PI / 2), 1e-16);
+    ck_assert_double_eq_tol(bar_centre_velocity(&bar, 3), 0.2 / M_PI * cos(M_PI / 5 * 3), 1e-16);
+    /* a quarter of rho L v0^2, and all of it strain a quarter period later */
+    ck_assert_double_eq_tol(bar_kinetic_energy(&bar, 0), 0.0625, 1e-16);
+    ck_assert_double_eq_tol(bar_strain_energy(&bar, 2.5), 0.0625, 1e-16);
+    BarTheory both = paper_bar(2);
+    ck_assert_double_eq_tol(bar_frequency(&both, 3), 3 * M_PI * 10 / 25, 1e-14);
+}
+END_TEST
+
+START_TEST(a_dense_bar_has_other_units)
+{
+    BarTheory bar = {.length = 2,
+                     .youngs_modulus = 8,
+                     .density = 2,
+                     .left_fixed = true,
+                     .n_modes = 1,
+                     .modes = {{2, 0.5}}};
+    ck_assert_double_eq(bar_wave_speed(&bar), 2);
+    ck_assert_double_eq_tol(bar_wave_number(&bar, 2), 1.5 * M_PI / 2, 1e-15);
+    ck_assert_double_eq_tol(bar_kinetic_energy(&bar, 0), 2 * 2 * 0.25 / 4, 1e-15);
+}
+END_TEST
+
+/* Whether a load's wave front, which started at an end at t = 0, is passing. */
+static bool near_a_front(const BarTheory *bar, double x, double t)
+{
+    double c = bar_wave_speed(bar), length = bar->length;
+    double ahead = remainder(x - c * t, length), behind = remainder(x + c * t, length);
+    return fabs(ahead) < 0.05 || fabs(behind) < 0.05;
+}
+
+/* Second differences of the displacement against each other, its first differences against velocity and
+ * stress, wherever no corner passes. */
+static void expect_wave_equation(const BarTheory *bar)
+{
+    const double h = 1e-3, c = bar_wave_speed(bar);
+    double b = bar->body_force;
+    int places = 0;
+    for (double x = 1.37; x < bar->length - 1; x += 2.413)
+        for (double t = 0.41; t < 23; t += 1.771) {
+            if (near_a_front(bar, x, t))
+                continue;
+            places++;
+            double here = bar_displacement(bar, x, t);
+            double before = bar_displacement(bar, x, t - h), after = bar_displacement(bar, x, t + h);
+            double left = bar_displacement(bar, x - h, t), right = bar_displacement(bar, x + h, t);
+            double acceleration = (after - 2 * here + before) / (h * h);
+            double curvature = (right - 2 * here + left) / (h * h);
+            ck_assert_double_eq_tol(acceleration, c * c * curvature + b, 1e-6);
+            ck_assert_double_eq_tol((after - before) / (2 * h), bar_velocity(bar, x, t), 1e-6);
+            ck_assert_double_eq_tol(bar->youngs_modulus * (right - left) / (2 * h), bar_stress(bar, x, t),
+                                    2e-6);
+        }
+}
+
+static void expect_ends(const BarTheory *bar)
+{
+    for (double t = 0.1; t < 30; t += 0.83) {
+        double start = 0, end = bar->length;
+        if (bar->left_fixed)
+            ck_assert_double_eq_tol(bar_displacement(bar, start, t), 0, 1e-13);
+        else
+            ck_assert_double_eq_tol(bar_stress(bar, start, t), bar->traction, 1e-13);
+        if (bar->right_fixed)
+            ck_assert_double_eq_tol(bar_displacement(bar, end, t), 0, 1e-13);
+        else
+            ck_assert_double_eq_tol(bar_stress(bar, end, t), bar->traction, 1e-13);
+    }
+    for (double x = 0.5; x < bar->length; x += 1) {
+        ck_assert_double_eq_tol(bar_displacement(bar, x, 0), 0, 1e-15);
+        ck_assert_double_eq_tol(bar_velocity(bar, x, 0), bar_initial_velocity(bar, x), 1e-15);
+    }
+}
+
+START_TEST(waves_and_ends)
+{
+    BarTheory bar = paper_bar(_i);
+    expect_wave_equation(&bar);
+    expect_ends(&bar);
+    BarTheory weight = loaded_bar(_i, 1e-3, 0), pull = loaded_bar(_i, 0, 1e-2);
+    expect_wave_equation(&weight);
+    expect_ends(&weight);
+    expect_wave_equation(&pull);
+    expect_ends(&pull);
+    bar.body_force = -2e-3, bar.traction = 0.03;
+    expect_wave_equation(&bar);
+    expect_ends(&bar);
+}
+END_TEST
+
+START_TEST(centre_is_the_mean)
+{
+    BarTheory bar = paper_bar(_i);
+    bar.body_force = 2e-3, bar.traction = 0.03;
+    enum { CELLS = 20000 };
+    for (double t = 0; t < 23; t += 2.37) {
+        double sum = 0;
+        for (int i = 0; i < CELLS; i++)
+            sum += bar_velocity(&bar, (i + 0.5) / CELLS * bar.length, t) / CELLS;
+        /* the midpoint rule misses a corner by up to one cell's share */
+        ck_assert_double_eq_tol(bar_centre_velocity(&bar, t), sum, 3e-7);
+    }
+}
+END_TEST
+
+START_TEST(energies_are_those_of_the_fields)
+{
+    BarTheory bar = paper_bar(_i);
+    enum { CELLS = 4000 };
+    double total = bar_kinetic_energy(&bar, 0);
+    for (double t = 0; t < 12; t += 1.37) {
+        double kinetic = 0, strain = 0, dx = bar.length / CELLS;
+        for (int i = 0; i < CELLS; i++) {
+            double x = (i + 0.5) * dx, v = bar_velocity(&bar, x, t), stress = bar_stress(&bar, x, t);
+            kinetic += bar.density * v * v / 2 * dx;
+            strain += stress * stress / (2 * bar.youngs_modulus) * dx;
+        }
+        ck_assert_double_eq_tol(bar_kinetic_energy(&bar, t), kinetic, 1e-13);
+        ck_assert_double_eq_tol(bar_strain_energy(&bar, t), strain, 1e-13);
+        ck_assert_double_eq_tol(kinetic + strain, total, 1e-13);
+    }
+}
+END_TEST
+
+/* One end free, from rest: the weight gives a piecewise parabola of period 4 L/c, the pull a zigzag. */
+START_TEST(loads_from_rest)
+{
+    BarTheory weight = loaded_bar(_i, 1e-3, 0), pull = loaded_bar(_i, 0, 1e-2);
+    double sign = weight.left_fixed ? 1 : -1; /* an outward pull on the left end goes to the left */
+    ck_assert_double_eq_tol(bar_centre_velocity(&weight, 2.5), 1.25e-3, 1e-17);
+    ck_assert_double_eq_tol(bar_centre_velocity(&pull, 2.5), sign * 1e-3, 1e-17);
+    for (double t = 0; t < 5; t += 0.0625) {
+        /* b t - (b c / 2 L) t^2 while the wave is on its first way out and back */
+        ck_assert_double_eq_tol(bar_centre_velocity(&weight, t), 1e-3 * t - 1e-3 * 10 / 50 * t * t, 1e-17);
+        ck_assert_double_eq_tol(bar_centre_velocity(&weight, t + 5), -bar_centre_velocity(&weight, t), 1e-16);
+        ck_assert_double_eq_tol(bar_centre_velocity(&weight, t + 10), bar_centre_velocity(&weight, t), 1e-16);
+        double zigzag = 1e-2 / 25 * (t < 2.5 ? t : 5 - t);
+        ck_assert_double_eq_tol(bar_centre_velocity(&pull, t), sign * zigzag, 1e-16);
+    }
+}
+END_TEST
+
+START_TEST(a_free_bar_falls)
+{
+    BarTheory bar = loaded_bar(3, 1e-3, 0);
+    ck_assert_double_eq_tol(bar_centre_velocity(&bar, 7), 7e-3, 1e-16);
+    ck_assert_double_eq_tol(bar_displacement(&bar, 4, 7), 1e-3 * 49 / 2, 1e-16);
+    ck_assert_double_eq_tol(bar_stress(&bar, 4, 7), 0, 1e-16);
+    /* both ends pulled outwards: the middle of the bar and its centre stay */
+    BarTheory pull = loaded_bar(3, 0, 1e-2);
+    for (double t = 0; t < 11; t += 0.7) {
+        ck_assert_double_eq_tol(bar_centre_velocity(&pull, t), 0, 1e-16);
+        ck_assert_double_eq_tol(bar_displacement(&pull, 12.5, t), 0, 1e-15);
+    }
+    ck_assert_double_gt(bar_displacement(&pull, 24, 1), 1e-4);
+    ck_assert_double_lt(bar_displacement(&pull, 1, 1), -1e-4);
+}
+END_TEST
+
+/* Mode 0 moves the free bar as a whole, and is no motion where a support holds it. */
+START_TEST(rigid_motion)
+{
+    BarTheory bar = paper_bar(3);
+    bar.n_modes = 1, bar.modes[0].number = 0;
+    ck_assert_double_eq(bar_frequency(&bar, 0), 0);
+    ck_assert_double_eq_tol(bar_displacement(&bar, 3, 4), 0.4, 1e-16);
+    ck_assert_double_eq_tol(bar_centre_velocity(&bar, 4), 0.1, 1e-16);
+    ck_assert_double_eq_tol(bar_kinetic_energy(&bar, 4), 25 * 0.01 / 2, 1e-16);
+    ck_assert_double_eq(bar_strain_energy(&bar, 4), 0);
+    ck_assert_double_eq(bar_stress(&bar, 3, 4), 0);
+    for (int supports = 0; supports < 3; supports++) {
+        BarTheory held = paper_bar(supports);
+        held.n_modes = 1, held.modes[0].number = 0;
+        ck_assert_double_eq(bar_initial_velocity(&held, 3), 0);
+        ck_assert_double_eq(bar_centre_velocity(&held, 1), 0);
+        ck_assert_double_eq(bar_kinetic_energy(&held, 1), 0);
+    }
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *vibration = tcase_create("vibration");
+    tcase_add_test(vibration, paper_numbers);
+    tcase_add_test(vibration, a_dense_bar_has_other_units);
+    tcase_add_loop_test(vibration, energies_are_those_of_the_fields, 0, 4);
+    tcase_add_test(vibration, rigid_motion);
+    suite_add_tcase(suite, vibration);
+    TCase *fields = tcase_create("fields");
+    tcase_add_loop_test(fields, waves_and_ends, 0, 4);
+    tcase_add_loop_test(fields, centre_is_the_mean, 0, 4);
+    suite_add_tcase(suite, fields);
+    TCase *loads = tcase_create("loads");
+    tcase_add_loop_test(loads, loads_from_rest, 0, 2);
+    tcase_add_test(loads, a_free_bar_falls);
+    suite_add_tcase(suite, loads);
+}

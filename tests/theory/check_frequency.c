@@ -1,0 +1,231 @@
+/* Frequencies put into a record come out of it again. */
+#include "suite.h"
+#include "theory/frequency.h"
+
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+/* offset + amplitude exp(-decay t) cos(omega t + phase) at t0 + k dt */
+static double *record(size_t count, double t0, double dt, double omega, double phase, double amplitude,
+                      double offset, double decay)
+{
+    double *values = malloc(count * sizeof *values);
+    ck_assert_ptr_nonnull(values);
+    for (size_t k = 0; k < count; k++) {
+        double t = t0 + (double)k * dt;
+        values[k] = offset + amplitude * exp(-decay * t) * cos(omega * t + phase);
+    }
+    return values;
+}
+
+static void expect_recovered(size_t count, double t0, double dt, double omega, double phase, double amplitude,
+                             double offset, double start)
+{
+    double *values = record(count, t0, dt, omega, phase, amplitude, offset, 0);
+    FrequencyFit fit;
+    Status status = {0};
+    ck_assert_msg(frequency_fit(values, count, t0, dt, start, &fit, &status),
+                  "%zu samples of omega %g, phase %g: %s", count, omega, phase, status.text);
+    ck_assert_msg(fabs(fit.frequency / omega - 1) < 1e-10, "omega %.15g became %.15g (%zu samples, phase %g)",
+                  omega, fit.frequency, count, phase);
+    ck_assert_double_eq_tol(fit.amplitude / amplitude, 1, 1e-9);
+    ck_assert_double_eq_tol(fit.offset, offset, 1e-9 * amplitude + 1e-15 * fabs(offset));
+    ck_assert_double_eq_tol(fit.cosine, amplitude * cos(phase), 1e-8 * amplitude);
+    ck_assert_double_eq_tol(fit.sine, -amplitude * sin(phase), 1e-8 * amplitude);
+    ck_assert_double_lt(fit.residual, 1e-9);
+    free(values);
+}
+
+START_TEST(modes_of_the_paper)
+{
+    const double omegas[] = {0.6279837381, 5.4151680880, 9.8238325197};
+    for (int i = 0; i < 3; i++)
+        for (double phase = -3; phase < 3.1; phase += 0.5) {
+            expect_recovered(2001, 0, 0.01, omegas[i], phase, 0.0637, 0.0004, 0);
+            expect_recovered(2001, 0, 0.01, omegas[i], phase, 0.0637, 0.0004, omegas[i] * 1.01);
+        }
+}
+END_TEST
+
+/* From six tenths of a period on, at every phase, and with units far from one. */
+START_TEST(short_records)
+{
+    for (double periods = 0.6; periods < 9; periods *= 1.17)
+        for (double phase = 0; phase < 6.3; phase += 0.37) {
+            expect_recovered(201, 0, 0.01, periods * M_PI, phase, 1, 0, 0);
+            expect_recovered(201, 3e-3, 1e-7, periods * M_PI * 1e5, phase, 3e-6, 1e-6, 0);
+        }
+}
+END_TEST
+
+START_TEST(few_samples)
+{
+    for (double per_sample = 0.6; per_sample < 3; per_sample += 0.11)
+        for (double phase = 0; phase < 6.3; phase += 0.7)
+            expect_recovered(12, 0, 1, per_sample, phase, 2, -5, 0);
+    expect_recovered(8, 0, 1, 1.3, 0.4, 2, -5, 0);
+    expect_recovered(8, 0, 1, 1.3, 0.4, 2, -5, 1.25);
+}
+END_TEST
+
+START_TEST(an_offset_far_above_the_motion)
+{
+    double *values = record(4000, 0, 0.01, 3.21, 0.3, 1e-4, 7, 0);
+    FrequencyFit fit;
+    ck_assert(frequency_fit(values, 4000, 0, 0.01, 0, &fit, NULL));
+    ck_assert_double_eq_tol(fit.frequency, 3.21, 1e-12 * 1e4);
+    ck_assert_double_eq_tol(fit.offset, 7, 1e-12);
+    free(values);
+}
+END_TEST
+
+START_TEST(long_records_are_quick)
+{
+    /* 99991 is a prime: the transform must not mind */
+    const size_t counts[] = {100000, 99991};
+    for (int i = 0; i < 2; i++) {
+        clock_t begin = clock();
+        expect_recovered(counts[i], 0, 0.01, 5.4151680880, 0.1, 0.07, 0.001, 0);
+        expect_recovered(counts[i], 0, 0.01, 0.0444, 0.1, 0.07, 0.001, 0);
+        double seconds = (double)(clock() - begin) / CLOCKS_PER_SEC;
+        /* a quarter of a second is seen; a transform that is slow in primes takes minutes */
+        ck_assert_double_lt(seconds, 20);
+    }
+}
+END_TEST
+
+START_TEST(slow_decay_leaves_the_frequency)
+{
+    double *values = record(100001, 0, 0.001, 5.4, 0.2, 1, 0.1, 0.03);
+    FrequencyFit fit;
+    ck_assert(frequency_fit(values, 100001, 0, 0.001, 0, &fit, NULL));
+    ck_assert_double_eq_tol(fit.frequency / 5.4, 1, 1e-5);
+    ck_assert_double_gt(fit.residual, 0.1);
+    free(values);
+}
+END_TEST
+
+/* The strongest of several lines, whatever else is there. */
+START_TEST(the_strongest_line)
+{
+    double *strong = record(3000, 0, 0.01, 7.7, 0.2, 1, 0.1, 0);
+    double *weak = record(3000, 0, 0.01, 2.1, 1.2, 0.3, 0, 0),
+           *noise = record(3000, 0, 0.01, 211, 1.2, 0.4, 0, 0);
+    for (size_t k = 0; k < 3000; k++)
+        strong[k] += weak[k] + noise[k];
+    FrequencyFit fit;
+    ck_assert(frequency_fit(strong, 3000, 0, 0.01, 0, &fit, NULL));
+    ck_assert_double_eq_tol(fit.frequency, 7.7, 5e-3);
+    ck_assert(frequency_fit(strong, 3000, 0, 0.01, 2.1, &fit, NULL));
+    ck_assert_double_eq_tol(fit.frequency, 2.1, 2e-2);
+    free(strong), free(weak), free(noise);
+}
+END_TEST
+
+static void expect_refused(const double *values, size_t count, double dt, const char *words)
+{
+    FrequencyFit fit;
+    Status status = {0};
+    ck_assert(!frequency_fit(values, count, 0, dt, 0, &fit, &status));
+    ck_assert_int_eq(status.code, STATUS_FAILED);
+    ck_assert_msg(strstr(status.text, words) != NULL, "\"%s\" does not say \"%s\"", status.text, words);
+}
+
+START_TEST(what_cannot_be_fitted)
+{
+    double *wave = record(1000, 0, 0.01, 5, 0, 1, 0, 0);
+    double rest[100] = {0}, constant[100], line[100];
+    for (int k = 0; k < 100; k++)
+        constant[k] = 0.1 * 3, line[k] = 1e-3 * k;
+    expect_refused(wave, 7, 0.01, "too short");
+    expect_refused(wave, 0, 0.01, "too short");
+    expect_refused(wave, 20, 0.01, "half a period"); /* a sixth of it */
+    expect_refused(wave, 1000, 0, "apart");
+    expect_refused(rest, 100, 0.01, "nothing moves");
+    expect_refused(constant, 100, 0.01, "nothing moves");
+    FrequencyFit fit;
+    Status status = {0};
+    ck_assert(!frequency_fit(line, 100, 0, 0.01, 0, &fit, &status));
+    wave[500] = NAN;
+    expect_refused(wave, 1000, 0.01, "sample 500");
+    wave[500] = INFINITY;
+    expect_refused(wave, 1000, 0.01, "sample 500");
+    free(wave);
+}
+END_TEST
+
+static int handled;
+
+static void note_error(const char *reason, const char *file, int line, int number)
+{
+    (void)reason, (void)file, (void)line, (void)number;
+    handled++;
+}
+
+START_TEST(the_error_handler_is_as_it_was)
+{
+    gsl_error_handler_t *before = gsl_set_error_handler(note_error);
+    double *wave = record(1000, 0, 0.01, 5, 0, 1, 0, 0);
+    FrequencyFit fit;
+    ck_assert(frequency_fit(wave, 1000, 0, 0.01, 0, &fit, NULL));
+    ck_assert(gsl_set_error_handler(before) == note_error);
+    ck_assert_int_eq(handled, 0);
+    free(wave);
+}
+END_TEST
+
+START_TEST(spectrum_shows_amplitudes)
+{
+    const size_t counts[] = {64, 100, 101, 997};
+    for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
+        size_t count = counts[i];
+        double omega = 2 * M_PI * 9 / (double)count; /* nine periods in the record */
+        double *values = record(count, 0, 1, omega, 0.7, 0.25, 3, 0),
+               *lines = calloc(count / 2 + 1, sizeof *lines);
+        ck_assert_ptr_nonnull(lines);
+        ck_assert(frequency_spectrum(values, count, lines));
+        for (size_t k = 0; k <= count / 2; k++) {
+            /* Hann's window puts half of a line on either neighbour and nothing elsewhere */
+            double expected = k == 9 ? 0.25 : k == 8 || k == 10 ? 0.125 : 0;
+            ck_assert_double_eq_tol(lines[k], expected, 1e-12);
+        }
+        free(values), free(lines);
+    }
+    double none[1] = {3};
+    ck_assert(frequency_spectrum(none, 1, none));
+    ck_assert_double_eq(none[0], 0);
+}
+END_TEST
+
+START_TEST(crossings)
+{
+    double *values = record(4001, 0, 0.005, 2 * M_PI / 1.6, 0.4, 1, 0, 0); /* 12.5 periods */
+    ck_assert_double_eq_tol(frequency_crossings(values, 4001, 0.005), 1.6, 1e-3);
+    ck_assert(isnan(frequency_crossings(values, 200, 0.005)));
+    ck_assert(isnan(frequency_crossings(values, 0, 0.005)));
+    free(values);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *fit = tcase_create("fit");
+    tcase_set_timeout(fit, 60);
+    tcase_add_test(fit, modes_of_the_paper);
+    tcase_add_test(fit, short_records);
+    tcase_add_test(fit, few_samples);
+    tcase_add_test(fit, an_offset_far_above_the_motion);
+    tcase_add_test(fit, long_records_are_quick);
+    tcase_add_test(fit, slow_decay_leaves_the_frequency);
+    tcase_add_test(fit, the_strongest_line);
+    tcase_add_test(fit, what_cannot_be_fitted);
+    tcase_add_test(fit, the_error_handler_is_as_it_was);
+    suite_add_tcase(suite, fit);
+    TCase *lines = tcase_create("lines");
+    tcase_add_test(lines, spectrum_shows_amplitudes);
+    tcase_add_test(lines, crossings);
+    suite_add_tcase(suite, lines);
+}
