@@ -296,6 +296,7 @@ static const Method method = {
     .row = bar_row,
     .field = bar_field,
     .links = bar_links,
+    .explain = bar_explain,
     .state_size = state_size,
     .save = save,
     .load = load,

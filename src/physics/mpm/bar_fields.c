@@ -120,10 +120,14 @@ static double strain_velocity(const Bar *bar, int i)
 
 static double strain_increment(const Bar *bar, int cell, double s)
 {
-    double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX], gradient = 0.0;
+    double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX], v[BAR_SUPPORT_MAX], gradient = 0.0;
     shape_at(bar->def.shape, bar->gimp_half, bar->n_cells, cell, s, n, dn);
     for (int a = 0; a < bar->support; a++)
-        gradient += dn[a] * strain_velocity(bar, cell + a);
+        v[a] = strain_velocity(bar, cell + a);
+    if (bar->def.shape == MPM_HAT)
+        bar_lend_velocity(bar, cell, v);
+    for (int a = 0; a < bar->support; a++)
+        gradient += dn[a] * v[a];
     return bar->dt / bar->dx * gradient;
 }
 

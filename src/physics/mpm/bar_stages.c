@@ -45,7 +45,7 @@
         .id = "force", .name = "nodal forces",                                                               \
         .equation = "f_int = -Σ N_i′ σ_p m_p/ρ_p    f_ext = Σ N_i m_p b + Σ N_i t m_p/(ρ_p h)\n"     \
                     "f_i = f_int + f_ext,   f_i = 0 at fixed nodes",                                         \
-        .ascii = "f_int = -sum N_i' s_p m_p/rho_p   f_ext = sum N_i m_p b + sum N_i t m_p/(rho_p h)\n"       \
+        .ascii = "f_int = -sum N_i' s m/rho    f_ext = sum N_i m b + sum N_i t m/(rho h)\n"                  \
                  "f_i = f_int + f_ext,   f_i = 0 at fixed nodes",                                            \
         .source = "eqs. 10, 11, 12",                                                                         \
         .sentence = "The stress of the particles pulls at their nodes, one way at the left, "                \
@@ -88,8 +88,8 @@
 #define UPDATE_APIC_HAT                                                                                      \
     {                                                                                                        \
         .id = "update", .name = "update particles",                                                          \
-        .equation = "v_p = Σ N_i p_i/m_i    C_p = Σ N_i′ p_i/m_i    x_p ← x_p + Δt Σ N_i p_i/m_i",           \
-        .ascii = "v_p = sum N_i p_i/m_i  C_p = sum N_i' p_i/m_i  x_p <- x_p + dt sum N_i p_i/m_i",           \
+        .equation = "v_p = Σ N_i v_i    C_p = Σ N_i′ v_i    x_p ← x_p + Δt Σ N_i p_i/m_i",                   \
+        .ascii = "v_p = sum N_i v_i    C_p = sum N_i' v_i    x_p <- x_p + dt sum N_i p_i/m_i",               \
         .source = "APIC, eq. 15",                                                                            \
         .sentence = "A particle takes its velocity anew from its nodes, "                                    \
                     "and the slope of the velocity with it.",                                                \

@@ -112,6 +112,18 @@ static inline const Bar *bar_of_const(const Simulation *sim)
     return (const Bar *)sim;
 }
 
+/* For hats: an inactive node of a cell moves with the other one. A hat's slope is not small where the
+ * function itself is: a particle that has just passed the last node with mass would see the empty node beyond
+ * at rest, and be strained by v dt / dx in a bar that merely drifts. (The slopes of the smoother shapes
+ * vanish with the functions.) */
+static inline void bar_lend_velocity(const Bar *bar, int cell, double *v)
+{
+    if (bar->node_inverse[cell] == 0.0)
+        v[0] = v[1];
+    else if (bar->node_inverse[cell + 1] == 0.0)
+        v[1] = v[0];
+}
+
 /* The stages of an algorithm: tables of equal length, what people read and what is done. */
 typedef struct BarSchedule {
     const Stage *stages;
@@ -134,12 +146,14 @@ double bar_node_position(const Bar *bar, int node);
 /* The cell in which a particle is (during a step: in which it began it). */
 int bar_cell_of(const Bar *bar, int particle);
 
-/* bar_fields.c: what front ends read. */
+/* bar_fields.c, bar_explain.c: what front ends read. */
 enum { BAR_FIELDS = 23, BAR_SERIES = 7 };
 extern const Field bar_fields[BAR_FIELDS];
 extern const Quantity bar_series[BAR_SERIES];
 void bar_field(const Simulation *sim, int field, size_t first, size_t count, double *out);
 size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t max);
+void bar_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, char *out,
+                 size_t size);
 
 /* bar_steps.c: stages, whole steps, rows. */
 bool bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status);

@@ -301,6 +301,10 @@ bool bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *sta
 {
     Bar *bar = bar_of(sim);
     const BarSchedule *schedule = bar_schedule(bar->head, bar->def.shape);
+    /* what a step that can be looked at has not written yet is 0, so that its snapshots are the same bytes
+     * whatever ran before */
+    if (stage == 0 && first == 0)
+        memset((char *)bar->block + bar->bytes_apic, 0, bar->bytes_whole - bar->bytes_apic);
     return do_op(bar, schedule->ops[stage], (int)first, (int)end, status);
 }
 

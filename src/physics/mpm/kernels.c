@@ -94,22 +94,6 @@ INLINE void map_shape(Bar *bar, MpmShape shape, int first, int end, bool again)
     }
 }
 
-/* The nodal velocities that strain a cell. A hat's slope is not small where the function itself is: a
- * particle that has just passed the last node with mass would see the empty node beyond at rest, and be
- * strained by v dt / dx in a bar that merely drifts. An inactive node of a cell moves with the other one.
- * (The slopes of the smoother shapes vanish with the functions.) */
-INLINE void cell_velocities(const Bar *bar, MpmShape shape, int c, double *v)
-{
-    for (int a = 0; a < shape_support(shape); a++)
-        v[a] = bar->node_momentum[c + a] * bar->node_inverse[c + a];
-    if (shape == MPM_HAT) {
-        if (bar->node_inverse[c] == 0.0)
-            v[0] = v[1];
-        else if (bar->node_inverse[c + 1] == 0.0)
-            v[1] = v[0];
-    }
-}
-
 INLINE int strain_shape(Bar *bar, MpmShape shape, int first, int end)
 {
     const int support = shape_support(shape);
@@ -117,7 +101,10 @@ INLINE int strain_shape(Bar *bar, MpmShape shape, int first, int end)
     int bad = -1;
     for (int c = first; c < end; c++) {
         double v[BAR_SUPPORT_MAX];
-        cell_velocities(bar, shape, c, v);
+        for (int a = 0; a < support; a++)
+            v[a] = bar->node_momentum[c + a] * bar->node_inverse[c + a];
+        if (shape == MPM_HAT)
+            bar_lend_velocity(bar, c, v);
         Place at = place_of(bar, bar->first[c]);
         for (int p = bar->first[c]; p < bar->first[c + 1]; p++, at = next_place(bar, at)) {
             double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
