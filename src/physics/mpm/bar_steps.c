@@ -79,20 +79,22 @@ static bool settle_cell(Bar *bar, int c, Status *status)
 {
     const int begin = bar->first[c], end = bar->first[c + 1];
     double before = -INFINITY;
+    for (int p = begin; p < end; p++) {
+        double moved = bar->moved[p % bar->slots][p / bar->slots];
+        if (!(moved >= before))
+            return fail_particle(bar, status, p, "was overtaken by its neighbour (1 + de <= 0)");
+        before = moved;
+        bar->jumped = bar->jumped || moved < -1.0 || moved >= 2.0;
+    }
+    if (bar->jumped)
+        return true;
     int into_left = begin, from_right = end;
     for (int p = begin; p < end; p++) {
         int j = p % bar->slots, k = p / bar->slots;
         double moved = bar->moved[j][k];
-        if (!(moved >= before))
-            return fail_particle(bar, status, p, "was overtaken by its neighbour (1 + de <= 0)");
-        before = moved;
         if (moved >= 0.0 && moved < 1.0) {
             bar->s[j][k] = moved;
             continue;
-        }
-        if (!(moved >= -1.0 && moved < 2.0)) {
-            bar->jumped = true;
-            return true;
         }
         double s = moved;
         int target = c + pass_edges(&s);
