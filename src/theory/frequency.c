@@ -154,27 +154,24 @@ static double linear_part(const Record *record, double angle, double unknowns[UN
     return squares;
 }
 
-/* The unit vectors along which the sum of squares still falls, as a cosine: 0 at a minimum. */
-static double slope_left(const gsl_multifit_nlinear_workspace *fit, const Record *record)
+/* How far the unknowns still want to move, each by itself, relative to the largest: 0 at a minimum. */
+static double step_left(const gsl_multifit_nlinear_workspace *fit, const Record *record)
 {
-    const gsl_vector *left = gsl_multifit_nlinear_residual(fit);
+    const gsl_vector *left = gsl_multifit_nlinear_residual(fit), *at = gsl_multifit_nlinear_position(fit);
     const gsl_matrix *columns = gsl_multifit_nlinear_jac(fit);
-    double norm = 0, worst = 0;
-    for (size_t k = 0; k < record->count; k++)
-        norm += gsl_vector_get(left, k) * gsl_vector_get(left, k);
-    /* what rounding leaves of a perfect record, most of it in the phases, points anywhere */
-    norm = fmax(sqrt(norm), 1e-8 * sqrt((double)record->count));
+    double worst = 0, size = 0;
     for (size_t j = 0; j < UNKNOWNS; j++) {
-        double product = 0, length = 0;
+        double product = 0, square = 0;
         for (size_t k = 0; k < record->count; k++) {
             double entry = gsl_matrix_get(columns, k, j);
             product += entry * gsl_vector_get(left, k);
-            length += entry * entry;
+            square += entry * entry;
         }
-        if (length > 0)
-            worst = fmax(worst, fabs(product) / (sqrt(length) * norm));
+        if (square > 0)
+            worst = fmax(worst, fabs(product) / square);
+        size = fmax(size, fabs(gsl_vector_get(at, j)));
     }
-    return worst;
+    return worst / size;
 }
 
 /* Levenberg and Marquardt from a start; the end is left in `unknowns`. */
@@ -202,7 +199,7 @@ static bool refine(const Record *record, double unknowns[UNKNOWNS], Status *stat
         if (moved <= 1e-14 * size)
             break;
     }
-    done = done && slope_left(fit, record) < 1e-5;
+    done = done && step_left(fit, record) < 1e-8;
     for (size_t j = 0; done && j < UNKNOWNS; j++)
         unknowns[j] = gsl_vector_get(gsl_multifit_nlinear_position(fit), j);
     gsl_multifit_nlinear_free(fit);
