@@ -1,0 +1,41 @@
+/* A run as files: CSV tables with their .csv.ini beside. Column contract: manual page matvib(1).
+ *
+ * Files are written whole or not at all: a temporary file in the same folder, fsync, rename. */
+#ifndef LAB_EXPORT_H
+#define LAB_EXPORT_H
+
+#include "base/status.h"
+#include "lab/problem.h"
+#include "lab/settings.h"
+
+typedef enum Dialect { DIALECT_COMMA, DIALECT_SEMICOLON } Dialect;
+
+/* What a run writes; a NULL name is not written, "-" is standard output. */
+typedef struct Outputs {
+    const char *series, *particles, *nodes, *bonds, *vtk;
+    Dialect dialect;
+    bool force; /* existing files are replaced; else they are refused before the run starts */
+} Outputs;
+
+/* What a run came to; printed by `matvib run`, shown by the laboratory at the end. */
+typedef struct RunSummary {
+    long steps;
+    double time, dt;
+    Readout readout;
+    double energy_start, energy_end; /* total */
+    double energy_drift;             /* percent of the start (of the work, where the start has none) */
+    long rows;                       /* of the series */
+    bool failed;
+    Status failure;
+} RunSummary;
+
+/* Called now and then with the share done in [0, 1]; returns false to stop the run (^C). May be NULL. */
+typedef bool (*RunProgress)(double share, void *context);
+
+/* Runs settings from 0 to the end without keeping more than it must and writes the outputs as it goes; the
+ * laboratory's export and `matvib run` are this function, so they write the same bytes. A run that fails on
+ * its way still writes everything up to there, then returns false with the failure. */
+bool export_run(const Settings *, const Outputs *, int threads, RunProgress, void *context, RunSummary *,
+                Status *);
+
+#endif

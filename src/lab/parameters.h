@@ -1,0 +1,85 @@
+/* The parameter table: one row for each key of a scenario file that has a value. The scenario reader and
+ * writer, --set, the fields on screen, `matvib params`, completion and the manual page read this table;
+ * none repeats it. To add a parameter: one row here and the member it fills in settings.h. */
+#ifndef LAB_PARAMETERS_H
+#define LAB_PARAMETERS_H
+
+#include "base/status.h"
+#include "lab/settings.h"
+
+#include <stddef.h>
+
+typedef enum ParameterType {
+    PARAMETER_REAL,
+    PARAMETER_INTEGER,
+    PARAMETER_CHOICE, /* an enum; values are indices into choices */
+    PARAMETER_FLAG,   /* a bool: yes | no */
+    PARAMETER_TEXT
+} ParameterType;
+
+typedef enum Nudge {
+    NUDGE_NONE,
+    NUDGE_ONE,    /* +1, -1 */
+    NUDGE_DOUBLE, /* x2, /2 */
+    NUDGE_1_2_5,  /* 1, 2, 5, 10, ... */
+    NUDGE_NEXT    /* next choice */
+} Nudge;
+
+typedef struct Parameter {
+    const char *key;            /* "bar.youngs_modulus": section.key of the scenario file */
+    const char *group;          /* heading on screen: "Bar", "Start", "Mesh", "Method", "Time", ... */
+    const char *label;          /* on screen, at most 15 columns: "Young's modulus" */
+    const char *unit_bar;       /* dimension in the bar's consistent units: "force/area"; "" for a number */
+    const char *unit_beam;      /* SI: "Pa" */
+    ParameterType type;
+    size_t offset;              /* of the member in Settings */
+    double least, most;         /* inclusive range */
+    bool above_least;           /* the least itself is not allowed */
+    const char *const *choices; /* ended by NULL */
+    const char *automatic;      /* a word that stands for 0, "auto"; NULL: none */
+    Nudge nudge;
+    bool live;                  /* may change in mid-run */
+    const char *help;           /* one line */
+    double defaults[PROBLEM_COUNT]; /* NAN: not a parameter of that problem */
+} Parameter;
+
+extern const Parameter parameters[];
+extern const int n_parameters;
+
+/* The row of a key; NULL: unknown. */
+const Parameter *parameter_find(const char *key);
+
+/* The known key of this problem nearest to a wrong one, for "did you mean"; NULL: nothing is near. */
+const char *parameter_nearest(Problem problem, const char *key);
+
+bool parameter_applies(const Parameter *, Problem); /* has a default for that problem */
+
+/* All values at the defaults of a problem, method as usual for it, texts empty. */
+void settings_default(Settings *, Problem);
+
+/* Sets one value from text as it stands in a scenario file or after --set. False: unknown key (with the
+ * nearest one), not used by this problem, not a number, out of range: the status's text is
+ * "KEY: what is wrong (what is allowed)", and nothing is changed. */
+bool settings_set(Settings *, const char *key, const char *text, Status *);
+
+/* The value as text that settings_set() reads back to the same value. */
+void settings_get(const Settings *, const Parameter *, char out[LIST_MAX]);
+
+/* The value as number: index for a choice, 0 or 1 for a flag; NAN for a text. */
+double settings_number(const Settings *, const Parameter *);
+
+/* The next value upwards (+1) or downwards (-1) by the parameter's nudge, kept in its range. False: there is
+ * none. */
+bool settings_nudge(Settings *, const Parameter *, int direction);
+
+/* What is allowed, in words: "> 0", "1 to 8", "usf | usl | musl". */
+void parameter_range(const Parameter *, char *out, size_t size);
+
+/* What no single value shows: both handles given, notch outside the beam, load off the beam, overtones that
+ * cannot be read, mode 0 with a fixed end, ... The status names the key. */
+bool settings_check(const Settings *, Status *);
+
+/* Whether two settings lead to the same run; if not, `out` gets "algorithm usf -> usl, mode 1 -> 5". */
+bool settings_same(const Settings *a, const Settings *b, char *out, size_t size);
+
+#endif

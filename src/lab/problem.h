@@ -1,0 +1,79 @@
+/* A problem joins a method (physics) to its right answers (theory): one table row each.
+ *
+ * From settings to a simulation; the columns of its series with the references beside; derived numbers for
+ * the read-only rows; advice before a run. Front ends ask here and never look into a method. */
+#ifndef LAB_PROBLEM_H
+#define LAB_PROBLEM_H
+
+#include "lab/settings.h"
+#include "physics/method.h"
+
+/* Where a number comes from; the three words that are used everywhere. */
+typedef enum ColumnKind { COLUMN_MEASURED, COLUMN_PREDICTED, COLUMN_EXACT } ColumnKind;
+
+typedef struct Column {
+    Quantity quantity;
+    ColumnKind kind;
+    int of; /* a reference: the index of the column that it answers; else -1 */
+} Column;
+
+enum { COLUMNS_MAX = 32, DERIVED_MAX = 24 };
+
+/* The references of one run: theory with its coefficients worked out once. */
+typedef struct References References;
+
+const char *problem_name(Problem);  /* "bar", as in a scenario file */
+const char *problem_title(Problem); /* "axial vibration of a bar" */
+bool problem_allows(Problem, MethodKind);
+
+/* The simulation at t = 0. `threads` at least 1. NULL: the status says why. */
+Simulation *problem_simulate(const Settings *, int threads, Status *);
+
+References *problem_references(const Settings *, const Simulation *, Status *);
+void references_destroy(References *);
+
+/* The columns of the series in the order of the CSV contract; the first two are step and time. Which there
+ * are depends on the settings (no prediction: no such column). Returns how many. */
+int references_columns(const References *, Column columns[COLUMNS_MAX]);
+
+/* Completes a row: `method_row` is what the simulation gave at this step, `row` takes one number for every
+ * column. Columns that need the past (a filter) are kept inside: rows come in order; reset() before the
+ * first. */
+void references_row(References *, long step, double time, const double *method_row, double *row);
+void references_reset(References *);
+
+/* The exact profile of a particle field ("u", "v", "stress", ...) at a reference position; NAN: not known. */
+double references_profile(const References *, const char *field, double x, double time);
+
+/* What the run is judged by: a frequency (bar, radians per time) or a period (beams, s). */
+typedef struct Readout {
+    bool moving; /* false: at rest or rigid motion; there is no frequency */
+    bool measured_known, predicted_known, exact_known;
+    bool is_period; /* the three numbers are periods, not frequencies */
+    double measured, predicted, exact;
+    double error_frequency, error_period; /* measured against exact, in percent */
+    double predicted_error_frequency;     /* predicted against exact, in percent */
+    double late;                          /* periods behind the exact answer at `time` */
+    double time;
+    const char *column; /* the series it was measured on */
+} Readout;
+
+/* From a record of rows (n_columns numbers each, equally spaced): measured as soon as it can be. */
+void references_readout(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);
+
+/* Derived numbers: wave speed, time step, beta, omega, period, ...; micromodulus, bonds, dt_crit, ... */
+typedef struct Derived {
+    const char *name;  /* ASCII, for `show` and `params`: "dt" */
+    const char *label; /* on screen */
+    const char *unit;
+    double value;
+    bool integer;
+} Derived;
+
+int problem_derived(const Settings *, const Simulation *, Derived out[DERIVED_MAX]);
+
+/* Said before a run: the courant number against its limit, horizon over spacing outside 3 to 4. False: the
+ * run is refused, the status says why and what is allowed. `advice` is "" where there is nothing to say. */
+bool problem_advice(const Settings *, char *advice, size_t size, Status *);
+
+#endif

@@ -1,0 +1,37 @@
+/* The rows of a run as far as they are kept: one row per recorded step, all columns.
+ *
+ * Rows are kept whole up to a budget. Beyond it every second row is dropped and from then on only every
+ * second step is kept (again and again): the spacing doubles, first and last row stay. */
+#ifndef LAB_RECORD_H
+#define LAB_RECORD_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct Record {
+    double *rows; /* count x n_columns; column 0 is the step, column 1 the time */
+    size_t count, room, most;
+    int n_columns;
+    long every;   /* steps between rows to begin with */
+    long spacing; /* steps between rows: every, 2 every, 4 every, ... */
+    bool thinned;
+    bool loose_last; /* the last row is not a multiple of the spacing; the next one takes its place */
+} Record;
+
+/* `budget` in bytes; every: steps between rows to begin with. */
+void record_open(Record *, int n_columns, long every, size_t budget);
+void record_close(Record *);
+void record_clear(Record *);
+
+/* Appends a row if its step is due, else puts it last until the next comes. False: no memory. */
+bool record_append(Record *, const double *row);
+
+/* Forgets all rows after a step. */
+void record_cut(Record *, long step);
+
+const double *record_row(const Record *, size_t i);
+
+/* The index of the last row with time <= t; 0 if there is none. */
+size_t record_find(const Record *, double t);
+
+#endif

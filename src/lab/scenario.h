@@ -1,0 +1,32 @@
+/* Scenario files: INI text in, settings out, and back. Format: manual page matvib(5). */
+#ifndef LAB_SCENARIO_H
+#define LAB_SCENARIO_H
+
+#include "base/status.h"
+#include "lab/settings.h"
+
+#include <stdio.h>
+
+/* A scenario that is part of the program, from data/scenarios. */
+typedef struct BuiltinScenario {
+    const char *name; /* "mode1" */
+    const char *text; /* the file's whole text */
+} BuiltinScenario;
+
+extern const BuiltinScenario builtin_scenarios[]; /* generated; ended by a NULL name */
+
+/* Reads a scenario by built-in name or, failing that, by path. Every error is one line,
+ * "FILE:LINE: KEY: what is wrong (what is allowed)", with code STATUS_USAGE. */
+bool scenario_load(const char *name_or_path, Settings *settings, Status *status);
+
+/* The same from a stream; `name` stands for FILE. */
+bool scenario_read(FILE *stream, const char *name, Settings *settings, Status *status);
+
+/* Writes settings so that scenario_read() gives them back to the last bit. `comment` (may be NULL) goes to
+ * the head, each of its lines behind "# ". False: a text that would not read back, or a write error. */
+bool scenario_write(FILE *stream, const Settings *settings, const char *comment, Status *status);
+
+/* The title of a built-in, for lists. */
+bool scenario_title(const BuiltinScenario *builtin, char title[TITLE_MAX]);
+
+#endif
