@@ -1,0 +1,70 @@
+/* A grid of cells: what the terminal will show, as data. Panes draw on it, a test dumps it as text, curses
+ * only copies it out. */
+#ifndef VIEW_CANVAS_H
+#define VIEW_CANVAS_H
+
+#include "base/status.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* What a cell means; the theme gives it a colour and attributes. Never the only carrier of meaning. */
+typedef enum Style {
+    STYLE_NORMAL,
+    STYLE_TITLE,     /* title line and bottom bar */
+    STYLE_FRAME,     /* borders, axes */
+    STYLE_FOCUS,     /* border of the focused pane */
+    STYLE_HEADING,
+    STYLE_FAINT,     /* ghosts, hints, read-only rows */
+    STYLE_SELECTED,  /* the chosen row */
+    STYLE_EDIT,      /* a field under edit */
+    STYLE_CHANGED,   /* a value that the last stage changed */
+    STYLE_WARNING,
+    STYLE_ERROR,
+    STYLE_KEY,       /* a key's name in the bottom bar */
+    STYLE_MEASURED,  /* curves */
+    STYLE_PREDICTED,
+    STYLE_EXACT,
+    STYLE_SECOND,    /* the second run of a duel, a second curve */
+    STYLE_THIRD,
+    STYLE_RAMP_0,    /* heat maps: STYLE_RAMP_0 + 0..RAMP_STEPS-1 */
+    STYLE_COUNT = STYLE_RAMP_0 + 16
+} Style;
+
+enum { RAMP_STEPS = 16 };
+
+typedef struct Cell {
+    uint32_t glyph; /* one Unicode scalar value of width 1; 0 counts as a space */
+    uint16_t style; /* Style; a half-block cell of a heat map carries its lower colour in back */
+    uint16_t back;  /* 0, or 1 + Style whose colour is the cell's background */
+} Cell;
+
+typedef struct Rect {
+    int x, y, width, height;
+} Rect;
+
+typedef struct Canvas {
+    int width, height;
+    Cell *cells;            /* height x width */
+    int cursor_x, cursor_y; /* where the hardware cursor stands; -1: hidden */
+} Canvas;
+
+bool canvas_open(Canvas *, int width, int height, Status *); /* all spaces; also resizes an open one */
+void canvas_close(Canvas *);
+void canvas_clear(Canvas *);
+
+void canvas_put(Canvas *, int x, int y, uint32_t glyph, Style); /* outside the canvas: nothing */
+
+/* Writes UTF-8 from (x, y), cut at `width` columns (an ellipsis stands for what was cut, if `ellipsis`).
+ * Returns the columns used. */
+int canvas_text(Canvas *, int x, int y, int width, const char *text, Style);
+
+/* The whole grid as UTF-8, one line a row, trailing spaces cut; for tests and scripts. malloc'ed; NULL: no memory. */
+char *canvas_dump(const Canvas *);
+/* Likewise the styles, one letter per cell. */
+char *canvas_dump_styles(const Canvas *);
+
+/* Columns that a text takes: one per Unicode scalar value (wide and combining characters are not used). */
+int text_columns(const char *utf8);
+
+#endif

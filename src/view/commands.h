@@ -1,0 +1,90 @@
+/* The command table: one row for each thing that a user can ask for. The key map, the bottom bar, the help
+ * screen, the `:` line, the script player and the manual page read it. To add a command: one row here and one
+ * function where the laboratory carries commands out. */
+#ifndef VIEW_COMMANDS_H
+#define VIEW_COMMANDS_H
+
+#include <stdbool.h>
+
+typedef enum CommandId {
+    COMMAND_NONE,
+    COMMAND_RUN_PAUSE,
+    COMMAND_STEP_FORWARD,
+    COMMAND_STEP_BACK,
+    COMMAND_STEP_FORWARD_TEN,
+    COMMAND_STEP_BACK_TEN,
+    COMMAND_STAGE_FORWARD,
+    COMMAND_STAGE_BACK,
+    COMMAND_FASTER,
+    COMMAND_SLOWER,
+    COMMAND_START,   /* t = 0 */
+    COMMAND_NEWEST,  /* the newest time */
+    COMMAND_GO_TO,
+    COMMAND_RESTART,
+    COMMAND_NEXT_PANE,
+    COMMAND_PREVIOUS_PANE,
+    COMMAND_UP,
+    COMMAND_DOWN,
+    COMMAND_LEFT,
+    COMMAND_RIGHT,
+    COMMAND_PAGE_UP,
+    COMMAND_PAGE_DOWN,
+    COMMAND_ENTER,
+    COMMAND_CANCEL,
+    COMMAND_UNDO,
+    COMMAND_REDO,
+    COMMAND_VIEW_1, /* to COMMAND_VIEW_9: consecutive */
+    COMMAND_VIEW_2,
+    COMMAND_VIEW_3,
+    COMMAND_VIEW_4,
+    COMMAND_VIEW_5,
+    COMMAND_VIEW_6,
+    COMMAND_VIEW_7,
+    COMMAND_VIEW_8,
+    COMMAND_VIEW_9,
+    COMMAND_ZOOM,
+    COMMAND_NARROWER,
+    COMMAND_WIDER,
+    COMMAND_AUTOMATIC,
+    COMMAND_REFERENCES,
+    COMMAND_QUESTION,
+    COMMAND_PIN,
+    COMMAND_DUEL,
+    COMMAND_BOOKMARK,
+    COMMAND_JUMP,
+    COMMAND_LESSONS,
+    COMMAND_EXPORT,
+    COMMAND_OPEN,
+    COMMAND_WRITE,
+    COMMAND_LINE,
+    COMMAND_HELP,
+    COMMAND_INSPECT,
+    COMMAND_GLYPHS,
+    COMMAND_ZOOM_2D,
+    COMMAND_LECTURE,
+    COMMAND_FILTER,
+    COMMAND_QUIT,
+    COMMAND_INTERRUPT, /* ^C: cancel long work, then quit */
+    COMMAND_REDRAW,
+    COMMAND_SUSPEND,
+    COMMAND_COUNT
+} CommandId;
+
+typedef struct Command {
+    CommandId id;
+    const char *name;  /* "run-pause": for scripts and the `:` line */
+    const char *keys;  /* names separated by spaces: "Space", "] s", "Home 0", "^R", "F1 ?" */
+    const char *group; /* heading in the help: "Time", "Stages", "Views", ... */
+    const char *brief; /* at most 8 columns, for the bottom bar: "pause" */
+    const char *help;  /* one line */
+} Command;
+
+/* Only commands that work stand in it: a row and the function that carries it out land together. */
+extern const Command commands[];
+extern const int n_commands;
+
+const Command *command_find(CommandId id);
+const Command *command_by_name(const char *name);
+const Command *command_by_key(const char *key);
+
+#endif

@@ -1,0 +1,109 @@
+/* The screen's state and its drawing: everything seen is a function of a Screen. The laboratory (tui) changes
+ * the state on commands; nothing here knows keys or terminals. */
+#ifndef VIEW_SCREEN_H
+#define VIEW_SCREEN_H
+
+#include "lab/experiment.h"
+#include "lab/export.h"
+#include "lab/parameters.h"
+#include "view/canvas.h"
+#include "view/commands.h"
+
+typedef enum Glyphs { GLYPHS_BRAILLE, GLYPHS_BLOCK, GLYPHS_ASCII, GLYPHS_COUNT } Glyphs;
+
+typedef enum PaneId { PANE_PARAMETERS, PANE_MESH, PANE_UPPER, PANE_LOWER, PANE_BOX, PANE_COUNT } PaneId;
+
+typedef enum RunState {
+    STATE_PAUSED,
+    STATE_RUNNING,
+    STATE_COMPUTING, /* on the way to a time that was asked for */
+    STATE_ENDED,     /* at time.end, paused; the summary is shown */
+    STATE_FAILED
+} RunState;
+
+typedef enum ReferencesShown { SHOW_ALL, SHOW_EXACT, SHOW_PREDICTED, SHOW_NONE, SHOW_COUNT } ReferencesShown;
+
+typedef enum MessageKind { MESSAGE_NONE, MESSAGE_INFO, MESSAGE_WARNING, MESSAGE_ERROR } MessageKind;
+
+/* A line that asks for text, or for yes or no. */
+typedef struct Prompt {
+    bool open;
+    bool yes_no;
+    char question[96];
+    char text[256];
+    int cursor; /* in characters */
+    char problem[160]; /* why the last answer was refused; "" at first */
+} Prompt;
+
+/* One row of the parameter pane. */
+typedef struct ParameterRow {
+    const char *heading;        /* a heading, or NULL */
+    const Parameter *parameter; /* an editable row, or NULL */
+    int derived;                /* index of a read-only row, or -1 */
+} ParameterRow;
+
+enum { PARAMETER_ROWS_MAX = 96 };
+
+typedef struct Screen {
+    Experiment *experiment;
+    const char *scenario; /* name shown in the title line */
+
+    Glyphs glyphs;
+    int colours; /* 0: none; 8; 256 */
+    bool light;  /* a light background */
+
+    RunState state;
+    double pace;       /* steps per frame */
+    double rate;       /* steps per second, measured; for a stepping engine that is the limit */
+    bool at_limit;     /* the engine is slower than the pace asked for */
+    double work_share; /* STATE_COMPUTING: share done */
+
+    PaneId focus;
+    bool zoomed;         /* the focused pane fills the screen */
+    int upper, lower;    /* view numbers 1 to 9 in the two plot panes */
+    int variant[10];     /* of each view */
+    ReferencesShown references;
+
+    int selected;          /* row in the parameter pane */
+    int parameter_scroll;  /* kept by screen_draw's helper so that the selected row is seen */
+    bool editing;
+    char edit_text[LIST_MAX];
+    int edit_cursor;       /* in characters */
+    char edit_problem[160]; /* why the last entry was refused */
+    char filter[32];       /* parameters whose label or key holds it */
+
+    size_t particle;       /* the chosen one */
+    size_t node;           /* the chosen node, for tables */
+    bool node_chosen;      /* the stage box follows the node, not the particle */
+    int table_scroll, table_column;
+
+    double window;         /* length of the time window; 0: automatic */
+    double cursor_time;    /* of the time plot's cursor; NAN: none */
+
+    Prompt prompt;
+    MessageKind message_kind;
+    char message[240];
+
+    bool help;
+    int help_page, help_scroll;
+
+    uint64_t used;         /* bit i: command i has been used (for hints that go once used) */
+    bool summary_known;
+    RunSummary summary;
+} Screen;
+
+void screen_default(Screen *);
+
+/* Draws everything. Below 40x12 a message. Never fails: what has no room is left out by a fixed order. */
+void screen_draw(const Screen *, Canvas *);
+
+/* The rows of the parameter pane, for drawing and for moving in it. Returns how many. */
+int screen_parameter_rows(const Screen *, ParameterRow rows[PARAMETER_ROWS_MAX]);
+
+/* Where a pane lies at this size; width 0: it is not shown. For focus and mouse. */
+Rect screen_pane(const Screen *, int width, int height, PaneId);
+
+/* The time at the left and right end of the time plots, as drawn at present. */
+void screen_time_window(const Screen *, double *from, double *to);
+
+#endif
