@@ -29,6 +29,12 @@ typedef int64_t Mask __attribute__((vector_size(LANES * sizeof(double))));
 
 #define INLINE static inline __attribute__((always_inline))
 
+#if defined(__clang__)
+#define UNROLL _Pragma("unroll")
+#else
+#define UNROLL _Pragma("GCC unroll 8")
+#endif
+
 INLINE Vector load(const double *from)
 {
     return *(const Loose *)from;
@@ -75,30 +81,32 @@ INLINE bool by_series(const Segment *segment, bool with_forces, bool with_energy
     const double x = direction->x, y = direction->y, squared = direction->squared;
     const double c0 = direction->series[0], c1 = direction->series[1], c2 = direction->series[2];
     const double c3 = direction->series[3], c4 = direction->series[4], c5 = direction->series[5];
-    const Mask magnitude = (Mask){0} + INT64_MAX;
-    const Vector limit = (Vector){0} + segment->series_limit;
+    const Vector limit = (Vector){0} + segment->series_limit * segment->series_limit;
     Mask beyond = {0};
     Vector sum[PARTS];
     for (int part = 0; part < PARTS; part++)
         sum[part] = (Vector){0};
 
     for (size_t i = 0; i < segment->count; i += LATTICE_BLOCK) {
-        for (int part = 0; part < PARTS; part++) {
+        UNROLL for (int part = 0; part < PARTS; part++)
+        {
             const size_t at = i + (size_t)(part * LANES);
             const Vector ex = load(vx + at) - load(ux + at), ey = load(vy + at) - load(uy + at);
             const Vector rx = x + ex, ry = y + ey;
             const Vector d = ex * (x + rx) + ey * (y + ry);
             const Vector k = load(coefficient + at);
+            __builtin_prefetch(coefficient + at + 256);
+            const Vector dd = d * d;
             /* written so that a d which is no number counts as beyond */
-            beyond |= ~((Vector)((Mask)d & magnitude) < limit) & (k != 0);
-            const Vector series = ((((c5 * d + c4) * d + c3) * d + c2) * d + c1) * d + c0;
-            const Vector t = d * series, g = k * t;
+            beyond |= ~(dd < limit) & (k != 0);
+            const Vector series = c0 + c1 * d + dd * (c2 + c3 * d + dd * (c4 + c5 * d));
+            const Vector g = k * d * series;
             if (with_forces) {
                 store(fx + at, g * rx);
                 store(fy + at, g * ry);
             }
             if (with_energy) /* s^2 = (t |xi|)^2 (1 + e) */
-                sum[part] += g * t * (squared + d);
+                sum[part] += g * (d * series) * (squared + d);
         }
     }
     if (with_energy)
@@ -207,52 +215,103 @@ static double segment_energy(const BondSystem *system, const Segment *segment, c
     return sum_lanes(sums) * direction->length * system->energy_scale;
 }
 
-static Segment segment_of(const BondSystem *system, int j, int o, size_t from, size_t count)
+INLINE Segment segment_of(const BondSystem *system, int j, int o, size_t from, size_t count,
+                          double *coefficient)
 {
     const Lattice *lattice = system->lattice;
     const Offset *direction = &lattice->offsets[o];
     size_t own = lattice_at(lattice, 0, j) + from;
-    size_t other = lattice_at(lattice, 0, j + direction->q) + from;
-    ptrdiff_t shift = direction->p;
+    ptrdiff_t shift = (ptrdiff_t)lattice->stride * direction->q + direction->p;
     return (Segment){direction,
                      system->series_limit[o],
                      system->break_limit[o],
                      system->ux + own,
                      system->uy + own,
-                     system->ux + other + shift,
-                     system->uy + other + shift,
-                     system->coefficient + lattice_slot(lattice, (BondPlace){(int)from, j, o}),
+                     system->ux + own + shift,
+                     system->uy + own + shift,
+                     coefficient,
                      count};
 }
 
-INLINE void add_own(double *restrict force, const double *restrict parts, int n, size_t count)
+/* Where the forces of a row distance come together: two padded arrays with a row of BONDS_SPAN per direction,
+ * of which `count` from LATTICE_BLOCK on hold forces and the rest zeros. */
+typedef struct Parts {
+    double *x, *y;
+    int n; /* directions */
+    const Offset *offsets;
+    size_t count;
+} Parts;
+
+/* Every bond's force to its owner. */
+INLINE void add_own(const Parts *parts, int n, double *restrict fx, double *restrict fy)
 {
-    for (size_t i = 0; i < count; i += LANES) {
-        Vector sum = load(force + i);
-        for (int o = 0; o < n; o++)
-            sum += load(parts + o * BONDS_SPAN + LATTICE_BLOCK + i);
-        store(force + i, sum);
+    const double *restrict px = parts->x + LATTICE_BLOCK, *restrict py = parts->y + LATTICE_BLOCK;
+    for (size_t i = 0; i < parts->count; i += LANES) {
+        Vector x = load(fx + i), y = load(fy + i);
+        for (int o = 0; o < n; o++) {
+            x += load(px + o * BONDS_SPAN + i);
+            y += load(py + o * BONDS_SPAN + i);
+        }
+        store(fx + i, x);
+        store(fy + i, y);
     }
 }
 
-/* The other ends: the same force, reversed, p columns on. `parts` hold a block of zeros on either side. */
-INLINE void subtract_other(double *restrict force, const double *restrict parts, const Offset *offsets, int n,
-                           size_t count)
+/* And, reversed, to its other end, p columns on. */
+INLINE void subtract_other(const Parts *parts, int n, double *restrict fx, double *restrict fy)
 {
-    for (size_t i = 0; i < count + 2 * LATTICE_BLOCK; i += LANES) {
-        Vector sum = load(force + i - LATTICE_BLOCK);
-        for (int o = 0; o < n; o++)
-            sum -= load(parts + o * BONDS_SPAN + (ptrdiff_t)i - offsets[o].p);
-        store(force + i - LATTICE_BLOCK, sum);
-    }
-}
-
-static void clear_margins(double *parts, int n, size_t count)
-{
+    const double *restrict px = parts->x, *restrict py = parts->y;
+    ptrdiff_t shift[2 * LATTICE_REACH_MAX + 1];
     for (int o = 0; o < n; o++)
-        for (int i = 0; i < LATTICE_BLOCK; i++) {
-            parts[o * BONDS_SPAN + i] = 0;
-            parts[o * BONDS_SPAN + LATTICE_BLOCK + (ptrdiff_t)count + i] = 0;
+        shift[o] = o * BONDS_SPAN - parts->offsets[o].p;
+    for (size_t i = 0; i < parts->count + 2 * LATTICE_BLOCK; i += LANES) {
+        Vector x = load(fx + i - LATTICE_BLOCK), y = load(fy + i - LATTICE_BLOCK);
+        for (int o = 0; o < n; o++) {
+            x -= load(px + (ptrdiff_t)i + shift[o]);
+            y -= load(py + (ptrdiff_t)i + shift[o]);
+        }
+        store(fx + i - LATTICE_BLOCK, x);
+        store(fy + i - LATTICE_BLOCK, y);
+    }
+}
+
+INLINE void gather(const Parts *parts, int n, double *fx, double *fy, double *other_x, double *other_y)
+{
+    add_own(parts, n, fx, fy);
+    subtract_other(parts, n, other_x, other_y);
+}
+
+/* The same with the number of directions known beforehand, for the families people use. */
+static void gather_parts(const Parts *parts, double *fx, double *fy, double *other_x, double *other_y)
+{
+    switch (parts->n) {
+    case 1:
+        gather(parts, 1, fx, fy, other_x, other_y);
+        break;
+    case 3:
+        gather(parts, 3, fx, fy, other_x, other_y);
+        break;
+    case 4:
+        gather(parts, 4, fx, fy, other_x, other_y);
+        break;
+    case 5:
+        gather(parts, 5, fx, fy, other_x, other_y);
+        break;
+    case 7:
+        gather(parts, 7, fx, fy, other_x, other_y);
+        break;
+    default:
+        gather(parts, parts->n, fx, fy, other_x, other_y);
+    }
+}
+
+/* The block behind the forces; what stands before them is never written. */
+static void clear_margin(const Parts *parts)
+{
+    for (int o = 0; o < parts->n; o++)
+        for (int i = 0; i < LATTICE_BLOCK; i += LANES) {
+            store(parts->x + o * BONDS_SPAN + LATTICE_BLOCK + parts->count + i, (Vector){0});
+            store(parts->y + o * BONDS_SPAN + LATTICE_BLOCK + parts->count + i, (Vector){0});
         }
 }
 
@@ -261,42 +320,24 @@ INLINE double tile(const BondSystem *system, int j, int q, size_t from, size_t c
                    double *const *fy, BondLog *log, bool with_energy)
 {
     const Lattice *lattice = system->lattice;
-    const int first = lattice->first[q], n = lattice->first[q + 1] - first;
-    double *px = log->scratch, *py = px + BONDS_SCRATCH / 2;
+    const int first = lattice->first[q];
+    const Parts parts = {log->scratch, log->scratch + BONDS_SCRATCH / 2, lattice->first[q + 1] - first,
+                         lattice->offsets + first, count};
+    double *coefficient = system->coefficient + lattice_slot(lattice, (BondPlace){(int)from, j, first});
     double energy = 0, sums[LATTICE_BLOCK];
 
-    clear_margins(px, n, count);
-    clear_margins(py, n, count);
-    for (int o = 0; o < n; o++) {
-        Segment segment = segment_of(system, j, first + o, from, count);
-        double *sx = px + o * BONDS_SPAN + LATTICE_BLOCK, *sy = py + o * BONDS_SPAN + LATTICE_BLOCK;
-        bool fine = by_series(&segment, true, with_energy, sx, sy, sums);
+    clear_margin(&parts);
+    for (int o = 0; o < parts.n; o++, coefficient += count) {
+        Segment segment = segment_of(system, j, first + o, from, count, coefficient);
+        double *px = parts.x + o * BONDS_SPAN + LATTICE_BLOCK, *py = parts.y + o * BONDS_SPAN + LATTICE_BLOCK;
+        bool fine = by_series(&segment, true, with_energy, px, py, sums);
         if (!fine)
-            by_root(system, &segment, (BondPlace){(int)from, j, first + o}, sx, sy, log);
+            by_root(system, &segment, (BondPlace){(int)from, j, first + o}, px, py, log);
         if (with_energy)
             energy += segment_energy(system, &segment, fine ? sums : NULL);
     }
-    add_own(fx[0] + from, px, n, count);
-    add_own(fy[0] + from, py, n, count);
-    subtract_other(fx[q] + from, px, lattice->offsets + first, n, count);
-    subtract_other(fy[q] + from, py, lattice->offsets + first, n, count);
+    gather_parts(&parts, fx[0] + from, fy[0] + from, fx[q] + from, fy[q] + from);
     return energy;
-}
-
-/* Calls for every tile of row j: whole blocks, as even as they come. */
-typedef struct Tiles {
-    size_t n, blocks;
-} Tiles;
-
-static Tiles tiles_of(const Lattice *lattice)
-{
-    size_t blocks = lattice->columns / LATTICE_BLOCK, most = BONDS_TILE / LATTICE_BLOCK;
-    return (Tiles){(blocks + most - 1) / most, blocks};
-}
-
-static size_t tile_start(Tiles tiles, size_t t)
-{
-    return tiles.blocks * t / tiles.n * LATTICE_BLOCK;
 }
 
 static int rows_above(const Lattice *lattice, int j)
@@ -308,16 +349,16 @@ static int rows_above(const Lattice *lattice, int j)
 static void forces(const BondSystem *system, int j, double *const *fx, double *const *fy, BondLog *log,
                    double *energy)
 {
-    Tiles tiles = tiles_of(system->lattice);
+    const Lattice *lattice = system->lattice;
     double sum = 0;
-    for (int q = 0; q <= rows_above(system->lattice, j); q++)
-        for (size_t t = 0; t < tiles.n; t++) {
-            size_t from = tile_start(tiles, t), count = tile_start(tiles, t + 1) - from;
+    for (size_t t = 0; t < lattice->n_tiles; t++) {
+        size_t from = lattice_tile(lattice, t), count = lattice_tile(lattice, t + 1) - from;
+        for (int q = 0; q <= rows_above(lattice, j); q++)
             if (energy)
                 sum += tile(system, j, q, from, count, fx, fy, log, true);
             else
                 tile(system, j, q, from, count, fx, fy, log, false);
-        }
+    }
     if (energy)
         *energy = sum;
 }
@@ -325,18 +366,20 @@ static void forces(const BondSystem *system, int j, double *const *fx, double *c
 static double energy_of_row(const BondSystem *system, int j)
 {
     const Lattice *lattice = system->lattice;
-    Tiles tiles = tiles_of(lattice);
     double sum = 0;
-    for (int q = 0; q <= rows_above(lattice, j); q++)
-        for (size_t t = 0; t < tiles.n; t++) {
-            size_t from = tile_start(tiles, t), count = tile_start(tiles, t + 1) - from;
+    for (size_t t = 0; t < lattice->n_tiles; t++) {
+        size_t from = lattice_tile(lattice, t), count = lattice_tile(lattice, t + 1) - from;
+        for (int q = 0; q <= rows_above(lattice, j); q++) {
             double part = 0;
-            for (int o = lattice->first[q]; o < lattice->first[q + 1]; o++) {
-                Segment segment = segment_of(system, j, o, from, count);
+            double *coefficient =
+                system->coefficient + lattice_slot(lattice, (BondPlace){(int)from, j, lattice->first[q]});
+            for (int o = lattice->first[q]; o < lattice->first[q + 1]; o++, coefficient += count) {
+                Segment segment = segment_of(system, j, o, from, count, coefficient);
                 part += segment_energy(system, &segment, NULL);
             }
             sum += part;
         }
+    }
     return sum;
 }
 

@@ -6,10 +6,10 @@
  *     s/|xi + eta| = (1 - (1 + e)^(-1/2))/|xi| = d (C_0 + C_1 d + ... + C_5 d^5)   for |e| <= 2^-8,
  *
  * which needs neither root nor division, and keeps all digits at strains of 1e-6. The squared stretch that
- * the energy needs is (1 - (1 + e)^(-1/2))^2 (1 + e). A segment (at most BONDS_TILE bonds of one row and one
- * direction) with a live bond beyond that range, or stretched so far that it may break, is done again bond by
- * bond with the root. A bond breaks where d >= |xi|^2 (2 s0 + s0^2), which is s >= s0, and then carries
- * nothing; a broken bond has the coefficient zero. Each bond is computed once, by its owner's row.
+ * the energy needs is (1 - (1 + e)^(-1/2))^2 (1 + e). A segment (a tile's bonds of one direction) with a live
+ * bond beyond that range, or stretched so far that it may break, is done again bond by bond with the root. A
+ * bond breaks where d >= |xi|^2 (2 s0 + s0^2), which is s >= s0, and then carries nothing; a broken bond has
+ * the coefficient zero. Each bond is computed once, by its owner's row.
  *
  * The source is compiled once per vector width. Every sum runs in the same order at every width. */
 #ifndef PHYSICS_PD_BONDS_H
@@ -52,7 +52,7 @@ typedef struct BondLog {
 } BondLog;
 
 enum {
-    BONDS_SPAN = BONDS_TILE + 2 * LATTICE_BLOCK, /* a tile with a block of zeros on either side */
+    BONDS_SPAN = LATTICE_TILE + 2 * LATTICE_BLOCK, /* a tile with a block of zeros on either side */
     BONDS_SCRATCH = 2 * (2 * LATTICE_REACH_MAX + 1) * BONDS_SPAN
 };
 

@@ -123,8 +123,11 @@ double lattice_coefficient(const Lattice *lattice, BondPlace bond)
 
 BondPlace lattice_slot_place(const Lattice *lattice, size_t slot)
 {
-    size_t row = slot / lattice->columns, n_offsets = (size_t)lattice->n_offsets;
-    return (BondPlace){(int)(slot % lattice->columns), (int)(row / n_offsets), (int)(row % n_offsets)};
+    size_t n_offsets = (size_t)lattice->n_offsets, row = n_offsets * lattice->columns, within = slot % row;
+    size_t tile = lattice_tile_of(lattice, within / n_offsets);
+    size_t from = lattice_tile(lattice, tile), count = lattice_tile(lattice, tile + 1) - from;
+    within -= from * n_offsets;
+    return (BondPlace){(int)(from + within % count), (int)(slot / row), (int)(within / count)};
 }
 
 static bool exists(const Lattice *lattice, BondPlace bond)
@@ -207,6 +210,7 @@ bool lattice_init(Lattice *lattice, const BeamDef *def, Status *status)
     if (!count_nodes(lattice, def, status))
         return false;
     lattice->columns = ((size_t)lattice->nx + LATTICE_BLOCK - 1) / LATTICE_BLOCK * LATTICE_BLOCK;
+    lattice->n_tiles = (lattice->columns + LATTICE_TILE - 1) / LATTICE_TILE;
     lattice->stride = lattice->columns + 2 * LATTICE_BLOCK;
     if (lattice->stride % 512 == 0)
         lattice->stride += LATTICE_BLOCK; /* rows a page apart would share their places in the cache */

@@ -2,9 +2,10 @@
  *
  * Node (i, j) has the identifier j nx + i and lies at X = x0 + (i + 1/2) dx, Y = y0 + (j + 1/2) dx; it stands
  * for the area dx^2. Every bond is kept once, by the end that comes first: by its owner (i, j) and an offset
- * (p, q) with q > 0, or q = 0 and p > 0. A lattice row of owners and one offset make a row of slots, so that
- * a bond needs no index: slot = (j n_offsets + offset) columns + i. Slots whose other end is no node stay
- * empty. Source: paper P, eqs. 4 and 8, and the text between them. */
+ * (p, q) with q > 0, or q = 0 and p > 0. A row of owners is cut into tiles; the bonds of a tile have a place
+ * (slot) each, direction by direction and in a direction column by column, so that a bond needs no index and
+ * the whole row is read from front to back. Slots whose other end is no node stay empty. Source: paper P,
+ * eqs. 4 and 8, and the text between them. */
 #ifndef PHYSICS_PD_LATTICE_H
 #define PHYSICS_PD_LATTICE_H
 
@@ -16,8 +17,9 @@
 #include <stdint.h>
 
 enum {
-    LATTICE_BLOCK = 8,        /* columns are padded to whole blocks, whatever the vector width */
-    LATTICE_REACH_MAX = 8,    /* horizon / spacing at most */
+    LATTICE_TILE = 128,    /* columns of a tile at most: what a sweep needs stays in the first-level cache */
+    LATTICE_BLOCK = 8,     /* columns are padded to whole blocks, whatever the vector width */
+    LATTICE_REACH_MAX = 8, /* horizon / spacing at most */
     LATTICE_OFFSETS_MAX = 98, /* half a family of that reach */
     LATTICE_SERIES = 6        /* terms of the force's series, see bonds.h */
 };
@@ -38,6 +40,7 @@ typedef struct Lattice {
     double horizon, youngs_modulus;
 
     size_t columns; /* nx padded to whole blocks */
+    size_t n_tiles; /* of a row */
     size_t stride;  /* doubles from one row of a node array to the next: a block, columns, a block */
 
     int n_offsets;
@@ -89,10 +92,27 @@ typedef struct BondPlace {
     int i, j, offset;
 } BondPlace;
 
+/* The first column of a tile: whole blocks, as even as they come; tile n_tiles starts at `columns`. */
+static inline size_t lattice_tile(const Lattice *lattice, size_t tile)
+{
+    return lattice->columns / LATTICE_BLOCK * tile / lattice->n_tiles * LATTICE_BLOCK;
+}
+
+/* The tile of a column. */
+static inline size_t lattice_tile_of(const Lattice *lattice, size_t i)
+{
+    size_t tile = 0;
+    while (lattice_tile(lattice, tile + 1) <= i)
+        tile++;
+    return tile;
+}
+
 static inline size_t lattice_slot(const Lattice *lattice, BondPlace bond)
 {
-    return ((size_t)bond.j * (size_t)lattice->n_offsets + (size_t)bond.offset) * lattice->columns +
-           (size_t)bond.i;
+    size_t tile = lattice_tile_of(lattice, (size_t)bond.i), n_offsets = (size_t)lattice->n_offsets;
+    size_t from = lattice_tile(lattice, tile), count = lattice_tile(lattice, tile + 1) - from;
+    return (size_t)bond.j * n_offsets * lattice->columns + from * n_offsets + (size_t)bond.offset * count +
+           ((size_t)bond.i - from);
 }
 
 BondPlace lattice_slot_place(const Lattice *lattice, size_t slot);
