@@ -71,7 +71,7 @@ static void destroy(Simulation *sim)
     free(beam->halo);
     free(beam->row_energy);
     free(beam->scratch);
-    free(beam->rescue);
+    free(beam->rescue.state);
     lattice_free(&beam->lattice);
     free(beam);
 }
@@ -359,7 +359,6 @@ static bool start(Beam *beam, Status *status)
 {
     beam_all_forces(beam);
     for (int band = 0; band < beam->n_bands; band++) {
-        beam->band_logs[band].strained = false;
         if (beam->band_logs[band].unstable)
             return status_fail(status, STATUS_USAGE,
                                "initial.amplitude: %g tears the beam apart at the start (a smaller one)",

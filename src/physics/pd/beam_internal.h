@@ -51,6 +51,14 @@ typedef struct CrackCache {
     double x, y, length;
 } CrackCache;
 
+/* The state some steps ago; see beam_steps(). */
+typedef struct Rescue {
+    void *state;
+    bool valid; /* only whole steps have been done since */
+    long step, events_beyond;
+    int n_events;
+} Rescue;
+
 typedef struct Beam {
     Simulation sim; /* first */
     BeamDef def;
@@ -100,8 +108,7 @@ typedef struct Beam {
     BondLog *band_logs; /* one per band */
     double *scratch;    /* one per worker */
     Pool *pool;         /* NULL: one thread */
-    void *rescue;       /* the state before a step that looks dangerous; made when needed */
-    bool strained;
+    Rescue rescue;
 } Beam;
 
 /* For tests: a kernel level by force, a body that nothing holds or loads, and any initial motion. */

@@ -40,7 +40,7 @@ void beam_load(Simulation *sim, const void *bytes)
     bonds_set_limits(&beam->system, beam->head->critical_stretch);
     beam_rebuild_damage(beam);
     beam->strain_known = false;
-    beam->strained = false;
+    beam->rescue.valid = false;
 }
 
 typedef struct LiveParameter {
@@ -77,6 +77,7 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
             return status_fail(status, STATUS_USAGE, "%s: %g is not allowed (%s)", key, value, live->what);
         memcpy((char *)beam->head + live->offset, &value, sizeof value);
         bonds_set_limits(&beam->system, beam->head->critical_stretch);
+        beam->rescue.valid = false;
         return true;
     }
     return status_fail(status, STATUS_USAGE,

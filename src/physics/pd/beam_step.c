@@ -253,16 +253,15 @@ double beam_strain(Beam *beam)
 static bool take_log(Beam *beam, BondLog *log, long step, Status *status)
 {
     bool written = beam_take_log(beam, log, step);
-    beam->strained |= log->strained;
-    log->strained = false;
     if (log->unstable) {
         log->unstable = false;
         BondPlace place = lattice_slot_place(&beam->lattice, log->unstable_slot);
-        return simulation_fail(&beam->sim, status,
-                               "unstable: at node %zu a bond has doubled its length in step %ld, t = %.6g s "
-                               "(a smaller time.step or a smaller load)",
-                               (size_t)place.j * (size_t)beam->lattice.nx + (size_t)place.i, step + 1,
-                               (double)(step + 1) * beam->sim.dt);
+        return simulation_fail(
+            &beam->sim, status,
+            "unstable: at node %zu a bond has doubled its length or collapsed in step %ld, "
+            "t = %.6g s (a smaller time.step or a smaller load)",
+            (size_t)place.j * (size_t)beam->lattice.nx + (size_t)place.i, step + 1,
+            (double)(step + 1) * beam->sim.dt);
     }
     if (!written)
         return simulation_fail(&beam->sim, status,
@@ -298,6 +297,7 @@ bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *st
 {
     Beam *beam = (Beam *)sim;
     beam->strain_known = false;
+    beam->rescue.valid = false;
     if (stage == STAGE_BONDS)
         return bonds_stage(beam, (int)first, (int)end, status);
     if (stage == STAGE_DAMAGE) {
@@ -353,26 +353,12 @@ static void turn_chunk(void *context, int band, int worker)
     }
 }
 
-/* A run that is about to burst is kept as it was before the step, so that it can stand at a sound one. */
-static bool keep_rescue(Beam *beam)
+/* Whole steps; on failure the state is in the middle of the step that failed. */
+static bool run_steps(Beam *beam, long count, double *rows, long *done, Status *status)
 {
-    if (!beam->strained)
-        return false;
-    beam->strained = false;
-    if (!beam->rescue)
-        beam->rescue = malloc(beam->state_size);
-    if (!beam->rescue)
-        return false;
-    beam_save(&beam->sim, beam->rescue);
-    return true;
-}
-
-bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
-{
-    Beam *beam = (Beam *)sim;
+    Simulation *sim = &beam->sim;
     bool begun = false;
     for (*done = 0; *done < count; ++*done) {
-        bool rescued = !begun && keep_rescue(beam);
         beam->strain_known = false;
         if (!begun)
             beam_run(beam, begin_chunk, beam->n_bands);
@@ -381,13 +367,10 @@ bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *s
         bool sound = true;
         for (int band = 0; band < beam->n_bands; band++)
             sound = take_log(beam, &beam->band_logs[band], sim->step, status) && sound;
-        if (!sound) {
-            if (rescued)
-                beam_load(sim, beam->rescue);
+        if (!sound)
             return false;
-        }
 
-        bool pause = rows || beam->strained || *done + 1 == count;
+        bool pause = rows || *done + 1 == count;
         beam_run(beam, pause ? end_chunk : turn_chunk, beam->n_bands);
         begun = !pause;
         beam_update_damage(beam, sim->step + 1);
@@ -396,6 +379,61 @@ bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *s
             beam->strain = sum_of_rows(beam);
             beam->strain_known = true;
             beam_row(sim, rows + *done * sim->n_series);
+        }
+    }
+    return true;
+}
+
+/* --- a run that bursts stands at its last sound step: a copy of the state from a few steps before, and
+ * replay --- */
+
+enum { RESCUE_EVERY = 64 };
+
+static void keep_rescue(Beam *beam)
+{
+    Rescue *rescue = &beam->rescue;
+    if (!rescue->state)
+        rescue->state = malloc(beam->state_size);
+    rescue->valid = rescue->state != NULL;
+    if (!rescue->valid)
+        return;
+    beam_save(&beam->sim, rescue->state);
+    rescue->step = beam->sim.step;
+    rescue->n_events = beam->sim.n_events;
+    rescue->events_beyond = beam->sim.events_beyond;
+}
+
+static void go_back(Beam *beam)
+{
+    Simulation *sim = &beam->sim;
+    Status failure = sim->failure;
+    long sound = sim->step, done;
+    if (!beam->rescue.valid)
+        return;
+    sim->step = beam->rescue.step;
+    sim->n_events = beam->rescue.n_events;
+    sim->events_beyond = beam->rescue.events_beyond;
+    beam_load(sim, beam->rescue.state);
+    run_steps(beam, sound - sim->step, NULL, &done, NULL);
+    sim->failed = true;
+    sim->failure = failure;
+}
+
+bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
+{
+    Beam *beam = (Beam *)sim;
+    *done = 0;
+    while (*done < count) {
+        if (!beam->rescue.valid || sim->step >= beam->rescue.step + RESCUE_EVERY)
+            keep_rescue(beam);
+        long left = count - *done, until = beam->rescue.step + RESCUE_EVERY - sim->step, part;
+        if (beam->rescue.valid && until < left)
+            left = until;
+        bool sound = run_steps(beam, left, rows ? rows + *done * sim->n_series : NULL, &part, status);
+        *done += part;
+        if (!sound) {
+            go_back(beam);
+            return false;
         }
     }
     return true;

@@ -180,12 +180,9 @@ static void by_root(const BondSystem *system, const Segment *segment, BondPlace 
             write_down(log, slot, energy);
             continue;
         }
-        if (!(bond.d < 0.44 * direction->squared)) {
-            log->strained = true;
-            if (!(bond.d < 3 * direction->squared) && !log->unstable) {
-                log->unstable = true;
-                log->unstable_slot = lattice_slot(system->lattice, place);
-            }
+        if (!(bond.d < 3 * direction->squared && bond.d > -0.99 * direction->squared) && !log->unstable) {
+            log->unstable = true;
+            log->unstable_slot = lattice_slot(system->lattice, place);
         }
         double g = segment->coefficient[i] * bond.stretch / bond.length;
         fx[i] = g * bond.rx;
@@ -245,7 +242,7 @@ typedef struct Parts {
 /* Every bond's force to its owner. */
 INLINE void add_own(const Parts *parts, int n, double *restrict fx, double *restrict fy)
 {
-    const double *restrict px = parts->x + LATTICE_BLOCK, *restrict py = parts->y + LATTICE_BLOCK;
+    const double *restrict px = parts->x + BONDS_MARGIN, *restrict py = parts->y + BONDS_MARGIN;
     for (size_t i = 0; i < parts->count; i += LANES) {
         Vector x = load(fx + i), y = load(fy + i);
         for (int o = 0; o < n; o++) {
@@ -263,7 +260,7 @@ INLINE void subtract_other(const Parts *parts, int n, double *restrict fx, doubl
     const double *restrict px = parts->x, *restrict py = parts->y;
     ptrdiff_t shift[2 * LATTICE_REACH_MAX + 1];
     for (int o = 0; o < n; o++)
-        shift[o] = o * BONDS_SPAN - parts->offsets[o].p;
+        shift[o] = o * BONDS_SPAN + BONDS_MARGIN - LATTICE_BLOCK - parts->offsets[o].p;
     for (size_t i = 0; i < parts->count + 2 * LATTICE_BLOCK; i += LANES) {
         Vector x = load(fx + i - LATTICE_BLOCK), y = load(fy + i - LATTICE_BLOCK);
         for (int o = 0; o < n; o++) {
@@ -305,13 +302,14 @@ static void gather_parts(const Parts *parts, double *fx, double *fy, double *oth
     }
 }
 
-/* The block behind the forces; what stands before them is never written. */
+/* What stands behind the forces; what stands before them is never written. */
 static void clear_margin(const Parts *parts)
 {
     for (int o = 0; o < parts->n; o++)
-        for (int i = 0; i < LATTICE_BLOCK; i += LANES) {
-            store(parts->x + o * BONDS_SPAN + LATTICE_BLOCK + parts->count + i, (Vector){0});
-            store(parts->y + o * BONDS_SPAN + LATTICE_BLOCK + parts->count + i, (Vector){0});
+        for (int i = 0; i < BONDS_MARGIN; i += LANES) {
+            size_t at = (size_t)(o * BONDS_SPAN + BONDS_MARGIN + i) + parts->count;
+            store(parts->x + at, (Vector){0});
+            store(parts->y + at, (Vector){0});
         }
 }
 
@@ -329,7 +327,7 @@ INLINE double tile(const BondSystem *system, int j, int q, size_t from, size_t c
     clear_margin(&parts);
     for (int o = 0; o < parts.n; o++, coefficient += count) {
         Segment segment = segment_of(system, j, first + o, from, count, coefficient);
-        double *px = parts.x + o * BONDS_SPAN + LATTICE_BLOCK, *py = parts.y + o * BONDS_SPAN + LATTICE_BLOCK;
+        double *px = parts.x + o * BONDS_SPAN + BONDS_MARGIN, *py = parts.y + o * BONDS_SPAN + BONDS_MARGIN;
         bool fine = by_series(&segment, true, with_energy, px, py, sums);
         if (!fine)
             by_root(system, &segment, (BondPlace){(int)from, j, first + o}, px, py, log);

@@ -46,13 +46,14 @@ typedef struct BondLog {
     size_t n_breaks, capacity;
     bool no_memory; /* a bond broke and could not be written down */
     bool strained;  /* a live bond is longer by a fifth: trouble is near */
-    bool unstable;  /* a live bond has doubled its length, or its length is no number */
+    bool unstable;  /* a live bond has doubled its length or collapsed, or its length is no number */
     size_t unstable_slot;
     double *scratch; /* BONDS_SCRATCH doubles, aligned to 64 bytes */
 } BondLog;
 
 enum {
-    BONDS_SPAN = LATTICE_TILE + 2 * LATTICE_BLOCK, /* a tile with a block of zeros on either side */
+    BONDS_MARGIN = 2 * LATTICE_BLOCK, /* zeros on either side of a tile's forces */
+    BONDS_SPAN = LATTICE_TILE + 2 * BONDS_MARGIN,
     BONDS_SCRATCH = 2 * (2 * LATTICE_REACH_MAX + 1) * BONDS_SPAN
 };
 
