@@ -1,0 +1,58 @@
+#!/bin/sh
+# The layers hold: no lower layer refers to the terminal, to a higher layer, or (physics) to the outside world.
+cd "${MATVIB_BUILDDIR:-.}" || exit 1
+number=0
+say() { # RESULT NAME
+	number=$((number + 1))
+	echo "$1 $number - $2"
+}
+undefined() { # LIBRARY: the symbols that it wants from elsewhere
+	nm --undefined-only "$1" 2>/dev/null | awk 'NF == 2 { print $2 }' | sort -u
+}
+defined() {
+	nm --defined-only "$1" 2>/dev/null | awk 'NF == 3 && $2 ~ /[TDBRC]/ { print $3 }' | sort -u
+}
+lacks() { # LIBRARY PATTERN NAME
+	found=$(undefined "$1" | grep -E -x "$2")
+	if [ -z "$found" ]; then
+		say ok "$3"
+	else
+		say 'not ok' "$3"
+		echo "$found" | sed 's/^/# /'
+	fi
+}
+below() { # LOWER HIGHER...: the lower library wants nothing that a higher one defines
+	lower=$1
+	shift
+	for higher in "$@"; do
+		wanted=$(mktemp) given=$(mktemp)
+		undefined "$lower" >"$wanted"
+		defined "$higher" >"$given"
+		found=$(comm -12 "$wanted" "$given")
+		rm -f "$wanted" "$given"
+		if [ -z "$found" ]; then
+			say ok "$lower does not need $higher"
+		else
+			say 'not ok' "$lower does not need $higher"
+			echo "$found" | sed 's/^/# /'
+		fi
+	done
+}
+curses='initscr|newterm|endwin|wget_wch|wgetch|stdscr|w?add.*str|wrefresh|setupterm|tigetstr|tputs|putp'
+for library in libbase.a libphysics.a libtheory.a liblab.a libview.a libcli.a; do
+	lacks $library "$curses" "$library does not touch the terminal"
+done
+for library in libphysics.a $(ls libbar*.a libpd_*.a 2>/dev/null); do
+	lacks $library 'printf|fprintf|__printf_chk|__fprintf_chk|puts|putchar|exit|_exit|abort|time|clock|clock_gettime|gettimeofday|rand|random|drand48|fopen|open|getenv' \
+		"$library prints nothing, opens nothing, tells no time"
+done
+for library in libbase.a libphysics.a libtheory.a liblab.a libview.a libtui.a; do
+	lacks $library 'exit|_exit|quick_exit' "$library does not exit"
+done
+below libbase.a libphysics.a libtheory.a liblab.a libview.a libtui.a libcli.a
+below libphysics.a libtheory.a liblab.a libview.a libtui.a libcli.a
+below libtheory.a libphysics.a liblab.a libview.a libtui.a libcli.a
+below liblab.a libview.a libtui.a libcli.a
+below libview.a libtui.a libcli.a
+below libtui.a libcli.a
+echo "1..$number"
