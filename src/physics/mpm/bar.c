@@ -194,6 +194,8 @@ static void lay_out(Bar *bar, unsigned char *block)
             if (block)
                 bar->part[q][a] += 4;
         }
+    ARRAY(bar->node_velocity, nodes);
+    ARRAY(bar->odd, ((size_t)bar->n_cells / BAR_CELL_BLOCK + 1) * sizeof(int16_t));
     ARRAY(bar->old_first, ((size_t)bar->n_cells + 1) * sizeof(int32_t));
     ARRAY(bar->backup, bar->bytes_apic);
     bar->bytes_memory = (layout.size + 63) / 64 * 64;
@@ -245,6 +247,7 @@ static void load(Simulation *sim, const void *bytes)
     memcpy(bar->block, bytes, size);
     if (size == bar->bytes_flip)
         memset((char *)bar->block + size, 0, bar->bytes_apic - size);
+    bar_count_odd_cells(bar);
     take_schedule(bar);
 }
 
@@ -350,6 +353,7 @@ static bool begin(Bar *bar, Status *status)
         place = place < 0 ? 0 : place > bar->places ? bar->places : place;
         bar->first[c] = place * bar->slots;
     }
+    bar_count_odd_cells(bar);
     bar->head->cell_sum = (int64_t)bar->slots * bar->places * (bar->places - 1) / 2;
     for (int j = 0; j < bar->slots; j++) {
         double s = (j + 0.5) / bar->slots;

@@ -350,6 +350,14 @@ static void strain_particle(const Subject *subject, Lines *lines)
     end_line(lines);
 }
 
+/* The whole force on a node: eq. 12, none at a support. */
+static double node_force(const Bar *bar, int i)
+{
+    if (bar_node_is_fixed(bar, i))
+        return 0.0;
+    return bar_is_loaded(bar) ? bar->node_f_int[i] + bar->node_f_ext[i] : bar->node_f_int[i];
+}
+
 /* --- nodal forces --------------------------------------------------------------------------------- */
 
 static void force_term(const Bar *bar, const View *view, int a, Sum *sum)
@@ -372,8 +380,8 @@ static void force_node(const Subject *subject, Lines *lines)
         put(lines, "node %d is fixed: f%d = 0, the support bears the rest", i, i);
     else {
         put_number(lines, "f = f_int + f_ext = ", bar->node_f_int[i]);
-        put_number(lines, " + ", bar->node_f_ext[i]);
-        put_number(lines, " = ", bar->node_f_int[i] + bar->node_f_ext[i]);
+        put_number(lines, " + ", node_force(bar, i) - bar->node_f_int[i]);
+        put_number(lines, " = ", node_force(bar, i));
     }
     end_line(lines);
 }
@@ -395,11 +403,6 @@ static void force_particle(const Subject *subject, Lines *lines)
 }
 
 /* --- integrate momentum --------------------------------------------------------------------------- */
-
-static double node_force(const Bar *bar, int i)
-{
-    return bar_node_is_fixed(bar, i) ? 0.0 : bar->node_f_int[i] + bar->node_f_ext[i];
-}
 
 static void integrate_node(const Subject *subject, Lines *lines)
 {

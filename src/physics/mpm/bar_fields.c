@@ -193,7 +193,7 @@ static void node_field(const Bar *bar, int field, int first, int count, double *
     const bool forced = bar_has_done(bar, OP_FORCE);
     for (int n = 0; n < count; n++) {
         int i = first + n;
-        double external = forced ? bar->node_f_ext[i] : 0.0;
+        double external = forced && bar_is_loaded(bar) ? bar->node_f_ext[i] : 0.0;
         double force = forced && !bar_node_is_fixed(bar, i) ? bar->node_f_int[i] + external : 0.0;
         switch ((enum FieldIndex)field) {
         case N_X:

@@ -23,6 +23,7 @@ enum {
     BAR_SLOTS_MAX = 8,   /* particles per cell */
     BAR_SUPPORT_MAX = 4, /* nodes that a cell touches */
     BAR_SUM_BLOCK = 64,  /* sums over particles and nodes go by blocks of this many places */
+    BAR_CELL_BLOCK = 64, /* cells of a block of which it is known whether all hold P particles */
     BAR_CHECK_EVERY = 64 /* the energy is looked at after each step that is a multiple of this */
 };
 
@@ -94,8 +95,13 @@ struct Bar {
     double *node_kick;  /* dt f / m */
     double *node_drift; /* dt p / (m dx) with the integrated momentum */
 
+    /* follows from `first`: how many cells of each block of cells have not P particles */
+    int16_t *odd;
+
     /* scratch of one stage */
-    double *part[2][BAR_SUPPORT_MAX]; /* what cells give to their nodes; readable from -4 to n_cells + 3 */
+    double *part[2][BAR_SUPPORT_MAX]; /* what cells give to their nodes; 0 from -4 to -1, n_cells to n_cells +
+                                         3 */
+    double *node_velocity;            /* p / m, for the strain */
     int32_t *old_first;
     unsigned char *backup; /* the particle part at the beginning of a batch of steps */
     bool jumped;           /* a particle jumped over a whole cell in this step */
@@ -123,6 +129,30 @@ static inline void bar_lend_velocity(const Bar *bar, int cell, double *v)
     else if (bar->node_inverse[cell + 1] == 0.0)
         v[1] = v[0];
 }
+
+/* Whether a load acts: only then are there external forces. */
+static inline bool bar_is_loaded(const Bar *bar)
+{
+    return bar->head->body_force != 0.0 || bar->head->traction != 0.0;
+}
+
+/* The end of the run of cells from c on, before `end`, that hold P particles each. */
+static inline int bar_run_end(const Bar *bar, int c, int end)
+{
+    while (c < end) {
+        if (bar->odd[c / BAR_CELL_BLOCK] == 0) {
+            c = (c / BAR_CELL_BLOCK + 1) * BAR_CELL_BLOCK;
+            continue;
+        }
+        if (bar->first[c + 1] - bar->first[c] != bar->slots)
+            break;
+        c++;
+    }
+    return c < end ? c : end;
+}
+
+/* Counts the odd cells anew, after `first` was put back. */
+void bar_count_odd_cells(Bar *bar);
 
 /* The stages of an algorithm: tables of equal length, what people read and what is done. */
 typedef struct BarSchedule {

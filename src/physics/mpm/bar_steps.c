@@ -59,6 +59,31 @@ static void note_crossing(Bar *bar, int particle, int cell)
     report(bar, EVENT_CROSSING, text);
 }
 
+void bar_count_odd_cells(Bar *bar)
+{
+    memset(bar->odd, 0, ((size_t)bar->n_cells / BAR_CELL_BLOCK + 1) * sizeof *bar->odd);
+    for (int c = 0; c < bar->n_cells; c++)
+        if (bar->first[c + 1] - bar->first[c] != bar->slots)
+            bar->odd[c / BAR_CELL_BLOCK]++;
+}
+
+static bool is_odd(const Bar *bar, int c)
+{
+    return bar->first[c + 1] - bar->first[c] != bar->slots;
+}
+
+/* Cell c begins with another particle: this changes how many it and the cell before it hold. */
+static void set_first(Bar *bar, int c, int particle)
+{
+    for (int side = c - 1; side <= c; side++)
+        if (is_odd(bar, side))
+            bar->odd[side / BAR_CELL_BLOCK]--;
+    bar->first[c] = particle;
+    for (int side = c - 1; side <= c; side++)
+        if (is_odd(bar, side))
+            bar->odd[side / BAR_CELL_BLOCK]++;
+}
+
 /* --- forget the grid: particles find their cells -------------------------------------------------- */
 
 /* Counts the cell edges passed; s comes back to [0, 1). */
@@ -112,8 +137,10 @@ static bool settle_cell(Bar *bar, int c, Status *status)
             note_crossing(bar, p, target);
         }
     }
-    bar->first[c] = into_left;
-    bar->first[c + 1] = from_right;
+    if (into_left != begin)
+        set_first(bar, c, into_left);
+    if (from_right != end)
+        set_first(bar, c + 1, from_right);
     return true;
 }
 
@@ -147,16 +174,8 @@ static bool settle_all(Bar *bar, Status *status)
         }
     while (next <= bar->n_cells)
         bar->first[next++] = bar->n_particles;
+    bar_count_odd_cells(bar);
     return true;
-}
-
-/* How many cells from c on, before `end`, hold P particles each. */
-static int run_length(const Bar *bar, int c, int end)
-{
-    int n = c;
-    while (n < end && bar->first[n + 1] - bar->first[n] == bar->slots)
-        n++;
-    return n - c;
 }
 
 static bool forget(Bar *bar, int first, int end, Status *status)
@@ -164,9 +183,7 @@ static bool forget(Bar *bar, int first, int end, Status *status)
     if (first == 0)
         bar->jumped = false;
     for (int c = first; c < end && !bar->jumped;) {
-        int run = run_length(bar, c, end);
-        if (run > BAR_SUM_BLOCK)
-            run = BAR_SUM_BLOCK;
+        int limit = c + BAR_CELL_BLOCK < end ? c + BAR_CELL_BLOCK : end, run = bar_run_end(bar, c, limit) - c;
         if (run > 0 && bar->kernels->settle(bar, run, bar->first[c])) {
             c += run;
             continue;
@@ -356,6 +373,7 @@ static Mark set_mark(Bar *bar)
 static void go_back(Bar *bar, Mark mark)
 {
     memcpy(bar->block, bar->backup, bar->bytes_apic);
+    bar_count_odd_cells(bar);
     bar->sim.step = mark.step;
     bar->sim.n_events = mark.n_events;
     bar->sim.events_beyond = mark.events_beyond;

@@ -10,11 +10,13 @@
  * Sources: paper M (A. da Silva Rocha); Bardenhagen and Kober 2004 for uGIMP, Steffen, Kirby and Berzins 2008
  * for B-splines, Jiang et al. 2015 for APIC.
  *
- * This file is compiled once for each instruction set; BAR_KERNELS is the name of the table. */
+ * This file is compiled once for each instruction set; BAR_KERNELS is the name of the table. A function on
+ * cells goes through runs of cells that hold P particles each, whose places lie side by side in memory
+ * (kernels_hat.h for the shape of paper M, kernels_shapes.h for all), and through the other cells one by one
+ * (kernels_cell.h). The three do the same sums in the same order: what runs where is a matter of speed only.
+ */
 #include "physics/mpm/kernels.h"
 #include "physics/mpm/shape.h"
-
-#define INLINE static inline __attribute__((always_inline))
 
 #ifndef BAR_KERNELS
 #define BAR_KERNELS bar_kernels_plain
@@ -22,20 +24,31 @@
 
 extern const BarKernels BAR_KERNELS;
 
-/* A particle of the storage by slots. */
-typedef struct Place {
-    int slot, k;
-} Place;
+#define INLINE static inline __attribute__((always_inline))
 
-INLINE Place place_of(const Bar *bar, int particle)
+/* Constant loops inside a vectorised one are unrolled, and arrays that are written are no others. */
+#define UNROLL _Pragma("GCC unroll 8")
+#define VECTOR _Pragma("omp simd")
+
+/* What becomes of a particle's velocity. */
+typedef enum Transfer { TO_FLIP, TO_BLEND, TO_APIC } Transfer;
+
+INLINE Transfer transfer_of(const Bar *bar)
 {
-    return (Place){particle % bar->slots, particle / bar->slots};
+    return bar->head->transfer == MPM_APIC ? TO_APIC : bar->head->flip_fraction == 1.0 ? TO_FLIP : TO_BLEND;
 }
 
-INLINE Place next_place(const Bar *bar, Place at)
-{
-    return at.slot + 1 < bar->slots ? (Place){at.slot + 1, at.k} : (Place){0, at.k + 1};
-}
+/* Calls one of several copies in which a number is a constant. */
+#define CASE(value, type, name, call)                                                                        \
+    case value: {                                                                                            \
+        const type name = value;                                                                             \
+        call;                                                                                                \
+        break;                                                                                               \
+    }
+
+#include "physics/mpm/kernels_cell.h"
+#include "physics/mpm/kernels_hat.h"
+#include "physics/mpm/kernels_shapes.h"
 
 /* Nodes that come with cells [first, end). */
 INLINE int nodes_end(const Bar *bar, int end)
@@ -43,321 +56,299 @@ INLINE int nodes_end(const Bar *bar, int end)
     return end == bar->n_cells ? bar->n_nodes : end;
 }
 
+/* The end of the run from c on, of cells with P particles in which the shape functions are the inner ones;
+ * c itself if there is none. */
+INLINE int run_end(const Bar *bar, MpmShape shape, int c, int end)
+{
+    const int ends = shape_end_cells(shape);
+    if (c < ends)
+        return c;
+    if (end > bar->n_cells - ends)
+        end = bar->n_cells - ends;
+    return c < end ? bar_run_end(bar, c, end) : c;
+}
+
+/* By shape. */
+#define FOR_SHAPE(which, call)                                                                               \
+    switch (which) {                                                                                         \
+        CASE(MPM_HAT, MpmShape, shape, call)                                                                 \
+        CASE(MPM_GIMP, MpmShape, shape, call)                                                                \
+        CASE(MPM_BSPLINE2, MpmShape, shape, call)                                                            \
+        CASE(MPM_BSPLINE3, MpmShape, shape, call)                                                            \
+    }
+
 /* What the cells gave to node i, in the order of the cells. */
 INLINE double gather(double *const *part, int support, int i)
 {
     double sum = part[support - 1][i - support + 1];
+    UNROLL
     for (int a = support - 2; a >= 0; a--)
         sum += part[a][i - a];
     return sum;
 }
 
-INLINE void map_cell(Bar *bar, MpmShape shape, bool affine, int c)
-{
-    const int support = shape_support(shape);
-    double mass[BAR_SUPPORT_MAX] = {0.0}, momentum[BAR_SUPPORT_MAX] = {0.0};
-    Place at = place_of(bar, bar->first[c]);
-    for (int p = bar->first[c]; p < bar->first[c + 1]; p++, at = next_place(bar, at)) {
-        double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
-        double s = bar->s[at.slot][at.k], v = bar->v[at.slot][at.k];
-        shape_at(shape, bar->gimp_half, bar->n_cells, c, s, n, dn);
-        double spin = affine ? bar->affine[at.slot][at.k] * bar->dx : 0.0;
-        for (int a = 0; a < support; a++) {
-            double given = v;
-            if (affine)
-                given += spin * (shape_node_offset(shape, bar->n_cells, c, a) - s);
-            mass[a] += n[a];
-            momentum[a] += given * n[a];
-        }
-    }
-    for (int a = 0; a < support; a++) {
-        bar->part[0][a][c] = mass[a];
-        bar->part[1][a][c] = momentum[a];
-    }
-}
+/* --- map ------------------------------------------------------------------------------------------ */
 
 INLINE void map_shape(Bar *bar, MpmShape shape, int first, int end, bool again)
 {
-    const int support = shape_support(shape);
-    bool affine = bar->head->transfer == MPM_APIC;
-    for (int c = first; c < end; c++)
-        map_cell(bar, shape, affine, c);
-    const int last = nodes_end(bar, end);
+    const bool affine = bar->head->transfer == MPM_APIC;
+    for (int c = first; c < end;) {
+        int stop = run_end(bar, shape, c, end);
+        if (stop == c)
+            map_cell(bar, shape, affine, c++);
+        else if (shape == MPM_HAT && !affine)
+            hat_map(bar, c, stop - c, again), c = stop;
+        else if (affine)
+            shape_map(bar, shape, true, c, stop - c, again), c = stop;
+        else
+            shape_map(bar, shape, false, c, stop - c, again), c = stop;
+    }
+    const int support = shape_support(shape), last = nodes_end(bar, end);
+    const double unit = bar->mass, floor = bar->mass_floor;
+    double *const *gives[2] = {bar->part[0], bar->part[1]};
+    double *momentum = bar->node_momentum;
+    VECTOR
     for (int i = first; i < last; i++)
-        bar->node_momentum[i] = bar->mass * gather(bar->part[1], support, i);
+        momentum[i] = unit * gather(gives[1], support, i);
     if (again)
         return;
+    double *masses = bar->node_mass, *inverses = bar->node_inverse;
+    VECTOR
     for (int i = first; i < last; i++) {
-        double mass = bar->mass * gather(bar->part[0], support, i);
-        bar->node_mass[i] = mass;
-        bar->node_inverse[i] = mass > bar->mass_floor ? 1.0 / mass : 0.0;
+        double mass = unit * gather(gives[0], support, i), inverse = 1.0 / mass;
+        masses[i] = mass;
+        inverses[i] = mass > floor ? inverse : 0.0;
     }
 }
 
+static void map(Bar *bar, int first, int end,
+                bool again){FOR_SHAPE(bar->def.shape, map_shape(bar, shape, first, end, again))}
+
+/* --- strain and stress ---------------------------------------------------------------------------- */
+
 INLINE int strain_shape(Bar *bar, MpmShape shape, int first, int end)
 {
-    const int support = shape_support(shape);
-    const double k = bar->dt / bar->dx, e = bar->def.youngs_modulus;
     int bad = -1;
-    for (int c = first; c < end; c++) {
-        double v[BAR_SUPPORT_MAX];
-        for (int a = 0; a < support; a++)
-            v[a] = bar->node_momentum[c + a] * bar->node_inverse[c + a];
-        if (shape == MPM_HAT)
-            bar_lend_velocity(bar, c, v);
-        Place at = place_of(bar, bar->first[c]);
-        for (int p = bar->first[c]; p < bar->first[c + 1]; p++, at = next_place(bar, at)) {
-            double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
-            shape_at(shape, bar->gimp_half, bar->n_cells, c, bar->s[at.slot][at.k], n, dn);
-            double gradient = dn[0] * v[0];
-            for (int a = 1; a < support; a++)
-                gradient += dn[a] * v[a];
-            double de = k * gradient, stretch = 1.0 + de;
-            if (!(stretch > 0.0) && bad < 0)
-                bad = p;
-            bar->stress[at.slot][at.k] += e * de;
-            bar->volume[at.slot][at.k] *= stretch;
-        }
+    if (shape != MPM_HAT) {
+        /* nodal velocities once for all particles; eq. 4 */
+        const double *momentum = bar->node_momentum, *inverse = bar->node_inverse;
+        double *velocity = bar->node_velocity;
+        const int last = end + shape_support(shape) - 1;
+        VECTOR
+        for (int i = first; i < last; i++)
+            velocity[i] = momentum[i] * inverse[i];
+    }
+    for (int c = first; c < end;) {
+        int stop = run_end(bar, shape, c, end);
+        bool good;
+        if (stop == c)
+            stop = c + 1, good = strain_cell(bar, shape, c);
+        else if (shape == MPM_HAT)
+            good = hat_strain(bar, c, stop - c);
+        else
+            good = shape_strain(bar, shape, c, stop - c);
+        if (!good && bad < 0)
+            bad = find_crushed(bar, shape, c, stop);
+        c = stop;
     }
     return bad;
 }
 
+static int strain(Bar *bar, int first, int end)
+{
+    int bad = -1;
+    FOR_SHAPE(bar->def.shape, bad = strain_shape(bar, shape, first, end))
+    return bad;
+}
+
+/* --- nodal forces --------------------------------------------------------------------------------- */
+
+/* Eq. 11: gravity on the nodes, and the traction of the particles at the free ends. */
+INLINE void external_force(Bar *bar, MpmShape shape, int first, int end)
+{
+    const int last = nodes_end(bar, end);
+    const double gravity = bar->head->body_force;
+    if (bar->head->traction == 0.0) {
+        for (int i = first; i < last; i++)
+            bar->node_f_ext[i] = bar->node_mass[i] * gravity;
+        return;
+    }
+    for (int c = first; c < end; c++)
+        traction_cell(bar, shape, c);
+    for (int i = first; i < last; i++)
+        bar->node_f_ext[i] = bar->node_mass[i] * gravity + gather(bar->part[1], shape_support(shape), i);
+}
+
 INLINE void force_shape(Bar *bar, MpmShape shape, int first, int end)
 {
-    const int support = shape_support(shape);
-    for (int c = first; c < end; c++) {
-        double force[BAR_SUPPORT_MAX] = {0.0};
-        Place at = place_of(bar, bar->first[c]);
-        for (int p = bar->first[c]; p < bar->first[c + 1]; p++, at = next_place(bar, at)) {
-            double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
-            shape_at(shape, bar->gimp_half, bar->n_cells, c, bar->s[at.slot][at.k], n, dn);
-            double pull = bar->stress[at.slot][at.k] * bar->volume[at.slot][at.k];
-            for (int a = 0; a < support; a++)
-                force[a] += dn[a] * pull;
-        }
-        for (int a = 0; a < support; a++)
-            bar->part[0][a][c] = force[a];
+    for (int c = first; c < end;) {
+        int stop = run_end(bar, shape, c, end);
+        if (stop == c)
+            force_cell(bar, shape, c++);
+        else if (shape == MPM_HAT)
+            hat_force(bar, c, stop - c), c = stop;
+        else
+            shape_force(bar, shape, c, stop - c), c = stop;
     }
-    const int last = nodes_end(bar, end);
+    const int support = shape_support(shape), last = nodes_end(bar, end);
     const double scale = -1.0 / bar->dx;
+    double *const *gives = bar->part[0], *f_int = bar->node_f_int;
+    VECTOR
     for (int i = first; i < last; i++)
-        bar->node_f_int[i] = scale * gather(bar->part[0], support, i);
+        f_int[i] = scale * gather(gives, support, i);
+    if (bar_is_loaded(bar))
+        external_force(bar, shape, first, end);
+}
 
-    if (bar->head->traction != 0.0) {
-        const double pressure = bar->head->traction / bar->layer;
-        for (int c = first; c < end; c++) {
-            double force[BAR_SUPPORT_MAX] = {0.0};
-            Place at = place_of(bar, bar->first[c]);
-            for (int p = bar->first[c]; p < bar->first[c + 1]; p++, at = next_place(bar, at)) {
-                /* outwards: to the left at the left end; a particle of a short bar may bear both */
-                int side = (p >= bar->n_particles - bar->layer_right) - (p < bar->layer_left);
-                if (side == 0)
-                    continue;
-                double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
-                shape_at(shape, bar->gimp_half, bar->n_cells, c, bar->s[at.slot][at.k], n, dn);
-                double pull = side * pressure * bar->volume[at.slot][at.k];
-                for (int a = 0; a < support; a++)
-                    force[a] += n[a] * pull;
-            }
-            for (int a = 0; a < support; a++)
-                bar->part[1][a][c] = force[a];
-        }
-        for (int i = first; i < last; i++)
-            bar->node_f_ext[i] = bar->node_mass[i] * bar->head->body_force + gather(bar->part[1], support, i);
-    } else {
-        for (int i = first; i < last; i++)
-            bar->node_f_ext[i] = bar->node_mass[i] * bar->head->body_force;
+static void force(Bar *bar, int first,
+                  int end){FOR_SHAPE(bar->def.shape, force_shape(bar, shape, first, end))}
+
+/* --- integrate momentum --------------------------------------------------------------------------- */
+
+INLINE void integrate_nodes(Bar *bar, int first, int end, bool loaded)
+{
+    const double dt = bar->dt, drift = bar->dt / bar->dx;
+    const double *f_int = bar->node_f_int, *f_ext = bar->node_f_ext, *inverse = bar->node_inverse;
+    double *momentum = bar->node_momentum, *kicks = bar->node_kick, *drifts = bar->node_drift;
+    VECTOR
+    for (int i = first; i < end; i++) {
+        double impulse = dt * (loaded ? f_int[i] + f_ext[i] : f_int[i]), p = momentum[i] + impulse;
+        momentum[i] = p;
+        kicks[i] = impulse * inverse[i];
+        drifts[i] = drift * (p * inverse[i]);
     }
 }
 
 static void integrate(Bar *bar, int first, int end)
 {
-    const int last = nodes_end(bar, end);
-    const double dt = bar->dt, drift = bar->dt / bar->dx;
+    const int last = nodes_end(bar, end), fixed_right = bar->n_nodes - bar->fixed_right;
     const int free_first = first > bar->fixed_left ? first : bar->fixed_left;
-    const int free_end = last < bar->n_nodes - bar->fixed_right ? last : bar->n_nodes - bar->fixed_right;
+    const int free_end = last < fixed_right ? last : fixed_right;
     for (int i = first; i < last && i < bar->fixed_left; i++)
         bar->node_kick[i] = bar->node_drift[i] = 0.0;
-    for (int i = free_first; i < free_end; i++) {
-        double impulse = dt * (bar->node_f_int[i] + bar->node_f_ext[i]);
-        bar->node_momentum[i] += impulse;
-        bar->node_kick[i] = impulse * bar->node_inverse[i];
-        bar->node_drift[i] = drift * (bar->node_momentum[i] * bar->node_inverse[i]);
-    }
-    for (int i = first > bar->n_nodes - bar->fixed_right ? first : bar->n_nodes - bar->fixed_right; i < last;
-         i++)
+    for (int i = first > fixed_right ? first : fixed_right; i < last; i++)
         bar->node_kick[i] = bar->node_drift[i] = 0.0;
-    if (bar->head->body_force != 0.0 || bar->head->traction != 0.0)
-        for (int i = free_first; i < free_end; i++)
-            bar->head->work += bar->node_f_ext[i] * (bar->node_drift[i] * bar->dx);
+    if (!bar_is_loaded(bar)) {
+        integrate_nodes(bar, free_first, free_end, false);
+        return;
+    }
+    integrate_nodes(bar, free_first, free_end, true);
+    for (int i = free_first; i < free_end; i++)
+        bar->head->work += bar->node_f_ext[i] * (bar->node_drift[i] * bar->dx);
+}
+
+/* --- update particles ----------------------------------------------------------------------------- */
+
+INLINE void update_as(Bar *bar, MpmShape shape, Transfer transfer, int first, int end)
+{
+    for (int c = first; c < end;) {
+        int stop = run_end(bar, shape, c, end);
+        if (stop == c)
+            update_cell(bar, shape, transfer, c++);
+        else if (shape == MPM_HAT && transfer == TO_FLIP)
+            hat_update(bar, c, stop - c), c = stop;
+        else
+            shape_update(bar, shape, transfer, c, stop - c), c = stop;
+    }
 }
 
 INLINE void update_shape(Bar *bar, MpmShape shape, int first, int end)
 {
-    const int support = shape_support(shape);
-    const bool apic = bar->head->transfer == MPM_APIC;
-    const double alpha = bar->head->flip_fraction, speed = bar->dx / bar->dt, rate = 1.0 / bar->dt;
-    for (int c = first; c < end; c++) {
-        const double *kick = bar->node_kick + c, *drift = bar->node_drift + c;
-        Place at = place_of(bar, bar->first[c]);
-        for (int p = bar->first[c]; p < bar->first[c + 1]; p++, at = next_place(bar, at)) {
-            double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
-            double s = bar->s[at.slot][at.k], v = bar->v[at.slot][at.k];
-            shape_at(shape, bar->gimp_half, bar->n_cells, c, s, n, dn);
-            double dv = n[0] * kick[0], ds = n[0] * drift[0];
-            for (int a = 1; a < support; a++) {
-                dv += n[a] * kick[a];
-                ds += n[a] * drift[a];
-            }
-            bar->moved[at.slot][at.k] = s + ds;
-            if (apic) {
-                double slope = 0.0, spread = 0.0;
-                for (int a = 0; a < support; a++) {
-                    if (shape == MPM_HAT) {
-                        slope += dn[a] * drift[a];
-                        spread = 1.0;
-                    } else {
-                        double arm = shape_node_offset(shape, bar->n_cells, c, a) - s;
-                        slope += n[a] * drift[a] * arm;
-                        spread += n[a] * (arm * arm);
-                    }
-                }
-                bar->affine[at.slot][at.k] = spread > 0.0 ? rate * (slope / spread) : 0.0;
-                bar->v[at.slot][at.k] = speed * ds;
-            } else if (alpha == 1.0)
-                bar->v[at.slot][at.k] = v + dv;
-            else
-                bar->v[at.slot][at.k] = alpha * (v + dv) + (1.0 - alpha) * (speed * ds);
-        }
-    }
-}
-
-static bool settle(Bar *bar, int cells, int particle)
-{
-    Place start = place_of(bar, particle), at = start;
-    for (int c = 0; c < cells; c++) {
-        double before = 0.0;
-        for (int j = 0; j < bar->slots; j++, at = next_place(bar, at)) {
-            double moved = bar->moved[at.slot][at.k];
-            if (!(moved >= before && moved < 1.0))
-                return false;
-            before = moved;
-        }
-    }
-    at = start;
-    for (int i = 0; i < cells * bar->slots; i++, at = next_place(bar, at))
-        bar->s[at.slot][at.k] = bar->moved[at.slot][at.k];
-    return true;
-}
-
-/* Eight partial sums whatever the width of the machine's registers, then always the same tree. */
-enum { LANES = 8 };
-
-INLINE double fold(const double *lane)
-{
-    return ((lane[0] + lane[4]) + (lane[2] + lane[6])) + ((lane[1] + lane[5]) + (lane[3] + lane[7]));
-}
-
-static void particle_sums(const Bar *bar, int first, int end, double sums[4])
-{
-    for (int block = first; block < end; block++) {
-        double lane[4][LANES] = {{0.0}};
-        int begin = block * BAR_SUM_BLOCK;
-        int stop = begin + BAR_SUM_BLOCK < bar->places ? begin + BAR_SUM_BLOCK : bar->places;
-        for (int j = 0; j < bar->slots; j++) {
-            const double *s = bar->s[j], *v = bar->v[j], *stress = bar->stress[j], *volume = bar->volume[j];
-            for (int k = begin; k < stop; k++) {
-                int l = k % LANES;
-                lane[0][l] += v[k];
-                lane[1][l] += s[k];
-                lane[2][l] += v[k] * v[k];
-                lane[3][l] += stress[k] * stress[k] * volume[k];
-            }
-        }
-        for (int q = 0; q < 4; q++)
-            sums[q] += fold(lane[q]);
-    }
-}
-
-static void node_sums(const Bar *bar, int first, int end, double *sum)
-{
-    for (int block = first; block < end; block++) {
-        double lane[LANES] = {0.0};
-        int begin = block * BAR_SUM_BLOCK;
-        int stop = begin + BAR_SUM_BLOCK < bar->n_nodes ? begin + BAR_SUM_BLOCK : bar->n_nodes;
-        for (int i = begin; i < stop; i++)
-            lane[i % LANES] += bar->node_momentum[i] * bar->node_momentum[i] * bar->node_inverse[i];
-        *sum += fold(lane);
-    }
-}
-
-/* A function of constants for each shape, so that the loops over the support are unrolled. */
-static void map(Bar *bar, int first, int end, bool again)
-{
-    switch (bar->def.shape) {
-    case MPM_HAT:
-        map_shape(bar, MPM_HAT, first, end, again);
+    switch (transfer_of(bar)) {
+    case TO_FLIP:
+        update_as(bar, shape, TO_FLIP, first, end);
         return;
-    case MPM_GIMP:
-        map_shape(bar, MPM_GIMP, first, end, again);
+    case TO_BLEND:
+        update_as(bar, shape, TO_BLEND, first, end);
         return;
-    case MPM_BSPLINE2:
-        map_shape(bar, MPM_BSPLINE2, first, end, again);
-        return;
-    case MPM_BSPLINE3:
-        map_shape(bar, MPM_BSPLINE3, first, end, again);
-        return;
-    }
-}
-
-static int strain(Bar *bar, int first, int end)
-{
-    switch (bar->def.shape) {
-    case MPM_HAT:
-        return strain_shape(bar, MPM_HAT, first, end);
-    case MPM_GIMP:
-        return strain_shape(bar, MPM_GIMP, first, end);
-    case MPM_BSPLINE2:
-        return strain_shape(bar, MPM_BSPLINE2, first, end);
-    case MPM_BSPLINE3:
-        return strain_shape(bar, MPM_BSPLINE3, first, end);
-    }
-    return -1;
-}
-
-static void force(Bar *bar, int first, int end)
-{
-    switch (bar->def.shape) {
-    case MPM_HAT:
-        force_shape(bar, MPM_HAT, first, end);
-        return;
-    case MPM_GIMP:
-        force_shape(bar, MPM_GIMP, first, end);
-        return;
-    case MPM_BSPLINE2:
-        force_shape(bar, MPM_BSPLINE2, first, end);
-        return;
-    case MPM_BSPLINE3:
-        force_shape(bar, MPM_BSPLINE3, first, end);
+    case TO_APIC:
+        update_as(bar, shape, TO_APIC, first, end);
         return;
     }
 }
 
 static void update(Bar *bar, int first, int end)
 {
-    switch (bar->def.shape) {
-    case MPM_HAT:
-        update_shape(bar, MPM_HAT, first, end);
-        return;
-    case MPM_GIMP:
-        update_shape(bar, MPM_GIMP, first, end);
-        return;
-    case MPM_BSPLINE2:
-        update_shape(bar, MPM_BSPLINE2, first, end);
-        return;
-    case MPM_BSPLINE3:
-        update_shape(bar, MPM_BSPLINE3, first, end);
-        return;
+    FOR_SHAPE(bar->def.shape, update_shape(bar, shape, first, end))
+}
+
+/* --- sums ----------------------------------------------------------------------------------------- */
+
+/* Eight partial sums whatever the width of the machine's registers, then always the same tree. */
+#if defined __AVX512F__
+enum { LANES = 8, WIDTH = 8 };
+#elif defined __AVX__
+enum { LANES = 8, WIDTH = 4 };
+#else
+enum { LANES = 8, WIDTH = 2 };
+#endif
+enum { PIECES = LANES / WIDTH };
+
+typedef double Piece __attribute__((vector_size(WIDTH * sizeof(double))));
+typedef double LoosePiece __attribute__((vector_size(WIDTH * sizeof(double)), aligned(8)));
+
+typedef union Lanes {
+    Piece piece[PIECES];
+    double lane[LANES];
+} Lanes;
+
+#define PIECE_AT(array, i) (*(const LoosePiece *)((array) + (i)))
+
+INLINE double fold(const Lanes *sum)
+{
+    const double *lane = sum->lane;
+    return ((lane[0] + lane[4]) + (lane[2] + lane[6])) + ((lane[1] + lane[5]) + (lane[3] + lane[7]));
+}
+
+static void particle_sums(const Bar *bar, int first, int end, double sums[4])
+{
+    for (int block = first; block < end; block++) {
+        Lanes of_v = {{{0}}}, of_s = {{{0}}}, of_square = {{{0}}}, of_strain = {{{0}}};
+        const int begin = block * BAR_SUM_BLOCK;
+        const int stop = begin + BAR_SUM_BLOCK < bar->places ? begin + BAR_SUM_BLOCK : bar->places;
+        const int whole = begin + (stop - begin) / LANES * LANES;
+        for (int j = 0; j < bar->slots; j++) {
+            const double *s = bar->s[j], *v = bar->v[j], *stress = bar->stress[j], *volume = bar->volume[j];
+            for (int k = begin; k < whole; k += LANES)
+                UNROLL
+            for (int h = 0; h < PIECES; h++) {
+                Piece speed = PIECE_AT(v, k + h * WIDTH), pull = PIECE_AT(stress, k + h * WIDTH);
+                of_v.piece[h] += speed;
+                of_s.piece[h] += PIECE_AT(s, k + h * WIDTH);
+                of_square.piece[h] += speed * speed;
+                of_strain.piece[h] += pull * pull * PIECE_AT(volume, k + h * WIDTH);
+            }
+            for (int k = whole; k < stop; k++) {
+                of_v.lane[k - whole] += v[k];
+                of_s.lane[k - whole] += s[k];
+                of_square.lane[k - whole] += v[k] * v[k];
+                of_strain.lane[k - whole] += stress[k] * stress[k] * volume[k];
+            }
+        }
+        sums[0] += fold(&of_v);
+        sums[1] += fold(&of_s);
+        sums[2] += fold(&of_square);
+        sums[3] += fold(&of_strain);
+    }
+}
+
+static void node_sums(const Bar *bar, int first, int end, double *sum)
+{
+    const double *momentum = bar->node_momentum, *inverse = bar->node_inverse;
+    for (int block = first; block < end; block++) {
+        Lanes lanes = {{{0}}};
+        const int begin = block * BAR_SUM_BLOCK;
+        const int stop = begin + BAR_SUM_BLOCK < bar->n_nodes ? begin + BAR_SUM_BLOCK : bar->n_nodes;
+        const int whole = begin + (stop - begin) / LANES * LANES;
+        for (int i = begin; i < whole; i += LANES)
+            UNROLL
+        for (int h = 0; h < PIECES; h++) {
+            Piece p = PIECE_AT(momentum, i + h * WIDTH);
+            lanes.piece[h] += p * p * PIECE_AT(inverse, i + h * WIDTH);
+        }
+        for (int i = whole; i < stop; i++)
+            lanes.lane[i - whole] += momentum[i] * momentum[i] * inverse[i];
+        *sum += fold(&lanes);
     }
 }
 
