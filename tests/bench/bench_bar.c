@@ -285,10 +285,11 @@ static void variants(void)
             }
 }
 
-int main(void)
+int main(int count, char **arguments)
 {
     sizes();
     fflush(stdout);
-    variants();
+    if (count < 2 || strcmp(arguments[1], "sizes") != 0)
+        variants();
     return 0;
 }

@@ -12,7 +12,7 @@
  *
  * This file is compiled once for each instruction set; BAR_KERNELS is the name of the table. A function on
  * cells goes through runs of cells that hold P particles each, whose places lie side by side in memory
- * (kernels_hat.h for the shape of paper M, kernels_shapes.h for all), and through the other cells one by one
+ * (kernels_hat.h for the shape of paper M, kernels_wide.h for all), and through the other cells one by one
  * (kernels_cell.h). The three do the same sums in the same order: what runs where is a matter of speed only.
  */
 #include "physics/mpm/kernels.h"
@@ -29,6 +29,30 @@ extern const BarKernels BAR_KERNELS;
 /* Constant loops inside a vectorised one are unrolled, and arrays that are written are no others. */
 #define UNROLL _Pragma("GCC unroll 8")
 #define VECTOR _Pragma("omp simd")
+
+/* The machine's vectors of numbers, for what the compiler does not vectorise by itself. */
+#if defined __AVX512F__
+enum { WIDTH = 8 };
+#elif defined __AVX__
+enum { WIDTH = 4 };
+#else
+enum { WIDTH = 2 };
+#endif
+
+typedef double Piece __attribute__((vector_size(WIDTH * sizeof(double))));
+typedef int64_t PieceMask __attribute__((vector_size(WIDTH * sizeof(double))));
+typedef double LoosePiece __attribute__((vector_size(WIDTH * sizeof(double)), aligned(8)));
+
+#define PIECE_AT(array, i)       (*(LoosePiece *)((array) + (i)))
+#define CONST_PIECE_AT(array, i) (*(const LoosePiece *)((array) + (i)))
+
+#define REAL         Piece
+#define SHAPE_INNER  wide_shape_inner
+#define SHAPE_ABS(x) ((Piece)((PieceMask)(x)&INT64_MAX))
+#include "physics/mpm/shape_inner.h"
+#undef REAL
+#undef SHAPE_INNER
+#undef SHAPE_ABS
 
 /* What becomes of a particle's velocity. */
 typedef enum Transfer { TO_FLIP, TO_BLEND, TO_APIC } Transfer;
@@ -48,7 +72,7 @@ INLINE Transfer transfer_of(const Bar *bar)
 
 #include "physics/mpm/kernels_cell.h"
 #include "physics/mpm/kernels_hat.h"
-#include "physics/mpm/kernels_shapes.h"
+#include "physics/mpm/kernels_wide.h"
 
 /* Nodes that come with cells [first, end). */
 INLINE int nodes_end(const Bar *bar, int end)
@@ -99,9 +123,9 @@ INLINE void map_shape(Bar *bar, MpmShape shape, int first, int end, bool again)
         else if (shape == MPM_HAT && !affine)
             hat_map(bar, c, stop - c, again), c = stop;
         else if (affine)
-            shape_map(bar, shape, true, c, stop - c, again), c = stop;
+            wide_map(bar, shape, true, c, stop), c = stop;
         else
-            shape_map(bar, shape, false, c, stop - c, again), c = stop;
+            wide_map(bar, shape, false, c, stop), c = stop;
     }
     const int support = shape_support(shape), last = nodes_end(bar, end);
     const double unit = bar->mass, floor = bar->mass_floor;
@@ -146,7 +170,7 @@ INLINE int strain_shape(Bar *bar, MpmShape shape, int first, int end)
         else if (shape == MPM_HAT)
             good = hat_strain(bar, c, stop - c);
         else
-            good = shape_strain(bar, shape, c, stop - c);
+            good = wide_strain(bar, shape, c, stop);
         if (!good && bad < 0)
             bad = find_crushed(bar, shape, c, stop);
         c = stop;
@@ -188,7 +212,7 @@ INLINE void force_shape(Bar *bar, MpmShape shape, int first, int end)
         else if (shape == MPM_HAT)
             hat_force(bar, c, stop - c), c = stop;
         else
-            shape_force(bar, shape, c, stop - c), c = stop;
+            wide_force(bar, shape, c, stop), c = stop;
     }
     const int support = shape_support(shape), last = nodes_end(bar, end);
     const double scale = -1.0 / bar->dx;
@@ -248,7 +272,7 @@ INLINE void update_as(Bar *bar, MpmShape shape, Transfer transfer, int first, in
         else if (shape == MPM_HAT && transfer == TO_FLIP)
             hat_update(bar, c, stop - c), c = stop;
         else
-            shape_update(bar, shape, transfer, c, stop - c), c = stop;
+            wide_update(bar, shape, transfer, c, stop), c = stop;
     }
 }
 
@@ -275,24 +299,12 @@ static void update(Bar *bar, int first, int end)
 /* --- sums ----------------------------------------------------------------------------------------- */
 
 /* Eight partial sums whatever the width of the machine's registers, then always the same tree. */
-#if defined __AVX512F__
-enum { LANES = 8, WIDTH = 8 };
-#elif defined __AVX__
-enum { LANES = 8, WIDTH = 4 };
-#else
-enum { LANES = 8, WIDTH = 2 };
-#endif
-enum { PIECES = LANES / WIDTH };
-
-typedef double Piece __attribute__((vector_size(WIDTH * sizeof(double))));
-typedef double LoosePiece __attribute__((vector_size(WIDTH * sizeof(double)), aligned(8)));
+enum { LANES = 8, PIECES = LANES / WIDTH };
 
 typedef union Lanes {
     Piece piece[PIECES];
     double lane[LANES];
 } Lanes;
-
-#define PIECE_AT(array, i) (*(const LoosePiece *)((array) + (i)))
 
 INLINE double fold(const Lanes *sum)
 {
@@ -312,11 +324,11 @@ static void particle_sums(const Bar *bar, int first, int end, double sums[4])
             for (int k = begin; k < whole; k += LANES)
                 UNROLL
             for (int h = 0; h < PIECES; h++) {
-                Piece speed = PIECE_AT(v, k + h * WIDTH), pull = PIECE_AT(stress, k + h * WIDTH);
+                Piece speed = CONST_PIECE_AT(v, k + h * WIDTH), pull = CONST_PIECE_AT(stress, k + h * WIDTH);
                 of_v.piece[h] += speed;
-                of_s.piece[h] += PIECE_AT(s, k + h * WIDTH);
+                of_s.piece[h] += CONST_PIECE_AT(s, k + h * WIDTH);
                 of_square.piece[h] += speed * speed;
-                of_strain.piece[h] += pull * pull * PIECE_AT(volume, k + h * WIDTH);
+                of_strain.piece[h] += pull * pull * CONST_PIECE_AT(volume, k + h * WIDTH);
             }
             for (int k = whole; k < stop; k++) {
                 of_v.lane[k - whole] += v[k];
@@ -343,8 +355,8 @@ static void node_sums(const Bar *bar, int first, int end, double *sum)
         for (int i = begin; i < whole; i += LANES)
             UNROLL
         for (int h = 0; h < PIECES; h++) {
-            Piece p = PIECE_AT(momentum, i + h * WIDTH);
-            lanes.piece[h] += p * p * PIECE_AT(inverse, i + h * WIDTH);
+            Piece p = CONST_PIECE_AT(momentum, i + h * WIDTH);
+            lanes.piece[h] += p * p * CONST_PIECE_AT(inverse, i + h * WIDTH);
         }
         for (int i = whole; i < stop; i++)
             lanes.lane[i - whole] += momentum[i] * momentum[i] * inverse[i];

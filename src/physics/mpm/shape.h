@@ -5,6 +5,8 @@
 
 #include "physics/mpm/bar.h"
 
+#include <math.h>
+
 enum { SHAPE_SUPPORT_MAX = 4 };
 
 /* Nodes that a cell touches: hat 2, bspline2 3, uGIMP and bspline3 4. */
@@ -26,57 +28,15 @@ void shape_open_spline(int degree, int n_cells, int cell, double s, double *n, d
  * Greville abscissa (mean of the inner knots) of a B-spline. */
 double shape_node_offset(MpmShape shape, int n_cells, int cell, int a);
 
-/* Inner cells: the functions are the same in each.
- * uGIMP is the hat averaged over the particle's width 2 h dx (Bardenhagen and Kober 2004): its corners are
- * rounded within h of a node, and with the pieces' own squares no case has to be told from another. */
-static inline void shape_inner(MpmShape shape, double h, double s, double *n, double *dn)
-{
-    switch (shape) {
-    case MPM_HAT:
-        n[0] = 1.0 - s;
-        n[1] = s;
-        dn[0] = -1.0;
-        dn[1] = 1.0;
-        return;
-    case MPM_GIMP: {
-        double left = h - s, right = s - (1.0 - h);
-        left = left > 0.0 ? left : 0.0;
-        right = right > 0.0 ? right : 0.0;
-        double slope_left = left * (0.5 / h), slope_right = right * (0.5 / h);
-        n[0] = 0.5 * (left * slope_left);
-        n[3] = 0.5 * (right * slope_right);
-        n[1] = (1.0 - s) - 2.0 * n[0] + n[3];
-        n[2] = s + n[0] - 2.0 * n[3];
-        dn[0] = -slope_left;
-        dn[3] = slope_right;
-        dn[1] = -1.0 + 2.0 * slope_left + slope_right;
-        dn[2] = 1.0 - slope_left - 2.0 * slope_right;
-        return;
-    }
-    case MPM_BSPLINE2: {
-        double r = 1.0 - s;
-        n[0] = 0.5 * (r * r);
-        n[1] = 0.5 + s * r;
-        n[2] = 0.5 * (s * s);
-        dn[0] = -r;
-        dn[1] = r - s;
-        dn[2] = s;
-        return;
-    }
-    case MPM_BSPLINE3: {
-        double r = 1.0 - s, ss = s * s, rr = r * r;
-        n[0] = rr * r * (1.0 / 6.0);
-        n[1] = (2.0 / 3.0) - ss * (1.0 - 0.5 * s);
-        n[2] = (2.0 / 3.0) - rr * (1.0 - 0.5 * r);
-        n[3] = ss * s * (1.0 / 6.0);
-        dn[0] = -0.5 * rr;
-        dn[1] = s * (1.5 * s - 2.0);
-        dn[2] = r * (2.0 - 1.5 * r);
-        dn[3] = 0.5 * ss;
-        return;
-    }
-    }
-}
+/* Inner cells, where the functions are the same in each: shape_inner(shape, h, &s, n, dn); h is the
+ * half-width of a uGIMP particle over dx. */
+#define REAL         double
+#define SHAPE_INNER  shape_inner
+#define SHAPE_ABS(x) fabs(x)
+#include "physics/mpm/shape_inner.h"
+#undef REAL
+#undef SHAPE_INNER
+#undef SHAPE_ABS
 
 /* Any cell. */
 static inline void shape_at(MpmShape shape, double h, int n_cells, int cell, double s, double *n, double *dn)
@@ -85,7 +45,7 @@ static inline void shape_at(MpmShape shape, double h, int n_cells, int cell, dou
     if (cell < ends || cell >= n_cells - ends)
         shape_open_spline(shape == MPM_BSPLINE2 ? 2 : 3, n_cells, cell, s, n, dn);
     else
-        shape_inner(shape, h, s, n, dn);
+        shape_inner(shape, h, &s, n, dn);
 }
 
 #endif

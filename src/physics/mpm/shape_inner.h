@@ -1,0 +1,54 @@
+/* The shape functions of an inner cell. Included by shape.h for numbers and by the kernels for vectors of
+ * them (REAL), with the same operations.
+ *
+ * uGIMP is the hat averaged over the particle's width 2 h dx (Bardenhagen and Kober 2004): its corners are
+ * rounded within h of a node. With the squares of how far the particle overlaps its cell's ends, no case has
+ * to be told from another; x + |x| is exactly 2 max(x, 0). */
+static inline void SHAPE_INNER(MpmShape shape, double h, const REAL *s_, REAL *n, REAL *dn)
+{
+    const REAL s = *s_, r = 1.0 - s;
+    switch (shape) {
+    case MPM_HAT:
+        n[0] = r;
+        n[1] = s;
+        dn[0] = s * 0.0 - 1.0;
+        dn[1] = s * 0.0 + 1.0;
+        return;
+    case MPM_GIMP: {
+        REAL left = h - s, right = s - (1.0 - h);
+        left = left + SHAPE_ABS(left);
+        right = right + SHAPE_ABS(right);
+        const double steepness = 0.25 / h;
+        const REAL slope_left = left * steepness, slope_right = right * steepness;
+        n[0] = 0.25 * (left * slope_left);
+        n[3] = 0.25 * (right * slope_right);
+        n[1] = r - 2.0 * n[0] + n[3];
+        n[2] = s + n[0] - 2.0 * n[3];
+        dn[0] = -slope_left;
+        dn[3] = slope_right;
+        dn[1] = 2.0 * slope_left + slope_right - 1.0;
+        dn[2] = 1.0 - slope_left - 2.0 * slope_right;
+        return;
+    }
+    case MPM_BSPLINE2:
+        n[0] = 0.5 * (r * r);
+        n[1] = 0.5 + s * r;
+        n[2] = 0.5 * (s * s);
+        dn[0] = -r;
+        dn[1] = r - s;
+        dn[2] = s;
+        return;
+    case MPM_BSPLINE3: {
+        const REAL ss = s * s, rr = r * r;
+        n[0] = rr * r * (1.0 / 6.0);
+        n[1] = (2.0 / 3.0) - ss * (1.0 - 0.5 * s);
+        n[2] = (2.0 / 3.0) - rr * (1.0 - 0.5 * r);
+        n[3] = ss * s * (1.0 / 6.0);
+        dn[0] = -0.5 * rr;
+        dn[1] = s * (1.5 * s - 2.0);
+        dn[2] = r * (2.0 - 1.5 * r);
+        dn[3] = 0.5 * ss;
+        return;
+    }
+    }
+}
