@@ -11,23 +11,23 @@
 /* What a cell means; the theme gives it a colour and attributes. Never the only carrier of meaning. */
 typedef enum Style {
     STYLE_NORMAL,
-    STYLE_TITLE,     /* title line and bottom bar */
-    STYLE_FRAME,     /* borders, axes */
-    STYLE_FOCUS,     /* border of the focused pane */
+    STYLE_TITLE, /* title line and bottom bar */
+    STYLE_FRAME, /* borders, axes */
+    STYLE_FOCUS, /* border of the focused pane */
     STYLE_HEADING,
-    STYLE_FAINT,     /* ghosts, hints, read-only rows */
-    STYLE_SELECTED,  /* the chosen row */
-    STYLE_EDIT,      /* a field under edit */
-    STYLE_CHANGED,   /* a value that the last stage changed */
+    STYLE_FAINT,    /* ghosts, hints, read-only rows */
+    STYLE_SELECTED, /* the chosen row */
+    STYLE_EDIT,     /* a field under edit */
+    STYLE_CHANGED,  /* a value that the last stage changed */
     STYLE_WARNING,
     STYLE_ERROR,
-    STYLE_KEY,       /* a key's name in the bottom bar */
-    STYLE_MEASURED,  /* curves */
+    STYLE_KEY,      /* a key's name in the bottom bar */
+    STYLE_MEASURED, /* curves */
     STYLE_PREDICTED,
     STYLE_EXACT,
-    STYLE_SECOND,    /* the second run of a duel, a second curve */
+    STYLE_SECOND, /* the second run of a duel, a second curve */
     STYLE_THIRD,
-    STYLE_RAMP_0,    /* heat maps: STYLE_RAMP_0 + 0..RAMP_STEPS-1 */
+    STYLE_RAMP_0, /* heat maps: STYLE_RAMP_0 + 0..RAMP_STEPS-1 */
     STYLE_COUNT = STYLE_RAMP_0 + 16
 } Style;
 
@@ -55,16 +55,26 @@ void canvas_clear(Canvas *);
 
 void canvas_put(Canvas *, int x, int y, uint32_t glyph, Style); /* outside the canvas: nothing */
 
-/* Writes UTF-8 from (x, y), cut at `width` columns (an ellipsis stands for what was cut, if `ellipsis`).
- * Returns the columns used. */
+/* Writes UTF-8 from (x, y), cut at `width` columns with an ellipsis as the last. Returns the columns used. */
 int canvas_text(Canvas *, int x, int y, int width, const char *text, Style);
 
-/* The whole grid as UTF-8, one line a row, trailing spaces cut; for tests and scripts. malloc'ed; NULL: no memory. */
+/* The whole grid as UTF-8, one line a row, trailing spaces cut; for tests and scripts. malloc'ed; NULL: no
+ * memory. */
 char *canvas_dump(const Canvas *);
 /* Likewise the styles, one letter per cell. */
 char *canvas_dump_styles(const Canvas *);
 
+/* Replaces what is not ASCII, one column for one column; for terminals without UTF-8. */
+void canvas_to_ascii(Canvas *);
+uint32_t glyph_ascii(uint32_t glyph); /* '?' where nothing stands for it */
+
 /* Columns that a text takes: one per Unicode scalar value (wide and combining characters are not used). */
 int text_columns(const char *utf8);
+
+/* The next scalar value of a text, which moves on; 0 at its end, '?' for bytes that are no UTF-8. */
+uint32_t utf8_next(const char **text);
+
+/* Writes one scalar value; returns the bytes used. */
+size_t utf8_put(char out[4], uint32_t glyph);
 
 #endif

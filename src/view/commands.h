@@ -17,8 +17,8 @@ typedef enum CommandId {
     COMMAND_STAGE_BACK,
     COMMAND_FASTER,
     COMMAND_SLOWER,
-    COMMAND_START,   /* t = 0 */
-    COMMAND_NEWEST,  /* the newest time */
+    COMMAND_START,  /* t = 0 */
+    COMMAND_NEWEST, /* the newest time */
     COMMAND_GO_TO,
     COMMAND_RESTART,
     COMMAND_NEXT_PANE,
@@ -86,5 +86,8 @@ extern const int n_commands;
 const Command *command_find(CommandId id);
 const Command *command_by_name(const char *name);
 const Command *command_by_key(const char *key);
+
+enum { COMMAND_KEY_MAX = 12 };
+void command_first_key(const Command *, char out[COMMAND_KEY_MAX]); /* the key that is shown: "Space" */
 
 #endif

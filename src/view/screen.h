@@ -31,7 +31,7 @@ typedef struct Prompt {
     bool yes_no;
     char question[96];
     char text[256];
-    int cursor; /* in characters */
+    int cursor;        /* in characters */
     char problem[160]; /* why the last answer was refused; "" at first */
 } Prompt;
 
@@ -59,26 +59,26 @@ typedef struct Screen {
     double work_share; /* STATE_COMPUTING: share done */
 
     PaneId focus;
-    bool zoomed;         /* the focused pane fills the screen */
-    int upper, lower;    /* view numbers 1 to 9 in the two plot panes */
-    int variant[10];     /* of each view */
+    bool zoomed;      /* the focused pane fills the screen */
+    int upper, lower; /* view numbers 1 to 9 in the two plot panes */
+    int variant[10];  /* of each view */
     ReferencesShown references;
 
-    int selected;          /* row in the parameter pane */
-    int parameter_scroll;  /* kept by screen_draw's helper so that the selected row is seen */
+    int selected;         /* row in the parameter pane */
+    int parameter_scroll; /* kept by screen_draw's helper so that the selected row is seen */
     bool editing;
     char edit_text[LIST_MAX];
-    int edit_cursor;       /* in characters */
+    int edit_cursor;        /* in characters */
     char edit_problem[160]; /* why the last entry was refused */
-    char filter[32];       /* parameters whose label or key holds it */
+    char filter[32];        /* parameters whose label or key holds it */
 
-    size_t particle;       /* the chosen one */
-    size_t node;           /* the chosen node, for tables */
-    bool node_chosen;      /* the stage box follows the node, not the particle */
+    size_t particle;  /* the chosen one */
+    size_t node;      /* the chosen node, for tables */
+    bool node_chosen; /* the stage box follows the node, not the particle */
     int table_scroll, table_column;
 
-    double window;         /* length of the time window; 0: automatic */
-    double cursor_time;    /* of the time plot's cursor; NAN: none */
+    double window;      /* length of the time window; 0: automatic */
+    double cursor_time; /* of the time plot's cursor; NAN: none */
 
     Prompt prompt;
     MessageKind message_kind;
@@ -87,7 +87,7 @@ typedef struct Screen {
     bool help;
     int help_page, help_scroll;
 
-    uint64_t used;         /* bit i: command i has been used (for hints that go once used) */
+    uint64_t used; /* bit i: command i has been used (for hints that go once used) */
     bool summary_known;
     RunSummary summary;
 } Screen;
