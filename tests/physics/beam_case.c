@@ -81,9 +81,9 @@ static void expect_same_field(const Simulation *a, const Simulation *b, int set,
 {
     double *x = field_now(a, set, name), *y = field_now(b, set, name);
     for (size_t k = 0; k < a->counts[set]; k++)
-        ck_assert_msg(memcmp(&x[k], &y[k], sizeof x[k]) == 0,
-                      "%s: %s of %zu is %.17g and %.17g at step %ld stage %d", what, name, k, x[k], y[k],
-                      a->step, a->stage);
+        if (memcmp(&x[k], &y[k], sizeof x[k]) != 0)
+            ck_abort_msg("%s: %s of %zu is %.17g and %.17g at step %ld stage %d", what, name, k, x[k], y[k],
+                         a->step, a->stage);
     free(x);
     free(y);
 }
@@ -100,8 +100,9 @@ void expect_same_state(const Simulation *a, const Simulation *b, const char *wha
     ck_assert_uint_eq(size, simulation_snapshot_size(b));
     unsigned char *x = snapshot_now(a), *y = snapshot_now(b);
     for (size_t k = 0; k < size; k++)
-        ck_assert_msg(x[k] == y[k], "%s: byte %zu of %zu differs at step %ld stage %d", what, k, size,
-                      a->step, a->stage);
+        if (x[k] != y[k])
+            ck_abort_msg("%s: byte %zu of %zu differs at step %ld stage %d", what, k, size, a->step,
+                         a->stage);
     free(x);
     free(y);
 }
