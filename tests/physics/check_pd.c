@@ -355,6 +355,41 @@ START_TEST(bonds_are_listed_once)
 }
 END_TEST
 
+START_TEST(fields_are_the_same_in_pieces)
+{
+    Simulation *sim = cracking();
+    for (int field = 0; field < sim->n_fields; field++) {
+        size_t count = sim->counts[sim->fields[field].set];
+        double *whole = field_now(sim, sim->fields[field].set, sim->fields[field].quantity.name);
+        double *pieces = malloc(count * sizeof *pieces);
+        ck_assert_ptr_nonnull(pieces);
+        for (size_t first = 0, size = 1; first < count; first += size, size = 2 * size + 1) {
+            size = size < count - first ? size : count - first;
+            sim->method->field(sim, field, first, size, pieces + first);
+        }
+        ck_assert_msg(memcmp(whole, pieces, count * sizeof *whole) == 0, "%s",
+                      sim->fields[field].quantity.name);
+        free(whole);
+        free(pieces);
+    }
+    simulation_destroy(sim);
+}
+END_TEST
+
+START_TEST(energies_of_nodes_add_up)
+{
+    Simulation *sim = cracking();
+    double *energy = field_now(sim, SET_PARTICLE, "strain_energy"), sum = 0,
+           strain = series_now(sim, "strain");
+    for (size_t p = 0; p < sim->counts[SET_PARTICLE]; p++)
+        sum += energy[p];
+    ck_assert_msg(fabs(sum - strain) <= 1e-12 * strain, "nodes have %.17g, the series tells %.17g", sum,
+                  strain);
+    free(energy);
+    simulation_destroy(sim);
+}
+END_TEST
+
 START_TEST(every_stage_explains_itself)
 {
     Simulation *sim = cracking();
@@ -485,6 +520,8 @@ void add_cases(Suite *suite)
     TCase *told = tcase_create("told");
     tcase_add_test(told, links_add_up_to_the_force);
     tcase_add_test(told, bonds_are_listed_once);
+    tcase_add_test(told, fields_are_the_same_in_pieces);
+    tcase_add_test(told, energies_of_nodes_add_up);
     tcase_add_test(told, every_stage_explains_itself);
     suite_add_tcase(suite, told);
 

@@ -42,8 +42,19 @@ typedef struct BeamDef {
 /* The defaults of the problem, as in the manual page on scenario files. */
 BeamDef beam_default(BeamProblem problem);
 
-/* Builds the simulation at t = 0. NULL: the status says what is wrong with the definition or that there is
- * not enough memory. */
+/* Builds the simulation at t = 0. NULL: the status names the scenario key that is wrong ("notch.position:
+ * ..."), or says that there is not enough memory.
+ *
+ * Sets: 0 particles (the nodes of the lattice), 1 bonds. Fields in tables: particles x0 y0 ux uy vx vy damage
+ * surface_factor strain_energy; bonds i j x_i y_i x_j y_j (reference positions) stretch broken broken_at (the
+ * step after which the bond was broken: 0 the notch, -1 not broken). On screen also, for particles: fx fy
+ * (force density) speed stretch (largest of its live bonds) family surface_x surface_y held loaded protected.
+ *
+ * Series: u_probe v_probe; length (moving) or crack_x crack_y crack_length (notched); kinetic strain work
+ * dissipated total broken_bonds. total = kinetic + strain + dissipated; less the work it keeps its value.
+ * broken_bonds leaves out the notch's. Live parameters: load.stress, pd.critical_stretch.
+ *
+ * The crack as the paper speaks of it (first break, tip, angle, arrival): physics/pd/crack.h. */
 Simulation *beam_create(const BeamDef *definition, Status *status);
 
 /* What the lattice came to; for the read-only rows and the tables. */

@@ -19,7 +19,7 @@ enum {
     N_STAGES
 };
 
-/* Series, sets and fields: see beam_tables.c. */
+/* See beam_fields.c. */
 enum { SET_PARTICLE, SET_BOND, N_SETS };
 
 /* A node of which a component is held at rest. */
@@ -128,12 +128,23 @@ bool beam_check(const BeamDef *def, Status *status);
 /* beam_critical.c: 2 / omega_max; the displacements and forces are zero afterwards. */
 bool beam_critical_step(Beam *beam, double *step, Status *status);
 
-/* beam_step.c */
+/* beam_problem.c */
+void beam_set_bonds(Beam *beam); /* coefficients, and the notch */
+bool beam_set_problem(Beam *beam, Status *status);
+void beam_set_motion(Beam *beam, const BeamOptions *options);
+
+/* beam_bands.c */
 void beam_run(Beam *beam, PoolWork *work, int chunks); /* context: the beam */
+int beam_band_end(const Beam *beam, int band);         /* the row after its last */
+void beam_bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy);
+void beam_add_halos(Beam *beam, int j);              /* what the bands below have for row j */
+void beam_bond_forces(Beam *beam, bool with_energy); /* all bands; halos are still to be added */
+void beam_all_forces(Beam *beam);                    /* with halos */
+double beam_strain(Beam *beam);
+
+/* beam_step.c */
 bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status);
 bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *status);
-void beam_all_forces(Beam *beam); /* bond forces of the present displacements, all rows */
-double beam_strain(Beam *beam);
 int beam_held_columns(const Beam *beam, double time);  /* columns inside the channel */
 double beam_body_force(const Beam *beam, double time); /* on a loaded node, N/m^3 */
 
@@ -149,13 +160,15 @@ void beam_save(const Simulation *sim, void *bytes);
 void beam_load(Simulation *sim, const void *bytes);
 bool beam_change(Simulation *sim, const char *key, double value, Status *status);
 
-/* beam_tables.c */
-void beam_set_tables(Beam *beam);
+/* beam_series.c */
+void beam_set_series(Beam *beam);
 void beam_row(Simulation *sim, double *row);
-void beam_field(const Simulation *sim, int field, size_t first, size_t count, double *out);
-size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_t max);
 
-/* One bond as it stands. */
+/* beam_fields.c */
+void beam_set_fields(Beam *beam);
+void beam_field(const Simulation *sim, int field, size_t first, size_t count, double *out);
+
+/* beam_family.c: one bond as it stands. */
 typedef struct BondNow {
     size_t a, b; /* nodes: the owner and the other end */
     double stretch;
@@ -167,9 +180,13 @@ typedef struct BondNow {
 
 BondNow beam_bond(const Beam *beam, BondPlace place);
 
+/* Its stretch alone (eq. 3), robust where it is tiny. */
+double beam_stretch(const Beam *beam, BondPlace place);
+
 /* The bonds of a node, by the row of the other end and then by its column; returns how many there are. */
 size_t beam_family(const Beam *beam, int i, int j, BondPlace *out);
 enum { FAMILY_MAX = 2 * LATTICE_OFFSETS_MAX };
+size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_t max);
 
 /* beam_explain.c */
 extern const Stage beam_stage_table[N_STAGES];

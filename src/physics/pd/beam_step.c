@@ -5,16 +5,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
-
-void beam_run(Beam *beam, PoolWork *work, int chunks)
-{
-    if (beam->pool)
-        pool_run(beam->pool, work, beam, chunks);
-    else
-        for (int chunk = 0; chunk < chunks; chunk++)
-            work(beam, chunk, 0);
-}
 
 /* A node is held at time t while it is inside the channel; the tolerance decides when one is released. */
 int beam_held_columns(const Beam *beam, double time)
@@ -136,119 +126,6 @@ static void second_kick(Beam *beam, int j, long step)
     constrain_velocity(beam, j, (double)(step + 1) * beam->sim.dt);
 }
 
-/* --- bond forces: a band at a time --- */
-
-static int band_end(const Beam *beam, int band)
-{
-    int end = (band + 1) * beam->band_rows;
-    return end < beam->lattice.ny ? end : beam->lattice.ny;
-}
-
-/* Row `row` above the band's end, in the band's halo: its column 0. */
-static double *halo_row(const Beam *beam, int band, int component, int row)
-{
-    size_t reach = (size_t)beam->lattice.reach, stride = beam->lattice.stride;
-    return beam->halo + (((size_t)band * 2 + (size_t)component) * reach + (size_t)row) * stride +
-           LATTICE_BLOCK;
-}
-
-static void clear_band(Beam *beam, int band)
-{
-    int first = band * beam->band_rows, rows = band_end(beam, band) - first;
-    size_t stride = beam->lattice.stride, bytes = stride * sizeof(double);
-    memset(beam->nodes.fx + (size_t)first * stride, 0, (size_t)rows * bytes);
-    memset(beam->nodes.fy + (size_t)first * stride, 0, (size_t)rows * bytes);
-    memset(halo_row(beam, band, 0, 0) - LATTICE_BLOCK, 0, 2 * (size_t)beam->lattice.reach * bytes);
-}
-
-static void bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy)
-{
-    int band = j / beam->band_rows, end = band_end(beam, band);
-    if (j == band * beam->band_rows)
-        clear_band(beam, band);
-    double *fx[LATTICE_REACH_MAX + 1], *fy[LATTICE_REACH_MAX + 1];
-    for (int q = 0; q <= beam->lattice.reach; q++) {
-        bool inside = j + q < end;
-        size_t at = inside ? lattice_at(&beam->lattice, 0, j + q) : 0;
-        fx[q] = inside ? beam->nodes.fx + at : halo_row(beam, band, 0, j + q - end);
-        fy[q] = inside ? beam->nodes.fy + at : halo_row(beam, band, 1, j + q - end);
-    }
-    beam->kernels->forces(&beam->system, j, fx, fy, log, with_energy ? &beam->row_energy[j] : NULL);
-}
-
-/* What the bands below have for this row. */
-static void add_halos(Beam *beam, int j)
-{
-    size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
-    int own = j / beam->band_rows, reach = beam->lattice.reach;
-    int lowest = own - (reach + beam->band_rows - 1) / beam->band_rows;
-    for (int band = lowest > 0 ? lowest : 0; band < own; band++) {
-        int above = j - band_end(beam, band);
-        if (above >= reach)
-            continue;
-        beam->kernels->add(beam->nodes.fx + row, halo_row(beam, band, 0, above), 1, count);
-        beam->kernels->add(beam->nodes.fy + row, halo_row(beam, band, 1, above), 1, count);
-    }
-}
-
-static void bonds_of_band(Beam *beam, int band, int worker, bool with_energy)
-{
-    BondLog *log = &beam->band_logs[band];
-    log->scratch = beam->scratch + (size_t)worker * BONDS_SCRATCH;
-    for (int j = band * beam->band_rows; j < band_end(beam, band); j++)
-        bonds_of_row(beam, j, log, with_energy);
-}
-
-static void bonds_chunk(void *context, int band, int worker)
-{
-    bonds_of_band(context, band, worker, false);
-}
-
-static void bonds_and_energy_chunk(void *context, int band, int worker)
-{
-    bonds_of_band(context, band, worker, true);
-}
-
-static void halos_chunk(void *context, int band, int worker)
-{
-    (void)worker;
-    Beam *beam = context;
-    for (int j = band * beam->band_rows; j < band_end(beam, band); j++)
-        add_halos(beam, j);
-}
-
-static void energy_chunk(void *context, int band, int worker)
-{
-    (void)worker;
-    Beam *beam = context;
-    for (int j = band * beam->band_rows; j < band_end(beam, band); j++)
-        beam->row_energy[j] = beam->kernels->energy(&beam->system, j);
-}
-
-void beam_all_forces(Beam *beam)
-{
-    beam_run(beam, bonds_chunk, beam->n_bands);
-    beam_run(beam, halos_chunk, beam->n_bands);
-}
-
-static double sum_of_rows(const Beam *beam)
-{
-    double sum = 0;
-    for (int j = 0; j < beam->lattice.ny; j++)
-        sum += beam->row_energy[j];
-    return sum;
-}
-
-double beam_strain(Beam *beam)
-{
-    if (!beam->strain_known) {
-        beam_run(beam, energy_chunk, beam->n_bands);
-        beam->strain = sum_of_rows(beam);
-        beam->strain_known = true;
-    }
-    return beam->strain;
-}
-
 /* Breaks go to the list; what went wrong becomes the run's failure. */
 static bool take_log(Beam *beam, BondLog *log, long step, Status *status)
 {
@@ -284,12 +161,12 @@ static bool bonds_stage(Beam *beam, int first, int end, Status *status)
     BondLog *log = &beam->band_logs[0];
     log->scratch = beam->scratch;
     for (int j = first; j < end; j++)
-        bonds_of_row(beam, j, log, false);
+        beam_bonds_of_row(beam, j, log, false);
     if (!take_log(beam, log, beam->sim.step, status))
         return false;
     if (end == beam->lattice.ny)
         for (int j = 0; j < beam->lattice.ny; j++)
-            add_halos(beam, j);
+            beam_add_halos(beam, j);
     return true;
 }
 
@@ -321,7 +198,7 @@ static void begin_row(Beam *beam, int j, long step)
 
 static void end_row(Beam *beam, int j, long step)
 {
-    add_halos(beam, j);
+    beam_add_halos(beam, j);
     body_force(beam, j, step);
     second_kick(beam, j, step);
 }
@@ -330,7 +207,7 @@ static void begin_chunk(void *context, int band, int worker)
 {
     (void)worker;
     Beam *beam = context;
-    for (int j = band * beam->band_rows; j < band_end(beam, band); j++)
+    for (int j = band * beam->band_rows; j < beam_band_end(beam, band); j++)
         begin_row(beam, j, beam->sim.step);
 }
 
@@ -338,7 +215,7 @@ static void end_chunk(void *context, int band, int worker)
 {
     (void)worker;
     Beam *beam = context;
-    for (int j = band * beam->band_rows; j < band_end(beam, band); j++)
+    for (int j = band * beam->band_rows; j < beam_band_end(beam, band); j++)
         end_row(beam, j, beam->sim.step);
 }
 
@@ -347,7 +224,7 @@ static void turn_chunk(void *context, int band, int worker)
 {
     (void)worker;
     Beam *beam = context;
-    for (int j = band * beam->band_rows; j < band_end(beam, band); j++) {
+    for (int j = band * beam->band_rows; j < beam_band_end(beam, band); j++) {
         end_row(beam, j, beam->sim.step);
         begin_row(beam, j, beam->sim.step + 1);
     }
@@ -363,7 +240,7 @@ static bool run_steps(Beam *beam, long count, double *rows, long *done, Status *
         if (!begun)
             beam_run(beam, begin_chunk, beam->n_bands);
 
-        beam_run(beam, rows ? bonds_and_energy_chunk : bonds_chunk, beam->n_bands);
+        beam_bond_forces(beam, rows != NULL);
         bool sound = true;
         for (int band = 0; band < beam->n_bands; band++)
             sound = take_log(beam, &beam->band_logs[band], sim->step, status) && sound;
@@ -375,11 +252,8 @@ static bool run_steps(Beam *beam, long count, double *rows, long *done, Status *
         begun = !pause;
         beam_update_damage(beam, sim->step + 1);
         sim->step++;
-        if (rows) {
-            beam->strain = sum_of_rows(beam);
-            beam->strain_known = true;
+        if (rows)
             beam_row(sim, rows + *done * sim->n_series);
-        }
     }
     return true;
 }

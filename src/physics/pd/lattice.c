@@ -124,7 +124,7 @@ double lattice_coefficient(const Lattice *lattice, BondPlace bond)
 BondPlace lattice_slot_place(const Lattice *lattice, size_t slot)
 {
     size_t n_offsets = (size_t)lattice->n_offsets, row = n_offsets * lattice->columns, within = slot % row;
-    size_t tile = lattice_tile_of(lattice, within / n_offsets);
+    size_t tile = within / n_offsets / lattice->tile_columns;
     size_t from = lattice_tile(lattice, tile), count = lattice_tile(lattice, tile + 1) - from;
     within -= from * n_offsets;
     return (BondPlace){(int)(from + within % count), (int)(slot / row), (int)(within / count)};
@@ -210,7 +210,10 @@ bool lattice_init(Lattice *lattice, const BeamDef *def, Status *status)
     if (!count_nodes(lattice, def, status))
         return false;
     lattice->columns = ((size_t)lattice->nx + LATTICE_BLOCK - 1) / LATTICE_BLOCK * LATTICE_BLOCK;
-    lattice->n_tiles = (lattice->columns + LATTICE_TILE - 1) / LATTICE_TILE;
+    size_t tiles = (lattice->columns + LATTICE_TILE - 1) / LATTICE_TILE,
+           blocks = lattice->columns / LATTICE_BLOCK;
+    lattice->tile_columns = (blocks + tiles - 1) / tiles * LATTICE_BLOCK;
+    lattice->n_tiles = (lattice->columns + lattice->tile_columns - 1) / lattice->tile_columns;
     lattice->stride = lattice->columns + 2 * LATTICE_BLOCK;
     if (lattice->stride % 512 == 0)
         lattice->stride += LATTICE_BLOCK; /* rows a page apart would share their places in the cache */

@@ -39,9 +39,10 @@ typedef struct Lattice {
     double micromodulus; /* c, eq. 4 */
     double horizon, youngs_modulus;
 
-    size_t columns; /* nx padded to whole blocks */
-    size_t n_tiles; /* of a row */
-    size_t stride;  /* doubles from one row of a node array to the next: a block, columns, a block */
+    size_t columns;      /* nx padded to whole blocks */
+    size_t n_tiles;      /* of a row */
+    size_t tile_columns; /* whole blocks; the last tile may have fewer */
+    size_t stride;       /* doubles from one row of a node array to the next: a block, columns, a block */
 
     int n_offsets;
     int first[LATTICE_REACH_MAX + 2]; /* the offsets of row distance q are first[q] .. first[q + 1] - 1 */
@@ -92,24 +93,16 @@ typedef struct BondPlace {
     int i, j, offset;
 } BondPlace;
 
-/* The first column of a tile: whole blocks, as even as they come; tile n_tiles starts at `columns`. */
+/* The first column of a tile; tile n_tiles starts at `columns`. */
 static inline size_t lattice_tile(const Lattice *lattice, size_t tile)
 {
-    return lattice->columns / LATTICE_BLOCK * tile / lattice->n_tiles * LATTICE_BLOCK;
-}
-
-/* The tile of a column. */
-static inline size_t lattice_tile_of(const Lattice *lattice, size_t i)
-{
-    size_t tile = 0;
-    while (lattice_tile(lattice, tile + 1) <= i)
-        tile++;
-    return tile;
+    size_t from = tile * lattice->tile_columns;
+    return from < lattice->columns ? from : lattice->columns;
 }
 
 static inline size_t lattice_slot(const Lattice *lattice, BondPlace bond)
 {
-    size_t tile = lattice_tile_of(lattice, (size_t)bond.i), n_offsets = (size_t)lattice->n_offsets;
+    size_t tile = (size_t)bond.i / lattice->tile_columns, n_offsets = (size_t)lattice->n_offsets;
     size_t from = lattice_tile(lattice, tile), count = lattice_tile(lattice, tile + 1) - from;
     return (size_t)bond.j * n_offsets * lattice->columns + from * n_offsets + (size_t)bond.offset * count +
            ((size_t)bond.i - from);

@@ -4,6 +4,7 @@
 #include "physics/pd/pool.h"
 
 #include <pthread.h>
+#include <sched.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -80,6 +81,9 @@ static void *serve(void *argument)
     Pool *pool = worker->pool;
     while (!atomic_load(&pool->ends)) {
         take_chunks(pool, worker->number);
+        /* A thread that is put aside with a chunk in hand stops everybody; so it offers its core now, while
+         * it has none. */
+        sched_yield();
         for (int i = 0; i < SPIN_WORK && idle(pool); i++)
             rest();
         if (!idle(pool))

@@ -1,6 +1,5 @@
-/* What front ends see: sets, fields, series and links. */
+/* What front ends see of nodes and bonds: sets and fields. */
 #include "physics/pd/beam_internal.h"
-#include "physics/pd/crack.h"
 
 #include <math.h>
 #include <string.h>
@@ -89,36 +88,10 @@ static double surface_factor(const Beam *beam, size_t node)
     return (surface_x(beam, node) + surface_y(beam, node)) / 2;
 }
 
-static double strain_energy(const Beam *beam, size_t node)
-{
-    BondPlace family[FAMILY_MAX];
-    size_t n = beam_family(beam, column(beam, node), row(beam, node), family);
-    double sum = 0;
-    for (size_t k = 0; k < n; k++)
-        sum += beam_bond(beam, family[k]).energy / 2;
-    return sum;
-}
-
 static double family_size(const Beam *beam, size_t node)
 {
     BondPlace family[FAMILY_MAX];
     return (double)beam_family(beam, column(beam, node), row(beam, node), family);
-}
-
-static double largest_stretch(const Beam *beam, size_t node)
-{
-    BondPlace family[FAMILY_MAX];
-    size_t n = beam_family(beam, column(beam, node), row(beam, node), family);
-    double largest = 0;
-    bool found = false;
-    for (size_t k = 0; k < n; k++) {
-        BondNow bond = beam_bond(beam, family[k]);
-        if (!bond.broken && (!found || bond.stretch > largest)) {
-            largest = bond.stretch;
-            found = true;
-        }
-    }
-    return largest;
 }
 
 static double speed(const Beam *beam, size_t node)
@@ -313,11 +286,9 @@ static FieldValue *const particle_values[N_FIELDS] = {
     [F_VY] = vy,
     [F_DAMAGE] = damage,
     [F_SURFACE] = surface_factor,
-    [F_STRAIN_ENERGY] = strain_energy,
     [F_FX] = fx,
     [F_FY] = fy,
     [F_SPEED] = speed,
-    [F_STRETCH] = largest_stretch,
     [F_FAMILY] = family_size,
     [F_SURFACE_X] = surface_x,
     [F_SURFACE_Y] = surface_y,
@@ -341,16 +312,92 @@ static BondValue *const bond_values[N_FIELDS] = {
     [F_BOND_ENERGY] = energy,
 };
 
+/* Fields of nodes that come from their bonds: each bond adds to both ends. A broken one has coefficient 0. */
+
+typedef void FamilyShare(double *sum, double coefficient, double stretch, double length);
+
+static void share_energy(double *sum, double coefficient, double stretch, double length)
+{
+    *sum += coefficient * stretch * stretch * length / 2;
+}
+
+/* Starts at -1, which is what no live bond has. */
+static void share_stretch(double *sum, double coefficient, double stretch, double length)
+{
+    (void)length;
+    if (coefficient != 0 && stretch > *sum)
+        *sum = stretch;
+}
+
+/* Adds for every end in [first, first + count) what the bond has; the same however it is reached. */
+static inline void share_bond(const Beam *beam, FamilyShare *share, BondPlace place, size_t first,
+                              size_t count, double *out)
+{
+    const Lattice *lattice = &beam->lattice;
+    const Offset *offset = &lattice->offsets[place.offset];
+    size_t a = (size_t)place.j * (size_t)lattice->nx + (size_t)place.i;
+    size_t b = (size_t)(place.j + offset->q) * (size_t)lattice->nx + (size_t)(place.i + offset->p);
+    double coefficient = beam->coefficient[lattice_slot(lattice, place)], stretch = beam_stretch(beam, place);
+    if (a - first < count)
+        share(&out[a - first], coefficient, stretch, offset->length);
+    if (b - first < count)
+        share(&out[b - first], coefficient, stretch, offset->length);
+}
+
+/* Node by node or, for many nodes, bond by bond: a node meets its bonds in the same order. */
+static inline void family_field(const Beam *beam, FamilyShare *share, double start, size_t first,
+                                size_t count, double *out)
+{
+    const Lattice *lattice = &beam->lattice;
+    size_t nx = (size_t)lattice->nx;
+    for (size_t k = 0; k < count; k++)
+        out[k] = start;
+    if (count < 4 * nx) {
+        for (size_t k = 0; k < count; k++) {
+            BondPlace family[FAMILY_MAX];
+            size_t n = beam_family(beam, column(beam, first + k), row(beam, first + k), family);
+            for (size_t b = 0; b < n; b++)
+                share_bond(beam, share, family[b], first + k, 1, &out[k]);
+        }
+        return;
+    }
+    int low = row(beam, first) - lattice->reach, high = row(beam, first + count - 1);
+    for (int j = low > 0 ? low : 0; j <= high; j++)
+        for (int i = 0; i < lattice->nx; i++)
+            for (int o = 0; o < lattice->n_offsets; o++)
+                if (lattice_has(lattice, i + lattice->offsets[o].p, j + lattice->offsets[o].q))
+                    share_bond(beam, share, (BondPlace){i, j, o}, first, count, out);
+}
+
+/* The largest stretch of live bonds; 0 where none is left. */
+static void largest_stretch(const Beam *beam, size_t first, size_t count, double *out)
+{
+    family_field(beam, share_stretch, -1, first, count, out);
+    for (size_t k = 0; k < count; k++)
+        if (out[k] <= -1)
+            out[k] = 0;
+}
+
 void beam_field(const Simulation *sim, int field, size_t first, size_t count, double *out)
 {
     const Beam *beam = (const Beam *)sim;
+    if (count == 0)
+        return;
+    if (field == F_STRAIN_ENERGY) {
+        family_field(beam, share_energy, 0, first, count, out);
+        for (size_t k = 0; k < count; k++)
+            out[k] *= beam->system.energy_scale;
+        return;
+    }
+    if (field == F_STRETCH) {
+        largest_stretch(beam, first, count, out);
+        return;
+    }
     if (fields[field].set == SET_PARTICLE) {
         for (size_t k = 0; k < count; k++)
             out[k] = particle_values[field](beam, first + k);
         return;
     }
-    if (count == 0)
-        return;
     BondPlace place = lattice_bond_place(&beam->lattice, first);
     for (size_t k = 0; k < count; k++) {
         BondNow bond = beam_bond(beam, place);
@@ -359,200 +406,15 @@ void beam_field(const Simulation *sim, int field, size_t first, size_t count, do
     }
 }
 
-/* --- bonds --- */
-
-BondNow beam_bond(const Beam *beam, BondPlace place)
-{
-    const Lattice *lattice = &beam->lattice;
-    const Offset *offset = &lattice->offsets[place.offset];
-    size_t own = lattice_at(lattice, place.i, place.j);
-    size_t other = lattice_at(lattice, place.i + offset->p, place.j + offset->q);
-    size_t slot = lattice_slot(lattice, place), nx = (size_t)lattice->nx;
-    double ex = beam->nodes.ux[other] - beam->nodes.ux[own], ey = beam->nodes.uy[other] - beam->nodes.uy[own];
-    double rx = offset->x + ex, ry = offset->y + ey, length = sqrt(rx * rx + ry * ry);
-    double d = ex * (offset->x + rx) + ey * (offset->y + ry);
-    BondNow bond = {
-        .a = (size_t)place.j * nx + (size_t)place.i,
-        .b = (size_t)(place.j + offset->q) * nx + (size_t)(place.i + offset->p),
-        .stretch = d / (offset->length * (length + offset->length)),
-        .direction_x = length > 0 ? rx / length : 0,
-        .direction_y = length > 0 ? ry / length : 0,
-        .broken = beam_bit(beam->broken, slot),
-        .notch = beam_bit(beam->notched, slot),
-    };
-    bond.pull = beam->coefficient[slot] * bond.stretch;
-    bond.energy = bond.pull * bond.stretch * offset->length * beam->system.energy_scale;
-    return bond;
-}
-
-size_t beam_family(const Beam *beam, int i, int j, BondPlace *out)
-{
-    const Lattice *lattice = &beam->lattice;
-    size_t n = 0;
-    /* the bonds that others own, then its own: so the other ends come row by row, column by column */
-    for (int q = lattice->reach; q >= 0; q--)
-        for (int o = lattice->first[q + 1] - 1; o >= lattice->first[q]; o--)
-            if (lattice_has(lattice, i - lattice->offsets[o].p, j - q))
-                out[n++] = (BondPlace){i - lattice->offsets[o].p, j - q, o};
-    for (int o = 0; o < lattice->n_offsets; o++)
-        if (lattice_has(lattice, i + lattice->offsets[o].p, j + lattice->offsets[o].q))
-            out[n++] = (BondPlace){i, j, o};
-    return n;
-}
-
-size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_t max)
-{
-    const Beam *beam = (const Beam *)sim;
-    if (set == SET_BOND) {
-        BondNow bond = beam_bond(beam, lattice_bond_place(&beam->lattice, index));
-        double gradient = bond.pull * beam_volume(beam);
-        const size_t ends[2] = {bond.a, bond.b};
-        for (size_t k = 0; k < 2 && k < max; k++)
-            out[k] = (Link){SET_PARTICLE, ends[k], bond.stretch, gradient, bond.broken};
-        return 2;
-    }
-    BondPlace family[FAMILY_MAX];
-    size_t n = beam_family(beam, column(beam, index), row(beam, index), family);
-    for (size_t k = 0; k < n && k < max; k++) {
-        BondNow bond = beam_bond(beam, family[k]);
-        out[k] = (Link){SET_PARTICLE, bond.a == index ? bond.b : bond.a, bond.stretch,
-                        bond.pull * beam_volume(beam), bond.broken};
-    }
-    return n;
-}
-
-/* --- series --- */
-
-static double probe(const Beam *beam, const double *array)
-{
-    double sum = 0;
-    for (int b = 0; b < 2; b++)
-        for (int a = 0; a < 2; a++)
-            sum += array[lattice_at(&beam->lattice, beam->probe_i[a], beam->probe_j[b])];
-    return sum / 4;
-}
-
-static double u_probe(Beam *beam)
-{
-    return probe(beam, beam->nodes.uy);
-}
-
-static double v_probe(Beam *beam)
-{
-    return probe(beam, beam->nodes.vy);
-}
-
-static double kinetic(Beam *beam)
-{
-    double sum = 0;
-    for (int j = 0; j < beam->lattice.ny; j++) {
-        size_t first = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
-        sum += beam->kernels->dot(beam->nodes.vx + first, beam->nodes.vx + first, count);
-        sum += beam->kernels->dot(beam->nodes.vy + first, beam->nodes.vy + first, count);
-    }
-    return sum * beam->def.density / 2 * beam_volume(beam) * beam->def.thickness;
-}
-
-static double work(Beam *beam)
-{
-    return beam->head->work;
-}
-
-static double dissipated(Beam *beam)
-{
-    return beam->head->dissipated;
-}
-
-static double total(Beam *beam)
-{
-    return kinetic(beam) + beam_strain(beam) + beam->head->dissipated;
-}
-
-static double broken_bonds(Beam *beam)
-{
-    return (double)beam->head->broken;
-}
-
-static double length(Beam *beam)
-{
-    return beam->def.length + beam->def.speed * simulation_time(&beam->sim);
-}
-
-static const CrackCache *crack(Beam *beam)
-{
-    Crack measured;
-    if (!beam->crack.valid && crack_measure(&beam->sim, &measured))
-        beam->crack = (CrackCache){true, measured.x, measured.y, measured.length};
-    return &beam->crack;
-}
-
-static double crack_x(Beam *beam)
-{
-    return crack(beam)->x;
-}
-
-static double crack_y(Beam *beam)
-{
-    return crack(beam)->y;
-}
-
-static double crack_length(Beam *beam)
-{
-    return crack(beam)->length;
-}
-
-typedef struct SeriesEntry {
-    Quantity quantity;
-    double (*value)(Beam *beam);
-    unsigned problems; /* bits of BeamProblem */
-} SeriesEntry;
-
-enum { ALL = 1 << BEAM_SIMPLY_SUPPORTED | 1 << BEAM_MOVING_CANTILEVER | 1 << BEAM_NOTCHED };
-
-static const SeriesEntry series[BEAM_SERIES_MAX] = {
-    {{"u_probe", "u", "m", "transverse displacement at the probe"}, u_probe, ALL},
-    {{"v_probe", "v", "m/s", "transverse velocity at the probe"}, v_probe, ALL},
-    {{"length", "length", "m", "length outside the channel, L0 + v0 t"}, length, 1 << BEAM_MOVING_CANTILEVER},
-    {{"crack_x", "crack x", "m", "the crack's tip along the beam"}, crack_x, 1 << BEAM_NOTCHED},
-    {{"crack_y", "crack y", "m", "the crack's tip above the bottom"}, crack_y, 1 << BEAM_NOTCHED},
-    {{"crack_length", "crack length", "m", "the crack's path from the notch's end to its tip"},
-     crack_length,
-     1 << BEAM_NOTCHED},
-    {{"kinetic", "kinetic", "J", "kinetic energy"}, kinetic, ALL},
-    {{"strain", "strain", "J", "energy of the bonds"}, beam_strain, ALL},
-    {{"work", "work", "J", "work of the load"}, work, ALL},
-    {{"dissipated", "dissipated", "J", "energy of the bonds when they broke"}, dissipated, ALL},
-    {{"total", "total", "J", "kinetic + strain + dissipated; less the work it keeps its value"}, total, ALL},
-    {{"broken_bonds", "broken bonds", "1", "bonds broken in the run, without the notch's"},
-     broken_bonds,
-     ALL},
-};
-
-void beam_row(Simulation *sim, double *out)
-{
-    Beam *beam = (Beam *)sim;
-    for (int k = 0; k < sim->n_series; k++)
-        out[k] = series[beam->series_entry[k]].value(beam);
-}
-
-void beam_set_tables(Beam *beam)
+void beam_set_fields(Beam *beam)
 {
     Simulation *sim = &beam->sim;
-    sim->stages = beam_stage_table;
-    sim->n_stages = N_STAGES;
-    sim->stage_items = (size_t)beam->lattice.ny;
     sim->sets = sets;
     sim->n_sets = N_SETS;
     sim->counts[SET_PARTICLE] = lattice_nodes(&beam->lattice);
     sim->counts[SET_BOND] = lattice_bonds(&beam->lattice);
     sim->fields = fields;
     sim->n_fields = N_FIELDS;
-    for (int k = 0; k < BEAM_SERIES_MAX; k++)
-        if (series[k].problems >> beam->def.problem & 1) {
-            beam->series_entry[sim->n_series] = k;
-            beam->series[sim->n_series++] = series[k].quantity;
-        }
-    sim->series = beam->series;
     sim->dimensions = 2;
     sim->position[0] = F_X0;
     sim->position[1] = F_Y0;

@@ -1,0 +1,77 @@
+/* Single bonds as they stand, families, and the links that front ends draw. */
+#include "physics/pd/beam_internal.h"
+
+#include <math.h>
+
+double beam_stretch(const Beam *beam, BondPlace place)
+{
+    const Lattice *lattice = &beam->lattice;
+    const Offset *offset = &lattice->offsets[place.offset];
+    size_t own = lattice_at(lattice, place.i, place.j);
+    size_t other = lattice_at(lattice, place.i + offset->p, place.j + offset->q);
+    double ex = beam->nodes.ux[other] - beam->nodes.ux[own], ey = beam->nodes.uy[other] - beam->nodes.uy[own];
+    double rx = offset->x + ex, ry = offset->y + ey;
+    double d = ex * (offset->x + rx) + ey * (offset->y + ry);
+    return d / (offset->length * (sqrt(rx * rx + ry * ry) + offset->length));
+}
+
+BondNow beam_bond(const Beam *beam, BondPlace place)
+{
+    const Lattice *lattice = &beam->lattice;
+    const Offset *offset = &lattice->offsets[place.offset];
+    size_t own = lattice_at(lattice, place.i, place.j);
+    size_t other = lattice_at(lattice, place.i + offset->p, place.j + offset->q);
+    size_t slot = lattice_slot(lattice, place), nx = (size_t)lattice->nx;
+    double ex = beam->nodes.ux[other] - beam->nodes.ux[own], ey = beam->nodes.uy[other] - beam->nodes.uy[own];
+    double rx = offset->x + ex, ry = offset->y + ey, length = sqrt(rx * rx + ry * ry);
+    double d = ex * (offset->x + rx) + ey * (offset->y + ry);
+    BondNow bond = {
+        .a = (size_t)place.j * nx + (size_t)place.i,
+        .b = (size_t)(place.j + offset->q) * nx + (size_t)(place.i + offset->p),
+        .stretch = d / (offset->length * (length + offset->length)),
+        .direction_x = length > 0 ? rx / length : 0,
+        .direction_y = length > 0 ? ry / length : 0,
+        .broken = beam_bit(beam->broken, slot),
+        .notch = beam_bit(beam->notched, slot),
+    };
+    bond.pull = beam->coefficient[slot] * bond.stretch;
+    bond.energy = bond.pull * bond.stretch * offset->length * beam->system.energy_scale;
+    return bond;
+}
+
+size_t beam_family(const Beam *beam, int i, int j, BondPlace *out)
+{
+    const Lattice *lattice = &beam->lattice;
+    size_t n = 0;
+    /* the bonds that others own, then its own: so the other ends come row by row, column by column */
+    for (int q = lattice->reach; q >= 0; q--)
+        for (int o = lattice->first[q + 1] - 1; o >= lattice->first[q]; o--)
+            if (lattice_has(lattice, i - lattice->offsets[o].p, j - q))
+                out[n++] = (BondPlace){i - lattice->offsets[o].p, j - q, o};
+    for (int o = 0; o < lattice->n_offsets; o++)
+        if (lattice_has(lattice, i + lattice->offsets[o].p, j + lattice->offsets[o].q))
+            out[n++] = (BondPlace){i, j, o};
+    return n;
+}
+
+size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_t max)
+{
+    const Beam *beam = (const Beam *)sim;
+    if (set == SET_BOND) {
+        BondNow bond = beam_bond(beam, lattice_bond_place(&beam->lattice, index));
+        double gradient = bond.pull * beam_volume(beam);
+        const size_t ends[2] = {bond.a, bond.b};
+        for (size_t k = 0; k < 2 && k < max; k++)
+            out[k] = (Link){SET_PARTICLE, ends[k], bond.stretch, gradient, bond.broken};
+        return 2;
+    }
+    size_t nx = (size_t)beam->lattice.nx;
+    BondPlace family[FAMILY_MAX];
+    size_t n = beam_family(beam, (int)(index % nx), (int)(index / nx), family);
+    for (size_t k = 0; k < n && k < max; k++) {
+        BondNow bond = beam_bond(beam, family[k]);
+        out[k] = (Link){SET_PARTICLE, bond.a == index ? bond.b : bond.a, bond.stretch,
+                        bond.pull * beam_volume(beam), bond.broken};
+    }
+    return n;
+}
