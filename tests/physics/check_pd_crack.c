@@ -1,0 +1,76 @@
+/* The paper's notched beam to the end: when and where it cracks (paper P, figs. 9 and 10), with the numbers
+ * of an independent program and the tolerances that its own sensitivity asks for. */
+#include "physics/beam_case.h"
+#include "physics/pd/crack.h"
+#include "suite.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+typedef struct TipAt {
+    long step;
+    double x, y; /* mm */
+} TipAt;
+
+static void expect_balance(Simulation *sim)
+{
+    double total = series_now(sim, "total"), work = series_now(sim, "work");
+    ck_assert_msg(fabs(total - work) < 0.01 * work, "energy %.6g, work %.6g at step %ld", total, work,
+                  sim->step);
+}
+
+START_TEST(the_crack_goes_as_the_paper_says)
+{
+    static const TipAt tips[] = {{1040, 66.8, 22.8}, {1360, 74.3, 36.8},  {1680, 85.8, 51.8},
+                                 {2000, 94.8, 59.8}, {2320, 100.3, 65.3}, {2480, 100.8, 66.3}};
+    BeamDef def = beam_default(BEAM_NOTCHED);
+    def.threads = 2;
+    Simulation *sim = beam_case_create(&def, NULL);
+    Crack crack;
+    for (size_t k = 0; k < sizeof tips / sizeof *tips; k++) {
+        advance(sim, tips[k].step - sim->step);
+        ck_assert(crack_measure(sim, &crack));
+        ck_assert_msg(fabs(crack.x * 1e3 - tips[k].x) < 1 && fabs(crack.y * 1e3 - tips[k].y) < 1,
+                      "tip at %.2f, %.2f mm at step %ld", crack.x * 1e3, crack.y * 1e3, sim->step);
+        ck_assert_msg(fabs(series_now(sim, "crack_y") - crack.y) < 1e-12, "the series tells another tip");
+        expect_balance(sim);
+    }
+    ck_assert_double_eq_tol(crack.first_break, 73.4e-6, 2e-6);
+    ck_assert_double_eq_tol(crack.twentieth_break, 82.8e-6, 2e-6);
+    ck_assert_msg(crack.arrival > 235e-6 && crack.arrival < 256e-6, "arrived at %.4g s", crack.arrival);
+    advance(sim, 3000 - sim->step);
+    expect_balance(sim);
+    ck_assert_double_eq_tol(crack_angle(sim, 0.010), 26, 3);
+    ck_assert_double_eq_tol(crack_angle(sim, 0.020), 29, 3);
+    ck_assert_double_eq_tol(crack_angle(sim, 0.038), 35, 3);
+    ck_assert(crack_measure(sim, &crack));
+    ck_assert_msg(labs(crack.broken - 6941) < 70, "%ld bonds broken", crack.broken);
+    ck_assert_int_eq(crack.notch, 1378);
+    simulation_destroy(sim);
+}
+END_TEST
+
+/* The load's width rules the start: five millimetres instead of three bring it forward by a quarter. */
+START_TEST(a_wider_load_cracks_earlier)
+{
+    BeamDef def = beam_default(BEAM_NOTCHED);
+    def.threads = 2;
+    def.load_width = 0.005;
+    Simulation *sim = beam_case_create(&def, NULL);
+    advance(sim, 700);
+    Crack crack;
+    ck_assert(crack_measure(sim, &crack));
+    ck_assert_msg(crack.first_break < 60e-6 && crack.twentieth_break < 65e-6, "started at %.4g and %.4g s",
+                  crack.first_break, crack.twentieth_break);
+    simulation_destroy(sim);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *paper = tcase_create("paper");
+    tcase_add_test(paper, the_crack_goes_as_the_paper_says);
+    tcase_add_test(paper, a_wider_load_cracks_earlier);
+    tcase_set_timeout(paper, 240);
+    suite_add_tcase(suite, paper);
+}
