@@ -33,6 +33,14 @@ typedef enum Style {
 
 enum { RAMP_STEPS = 16 };
 
+/* What curves, frames and marks are drawn with. */
+typedef enum Glyphs {
+    GLYPHS_BRAILLE, /* 2x4 dots a cell */
+    GLYPHS_BLOCK,   /* half blocks: what the Linux console has too */
+    GLYPHS_ASCII,   /* one letter a curve; nothing else on the screen is beyond ASCII either */
+    GLYPHS_COUNT
+} Glyphs;
+
 typedef struct Cell {
     uint32_t glyph; /* one Unicode scalar value of width 1; 0 counts as a space */
     uint16_t style; /* Style; a half-block cell of a heat map carries its lower colour in back */

@@ -9,8 +9,6 @@
 #include "view/canvas.h"
 #include "view/commands.h"
 
-typedef enum Glyphs { GLYPHS_BRAILLE, GLYPHS_BLOCK, GLYPHS_ASCII, GLYPHS_COUNT } Glyphs;
-
 typedef enum PaneId { PANE_PARAMETERS, PANE_MESH, PANE_UPPER, PANE_LOWER, PANE_BOX, PANE_COUNT } PaneId;
 
 typedef enum RunState {

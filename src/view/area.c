@@ -1,0 +1,122 @@
+#include "view/area.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+static int least(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+Area area_part(Area area, int x, int y, int width, int height)
+{
+    const Rect whole = area.rect;
+    int right = least(x + width, whole.width), bottom = least(y + height, whole.height);
+    x = x > 0 ? x : 0;
+    y = y > 0 ? y : 0;
+    area.rect = (Rect){whole.x + x, whole.y + y, right > x ? right - x : 0, bottom > y ? bottom - y : 0};
+    return area;
+}
+
+static bool has_row(Area area, int y)
+{
+    return y >= 0 && y < area.rect.height;
+}
+
+void area_put(Area area, int x, int y, uint32_t glyph, Style style)
+{
+    if (x >= 0 && x < area.rect.width && has_row(area, y))
+        canvas_put(area.canvas, area.rect.x + x, area.rect.y + y, glyph, style);
+}
+
+int area_text(Area area, int x, int y, const char *text, Style style)
+{
+    if (x < 0 || x >= area.rect.width || !has_row(area, y))
+        return 0;
+    return canvas_text(area.canvas, area.rect.x + x, area.rect.y + y, area.rect.width - x, text, style);
+}
+
+int area_print(Area area, int x, int y, Style style, const char *format, ...)
+{
+    char text[1024];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    return area_text(area, x, y, text, style);
+}
+
+void area_text_right(Area area, int end, int y, const char *text, Style style)
+{
+    int x = end - text_columns(text);
+    area_text(area, x > 0 ? x : 0, y, text, style);
+}
+
+int area_text_whole(Area area, int x, int y, int width, const char *text, Style style)
+{
+    int columns = text_columns(text);
+    if (columns > width || x + columns > area.rect.width)
+        return 0;
+    return area_text(area, x, y, text, style);
+}
+
+/* The bytes of the next line of a paragraph, at most `width` columns, broken at a space or a '\n'. */
+static size_t next_line(const char *text, int width, const char **rest)
+{
+    const char *here = text, *space = NULL;
+    for (int columns = 0; *here != '\0' && *here != '\n'; columns++) {
+        if (*here == ' ')
+            space = here;
+        if (columns == width) {
+            size_t length = (size_t)((space ? space : here) - text);
+            *rest = space ? space + 1 : here;
+            return length;
+        }
+        utf8_next(&here);
+    }
+    *rest = *here == '\n' ? here + 1 : here;
+    return (size_t)(here - text);
+}
+
+static int paragraph(const Area *area, int x, int y, int width, int rows, const char *text, Style style)
+{
+    int lines = 0;
+    if (width < 1)
+        return 0;
+    while (*text != '\0' && lines < rows) {
+        const char *rest;
+        size_t length = next_line(text, width, &rest);
+        if (area) {
+            char line[1024];
+            length = length < sizeof line - 1 ? length : sizeof line - 1;
+            memcpy(line, text, length);
+            line[length] = '\0';
+            area_text(*area, x, y + lines, line, style);
+        }
+        text = rest;
+        lines++;
+    }
+    return lines;
+}
+
+int area_paragraph(Area area, int x, int y, int width, int rows, const char *text, Style style)
+{
+    return paragraph(&area, x, y, width, rows, text, style);
+}
+
+int paragraph_lines(int width, const char *text)
+{
+    return paragraph(NULL, 0, 0, width, 10000, text, STYLE_NORMAL);
+}
+
+void area_rule(Area area, int y, const char *heading, Style heading_style)
+{
+    for (int x = 0; x < area.rect.width; x++)
+        area_put(area, x, y, 0x2500, STYLE_FRAME);
+    if (heading[0] != '\0' && area.rect.width > 4) {
+        int used = area_text(area_part(area, 2, y, area.rect.width - 3, 1), 1, 0, heading, heading_style);
+        area_put(area, 2, y, ' ', STYLE_FRAME);
+        area_put(area, 3 + used, y, ' ', STYLE_FRAME);
+    }
+}
