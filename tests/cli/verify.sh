@@ -1,0 +1,40 @@
+#!/bin/sh
+# The command as people type it: tables on stdout, one line on stderr, exit statuses.
+number=0
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+
+# expect NAME STATUS ARGUMENTS...: runs verify, and keeps what it wrote in out and err
+expect() {
+	name=$1 wanted=$2
+	shift 2
+	"$MATVIB" verify "$@" >"$scratch/out" 2>"$scratch/err"
+	got=$?
+	result "$name" test "$got" -eq "$wanted"
+}
+
+result() {
+	number=$((number + 1))
+	name=$1
+	shift
+	if "$@"; then echo "ok $number - $name"; else
+		echo "not ok $number - $name"
+		sed 's/^/# /' "$scratch/out" "$scratch/err"
+	fi
+}
+
+says() { grep -q -e "$2" "$scratch/$1"; }
+lines() { test "$(wc -l <"$scratch/$1")" -eq "$2"; }
+
+echo 1..11
+expect "figure 3 of the bar holds" 0 M-fig3
+result "it names the figure" says out '^M-fig3  mode 5'
+result "it tells paper, prediction and measurement" says out 'error of omega, % *about 5 *-4.239 *-4.239 .*holds'
+result "it says how many hold" says out '^[0-9]* of [0-9]* hold$'
+result "nothing on stderr" lines err 0
+expect "the list" 0 --list
+result "names figures of both papers" says out '^P-fig10 '
+expect "an unknown name is bad usage" 2 M-fig1
+result "one line says what is allowed" lines err 1
+result "which line" says err '^matvib: verify: unknown name "M-fig1" (.*--list'
+expect "an unknown option is bad usage" 2 --fast
