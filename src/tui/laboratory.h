@@ -17,10 +17,11 @@ typedef struct LaboratoryOptions {
     const char *glyphs;       /* "auto", "braille", "block", "ascii"; NULL: auto */
     const char *theme;        /* "auto", "light", "dark"; NULL: auto */
     bool no_mouse;
-    size_t history;     /* bytes for keyframes; 0: the default */
-    int threads;        /* 0: one */
-    const char *script; /* keys from this file ("-": standard input), screens to standard output; NULL: a terminal */
-    int width, height;  /* with a script; 0: 80x24 */
+    size_t history; /* bytes for keyframes; 0: the default */
+    int threads;    /* 0: one */
+    const char
+        *script; /* keys from this file ("-": standard input), screens to standard output; NULL: a terminal */
+    int width, height; /* with a script; 0: 80x24 */
 } LaboratoryOptions;
 
 /* Opens the laboratory and returns when the user leaves it. The result is the exit status: 0, 128 + n after

@@ -16,6 +16,8 @@ const Command commands[] = {
     {COMMAND_START, "start", "0 Home", "Time", "t=0", "to t = 0; what has been computed is kept"},
     {COMMAND_NEWEST, "newest", "$ End", "Time", "newest", "to the newest time computed"},
     {COMMAND_GO_TO, "go", "g", "Time", "go to", "to a time (12.5) or a step (#1250)"},
+    {COMMAND_BOOKMARK, "bookmark", "m", "Time", "mark", "remember this place in the run"},
+    {COMMAND_JUMP, "jump", "'", "Time", "jump", "to the place that m remembers"},
     {COMMAND_RESTART, "restart", "r", "Time", "restart", "begin anew at t = 0 with these parameters"},
 
     {COMMAND_NEXT_PANE, "next-pane", "Tab", "Panes", "pane", "to the next pane"},

@@ -1,0 +1,428 @@
+#include "tui/control.h"
+
+#include "lab/scenario.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* One exact period should last this long on screen; a run without a period, this long as a whole. */
+#define PERIOD_SECONDS 3.0
+#define RUN_SECONDS    15.0
+
+#define CHUNK_SECONDS 0.004 /* the engine is let go for about that long before the clock is read again */
+#define ROUND_FRAMES  15    /* frames in time before "max" goes from the title */
+
+static const double tau = 6.283185307179586;
+
+void say(Laboratory *lab, MessageKind kind, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(lab->screen.message, sizeof lab->screen.message, format, arguments);
+    va_end(arguments);
+    lab->screen.message_kind = lab->screen.message[0] ? kind : MESSAGE_NONE;
+}
+
+/* --- opening ---------------------------------------------------------------------------------------- */
+
+void choose_pace(Laboratory *lab)
+{
+    Experiment *experiment = lab->screen.experiment;
+    const Readout *readout = experiment_readout(experiment);
+    double dt = experiment_simulation(experiment)->dt;
+    double frames = PERIOD_SECONDS / FRAME_SECONDS, steps = 0;
+    if (readout->moving && readout->exact_known && readout->exact > 0)
+        steps = (readout->is_period ? readout->exact : tau / readout->exact) / dt;
+    if (!(steps > 0) || !isfinite(steps)) {
+        frames = RUN_SECONDS / FRAME_SECONDS;
+        steps = (double)experiment_last_step(experiment);
+    }
+    double pace = steps / frames;
+    /* whole steps per frame look steady; below one it is frames per step that are counted */
+    lab->screen.pace = pace >= 1 ? round(pace) : pace > 0 ? 1 / round(1 / pace) : 1;
+}
+
+static void read_view(Laboratory *lab)
+{
+    const ViewSettings *view = &lab->settings.view;
+    Screen *screen = &lab->screen;
+    double value;
+    int number;
+    if (sscanf(view->upper, "%d", &number) == 1 && number >= 1 && number <= 9)
+        screen->upper = number;
+    if (sscanf(view->lower, "%d", &number) == 1 && number >= 1 && number <= 9)
+        screen->lower = number;
+    if (sscanf(view->window, "%lf", &value) == 1 && value > 0)
+        screen->window = value;
+    if (sscanf(view->pace, "%lf", &value) == 1 && value > 0) {
+        screen->pace = value;
+        lab->pace_automatic = false;
+    }
+    static const char *const references[SHOW_COUNT] = {"all", "exact", "predicted", "none"};
+    for (int i = 0; i < SHOW_COUNT; i++)
+        if (strcmp(view->references, references[i]) == 0)
+            screen->references = (ReferencesShown)i;
+}
+
+/* The first row that can be edited. */
+static int first_parameter(const Screen *screen)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    int count = screen_parameter_rows(screen, rows);
+    for (int i = 0; i < count; i++)
+        if (rows[i].parameter)
+            return i;
+    return 0;
+}
+
+/* What belongs to a run and not to the way it is looked at; for a run that takes the place of another. */
+static void begin_run(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    lab->pace_automatic = true;
+    lab->n_undo = lab->n_redo = 0;
+    lab->changed = false;
+    lab->bookmark_step = -1;
+    lab->owed = lab->rate = 0;
+    lab->frames_in_time = 0;
+    screen->at_limit = false;
+    screen->summary_known = false;
+    screen->cursor_time = NAN;
+    const Simulation *simulation = experiment_simulation(screen->experiment);
+    screen->particle = simulation->counts[0] / 2;
+    screen->node = simulation->n_sets > 1 ? simulation->counts[1] / 2 : 0;
+    choose_pace(lab);
+    read_view(lab);
+    screen->selected = first_parameter(screen);
+    screen->parameter_scroll = 0;
+    lab->resume = screen->state = STATE_RUNNING;
+    const char *advice = experiment_advice(screen->experiment);
+    say(lab, MESSAGE_WARNING, "%s", advice ? advice : "");
+}
+
+static void name_scenario(Laboratory *lab, const char *name)
+{
+    snprintf(lab->scenario, sizeof lab->scenario, "%s", name ? name : "");
+    lab->screen.scenario = lab->scenario;
+}
+
+static size_t history_size(const Laboratory *lab)
+{
+    return lab->options.history ? lab->options.history : (size_t)256 << 20;
+}
+
+static Experiment *make_experiment(const Laboratory *lab, const Settings *settings, Status *status)
+{
+    return experiment_create(settings, history_size(lab), lab->options.threads > 0 ? lab->options.threads : 1,
+                             status);
+}
+
+bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Host *host, Status *status)
+{
+    *lab = (Laboratory){.host = *host, .options = *options, .settings = *options->settings};
+    lab->utf8 = true;
+    lab->undo = calloc(UNDO_MAX, sizeof *lab->undo);
+    lab->redo = calloc(UNDO_MAX, sizeof *lab->redo);
+    if (!lab->undo || !lab->redo) {
+        laboratory_close(lab);
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    }
+    screen_default(&lab->screen);
+    lab->screen.experiment = make_experiment(lab, &lab->settings, status);
+    if (!lab->screen.experiment) {
+        laboratory_close(lab);
+        return false;
+    }
+    name_scenario(lab, options->scenario);
+    begin_run(lab);
+    if (options->paused)
+        lab->resume = lab->screen.state = STATE_PAUSED;
+    return true;
+}
+
+void laboratory_close(Laboratory *lab)
+{
+    experiment_destroy(lab->screen.experiment);
+    free(lab->undo);
+    free(lab->redo);
+    lab->screen.experiment = NULL;
+    lab->undo = lab->redo = NULL;
+}
+
+bool open_scenario(Laboratory *lab, const char *name, Status *status)
+{
+    Settings *settings = malloc(sizeof *settings);
+    if (!settings)
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    Experiment *experiment = NULL;
+    if (scenario_load(name, settings, status) && settings_check(settings, status))
+        experiment = make_experiment(lab, settings, status);
+    if (experiment) {
+        experiment_destroy(lab->screen.experiment);
+        lab->screen.experiment = experiment;
+        lab->settings = *settings;
+        Screen fresh;
+        screen_default(&fresh);
+        lab->screen.upper = fresh.upper;
+        lab->screen.lower = fresh.lower;
+        memcpy(lab->screen.variant, fresh.variant, sizeof fresh.variant);
+        lab->screen.window = fresh.window;
+        name_scenario(lab, name);
+        begin_run(lab);
+    }
+    free(settings);
+    return experiment != NULL;
+}
+
+/* --- the engine's share of a frame ------------------------------------------------------------------ */
+
+/* What a run came to so far; the laboratory's counterpart of the summary that `matvib run` prints. */
+static void summarise(Laboratory *lab)
+{
+    Experiment *experiment = lab->screen.experiment;
+    RunSummary *summary = &lab->screen.summary;
+    const Record *record = experiment_record(experiment);
+    int n_columns;
+    const Column *columns = experiment_columns(experiment, &n_columns);
+    *summary = (RunSummary){.steps = experiment_newest(experiment),
+                            .time = experiment_time(experiment),
+                            .dt = experiment_simulation(experiment)->dt,
+                            .readout = *experiment_readout(experiment),
+                            .rows = (long)record->count};
+    for (int i = 0; i < n_columns && record->count > 0; i++) {
+        if (strcmp(columns[i].quantity.name, "total") != 0)
+            continue;
+        summary->energy_start = record_row(record, 0)[i];
+        summary->energy_end = record_row(record, record->count - 1)[i];
+        if (summary->energy_start != 0)
+            summary->energy_drift =
+                100 * (summary->energy_end - summary->energy_start) / summary->energy_start;
+    }
+    lab->screen.summary_known = true;
+}
+
+void settle(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    Experiment *experiment = screen->experiment;
+    long left;
+    Status failure;
+    if (experiment_pending(experiment, &left))
+        screen->state = STATE_COMPUTING;
+    else if (experiment_failed(experiment, &failure) &&
+             experiment_step(experiment) >= experiment_newest(experiment)) {
+        screen->state = STATE_FAILED;
+        lab->resume = STATE_PAUSED;
+        say(lab, MESSAGE_ERROR, "%s", failure.text);
+    } else if (experiment_at_end(experiment)) {
+        screen->state = STATE_ENDED;
+        lab->resume = STATE_PAUSED;
+        summarise(lab);
+    } else
+        screen->state = lab->resume;
+}
+
+void pause_run(Laboratory *lab)
+{
+    lab->resume = STATE_PAUSED;
+    lab->owed = 0;
+    settle(lab);
+}
+
+void present(const Laboratory *lab, long *step, int *stage)
+{
+    const Experiment *experiment = lab->screen.experiment;
+    bool under_way = lab->screen.state == STATE_COMPUTING;
+    *step = under_way ? lab->goal_step : experiment_step(experiment);
+    *stage = under_way ? lab->goal_stage : experiment_stage(experiment);
+}
+
+void seek(Laboratory *lab, long step, int stage)
+{
+    long last = experiment_last_step(lab->screen.experiment);
+    if (step < 0)
+        step = 0, stage = 0;
+    if (step >= last)
+        step = last, stage = 0;
+    lab->goal_step = step;
+    lab->goal_stage = stage;
+    experiment_seek(lab->screen.experiment, step, stage);
+    settle(lab);
+}
+
+bool laboratory_active(const Laboratory *lab)
+{
+    return !lab->closed && (lab->screen.state == STATE_RUNNING || lab->screen.state == STATE_COMPUTING);
+}
+
+/* Steps for the next piece of work: about CHUNK_SECONDS of it, judged by the last piece. */
+static long chunk(const Laboratory *lab, long wanted, double time_left)
+{
+    double seconds = time_left < CHUNK_SECONDS ? time_left : CHUNK_SECONDS;
+    double steps = lab->rate > 0 ? lab->rate * seconds : 1;
+    return steps < 1 ? 1 : steps > (double)wanted ? wanted : (long)steps;
+}
+
+/* How fast the engine is: a running mean over pieces, so that one hiccup does not count. */
+static void learn_rate(Laboratory *lab, long steps, double seconds)
+{
+    /* a piece too short for the clock says no more than "more than that" */
+    double rate = seconds > 0 ? (double)steps / seconds : 8 * (double)steps / CHUNK_SECONDS;
+    if (lab->rate <= 0 || seconds <= 0)
+        lab->rate = rate > lab->rate ? rate : lab->rate;
+    else
+        lab->rate = 0.7 * lab->rate + 0.3 * rate;
+}
+
+/* Does a piece of work by `verb` and tells the clock. */
+static bool work(Laboratory *lab, bool (*verb)(Experiment *, long, Status *), long steps, Status *status)
+{
+    double before = lab->host.now(lab->host.context);
+    bool sound = verb(lab->screen.experiment, steps, status);
+    lab->host.worked(lab->host.context, steps);
+    learn_rate(lab, steps, lab->host.now(lab->host.context) - before);
+    return sound;
+}
+
+static void run_frame(Laboratory *lab, double deadline)
+{
+    Screen *screen = &lab->screen;
+    Status status = {STATUS_DONE, ""};
+    lab->owed += screen->pace;
+    long wanted = (long)lab->owed, done = 0;
+    lab->owed -= (double)wanted;
+    bool sound = true, in_time = true;
+    while (sound && done < wanted && !experiment_at_end(screen->experiment)) {
+        double left = deadline - lab->host.now(lab->host.context);
+        if (left <= 0 && done > 0) {
+            in_time = false;
+            break;
+        }
+        long piece = chunk(lab, wanted - done, left);
+        sound = work(lab, experiment_advance, piece, &status);
+        done += piece;
+    }
+    lab->frames_in_time = in_time ? lab->frames_in_time + 1 : 0;
+    if (!in_time)
+        screen->at_limit = true;
+    else if (lab->frames_in_time >= ROUND_FRAMES)
+        screen->at_limit = false;
+    double rate = (double)done / FRAME_SECONDS;
+    screen->rate = screen->rate > 0 ? 0.8 * screen->rate + 0.2 * rate : rate;
+    if (!sound || experiment_at_end(screen->experiment))
+        settle(lab);
+}
+
+static void compute_frame(Laboratory *lab, double deadline)
+{
+    Experiment *experiment = lab->screen.experiment;
+    Status status = {STATUS_DONE, ""};
+    long left, most = 0;
+    bool sound = true;
+    for (bool first = true; sound && experiment_pending(experiment, &left); first = false) {
+        double time_left = deadline - lab->host.now(lab->host.context);
+        if (time_left <= 0 && !first)
+            break;
+        if (left > most)
+            most = left;
+        sound = work(lab, experiment_work, chunk(lab, left > 0 ? left : 1, time_left), &status);
+    }
+    if (!sound || !experiment_pending(experiment, &left)) {
+        lab->screen.work_share = 0;
+        settle(lab);
+        return;
+    }
+    /* the first frame of a work is where its length is known */
+    if (lab->screen.work_share <= 0 || left > lab->work_total)
+        lab->work_total = most > 0 ? most : 1;
+    lab->screen.work_share = 1 - (double)left / (double)lab->work_total;
+    if (lab->screen.work_share < 1e-6)
+        lab->screen.work_share = 1e-6;
+}
+
+void laboratory_frame(Laboratory *lab, double deadline)
+{
+    if (lab->screen.state == STATE_COMPUTING)
+        compute_frame(lab, deadline);
+    else if (lab->screen.state == STATE_RUNNING)
+        run_frame(lab, deadline);
+}
+
+/* --- keys ------------------------------------------------------------------------------------------- */
+
+static void help_key(Laboratory *lab, const Key *key)
+{
+    Screen *screen = &lab->screen;
+    const Command *command = command_by_key(key->name);
+    switch (command ? command->id : COMMAND_NONE) {
+    case COMMAND_UP:
+        screen->help_scroll -= screen->help_scroll > 0;
+        break;
+    case COMMAND_DOWN:
+        screen->help_scroll++;
+        break;
+    case COMMAND_PAGE_UP:
+        screen->help_scroll = screen->help_scroll > 10 ? screen->help_scroll - 10 : 0;
+        break;
+    case COMMAND_PAGE_DOWN:
+        screen->help_scroll += 10;
+        break;
+    case COMMAND_RIGHT:
+    case COMMAND_NEXT_PANE:
+        screen->help_page++;
+        screen->help_scroll = 0;
+        break;
+    case COMMAND_LEFT:
+    case COMMAND_PREVIOUS_PANE:
+        screen->help_page -= screen->help_page > 0;
+        screen->help_scroll = 0;
+        break;
+    case COMMAND_HELP:
+        screen->help_page++;
+        screen->help_scroll = 0;
+        break;
+    case COMMAND_CANCEL:
+    case COMMAND_QUIT:
+    case COMMAND_ENTER:
+    case COMMAND_RUN_PAUSE:
+        screen->help = false;
+        break;
+    default:
+        break;
+    }
+}
+
+/* These work wherever the user is. */
+static bool is_for_everywhere(CommandId id)
+{
+    return id == COMMAND_INTERRUPT || id == COMMAND_REDRAW || id == COMMAND_SUSPEND;
+}
+
+void laboratory_key(Laboratory *lab, const Key *key)
+{
+    const Command *command = command_by_key(key->name);
+    say(lab, MESSAGE_NONE, "%s", "");
+    if (command && is_for_everywhere(command->id))
+        laboratory_command(lab, command->id);
+    else if (lab->screen.prompt.open)
+        prompt_key(lab, key);
+    else if (lab->screen.editing)
+        edit_key(lab, key);
+    else if (lab->screen.help)
+        help_key(lab, key);
+    else if (command)
+        laboratory_command(lab, command->id);
+}
+
+bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)
+{
+    lab->width = width;
+    lab->height = height;
+    if ((canvas->width != width || canvas->height != height) && !canvas_open(canvas, width, height, NULL))
+        return false;
+    screen_draw(&lab->screen, canvas);
+    return true;
+}

@@ -1,0 +1,118 @@
+/* The laboratory's state and what changes it: keys and frames. A host (a terminal's event loop, a script)
+ * owns clock and picture and calls in here; see laboratory.h for the door to the whole. */
+#ifndef TUI_CONTROL_H
+#define TUI_CONTROL_H
+
+#include "tui/keys.h"
+#include "tui/laboratory.h"
+#include "view/screen.h"
+
+#define FRAME_SECONDS 0.033 /* a frame is at most that long, so a key is answered within it */
+
+enum { UNDO_MAX = 32, NAME_MAX_BYTES = 256 };
+
+typedef struct Laboratory Laboratory;
+
+/* What the laboratory asks of its host. */
+typedef struct Host {
+    double (*now)(void *context); /* seconds, only ever growing */
+    /* `steps` time steps were done: lets a virtual clock go on. */
+    void (*worked)(void *context, long steps);
+    /* In the middle of work that cannot be cut into frames: draw, look for ^C; false: give up. */
+    bool (*go_on)(void *context);
+    void (*redraw)(void *context);  /* everything anew */
+    void (*suspend)(void *context); /* ^Z */
+    void *context;
+} Host;
+
+/* Takes an answer to a prompt. False: refused, prompt.problem says why, the prompt stays. */
+typedef bool (*Answer)(Laboratory *, const char *text);
+
+struct Laboratory {
+    Screen screen;
+    Host host;
+    LaboratoryOptions options;
+    Settings settings;
+    int width, height; /* of the picture, for focus and mouse */
+    bool utf8;         /* glyphs beyond ASCII can be shown */
+    bool closed;       /* the user has left */
+
+    Settings *undo, *redo; /* UNDO_MAX each, the newest last */
+    int n_undo, n_redo;
+    bool changed;    /* parameters were edited since the last export: quitting asks */
+    bool fresh;      /* the text under edit is the old value: a first character replaces it */
+    RunState resume; /* after computing: running or paused */
+    long goal_step;  /* where computing goes */
+    int goal_stage;
+    long work_total;     /* steps of the work under way when it began */
+    double owed;         /* steps not yet done for the pace; less than one */
+    bool pace_automatic; /* + and - were not used */
+    double rate;         /* steps per second of the engine alone; 0: not known */
+    int frames_in_time;  /* since the engine was last the limit */
+    long bookmark_step;  /* -1: none */
+    int bookmark_stage;
+    Answer answer;
+    char export_name[NAME_MAX_BYTES];
+    long export_step;              /* the last step of the export that is being asked for */
+    char scenario[NAME_MAX_BYTES]; /* behind screen.scenario */
+};
+
+/* At t = 0, running or paused as the options say. False: the status says why; nothing is left open. */
+bool laboratory_open(Laboratory *, const LaboratoryOptions *, const Host *, Status *);
+void laboratory_close(Laboratory *);
+
+/* One key. */
+void laboratory_key(Laboratory *, const Key *);
+
+/* Carries out a command, as its key does. */
+void laboratory_command(Laboratory *, CommandId);
+
+/* Whether there is a function that carries it out: true for every row of the command table. */
+bool laboratory_can(CommandId);
+
+/* Whether there is work for frames; if not, the host may sleep until a key. */
+bool laboratory_active(const Laboratory *);
+
+/* One frame's share of the engine's work, until `deadline` at the latest (by the host's clock). */
+void laboratory_frame(Laboratory *, double deadline);
+
+/* Draws on a canvas of this size. */
+bool laboratory_draw(Laboratory *, Canvas *, int width, int height);
+
+/* --- between the files of the laboratory ------------------------------------------------------------- */
+
+void say(Laboratory *, MessageKind, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+/* The state after a change: at the end, failed, computing, ... */
+void settle(Laboratory *);
+void pause_run(Laboratory *);
+void seek(Laboratory *, long step, int stage);
+
+/* New parameters: recomputed to the time on screen, undoable. False: refused, the status says why. */
+bool change_settings(Laboratory *, const Settings *, Status *);
+bool open_scenario(Laboratory *, const char *name, Status *);
+void choose_pace(Laboratory *);
+
+/* Where the steps of a key begin: the place on screen, or where the work on the way will end. */
+void present(const Laboratory *, long *step, int *stage);
+
+const Parameter *selected_parameter(const Laboratory *);
+void move_selection(Laboratory *, int rows);
+void nudge_selected(Laboratory *, int direction);
+void begin_edit(Laboratory *);
+void edit_key(Laboratory *, const Key *);
+
+void ask(Laboratory *, Answer, bool yes_no, const char *text, const char *format, ...)
+    __attribute__((format(printf, 5, 6)));
+void close_prompt(Laboratory *);
+void prompt_key(Laboratory *, const Key *);
+
+void ask_export(Laboratory *);
+bool answer_go_to(Laboratory *, const char *text);
+bool answer_open(Laboratory *, const char *text);
+bool answer_write(Laboratory *, const char *text);
+bool answer_line(Laboratory *, const char *text);
+bool answer_filter(Laboratory *, const char *text);
+bool answer_quit(Laboratory *, const char *text);
+
+#endif

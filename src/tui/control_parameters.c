@@ -1,0 +1,140 @@
+/* The parameter pane: choosing, nudging and editing in place. */
+#include "tui/control.h"
+#include "tui/line_edit.h"
+
+#include <stdio.h>
+#include <string.h>
+
+const Parameter *selected_parameter(const Laboratory *lab)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    int count = screen_parameter_rows(&lab->screen, rows);
+    int selected = lab->screen.selected;
+    return selected >= 0 && selected < count ? rows[selected].parameter : NULL;
+}
+
+void move_selection(Laboratory *lab, int by)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    int count = screen_parameter_rows(&lab->screen, rows);
+    int direction = by < 0 ? -1 : 1, at = lab->screen.selected, last = at;
+    for (int left = by * direction; left > 0;) {
+        at += direction;
+        if (at < 0 || at >= count)
+            break;
+        if (rows[at].heading)
+            continue;
+        last = at;
+        left--;
+    }
+    lab->screen.selected = last < 0 ? 0 : last >= count && count > 0 ? count - 1 : last;
+}
+
+bool change_settings(Laboratory *lab, const Settings *settings, Status *status)
+{
+    Settings old = lab->settings;
+    if (settings_same(&old, settings, NULL, 0)) {
+        lab->settings = *settings;
+        return true;
+    }
+    if (!settings_check(settings, status) || !experiment_edit(lab->screen.experiment, settings, status))
+        return false;
+    if (lab->n_undo == UNDO_MAX)
+        memmove(lab->undo, lab->undo + 1, (size_t)--lab->n_undo * sizeof *lab->undo);
+    lab->undo[lab->n_undo++] = old;
+    lab->n_redo = 0;
+    lab->settings = *settings;
+    lab->changed = true;
+    lab->screen.summary_known = false;
+    if (lab->pace_automatic)
+        choose_pace(lab);
+    settle(lab);
+    const char *advice = experiment_advice(lab->screen.experiment);
+    if (advice && *advice)
+        say(lab, MESSAGE_WARNING, "%s", advice);
+    return true;
+}
+
+/* Beyond the last choice comes the first, for Enter has one direction only. */
+static bool next_choice(Settings *settings, const Parameter *parameter)
+{
+    if (settings_nudge(settings, parameter, 1))
+        return true;
+    const char *first = parameter->type == PARAMETER_FLAG ? "no" : parameter->choices[0];
+    return settings_set(settings, parameter->key, first, NULL);
+}
+
+void nudge_selected(Laboratory *lab, int direction)
+{
+    const Parameter *parameter = selected_parameter(lab);
+    if (!parameter)
+        return;
+    Settings settings = lab->settings;
+    Status status = {STATUS_DONE, ""};
+    if (!settings_nudge(&settings, parameter, direction)) {
+        char range[96];
+        parameter_range(parameter, range, sizeof range);
+        if (parameter->nudge == NUDGE_NONE)
+            say(lab, MESSAGE_INFO, "%s: Enter edits it", parameter->label);
+        else
+            say(lab, MESSAGE_INFO, "%s: %s", parameter->label, range);
+    } else if (!change_settings(lab, &settings, &status))
+        say(lab, MESSAGE_ERROR, "%s", status.text);
+}
+
+void begin_edit(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    const Parameter *parameter = selected_parameter(lab);
+    if (!parameter)
+        return;
+    if (parameter->type == PARAMETER_CHOICE || parameter->type == PARAMETER_FLAG) {
+        Settings settings = lab->settings;
+        Status status = {STATUS_DONE, ""};
+        if (!next_choice(&settings, parameter) || !change_settings(lab, &settings, &status))
+            say(lab, MESSAGE_ERROR, "%s", status.text);
+        return;
+    }
+    settings_get(&lab->settings, parameter, screen->edit_text);
+    screen->edit_cursor = text_columns(screen->edit_text);
+    screen->edit_problem[0] = '\0';
+    screen->editing = true;
+    lab->fresh = true;
+}
+
+/* True: taken, the editor is closed. */
+static bool accept_edit(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    const Parameter *parameter = selected_parameter(lab);
+    Settings settings = lab->settings;
+    Status status = {STATUS_DONE, ""};
+    if (parameter && (!settings_set(&settings, parameter->key, screen->edit_text, &status) ||
+                      !change_settings(lab, &settings, &status))) {
+        snprintf(screen->edit_problem, sizeof screen->edit_problem, "%.159s", status.text);
+        return false;
+    }
+    screen->editing = false;
+    return true;
+}
+
+void edit_key(Laboratory *lab, const Key *key)
+{
+    Screen *screen = &lab->screen;
+    const char *name = key->name;
+    if (strcmp(name, "Enter") == 0)
+        accept_edit(lab);
+    else if (strcmp(name, "Esc") == 0 || strcmp(name, "F10") == 0)
+        screen->editing = false;
+    else if (strcmp(name, "Up") == 0 || strcmp(name, "S-Tab") == 0) {
+        if (accept_edit(lab))
+            move_selection(lab, -1);
+    } else if (strcmp(name, "Down") == 0 || strcmp(name, "Tab") == 0) {
+        if (accept_edit(lab))
+            move_selection(lab, 1);
+    } else if (line_key(screen->edit_text, sizeof screen->edit_text, &screen->edit_cursor, name,
+                        lab->fresh)) {
+        lab->fresh = false;
+        screen->edit_problem[0] = '\0';
+    }
+}

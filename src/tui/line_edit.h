@@ -1,0 +1,12 @@
+/* Editing one line of UTF-8 text; shared by fields and prompts. */
+#ifndef TUI_LINE_EDIT_H
+#define TUI_LINE_EDIT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Applies a key to a text of at most size - 1 bytes; the cursor counts characters. `fresh`: the first
+ * printing character replaces the whole text. False: not a key of an editor. */
+bool line_key(char *text, size_t size, int *cursor, const char *key, bool fresh);
+
+#endif

@@ -1,0 +1,168 @@
+#include "tui/loop.h"
+
+#include "tui/control.h"
+#include "tui/terminal.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#define PROGRESS_SECONDS 0.1 /* between pictures during work that is not cut into frames */
+
+typedef struct Loop {
+    Laboratory lab;
+    Terminal *terminal;
+    Canvas canvas;
+    double due;       /* when the next frame of a run begins */
+    double draw_time; /* what a picture takes, so that the engine leaves room for it */
+    double drawn_at;
+    long frames;
+    int frame_fd; /* -1: nobody listens */
+    bool stale;   /* what is shown is not what is */
+} Loop;
+
+static double now(void *context)
+{
+    (void)context;
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+static void worked(void *context, long steps)
+{
+    (void)context;
+    (void)steps;
+}
+
+static void announce(const Loop *loop)
+{
+    char text[48];
+    if (loop->frame_fd < 0)
+        return;
+    int length = snprintf(text, sizeof text, "frame %ld%s\n", loop->frames,
+                          laboratory_active(&loop->lab) ? "" : " idle");
+    ssize_t written = write(loop->frame_fd, text, (size_t)length);
+    (void)written; /* who does not listen misses it */
+}
+
+static void draw(Loop *loop)
+{
+    int width, height;
+    double begin = now(NULL);
+    terminal_size(loop->terminal, &width, &height);
+    if (laboratory_draw(&loop->lab, &loop->canvas, width, height))
+        terminal_show(loop->terminal, &loop->canvas);
+    loop->stale = false;
+    loop->frames++;
+    loop->drawn_at = now(NULL);
+    loop->draw_time = 0.8 * loop->draw_time + 0.2 * (loop->drawn_at - begin);
+}
+
+static bool go_on(void *context)
+{
+    Loop *loop = context;
+    Key key;
+    bool stop = false;
+    terminal_wait(loop->terminal, 0);
+    while (terminal_key(loop->terminal, &key))
+        stop |= strcmp(key.name, "^C") == 0 || strcmp(key.name, "Esc") == 0;
+    terminal_resized(loop->terminal);
+    if (now(NULL) - loop->drawn_at > PROGRESS_SECONDS)
+        draw(loop);
+    return !stop && terminal_signal(loop->terminal) == 0;
+}
+
+static void redraw(void *context)
+{
+    Loop *loop = context;
+    terminal_redraw(loop->terminal);
+}
+
+static void suspend(void *context)
+{
+    Loop *loop = context;
+    terminal_suspend(loop->terminal);
+    loop->due = now(NULL);
+}
+
+static bool open_loop(Loop *loop, const LaboratoryOptions *options, Status *status)
+{
+    TerminalOptions how = {.glyphs = options->glyphs, .theme = options->theme, .mouse = !options->no_mouse};
+    Host host = {now, worked, go_on, redraw, suspend, loop};
+    /* the laboratory first: what is wrong with a scenario is said on the screen the user sees */
+    if (!laboratory_open(&loop->lab, options, &host, status))
+        return false;
+    loop->terminal = terminal_open(&how, status);
+    if (!loop->terminal) {
+        laboratory_close(&loop->lab);
+        return false;
+    }
+    Screen *screen = &loop->lab.screen;
+    screen->glyphs = terminal_glyphs(loop->terminal);
+    screen->colours = terminal_colours(loop->terminal);
+    screen->light = terminal_is_light(loop->terminal);
+    loop->lab.utf8 = terminal_is_utf8(loop->terminal);
+    return true;
+}
+
+static void one_round(Loop *loop)
+{
+    Laboratory *lab = &loop->lab;
+    Key key;
+    while (!lab->closed && terminal_key(loop->terminal, &key)) {
+        laboratory_key(lab, &key);
+        loop->stale = true;
+    }
+    if (terminal_resized(loop->terminal))
+        loop->stale = true;
+    if (lab->closed)
+        return;
+    double begin = now(NULL);
+    /* a key between two frames is shown at once, but does not make the run go faster */
+    if (laboratory_active(lab) && (begin >= loop->due || lab->screen.state == STATE_COMPUTING)) {
+        laboratory_frame(lab, begin + FRAME_SECONDS - loop->draw_time);
+        loop->due = loop->due + FRAME_SECONDS > begin ? loop->due + FRAME_SECONDS : begin + FRAME_SECONDS;
+        loop->stale = true;
+    }
+    if (loop->stale) {
+        draw(loop);
+        announce(loop);
+    }
+    if (!laboratory_active(lab)) {
+        terminal_wait(loop->terminal, -1);
+        loop->due = now(NULL);
+    } else {
+        double left = lab->screen.state == STATE_COMPUTING ? 0 : loop->due - now(NULL);
+        terminal_wait(loop->terminal, left > 0 ? left : 0);
+    }
+}
+
+int loop_run(const LaboratoryOptions *options, Status *status)
+{
+    Loop *loop = calloc(1, sizeof *loop);
+    if (!loop) {
+        status_fail(status, STATUS_FAILED, "out of memory");
+        return STATUS_FAILED;
+    }
+    const char *descriptor = getenv("MATVIB_FRAME_FD");
+    loop->frame_fd = descriptor && *descriptor ? atoi(descriptor) : -1;
+    if (!open_loop(loop, options, status)) {
+        free(loop);
+        return status->code;
+    }
+    int signal_number = 0;
+    loop->stale = true;
+    loop->due = now(NULL);
+    while (!loop->lab.closed && signal_number == 0) {
+        one_round(loop);
+        signal_number = terminal_signal(loop->terminal);
+    }
+    terminal_close(loop->terminal);
+    laboratory_close(&loop->lab);
+    canvas_close(&loop->canvas);
+    free(loop);
+    return signal_number ? 128 + signal_number : 0;
+}

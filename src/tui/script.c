@@ -1,0 +1,303 @@
+#include "tui/script.h"
+
+#include "tui/control.h"
+#include "tui/terminal.h"
+#include "tui/theme.h"
+
+#include <langinfo.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIZE_MAX_CELLS = 1000 };
+
+typedef struct Player {
+    Laboratory lab;
+    Canvas canvas;
+    int width, height;
+    double time; /* virtual */
+    double rate; /* steps per second; 0: without limit */
+    const char *name;
+    long line;
+} Player;
+
+static double now(void *context)
+{
+    return ((const Player *)context)->time;
+}
+
+static void worked(void *context, long steps)
+{
+    Player *player = context;
+    if (player->rate > 0)
+        player->time += (double)steps / player->rate;
+}
+
+static bool go_on(void *context)
+{
+    (void)context;
+    return true;
+}
+
+static void nothing(void *context)
+{
+    (void)context;
+}
+
+static bool draw(Player *player, Status *status)
+{
+    if (!laboratory_draw(&player->lab, &player->canvas, player->width, player->height))
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    return true;
+}
+
+static void frame(Player *player)
+{
+    double begin = player->time;
+    laboratory_frame(&player->lab, begin + FRAME_SECONDS);
+    if (player->time < begin + FRAME_SECONDS)
+        player->time = begin + FRAME_SECONDS;
+}
+
+/* As the event loop does it: work that a key asks for begins in the same frame, and the screen is drawn. */
+static bool press(Player *player, const char *name, Status *status)
+{
+    Key key = {.x = -1, .y = -1};
+    if (player->lab.closed)
+        return status_fail(status, STATUS_FAILED, "key %s: the laboratory has been left", name);
+    snprintf(key.name, sizeof key.name, "%s", name);
+    laboratory_key(&player->lab, &key);
+    if (player->lab.screen.state == STATE_COMPUTING)
+        frame(player);
+    return draw(player, status);
+}
+
+/* --- instructions ----------------------------------------------------------------------------------- */
+
+static bool do_key(Player *player, char *rest, Status *status)
+{
+    char *place;
+    for (char *name = strtok_r(rest, " \t", &place); name; name = strtok_r(NULL, " \t", &place))
+        if (!press(player, name, status))
+            return false;
+    return true;
+}
+
+static bool do_type(Player *player, char *rest, Status *status)
+{
+    while (*rest) {
+        char name[8];
+        size_t length = 1;
+        while (((unsigned char)rest[length] & 0xc0) == 0x80 && length < 4)
+            length++;
+        snprintf(name, sizeof name, "%.*s", (int)length, rest);
+        if (!press(player, strcmp(name, " ") == 0 ? "Space" : name, status))
+            return false;
+        rest += length;
+    }
+    return true;
+}
+
+static bool do_wait(Player *player, char *rest, Status *status)
+{
+    double seconds;
+    char end;
+    if (sscanf(rest, "%lf%c", &seconds, &end) != 1 || seconds < 0 || seconds > 1e6)
+        return status_fail(status, STATUS_USAGE, "wait: not a number of seconds: %s", rest);
+    /* half a frame of grace, so that rounding does not decide about a frame */
+    for (double until = player->time + seconds - FRAME_SECONDS / 2; player->time < until;)
+        frame(player);
+    return draw(player, status);
+}
+
+static bool read_size(const char *text, int *width, int *height)
+{
+    char end;
+    return sscanf(text, "%dx%d%c", width, height, &end) == 2 && *width > 0 && *height > 0 &&
+           *width <= SIZE_MAX_CELLS && *height <= SIZE_MAX_CELLS;
+}
+
+static bool do_size(Player *player, char *rest, Status *status)
+{
+    if (!read_size(rest, &player->width, &player->height))
+        return status_fail(status, STATUS_USAGE, "size: not a size: %s (as in 80x24)", rest);
+    return draw(player, status);
+}
+
+static bool do_rate(Player *player, char *rest, Status *status)
+{
+    char end;
+    if (sscanf(rest, "%lf%c", &player->rate, &end) != 1 || player->rate < 0)
+        return status_fail(status, STATUS_USAGE, "rate: not a number of steps: %s", rest);
+    player->lab.rate = player->rate;
+    return true;
+}
+
+static bool print(Player *player, const char *name, bool styles, Status *status)
+{
+    if (!draw(player, status))
+        return false;
+    char *text = styles ? canvas_dump_styles(&player->canvas) : canvas_dump(&player->canvas);
+    if (!text)
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    if (*name)
+        printf("--- %s\n", name);
+    fputs(text, stdout);
+    free(text);
+    return true;
+}
+
+static bool do_screen(Player *player, char *rest, Status *status)
+{
+    return print(player, rest, false, status);
+}
+
+static bool do_styles(Player *player, char *rest, Status *status)
+{
+    return print(player, rest, true, status);
+}
+
+static bool look_for(Player *player, const char *text, bool wanted, Status *status)
+{
+    if (!draw(player, status))
+        return false;
+    char *dump = canvas_dump(&player->canvas);
+    if (!dump)
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    bool found = strstr(dump, text) != NULL;
+    if (found != wanted)
+        fputs(dump, stdout);
+    free(dump);
+    if (found == wanted)
+        return true;
+    return status_fail(status, STATUS_FAILED, "'%s' is %s", text,
+                       found ? "on the screen" : "not on the screen");
+}
+
+static bool do_expect(Player *player, char *rest, Status *status)
+{
+    return look_for(player, rest, true, status);
+}
+
+static bool do_reject(Player *player, char *rest, Status *status)
+{
+    return look_for(player, rest, false, status);
+}
+
+static bool do_closed(Player *player, char *rest, Status *status)
+{
+    (void)rest;
+    return player->lab.closed || status_fail(status, STATUS_FAILED, "the laboratory is still open");
+}
+
+/* Any key of the table, and some that mean nothing; keys that leave are followed by a stay. */
+static const char *random_key(uint64_t *random, char name[KEY_NAME_MAX])
+{
+    static const char *const others[] = {"Backspace", "1", "0",  ".", "-",  "e",
+                                         "y",         "n", "F7", "Ω", "^U", "Delete"};
+    *random ^= *random << 13, *random ^= *random >> 7, *random ^= *random << 17;
+    uint64_t pick = *random >> 11;
+    const Command *command = &commands[pick % (uint64_t)n_commands];
+    if (pick % 5 == 0)
+        return others[(pick / 64) % (sizeof others / sizeof *others)];
+    if (command->id == COMMAND_QUIT || command->id == COMMAND_INTERRUPT || command->id == COMMAND_EXPORT ||
+        command->id == COMMAND_WRITE)
+        return "Esc";
+    sscanf(command->keys, "%15s", name);
+    return name;
+}
+
+static bool do_random(Player *player, char *rest, Status *status)
+{
+    long count;
+    unsigned long seed;
+    char name[KEY_NAME_MAX];
+    if (sscanf(rest, "%ld %lu", &count, &seed) != 2)
+        return status_fail(status, STATUS_USAGE, "random: a count and a seed are wanted");
+    uint64_t random = 0x9e3779b97f4a7c15u ^ seed;
+    for (long i = 0; i < count; i++) {
+        if (!press(player, random_key(&random, name), status))
+            return false;
+        frame(player);
+    }
+    return true;
+}
+
+static const struct {
+    const char *name;
+    bool (*run)(Player *, char *rest, Status *);
+} instructions[] = {
+    {"key", do_key},       {"type", do_type},     {"wait", do_wait},     {"size", do_size},
+    {"rate", do_rate},     {"screen", do_screen}, {"styles", do_styles}, {"expect", do_expect},
+    {"reject", do_reject}, {"closed", do_closed}, {"random", do_random},
+};
+
+static bool play_line(Player *player, char *line, Status *status)
+{
+    line[strcspn(line, "\r\n")] = '\0';
+    line += strspn(line, " \t");
+    if (!*line || *line == '#')
+        return true;
+    size_t length = strcspn(line, " ");
+    char *rest = line + length + (line[length] == ' ');
+    for (size_t i = 0; i < sizeof instructions / sizeof *instructions; i++)
+        if (strlen(instructions[i].name) == length && strncmp(line, instructions[i].name, length) == 0)
+            return instructions[i].run(player, rest, status);
+    return status_fail(status, STATUS_USAGE, "unknown instruction: %s", line);
+}
+
+static bool play(Player *player, FILE *file, Status *status)
+{
+    char *line = NULL;
+    size_t room = 0;
+    bool sound = draw(player, status);
+    while (sound && getline(&line, &room, file) >= 0) {
+        player->line++;
+        sound = play_line(player, line, status);
+        if (!sound)
+            status_prefix(status, "%s:%ld", player->name, player->line);
+    }
+    free(line);
+    return sound;
+}
+
+static bool open_player(Player *player, const LaboratoryOptions *options, Status *status)
+{
+    Host host = {now, worked, go_on, nothing, nothing, player};
+    const char *codeset = nl_langinfo(CODESET);
+    Glyphs glyphs;
+    if (!terminal_choose_glyphs(options->glyphs, codeset, NULL, &glyphs))
+        return status_fail(status, STATUS_USAGE, "--glyphs: unknown set '%s' (auto, braille, block or ascii)",
+                           options->glyphs);
+    if (!laboratory_open(&player->lab, options, &host, status))
+        return false;
+    player->lab.screen.glyphs = glyphs;
+    player->lab.screen.colours = 256;
+    player->lab.screen.light = theme_is_light(options->theme, NULL);
+    player->lab.utf8 = strcmp(codeset, "UTF-8") == 0;
+    player->width = options->width > 0 ? options->width : 80;
+    player->height = options->height > 0 ? options->height : 24;
+    return true;
+}
+
+int script_run(const LaboratoryOptions *options, Status *status)
+{
+    bool standard = strcmp(options->script, "-") == 0;
+    FILE *file = standard ? stdin : fopen(options->script, "r");
+    Player *player = calloc(1, sizeof *player);
+    bool sound = false;
+    if (!player)
+        status_fail(status, STATUS_FAILED, "out of memory");
+    else if (!file)
+        status_fail(status, STATUS_USAGE, "%s: cannot be read", options->script);
+    else if (open_player(player, options, status)) {
+        player->name = standard ? "standard input" : options->script;
+        sound = play(player, file, status);
+        laboratory_close(&player->lab);
+        canvas_close(&player->canvas);
+    }
+    if (file && !standard)
+        fclose(file);
+    free(player);
+    return sound ? 0 : (int)status->code;
+}

@@ -1,0 +1,56 @@
+/* The real terminal: the only part of matvib that knows curses, signals and file descriptors of a terminal.
+ *
+ * One can be open at a time. While it is open, SIGWINCH, SIGCONT, SIGTSTP and the signals that ask for an end
+ * are blocked and come through only while terminal_wait() sleeps; so none is lost between looking and
+ * sleeping. On a crash the terminal is restored too. */
+#ifndef TUI_TERMINAL_H
+#define TUI_TERMINAL_H
+
+#include "base/status.h"
+#include "tui/keys.h"
+#include "view/canvas.h"
+#include "view/screen.h"
+
+typedef struct TerminalOptions {
+    const char *glyphs; /* "auto" (NULL), "braille", "block", "ascii" */
+    const char *theme;  /* "auto" (NULL), "light", "dark" */
+    bool mouse;
+} TerminalOptions;
+
+typedef struct Terminal Terminal;
+
+/* Takes over standard input and output. NULL: they are no terminal, or one that cannot place its cursor. */
+Terminal *terminal_open(const TerminalOptions *, Status *);
+void terminal_close(Terminal *); /* as it was before; NULL is allowed */
+
+void terminal_size(const Terminal *, int *width, int *height);
+int terminal_colours(const Terminal *); /* 256, 8 or 0 */
+bool terminal_is_light(const Terminal *);
+bool terminal_is_utf8(const Terminal *);
+Glyphs terminal_glyphs(const Terminal *);
+
+/* Shows a canvas: what differs from what was shown last is written; nothing, if nothing does. */
+void terminal_show(Terminal *, const Canvas *);
+
+/* The next show draws everything anew. */
+void terminal_redraw(Terminal *);
+
+/* Sleeps until a key, a signal or the time is there; seconds < 0: without an end, 0: only looks. */
+void terminal_wait(Terminal *, double seconds);
+
+/* The next key that has come in. False: none. */
+bool terminal_key(Terminal *, Key *);
+
+/* Whether the size has changed since the last call (the new one is in force then). */
+bool terminal_resized(Terminal *);
+
+/* The signal that asks for an end; 0: none. */
+int terminal_signal(const Terminal *);
+
+/* Stops the program as the shell's job control wants it, and comes back on fg. */
+void terminal_suspend(Terminal *);
+
+/* The glyph set for a name, a locale's character set and a TERM; false: the name is unknown. */
+bool terminal_choose_glyphs(const char *name, const char *codeset, const char *term, Glyphs *);
+
+#endif

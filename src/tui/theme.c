@@ -1,0 +1,80 @@
+#include "tui/theme.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The hues are those that Okabe and Ito found to be told apart by all kinds of colour vision: blue for what
+ * is measured, orange for what is predicted, purple for what is exact; brightness differs too, and the curves
+ * have their own strokes. */
+typedef struct Row {
+    short dark, light, eight; /* foreground by ground, and of eight colours */
+    short dark_back, light_back, eight_back;
+    unsigned char coloured, plain; /* attributes with and without colours */
+} Row;
+
+#define D LOOK_DEFAULT
+
+static const Row rows[STYLE_RAMP_0] = {
+    [STYLE_NORMAL] = {D, D, D, D, D, D, 0, 0},
+    [STYLE_TITLE] = {231, 231, 7, 24, 25, 4, 0, LOOK_REVERSE},
+    [STYLE_FRAME] = {242, 247, D, D, D, D, 0, 0},
+    [STYLE_FOCUS] = {81, 25, 6, D, D, D, LOOK_BOLD, LOOK_BOLD},
+    [STYLE_HEADING] = {D, D, D, D, D, D, LOOK_BOLD, LOOK_BOLD},
+    [STYLE_FAINT] = {246, 243, D, D, D, D, 0, LOOK_DIM},
+    [STYLE_SELECTED] = {D, D, D, D, D, D, LOOK_REVERSE, LOOK_REVERSE},
+    [STYLE_EDIT] = {D, D, D, D, D, D, LOOK_BOLD | LOOK_UNDERLINE, LOOK_BOLD | LOOK_UNDERLINE},
+    [STYLE_CHANGED] = {227, 130, 3, D, D, D, LOOK_BOLD, LOOK_BOLD},
+    [STYLE_WARNING] = {214, 130, 3, D, D, D, LOOK_BOLD, LOOK_BOLD},
+    [STYLE_ERROR] = {231, 231, 7, 160, 160, 1, LOOK_BOLD, LOOK_BOLD | LOOK_REVERSE},
+    [STYLE_KEY] = {D, D, D, D, D, D, LOOK_BOLD, LOOK_BOLD},
+    [STYLE_MEASURED] = {75, 25, 6, D, D, D, LOOK_BOLD, LOOK_BOLD},
+    [STYLE_PREDICTED] = {214, 130, 3, D, D, D, 0, 0},
+    [STYLE_EXACT] = {183, 90, 5, D, D, D, 0, 0},
+    [STYLE_SECOND] = {79, 29, 2, D, D, D, 0, 0},
+    [STYLE_THIRD] = {229, 94, 7, D, D, D, 0, 0},
+};
+
+/* From dark blue over green to yellow, brightness rising all the way, so that it reads in grey too. */
+static const short ramp_256[RAMP_STEPS] = {53, 54, 55, 61, 60, 25, 31, 30, 37, 36, 35, 71, 77, 113, 149, 220};
+static const short ramp_8[RAMP_STEPS] = {4, 4, 4, 4, 6, 6, 6, 6, 2, 2, 2, 2, 3, 3, 3, 7};
+
+static int colour_of(int colours, bool light, unsigned style)
+{
+    if (style >= STYLE_RAMP_0)
+        return (colours == 256 ? ramp_256 : ramp_8)[style - STYLE_RAMP_0];
+    const Row *row = &rows[style];
+    return colours == 256 ? (light ? row->light : row->dark) : row->eight;
+}
+
+Look theme_look(int colours, bool light, unsigned style, unsigned back)
+{
+    if (style >= STYLE_COUNT)
+        style = STYLE_NORMAL;
+    if (back > STYLE_COUNT)
+        back = 0;
+    Look look = {LOOK_DEFAULT, LOOK_DEFAULT, 0};
+    const Row *row = style < STYLE_RAMP_0 ? &rows[style] : &rows[STYLE_NORMAL];
+    look.attributes = colours ? row->coloured : row->plain;
+    if (!colours)
+        return look;
+    look.foreground = colour_of(colours, light, style);
+    look.background = colours == 256 ? (light ? row->light_back : row->dark_back) : row->eight_back;
+    if (back)
+        look.background = colour_of(colours, light, back - 1);
+    /* eight colours have no grey: what is faint is dim, what is bright is bold */
+    if (colours == 8 && style == STYLE_FAINT)
+        look.attributes |= LOOK_DIM;
+    return look;
+}
+
+bool theme_is_light(const char *theme, const char *colorfgbg)
+{
+    if (theme && strcmp(theme, "auto") != 0)
+        return strcmp(theme, "light") == 0;
+    /* "foreground;background" or "foreground;other;background" in the eight colours and their bright twins */
+    const char *last = colorfgbg ? strrchr(colorfgbg, ';') : NULL;
+    if (!last)
+        return false;
+    long ground = strtol(last + 1, NULL, 10);
+    return ground == 7 || ground == 15;
+}

@@ -1,0 +1,239 @@
+/* Bytes become the keys that were meant, whatever terminal sent them, and nothing that was not meant. */
+#include "suite.h"
+#include "tui/keys.h"
+#include "tui/line_edit.h"
+
+#include <stdio.h>
+#include <stdint.h>
+#include <string.h>
+
+/* Feeds bytes, then silence; the names of all keys, separated by spaces. */
+static const char *decode_bytes(const char *bytes, size_t count)
+{
+    static char out[4096];
+    KeyDecoder decoder;
+    Key key;
+    size_t length = 0;
+    keys_reset(&decoder);
+    out[0] = '\0';
+    for (size_t i = 0; i < count; i++)
+        if (keys_feed(&decoder, (unsigned char)bytes[i], &key))
+            length +=
+                (size_t)snprintf(out + length, sizeof out - length, "%s%s", length ? " " : "", key.name);
+    if (keys_timeout(&decoder) >= 0)
+        while (keys_expire(&decoder, &key))
+            length +=
+                (size_t)snprintf(out + length, sizeof out - length, "%s%s", length ? " " : "", key.name);
+    ck_assert_int_eq(keys_timeout(&decoder), -1);
+    return out;
+}
+
+static void expect(const char *bytes, const char *names)
+{
+    ck_assert_msg(strcmp(decode_bytes(bytes, strlen(bytes)), names) == 0, "Esc%s: '%s', not '%s'", bytes + 1,
+                  decode_bytes(bytes, strlen(bytes)), names);
+}
+
+START_TEST(printing_characters_name_themselves)
+{
+    expect("q?:1~", "q ? : 1 ~");
+    expect(" a", "Space a");
+    expect("Ωé", "Ω é");
+    expect("⠿🙂", "⠿ 🙂");
+}
+END_TEST
+
+START_TEST(controls_have_names)
+{
+    expect("\r\n\t\x7f\x08", "Enter Enter Tab Backspace Backspace");
+    expect("\x03\x0c\x1a\x12", "^C ^L ^Z ^R");
+    ck_assert_str_eq(decode_bytes("\0", 1), "^@");
+}
+END_TEST
+
+START_TEST(named_keys_of_many_terminals)
+{
+    expect("\033[A\033[B\033[C\033[D", "Up Down Right Left");
+    expect("\033OA\033OB\033OC\033OD", "Up Down Right Left"); /* application mode */
+    expect("\033[1~\033[4~", "Home End");                     /* Linux console, screen */
+    expect("\033[H\033[F", "Home End");                       /* xterm */
+    expect("\033OH\033OF", "Home End");
+    expect("\033[7~\033[8~", "Home End"); /* rxvt */
+    expect("\033[2~\033[3~\033[5~\033[6~", "Insert Delete PageUp PageDown");
+    expect("\033[Z", "S-Tab");
+    expect("\033OP\033OS\033[15~\033[21~\033[24~", "F1 F4 F5 F10 F12");
+    expect("\033[11~\033[[A\033[[E", "F1 F1 F5");
+    expect("\033OM", "Enter"); /* the keypad's */
+}
+END_TEST
+
+START_TEST(modifiers_are_told)
+{
+    expect("\033[1;5C", "C-Right");
+    expect("\033[1;2A", "S-Up");
+    expect("\033[3;3~", "M-Delete");
+    expect("\033[7$\033[7^", "S-Home C-Home");
+    expect("\033x", "M-x");
+    expect("\033\033[A", "M-Up");
+}
+END_TEST
+
+START_TEST(escape_stands_alone_after_silence)
+{
+    KeyDecoder decoder;
+    Key key;
+    keys_reset(&decoder);
+    ck_assert_int_eq(keys_timeout(&decoder), -1);
+    ck_assert(!keys_feed(&decoder, 0x1b, &key));
+    ck_assert_int_eq(keys_timeout(&decoder), 25);
+    ck_assert(keys_expire(&decoder, &key));
+    ck_assert_str_eq(key.name, "Esc");
+    ck_assert(!keys_expire(&decoder, &key));
+    expect("\033", "Esc");
+    expect("\033\033", "Esc Esc");
+}
+END_TEST
+
+START_TEST(what_is_not_known_is_swallowed_whole)
+{
+    expect("\033[Iq\033[Oq", "q q");                 /* focus in and out */
+    expect("\033[200~rm -rf *\r\033[201~q", "q");    /* a paste */
+    expect("\033[200~\033[A\033[20\033[201~q", "q"); /* with sequences inside */
+    expect("\033[99~q", "q");                        /* a key that nobody has */
+    expect("\033[1;2;3;4;5;6;7;8;9xq", "q");
+    expect("\033[99999999999999999999~q", "q");
+    expect("\033[?1;2cq", "q");                     /* the terminal says what it is */
+    expect("\033[24;80Rq", "q");                    /* where the cursor is */
+    expect("\033[?2026;2$yq", "q");                 /* what modes it has */
+    expect("\033]11;rgb:0000/0000/0000\007q", "q"); /* its colour */
+    expect("\033]11;rgb:0000/0000/0000\033\\q", "q");
+    expect("\033P1$r0m\033\\q", "q");
+    expect("\033[M !!q", "q"); /* the old mouse report */
+    expect("\033[97;5uq", "q");
+    expect("\033Ojq", "q"); /* the keypad's star */
+    expect("\033[", "");    /* cut short */
+    expect("\033[1;", "");
+    expect("\033O", "");
+    expect("\033]2;title", "");
+}
+END_TEST
+
+START_TEST(a_cut_sequence_does_not_eat_the_next_key)
+{
+    expect("\033[1;\033[A", "Up");
+    expect("\033[\r", "Enter");
+    expect("\033[12\x03", "^C");
+}
+END_TEST
+
+START_TEST(bad_utf8_is_dropped)
+{
+    expect("\xc3q", "q");
+    expect("\xff\xfeq", "q");
+    expect("\x80\xbfq", "q");
+    expect("\xe2\xa0\033[A", "Up");
+}
+END_TEST
+
+START_TEST(mouse_reports_carry_a_place)
+{
+    const char *report = "\033[<0;12;5M";
+    KeyDecoder decoder;
+    Key key;
+    bool done = false;
+    keys_reset(&decoder);
+    for (const char *byte = report; *byte; byte++)
+        done = keys_feed(&decoder, (unsigned char)*byte, &key);
+    ck_assert(done);
+    ck_assert_str_eq(key.name, "Click");
+    ck_assert_int_eq(key.x, 11);
+    ck_assert_int_eq(key.y, 4);
+    expect("\033[<0;12;5m", ""); /* let go */
+    expect("\033[<64;1;1M\033[<65;1;1M", "WheelUp WheelDown");
+    expect("\033[<35;1;1M", ""); /* moved */
+}
+END_TEST
+
+/* Whatever comes, a key has a name of sane length and silence leads back to the ground. */
+START_TEST(noise_leads_nowhere)
+{
+    uint64_t random = 88172645463325252u;
+    KeyDecoder decoder;
+    Key key;
+    keys_reset(&decoder);
+    for (long i = 0; i < 1000000; i++) {
+        random ^= random << 13, random ^= random >> 7, random ^= random << 17;
+        unsigned char byte = (unsigned char)(random >> 20);
+        if ((random >> 40) % 4 == 0)
+            byte = (unsigned char)"\033[O<;~M0123]P\\\007"[(random >> 44) % 15];
+        if (keys_feed(&decoder, byte, &key))
+            ck_assert(key.name[0] != '\0' && strlen(key.name) < KEY_NAME_MAX);
+        if ((random >> 50) % 64 == 0) {
+            while (keys_timeout(&decoder) >= 0 && keys_expire(&decoder, &key))
+                ck_assert_str_eq(key.name, "Esc");
+            ck_assert_int_eq(keys_timeout(&decoder), -1);
+        }
+    }
+}
+END_TEST
+
+/* Keys separated by spaces, on "12.5" with the cursor at its end. */
+static void expect_line(const char *keys, bool fresh, const char *text, int cursor)
+{
+    char line[16] = "12.5", list[64];
+    int at = 4;
+    snprintf(list, sizeof list, "%s", keys);
+    for (char *key = strtok(list, " "); key; key = strtok(NULL, " ")) {
+        line_key(line, sizeof line, &at, key, fresh);
+        fresh = false;
+    }
+    ck_assert_str_eq(line, text);
+    ck_assert_int_eq(at, cursor);
+}
+
+START_TEST(a_line_can_be_edited)
+{
+    expect_line("7", true, "7", 1);
+    expect_line("7", false, "12.57", 5);
+    expect_line("Left 7", true, "12.75", 4);
+    expect_line("Backspace Backspace", true, "12", 2);
+    expect_line("Home Delete", true, "2.5", 0);
+    expect_line("^U 3", true, "3", 1);
+    expect_line("Left ^K", true, "12.", 3);
+    expect_line("Left Left Left Left Left x", true, "x12.5", 1);
+    expect_line("Ω Space é", true, "Ω é", 3);
+    expect_line("Ω é Left Backspace", true, "é", 0);
+    expect_line("a Space b c ^W", true, "a ", 2);
+    /* a line that is full takes no more, and never half a character */
+    expect_line("1 2 3 4 5 6 7 8 9 0 1 2 3 4 Ω 5 6", true, "123456789012345", 15);
+}
+END_TEST
+
+START_TEST(named_keys_are_no_text)
+{
+    char line[16] = "1";
+    int at = 1;
+    ck_assert(!line_key(line, sizeof line, &at, "F1", false));
+    ck_assert(!line_key(line, sizeof line, &at, "M-x", false));
+    ck_assert(!line_key(line, sizeof line, &at, "Up", false));
+    ck_assert_str_eq(line, "1");
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *tcase = tcase_create("keys");
+    tcase_add_test(tcase, printing_characters_name_themselves);
+    tcase_add_test(tcase, controls_have_names);
+    tcase_add_test(tcase, named_keys_of_many_terminals);
+    tcase_add_test(tcase, modifiers_are_told);
+    tcase_add_test(tcase, escape_stands_alone_after_silence);
+    tcase_add_test(tcase, what_is_not_known_is_swallowed_whole);
+    tcase_add_test(tcase, a_cut_sequence_does_not_eat_the_next_key);
+    tcase_add_test(tcase, bad_utf8_is_dropped);
+    tcase_add_test(tcase, mouse_reports_carry_a_place);
+    tcase_add_test(tcase, noise_leads_nowhere);
+    tcase_add_test(tcase, a_line_can_be_edited);
+    tcase_add_test(tcase, named_keys_are_no_text);
+    suite_add_tcase(suite, tcase);
+}
