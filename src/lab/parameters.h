@@ -14,23 +14,24 @@ typedef enum ParameterType {
     PARAMETER_INTEGER,
     PARAMETER_CHOICE, /* an enum; values are indices into choices */
     PARAMETER_FLAG,   /* a bool: yes | no */
-    PARAMETER_TEXT
+    PARAMETER_TEXT    /* LIST_MAX bytes */
 } ParameterType;
 
 typedef enum Nudge {
     NUDGE_NONE,
-    NUDGE_ONE,    /* +1, -1 */
-    NUDGE_DOUBLE, /* x2, /2 */
-    NUDGE_1_2_5,  /* 1, 2, 5, 10, ... */
-    NUDGE_NEXT    /* next choice */
+    NUDGE_ONE,     /* +1, -1 */
+    NUDGE_DOUBLE,  /* x2, /2 */
+    NUDGE_1_2_5,   /* 1, 2, 5, 10, ...; 0 and then negative below the least rung, where these are allowed */
+    NUDGE_SPACING, /* one lattice spacing more or less: places and sizes of a beam */
+    NUDGE_NEXT     /* next choice */
 } Nudge;
 
 typedef struct Parameter {
-    const char *key;            /* "bar.youngs_modulus": section.key of the scenario file */
-    const char *group;          /* heading on screen: "Bar", "Start", "Mesh", "Method", "Time", ... */
-    const char *label;          /* on screen, at most 15 columns: "Young's modulus" */
-    const char *unit_bar;       /* dimension in the bar's consistent units: "force/area"; "" for a number */
-    const char *unit_beam;      /* SI: "Pa" */
+    const char *key;       /* "bar.youngs_modulus": section.key of the scenario file */
+    const char *group;     /* heading on screen: "Bar", "Start", "Mesh", "Method", "Time", ... */
+    const char *label;     /* on screen, at most 15 columns: "Young's modulus" */
+    const char *unit_bar;  /* dimension in the bar's consistent units: "force/area"; "" for a number */
+    const char *unit_beam; /* SI: "Pa" */
     ParameterType type;
     size_t offset;              /* of the member in Settings */
     double least, most;         /* inclusive range */
@@ -38,38 +39,60 @@ typedef struct Parameter {
     const char *const *choices; /* ended by NULL */
     const char *automatic;      /* a word that stands for 0, "auto"; NULL: none */
     Nudge nudge;
-    bool live;                  /* may change in mid-run */
-    const char *help;           /* one line */
+    bool live;                      /* may change in mid-run */
+    const char *help;               /* one line */
     double defaults[PROBLEM_COUNT]; /* NAN: not a parameter of that problem */
 } Parameter;
 
 extern const Parameter parameters[];
 extern const int n_parameters;
 
+/* Keys of a scenario file that hold words and are no parameters of the run: title, question, view. */
+typedef struct TextKey {
+    const char *key;
+    size_t offset; /* of the char array in Settings */
+    size_t size;
+    const char *help;
+} TextKey;
+
+extern const TextKey text_keys[];
+extern const int n_text_keys;
+
+/* The words of a scenario file for Problem and MethodKind, ended by NULL. */
+extern const char *const problem_words[];
+extern const char *const method_words[];
+
 /* The row of a key; NULL: unknown. */
 const Parameter *parameter_find(const char *key);
+const TextKey *text_key_find(const char *key);
 
 /* The known key of this problem nearest to a wrong one, for "did you mean"; NULL: nothing is near. */
 const char *parameter_nearest(Problem problem, const char *key);
+
+/* The nearest of some words (ended by NULL) to a wrong one; NULL: nothing is near. */
+const char *nearest_word(const char *const *words, const char *wrong);
 
 bool parameter_applies(const Parameter *, Problem); /* has a default for that problem */
 
 /* All values at the defaults of a problem, method as usual for it, texts empty. */
 void settings_default(Settings *, Problem);
 
-/* Sets one value from text as it stands in a scenario file or after --set. False: unknown key (with the
- * nearest one), not used by this problem, not a number, out of range: the status's text is
- * "KEY: what is wrong (what is allowed)", and nothing is changed. */
+/* Sets one value from text as it stands in a scenario file or after --set; parameters and text keys. False:
+ * unknown key (with the nearest one), not used by this problem, not a number, out of range: the status's
+ * text is "KEY: what is wrong (what is allowed)", and nothing is changed. */
 bool settings_set(Settings *, const char *key, const char *text, Status *);
 
 /* The value as text that settings_set() reads back to the same value. */
 void settings_get(const Settings *, const Parameter *, char out[LIST_MAX]);
 
+/* The same for people: at most six digits. */
+void settings_show(const Settings *, const Parameter *, char out[LIST_MAX]);
+
 /* The value as number: index for a choice, 0 or 1 for a flag; NAN for a text. */
 double settings_number(const Settings *, const Parameter *);
 
-/* The next value upwards (+1) or downwards (-1) by the parameter's nudge, kept in its range. False: there is
- * none. */
+/* The next value upwards (+1) or downwards (-1) by the parameter's nudge, kept in its range and such that
+ * settings_check() allows it. False: there is none, nothing is changed. */
 bool settings_nudge(Settings *, const Parameter *, int direction);
 
 /* What is allowed, in words: "> 0", "1 to 8", "usf | usl | musl". */
@@ -81,5 +104,22 @@ bool settings_check(const Settings *, Status *);
 
 /* Whether two settings lead to the same run; if not, `out` gets "algorithm usf -> usl, mode 1 -> 5". */
 bool settings_same(const Settings *a, const Settings *b, char *out, size_t size);
+
+/* The lists inside texts. */
+enum { OVERTONES_MAX = 15, TIMES_MAX = 64 };
+
+typedef struct Overtone {
+    int mode;
+    double velocity;
+} Overtone;
+
+/* "3:0.03,7:0.01": how many there are, -1 if the text cannot be read (the status says why). */
+int overtones_read(const char *text, Overtone out[OVERTONES_MAX], Status *);
+
+/* "0,1e-4,2e-4", ascending: how many there are, or -1. */
+int times_read(const char *text, double out[TIMES_MAX], Status *);
+
+/* One line of UTF-8 without control characters. */
+bool text_is_clean(const char *text);
 
 #endif

@@ -55,7 +55,8 @@ typedef struct Settings {
     char overtones[LIST_MAX]; /* "3:0.03,7:0.01" */
 
     BeamDef beam;           /* its problem, end and threads likewise */
-    double critical_energy; /* G0, J/m^2; 0: not given. The other handle on beam.critical_stretch */
+    double critical_energy; /* G0, J/m^2: the other handle on beam.critical_stretch, always its equal */
+    bool energy_given;      /* G0 was said and the stretch follows from it; else the other way round */
 
     double end; /* time.end */
 

@@ -82,7 +82,7 @@ static bool whole(int value, int low, int high, const char *key, Status *status)
 
 enum { CELLS_MAX = 100000000 };
 
-static bool check(const BarDef *def, Status *status)
+bool bar_check(const BarDef *def, Status *status)
 {
     bool good = positive(def->length, "bar.length", status) &&
                 positive(def->youngs_modulus, "bar.youngs_modulus", status) &&
@@ -374,7 +374,7 @@ static bool begin(Bar *bar, Status *status)
 
 Simulation *bar_create(const BarDef *definition, Status *status)
 {
-    if (!check(definition, status))
+    if (!bar_check(definition, status))
         return NULL;
     Bar *bar = calloc(1, sizeof *bar);
     if (!bar) {

@@ -49,6 +49,10 @@ typedef struct BarDef {
 /* Paper M's first mode, at rest: L 25, E 100, rho 1, dx 1, two particles per cell, USF, hat, courant 0.1. */
 BarDef bar_default(void);
 
+/* Is the definition sound? Else the status names the key as in a scenario file, what is wrong, what is
+ * allowed. bar_create() asks first; a front end asks before it takes a value over. */
+bool bar_check(const BarDef *definition, Status *status);
+
 /* Builds the simulation at t = 0. NULL: the status says what is wrong with the definition or that there is
  * not enough memory. Fields: particles x0 x u v stress strain density mass (the CSV columns, in this order),
  * then what only the screen shows; nodes x mass momentum velocity f_int f_ext f. Series: v_cm x_cm kinetic

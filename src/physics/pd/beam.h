@@ -42,6 +42,10 @@ typedef struct BeamDef {
 /* The defaults of the problem, as in the manual page on scenario files. */
 BeamDef beam_default(BeamProblem problem);
 
+/* Is the definition sound? Else the status names the key as in a scenario file, what is wrong, what is
+ * allowed. beam_create() asks first; a front end asks before it takes a value over. */
+bool beam_check(const BeamDef *definition, Status *status);
+
 /* Builds the simulation at t = 0. NULL: the status names the scenario key that is wrong ("notch.position:
  * ..."), or says that there is not enough memory.
  *

@@ -122,9 +122,6 @@ typedef struct BeamOptions {
 
 Simulation *beam_create_with(const BeamDef *definition, const BeamOptions *options, Status *status);
 
-/* beam_check.c: is the definition sound? */
-bool beam_check(const BeamDef *def, Status *status);
-
 /* beam_critical.c: 2 / omega_max; the displacements and forces are zero afterwards. */
 bool beam_critical_step(Beam *beam, double *step, Status *status);
 

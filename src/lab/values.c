@@ -1,0 +1,401 @@
+/* Values of settings through the parameter table: set, get, show, nudge, compare. */
+#include "lab/parameters.h"
+
+#include "base/text.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void *member(Settings *settings, size_t offset)
+{
+    return (char *)settings + offset;
+}
+
+static const void *member_of(const Settings *settings, size_t offset)
+{
+    return (const char *)settings + offset;
+}
+
+/* --- the two handles on breaking ------------------------------------------------------------------ */
+
+/* G0 = 9 E delta s0^2 / (4 pi) and back (paper P, two dimensions). The one that was said stays as it is. */
+static void join_handles(Settings *settings)
+{
+    BeamDef *beam = &settings->beam;
+    double stiffness = 9 * beam->youngs_modulus * beam->horizon / (4 * M_PI);
+    if (settings->energy_given)
+        beam->critical_stretch = sqrt(settings->critical_energy / stiffness);
+    else
+        settings->critical_energy = stiffness * beam->critical_stretch * beam->critical_stretch;
+}
+
+static bool is_energy(const char *key)
+{
+    return strcmp(key, "pd.critical_energy") == 0;
+}
+
+static bool is_stretch(const char *key)
+{
+    return strcmp(key, "pd.critical_stretch") == 0;
+}
+
+/* --- numbers into members and back ---------------------------------------------------------------- */
+
+static void put_number(Settings *settings, const Parameter *parameter, double value)
+{
+    void *at = member(settings, parameter->offset);
+    switch (parameter->type) {
+    case PARAMETER_REAL:
+        *(double *)at = value;
+        break;
+    case PARAMETER_FLAG:
+        *(bool *)at = value != 0;
+        break;
+    case PARAMETER_INTEGER:
+    case PARAMETER_CHOICE: {
+        int whole = (int)value;
+        memcpy(at, &whole, sizeof whole);
+        break;
+    }
+    case PARAMETER_TEXT:
+        return;
+    }
+    if (is_energy(parameter->key))
+        settings->energy_given = true;
+    if (is_stretch(parameter->key))
+        settings->energy_given = false;
+    join_handles(settings);
+}
+
+double settings_number(const Settings *settings, const Parameter *parameter)
+{
+    const void *at = member_of(settings, parameter->offset);
+    int whole;
+    switch (parameter->type) {
+    case PARAMETER_REAL:
+        return *(const double *)at;
+    case PARAMETER_FLAG:
+        return *(const bool *)at;
+    case PARAMETER_INTEGER:
+    case PARAMETER_CHOICE:
+        memcpy(&whole, at, sizeof whole);
+        return whole;
+    case PARAMETER_TEXT:
+        break;
+    }
+    return NAN;
+}
+
+void settings_default(Settings *settings, Problem problem)
+{
+    static const BeamProblem beams[PROBLEM_COUNT] = {
+        [PROBLEM_SUPPORTED_BEAM] = BEAM_SIMPLY_SUPPORTED,
+        [PROBLEM_MOVING_CANTILEVER] = BEAM_MOVING_CANTILEVER,
+        [PROBLEM_NOTCHED_BEAM] = BEAM_NOTCHED,
+    };
+    memset(settings, 0, sizeof *settings);
+    settings->problem = problem;
+    settings->method = problem == PROBLEM_BAR ? METHOD_MPM : METHOD_PD;
+    settings->bar = bar_default();
+    settings->beam = beam_default(beams[problem]);
+    for (int i = 0; i < n_parameters; i++)
+        if (parameter_applies(&parameters[i], problem) && !is_energy(parameters[i].key))
+            put_number(settings, &parameters[i], parameters[i].defaults[problem]);
+}
+
+/* --- text in -------------------------------------------------------------------------------------- */
+
+static bool in_range(const Parameter *parameter, double value)
+{
+    if (parameter->choices || (parameter->automatic && value == 0))
+        return true;
+    if (parameter->above_least && value <= parameter->least)
+        return false;
+    return value >= parameter->least && value <= parameter->most;
+}
+
+static bool refuse(const Parameter *parameter, const char *text, const char *what, Status *status)
+{
+    char range[160];
+    parameter_range(parameter, range, sizeof range);
+    if (!*text)
+        return status_fail(status, STATUS_USAGE, "%s: has no value (%s)", parameter->key, range);
+    return status_fail(status, STATUS_USAGE, "%s: %s %s (%s)", parameter->key, text, what, range);
+}
+
+static bool read_number(const Parameter *parameter, const char *text, double *value, Status *status)
+{
+    if (parameter->automatic && strcmp(text, parameter->automatic) == 0) {
+        *value = 0;
+        return true;
+    }
+    if (!text_to_double(text, value))
+        return refuse(parameter, text, "is not a number", status);
+    if (parameter->type == PARAMETER_INTEGER && *value != floor(*value))
+        return refuse(parameter, text, "is not a whole number", status);
+    if (!in_range(parameter, *value))
+        return refuse(parameter, text, "is out of range", status);
+    return true;
+}
+
+static bool read_choice(const Parameter *parameter, const char *text, double *value, Status *status)
+{
+    for (int i = 0; parameter->choices[i]; i++)
+        if (strcmp(parameter->choices[i], text) == 0) {
+            *value = i;
+            return true;
+        }
+    return refuse(parameter, text, "is not a choice", status);
+}
+
+static bool put_text(Settings *settings, const char *key, size_t offset, size_t size, const char *text,
+                     Status *status)
+{
+    if (strlen(text) >= size)
+        return status_fail(status, STATUS_USAGE, "%s: is %zu bytes long (at most %zu)", key, strlen(text),
+                           size - 1);
+    if (!text_is_clean(text))
+        return status_fail(status, STATUS_USAGE, "%s: has characters that cannot be kept (one line of UTF-8)",
+                           key);
+    char *at = member(settings, offset);
+    memset(at, 0, size); /* nothing of an earlier text behind the zero: equal settings are equal bytes */
+    strcpy(at, text);
+    return true;
+}
+
+static bool unknown(Problem problem, const char *key, Status *status)
+{
+    if (strcmp(key, "scenario.problem") == 0 || strcmp(key, "scenario.method") == 0)
+        return status_fail(status, STATUS_USAGE, "%s: cannot be changed (choose another scenario)", key);
+    const char *nearest = parameter_nearest(problem, key);
+    if (nearest)
+        return status_fail(status, STATUS_USAGE, "%s: unknown key (did you mean %s?)", key, nearest);
+    return status_fail(status, STATUS_USAGE, "%s: unknown key (see: matvib params %s)", key,
+                       problem_words[problem]);
+}
+
+static bool not_of_problem(const Parameter *parameter, Problem problem, Status *status)
+{
+    char problems[128];
+    size_t used = 0;
+    for (int p = 0; p < PROBLEM_COUNT; p++)
+        if (parameter_applies(parameter, (Problem)p))
+            used += (size_t)snprintf(problems + used, sizeof problems - used, "%s%s", used ? ", " : "",
+                                     problem_words[p]);
+    return status_fail(status, STATUS_USAGE, "%s: is no parameter of problem %s (only of %s)", parameter->key,
+                       problem_words[problem], problems);
+}
+
+bool settings_set(Settings *settings, const char *key, const char *text, Status *status)
+{
+    const TextKey *words = text_key_find(key);
+    if (words)
+        return put_text(settings, key, words->offset, words->size, text, status);
+    const Parameter *parameter = parameter_find(key);
+    if (!parameter)
+        return unknown(settings->problem, key, status);
+    if (!parameter_applies(parameter, settings->problem))
+        return not_of_problem(parameter, settings->problem, status);
+    if (parameter->type == PARAMETER_TEXT)
+        return put_text(settings, key, parameter->offset, LIST_MAX, text, status);
+    double value;
+    if (!(parameter->choices ? read_choice : read_number)(parameter, text, &value, status))
+        return false;
+    put_number(settings, parameter, value);
+    return true;
+}
+
+/* --- text out ------------------------------------------------------------------------------------- */
+
+/* digits 0: as many as it takes to read back to the same number. */
+static void write_value(const Settings *settings, const Parameter *parameter, int digits, char out[LIST_MAX])
+{
+    if (parameter->type == PARAMETER_TEXT) {
+        memcpy(out, member_of(settings, parameter->offset), LIST_MAX);
+        return;
+    }
+    double value = settings_number(settings, parameter);
+    if (parameter->choices)
+        strcpy(out, parameter->choices[(int)value]);
+    else if (parameter->automatic && value == 0)
+        strcpy(out, parameter->automatic);
+    else if (digits == 0 || parameter->type == PARAMETER_INTEGER)
+        text_shortest(out, value);
+    else
+        text_rounded(out, value, digits);
+}
+
+void settings_get(const Settings *settings, const Parameter *parameter, char out[LIST_MAX])
+{
+    write_value(settings, parameter, 0, out);
+}
+
+void settings_show(const Settings *settings, const Parameter *parameter, char out[LIST_MAX])
+{
+    write_value(settings, parameter, 6, out);
+}
+
+/* --- nudges --------------------------------------------------------------------------------------- */
+
+/* Rungs 1, 2, 5 of each decade are numbered: 0 is 1, 1 is 2, 2 is 5, 3 is 10, -1 is 0.5. */
+static double rung_value(long rung)
+{
+    static const char steps[] = "125";
+    long decade = (rung - (((rung % 3) + 3) % 3)) / 3;
+    char text[NUMBER_TEXT_MAX];
+    snprintf(text, sizeof text, "%ce%ld", steps[((rung % 3) + 3) % 3], decade);
+    return strtod(text, NULL); /* as if it had been typed */
+}
+
+/* The first rung above a positive value (direction 1) or below it (-1). */
+static long next_rung(double value, int direction)
+{
+    long rung = 3 * (long)floor(log10(value)) - 3;
+    while (rung_value(rung) <= value * (1 + 1e-12))
+        rung++;
+    if (direction > 0)
+        return rung;
+    rung--;
+    while (rung_value(rung) >= value * (1 - 1e-12))
+        rung--;
+    return rung;
+}
+
+/* Up and down the ladder ... -2 -1 0 1 2 5 ...; the least rung beside 0 depends on what is usual. */
+static double next_on_ladder(double value, int direction, double usual, bool whole)
+{
+    double least = whole ? 1 : 1e-3 * (usual == 0 ? 1 : pow(10, floor(log10(fabs(usual)) + 1e-9)));
+    int outwards = value < 0 ? -direction : direction;
+    if (value == 0)
+        return direction * rung_value(next_rung(least, 1) - 1);
+    if (outwards < 0 && fabs(value) <= least * (1 + 1e-9))
+        return 0;
+    return copysign(rung_value(next_rung(fabs(value), outwards)), value);
+}
+
+static double nudged(const Settings *settings, const Parameter *parameter, double value, int direction)
+{
+    double usual = parameter->defaults[settings->problem];
+    int n = 0;
+    switch (parameter->nudge) {
+    case NUDGE_ONE:
+        return value + direction;
+    case NUDGE_DOUBLE:
+        return direction > 0 ? value * 2 : value / 2;
+    case NUDGE_1_2_5:
+        return next_on_ladder(value, direction, usual, parameter->type == PARAMETER_INTEGER);
+    case NUDGE_SPACING: {
+        /* rounded to six digits of a spacing, so that 0.003 + 0.0005 is 0.0035 and nothing piles up */
+        double dx = settings->beam.spacing;
+        char text[NUMBER_TEXT_MAX];
+        snprintf(text, sizeof text, "%.12g", (value / dx + direction) * dx);
+        return strtod(text, NULL);
+    }
+    case NUDGE_NEXT:
+        while (parameter->choices[n])
+            n++;
+        return (int)(value + direction + n) % n;
+    case NUDGE_NONE:
+        break;
+    }
+    return value;
+}
+
+bool settings_nudge(Settings *settings, const Parameter *parameter, int direction)
+{
+    enum { TRIES = 60 }; /* a rung that the other values do not allow is passed over */
+    if (!parameter_applies(parameter, settings->problem) || parameter->type == PARAMETER_TEXT)
+        return false;
+    double start = settings_number(settings, parameter), value = start;
+    for (int i = 0; i < TRIES; i++) {
+        double next = nudged(settings, parameter, value, direction);
+        if (next == value || next == start || !in_range(parameter, next))
+            return false;
+        Settings candidate = *settings;
+        put_number(&candidate, parameter, next);
+        if (settings_check(&candidate, NULL)) {
+            *settings = candidate;
+            return true;
+        }
+        if (parameter->nudge != NUDGE_NEXT && parameter->nudge != NUDGE_1_2_5)
+            return false;
+        value = next;
+    }
+    return false;
+}
+
+/* --- comparison ----------------------------------------------------------------------------------- */
+
+typedef struct Differences {
+    char *out;
+    size_t size, used;
+    int count;
+} Differences;
+
+static void add_difference(Differences *list, const char *what, const char *from, const char *to)
+{
+    list->count++;
+    if (list->used >= list->size)
+        return;
+    int n = snprintf(list->out + list->used, list->size - list->used, "%s%s %s -> %s",
+                     list->count > 1 ? ", " : "", what, *from ? from : "none", *to ? to : "none");
+    list->used += n > 0 ? (size_t)n : 0;
+}
+
+/* What a run writes does not make it another run; of the two handles on breaking only the given one counts.
+ */
+static bool matters(const Settings *a, const Settings *b, const Parameter *parameter)
+{
+    if (strncmp(parameter->key, "output.", 7) == 0 || !parameter_applies(parameter, a->problem))
+        return false;
+    bool by_energy = a->energy_given && b->energy_given;
+    return is_energy(parameter->key) ? by_energy : is_stretch(parameter->key) ? !by_energy : true;
+}
+
+static bool same_changes(const Settings *a, const Settings *b)
+{
+    if (a->n_changes != b->n_changes)
+        return false;
+    for (int i = 0; i < a->n_changes; i++) {
+        const Change *one = &a->changes[i], *other = &b->changes[i];
+        if (one->step != other->step || strcmp(one->to.key, other->to.key) != 0 ||
+            strcmp(one->to.value, other->to.value) != 0)
+            return false;
+    }
+    return true;
+}
+
+bool settings_same(const Settings *a, const Settings *b, char *out, size_t size)
+{
+    Differences list = {out, out ? size : 0, 0, 0};
+    if (list.size)
+        *out = '\0';
+    if (a->problem != b->problem) {
+        add_difference(&list, "problem", problem_words[a->problem], problem_words[b->problem]);
+        return false;
+    }
+    if (a->method != b->method)
+        add_difference(&list, "method", method_words[a->method], method_words[b->method]);
+    for (int i = 0; i < n_parameters; i++) {
+        const Parameter *parameter = &parameters[i];
+        char from[LIST_MAX], to[LIST_MAX];
+        if (!matters(a, b, parameter))
+            continue;
+        settings_get(a, parameter, from);
+        settings_get(b, parameter, to);
+        if (strcmp(from, to) == 0)
+            continue;
+        settings_show(a, parameter, from);
+        settings_show(b, parameter, to);
+        add_difference(&list, parameter->label, from, to);
+    }
+    if (!same_changes(a, b)) {
+        char from[16], to[16];
+        snprintf(from, sizeof from, "%d", a->n_changes);
+        snprintf(to, sizeof to, "%d", b->n_changes);
+        add_difference(&list, "changes in mid-run", from, to);
+    }
+    return list.count == 0;
+}
