@@ -118,15 +118,16 @@ static inline const Bar *bar_of_const(const Simulation *sim)
     return (const Bar *)sim;
 }
 
-/* For hats: an inactive node of a cell moves with the other one. A hat's slope is not small where the
- * function itself is: a particle that has just passed the last node with mass would see the empty node beyond
- * at rest, and be strained by v dt / dx in a bar that merely drifts. (The slopes of the smoother shapes
- * vanish with the functions.) */
+/* For hats, where the bar ends: an inactive node of the last cell with particles moves with the other one. A
+ * hat's slope is not small where the function itself is: a particle that has just passed a node would see the
+ * empty node beyond at rest, and be strained by v dt / dx in a bar that merely drifts. (The slopes of the
+ * smoother shapes vanish with the functions.) */
 static inline void bar_lend_velocity(const Bar *bar, int cell, double *v)
 {
-    if (bar->node_inverse[cell] == 0.0)
+    const int32_t *first = bar->first + cell;
+    if (bar->node_inverse[cell] == 0.0 && (cell == 0 || first[-1] == first[0]))
         v[0] = v[1];
-    else if (bar->node_inverse[cell + 1] == 0.0)
+    else if (bar->node_inverse[cell + 1] == 0.0 && (cell + 1 == bar->n_cells || first[1] == first[2]))
         v[1] = v[0];
 }
 

@@ -18,19 +18,21 @@
 #include "physics/mpm/kernels.h"
 #include "physics/mpm/shape.h"
 
+#include <string.h>
+
 #ifndef BAR_KERNELS
 #define BAR_KERNELS bar_kernels_plain
 #endif
 
 extern const BarKernels BAR_KERNELS;
 
-#define INLINE static inline __attribute__((always_inline))
+#define INLINE static inline __attribute__((always_inline, unused))
 
-/* Constant loops inside a vectorised one are unrolled, and arrays that are written are no others. */
+/* Constant loops are unrolled, so that what they index stays in registers. */
 #define UNROLL _Pragma("GCC unroll 8")
-#define VECTOR _Pragma("omp simd")
 
-/* The machine's vectors of numbers, for what the compiler does not vectorise by itself. */
+/* The machine's vectors of numbers, by the compiler's own types: what becomes of the loops does not hang on
+ * what an optimiser recognises. */
 #if defined __AVX512F__
 enum { WIDTH = 8 };
 #elif defined __AVX__
@@ -40,19 +42,74 @@ enum { WIDTH = 2 };
 #endif
 
 typedef double Piece __attribute__((vector_size(WIDTH * sizeof(double))));
-typedef int64_t PieceMask __attribute__((vector_size(WIDTH * sizeof(double))));
+typedef int64_t PieceBits __attribute__((vector_size(WIDTH * sizeof(double))));
 typedef double LoosePiece __attribute__((vector_size(WIDTH * sizeof(double)), aligned(8)));
 
 #define PIECE_AT(array, i)       (*(LoosePiece *)((array) + (i)))
 #define CONST_PIECE_AT(array, i) (*(const LoosePiece *)((array) + (i)))
 
-#define REAL         Piece
-#define SHAPE_INNER  wide_shape_inner
-#define SHAPE_ABS(x) ((Piece)((PieceMask)(x)&INT64_MAX))
+/* -0 is the start of a sum that is exactly its first term. */
+#define EMPTY_SUM (-0.0)
+
+/* Tests go by sign bits, which cost little in every instruction set: x > 0 where x - SMALLEST is not
+ * negative, x < 1 where BELOW_ONE - x is not. (-0 and what is no number may be told for negative: the caller
+ * looks again, one by one.) */
+#define SMALLEST  0x1p-1022
+#define BELOW_ONE (1.0 - 0x1p-53)
+
+INLINE int64_t bits_of(double x)
+{
+    int64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+INLINE bool any_negative(const PieceBits *wide, int64_t one)
+{
+    for (int lane = 0; lane < WIDTH; lane++)
+        one |= (*wide)[lane];
+    return one < 0;
+}
+
+#define REAL             Piece
+#define BITS             PieceBits
+#define NAME(function)   function##_wide
+#define AT(array, i)     PIECE_AT(array, i)
+#define NO_TERMS         (-(Piece){0})
+#define SIGN_BITS(x)     ((PieceBits)(x))
+#define ABSOLUTE(x)      ((Piece)((PieceBits)(x)&INT64_MAX))
+#define KEEP_IF(mask, x) ((Piece)((PieceBits)(x) & (mask)))
+#include "physics/mpm/kernels_lanes.h"
+#define SHAPE_INNER shape_inner_wide
 #include "physics/mpm/shape_inner.h"
-#undef REAL
 #undef SHAPE_INNER
-#undef SHAPE_ABS
+#undef REAL
+#undef BITS
+#undef NAME
+#undef AT
+#undef NO_TERMS
+#undef SIGN_BITS
+#undef ABSOLUTE
+#undef KEEP_IF
+
+#define REAL             double
+#define BITS             int64_t
+#define NAME(function)   function##_one
+#define AT(array, i)     ((array)[i])
+#define NO_TERMS         EMPTY_SUM
+#define SIGN_BITS(x)     bits_of(x)
+#define KEEP_IF(mask, x) ((mask) ? (x) : 0.0)
+#include "physics/mpm/kernels_lanes.h"
+
+/* Goes from i = first to end, WIDTH at once as long as there are so many. */
+#define FOR_RANGE(first, end, wide, one)                                                                     \
+    do {                                                                                                     \
+        int i = first;                                                                                       \
+        for (; i + WIDTH <= (end); i += WIDTH)                                                               \
+            wide;                                                                                            \
+        for (; i < (end); i++)                                                                               \
+            one;                                                                                             \
+    } while (0)
 
 /* What becomes of a particle's velocity. */
 typedef enum Transfer { TO_FLIP, TO_BLEND, TO_APIC } Transfer;
@@ -101,16 +158,6 @@ INLINE int run_end(const Bar *bar, MpmShape shape, int c, int end)
         CASE(MPM_BSPLINE3, MpmShape, shape, call)                                                            \
     }
 
-/* What the cells gave to node i, in the order of the cells. */
-INLINE double gather(double *const *part, int support, int i)
-{
-    double sum = part[support - 1][i - support + 1];
-    UNROLL
-    for (int a = support - 2; a >= 0; a--)
-        sum += part[a][i - a];
-    return sum;
-}
-
 /* --- map ------------------------------------------------------------------------------------------ */
 
 INLINE void map_shape(Bar *bar, MpmShape shape, int first, int end, bool again)
@@ -128,21 +175,14 @@ INLINE void map_shape(Bar *bar, MpmShape shape, int first, int end, bool again)
             wide_map(bar, shape, false, c, stop), c = stop;
     }
     const int support = shape_support(shape), last = nodes_end(bar, end);
-    const double unit = bar->mass, floor = bar->mass_floor;
-    double *const *gives[2] = {bar->part[0], bar->part[1]};
-    double *momentum = bar->node_momentum;
-    VECTOR
-    for (int i = first; i < last; i++)
-        momentum[i] = unit * gather(gives[1], support, i);
-    if (again)
-        return;
-    double *masses = bar->node_mass, *inverses = bar->node_inverse;
-    VECTOR
-    for (int i = first; i < last; i++) {
-        double mass = unit * gather(gives[0], support, i), inverse = 1.0 / mass;
-        masses[i] = mass;
-        inverses[i] = mass > floor ? inverse : 0.0;
-    }
+    FOR_RANGE(first, last, scaled_gather_wide(bar->part[1], support, bar->mass, bar->node_momentum, i),
+              scaled_gather_one(bar->part[1], support, bar->mass, bar->node_momentum, i));
+    if (!again)
+        FOR_RANGE(first, last,
+                  node_mass_wide(bar->part[0], support, bar->mass, bar->mass_floor, bar->node_mass,
+                                 bar->node_inverse, i),
+                  node_mass_one(bar->part[0], support, bar->mass, bar->mass_floor, bar->node_mass,
+                                bar->node_inverse, i));
 }
 
 static void map(Bar *bar, int first, int end,
@@ -155,16 +195,20 @@ INLINE int strain_shape(Bar *bar, MpmShape shape, int first, int end)
     int bad = -1;
     if (shape != MPM_HAT) {
         /* nodal velocities once for all particles; eq. 4 */
-        const double *momentum = bar->node_momentum, *inverse = bar->node_inverse;
-        double *velocity = bar->node_velocity;
-        const int last = end + shape_support(shape) - 1;
-        VECTOR
-        for (int i = first; i < last; i++)
-            velocity[i] = momentum[i] * inverse[i];
+        FOR_RANGE(first, end + shape_support(shape) - 1,
+                  node_velocity_wide(bar->node_momentum, bar->node_inverse, bar->node_velocity, i),
+                  node_velocity_one(bar->node_momentum, bar->node_inverse, bar->node_velocity, i));
     }
     for (int c = first; c < end;) {
         int stop = run_end(bar, shape, c, end);
         bool good;
+        if (shape == MPM_HAT && stop > c) {
+            /* at the ends of the bar a node may be inactive: see bar_lend_velocity() */
+            if (c == 0 || bar->first[c - 1] == bar->first[c])
+                stop = c;
+            else if (stop == bar->n_cells || bar->first[stop] == bar->first[stop + 1])
+                stop--;
+        }
         if (stop == c)
             stop = c + 1, good = strain_cell(bar, shape, c);
         else if (shape == MPM_HAT)
@@ -200,7 +244,7 @@ INLINE void external_force(Bar *bar, MpmShape shape, int first, int end)
     for (int c = first; c < end; c++)
         traction_cell(bar, shape, c);
     for (int i = first; i < last; i++)
-        bar->node_f_ext[i] = bar->node_mass[i] * gravity + gather(bar->part[1], shape_support(shape), i);
+        bar->node_f_ext[i] = bar->node_mass[i] * gravity + gather_one(bar->part[1], shape_support(shape), i);
 }
 
 INLINE void force_shape(Bar *bar, MpmShape shape, int first, int end)
@@ -216,10 +260,12 @@ INLINE void force_shape(Bar *bar, MpmShape shape, int first, int end)
     }
     const int support = shape_support(shape), last = nodes_end(bar, end);
     const double scale = -1.0 / bar->dx;
-    double *const *gives = bar->part[0], *f_int = bar->node_f_int;
-    VECTOR
-    for (int i = first; i < last; i++)
-        f_int[i] = scale * gather(gives, support, i);
+    if (shape == MPM_HAT)
+        FOR_RANGE(first, last, hat_force_wide(bar->part[0][1], scale, bar->node_f_int, i),
+                  hat_force_one(bar->part[0][1], scale, bar->node_f_int, i));
+    else
+        FOR_RANGE(first, last, scaled_gather_wide(bar->part[0], support, scale, bar->node_f_int, i),
+                  scaled_gather_one(bar->part[0], support, scale, bar->node_f_int, i));
     if (bar_is_loaded(bar))
         external_force(bar, shape, first, end);
 }
@@ -229,18 +275,14 @@ static void force(Bar *bar, int first,
 
 /* --- integrate momentum --------------------------------------------------------------------------- */
 
-INLINE void integrate_nodes(Bar *bar, int first, int end, bool loaded)
+INLINE void integrate_nodes(Bar *bar, int first, int end, double *f_ext)
 {
     const double dt = bar->dt, drift = bar->dt / bar->dx;
-    const double *f_int = bar->node_f_int, *f_ext = bar->node_f_ext, *inverse = bar->node_inverse;
-    double *momentum = bar->node_momentum, *kicks = bar->node_kick, *drifts = bar->node_drift;
-    VECTOR
-    for (int i = first; i < end; i++) {
-        double impulse = dt * (loaded ? f_int[i] + f_ext[i] : f_int[i]), p = momentum[i] + impulse;
-        momentum[i] = p;
-        kicks[i] = impulse * inverse[i];
-        drifts[i] = drift * (p * inverse[i]);
-    }
+    FOR_RANGE(first, end,
+              integrate_wide(bar->node_f_int, f_ext, bar->node_inverse, bar->node_momentum, bar->node_kick,
+                             bar->node_drift, dt, drift, i),
+              integrate_one(bar->node_f_int, f_ext, bar->node_inverse, bar->node_momentum, bar->node_kick,
+                            bar->node_drift, dt, drift, i));
 }
 
 static void integrate(Bar *bar, int first, int end)
@@ -253,10 +295,10 @@ static void integrate(Bar *bar, int first, int end)
     for (int i = first > fixed_right ? first : fixed_right; i < last; i++)
         bar->node_kick[i] = bar->node_drift[i] = 0.0;
     if (!bar_is_loaded(bar)) {
-        integrate_nodes(bar, free_first, free_end, false);
+        integrate_nodes(bar, free_first, free_end, NULL);
         return;
     }
-    integrate_nodes(bar, free_first, free_end, true);
+    integrate_nodes(bar, free_first, free_end, bar->node_f_ext);
     for (int i = free_first; i < free_end; i++)
         bar->head->work += bar->node_f_ext[i] * (bar->node_drift[i] * bar->dx);
 }

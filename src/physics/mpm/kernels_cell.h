@@ -15,9 +15,7 @@ INLINE Place next_place(const Bar *bar, Place at)
     return at.slot + 1 < bar->slots ? (Place){at.slot + 1, at.k} : (Place){0, at.k + 1};
 }
 
-/* -0 is the start of a sum that is exactly its first term; what has no terms is 0. */
-#define EMPTY_SUM (-0.0)
-
+/* What has no terms is 0. */
 INLINE void clear_part(Bar *bar, int which, int support, int c)
 {
     UNROLL

@@ -1,5 +1,6 @@
 /* Part of kernels.c: hats with FLIP, runs of cells with P particles each. P is a constant, so that a cell's
- * sums stay in registers. Strain and force are the same for all particles of a cell. */
+ * sums stay in registers; strain and pull are the same for all particles of a cell. What is done to WIDTH
+ * cells at once and to the last ones one by one is written once, in kernels_hat_cells.h. */
 
 /* The j-th particles of a run of cells, side by side. */
 INLINE void slots_of_run(double *const *arrays, int slots, int particle, double **out)
@@ -15,7 +16,7 @@ INLINE void slots_of_run(double *const *arrays, int slots, int particle, double 
     }
 }
 
-/* By particles per cell. */
+/* One of eight copies, by particles per cell. */
 #define FOR_SLOTS(which, call)                                                                               \
     switch (which) {                                                                                         \
         CASE(1, int, slots, call)                                                                            \
@@ -33,38 +34,14 @@ INLINE void hat_map_of(Bar *bar, const int slots, int c, int count, bool again)
     double *s[BAR_SLOTS_MAX], *v[BAR_SLOTS_MAX];
     slots_of_run(bar->s, slots, bar->first[c], s);
     slots_of_run(bar->v, slots, bar->first[c], v);
-    double *left_mass = bar->part[0][0] + c, *right_mass = bar->part[0][1] + c;
-    double *left_momentum = bar->part[1][0] + c, *right_momentum = bar->part[1][1] + c;
-    if (again) {
-        VECTOR
-        for (int i = 0; i < count; i++) {
-            double left = EMPTY_SUM, right = EMPTY_SUM;
-            UNROLL
-            for (int j = 0; j < slots; j++) {
-                left += v[j][i] * (1.0 - s[j][i]);
-                right += v[j][i] * s[j][i];
-            }
-            left_momentum[i] = left;
-            right_momentum[i] = right;
-        }
-        return;
-    }
-    VECTOR
-    for (int i = 0; i < count; i++) {
-        double left = EMPTY_SUM, right = EMPTY_SUM, left_p = EMPTY_SUM, right_p = EMPTY_SUM;
-        UNROLL
-        for (int j = 0; j < slots; j++) {
-            double r = 1.0 - s[j][i];
-            left += r;
-            right += s[j][i];
-            left_p += v[j][i] * r;
-            right_p += v[j][i] * s[j][i];
-        }
-        left_mass[i] = left;
-        right_mass[i] = right;
-        left_momentum[i] = left_p;
-        right_momentum[i] = right_p;
-    }
+    double *const mass[2] = {bar->part[0][0] + c, bar->part[0][1] + c};
+    double *const momentum[2] = {bar->part[1][0] + c, bar->part[1][1] + c};
+    if (again)
+        FOR_RANGE(0, count, map_again_wide(slots, s, v, momentum, i),
+                  map_again_one(slots, s, v, momentum, i));
+    else
+        FOR_RANGE(0, count, map_wide(slots, s, v, mass, momentum, i),
+                  map_one(slots, s, v, mass, momentum, i));
 }
 
 static void hat_map(Bar *bar, int c, int count,
@@ -75,24 +52,13 @@ INLINE bool hat_strain_of(Bar *bar, const int slots, int c, int count)
     double *stress[BAR_SLOTS_MAX], *volume[BAR_SLOTS_MAX];
     slots_of_run(bar->stress, slots, bar->first[c], stress);
     slots_of_run(bar->volume, slots, bar->first[c], volume);
-    const double *momentum = bar->node_momentum + c, *inverse = bar->node_inverse + c;
+    double *momentum = bar->node_momentum + c, *inverse = bar->node_inverse + c;
     const double k = bar->dt / bar->dx, e = bar->def.youngs_modulus;
+    PieceBits crushed_wide = {0};
     int64_t crushed = 0;
-    _Pragma("omp simd reduction(| : crushed)") for (int i = 0; i < count; i++)
-    {
-        double left = momentum[i] * inverse[i], right = momentum[i + 1] * inverse[i + 1];
-        /* an inactive node moves with the other one: see bar_lend_velocity() */
-        double least = inverse[i] < inverse[i + 1] ? inverse[i] : inverse[i + 1];
-        double gradient = least > 0.0 ? right - left : 0.0;
-        double de = k * gradient, stretch = 1.0 + de, rise = e * de;
-        crushed |= !(stretch > 0.0);
-        UNROLL
-        for (int j = 0; j < slots; j++) {
-            stress[j][i] += rise;
-            volume[j][i] *= stretch;
-        }
-    }
-    return crushed == 0;
+    FOR_RANGE(0, count, strain_wide(slots, stress, volume, momentum, inverse, k, e, &crushed_wide, i),
+              strain_one(slots, stress, volume, momentum, inverse, k, e, &crushed, i));
+    return !any_negative(&crushed_wide, crushed);
 }
 
 static bool hat_strain(Bar *bar, int c, int count)
@@ -107,18 +73,11 @@ INLINE void hat_force_of(Bar *bar, const int slots, int c, int count)
     double *stress[BAR_SLOTS_MAX], *volume[BAR_SLOTS_MAX];
     slots_of_run(bar->stress, slots, bar->first[c], stress);
     slots_of_run(bar->volume, slots, bar->first[c], volume);
-    double *left = bar->part[0][0] + c, *right = bar->part[0][1] + c;
-    VECTOR
-    for (int i = 0; i < count; i++) {
-        double pull = EMPTY_SUM;
-        UNROLL
-        for (int j = 0; j < slots; j++)
-            pull += stress[j][i] * volume[j][i];
-        left[i] = -pull;
-        right[i] = pull;
-    }
+    double *pull = bar->part[0][1] + c;
+    FOR_RANGE(0, count, pull_wide(slots, stress, volume, pull, i), pull_one(slots, stress, volume, pull, i));
 }
 
+/* Gives part[0][1] only: the pull at the right node; that at the left is its negative. */
 static void hat_force(Bar *bar, int c, int count){FOR_SLOTS(bar->slots, hat_force_of(bar, slots, c, count))}
 
 INLINE void hat_update_of(Bar *bar, const int slots, int c, int count)
@@ -127,45 +86,25 @@ INLINE void hat_update_of(Bar *bar, const int slots, int c, int count)
     slots_of_run(bar->s, slots, bar->first[c], s);
     slots_of_run(bar->v, slots, bar->first[c], v);
     slots_of_run(bar->moved, slots, bar->first[c], moved);
-    const double *kick = bar->node_kick + c, *drift = bar->node_drift + c;
-    VECTOR
-    for (int i = 0; i < count; i++) {
-        UNROLL
-        for (int j = 0; j < slots; j++) {
-            double right = s[j][i], left = 1.0 - right;
-            v[j][i] += left * kick[i] + right * kick[i + 1];
-            moved[j][i] = right + (left * drift[i] + right * drift[i + 1]);
-        }
-    }
+    double *kick = bar->node_kick + c, *drift = bar->node_drift + c;
+    FOR_RANGE(0, count, update_wide(slots, s, v, moved, kick, drift, i),
+              update_one(slots, s, v, moved, kick, drift, i));
 }
 
 static void hat_update(Bar *bar, int c, int count){FOR_SLOTS(bar->slots, hat_update_of(bar, slots, c, count))}
 
-/* Any shape: whether the particles of a run all stay in their cells and in their order; if so they move. */
+/* Any shape. */
 INLINE bool settle_of(Bar *bar, const int slots, int particle, int count)
 {
     double *s[BAR_SLOTS_MAX], *moved[BAR_SLOTS_MAX];
     slots_of_run(bar->s, slots, particle, s);
     slots_of_run(bar->moved, slots, particle, moved);
+    PieceBits gone_wide = {0};
     int64_t gone = 0;
-    _Pragma("omp simd reduction(| : gone)") for (int i = 0; i < count; i++)
-    {
-        double before = 0.0;
-        UNROLL
-        for (int j = 0; j < slots; j++) {
-            gone |= !(moved[j][i] >= before);
-            before = moved[j][i];
-        }
-        gone |= !(before < 1.0);
-    }
-    if (gone)
+    FOR_RANGE(0, count, leave_cell_wide(slots, moved, &gone_wide, i), leave_cell_one(slots, moved, &gone, i));
+    if (any_negative(&gone_wide, gone))
         return false;
-    VECTOR
-    for (int i = 0; i < count; i++) {
-        UNROLL
-        for (int j = 0; j < slots; j++)
-            s[j][i] = moved[j][i];
-    }
+    FOR_RANGE(0, count, move_wide(slots, s, moved, i), move_one(slots, s, moved, i));
     return true;
 }
 

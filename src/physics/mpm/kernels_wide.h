@@ -1,7 +1,7 @@
 /* Part of kernels.c: any shape and transfer, runs of inner cells with P particles each, WIDTH cells at once;
  * the few that are left over are done one by one. */
 
-#define WIDE_EMPTY_SUM (-(Piece){0})
+#define EMPTY_SUMS (-(Piece){0})
 
 /* Places of the nodes of an inner cell, from its left edge, in units of dx. */
 INLINE double inner_offset(MpmShape shape, int a)
@@ -21,12 +21,12 @@ INLINE void wide_map(Bar *bar, MpmShape shape, bool affine, int c, int stop)
         Piece mass[BAR_SUPPORT_MAX], momentum[BAR_SUPPORT_MAX];
         UNROLL
         for (int a = 0; a < support; a++)
-            mass[a] = momentum[a] = WIDE_EMPTY_SUM;
+            mass[a] = momentum[a] = EMPTY_SUMS;
         for (int j = 0; j < slots; j++) {
             const Piece s = CONST_PIECE_AT(s_of[j], i), v = CONST_PIECE_AT(v_of[j], i);
             const Piece spin = affine ? CONST_PIECE_AT(affine_of[j], i) * dx : s;
             Piece n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
-            wide_shape_inner(shape, h, &s, n, dn);
+            shape_inner_wide(shape, h, &s, n, dn);
             UNROLL
             for (int a = 0; a < support; a++) {
                 Piece given = affine ? v + spin * (inner_offset(shape, a) - s) : v;
@@ -52,25 +52,23 @@ INLINE bool wide_strain(Bar *bar, MpmShape shape, int c, int stop)
     slots_of_run(bar->s, slots, bar->first[c], s_of);
     slots_of_run(bar->stress, slots, bar->first[c], stress_of);
     slots_of_run(bar->volume, slots, bar->first[c], volume_of);
-    PieceMask sound = (PieceMask){0} == 0;
+    PieceBits crushed = {0};
     for (int i = 0; c + WIDTH <= stop; c += WIDTH, i += WIDTH) {
         for (int j = 0; j < slots; j++) {
             const Piece s = CONST_PIECE_AT(s_of[j], i);
             Piece n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
-            wide_shape_inner(shape, h, &s, n, dn);
+            shape_inner_wide(shape, h, &s, n, dn);
             Piece gradient = dn[0] * CONST_PIECE_AT(bar->node_velocity, c);
             UNROLL
             for (int a = 1; a < support; a++)
                 gradient += dn[a] * CONST_PIECE_AT(bar->node_velocity, c + a);
             const Piece de = k * gradient, stretch = 1.0 + de;
-            sound &= stretch > 0.0;
+            crushed |= (PieceBits)(stretch - SMALLEST);
             PIECE_AT(stress_of[j], i) += e * de;
             PIECE_AT(volume_of[j], i) *= stretch;
         }
     }
-    bool good = true;
-    for (int lane = 0; lane < WIDTH; lane++)
-        good = good && sound[lane];
+    bool good = !any_negative(&crushed, 0);
     for (; c < stop; c++)
         good = strain_cell(bar, shape, c) && good;
     return good;
@@ -88,11 +86,11 @@ INLINE void wide_force(Bar *bar, MpmShape shape, int c, int stop)
         Piece force[BAR_SUPPORT_MAX];
         UNROLL
         for (int a = 0; a < support; a++)
-            force[a] = WIDE_EMPTY_SUM;
+            force[a] = EMPTY_SUMS;
         for (int j = 0; j < slots; j++) {
             const Piece s = CONST_PIECE_AT(s_of[j], i);
             Piece n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
-            wide_shape_inner(shape, h, &s, n, dn);
+            shape_inner_wide(shape, h, &s, n, dn);
             const Piece pull = CONST_PIECE_AT(stress_of[j], i) * CONST_PIECE_AT(volume_of[j], i);
             UNROLL
             for (int a = 0; a < support; a++)
@@ -126,7 +124,7 @@ INLINE void wide_update(Bar *bar, MpmShape shape, Transfer transfer, int c, int 
         for (int j = 0; j < slots; j++) {
             const Piece s = CONST_PIECE_AT(s_of[j], i), v = CONST_PIECE_AT(v_of[j], i);
             Piece n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
-            wide_shape_inner(shape, h, &s, n, dn);
+            shape_inner_wide(shape, h, &s, n, dn);
             Piece dv = n[0] * kick[0], ds = n[0] * drift[0];
             UNROLL
             for (int a = 1; a < support; a++) {
@@ -139,7 +137,7 @@ INLINE void wide_update(Bar *bar, MpmShape shape, Transfer transfer, int c, int 
             else if (transfer == TO_BLEND)
                 PIECE_AT(v_of[j], i) = alpha * (v + dv) + (1.0 - alpha) * (speed * ds);
             else {
-                Piece slope = WIDE_EMPTY_SUM, spread = WIDE_EMPTY_SUM;
+                Piece slope = EMPTY_SUMS, spread = EMPTY_SUMS;
                 UNROLL
                 for (int a = 0; a < support; a++) {
                     const Piece arm = inner_offset(shape, a) - s;

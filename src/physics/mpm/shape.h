@@ -30,13 +30,13 @@ double shape_node_offset(MpmShape shape, int n_cells, int cell, int a);
 
 /* Inner cells, where the functions are the same in each: shape_inner(shape, h, &s, n, dn); h is the
  * half-width of a uGIMP particle over dx. */
-#define REAL         double
-#define SHAPE_INNER  shape_inner
-#define SHAPE_ABS(x) fabs(x)
+#define REAL        double
+#define SHAPE_INNER shape_inner
+#define ABSOLUTE(x) fabs(x)
 #include "physics/mpm/shape_inner.h"
 #undef REAL
 #undef SHAPE_INNER
-#undef SHAPE_ABS
+#undef ABSOLUTE
 
 /* Any cell. */
 static inline void shape_at(MpmShape shape, double h, int n_cells, int cell, double s, double *n, double *dn)

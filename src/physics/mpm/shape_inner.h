@@ -16,8 +16,8 @@ static inline void SHAPE_INNER(MpmShape shape, double h, const REAL *s_, REAL *n
         return;
     case MPM_GIMP: {
         REAL left = h - s, right = s - (1.0 - h);
-        left = left + SHAPE_ABS(left);
-        right = right + SHAPE_ABS(right);
+        left = left + ABSOLUTE(left);
+        right = right + ABSOLUTE(right);
         const double steepness = 0.25 / h;
         const REAL slope_left = left * steepness, slope_right = right * steepness;
         n[0] = 0.25 * (left * slope_left);
