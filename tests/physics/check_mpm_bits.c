@@ -121,7 +121,7 @@ END_TEST
 START_TEST(every_instruction_set)
 {
     BarCase bar = variant(_i);
-    bar.def.length = 300;
+    bar.def.length = 700;
     bar.modes[0].number = 30;
     enum { STEPS = 60 };
     Simulation *plain = bar_case_create(&bar);
@@ -142,6 +142,76 @@ START_TEST(every_instruction_set)
     free(rows);
     free(others);
     simulation_destroy(plain);
+}
+END_TEST
+
+/* A long bar goes tile by tile if it can: steps asked one stage at a time do not. Fast enough that many
+ * particles cross cells, in every tile and within one. */
+START_TEST(tiles_are_whole_steps)
+{
+    enum { STEPS = 70 };
+    BarCase bar = variant(_i % VARIANTS);
+    bar.def.body_force = bar.def.traction = 0;
+    bar.def.length = 1500;
+    bar.modes[0].number = 60;
+    if (_i >= VARIANTS) { /* without crossings */
+        bar.modes[0].velocity = 0.01;
+        bar.def.length = 1003;
+    }
+    Simulation *tiled = bar_case_create(&bar), *staged = bar_case_create(&bar),
+               *watched = bar_case_create(&bar);
+    advance(tiled, STEPS);
+    double *rows = malloc(sizeof(double) * STEPS * (size_t)tiled->n_series);
+    double *row = malloc(sizeof(double) * (size_t)tiled->n_series);
+    ck_assert(simulation_steps(watched, STEPS, rows, NULL, NULL));
+    for (int step = 0; step < STEPS; step++) {
+        do
+            ck_assert(simulation_stage(staged, NULL));
+        while (staged->stage > 0);
+        simulation_row(staged, row);
+        ck_assert_mem_eq(row, rows + step * tiled->n_series, sizeof(double) * (size_t)tiled->n_series);
+    }
+    expect_same_state(tiled, staged, "tiled");
+    expect_same_state(watched, staged, "tiled and watched");
+    ck_assert(_i >= VARIANTS || tiled->n_events == SIMULATION_EVENTS_MAX);
+    const Simulation *others[] = {tiled, watched};
+    for (int i = 0; i < 2; i++) {
+        ck_assert_int_eq(others[i]->n_events, staged->n_events);
+        ck_assert_int_eq(others[i]->events_beyond, staged->events_beyond);
+        for (int k = 0; k < staged->n_events; k++) {
+            ck_assert_str_eq(others[i]->events[k].text, staged->events[k].text);
+            ck_assert_int_eq(others[i]->events[k].step, staged->events[k].step);
+        }
+    }
+    free(rows);
+    free(row);
+    simulation_destroy(tiled);
+    simulation_destroy(staged);
+    simulation_destroy(watched);
+}
+END_TEST
+
+/* A failure in the midst of tiles: the run stands where it would have stood. */
+START_TEST(failure_in_tiles)
+{
+    BarCase bar = bar_case(90, 20.0);
+    bar.def.length = 2000;
+    bar.def.algorithm = (MpmAlgorithm)_i;
+    Simulation *tiled = bar_case_create(&bar), *staged = bar_case_create(&bar);
+    Status status, other;
+    long done = 0;
+    ck_assert(!simulation_steps(tiled, 5000, NULL, &done, &status));
+    while (simulation_stage(staged, &other))
+        ck_assert_int_le(staged->step, done);
+    ck_assert_int_eq(staged->step, done);
+    ck_assert_str_eq(status.text, other.text);
+    Simulation *sound = bar_case_create(&bar);
+    advance(sound, done);
+    expect_same_state(sound, tiled, "before the failure");
+    ck_assert_int_eq(sound->n_events, tiled->n_events);
+    simulation_destroy(tiled);
+    simulation_destroy(staged);
+    simulation_destroy(sound);
 }
 END_TEST
 
@@ -297,6 +367,8 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(test, slices_of_stages, 0, VARIANTS);
     tcase_add_loop_test(test, watched_or_not, 0, VARIANTS);
     tcase_add_loop_test(test, every_instruction_set, 0, VARIANTS);
+    tcase_add_loop_test(test, tiles_are_whole_steps, 0, 2 * VARIANTS);
+    tcase_add_loop_test(test, failure_in_tiles, 0, ALGORITHMS);
     tcase_add_test(test, live_changes_belong_to_the_state);
     tcase_add_test(test, fields_come_and_go_with_the_stages);
     tcase_add_loop_test(test, the_table_of_nodes_holds_kinetic_grid, 0, VARIANTS);

@@ -22,7 +22,7 @@
 enum {
     BAR_SLOTS_MAX = 8,   /* particles per cell */
     BAR_SUPPORT_MAX = 4, /* nodes that a cell touches */
-    BAR_SUM_BLOCK = 64,  /* sums over particles and nodes go by blocks of this many places */
+    BAR_LANES = 8,       /* partial sums of a sum over all: place k counts in lane k % BAR_LANES */
     BAR_CELL_BLOCK = 64, /* cells of a block of which it is known whether all hold P particles */
     BAR_CHECK_EVERY = 64 /* the energy is looked at after each step that is a multiple of this */
 };
@@ -51,6 +51,20 @@ typedef struct BarHead {
     int energy_level; /* how many thresholds of growth were reported */
     int64_t cell_sum; /* sum of the particles' cells: exact, for x_cm */
 } BarHead;
+
+/* Sums over all particles. Their order is that of the lanes, whatever the width of the machine's vectors. */
+typedef struct BarSums {
+    double v[BAR_LANES];
+    double s[BAR_LANES];
+    double square[BAR_LANES]; /* v^2 */
+    double strain[BAR_LANES]; /* stress^2 volume */
+} BarSums;
+
+/* A particle's first crossing of a cell's edge, not yet reported. */
+typedef struct BarCrossing {
+    int step; /* counted from the beginning of the tiled steps */
+    int particle, cell;
+} BarCrossing;
 
 typedef struct Bar Bar;
 typedef struct BarKernels BarKernels;
@@ -106,6 +120,13 @@ struct Bar {
     unsigned char *backup; /* the particle part at the beginning of a batch of steps */
     bool jumped;           /* a particle jumped over a whole cell in this step */
     size_t bytes_memory;
+
+    /* Steps done tile by tile meet crossings out of order: they are kept and reported when the steps are done
+     */
+    bool keeps_crossings;
+    int step_in_flight;
+    int n_crossings;
+    BarCrossing crossings[SIMULATION_EVENTS_MAX];
 };
 
 static inline Bar *bar_of(Simulation *sim)
@@ -191,5 +212,21 @@ bool bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *sta
 bool bar_steps(Simulation *sim, long count, double *rows, long *done, Status *status);
 void bar_row(Simulation *sim, double *row);
 double bar_energy(const Bar *bar);
+void bar_fix(Bar *bar, int first, int end); /* boundary conditions on the nodes that come with these cells */
+bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status);
+void bar_write_row(const Bar *bar, const BarSums *sums, const double *grid_lanes, int64_t cell_sum,
+                   double *row);
+
+/* bar_cells.c: particles find their cells. False: the run fails, or a particle jumped (bar->jumped). */
+bool bar_settle(Bar *bar, int first, int end, Status *status);
+void bar_report_crossings(Bar *bar);
+bool bar_fail_particle(Bar *bar, Status *status, int particle, const char *what);
+void bar_report(Bar *bar, EventKind kind, const char *text);
+void bar_step_words(const Bar *bar, char *out, size_t size);
+
+/* bar_tiles.c: whole steps tile by tile. False: something happened that is better looked at step by step; the
+ * state is then of no use. */
+bool bar_tiles_pay(const Bar *bar, bool with_rows);
+bool bar_tiled_steps(Bar *bar, long count, double *rows);
 
 #endif

@@ -340,70 +340,65 @@ static void update(Bar *bar, int first, int end)
 
 /* --- sums ----------------------------------------------------------------------------------------- */
 
-/* Eight partial sums whatever the width of the machine's registers, then always the same tree. */
-enum { LANES = 8, PIECES = LANES / WIDTH };
+enum { PIECES = BAR_LANES / WIDTH };
 
 typedef union Lanes {
     Piece piece[PIECES];
-    double lane[LANES];
+    double lane[BAR_LANES];
 } Lanes;
 
-INLINE double fold(const Lanes *sum)
+static void particle_sums(const Bar *bar, int first, int end, BarSums *sums)
 {
-    const double *lane = sum->lane;
-    return ((lane[0] + lane[4]) + (lane[2] + lane[6])) + ((lane[1] + lane[5]) + (lane[3] + lane[7]));
-}
-
-static void particle_sums(const Bar *bar, int first, int end, double sums[4])
-{
-    for (int block = first; block < end; block++) {
-        Lanes of_v = {{{0}}}, of_s = {{{0}}}, of_square = {{{0}}}, of_strain = {{{0}}};
-        const int begin = block * BAR_SUM_BLOCK;
-        const int stop = begin + BAR_SUM_BLOCK < bar->places ? begin + BAR_SUM_BLOCK : bar->places;
-        const int whole = begin + (stop - begin) / LANES * LANES;
+    Lanes of_v, of_s, of_square, of_strain;
+    memcpy(&of_v, sums->v, sizeof of_v);
+    memcpy(&of_s, sums->s, sizeof of_s);
+    memcpy(&of_square, sums->square, sizeof of_square);
+    memcpy(&of_strain, sums->strain, sizeof of_strain);
+    int k = first;
+    for (; k + BAR_LANES <= end; k += BAR_LANES)
         for (int j = 0; j < bar->slots; j++) {
-            const double *s = bar->s[j], *v = bar->v[j], *stress = bar->stress[j], *volume = bar->volume[j];
-            for (int k = begin; k < whole; k += LANES)
-                UNROLL
+            const double *s = bar->s[j] + k, *v = bar->v[j] + k;
+            const double *stress = bar->stress[j] + k, *volume = bar->volume[j] + k;
+            UNROLL
             for (int h = 0; h < PIECES; h++) {
-                Piece speed = CONST_PIECE_AT(v, k + h * WIDTH), pull = CONST_PIECE_AT(stress, k + h * WIDTH);
+                const Piece speed = CONST_PIECE_AT(v, h * WIDTH), pull = CONST_PIECE_AT(stress, h * WIDTH);
                 of_v.piece[h] += speed;
-                of_s.piece[h] += CONST_PIECE_AT(s, k + h * WIDTH);
+                of_s.piece[h] += CONST_PIECE_AT(s, h * WIDTH);
                 of_square.piece[h] += speed * speed;
-                of_strain.piece[h] += pull * pull * CONST_PIECE_AT(volume, k + h * WIDTH);
-            }
-            for (int k = whole; k < stop; k++) {
-                of_v.lane[k - whole] += v[k];
-                of_s.lane[k - whole] += s[k];
-                of_square.lane[k - whole] += v[k] * v[k];
-                of_strain.lane[k - whole] += stress[k] * stress[k] * volume[k];
+                of_strain.piece[h] += pull * pull * CONST_PIECE_AT(volume, h * WIDTH);
             }
         }
-        sums[0] += fold(&of_v);
-        sums[1] += fold(&of_s);
-        sums[2] += fold(&of_square);
-        sums[3] += fold(&of_strain);
+    for (int j = 0; j < bar->slots; j++) {
+        const double *s = bar->s[j] + k, *v = bar->v[j] + k;
+        const double *stress = bar->stress[j] + k, *volume = bar->volume[j] + k;
+        for (int lane = 0; lane < end - k; lane++) {
+            of_v.lane[lane] += v[lane];
+            of_s.lane[lane] += s[lane];
+            of_square.lane[lane] += v[lane] * v[lane];
+            of_strain.lane[lane] += stress[lane] * stress[lane] * volume[lane];
+        }
     }
+    memcpy(sums->v, &of_v, sizeof of_v);
+    memcpy(sums->s, &of_s, sizeof of_s);
+    memcpy(sums->square, &of_square, sizeof of_square);
+    memcpy(sums->strain, &of_strain, sizeof of_strain);
 }
 
-static void node_sums(const Bar *bar, int first, int end, double *sum)
+static void node_sums(const Bar *bar, int first, int end, double *lanes)
 {
     const double *momentum = bar->node_momentum, *inverse = bar->node_inverse;
-    for (int block = first; block < end; block++) {
-        Lanes lanes = {{{0}}};
-        const int begin = block * BAR_SUM_BLOCK;
-        const int stop = begin + BAR_SUM_BLOCK < bar->n_nodes ? begin + BAR_SUM_BLOCK : bar->n_nodes;
-        const int whole = begin + (stop - begin) / LANES * LANES;
-        for (int i = begin; i < whole; i += LANES)
-            UNROLL
-        for (int h = 0; h < PIECES; h++) {
-            Piece p = CONST_PIECE_AT(momentum, i + h * WIDTH);
-            lanes.piece[h] += p * p * CONST_PIECE_AT(inverse, i + h * WIDTH);
-        }
-        for (int i = whole; i < stop; i++)
-            lanes.lane[i - whole] += momentum[i] * momentum[i] * inverse[i];
-        *sum += fold(&lanes);
+    Lanes sum;
+    memcpy(&sum, lanes, sizeof sum);
+    int i = first;
+    for (; i + BAR_LANES <= end; i += BAR_LANES)
+        UNROLL
+    for (int h = 0; h < PIECES; h++) {
+        const Piece p = CONST_PIECE_AT(momentum, i + h * WIDTH);
+        sum.piece[h] += p * p * CONST_PIECE_AT(inverse, i + h * WIDTH);
     }
+    for (int lane = 0; lane < end - i; lane++)
+        sum.lane[lane] += momentum[i + lane] * momentum[i + lane] * inverse[i + lane];
+    memcpy(lanes, &sum, sizeof sum);
 }
 
 const BarKernels BAR_KERNELS = {

@@ -29,11 +29,11 @@ struct BarKernels {
      * their new places; false: not all stay in order in their cells, and nothing was done */
     bool (*settle)(Bar *bar, int cells, int particle);
 
-    /* Adds blocks [first, end) of the particles to the sums of v, s, v^2 and stress^2 volume */
-    void (*particle_sums)(const Bar *bar, int first, int end, double sums[4]);
+    /* Adds the places [first, end) of every slot to the sums, first being a multiple of BAR_LANES */
+    void (*particle_sums)(const Bar *bar, int first, int end, BarSums *sums);
 
-    /* the same of p^2 / m, over blocks of nodes */
-    void (*node_sums)(const Bar *bar, int first, int end, double *sum);
+    /* The same of p^2 / m over nodes [first, end) */
+    void (*node_sums)(const Bar *bar, int first, int end, double *lanes);
 };
 
 /* Those of a level that this machine has. */
