@@ -10,7 +10,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { ROUNDS = 5, RUNNERS_MAX = CPU_LEVELS + 3 };
+enum { ROUNDS = 9, RUNNERS_MAX = CPU_LEVELS + 3 };
 
 static double now(void)
 {

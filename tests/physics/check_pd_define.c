@@ -187,6 +187,7 @@ static const Wrong wrongs[] = {
     {BEAM_SIMPLY_SUPPORTED, MEMBER(spacing), 4e-3, "pd.horizon"},
     {BEAM_SIMPLY_SUPPORTED, MEMBER(spacing), 1e-6, "pd.horizon"},
     {BEAM_SIMPLY_SUPPORTED, MEMBER(horizon), 0.2e-3, "pd.horizon"},
+    {BEAM_SIMPLY_SUPPORTED, MEMBER(horizon), 2.01e-3, "pd.horizon"},
     {BEAM_SIMPLY_SUPPORTED, MEMBER(horizon), 9, "pd.horizon"},
     {BEAM_SIMPLY_SUPPORTED, MEMBER(critical_stretch), 0.5, "pd.critical_stretch"},
     {BEAM_SIMPLY_SUPPORTED, MEMBER(amplitude), INFINITY, "initial.amplitude"},
@@ -229,6 +230,29 @@ START_TEST(wrong_definitions_are_refused_by_name)
 }
 END_TEST
 
+/* Families of every size the lattice allows, their count by brute force; a few steps keep the energy. */
+START_TEST(horizons_of_all_sizes)
+{
+    BeamDef def = small_beam(BEAM_SIMPLY_SUPPORTED);
+    def.length = 0.02;
+    def.horizon = 0.5 * _i * def.spacing;
+    def.dt = 0;
+    Simulation *sim = beam_case_create(&def, NULL);
+    BeamFacts facts;
+    beam_facts(sim, &facts);
+    size_t family = 0;
+    for (int p = -9; p <= 9; p++)
+        for (int q = -9; q <= 9; q++)
+            family += (p != 0 || q != 0) && 4 * (p * p + q * q) <= _i * _i;
+    ck_assert_uint_eq(facts.family, family);
+    double start = series_now(sim, "total");
+    advance(sim, 200);
+    ck_assert_msg(fabs(series_now(sim, "total") / start - 1) < 0.1, "energy %g",
+                  series_now(sim, "total") / start);
+    simulation_destroy(sim);
+}
+END_TEST
+
 START_TEST(threads_are_at_least_one)
 {
     BeamDef def = small_beam(BEAM_SIMPLY_SUPPORTED);
@@ -246,6 +270,7 @@ void add_cases(Suite *suite)
     tcase_add_test(facts, bulk_factors);
     tcase_add_loop_test(facts, critical_steps, 0, TABLE_ROWS);
     tcase_add_test(facts, the_edge_of_stability);
+    tcase_add_loop_test(facts, horizons_of_all_sizes, 2, 17);
     tcase_set_timeout(facts, 30);
     suite_add_tcase(suite, facts);
 

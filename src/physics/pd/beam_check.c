@@ -43,7 +43,7 @@ static bool check_lattice(const BeamDef *def, Status *status)
         return status_fail(status, STATUS_USAGE,
                            "pd.horizon: %g is below the spacing (at least pd.spacing = %g)", def->horizon,
                            def->spacing);
-    if (ratio * (1 + 1e-9) >= LATTICE_REACH_MAX + 1)
+    if (ratio > LATTICE_REACH_MAX * (1 + 1e-9))
         return status_fail(status, STATUS_USAGE,
                            "pd.horizon: %g is %.3g spacings (at most %d times pd.spacing)", def->horizon,
                            ratio, LATTICE_REACH_MAX);

@@ -14,13 +14,13 @@ const Stage beam_stage_table[N_STAGES] = {
     [STAGE_DRIFT] = {"drift", "drift", "u(n+1) = u(n) + Δt v(n+½)", "u(n+1) = u(n) + dt v(n+1/2)", "eq. 10",
                      "Every node moves on with its half-step velocity.", "ux uy vx vy", "ux uy"},
     [STAGE_CONSTRAINTS] = {"constraints", "supports and clamp",
-                           "u = 0 at supports;   in the channel u = v₀t, 0",
+                           "u = 0 at supports;   in the channel u = v0t, 0",
                            "u = 0 at supports;   in the channel u = v0 t, 0", "eqs. 12, 13",
                            "Supported nodes stay where they are; the channel guides the nodes inside it.",
                            "ux uy vx vy held", "ux uy vx vy"},
     [STAGE_BONDS] =
         {"bonds", "bond forces",
-         "s = (|ξ+η| − |ξ|)/|ξ|,   s ≥ s₀: broken for ever\n"
+         "s = (|ξ+η| − |ξ|)/|ξ|,   s ≥ s0: broken for ever\n"
          "f(i) = Σ c G w s V (ξ+η)/|ξ+η|",
          "s = (|xi+eta| - |xi|)/|xi|,   s >= s0: broken for ever\n"
          "f(i) = sum c G w s V (xi+eta)/|xi+eta|",
@@ -28,7 +28,7 @@ const Stage beam_stage_table[N_STAGES] = {
          "Each bond pulls as much as it is stretched, or breaks; a node feels the sum of its family.",
          "ux uy", "fx fy stretch broken broken_at"},
     [STAGE_BODY_FORCE] = {"body-force", "body force",
-                          "f(i) += b(t),   b = −p min(1, t/t₀)/Δx on loaded nodes",
+                          "f(i) += b(t),   b = −p min(1, t/t0)/Δx on loaded nodes",
                           "f(i) += b(t),   b = -p min(1, t/t0)/dx on loaded nodes", "eq. 8",
                           "The load pushes the nodes of the top row that it rests on.", "loaded fy", "fy"},
     [STAGE_SECOND_KICK] = {"second-kick", "second half kick", "v(n+1) = v(n+½) + Δt/2 a(n+1)",
@@ -114,7 +114,7 @@ static void explain_constraints(const Beam *beam, Text *text, size_t index, cons
     double time = (double)(beam->sim.step + 1) * beam->sim.dt;
     if ((int)(index % nx) < beam_held_columns(beam, time)) {
         if (beam->def.clamp == CLAMP_FULL)
-            say(text, "in the channel: ux = v₀t = %.6g, uy = 0", now->ux);
+            say(text, "in the channel: ux = v0t = %.6g, uy = 0", now->ux);
         else
             say(text, "in the channel: uy = 0, ux = %.6g stays free", now->ux);
         return;
@@ -162,10 +162,11 @@ static void explain_bonds(const Beam *beam, Text *text, size_t index)
     }
     for (size_t r = 0; r < n_said; r++) {
         const BondNow *bond = &bonds[strongest[r]];
-        double x = bond->pull * bond->direction_x, y = bond->pull * bond->direction_y;
-        said_x += x;
-        said_y += y;
-        say(text, "to %zu: s = %.3g, f = (%.4g, %.4g)\n", bond->b, bond->stretch, x, y);
+        said_x += bond->pull * bond->direction_x;
+        said_y += bond->pull * bond->direction_y;
+        say(text, "to %zu: c G w V s = %.4g × %.4g = %.4g along (%.3g, %.3g)\n", bond->b,
+            bond->stretch != 0 ? bond->pull / bond->stretch : 0, bond->stretch, bond->pull, bond->direction_x,
+            bond->direction_y);
     }
     say(text, "and %zu more, %zu of %zu broken: (%.4g, %.4g)\n", n - n_said, n_broken, n, sum_x - said_x,
         sum_y - said_y);
@@ -206,7 +207,7 @@ static void explain_bond(const Beam *beam, Text *text, size_t index)
     BondNow bond = beam_bond(beam, lattice_bond_place(&beam->lattice, index));
     say(text, "bond %zu to %zu: s = %.4g", bond.a, bond.b, bond.stretch);
     if (beam->head->critical_stretch > 0)
-        say(text, " of s₀ = %.4g", beam->head->critical_stretch);
+        say(text, " of s0 = %.4g", beam->head->critical_stretch);
     say(text, bond.broken ? "\nbroken: it carries nothing" : "\npull %.4g N/m³, energy %.4g J", bond.pull,
         bond.energy);
 }

@@ -69,6 +69,8 @@ static const LiveParameter live_parameters[] = {
 bool beam_change(Simulation *sim, const char *key, double value, Status *status)
 {
     Beam *beam = (Beam *)sim;
+    if (sim->stage != 0 || sim->item != 0)
+        return status_fail(status, STATUS_USAGE, "%s: can be changed between steps only", key);
     for (size_t k = 0; k < sizeof live_parameters / sizeof *live_parameters; k++) {
         const LiveParameter *live = &live_parameters[k];
         if (strcmp(live->key, key) != 0)
