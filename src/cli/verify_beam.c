@@ -251,7 +251,9 @@ static void show_period(Verify *verify, const Discretisation *one, const BeamDef
     snprintf(cells[0], CELL_MAX, "%s", one->name);
     snprintf(cells[1], CELL_MAX, "%.1f", height);
     snprintf(cells[2], CELL_MAX, "%.2f", 1e-3 * height / one->horizon);
-    snprintf(cells[3], CELL_MAX, corrected ? "%.3f" : "", one->paper);
+    cells[3][0] = '\0'; /* the paper tells no period without correction */
+    if (corrected)
+        snprintf(cells[3], CELL_MAX, "%.3f", one->paper);
     snprintf(cells[4], CELL_MAX, "%.4f", euler);
     snprintf(cells[5], CELL_MAX, "%.4f", 1e3 * beam_period_timoshenko(&beam));
     snprintf(cells[6], CELL_MAX, "%.4f", 1e3 * beam_period_timoshenko(&real));

@@ -311,6 +311,6 @@ bool verify_limits(Verify *verify, Status *status)
                                         1,
                                         {{cases[i].least, 1.01 * cases[i].reference}}});
     }
-    verify_note(verify, "Predicted is an endless mesh; the ends of the bar lower the limit of B-splines.");
+    verify_note(verify, "Predicted is an endless mesh; the bar's ends lower the limit of B-splines.");
     return true;
 }
