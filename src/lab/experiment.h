@@ -1,7 +1,11 @@
 /* One run and all that is kept of it: settings, simulation, references, record, keyframes, ghosts.
  *
  * It has two times: the present (what is on screen, may be rewound) and the newest (what has been computed).
- * Work is done in pieces that the caller sizes, so that an event loop stays alive: there is no clock here. */
+ * Work is done in pieces that the caller sizes, so that an event loop stays alive: there is no clock here.
+ *
+ * Settings are those in force at the present step: where a live parameter was changed in mid-run, what is on
+ * screen before the change is the old value and after it the new one. Edits start from a copy of them. What a
+ * file should hold (values at t = 0, and the changes) is experiment_scenario(). */
 #ifndef LAB_EXPERIMENT_H
 #define LAB_EXPERIMENT_H
 
@@ -30,15 +34,21 @@ Experiment *experiment_create(const Settings *, size_t history, int threads, Sta
 void experiment_destroy(Experiment *);
 
 /* The state of affairs; read only, valid until the next call that changes the experiment. */
-const Settings *experiment_settings(const Experiment *);
+const Settings *experiment_settings(const Experiment *); /* in force at the present step */
 const Simulation *experiment_simulation(const Experiment *);
 References *experiment_references(const Experiment *);
 const Record *experiment_record(const Experiment *);
 const Column *experiment_columns(const Experiment *, int *count);
-const Ghost *experiment_ghosts(const Experiment *); /* GHOSTS_MAX of them */
-const char *experiment_advice(const Experiment *);  /* "" or a line to be shown */
-const Readout *experiment_readout(Experiment *);    /* worked out anew when rows have come */
-const double *experiment_row(Experiment *);         /* all columns at the present whole step */
+const Ghost *experiment_ghosts(const Experiment *);             /* GHOSTS_MAX of them */
+const char *experiment_advice(const Experiment *);              /* "" or a line to be shown */
+const Readout *experiment_readout(Experiment *);                /* worked out anew when rows have come */
+const double *experiment_row(Experiment *);                     /* all columns at the present whole step */
+const Event *experiment_events(const Experiment *, int *count); /* up to the newest step, even when rewound */
+
+/* The settings whose run from t = 0 gives what has been computed: to the newest step, or only to the present
+ * one. For export_run() and scenario_write(): its time.end is the actual last time, its time.step the number
+ * in use. */
+void experiment_scenario(const Experiment *, bool to_newest, Settings *);
 int experiment_derived(const Experiment *, Derived out[DERIVED_MAX]);
 
 double experiment_time(const Experiment *);
@@ -49,11 +59,12 @@ long experiment_last_step(const Experiment *); /* the step at which time.end is 
 bool experiment_at_end(const Experiment *);
 bool experiment_failed(const Experiment *, Status *);
 
-/* Goes on by whole steps, at most to the end; a step that has begun is finished first. False: the run
- * failed; then it stands at the last sound whole step. */
+/* Goes on by whole steps, at most to the end; a step that has begun is finished first and not counted (so 0
+ * steps finish it, and do nothing else). A seek that is pending is given up. False: the run failed; then it
+ * stands at the last sound whole step. */
 bool experiment_advance(Experiment *, long steps, Status *);
 
-/* The next stage only. */
+/* The next stage only; nothing at the end of the run. */
 bool experiment_next_stage(Experiment *, Status *);
 
 /* The state before the last stage as Method.save wrote it, for Method.explain; NULL: not known. */
@@ -62,21 +73,30 @@ const void *experiment_before(const Experiment *);
 /* Values of a field before the last stage, for highlighting what changed; false: not known. */
 bool experiment_field_before(Experiment *, int field, size_t first, size_t count, double *out);
 
-/* To step `step` with `stage` stages of the next one done, forwards or backwards: sets the goal. Then call
- * experiment_work() until nothing is pending. */
+/* To step `step` with `stage` stages of the next one done, forwards or backwards: sets the goal (at most the
+ * last step). Then call experiment_work() until nothing is pending. */
 void experiment_seek(Experiment *, long step, int stage);
 bool experiment_pending(const Experiment *, long *steps_left);
 bool experiment_work(Experiment *, long steps, Status *);
 void experiment_cancel(Experiment *); /* stay where the work has come to */
 
-/* Back to t = 0, parameters kept; the curves so far are forgotten unless `keep_ghost`. */
+/* Back to t = 0, parameters kept as they are on screen (a live one that was changed in mid-run by hand holds
+ * from the start); the curves so far are forgotten unless `keep_ghost`. */
 bool experiment_restart(Experiment *, bool keep_ghost, Status *);
 
-/* New settings. A restart parameter begins anew at t = 0 and seeks the time that was on screen; the curves
- * so far stay as the unpinned ghost. False: refused, nothing has changed. */
+/* New settings, made from a copy of experiment_settings(). Where only live parameters differ they change at
+ * the present step (the end of the step that has begun; at t = 0 and at the end of the run as a restart
+ * parameter), and the future that was computed is cut off. A restart parameter begins anew at t = 0 and seeks
+ * the time that was on screen: call experiment_work() until nothing is pending. Either way the curves that go
+ * stay as the unpinned ghost. time.end, output.*, texts and view alone do not recompute. A list of changes
+ * that differs (an undo) begins anew as well. False: refused, nothing has changed. */
 bool experiment_edit(Experiment *, const Settings *, Status *);
 
-/* Pins the present curves as a ghost, or unpins the one that equals them. False: all places are taken. */
+/* The same, but live parameters hold from t = 0 on as all others do: another run to compare with. */
+bool experiment_rerun(Experiment *, const Settings *, Status *);
+
+/* Pins the present curves as a ghost (with the unpinned one's place at most GHOSTS_MAX - 1 of them), or
+ * unpins the one of the same settings. False: all places are taken, or no memory. */
 bool experiment_pin(Experiment *, Status *);
 
 #endif

@@ -29,6 +29,13 @@ bool problem_allows(Problem, MethodKind);
 /* The simulation at t = 0. `threads` at least 1. NULL: the status says why. */
 Simulation *problem_simulate(const Settings *, int threads, Status *);
 
+/* The time step that a simulation of these settings has; a beam's critical one may have to be found for it.
+ */
+bool problem_time_step(const Settings *, double *dt, Status *);
+
+/* The first step k with k dt >= end (1 - 1e-9): where a run ends. */
+long problem_last_step(double dt, double end);
+
 References *problem_references(const Settings *, const Simulation *, Status *);
 void references_destroy(References *);
 
@@ -41,6 +48,16 @@ int references_columns(const References *, Column columns[COLUMNS_MAX]);
  * first. */
 void references_row(References *, long step, double time, const double *method_row, double *row);
 void references_reset(References *);
+
+/* The row of any step, out of order and without leaving a trace; what needs the past is taken from `earlier`,
+ * the full row of a step nearby. */
+void references_row_again(References *, long step, double time, const double *method_row,
+                          const double *earlier, double *row);
+
+/* How many rows before the present one a row depends on (a filter's window); 0: none. Whoever begins again in
+ * the middle of a run resets, and hands over so many earlier rows first. Where it is not 0, every step needs
+ * a row, whichever are kept. */
+long references_memory(const References *);
 
 /* The exact profile of a particle field ("u", "v", "stress", ...) at a reference position; NAN: not known. */
 double references_profile(const References *, const char *field, double x, double time);
@@ -55,8 +72,12 @@ typedef struct Readout {
     double predicted_error_frequency;     /* predicted against exact, in percent */
     double late;                          /* periods behind the exact answer at `time` */
     double time;
+    bool drifting; /* the period itself changes: the three numbers and `late` are those of the last zeros */
     const char *column; /* the series it was measured on */
 } Readout;
+
+/* Periods behind the exact answer at another time than the readout's; NAN: not known. */
+double readout_late(const Readout *, double time);
 
 /* From a record of rows (n_columns numbers each, equally spaced): measured as soon as it can be. */
 void references_readout(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);

@@ -31,6 +31,7 @@ typedef struct Tip {
 } Tip;
 
 struct MovingCantilever {
+    double end;  /* s */
     double step; /* between two samples, s */
     size_t count;
     Tip samples[];
@@ -210,14 +211,18 @@ static MovingCantilever *solve(const BeamTheory *beam, double speed, double end,
     /* the fastest mode is fastest where the beam is shortest */
     double shortest = fmin(beam->length, beam->length + speed * end);
     double fastest = sqrt(modes.stiffness) * pow(modes.lambda[MODES - 1] / shortest, 2);
-    double steps = ceil(fmax(1, end * fastest / (2 * M_PI) * SAMPLES_PER_FAST_PERIOD));
+    double spacing = 2 * M_PI / fastest / SAMPLES_PER_FAST_PERIOD;
+    double steps = ceil(fmax(1, end / spacing));
     if (!(steps < (double)(SIZE_MAX / sizeof(Tip) / 4)))
         return status_fail(status, STATUS_FAILED, "too long a motion of the cantilever: t = %g", end), NULL;
     size_t count = (size_t)steps + 1;
     MovingCantilever *solution = malloc(sizeof *solution + count * sizeof solution->samples[0]);
     if (!solution)
         return status_fail(status, STATUS_FAILED, "not enough memory for the moving cantilever"), NULL;
-    solution->step = end > 0 ? end / steps : 1;
+    /* a beam that comes out is sampled at times that do not depend on the end: the same digits whether the
+     * motion is asked for until then or for longer */
+    solution->step = end > 0 && speed < 0 ? end / steps : spacing;
+    solution->end = end;
     solution->count = end > 0 ? count : 1;
     if (!integrate_motion(&modes, beam->amplitude, solution, status)) {
         free(solution);
@@ -247,7 +252,8 @@ void moving_cantilever_free(MovingCantilever *solution)
  */
 static double quintic(const MovingCantilever *solution, double t, double coefficients[6])
 {
-    double place = fmin(fmax(t / solution->step, 0), (double)(solution->count - 1));
+    t = fmin(fmax(t, 0), solution->end);
+    double place = fmin(t / solution->step, (double)(solution->count - 1));
     size_t k = (size_t)place;
     if (k + 1 >= solution->count)
         k = solution->count > 1 ? solution->count - 2 : 0;

@@ -1,0 +1,18 @@
+/* The bar between its settings and its theory: for whoever wants to ask the theory further questions (a
+ * dispersion plot, a table of verification). */
+#ifndef LAB_BAR_PROBLEM_H
+#define LAB_BAR_PROBLEM_H
+
+#include "lab/settings.h"
+#include "theory/bar.h"
+
+/* The bar with its modes and loads. False: its overtones cannot be read. */
+bool bar_theory_of(const Settings *, BarTheory *, Status *);
+
+/* The mesh on which it is predicted; `dt` as the simulation has it. */
+BarMesh bar_mesh_of(const Settings *, double dt);
+
+/* dt = courant * dx / c, eq. 21. */
+double bar_time_step(const Settings *);
+
+#endif

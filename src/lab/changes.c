@@ -1,0 +1,81 @@
+#include "lab/changes.h"
+#include "lab/parameters.h"
+#include "lab/problem.h"
+
+#include <limits.h>
+#include <stdio.h>
+#include <string.h>
+
+bool changes_check(const Settings *settings, Status *status)
+{
+    Settings tried = *settings;
+    for (int i = 0; i < settings->n_changes; i++) {
+        const Change *change = &settings->changes[i];
+        const Parameter *parameter = parameter_find(change->to.key);
+        if (change->step < 0 || (i > 0 && change->step < settings->changes[i - 1].step))
+            return status_fail(status, STATUS_USAGE, "changes: step %ld is out of order (ascending steps)",
+                               change->step);
+        if (parameter && !parameter->live)
+            return status_fail(status, STATUS_USAGE, "changes: %s cannot change in mid-run", change->to.key);
+        if (!settings_set(&tried, change->to.key, change->to.value, status))
+            return status_prefix(status, "changes");
+    }
+    return true;
+}
+
+bool changes_apply(const Settings *settings, Simulation *sim, Status *status)
+{
+    for (int i = 0; i < settings->n_changes; i++) {
+        const Change *change = &settings->changes[i];
+        if (change->step != sim->step)
+            continue;
+        Settings now;
+        Status why;
+        changes_in_force(settings, change->step, &now);
+        const Parameter *parameter = parameter_find(change->to.key);
+        if (!sim->method->change(sim, change->to.key, settings_number(&now, parameter), &why))
+            return simulation_fail(sim, status, "step %ld: %s", sim->step, why.text);
+        char text[KEY_MAX + VALUE_MAX + 8];
+        snprintf(text, sizeof text, "%s = %s", change->to.key, change->to.value);
+        simulation_report(sim, EVENT_CHANGE, text);
+    }
+    return true;
+}
+
+long changes_next(const Settings *settings, long step)
+{
+    for (int i = 0; i < settings->n_changes; i++)
+        if (settings->changes[i].step > step)
+            return settings->changes[i].step;
+    return LONG_MAX;
+}
+
+void changes_in_force(const Settings *settings, long step, Settings *out)
+{
+    *out = *settings;
+    for (int i = 0; i < settings->n_changes && settings->changes[i].step <= step; i++)
+        settings_set(out, settings->changes[i].to.key, settings->changes[i].to.value, NULL);
+}
+
+bool changes_add(Settings *settings, long step, const char *key, const char *value, Status *status)
+{
+    int n = settings->n_changes;
+    while (n > 0 && settings->changes[n - 1].step > step)
+        n--;
+    for (int i = 0; i < n; i++)
+        if (settings->changes[i].step == step && strcmp(settings->changes[i].to.key, key) == 0) {
+            memmove(&settings->changes[i], &settings->changes[i + 1],
+                    (size_t)(n - i - 1) * sizeof settings->changes[0]);
+            n--;
+            break;
+        }
+    if (n == CHANGES_MAX)
+        return status_fail(status, STATUS_USAGE, "%s: too many changes in one run (at most %d)", key,
+                           CHANGES_MAX);
+    Change *change = &settings->changes[n];
+    change->step = step;
+    snprintf(change->to.key, sizeof change->to.key, "%s", key);
+    snprintf(change->to.value, sizeof change->to.value, "%s", value);
+    settings->n_changes = n + 1;
+    return true;
+}

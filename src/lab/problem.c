@@ -1,0 +1,319 @@
+/* The table of problems, and what all references share. */
+#include "lab/problem.h"
+#include "lab/problem_rows.h"
+#include "theory/frequency.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct ProblemName {
+    const char *name, *title;
+} ProblemName;
+
+static const ProblemName names[PROBLEM_COUNT] = {
+    [PROBLEM_BAR] = {"bar", "axial vibration of a bar"},
+    [PROBLEM_SUPPORTED_BEAM] = {"simply-supported-beam", "vibration of a simply supported beam"},
+    [PROBLEM_MOVING_CANTILEVER] = {"moving-cantilever", "vibration of an axially moving cantilever"},
+    [PROBLEM_NOTCHED_BEAM] = {"notched-beam", "three-point bending of a beam with an offset notch"},
+};
+
+static const ProblemRow *const rows_of_problems[] = {
+    &bar_mpm_row,
+    &supported_pd_row,
+    &moving_pd_row,
+    &notched_pd_row,
+};
+enum { N_ROWS = sizeof rows_of_problems / sizeof *rows_of_problems };
+
+static const ProblemRow *find_row(Problem problem, MethodKind method)
+{
+    for (int i = 0; i < N_ROWS; i++)
+        if (rows_of_problems[i]->problem == problem && rows_of_problems[i]->method == method)
+            return rows_of_problems[i];
+    return NULL;
+}
+
+static const ProblemRow *need_row(const Settings *settings, Status *status)
+{
+    const ProblemRow *row = find_row(settings->problem, settings->method);
+    if (!row)
+        status_fail(status, STATUS_USAGE, "method: %s cannot model the problem %s (%s)",
+                    settings->method == METHOD_MPM ? "mpm" : "pd", problem_name(settings->problem),
+                    settings->method == METHOD_MPM ? "pd" : "mpm");
+    return row;
+}
+
+const char *problem_name(Problem problem)
+{
+    return names[problem].name;
+}
+
+const char *problem_title(Problem problem)
+{
+    return names[problem].title;
+}
+
+bool problem_allows(Problem problem, MethodKind method)
+{
+    return find_row(problem, method) != NULL;
+}
+
+Simulation *problem_simulate(const Settings *settings, int threads, Status *status)
+{
+    const ProblemRow *row = need_row(settings, status);
+    return row ? row->simulate(settings, threads, status) : NULL;
+}
+
+int problem_derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
+{
+    const ProblemRow *row = find_row(settings->problem, settings->method);
+    return row ? row->derived(settings, sim, out) : 0;
+}
+
+bool problem_advice(const Settings *settings, char *advice, size_t size, Status *status)
+{
+    const ProblemRow *row = need_row(settings, status);
+    if (size > 0)
+        advice[0] = '\0';
+    return row && row->advice(settings, advice, size, status);
+}
+
+bool problem_time_step(const Settings *settings, double *dt, Status *status)
+{
+    Simulation *sim = problem_simulate(settings, 1, status);
+    if (!sim)
+        return false;
+    *dt = sim->dt;
+    simulation_destroy(sim);
+    return true;
+}
+
+long problem_last_step(double dt, double end)
+{
+    double enough = end * (1 - 1e-9);
+    if (!(dt > 0) || !(enough > 0))
+        return 0;
+    double steps = ceil(enough / dt);
+    long last = steps < 9e18 ? (long)steps : (long)9e18;
+    /* the quotient may be off by a rounding; the product decides */
+    while (last > 0 && (double)(last - 1) * dt >= enough)
+        last--;
+    while ((double)last * dt < enough)
+        last++;
+    return last;
+}
+
+/* --- derived numbers ------------------------------------------------------------------------------ */
+
+void derived_add(Derived out[DERIVED_MAX], int *count, const char *name, const char *label, const char *unit,
+                 double value, bool integer)
+{
+    if (*count < DERIVED_MAX)
+        out[(*count)++] = (Derived){name, label, unit, value, integer};
+}
+
+/* --- the plan of columns -------------------------------------------------------------------------- */
+
+int plan_find(const References *refs, const char *column)
+{
+    for (int i = 0; i < refs->n_columns; i++)
+        if (strcmp(refs->plan[i].column.quantity.name, column) == 0)
+            return i;
+    return -1;
+}
+
+static void plan_add(References *refs, PlannedColumn planned)
+{
+    if (refs->n_columns < COLUMNS_MAX)
+        refs->plan[refs->n_columns++] = planned;
+}
+
+void plan_method(References *refs, const Simulation *sim, const char *series)
+{
+    int index = simulation_find_series(sim, series);
+    if (index >= 0 && plan_find(refs, series) < 0)
+        plan_add(refs, (PlannedColumn){{sim->series[index], COLUMN_MEASURED, -1}, index, NULL, false});
+}
+
+void plan_rest_of_method(References *refs, const Simulation *sim)
+{
+    for (int i = 0; i < sim->n_series; i++)
+        plan_method(refs, sim, sim->series[i].name);
+}
+
+void plan_answer(References *refs, const Quantity *quantity, ColumnKind kind, const char *of, Answer *answer)
+{
+    plan_add(refs, (PlannedColumn){{*quantity, kind, of ? plan_find(refs, of) : -1}, -1, answer, false});
+}
+
+void plan_filter(References *refs, const Quantity *quantity, const char *of, Answer *answer)
+{
+    plan_add(refs, (PlannedColumn){{*quantity, COLUMN_MEASURED, plan_find(refs, of)}, -1, answer, true});
+}
+
+References *problem_references(const Settings *settings, const Simulation *sim, Status *status)
+{
+    const ProblemRow *row = need_row(settings, status);
+    if (!row)
+        return NULL;
+    References *refs = calloc(1, sizeof *refs);
+    if (!refs) {
+        status_fail(status, STATUS_FAILED, "not enough memory for the reference solutions");
+        return NULL;
+    }
+    static const Quantity step = {"step", "step", "1", "whole time steps done"};
+    Quantity time = {"time", "t", settings->problem == PROBLEM_BAR ? "time" : "s", "step * dt"};
+    refs->kind = row;
+    refs->dt = sim->dt;
+    plan_answer(refs, &step, COLUMN_MEASURED, NULL, NULL);
+    plan_answer(refs, &time, COLUMN_MEASURED, NULL, NULL);
+    if (!row->prepare(refs, settings, sim, status)) {
+        references_destroy(refs);
+        return NULL;
+    }
+    plan_rest_of_method(refs, sim);
+    return refs;
+}
+
+void references_destroy(References *refs)
+{
+    if (!refs)
+        return;
+    if (refs->beam.moving)
+        moving_cantilever_free(refs->beam.moving);
+    free(refs->beam.window.values);
+    free(refs);
+}
+
+int references_columns(const References *refs, Column columns[COLUMNS_MAX])
+{
+    for (int i = 0; i < refs->n_columns; i++)
+        columns[i] = refs->plan[i].column;
+    return refs->n_columns;
+}
+
+long references_memory(const References *refs)
+{
+    return refs->beam.window.size;
+}
+
+void references_reset(References *refs)
+{
+    refs->beam.window.filled = refs->beam.window.next = 0;
+}
+
+static void remember(Window *window, double value)
+{
+    if (window->size == 0)
+        return;
+    window->values[window->next] = value;
+    window->next = (window->next + 1) % window->size;
+    if (window->filled < window->size)
+        window->filled++;
+}
+
+static void fill_row(References *refs, long step, double time, const double *method_row,
+                     const double *earlier, double *row)
+{
+    row[0] = (double)step;
+    row[1] = time;
+    for (int i = 2; i < refs->n_columns; i++) {
+        const PlannedColumn *planned = &refs->plan[i];
+        if (!planned->answer)
+            row[i] = method_row[planned->from_method];
+        else if (planned->remembers && earlier)
+            row[i] = earlier[i];
+        else
+            row[i] = planned->answer(refs, step, time, method_row);
+    }
+}
+
+void references_row(References *refs, long step, double time, const double *method_row, double *row)
+{
+    if (refs->beam.window.size > 0)
+        remember(&refs->beam.window, method_row[refs->beam.v_probe]);
+    fill_row(refs, step, time, method_row, NULL, row);
+}
+
+void references_row_again(References *refs, long step, double time, const double *method_row,
+                          const double *earlier, double *row)
+{
+    fill_row(refs, step, time, method_row, earlier, row);
+}
+
+double references_profile(const References *refs, const char *field, double x, double time)
+{
+    return refs->kind->profile(refs, field, x, time);
+}
+
+/* --- the readout ---------------------------------------------------------------------------------- */
+
+bool readout_fit(const double *rows, size_t n_rows, int n_columns, int column, double start,
+                 double *frequency)
+{
+    enum { SAMPLES_MAX = 4096, PER_PERIOD = 12 };
+    double samples[SAMPLES_MAX];
+    size_t width = (size_t)n_columns;
+    if (n_rows < 8 || !(start > 0))
+        return false;
+    double t0 = rows[1], dt = (rows[(n_rows - 1) * width + 1] - t0) / (double)(n_rows - 1);
+    double span = dt * (double)(n_rows - 1);
+    if (!(dt > 0) || start * span < M_PI)
+        return false;
+    /* a long record is sampled as thinly as its period allows; of one that is longer still, the beginning is
+     * fitted */
+    double thinnest = fmax(1, floor(2 * M_PI / start / PER_PERIOD / dt));
+    size_t stride = (n_rows + SAMPLES_MAX - 1) / SAMPLES_MAX;
+    if ((double)stride > thinnest)
+        stride = (size_t)thinnest;
+    size_t count = (n_rows - 1) / stride + 1;
+    if (count > SAMPLES_MAX)
+        count = SAMPLES_MAX;
+    for (size_t k = 0; k < count; k++)
+        samples[k] = rows[k * stride * width + (size_t)column];
+    FrequencyFit fit;
+    if (!frequency_fit(samples, count, t0, dt * (double)stride, start, &fit, NULL))
+        return false;
+    *frequency = fit.frequency;
+    return true;
+}
+
+void references_readout(const References *refs, const double *rows, size_t n_rows, int n_columns,
+                        Readout *readout)
+{
+    *readout = (Readout){.measured = NAN,
+                         .predicted = NAN,
+                         .exact = NAN,
+                         .error_frequency = NAN,
+                         .error_period = NAN,
+                         .predicted_error_frequency = NAN,
+                         .late = NAN,
+                         .column = ""};
+    if (n_rows > 0)
+        readout->time = rows[(n_rows - 1) * (size_t)n_columns + 1];
+    refs->kind->readout(refs, rows, n_rows, n_columns, readout);
+    /* a period is the inverse of a frequency, and so are their errors */
+    bool period = readout->is_period;
+    if (readout->measured_known && readout->exact_known) {
+        double ratio = readout->measured / readout->exact;
+        readout->error_frequency = 100 * ((period ? 1 / ratio : ratio) - 1);
+        readout->error_period = 100 * ((period ? ratio : 1 / ratio) - 1);
+    }
+    if (readout->predicted_known && readout->exact_known) {
+        double ratio = readout->predicted / readout->exact;
+        readout->predicted_error_frequency = 100 * ((period ? 1 / ratio : ratio) - 1);
+    }
+    readout->late = readout_late(readout, readout->time);
+}
+
+double readout_late(const Readout *readout, double time)
+{
+    if (!readout->measured_known || !readout->exact_known)
+        return NAN;
+    if (readout->drifting)
+        return readout->late;
+    if (readout->is_period)
+        return time / readout->exact - time / readout->measured;
+    return (readout->exact - readout->measured) * time / (2 * M_PI);
+}

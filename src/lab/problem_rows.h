@@ -1,0 +1,91 @@
+/* What the files behind problem.h share: one row for each pair of problem and method, and the references in
+ * full. Not for front ends. */
+#ifndef LAB_PROBLEM_ROWS_H
+#define LAB_PROBLEM_ROWS_H
+
+#include "lab/problem.h"
+#include "theory/bar.h"
+#include "theory/beam.h"
+
+/* A column of the series: a number of the method's row, or an answer worked out beside it. */
+typedef double Answer(References *, long step, double time, const double *row);
+
+typedef struct PlannedColumn {
+    Column column;
+    int from_method; /* index into the method's row; -1: not from there */
+    Answer *answer;  /* NULL: not an answer; step and time are neither */
+    bool remembers;  /* the answer depends on earlier rows */
+} PlannedColumn;
+
+/* On which column the bar's frequency is measured, and what it should be. */
+typedef struct BarWatch {
+    bool moving;
+    const char *column;
+    double times;       /* the column oscillates so many times as fast as the bar */
+    bool whole_periods; /* it is no pure cosine: only whole periods of it are fitted */
+    double exact, predicted;
+    bool predicted_known;
+} BarWatch;
+
+typedef struct BarAnswers {
+    BarTheory theory;
+    BarMesh mesh;
+    bool exact_known; /* false: the load changes in mid-run */
+    BarWatch watch;
+} BarAnswers;
+
+/* The last rows of the probe's velocity, for the filter. */
+typedef struct Window {
+    double *values; /* a ring */
+    long size, filled, next;
+} Window;
+
+typedef struct BeamAnswers {
+    BeamTheory theory;                         /* as the scenario says */
+    BeamTheory real;                           /* as the lattice came out */
+    double euler, timoshenko, timoshenko_real; /* periods of the simply supported beam */
+    MovingCantilever *moving;
+    Window window;
+    int v_probe; /* in the method's row */
+} BeamAnswers;
+
+typedef struct ProblemRow {
+    Problem problem;
+    MethodKind method;
+    Simulation *(*simulate)(const Settings *, int threads, Status *);
+    bool (*prepare)(References *, const Settings *, const Simulation *, Status *);
+    double (*profile)(const References *, const char *field, double x, double time);
+    void (*readout)(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);
+    int (*derived)(const Settings *, const Simulation *, Derived out[DERIVED_MAX]);
+    bool (*advice)(const Settings *, char *advice, size_t size, Status *);
+} ProblemRow;
+
+struct References {
+    const ProblemRow *kind;
+    PlannedColumn plan[COLUMNS_MAX];
+    int n_columns;
+    double dt;
+    BarAnswers bar;
+    BeamAnswers beam;
+};
+
+/* For prepare(): appends columns to the plan. */
+void plan_method(References *, const Simulation *, const char *series); /* no such series: nothing */
+void plan_rest_of_method(References *, const Simulation *);             /* all that is not planned yet */
+void plan_answer(References *, const Quantity *, ColumnKind, const char *of, Answer *);
+void plan_filter(References *, const Quantity *, const char *of, Answer *); /* an answer that remembers */
+int plan_find(const References *, const char *column);                      /* -1: there is none */
+
+/* One or more cosines in a column fitted by least squares; at most a few thousand of its rows are looked at,
+ * spread evenly. `start`: radians per unit time, the frequency expected. False: not yet. */
+bool readout_fit(const double *rows, size_t n_rows, int n_columns, int column, double start,
+                 double *frequency);
+
+/* Appends a derived number. */
+void derived_add(Derived out[DERIVED_MAX], int *count, const char *name, const char *label, const char *unit,
+                 double value, bool integer);
+
+extern const ProblemRow bar_mpm_row;
+extern const ProblemRow supported_pd_row, moving_pd_row, notched_pd_row;
+
+#endif

@@ -1,0 +1,455 @@
+/* An experiment against fresh runs: whatever way led to a moment, it is the same to the last bit. */
+#include "lab/lab_case.h"
+#include "suite.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MEGABYTE = 1 << 20 };
+
+/* A simulation that was simply run to a step and a stage. */
+static Simulation *straight(const Settings *settings, long step, int stage)
+{
+    Status status = {0};
+    Simulation *sim = problem_simulate(settings, 1, &status);
+    ck_assert_msg(sim != NULL, "%s", status.text);
+    ck_assert_msg(simulation_steps(sim, step, NULL, NULL, &status), "%s", status.text);
+    for (int i = 0; i < stage; i++)
+        ck_assert(simulation_stage(sim, &status));
+    return sim;
+}
+
+static void expect_straight(Experiment *experiment, const char *what)
+{
+    const Settings *settings = experiment_settings(experiment);
+    Simulation *fresh = straight(settings, experiment_step(experiment), experiment_stage(experiment));
+    expect_same_states(experiment_simulation(experiment), fresh, what);
+    simulation_destroy(fresh);
+}
+
+/* The keys of the laboratory: . , < > s S g and Space. */
+static void walk(Experiment *experiment, unsigned long *state)
+{
+    Status status = {0};
+    long step = experiment_step(experiment), last = experiment_last_step(experiment);
+    int stage = experiment_stage(experiment), stages = experiment_simulation(experiment)->n_stages;
+    switch (draw(state, 9)) {
+    case 0:
+        ck_assert(experiment_advance(experiment, 1, &status));
+        break;
+    case 1:
+        experiment_seek(experiment, stage > 0 ? step : step - 1, 0);
+        break;
+    case 2:
+        experiment_seek(experiment, step - 10, 0);
+        break;
+    case 3:
+        ck_assert(experiment_advance(experiment, 10, &status));
+        break;
+    case 4:
+    case 5:
+        ck_assert(experiment_next_stage(experiment, &status));
+        break;
+    case 6:
+        if (stage > 0)
+            experiment_seek(experiment, step, stage - 1);
+        else if (step > 0)
+            experiment_seek(experiment, step - 1, stages - 1);
+        break;
+    case 7:
+        experiment_seek(experiment, (long)draw(state, (unsigned long)last + 1),
+                        (int)draw(state, (unsigned long)stages));
+        break;
+    default:
+        ck_assert(experiment_advance(experiment, (long)draw(state, 80), &status));
+    }
+    finish_work(experiment);
+}
+
+static void walk_randomly(const Settings *settings, size_t history, int moves, unsigned long seed)
+{
+    Experiment *experiment = open_experiment(settings, history);
+    for (int i = 0; i < moves; i++) {
+        walk(experiment, &seed);
+        expect_straight(experiment, "random walk");
+        const double *row = experiment_row(experiment);
+        ck_assert_double_eq(row[0], (double)experiment_step(experiment));
+    }
+    /* the record knows nothing of the detours */
+    experiment_seek(experiment, experiment_newest(experiment), 0);
+    finish_work(experiment);
+    Experiment *fresh = open_experiment(settings, history);
+    ck_assert(experiment_advance(fresh, experiment_newest(experiment), NULL));
+    expect_same_records(experiment_record(experiment), experiment_record(fresh), "after the walk");
+    experiment_destroy(fresh);
+    experiment_destroy(experiment);
+}
+
+START_TEST(any_way_to_a_moment_of_a_bar_is_the_same)
+{
+    Settings settings = bar_settings(5, 5);
+    walk_randomly(&settings, 16 * MEGABYTE, 200, 1);
+    set(&settings, "mpm.algorithm", "musl");
+    set(&settings, "initial.velocity", "1");
+    walk_randomly(&settings, 16 * MEGABYTE, 200, 2);
+    set(&settings, "mpm.transfer", "apic");
+    set(&settings, "mpm.shape", "gimp");
+    walk_randomly(&settings, 16 * MEGABYTE, 100, 3);
+}
+END_TEST
+
+START_TEST(keyframes_are_given_up_under_a_small_budget)
+{
+    Settings settings = bar_settings(1, 5);
+    walk_randomly(&settings, 12000, 200, 4); /* two or three keyframes */
+    walk_randomly(&settings, 0, 100, 5);     /* none but that of t = 0 */
+}
+END_TEST
+
+START_TEST(any_way_to_a_moment_of_a_beam_is_the_same)
+{
+    Settings settings = beam_settings(PROBLEM_NOTCHED_BEAM, 6e-5);
+    settings.beam.load_stress = 2.4e8; /* things break soon */
+    walk_randomly(&settings, 16 * MEGABYTE, 60, 6);
+    settings = beam_settings(PROBLEM_MOVING_CANTILEVER, 4e-5);
+    walk_randomly(&settings, 16 * MEGABYTE, 40, 7);
+    settings = beam_settings(PROBLEM_SUPPORTED_BEAM, 4e-5);
+    walk_randomly(&settings, 1, 40, 8);
+}
+END_TEST
+
+START_TEST(a_run_stops_at_its_end)
+{
+    Settings settings = bar_settings(1, 1);
+    Experiment *experiment = open_experiment(&settings, MEGABYTE);
+    ck_assert_int_eq(experiment_last_step(experiment), 100);
+    ck_assert(experiment_advance(experiment, 1000, NULL));
+    ck_assert(experiment_at_end(experiment));
+    ck_assert_int_eq(experiment_step(experiment), 100);
+    ck_assert(experiment_next_stage(experiment, NULL));
+    ck_assert_int_eq(experiment_stage(experiment), 0);
+    experiment_seek(experiment, 5000, 3);
+    finish_work(experiment);
+    ck_assert_int_eq(experiment_step(experiment), 100);
+    ck_assert_uint_eq(experiment_record(experiment)->count, 101);
+    experiment_destroy(experiment);
+}
+END_TEST
+
+START_TEST(an_edit_recomputes_to_the_time_on_screen)
+{
+    static const char *const sizes[] = {"0.5", "0.25", "0.5", "1", "2.5", "1.25", "1", "5", "1", "0.5"};
+    Settings settings = bar_settings(5, 100);
+    Experiment *experiment = open_experiment(&settings, 16 * MEGABYTE);
+    ck_assert(experiment_advance(experiment, 2000, NULL));
+    double time = experiment_time(experiment);
+    for (int i = 0; i < 10; i++) {
+        Settings wanted = *experiment_settings(experiment);
+        Status status = {0};
+        set(&wanted, "mesh.cell_size", sizes[i]);
+        ck_assert_msg(experiment_edit(experiment, &wanted, &status), "%s", status.text);
+        finish_work(experiment);
+        ck_assert_double_le(fabs(experiment_time(experiment) - time),
+                            0.51 * experiment_simulation(experiment)->dt);
+        expect_straight(experiment, "after an edit");
+        Experiment *fresh = open_experiment(&wanted, 16 * MEGABYTE);
+        ck_assert(experiment_advance(fresh, experiment_step(experiment), NULL));
+        expect_same_records(experiment_record(experiment), experiment_record(fresh), "after an edit");
+        experiment_destroy(fresh);
+        const Ghost *ghost = &experiment_ghosts(experiment)[0];
+        ck_assert(ghost->used && !ghost->pinned);
+        ck_assert_uint_gt(ghost->record.count, 10);
+        ck_assert_msg(strstr(ghost->legend, "cell size") != NULL, "%s", ghost->legend);
+        for (int g = 1; g < GHOSTS_MAX; g++)
+            ck_assert(!experiment_ghosts(experiment)[g].used);
+    }
+    experiment_destroy(experiment);
+}
+END_TEST
+
+START_TEST(a_refused_edit_changes_nothing)
+{
+    Settings settings = bar_settings(1, 10);
+    Experiment *experiment = open_experiment(&settings, MEGABYTE);
+    ck_assert(experiment_advance(experiment, 100, NULL));
+    Settings wanted = *experiment_settings(experiment);
+    Status status = {0};
+    wanted.bar.courant = 2.5;
+    ck_assert(!experiment_edit(experiment, &wanted, &status));
+    ck_assert_int_eq(status.code, STATUS_USAGE);
+    ck_assert_msg(strstr(status.text, "2.5") && strstr(status.text, "1.732"), "%s", status.text);
+    ck_assert_int_eq(experiment_step(experiment), 100);
+    ck_assert_double_eq(experiment_settings(experiment)->bar.courant, 0.1);
+    ck_assert(!experiment_ghosts(experiment)[0].used);
+    expect_straight(experiment, "after a refusal");
+    experiment_destroy(experiment);
+}
+END_TEST
+
+/* Runs settings with their changes from the start. */
+static void expect_repeats(Experiment *experiment, const char *what)
+{
+    Settings scenario;
+    experiment_scenario(experiment, true, &scenario);
+    Experiment *again = open_experiment(&scenario, MEGABYTE);
+    ck_assert(experiment_advance(again, 1000000, NULL));
+    expect_same_records(experiment_record(experiment), experiment_record(again), what);
+    experiment_seek(experiment, experiment_newest(experiment), 0);
+    finish_work(experiment);
+    expect_same_states(experiment_simulation(experiment), experiment_simulation(again), what);
+    experiment_destroy(again);
+}
+
+static void edit_one(Experiment *experiment, const char *key, const char *value)
+{
+    Settings wanted = *experiment_settings(experiment);
+    Status status = {0};
+    set(&wanted, key, value);
+    ck_assert_msg(experiment_edit(experiment, &wanted, &status), "%s", status.text);
+}
+
+START_TEST(a_live_parameter_changes_in_mid_run)
+{
+    Settings settings = bar_settings(5, 20);
+    Experiment *experiment = open_experiment(&settings, MEGABYTE);
+    int n;
+    experiment_columns(experiment, &n);
+    ck_assert_int_eq(n, 11);
+    ck_assert(experiment_advance(experiment, 300, NULL));
+    edit_one(experiment, "mpm.algorithm", "usl");
+    ck_assert_int_eq(experiment_step(experiment), 300);
+    ck_assert(!experiment_ghosts(experiment)[0].used); /* nothing was cut off */
+    experiment_columns(experiment, &n);
+    ck_assert_int_eq(n, 10); /* no prediction any more */
+    ck_assert_int_eq(experiment_record(experiment)->n_columns, 10);
+    ck_assert(experiment_advance(experiment, 300, NULL));
+    expect_repeats(experiment, "changed at the newest step");
+
+    /* settings are those in force */
+    experiment_seek(experiment, 299, 0);
+    finish_work(experiment);
+    ck_assert_int_eq(experiment_settings(experiment)->bar.algorithm, MPM_USF);
+    experiment_seek(experiment, 300, 0);
+    finish_work(experiment);
+    ck_assert_int_eq(experiment_settings(experiment)->bar.algorithm, MPM_USL);
+
+    /* in the past, in the middle of a step */
+    experiment_seek(experiment, 450, 2);
+    finish_work(experiment);
+    edit_one(experiment, "mpm.flip_fraction", "0.9");
+    ck_assert_int_eq(experiment_newest(experiment), 451);
+    const Ghost *ghost = &experiment_ghosts(experiment)[0];
+    ck_assert(ghost->used && ghost->record.count == 601);
+    ck_assert(experiment_advance(experiment, 100, NULL));
+    expect_repeats(experiment, "changed in the past");
+    int events;
+    const Event *event = experiment_events(experiment, &events);
+    int changes = 0;
+    for (int i = 0; i < events; i++)
+        changes += event[i].kind == EVENT_CHANGE;
+    ck_assert_int_eq(changes, 2);
+
+    /* twice at one step, and back again */
+    experiment_seek(experiment, 400, 0);
+    finish_work(experiment);
+    edit_one(experiment, "mpm.transfer", "apic");
+    edit_one(experiment, "mpm.algorithm", "musl");
+    edit_one(experiment, "mpm.transfer", "flip");
+    ck_assert(experiment_advance(experiment, 200, NULL));
+    expect_repeats(experiment, "changed twice");
+
+    /* the restart keeps what is on screen */
+    ck_assert(experiment_restart(experiment, false, NULL));
+    ck_assert_int_eq(experiment_settings(experiment)->bar.algorithm, MPM_MUSL);
+    ck_assert_int_eq(experiment_settings(experiment)->n_changes, 0);
+    ck_assert(!experiment_ghosts(experiment)[0].used);
+    ck_assert(experiment_advance(experiment, 100, NULL));
+    expect_straight(experiment, "after a restart");
+    experiment_destroy(experiment);
+}
+END_TEST
+
+START_TEST(a_filter_survives_a_change_in_the_past)
+{
+    Settings settings = beam_settings(PROBLEM_MOVING_CANTILEVER, 3e-4);
+    Experiment *experiment = open_experiment(&settings, MEGABYTE);
+    ck_assert(experiment_advance(experiment, 600, NULL));
+    experiment_seek(experiment, 500, 0);
+    finish_work(experiment);
+    edit_one(experiment, "pd.critical_stretch", "0.1");
+    ck_assert_int_eq(experiment_newest(experiment), 500);
+    ck_assert(experiment_advance(experiment, 50, NULL));
+    expect_repeats(experiment, "filtered");
+    experiment_destroy(experiment);
+}
+END_TEST
+
+START_TEST(another_end_does_not_recompute)
+{
+    Settings settings = bar_settings(1, 5);
+    Experiment *experiment = open_experiment(&settings, MEGABYTE);
+    ck_assert(experiment_advance(experiment, 500, NULL));
+    const Simulation *sim = experiment_simulation(experiment);
+    edit_one(experiment, "time.end", "6");
+    edit_one(experiment, "output.every", "10");
+    ck_assert_ptr_eq(experiment_simulation(experiment), sim);
+    ck_assert(!experiment_at_end(experiment));
+    ck_assert_uint_eq(experiment_record(experiment)->count, 501);
+    ck_assert(experiment_advance(experiment, 500, NULL));
+    ck_assert_int_eq(experiment_step(experiment), 600);
+    edit_one(experiment, "time.end", "2");
+    ck_assert_int_eq(experiment_step(experiment), 200);
+    ck_assert_uint_eq(experiment_record(experiment)->count, 201);
+    ck_assert(experiment_at_end(experiment));
+    expect_straight(experiment, "shortened");
+    experiment_destroy(experiment);
+}
+END_TEST
+
+START_TEST(a_failed_run_keeps_its_rows)
+{
+    /* the bar leaves its mesh */
+    Settings settings = bar_settings(0, 100);
+    set(&settings, "bar.supports", "free-free");
+    set(&settings, "initial.velocity", "1");
+    set(&settings, "mesh.padding", "1");
+    for (int by_stage = 0; by_stage < 2; by_stage++) {
+        Experiment *experiment = open_experiment(&settings, 0);
+        Status status = {0};
+        bool sound = true;
+        while (sound && !experiment_at_end(experiment))
+            sound = by_stage ? experiment_next_stage(experiment, &status)
+                             : experiment_advance(experiment, 1000, &status);
+        ck_assert(!sound);
+        ck_assert_msg(strstr(status.text, "particle") != NULL, "%s", status.text);
+        Status again = {0};
+        ck_assert(experiment_failed(experiment, &again));
+        ck_assert_str_eq(again.text, status.text);
+        long newest = experiment_newest(experiment);
+        ck_assert_int_gt(newest, 50);
+        ck_assert_int_eq(experiment_step(experiment), newest);
+        ck_assert_int_eq(experiment_stage(experiment), 0);
+        ck_assert_uint_eq(experiment_record(experiment)->count, (size_t)newest + 1);
+        expect_straight(experiment, "after a failure");
+        /* one can look back, walk up to it again, and it fails again */
+        experiment_seek(experiment, newest - 20, 2);
+        finish_work(experiment);
+        expect_straight(experiment, "before the failure");
+        ck_assert(!experiment_advance(experiment, 100, &again));
+        ck_assert_str_eq(again.text, status.text);
+        ck_assert_int_eq(experiment_step(experiment), newest);
+        experiment_destroy(experiment);
+    }
+}
+END_TEST
+
+START_TEST(the_state_before_a_stage_is_known)
+{
+    Settings settings = bar_settings(1, 10);
+    Experiment *experiment = open_experiment(&settings, MEGABYTE);
+    ck_assert_ptr_null(experiment_before(experiment));
+    ck_assert(experiment_advance(experiment, 10, NULL));
+    ck_assert_ptr_null(experiment_before(experiment));
+    const Simulation *sim = experiment_simulation(experiment);
+    int stress = simulation_find_field(sim, 0, "stress");
+    double old[50], now[50], told[50];
+    ck_assert_uint_eq(sim->counts[0], 50);
+    for (int stage = 0; stage < sim->n_stages; stage++) {
+        sim->method->field(sim, stress, 0, 50, old);
+        ck_assert(experiment_next_stage(experiment, NULL));
+        sim->method->field(sim, stress, 0, 50, now);
+        ck_assert(experiment_field_before(experiment, stress, 0, 50, told));
+        ck_assert_mem_eq(told, old, sizeof old);
+        sim->method->field(sim, stress, 0, 50, told);
+        ck_assert_mem_eq(told, now, sizeof now);
+        char text[2048];
+        sim->method->explain(sim, stage, 0, 7, experiment_before(experiment), text, sizeof text);
+        ck_assert_uint_gt(strlen(text), 0);
+    }
+    expect_straight(experiment, "after looking back");
+    experiment_destroy(experiment);
+}
+END_TEST
+
+START_TEST(curves_are_pinned_and_unpinned)
+{
+    Settings settings = bar_settings(5, 10);
+    Experiment *experiment = open_experiment(&settings, MEGABYTE);
+    Status status = {0};
+    static const char *const modes[] = {"1", "2", "3", "4"};
+    for (int i = 0; i < GHOSTS_MAX - 1; i++) {
+        edit_one(experiment, "initial.mode", modes[i]);
+        ck_assert(experiment_advance(experiment, 200, NULL));
+        ck_assert_msg(experiment_pin(experiment, &status), "%s", status.text);
+    }
+    edit_one(experiment, "initial.mode", "6");
+    ck_assert(experiment_advance(experiment, 200, NULL));
+    ck_assert(!experiment_pin(experiment, &status));
+    edit_one(experiment, "initial.mode", "7");
+    int pinned = 0, loose = 0;
+    for (int i = 0; i < GHOSTS_MAX; i++) {
+        const Ghost *ghost = &experiment_ghosts(experiment)[i];
+        ck_assert(ghost->used);
+        ck_assert_int_eq(ghost->letter, 'a' + i);
+        pinned += ghost->pinned;
+        loose += !ghost->pinned;
+        if (!ghost->pinned)
+            ck_assert_int_eq(ghost->settings.mode, 6);
+    }
+    ck_assert_int_eq(pinned, GHOSTS_MAX - 1);
+    ck_assert_int_eq(loose, 1);
+    /* back to one of them: it is unpinned */
+    edit_one(experiment, "initial.mode", "2");
+    ck_assert(experiment_pin(experiment, &status));
+    pinned = 0;
+    for (int i = 0; i < GHOSTS_MAX; i++)
+        pinned += experiment_ghosts(experiment)[i].pinned;
+    ck_assert_int_eq(pinned, GHOSTS_MAX - 2);
+    experiment_destroy(experiment);
+}
+END_TEST
+
+START_TEST(a_million_steps_stay_within_bounds)
+{
+    Settings settings = bar_settings(1, 10000);
+    set(&settings, "mesh.cell_size", "5");
+    set(&settings, "time.courant", "0.02");
+    Experiment *experiment = open_experiment(&settings, 8 * MEGABYTE);
+    ck_assert_int_eq(experiment_last_step(experiment), 1000000);
+    ck_assert(experiment_advance(experiment, 1000000, NULL));
+    const Record *record = experiment_record(experiment);
+    ck_assert(record->thinned);
+    ck_assert_uint_le(record->room * (size_t)record->n_columns * sizeof(double), 32 * MEGABYTE);
+    ck_assert_double_eq(record_row(record, record->count - 1)[0], 1e6);
+    /* a row that is not kept is worked out */
+    experiment_seek(experiment, 777777, 0);
+    finish_work(experiment);
+    ck_assert_ptr_null(record_of_step(record, 777777));
+    const double *row = experiment_row(experiment);
+    ck_assert_double_eq(row[0], 777777);
+    ck_assert_double_eq_tol(row[1], 7777.77, 1e-9);
+    ck_assert_double_eq_tol(row[6], row[10], 0.04); /* kinetic up to total */
+    experiment_destroy(experiment);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *tcase = tcase_create("experiment");
+    tcase_set_timeout(tcase, 60);
+    tcase_add_test(tcase, any_way_to_a_moment_of_a_bar_is_the_same);
+    tcase_add_test(tcase, keyframes_are_given_up_under_a_small_budget);
+    tcase_add_test(tcase, any_way_to_a_moment_of_a_beam_is_the_same);
+    tcase_add_test(tcase, a_run_stops_at_its_end);
+    tcase_add_test(tcase, an_edit_recomputes_to_the_time_on_screen);
+    tcase_add_test(tcase, a_refused_edit_changes_nothing);
+    tcase_add_test(tcase, a_live_parameter_changes_in_mid_run);
+    tcase_add_test(tcase, a_filter_survives_a_change_in_the_past);
+    tcase_add_test(tcase, another_end_does_not_recompute);
+    tcase_add_test(tcase, a_failed_run_keeps_its_rows);
+    tcase_add_test(tcase, the_state_before_a_stage_is_known);
+    tcase_add_test(tcase, curves_are_pinned_and_unpinned);
+    tcase_add_test(tcase, a_million_steps_stay_within_bounds);
+    suite_add_tcase(suite, tcase);
+}
