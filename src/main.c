@@ -1,22 +1,66 @@
 /* Arguments in, exit status out: the only place that prints an error or exits. */
-#include "cli/verify.h"
+#include "cli/cli.h"
+#include "cli/options.h"
 
+#include <errno.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
+/* No command word: the laboratory. */
+static int open_laboratory(int count, char **arguments, Status *status)
+{
+    Options options;
+    Settings settings;
+    if (!options_parse("open", count, arguments, &options, status))
+        return (int)status->code;
+    if (options.help) {
+        cli_print_help(NULL);
+        return STATUS_DONE;
+    }
+    const char *scenario = options.n_words > 0 ? options.words[0] : "mode1";
+    if (!options_words(&options, 0, 1, "[SCENARIO]", status) ||
+        !options_load(&options, scenario, &settings, status))
+        return (int)status->code;
+    return status_fail(status, STATUS_FAILED, "%s: this build has no laboratory", scenario), STATUS_FAILED;
+}
+
+static bool asks_for_help(int count, char **arguments)
+{
+    for (int i = 0; i < count && strcmp(arguments[i], "--") != 0; i++)
+        if (strcmp(arguments[i], "--help") == 0)
+            return true;
+    return false;
+}
+
+static int run(int count, char **arguments, Status *status)
+{
+    if (count > 0 && strcmp(arguments[0], "--version") == 0) {
+        puts("matvib " PACKAGE_VERSION);
+        return STATUS_DONE;
+    }
+    const CliCommand *command = count > 0 ? cli_find(arguments[0]) : NULL;
+    if (!command)
+        return open_laboratory(count, arguments, status);
+    if (asks_for_help(count - 1, arguments + 1)) {
+        cli_print_help(command);
+        return STATUS_DONE;
+    }
+    return command->run(count - 1, arguments + 1, status);
+}
+
 int main(int count, char **arguments)
 {
-    if (count > 1 && strcmp(arguments[1], "--version") == 0) {
-        puts("matvib " PACKAGE_VERSION);
-        return 0;
+    Status status = {0};
+    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a failed write, said in one line */
+    int result = run(count - 1, arguments + 1, &status);
+    if (result != STATUS_DONE && *status.text)
+        fprintf(stderr, "matvib: %s\n", status.text);
+    errno = 0;
+    bool lost = ferror(stdout) != 0;
+    if ((fclose(stdout) != 0 || lost) && result == STATUS_DONE) {
+        fprintf(stderr, "matvib: standard output: %s\n", strerror(errno ? errno : EIO));
+        result = STATUS_FAILED;
     }
-    if (count > 1 && strcmp(arguments[1], "verify") == 0) {
-        Status status = {0};
-        int result = verify_main(count - 2, arguments + 2, stdout, &status);
-        if (result != 0)
-            fprintf(stderr, "matvib: %s\n", status.text);
-        return result;
-    }
-    fputs("matvib: nothing to run yet\n", stderr);
-    return 2;
+    return result;
 }

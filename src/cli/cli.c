@@ -1,0 +1,60 @@
+#include "cli/cli.h"
+
+#include "cli/options.h"
+#include "cli/verify.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static int verify(int count, char **arguments, Status *status)
+{
+    return verify_main(count, arguments, stdout, status);
+}
+
+const CliCommand cli_commands[] = {
+    {"verify", "[NAME]...", "what the papers say, what theory predicts, what was measured", verify},
+    {"list", "", "the built-in scenarios", cli_list},
+    {"show", "SCENARIO", "the resolved scenario as a file, derived values as comments", cli_show},
+    {"params", "[PROBLEM]", "the parameters: default, unit, what is allowed, meaning", cli_params},
+    {NULL, NULL, NULL, NULL},
+};
+
+const CliCommand *cli_find(const char *name)
+{
+    for (const CliCommand *command = cli_commands; command->name; command++)
+        if (strcmp(command->name, name) == 0)
+            return command;
+    return NULL;
+}
+
+static void print_command(const CliCommand *command)
+{
+    char usage[64];
+    snprintf(usage, sizeof usage, "matvib %s %s", command->name, command->synopsis);
+    printf("  %-32s %s\n", usage, command->help);
+}
+
+void cli_print_help(const CliCommand *command)
+{
+    if (command) {
+        printf("usage: matvib %s%s%s [OPTION]...\n\n%s\n", command->name, *command->synopsis ? " " : "",
+               command->synopsis, command->help);
+        if (options_count(command->name) > 0)
+            printf("\nOptions:\n");
+        options_print(command->name);
+        return;
+    }
+    printf("usage: matvib [SCENARIO] [OPTION]...\n"
+           "       matvib COMMAND [ARGUMENT]... [OPTION]...\n\n"
+           "A laboratory in a terminal: the material point method on a bar, peridynamics on beams.\n"
+           "SCENARIO is a name from `matvib list` or the path of a file; without one it is mode1.\n\n"
+           "Commands:\n");
+    print_command(&(CliCommand){"[SCENARIO]", "", "opens the laboratory", NULL});
+    for (command = cli_commands; command->name; command++)
+        print_command(command);
+    printf("\nOptions of the laboratory:\n");
+    options_print("open");
+    printf("\n`matvib COMMAND --help` tells the options of a command. Exit status: 0 done, 1 the run or a "
+           "check\n"
+           "failed, 2 bad usage or bad input. More: man matvib, man 5 matvib (scenario files).\n");
+}

@@ -1,0 +1,31 @@
+/* The words of the command line. A command is one row of the table in cli.c and one function in a file of its
+ * own; its options are rows of the table in options.c. Help, manual pages and completion read both.
+ *
+ * A command prints its result on standard output and nothing else: what went wrong is the status, which main
+ * prints as "matvib: ..." on standard error. */
+#ifndef CLI_CLI_H
+#define CLI_CLI_H
+
+#include "base/status.h"
+
+typedef struct CliCommand {
+    const char *name;     /* "show" */
+    const char *synopsis; /* what follows the name, options left out: "SCENARIO" */
+    const char *help;     /* one line */
+    /* `arguments` are those behind the name. Returns the exit status; if that is not 0 the status says why.
+     */
+    int (*run)(int count, char **arguments, Status *);
+} CliCommand;
+
+extern const CliCommand cli_commands[]; /* ended by a NULL name */
+
+const CliCommand *cli_find(const char *name); /* NULL: there is none */
+
+/* --help: of the program, or of one command. */
+void cli_print_help(const CliCommand *command);
+
+int cli_list(int count, char **arguments, Status *);
+int cli_show(int count, char **arguments, Status *);
+int cli_params(int count, char **arguments, Status *);
+
+#endif

@@ -1,0 +1,27 @@
+/* `matvib list`: the built-in scenarios with their titles. */
+#include "cli/cli.h"
+#include "cli/options.h"
+
+#include <stdio.h>
+#include <string.h>
+
+int cli_list(int count, char **arguments, Status *status)
+{
+    Options options;
+    if (!options_parse("list", count, arguments, &options, status) ||
+        !options_words(&options, 0, 0, NULL, status))
+        return STATUS_USAGE;
+    size_t width = 0;
+    const BuiltinScenario *builtin;
+    for (builtin = builtin_scenarios; builtin->name; builtin++)
+        width = strlen(builtin->name) > width ? strlen(builtin->name) : width;
+    for (builtin = builtin_scenarios; builtin->name; builtin++) {
+        char title[TITLE_MAX];
+        Settings settings;
+        if (!scenario_load(builtin->name, &settings, status))
+            return (int)status->code;
+        strcpy(title, settings.title);
+        printf("%-*s  %s\n", (int)width, builtin->name, title);
+    }
+    return STATUS_DONE;
+}

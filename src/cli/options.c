@@ -1,0 +1,282 @@
+#include "cli/options.h"
+
+#include "base/text.h"
+#include "lab/parameters.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+static const char *const dialects[] = {"comma", "semicolon", NULL};
+static const char *const glyph_sets[] = {"auto", "braille", "block", "ascii", NULL};
+static const char *const themes[] = {"auto", "light", "dark", NULL};
+
+#define AT(member)    .offset = offsetof(Options, member)
+#define ONE_OF(names) .kind = OPTION_WORD, .words = names
+
+const Option options_table[] = {
+    {"--set", "KEY=VALUE", " open show run ", "a value instead of the scenario's; may be repeated",
+     OPTION_OVERRIDE, AT(overrides)},
+    {"--end", "T", " open show run ", "the run ends at time T", OPTION_OVERRIDE, AT(overrides),
+     .key = "time.end"},
+    {"--every", "N", " run ", "a row of the series every N steps (1)", OPTION_OVERRIDE,
+     .key = "output.every"},
+    {"--series", "FILE", " run ", "writes the series: one row for each recorded step", OPTION_TEXT,
+     AT(outputs.series)},
+    {"--particles", "FILE", " run ", "writes the table of particles", OPTION_TEXT, AT(outputs.particles)},
+    {"--nodes", "FILE", " run ", "writes the table of the grid's nodes (bar)", OPTION_TEXT,
+     AT(outputs.nodes)},
+    {"--bonds", "FILE", " run ", "writes the table of bonds (beams)", OPTION_TEXT, AT(outputs.bonds)},
+    {"--vtk", "FILE", " run ", "writes points for ParaView", OPTION_TEXT, AT(outputs.vtk)},
+    {"--frames", "N", " run ", "tables at N times from 0 to the end, not at the last step alone",
+     OPTION_OVERRIDE, AT(overrides), .key = "output.frames", .clears = "output.at"},
+    {"--at", "T,T,...", " run ", "tables at these times", OPTION_OVERRIDE, AT(overrides), .key = "output.at",
+     .clears = "output.frames"},
+    {"--dialect", "D", " run ", "comma, or semicolon with a decimal comma, for spreadsheets", AT(dialect),
+     ONE_OF(dialects)},
+    {"--force", NULL, " run ", "replaces files that exist", OPTION_FLAG, AT(force)},
+    {"--quiet", NULL, " run ", "neither progress nor summary", OPTION_FLAG, AT(quiet)},
+    {"--threads", "N", " open run ", "threads to compute with; the numbers do not depend on it", OPTION_COUNT,
+     AT(threads)},
+    {"--full", NULL, " verify ", "everything, however long it takes", OPTION_FLAG, AT(full)},
+    {"--list", NULL, " verify ", "tells the names", OPTION_FLAG, AT(list)},
+    {"--paused", NULL, " open ", "opens paused at t = 0", OPTION_FLAG, AT(paused)},
+    {"--glyphs", "G", " open ", "characters of the plots: auto, braille, block, ascii", AT(glyphs),
+     ONE_OF(glyph_sets)},
+    {"--theme", "T", " open ", "background: auto, light, dark", AT(theme), ONE_OF(themes)},
+    {"--no-mouse", NULL, " open ", "leaves the mouse to the terminal", OPTION_FLAG, AT(no_mouse)},
+    {"--history", "SIZE", " open ", "memory for stepping back (256M)", OPTION_BYTES, AT(history)},
+    {"--script", "FILE", " open ", "keys from FILE (- is standard input), screens to standard output",
+     OPTION_TEXT, AT(script)},
+    {"--size", "WxH", " open ", "size of the screens of a script (80x24)", OPTION_SIZE, AT(size)},
+};
+
+const int n_options = (int)(sizeof options_table / sizeof *options_table);
+
+/* --- one argument --------------------------------------------------------------------------------- */
+
+static bool takes(const Option *option, const char *command)
+{
+    char word[32];
+    snprintf(word, sizeof word, " %s ", command);
+    return strstr(option->commands, word) != NULL;
+}
+
+static void join(const char *const *words, char *out, size_t size)
+{
+    size_t used = 0;
+    for (int i = 0; words[i] && used < size; i++)
+        used += (size_t)snprintf(out + used, size - used, "%s%s", i ? " | " : "", words[i]);
+}
+
+static bool read_bytes(const char *text, size_t *bytes)
+{
+    char number[32];
+    size_t n = strspn(text, "0123456789");
+    static const char units[] = "kMGT";
+    const char *unit = text[n] ? strchr(units, text[n]) : units - 1;
+    long count;
+    if (n == 0 || n >= sizeof number || !unit || (text[n] && text[n + 1]))
+        return false;
+    memcpy(number, text, n);
+    number[n] = '\0';
+    int shift = text[n] ? 10 * (int)(unit - units + 1) : 0;
+    if (!text_to_long(number, &count) || count <= 0 || (uint64_t)count > (UINT64_MAX >> shift) ||
+        ((uint64_t)count << shift) > SIZE_MAX)
+        return false;
+    *bytes = (size_t)((uint64_t)count << shift);
+    return true;
+}
+
+static bool read_size(const char *text, int size[2])
+{
+    char after;
+    return strspn(text, "0123456789x") == strlen(text) && strlen(text) <= 9 &&
+           sscanf(text, "%dx%d%c", &size[0], &size[1], &after) == 2 && size[0] > 0 && size[1] > 0;
+}
+
+static bool add_override(Options *options, const char *origin, const char *key, const char *value,
+                         Status *status)
+{
+    if (options->n_overrides == OVERRIDES_MAX)
+        return status_fail(status, STATUS_USAGE, "%s: too many values (at most %d)", origin, OVERRIDES_MAX);
+    options->overrides[options->n_overrides++] = (Override){origin, key, value};
+    return true;
+}
+
+static bool take_override(const Option *option, const char *value, Options *options, Status *status)
+{
+    const char *key = option->key;
+    if (!key) {
+        const char *equals = strchr(value, '=');
+        if (!equals || equals == value || equals - value >= KEY_MAX)
+            return status_fail(status, STATUS_USAGE, "--set: \"%.80s\" sets nothing (KEY=VALUE)", value);
+        if (options->n_overrides == OVERRIDES_MAX)
+            return status_fail(status, STATUS_USAGE, "--set: too many values (at most %d)", OVERRIDES_MAX);
+        char *kept = options->keys[options->n_overrides];
+        memcpy(kept, value, (size_t)(equals - value));
+        kept[equals - value] = '\0';
+        key = kept;
+        value = equals + 1;
+    }
+    if (option->clears && !add_override(options, option->name, option->clears, "", status))
+        return false;
+    return add_override(options, option->name, key, value, status);
+}
+
+static bool take(const Option *option, const char *value, Options *options, Status *status)
+{
+    void *member = (char *)options + option->offset;
+    char allowed[128];
+    switch (option->kind) {
+    case OPTION_FLAG:
+        *(bool *)member = true;
+        return true;
+    case OPTION_TEXT:
+        if (!*value)
+            return status_fail(status, STATUS_USAGE, "%s: is empty (%s)", option->name, option->argument);
+        *(const char **)member = value;
+        return true;
+    case OPTION_COUNT:
+        if (!text_to_long(value, (long *)member) || *(long *)member < 1)
+            return status_fail(status, STATUS_USAGE, "%s: %.60s is not allowed (a whole number, 1 or more)",
+                               option->name, value);
+        return true;
+    case OPTION_BYTES:
+        if (!read_bytes(value, member))
+            return status_fail(status, STATUS_USAGE, "%s: %.60s is no size (such as 64M or 2G)", option->name,
+                               value);
+        return true;
+    case OPTION_SIZE:
+        if (!read_size(value, member))
+            return status_fail(status, STATUS_USAGE, "%s: %.60s is no size (such as 80x24)", option->name,
+                               value);
+        return true;
+    case OPTION_WORD:
+        for (int i = 0; option->words[i]; i++)
+            if (strcmp(option->words[i], value) == 0) {
+                *(const char **)member = value;
+                return true;
+            }
+        join(option->words, allowed, sizeof allowed);
+        return status_fail(status, STATUS_USAGE, "%s: %.60s is not a choice (%s)", option->name, value,
+                           allowed);
+    case OPTION_OVERRIDE:
+        return take_override(option, value, options, status);
+    }
+    return false;
+}
+
+/* --- the whole line ------------------------------------------------------------------------------- */
+
+static bool unknown(const char *command, const char *name, Status *status)
+{
+    enum { MOST = 64 };
+    const char *known[MOST + 1] = {NULL};
+    int count = 0;
+    for (int i = 0; i < n_options && count < MOST; i++)
+        if (takes(&options_table[i], command))
+            known[count++] = options_table[i].name;
+    const char *nearest = nearest_word(known, name);
+    bool open = strcmp(command, "open") == 0;
+    if (nearest)
+        return status_fail(status, STATUS_USAGE, "%.60s: unknown option (did you mean %s?)", name, nearest);
+    return status_fail(status, STATUS_USAGE, "%.60s: unknown option (see: matvib %s%s--help)", name,
+                       open ? "" : command, open ? "" : " ");
+}
+
+static const Option *find(const char *command, const char *name)
+{
+    for (int i = 0; i < n_options; i++)
+        if (strcmp(options_table[i].name, name) == 0 && takes(&options_table[i], command))
+            return &options_table[i];
+    return NULL;
+}
+
+/* An option with its value, which may stand in the same argument behind '='. Moves *at on. */
+static bool take_option(const char *command, int count, char **arguments, int *at, Options *options,
+                        Status *status)
+{
+    char name[64];
+    const char *argument = arguments[*at], *equals = strchr(argument, '=');
+    snprintf(name, sizeof name, "%.*s", (int)(equals ? (size_t)(equals - argument) : strlen(argument)),
+             argument);
+    const Option *option = find(command, name);
+    if (!option)
+        return unknown(command, name, status);
+    if (!option->argument && equals)
+        return status_fail(status, STATUS_USAGE, "%s: takes no value", name);
+    const char *value = equals ? equals + 1 : NULL;
+    if (option->argument && !value) {
+        if (*at + 1 == count)
+            return status_fail(status, STATUS_USAGE, "%s: has no value (%s)", name, option->argument);
+        value = arguments[++*at];
+    }
+    return take(option, value, options, status);
+}
+
+bool options_parse(const char *command, int count, char **arguments, Options *options, Status *status)
+{
+    memset(options, 0, sizeof *options);
+    bool only_words = false;
+    for (int at = 0; at < count; at++) {
+        const char *argument = arguments[at];
+        if (!only_words && strcmp(argument, "--help") == 0) {
+            options->help = true;
+            return true;
+        }
+        if (!only_words && strcmp(argument, "--") == 0) {
+            only_words = true;
+        } else if (!only_words && argument[0] == '-' && argument[1]) {
+            if (!take_option(command, count, arguments, &at, options, status))
+                return false;
+        } else if (options->n_words < WORDS_MAX) {
+            options->words[options->n_words++] = argument;
+        } else {
+            return status_fail(status, STATUS_USAGE, "%.60s: too many arguments (at most %d)", argument,
+                               WORDS_MAX);
+        }
+    }
+    options->outputs.force = options->force;
+    options->outputs.dialect =
+        options->dialect && strcmp(options->dialect, "semicolon") == 0 ? DIALECT_SEMICOLON : DIALECT_COMMA;
+    return true;
+}
+
+bool options_words(const Options *options, int least, int most, const char *expected, Status *status)
+{
+    if (options->n_words < least)
+        return status_fail(status, STATUS_USAGE, "%s is missing (see: matvib --help)", expected);
+    if (options->n_words > most)
+        return status_fail(status, STATUS_USAGE, "%.60s: is one argument too many (%s)", options->words[most],
+                           most > 0 ? expected : "none");
+    return true;
+}
+
+int options_count(const char *command)
+{
+    int count = 0;
+    for (int i = 0; i < n_options; i++)
+        count += takes(&options_table[i], command);
+    return count;
+}
+
+void options_print(const char *command)
+{
+    for (int i = 0; i < n_options; i++) {
+        const Option *option = &options_table[i];
+        char name[40];
+        snprintf(name, sizeof name, "%s%s%s", option->name, option->argument ? " " : "",
+                 option->argument ? option->argument : "");
+        if (takes(option, command))
+            printf("  %-18s %s\n", name, option->help);
+    }
+}
+
+/* --- the settings --------------------------------------------------------------------------------- */
+
+bool options_load(const Options *options, const char *scenario, Settings *settings, Status *status)
+{
+    return scenario_load_with(scenario, options->overrides, options->n_overrides, settings, status);
+}

@@ -1,0 +1,77 @@
+/* Options of the command line, all in one table, and the settings that SCENARIO and they come to. To add one:
+ * a row in options.c and the member it fills. */
+#ifndef CLI_OPTIONS_H
+#define CLI_OPTIONS_H
+
+#include "base/status.h"
+#include "lab/export.h"
+#include "lab/scenario.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef enum OptionKind {
+    OPTION_FLAG,     /* bool */
+    OPTION_TEXT,     /* const char * */
+    OPTION_COUNT,    /* long, 1 or more */
+    OPTION_BYTES,    /* size_t: 4096, 64k, 256M, 2G */
+    OPTION_SIZE,     /* int[2]: 80x24 */
+    OPTION_WORD,     /* const char *, one of some words */
+    OPTION_OVERRIDE, /* sets a key of the scenario: KEY=VALUE, or the value of a key */
+} OptionKind;
+
+typedef struct Option {
+    const char *name;     /* "--set" */
+    const char *argument; /* "KEY=VALUE"; NULL: it has none */
+    const char *commands; /* those that take it, each between spaces; " open " is that without a word */
+    const char *help;     /* one line */
+    OptionKind kind;
+    size_t offset;            /* of the member in Options */
+    const char *const *words; /* OPTION_WORD; ended by NULL */
+    const char *key;          /* OPTION_OVERRIDE: the key; NULL: the argument names it */
+    const char *clears;       /* OPTION_OVERRIDE: a key that it sets back, for it says the same */
+} Option;
+
+extern const Option options_table[];
+extern const int n_options;
+
+enum { WORDS_MAX = 64, OVERRIDES_MAX = 128 };
+
+/* What a command line came to; what was not said is 0. */
+typedef struct Options {
+    const char *words[WORDS_MAX]; /* arguments that are no options */
+    int n_words;
+    bool help; /* --help: nothing else counts */
+    bool full, list;
+
+    Override overrides[OVERRIDES_MAX];
+    int n_overrides;
+    char keys[OVERRIDES_MAX][KEY_MAX]; /* where the keys of --set are kept */
+    long steps;                        /* --steps */
+    long threads;
+
+    Outputs outputs; /* its dialect and force are filled in by options_parse() */
+    const char *dialect;
+    bool force, quiet;
+
+    bool paused, no_mouse;
+    const char *glyphs, *theme, *script;
+    size_t history;
+    int size[2];
+} Options;
+
+/* Reads the arguments of a command ("open": the laboratory). False: the status says which is wrong and what
+ * is allowed. */
+bool options_parse(const char *command, int count, char **arguments, Options *, Status *);
+
+/* The usual check after it: the number of words, `least` to `most`; `expected` names them ("SCENARIO"). */
+bool options_words(const Options *, int least, int most, const char *expected, Status *);
+
+/* The settings of a scenario with all that was said of it: --set, --end, --steps, --every, --frames, --at. */
+bool options_load(const Options *, const char *scenario, Settings *, Status *);
+
+/* Prints the options of a command, a line each. */
+void options_print(const char *command);
+int options_count(const char *command);
+
+#endif

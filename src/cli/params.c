@@ -1,0 +1,67 @@
+/* `matvib params [PROBLEM]`: the parameter table for people. */
+#include "cli/cli.h"
+#include "cli/options.h"
+#include "lab/parameters.h"
+#include "lab/problem.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const char *unit_of(const Parameter *parameter, Problem problem)
+{
+    return problem == PROBLEM_BAR ? parameter->unit_bar : parameter->unit_beam;
+}
+
+static void print_parameter(const Settings *settings, const Parameter *parameter)
+{
+    char value[LIST_MAX], assignment[96], range[160];
+    const char *unit = unit_of(parameter, settings->problem);
+    settings_show(settings, parameter, value);
+    parameter_range(parameter, range, sizeof range);
+    snprintf(assignment, sizeof assignment, "%s = %.60s%s%s", parameter->key, value, *unit ? " " : "", unit);
+    printf("  %-42s %s%s\n      %s\n", assignment, range, parameter->live ? "  [live]" : "", parameter->help);
+}
+
+static void print_problem(Problem problem)
+{
+    Settings settings;
+    settings_default(&settings, problem);
+    printf("%s (%s)\n", problem_words[problem], method_words[settings.method]);
+    const char *group = "";
+    for (int i = 0; i < n_parameters; i++) {
+        if (!parameter_applies(&parameters[i], problem))
+            continue;
+        if (strcmp(parameters[i].group, group) != 0)
+            printf("\n%s\n", group = parameters[i].group);
+        print_parameter(&settings, &parameters[i]);
+    }
+}
+
+static bool find_problem(const char *word, int *problem, Status *status)
+{
+    for (*problem = 0; *problem < PROBLEM_COUNT; (*problem)++)
+        if (strcmp(problem_words[*problem], word) == 0)
+            return true;
+    return status_fail(status, STATUS_USAGE, "params: %.60s is not a problem (%s | %s | %s | %s)", word,
+                       problem_words[0], problem_words[1], problem_words[2], problem_words[3]);
+}
+
+int cli_params(int count, char **arguments, Status *status)
+{
+    Options options;
+    if (!options_parse("params", count, arguments, &options, status) ||
+        !options_words(&options, 0, 1, "[PROBLEM]", status))
+        return STATUS_USAGE;
+    int first = 0, last = PROBLEM_COUNT - 1;
+    if (options.n_words == 1) {
+        if (!find_problem(options.words[0], &first, status))
+            return STATUS_USAGE;
+        last = first;
+    }
+    for (int problem = first; problem <= last; problem++) {
+        print_problem((Problem)problem);
+        putchar('\n');
+    }
+    printf("[live] may change in mid-run. Each value is set by --set KEY=VALUE or in a scenario file.\n");
+    return STATUS_DONE;
+}

@@ -1,0 +1,128 @@
+#!/bin/sh
+# list, show, params, --help and what is answered to a wrong command line.
+number=0
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+
+# expect NAME STATUS ARGUMENTS...: runs matvib and keeps what it wrote in out and err
+expect() {
+	name=$1 wanted=$2
+	shift 2
+	"$MATVIB" "$@" >out 2>err
+	got=$?
+	result "$name: status $wanted" test "$got" -eq "$wanted"
+}
+# refuse NAME STATUS LINE ARGUMENTS...: nothing on stdout, one line on stderr, this one
+refuse() {
+	name=$1 wanted=$2 line="matvib: $3"
+	shift 3
+	"$MATVIB" "$@" >out 2>err
+	got=$?
+	test "$got" -eq "$wanted" || echo "status $got, not $wanted" >>out
+	printf '%s\n' "$line" | cmp -s - err || printf 'wanted: %s\n' "$line" >>out
+	result "$name" test ! -s out
+}
+result() {
+	number=$((number + 1))
+	name=$1
+	shift
+	if "$@"; then echo "ok $number - $name"; else
+		echo "not ok $number - $name"
+		sed 's/^/# /' out err
+	fi
+}
+says() { grep -q -e "$2" "$1"; }
+
+expect "version" 0 --version
+result "it is one line" test "$(wc -l <out)" -eq 1
+expect "help" 0 --help
+result "help fits 100 columns" test -z "$(awk 'length > 100' out)"
+result "help names the commands" says out 'matvib show SCENARIO'
+for command in list show params verify; do
+	expect "help of $command" 0 $command --help
+	result "$command says how it is used" says out "^usage: matvib $command"
+done
+
+expect "list" 0 list
+result "all built-ins with titles" test "$(awk 'NF > 2' out | wc -l)" -eq "$(ls "$MATVIB_SRCDIR"/data/scenarios/*.ini | wc -l)"
+cut -d' ' -f1 out >names
+result "the first is mode1" test "$(head -n 1 names)" = mode1
+
+# what show prints is a scenario file that comes to the same
+while read -r scenario; do
+	"$MATVIB" show "$scenario" >first.ini 2>err && "$MATVIB" show first.ini >second.ini 2>>err
+	cmp first.ini second.ini >out 2>&1
+	result "show $scenario reads back" test ! -s out
+done <names
+sed 's/$/\r/' first.ini >dos.ini
+"$MATVIB" show dos.ini >second.ini 2>err
+result "CR LF is accepted" cmp -s first.ini second.ini
+printf '\357\273\277' | cat - first.ini >bom.ini
+"$MATVIB" show bom.ini >second.ini 2>err
+result "a byte order mark is accepted" cmp -s first.ini second.ini
+
+expect "--set" 0 show mode5 --set mesh.cell_size=0.5 --set=initial.overtones=7:0.01 --end 20
+result "--set is in the scenario" says out '^cell_size = 0.5$'
+result "--set=KEY=VALUE too" says out '^overtones = 7:0.01$'
+result "--end too" says out '^end = 20$'
+expect "a fracture energy" 0 show notched-beam --set pd.critical_energy=50
+result "the energy is the handle" says out '^critical_energy = 50$'
+result "the stretch is a comment" says out '^# critical_stretch = 0.0010'
+
+expect "params" 0 params
+result "every problem" test "$(grep -c -E '^(bar|simply-supported-beam|moving-cantilever|notched-beam) \(' out)" -eq 4
+result "params fits 120 columns" test -z "$(awk 'length > 120' out)"
+expect "params of one problem" 0 params notched-beam
+result "its parameters" says out '^  load.stress = 6e7 Pa .*\[live\]$'
+result "no others" test "$(grep -c mesh.cell_size out)" -eq 0
+
+refuse "unknown scenario" 2 'mode11: no such scenario or file (did you mean mode1?)' show mode11
+refuse "unknown scenario, none near" 2 'zebra: no such scenario or file (see: matvib list)' show zebra
+refuse "no scenario" 2 'SCENARIO is missing (see: matvib --help)' show
+refuse "two scenarios" 2 'mode5: is one argument too many (SCENARIO)' show mode1 mode5
+refuse "list takes no argument" 2 'mode5: is one argument too many (none)' list mode5
+refuse "a folder" 2 '/: cannot be read: Is a directory' show /
+refuse "unknown option" 2 '--sett: unknown option (did you mean --set?)' show mode1 --sett a=b
+refuse "unknown option, none near" 2 '--zebra: unknown option (see: matvib show --help)' show mode1 --zebra
+refuse "option of another command" 2 '--paused: unknown option (see: matvib show --help)' show mode1 --paused
+refuse "option without value" 2 '--set: has no value (KEY=VALUE)' show mode1 --set
+refuse "--set without =" 2 '--set: "mode" sets nothing (KEY=VALUE)' show mode1 --set mode
+refuse "--set of an unknown key" 2 '--set: mesh.cellsize: unknown key (did you mean mesh.cell_size?)' \
+	show mode1 --set mesh.cellsize=1
+refuse "--set out of range" 2 '--set: mesh.particles_per_cell: 9 is out of range (1 to 8)' \
+	show mode1 --set mesh.particles_per_cell=9
+refuse "--end that is no time" 2 '--end: time.end: soon is not a number (> 0)' show mode1 --end soon
+refuse "both handles" 2 '--set: pd.critical_stretch: pd.critical_stretch and pd.critical_energy say the same (one of them)' \
+	show notched-beam --set pd.critical_energy=1 --set pd.critical_stretch=1e-3
+refuse "unknown problem" 2 \
+	'params: beam is not a problem (bar | simply-supported-beam | moving-cantilever | notched-beam)' params beam
+refuse "laboratory: unknown option" 2 '--pause: unknown option (did you mean --paused?)' --pause
+refuse "laboratory: unknown scenario" 2 'mode11: no such scenario or file (did you mean mode1?)' mode11
+refuse "laboratory: wrong word" 2 '--glyphs: dots is not a choice (auto | braille | block | ascii)' --glyphs dots
+refuse "laboratory: wrong size" 2 '--size: 80 is no size (such as 80x24)' --size 80
+refuse "laboratory: wrong history" 2 '--history: 1Q is no size (such as 64M or 2G)' --history 1Q
+refuse "laboratory: wrong threads" 2 '--threads: 0 is not allowed (a whole number, 1 or more)' --threads 0
+
+printf '[scenario]\nproblem = bar\n[mesh]\n cell_size = 0.5\n' >bad.ini
+refuse "a damaged file" 2 'bad.ini:4: cell_size: is indented (keys begin in the first column)' show bad.ini
+printf '[scenario]\nproblem = b\000ar\n' >bad.ini
+refuse "a NUL byte" 2 'bad.ini:2: a NUL byte (a scenario is text)' show bad.ini
+printf '[scenario]\nproblem = bar\n' >show
+"$MATVIB" show ./show >out 2>err
+result "a file that is named like a command" says out '^problem = bar$'
+
+if test -w /dev/full; then
+	"$MATVIB" list 2>err >/dev/full
+	got=$?
+	: >out
+	result "a full disk: status 1" test "$got" -eq 1
+	result "a full disk: one line" test "$(cat err)" = 'matvib: standard output: No space left on device'
+fi
+{
+	"$MATVIB" params 2>err
+	echo $? >status
+} | :
+: >out
+result "a closed pipe: no signal" test "$(cat status)" -le 1
+echo "1..$number"
