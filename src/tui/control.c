@@ -47,7 +47,7 @@ void choose_pace(Laboratory *lab)
 
 static void read_view(Laboratory *lab)
 {
-    const ViewSettings *view = &lab->settings.view;
+    const ViewSettings *view = &experiment_settings(lab->screen.experiment)->view;
     Screen *screen = &lab->screen;
     double value;
     int number;
@@ -85,7 +85,7 @@ static void begin_run(Laboratory *lab)
     lab->pace_automatic = true;
     lab->n_undo = lab->n_redo = 0;
     lab->changed = false;
-    lab->bookmark_step = -1;
+    lab->bookmark_step = lab->anchor_step = -1;
     lab->owed = lab->rate = 0;
     lab->frames_in_time = 0;
     screen->at_limit = false;
@@ -122,7 +122,7 @@ static Experiment *make_experiment(const Laboratory *lab, const Settings *settin
 
 bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Host *host, Status *status)
 {
-    *lab = (Laboratory){.host = *host, .options = *options, .settings = *options->settings};
+    *lab = (Laboratory){.host = *host, .options = *options};
     lab->utf8 = true;
     lab->undo = calloc(UNDO_MAX, sizeof *lab->undo);
     lab->redo = calloc(UNDO_MAX, sizeof *lab->redo);
@@ -131,7 +131,7 @@ bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Ho
         return status_fail(status, STATUS_FAILED, "out of memory");
     }
     screen_default(&lab->screen);
-    lab->screen.experiment = make_experiment(lab, &lab->settings, status);
+    lab->screen.experiment = make_experiment(lab, options->settings, status);
     if (!lab->screen.experiment) {
         laboratory_close(lab);
         return false;
@@ -163,7 +163,6 @@ bool open_scenario(Laboratory *lab, const char *name, Status *status)
     if (experiment) {
         experiment_destroy(lab->screen.experiment);
         lab->screen.experiment = experiment;
-        lab->settings = *settings;
         Screen fresh;
         screen_default(&fresh);
         lab->screen.upper = fresh.upper;

@@ -32,7 +32,6 @@ struct Laboratory {
     Screen screen;
     Host host;
     LaboratoryOptions options;
-    Settings settings;
     int width, height; /* of the picture, for focus and mouse */
     bool utf8;         /* glyphs beyond ASCII can be shown */
     bool closed;       /* the user has left */
@@ -44,6 +43,8 @@ struct Laboratory {
     RunState resume; /* after computing: running or paused */
     long goal_step;  /* where computing goes */
     int goal_stage;
+    double anchor_time;  /* the time that edits in a row come back to, */
+    long anchor_step;    /* and the step that it was at the last of them; -1: none */
     long work_total;     /* steps of the work under way when it began */
     double owed;         /* steps not yet done for the pace; less than one */
     bool pace_automatic; /* + and - were not used */
@@ -53,7 +54,7 @@ struct Laboratory {
     int bookmark_stage;
     Answer answer;
     char export_name[NAME_MAX_BYTES];
-    long export_step;              /* the last step of the export that is being asked for */
+    bool export_newest; /* the export that is being asked for goes to the newest step, not to here */
     char scenario[NAME_MAX_BYTES]; /* behind screen.scenario */
 };
 
@@ -88,8 +89,12 @@ void settle(Laboratory *);
 void pause_run(Laboratory *);
 void seek(Laboratory *, long step, int stage);
 
-/* New parameters: recomputed to the time on screen, undoable. False: refused, the status says why. */
-bool change_settings(Laboratory *, const Settings *, Status *);
+/* experiment_edit() or experiment_rerun(). */
+typedef bool (*ChangeVerb)(Experiment *, const Settings *, Status *);
+
+/* New parameters, undoable. False: refused, the status says why. */
+bool change_settings(Laboratory *, const Settings *, ChangeVerb, Status *);
+void settings_changed(Laboratory *); /* what follows from it */
 bool open_scenario(Laboratory *, const char *name, Status *);
 void choose_pace(Laboratory *);
 

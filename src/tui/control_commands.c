@@ -456,22 +456,18 @@ static void cycle_glyphs(Laboratory *lab)
 
 /* --- comparing -------------------------------------------------------------------------------------- */
 
-/* The next choice, and after the last the first again. */
+/* Another run beside this one: what the scenario asks about holds from t = 0 on. */
 static void question(Laboratory *lab)
 {
-    const char *key = lab->settings.question;
+    Settings settings = *experiment_settings(lab->screen.experiment);
+    const char *key = settings.question;
     if (!*key)
-        key = lab->settings.method == METHOD_MPM ? "mpm.algorithm" : "pd.surface_correction";
+        key = settings.method == METHOD_MPM ? "mpm.algorithm" : "pd.surface_correction";
     const Parameter *parameter = parameter_find(key);
-    if (!parameter || !parameter_applies(parameter, lab->settings.problem)) {
-        say(lab, MESSAGE_INFO, "this scenario asks no question");
-        return;
-    }
-    Settings settings = lab->settings;
     Status status = {STATUS_DONE, ""};
-    if (!settings_nudge(&settings, parameter, 1) && parameter->choices)
-        settings_set(&settings, key, parameter->choices[0], &status);
-    if (!change_settings(lab, &settings, &status))
+    if (!parameter || !settings_nudge(&settings, parameter, 1))
+        say(lab, MESSAGE_INFO, "this scenario asks no question");
+    else if (!change_settings(lab, &settings, experiment_rerun, &status))
         say(lab, MESSAGE_ERROR, "%s", status.text);
 }
 
@@ -504,16 +500,14 @@ static void swap_settings(Laboratory *lab, Settings *from, int *n_from, Settings
         say(lab, MESSAGE_INFO, "%s", none);
         return;
     }
+    Settings old = *experiment_settings(lab->screen.experiment);
     if (!experiment_edit(lab->screen.experiment, &from[*n_from - 1], &status)) {
         say(lab, MESSAGE_ERROR, "%s", status.text);
         return;
     }
-    to[(*n_to)++] = lab->settings;
-    lab->settings = from[--*n_from];
-    lab->changed = true;
-    if (lab->pace_automatic)
-        choose_pace(lab);
-    settle(lab);
+    to[(*n_to)++] = old;
+    --*n_from;
+    settings_changed(lab);
 }
 
 static void undo(Laboratory *lab)

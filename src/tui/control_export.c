@@ -78,8 +78,7 @@ static void write_export(Laboratory *lab, bool force)
         return;
     }
     file_names(lab, lab->export_name, paths);
-    *settings = lab->settings;
-    settings->end = (double)lab->export_step * experiment_simulation(lab->screen.experiment)->dt;
+    experiment_scenario(lab->screen.experiment, lab->export_newest, settings);
     Outputs outputs = {
         .series = paths[0], .particles = paths[1], .nodes = paths[2][0] ? paths[2] : NULL, .force = force};
     RunSummary summary;
@@ -132,11 +131,8 @@ static void ask_name(Laboratory *lab)
 
 static bool answer_which(Laboratory *lab, const char *text)
 {
-    if (strcmp(text, "here") == 0)
-        lab->export_step = experiment_step(lab->screen.experiment);
-    else if (strcmp(text, "newest") == 0)
-        lab->export_step = experiment_newest(lab->screen.experiment);
-    else {
+    lab->export_newest = strcmp(text, "newest") == 0;
+    if (!lab->export_newest && strcmp(text, "here") != 0) {
         snprintf(lab->screen.prompt.problem, sizeof lab->screen.prompt.problem, "here or newest");
         return false;
     }
@@ -152,10 +148,10 @@ void ask_export(Laboratory *lab)
         say(lab, MESSAGE_INFO, "wait until the run has come to its time, or cancel with Esc");
         return;
     }
-    lab->export_step = experiment_newest(experiment);
-    if (lab->export_step == 0)
+    lab->export_newest = true;
+    if (experiment_newest(experiment) == 0)
         say(lab, MESSAGE_INFO, "nothing has been computed yet: Space runs");
-    else if (experiment_step(experiment) < lab->export_step)
+    else if (experiment_step(experiment) < experiment_newest(experiment))
         ask(lab, answer_which, false, "newest", "export to here or to the newest time?");
     else
         ask_name(lab);

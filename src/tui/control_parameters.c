@@ -2,6 +2,7 @@
 #include "tui/control.h"
 #include "tui/line_edit.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -30,20 +31,21 @@ void move_selection(Laboratory *lab, int by)
     lab->screen.selected = last < 0 ? 0 : last >= count && count > 0 ? count - 1 : last;
 }
 
-bool change_settings(Laboratory *lab, const Settings *settings, Status *status)
+/* A run that begins anew seeks the time that the first of these edits found on screen. */
+static void return_to_time(Laboratory *lab)
 {
-    Settings old = lab->settings;
-    if (settings_same(&old, settings, NULL, 0)) {
-        lab->settings = *settings;
-        return true;
-    }
-    if (!settings_check(settings, status) || !experiment_edit(lab->screen.experiment, settings, status))
-        return false;
-    if (lab->n_undo == UNDO_MAX)
-        memmove(lab->undo, lab->undo + 1, (size_t)--lab->n_undo * sizeof *lab->undo);
-    lab->undo[lab->n_undo++] = old;
-    lab->n_redo = 0;
-    lab->settings = *settings;
+    Experiment *experiment = lab->screen.experiment;
+    if (experiment_pending(experiment, NULL)) {
+        lab->goal_step = lround(lab->anchor_time / experiment_simulation(experiment)->dt);
+        lab->goal_stage = 0;
+        experiment_seek(experiment, lab->goal_step, 0);
+        lab->anchor_step = lab->goal_step;
+    } else
+        lab->anchor_step = experiment_step(experiment);
+}
+
+void settings_changed(Laboratory *lab)
+{
     lab->changed = true;
     lab->screen.summary_known = false;
     if (lab->pace_automatic)
@@ -52,16 +54,29 @@ bool change_settings(Laboratory *lab, const Settings *settings, Status *status)
     const char *advice = experiment_advice(lab->screen.experiment);
     if (advice && *advice)
         say(lab, MESSAGE_WARNING, "%s", advice);
-    return true;
 }
 
-/* Beyond the last choice comes the first, for Enter has one direction only. */
-static bool next_choice(Settings *settings, const Parameter *parameter)
+bool change_settings(Laboratory *lab, const Settings *settings, ChangeVerb verb, Status *status)
 {
-    if (settings_nudge(settings, parameter, 1))
+    Settings old = *experiment_settings(lab->screen.experiment);
+    bool same = settings_same(&old, settings, NULL, 0);
+    long step;
+    int stage;
+    present(lab, &step, &stage);
+    /* a time on screen is a multiple of the time step, which changes: without this, it would wander */
+    if (step != lab->anchor_step)
+        lab->anchor_time = (double)step * experiment_simulation(lab->screen.experiment)->dt;
+    if (!verb(lab->screen.experiment, settings, status))
+        return false;
+    if (same)
         return true;
-    const char *first = parameter->type == PARAMETER_FLAG ? "no" : parameter->choices[0];
-    return settings_set(settings, parameter->key, first, NULL);
+    return_to_time(lab);
+    if (lab->n_undo == UNDO_MAX)
+        memmove(lab->undo, lab->undo + 1, (size_t)--lab->n_undo * sizeof *lab->undo);
+    lab->undo[lab->n_undo++] = old;
+    lab->n_redo = 0;
+    settings_changed(lab);
+    return true;
 }
 
 void nudge_selected(Laboratory *lab, int direction)
@@ -69,7 +84,7 @@ void nudge_selected(Laboratory *lab, int direction)
     const Parameter *parameter = selected_parameter(lab);
     if (!parameter)
         return;
-    Settings settings = lab->settings;
+    Settings settings = *experiment_settings(lab->screen.experiment);
     Status status = {STATUS_DONE, ""};
     if (!settings_nudge(&settings, parameter, direction)) {
         char range[96];
@@ -78,7 +93,7 @@ void nudge_selected(Laboratory *lab, int direction)
             say(lab, MESSAGE_INFO, "%s: Enter edits it", parameter->label);
         else
             say(lab, MESSAGE_INFO, "%s: %s", parameter->label, range);
-    } else if (!change_settings(lab, &settings, &status))
+    } else if (!change_settings(lab, &settings, experiment_edit, &status))
         say(lab, MESSAGE_ERROR, "%s", status.text);
 }
 
@@ -89,13 +104,14 @@ void begin_edit(Laboratory *lab)
     if (!parameter)
         return;
     if (parameter->type == PARAMETER_CHOICE || parameter->type == PARAMETER_FLAG) {
-        Settings settings = lab->settings;
+        Settings settings = *experiment_settings(lab->screen.experiment);
         Status status = {STATUS_DONE, ""};
-        if (!next_choice(&settings, parameter) || !change_settings(lab, &settings, &status))
+        if (!settings_nudge(&settings, parameter, 1) ||
+            !change_settings(lab, &settings, experiment_edit, &status))
             say(lab, MESSAGE_ERROR, "%s", status.text);
         return;
     }
-    settings_get(&lab->settings, parameter, screen->edit_text);
+    settings_get(experiment_settings(lab->screen.experiment), parameter, screen->edit_text);
     screen->edit_cursor = text_columns(screen->edit_text);
     screen->edit_problem[0] = '\0';
     screen->editing = true;
@@ -107,10 +123,10 @@ static bool accept_edit(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
     const Parameter *parameter = selected_parameter(lab);
-    Settings settings = lab->settings;
+    Settings settings = *experiment_settings(lab->screen.experiment);
     Status status = {STATUS_DONE, ""};
     if (parameter && (!settings_set(&settings, parameter->key, screen->edit_text, &status) ||
-                      !change_settings(lab, &settings, &status))) {
+                      !change_settings(lab, &settings, experiment_edit, &status))) {
         snprintf(screen->edit_problem, sizeof screen->edit_problem, "%.159s", status.text);
         return false;
     }

@@ -75,7 +75,7 @@ static void complete(Laboratory *lab)
     for (int i = 0; i < n_commands; i++)
         share(prompt->text, commands[i].name, common, sizeof common, &found);
     for (int i = 0; i < n_parameters; i++)
-        if (parameter_applies(&parameters[i], lab->settings.problem))
+        if (parameter_applies(&parameters[i], experiment_settings(lab->screen.experiment)->problem))
             share(prompt->text, parameters[i].key, common, sizeof common, &found);
     if (found == 0)
         return;
@@ -120,7 +120,7 @@ bool answer_go_to(Laboratory *lab, const char *text)
             return refuse(lab, "after # comes the number of a step, as in #1000");
     } else if (text_to_double(text, &time)) {
         step = time / dt > (double)last ? last + 1 : time < 0 ? -1 : lround(time / dt);
-        if (time > (double)last * dt && time <= lab->settings.end * (1 + 1e-9))
+        if (time > (double)last * dt && time <= experiment_settings(lab->screen.experiment)->end * (1 + 1e-9))
             step = last;
     } else
         return refuse(lab, "a time, as in 12.5, or a step, as in #1000");
@@ -143,18 +143,23 @@ bool answer_open(Laboratory *lab, const char *text)
     return open_scenario(lab, text, &status) || refuse(lab, status.text);
 }
 
+/* The scenario as it was opened and edited, to its own end; not only what has been computed of it. */
 static bool write_scenario(Laboratory *lab, const char *name)
 {
+    const Experiment *experiment = lab->screen.experiment;
     Status status = {STATUS_DONE, ""};
+    Settings settings;
+    experiment_scenario(experiment, true, &settings);
+    settings.end = experiment_settings(experiment)->end;
+    settings.beam.dt = experiment_settings(experiment)->beam.dt;
     FILE *file = fopen(name, "w");
-    bool sound = file && scenario_write(file, &lab->settings, NULL, &status);
+    bool sound = file && scenario_write(file, &settings, NULL, &status);
     if (file && fclose(file) != 0)
         sound = false;
-    if (!sound) {
+    if (!sound)
         say(lab, MESSAGE_ERROR, "%s", status.text[0] ? status.text : "the scenario could not be written");
-        return true;
-    }
-    say(lab, MESSAGE_INFO, "wrote %s; run it with: matvib %s", name, name);
+    else
+        say(lab, MESSAGE_INFO, "wrote %s; open it with: matvib %s", name, name);
     return true;
 }
 
@@ -195,7 +200,7 @@ bool answer_line(Laboratory *lab, const char *text)
                    : refuse(lab, "a command's name (Tab completes), KEY=VALUE, or a time");
     if (strncmp(text, "set ", 4) == 0)
         text += 4;
-    Settings settings = lab->settings;
+    Settings settings = *experiment_settings(lab->screen.experiment);
     Status status = {STATUS_DONE, ""};
     char key[KEY_MAX];
     int length = (int)(equals - text);
@@ -203,7 +208,7 @@ bool answer_line(Laboratory *lab, const char *text)
         length--;
     snprintf(key, sizeof key, "%.*s", length, text);
     if (!settings_set(&settings, key, equals + 1 + strspn(equals + 1, " "), &status) ||
-        !change_settings(lab, &settings, &status))
+        !change_settings(lab, &settings, experiment_edit, &status))
         return refuse(lab, status.text);
     return true;
 }

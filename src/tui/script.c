@@ -190,46 +190,13 @@ static bool do_closed(Player *player, char *rest, Status *status)
     return player->lab.closed || status_fail(status, STATUS_FAILED, "the laboratory is still open");
 }
 
-/* Any key of the table, and some that mean nothing; keys that leave are followed by a stay. */
-static const char *random_key(uint64_t *random, char name[KEY_NAME_MAX])
-{
-    static const char *const others[] = {"Backspace", "1", "0",  ".", "-",  "e",
-                                         "y",         "n", "F7", "Ω", "^U", "Delete"};
-    *random ^= *random << 13, *random ^= *random >> 7, *random ^= *random << 17;
-    uint64_t pick = *random >> 11;
-    const Command *command = &commands[pick % (uint64_t)n_commands];
-    if (pick % 5 == 0)
-        return others[(pick / 64) % (sizeof others / sizeof *others)];
-    if (command->id == COMMAND_QUIT || command->id == COMMAND_INTERRUPT || command->id == COMMAND_EXPORT ||
-        command->id == COMMAND_WRITE)
-        return "Esc";
-    sscanf(command->keys, "%15s", name);
-    return name;
-}
-
-static bool do_random(Player *player, char *rest, Status *status)
-{
-    long count;
-    unsigned long seed;
-    char name[KEY_NAME_MAX];
-    if (sscanf(rest, "%ld %lu", &count, &seed) != 2)
-        return status_fail(status, STATUS_USAGE, "random: a count and a seed are wanted");
-    uint64_t random = 0x9e3779b97f4a7c15u ^ seed;
-    for (long i = 0; i < count; i++) {
-        if (!press(player, random_key(&random, name), status))
-            return false;
-        frame(player);
-    }
-    return true;
-}
-
 static const struct {
     const char *name;
     bool (*run)(Player *, char *rest, Status *);
 } instructions[] = {
     {"key", do_key},       {"type", do_type},     {"wait", do_wait},     {"size", do_size},
     {"rate", do_rate},     {"screen", do_screen}, {"styles", do_styles}, {"expect", do_expect},
-    {"reject", do_reject}, {"closed", do_closed}, {"random", do_random},
+    {"reject", do_reject}, {"closed", do_closed},
 };
 
 static bool play_line(Player *player, char *line, Status *status)

@@ -13,7 +13,6 @@
  *     expect TEXT       the text is on the screen, within one line
  *     reject TEXT       it is not
  *     closed            the laboratory has been left
- *     random COUNT SEED presses that many keys at random, drawing after each
  *
  * The first instruction that misses ends the script: "FILE:LINE: ..." and exit status 1. */
 #ifndef TUI_SCRIPT_H

@@ -454,6 +454,13 @@ void terminal_suspend(Terminal *terminal)
     sigprocmask(SIG_UNBLOCK, &stop, &old); /* here the program stops, and here it goes on */
     sigprocmask(SIG_SETMASK, &old, NULL);
     sigaction(SIGTSTP, &ours, NULL);
+    /* the SIGCONT that woke us has done its work */
+    sigset_t woken;
+    struct timespec at_once = {0, 0};
+    sigemptyset(&woken);
+    sigaddset(&woken, SIGCONT);
+    while (sigtimedwait(&woken, NULL, &at_once) > 0)
+        continue;
     signal_continued = 0;
     signal_resized = 1;
     refresh();

@@ -1,0 +1,313 @@
+/* The laboratory on a real terminal: what no script without one can show. */
+#include "pty/session.h"
+#include "suite.h"
+
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+static const char *matvib(void)
+{
+    const char *path = getenv("MATVIB");
+    return path ? path : "./matvib";
+}
+
+START_TEST(opens_answers_keys_and_leaves)
+{
+    Session session;
+    session_open_paused(&session, 80, 24, NULL);
+    ck_assert(session.alternate);
+    ck_assert(session_shows(&session, "mode1"));
+    ck_assert(session_shows(&session, "PAUSED"));
+    ck_assert(session_shows(&session, "step 0"));
+    session_keys(&session, ".");
+    ck_assert(session_shows(&session, "step 1"));
+    session_keys(&session, "]");
+    ck_assert(session_shows(&session, "stage 1"));
+    session_send(&session, "q");
+    ck_assert_int_eq(session_exit(&session), 0);
+    session_check_restored(&session);
+    session_close(&session);
+}
+END_TEST
+
+START_TEST(opens_running)
+{
+    Session session;
+    session_open(&session, 80, 24, NULL, (const char *const[]){matvib(), "mode1", NULL});
+    for (int i = 0; i < 5; i++)
+        session_frame(&session);
+    ck_assert(session_shows(&session, "RUNNING"));
+    session_keys(&session, " ");
+    ck_assert(session_shows(&session, "PAUSED"));
+    ck_assert(!session_shows(&session, "step 0 "));
+    session_close(&session);
+}
+END_TEST
+
+START_TEST(a_still_picture_writes_nothing)
+{
+    Session session;
+    session_open_paused(&session, 80, 24, NULL);
+    size_t before = session.n_bytes;
+    session_keys(&session, "\033[18~"); /* F7 means nothing */
+    ck_assert_uint_eq(session.n_bytes, before);
+    session_keys(&session, "\033[99~\033[I "); /* only the Space is a key */
+    ck_assert(session.n_bytes > before);
+    session_close(&session);
+}
+END_TEST
+
+static double cpu_seconds(pid_t child)
+{
+    clockid_t clock;
+    struct timespec time;
+    ck_assert_int_eq(clock_getcpuclockid(child, &clock), 0);
+    ck_assert_int_eq(clock_gettime(clock, &time), 0);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+START_TEST(idle_costs_nothing)
+{
+    Session session;
+    session_open_paused(&session, 80, 24, NULL);
+    double before = cpu_seconds(session.child);
+    struct pollfd quiet[2] = {{.fd = session.master, .events = POLLIN},
+                              {.fd = session.frames, .events = POLLIN}};
+    ck_assert_int_eq(poll(quiet, 2, 1000), 0); /* a second in which nothing must come */
+    ck_assert(cpu_seconds(session.child) - before < 0.005);
+    session_close(&session);
+}
+END_TEST
+
+START_TEST(resizes)
+{
+    Session session;
+    session_open_paused(&session, 80, 24, NULL);
+    session_resize(&session, 132, 43);
+    session_idle(&session);
+    ck_assert(session_shows(&session, "PAUSED"));
+    ck_assert(strlen(session_row(&session, 20)) > 100);
+    session_resize(&session, 30, 8);
+    session_idle(&session);
+    ck_assert(!session_shows(&session, "PAUSED"));
+    session_resize(&session, 80, 24);
+    session_idle(&session);
+    ck_assert(session_shows(&session, "PAUSED"));
+    session_close(&session);
+}
+END_TEST
+
+START_TEST(resizes_while_running)
+{
+    Session session;
+    session_open(&session, 80, 24, NULL, (const char *const[]){matvib(), "mode1", NULL});
+    session_frame(&session);
+    for (int i = 0; i < 20; i++) {
+        session_resize(&session, 40 + 7 * i, 12 + 2 * i);
+        session_frame(&session);
+    }
+    session_keys(&session, " ");
+    ck_assert(session_shows(&session, "PAUSED"));
+    session_close(&session);
+}
+END_TEST
+
+static const int ends[] = {SIGTERM, SIGHUP, SIGINT, SIGQUIT};
+
+START_TEST(signals_end_it_and_restore_the_terminal)
+{
+    Session session;
+    session_open_paused(&session, 80, 24, NULL);
+    kill(session.child, ends[_i]);
+    ck_assert_int_eq(session_exit(&session), 128 + ends[_i]);
+    session_check_restored(&session);
+    session_close(&session);
+}
+END_TEST
+
+START_TEST(a_running_one_ends_by_signal_too)
+{
+    Session session;
+    session_open(&session, 80, 24, NULL, (const char *const[]){matvib(), "mode1", NULL});
+    session_frame(&session);
+    kill(session.child, SIGTERM);
+    ck_assert_int_eq(session_exit(&session), 128 + SIGTERM);
+    session_check_restored(&session);
+    session_close(&session);
+}
+END_TEST
+
+START_TEST(a_crash_restores_the_terminal)
+{
+    Session session;
+    session_open_paused(&session, 80, 24, NULL);
+    kill(session.child, SIGABRT);
+    ck_assert_int_eq(session_exit(&session), 128 + SIGABRT);
+    session_check_restored(&session);
+    session_close(&session);
+}
+END_TEST
+
+START_TEST(control_c_leaves)
+{
+    Session session;
+    session_open_paused(&session, 80, 24, NULL);
+    session_send(&session, "\003");
+    ck_assert_int_eq(session_exit(&session), 0);
+    session_check_restored(&session);
+    session_close(&session);
+}
+END_TEST
+
+START_TEST(escape_is_told_from_a_sequence)
+{
+    Session session;
+    session_open_paused(&session, 80, 24, NULL);
+    session_keys(&session, "?");
+    ck_assert(!session_shows(&session, "PAUSED") || session_shows(&session, "elp"));
+    session_keys(&session, "\033");
+    ck_assert(session_shows(&session, "PAUSED"));
+    session_keys(&session, "\033[4~\033[1~"); /* End, Home under xterm's TERM */
+    ck_assert(session_shows(&session, "step 0"));
+    session_close(&session);
+}
+END_TEST
+
+START_TEST(suspends_and_comes_back)
+{
+    Session session;
+    char script[4096];
+    snprintf(script, sizeof script,
+             "set -m; '%s' mode1 --paused; echo STOPPED; read line; fg >/dev/null; echo \"left $?\"",
+             matvib());
+    session_open(&session, 80, 24, NULL, (const char *const[]){"sh", "-c", script, NULL});
+    session_idle(&session);
+    session_send(&session, "\032");
+    session_wait_for(&session, "STOPPED");
+    session_check_restored(&session);
+    session_send(&session, "\n");
+    session_idle(&session);
+    ck_assert(session.alternate);
+    ck_assert(session_shows(&session, "PAUSED"));
+    session_keys(&session, ".");
+    ck_assert(session_shows(&session, "step 1"));
+    session_send(&session, "q");
+    session_wait_for(&session, "left 0");
+    ck_assert_int_eq(session_exit(&session), 0);
+    session_check_restored(&session);
+    session_close(&session);
+}
+END_TEST
+
+static bool wrote(const Session *session, const char *text)
+{
+    return memmem(session->bytes, session->n_bytes, text, strlen(text)) != NULL;
+}
+
+START_TEST(colours_and_no_colours)
+{
+    Session session;
+    session_open_paused(&session, 80, 24, NULL);
+    ck_assert(wrote(&session, "\033[38;5;") || wrote(&session, ";38;5;"));
+    session_close(&session);
+    session_open_paused(&session, 80, 24, (const char *const[]){"NO_COLOR=1", NULL});
+    ck_assert(!wrote(&session, "38;5;") && !wrote(&session, "48;5;"));
+    for (int colour = 0; colour < 8; colour++) {
+        char set[16];
+        snprintf(set, sizeof set, "\033[3%dm", colour);
+        ck_assert(!wrote(&session, set));
+    }
+    session_close(&session);
+    session_open_paused(&session, 80, 24, (const char *const[]){"NO_COLOR=", NULL});
+    ck_assert(wrote(&session, "38;5;"));
+    session_close(&session);
+}
+END_TEST
+
+START_TEST(the_c_locale_gets_ascii)
+{
+    Session session;
+    session_open_paused(&session, 80, 24, (const char *const[]){"LC_ALL=C", NULL});
+    ck_assert(session_shows(&session, "PAUSED"));
+    for (size_t i = 0; i < session.n_bytes; i++)
+        ck_assert_msg((unsigned char)session.bytes[i] < 0x80, "byte %02x", (unsigned char)session.bytes[i]);
+    session_close(&session);
+}
+END_TEST
+
+static const char *const terms[] = {"TERM=linux", "TERM=vt100", "TERM=xterm", "TERM=screen-256color",
+                                    "TERM=vt220"};
+
+START_TEST(works_on_many_terminals)
+{
+    Session session;
+    session_open_paused(&session, 80, 24, (const char *const[]){terms[_i], NULL});
+    ck_assert(session_shows(&session, "PAUSED"));
+    session_keys(&session, "\033OB\033[B]");
+    ck_assert(session_shows(&session, "stage 1"));
+    session_send(&session, "q");
+    ck_assert_int_eq(session_exit(&session), 0);
+    struct termios modes;
+    tcgetattr(session.slave, &modes);
+    ck_assert_int_eq(modes.c_lflag, session.modes.c_lflag);
+    session_close(&session);
+}
+END_TEST
+
+static const char *const unusable[] = {"TERM=dumb", "TERM=", "TERM=no-such-terminal"};
+
+START_TEST(says_what_to_use_where_it_cannot_draw)
+{
+    Session session;
+    session_open(&session, 80, 24, (const char *const[]){unusable[_i], NULL},
+                 (const char *const[]){matvib(), "mode1", NULL});
+    ck_assert_int_eq(session_exit(&session), 2);
+    ck_assert(wrote(&session, "matvib run"));
+    session_check_restored(&session);
+    session_close(&session);
+}
+END_TEST
+
+START_TEST(needs_a_terminal)
+{
+    char command[4096], line[512] = "";
+    snprintf(command, sizeof command, "'%s' mode1 2>&1 </dev/null", matvib());
+    FILE *pipe = popen(command, "r");
+    ck_assert_ptr_nonnull(pipe);
+    ck_assert_ptr_nonnull(fgets(line, sizeof line, pipe));
+    ck_assert_ptr_nonnull(strstr(line, "matvib run"));
+    ck_assert_ptr_null(fgets(line, sizeof line, pipe));
+    int status = pclose(pipe);
+    ck_assert(WIFEXITED(status) && WEXITSTATUS(status) == 2);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *tcase = tcase_create("terminal");
+    tcase_set_timeout(tcase, 60);
+    tcase_add_test(tcase, opens_answers_keys_and_leaves);
+    tcase_add_test(tcase, opens_running);
+    tcase_add_test(tcase, a_still_picture_writes_nothing);
+    tcase_add_test(tcase, idle_costs_nothing);
+    tcase_add_test(tcase, resizes);
+    tcase_add_test(tcase, resizes_while_running);
+    tcase_add_loop_test(tcase, signals_end_it_and_restore_the_terminal, 0, 4);
+    tcase_add_test(tcase, a_running_one_ends_by_signal_too);
+    tcase_add_test(tcase, a_crash_restores_the_terminal);
+    tcase_add_test(tcase, control_c_leaves);
+    tcase_add_test(tcase, escape_is_told_from_a_sequence);
+    tcase_add_test(tcase, suspends_and_comes_back);
+    tcase_add_test(tcase, colours_and_no_colours);
+    tcase_add_test(tcase, the_c_locale_gets_ascii);
+    tcase_add_loop_test(tcase, works_on_many_terminals, 0, 5);
+    tcase_add_loop_test(tcase, says_what_to_use_where_it_cannot_draw, 0, 3);
+    tcase_add_test(tcase, needs_a_terminal);
+    suite_add_tcase(suite, tcase);
+}

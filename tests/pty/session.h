@@ -1,0 +1,61 @@
+/* The real program on a real terminal: a pseudo terminal whose other end is libvterm. Nothing here sleeps:
+ * the program tells through a pipe when it has drawn, and whether it now waits for a key. */
+#ifndef TESTS_PTY_SESSION_H
+#define TESTS_PTY_SESSION_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <sys/types.h>
+#include <termios.h>
+
+#include <vterm.h>
+
+typedef struct Session {
+    pid_t child;
+    int master, slave; /* the slave stays open, so that its modes can be read when the program is gone */
+    int frames;        /* the pipe of "frame N [idle]" */
+    int rows, columns;
+    VTerm *vterm;
+    VTermScreen *screen;
+    bool alternate, cursor_visible;
+    char *bytes; /* all that the program wrote */
+    size_t n_bytes, room;
+    struct termios modes; /* at the start */
+} Session;
+
+/* Starts a command (NULL ends the list) in a terminal of this size. `environment` holds "NAME=VALUE" or
+ * "NAME" (to take it away), ended by NULL; may be NULL itself. */
+void session_open(Session *, int columns, int rows, const char *const *environment,
+                  const char *const *command);
+
+/* The same with the laboratory, opened paused on mode1. */
+void session_open_paused(Session *, int columns, int rows, const char *const *environment);
+
+void session_close(Session *); /* kills what still runs */
+
+void session_send(Session *, const char *bytes);
+void session_resize(Session *, int columns, int rows);
+
+/* Reads until the program has drawn and sleeps. Fails the test after ten seconds. */
+void session_idle(Session *);
+
+/* Reads until at least one more picture has been drawn. */
+void session_frame(Session *);
+
+/* Sends keys and waits until they have been answered. */
+void session_keys(Session *, const char *bytes);
+
+/* Reads until a text is on the screen; fails the test after ten seconds. */
+void session_wait_for(Session *, const char *text);
+
+/* Waits for the end; the exit status, or 128 + n after signal n as a shell would say. */
+int session_exit(Session *);
+
+/* Whether a text is on the screen, within a row. */
+bool session_shows(Session *, const char *text);
+const char *session_row(Session *, int row);
+
+/* Fails the test unless modes, cursor and screen are as they were before the program came. */
+void session_check_restored(Session *);
+
+#endif

@@ -1,0 +1,648 @@
+/* What keys do to the laboratory, with a virtual clock and no terminal. */
+#include "lab/scenario.h"
+#include "suite.h"
+#include "tui/control.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+typedef struct Bench {
+    Laboratory lab;
+    Settings settings;
+    Canvas canvas;
+    double time, rate; /* rate: steps in a second, 0: without limit */
+    int width, height;
+} Bench;
+
+static double now(void *context)
+{
+    return ((const Bench *)context)->time;
+}
+
+static void worked(void *context, long steps)
+{
+    Bench *bench = context;
+    if (bench->rate > 0)
+        bench->time += (double)steps / bench->rate;
+}
+
+static bool go_on(void *context)
+{
+    (void)context;
+    return true;
+}
+
+static void nothing(void *context)
+{
+    (void)context;
+}
+
+static Bench *open_bench(const char *scenario, bool paused)
+{
+    Status status = {STATUS_DONE, ""};
+    Bench *bench = calloc(1, sizeof *bench);
+    ck_assert_ptr_nonnull(bench);
+    bench->width = 80;
+    bench->height = 24;
+    ck_assert_msg(scenario_load(scenario, &bench->settings, &status), "%s", status.text);
+    LaboratoryOptions options = {.settings = &bench->settings, .scenario = scenario, .paused = paused};
+    Host host = {now, worked, go_on, nothing, nothing, bench};
+    ck_assert_msg(laboratory_open(&bench->lab, &options, &host, &status), "%s", status.text);
+    ck_assert(laboratory_draw(&bench->lab, &bench->canvas, bench->width, bench->height));
+    return bench;
+}
+
+static void close_bench(Bench *bench)
+{
+    laboratory_close(&bench->lab);
+    canvas_close(&bench->canvas);
+    free(bench);
+}
+
+static void frame(Bench *bench)
+{
+    double begin = bench->time;
+    laboratory_frame(&bench->lab, begin + FRAME_SECONDS);
+    if (bench->time < begin + FRAME_SECONDS)
+        bench->time = begin + FRAME_SECONDS;
+}
+
+static void press(Bench *bench, const char *name)
+{
+    Key key = {.x = -1, .y = -1};
+    snprintf(key.name, sizeof key.name, "%s", name);
+    laboratory_key(&bench->lab, &key);
+    if (bench->lab.screen.state == STATE_COMPUTING)
+        frame(bench);
+    ck_assert(laboratory_draw(&bench->lab, &bench->canvas, bench->width, bench->height));
+}
+
+static void press_all(Bench *bench, const char *names)
+{
+    char list[256];
+    snprintf(list, sizeof list, "%s", names);
+    char *place;
+    for (char *name = strtok_r(list, " ", &place); name; name = strtok_r(NULL, " ", &place))
+        press(bench, name);
+}
+
+static bool shows(Bench *bench, const char *text)
+{
+    char *dump = canvas_dump(&bench->canvas);
+    ck_assert_ptr_nonnull(dump);
+    bool found = strstr(dump, text) != NULL;
+    free(dump);
+    return found;
+}
+
+static void select_parameter(Bench *bench, const char *key)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    int count = screen_parameter_rows(&bench->lab.screen, rows);
+    bench->lab.screen.focus = PANE_PARAMETERS;
+    for (int i = 0; i < count; i++)
+        if (rows[i].parameter && strcmp(rows[i].parameter->key, key) == 0) {
+            bench->lab.screen.selected = i;
+            return;
+        }
+    ck_abort_msg("%s is not on the screen", key);
+}
+
+static double value(const Bench *bench, const char *key)
+{
+    return settings_number(experiment_settings(bench->lab.screen.experiment), parameter_find(key));
+}
+
+static long step_of(const Bench *bench)
+{
+    return experiment_step(bench->lab.screen.experiment);
+}
+
+/* --- the table -------------------------------------------------------------------------------------- */
+
+START_TEST(every_row_of_the_table_is_carried_out)
+{
+    for (int i = 0; i < n_commands; i++)
+        ck_assert_msg(laboratory_can(commands[i].id), "%s", commands[i].name);
+}
+END_TEST
+
+static const char *const scenarios[] = {"mode1", "gravity", "supported-beam-coarse", "notched-beam-coarse"};
+enum { N_SCENARIOS = sizeof scenarios / sizeof *scenarios };
+
+/* Each key of each command in each view, then out of whatever it opened. */
+START_TEST(every_key_in_every_view)
+{
+    Bench *bench = open_bench(scenarios[_i], true);
+    bench->rate = 1000;
+    press_all(bench, "> ]");
+    for (char view = '1'; view <= '9'; view++)
+        for (int i = 0; i < n_commands; i++) {
+            char keys[64], *place;
+            press(bench, (char[]){view, '\0'});
+            snprintf(keys, sizeof keys, "%s", commands[i].keys);
+            for (char *key = strtok_r(keys, " ", &place); key; key = strtok_r(NULL, " ", &place)) {
+                press(bench, key);
+                frame(bench);
+                press_all(bench, "Esc Esc");
+                bench->lab.closed = false;
+            }
+            if (bench->lab.screen.state == STATE_RUNNING)
+                press(bench, "Space");
+        }
+    close_bench(bench);
+}
+END_TEST
+
+/* --- time ------------------------------------------------------------------------------------------- */
+
+START_TEST(a_period_lasts_three_seconds)
+{
+    Bench *bench = open_bench("mode1", false);
+    ck_assert_int_eq(bench->lab.screen.state, STATE_RUNNING);
+    while (bench->time < 3)
+        frame(bench);
+    /* the first mode of the bar has a period of 10 */
+    ck_assert_double_eq_tol(experiment_time(bench->lab.screen.experiment), 10, 0.3);
+    close_bench(bench);
+}
+END_TEST
+
+START_TEST(a_slow_engine_is_the_limit)
+{
+    Bench *bench = open_bench("mode1", false);
+    bench->rate = 100;
+    for (int i = 0; i < 60; i++) {
+        double begin = bench->time;
+        frame(bench);
+        ck_assert_double_le(bench->time - begin, FRAME_SECONDS + 1.01 / bench->rate);
+    }
+    ck_assert(bench->lab.screen.at_limit);
+    ck_assert_double_eq_tol((double)step_of(bench), bench->time * 100, 20);
+    bench->rate = 1e6;
+    for (int i = 0; i < 60; i++)
+        frame(bench);
+    ck_assert(!bench->lab.screen.at_limit);
+    close_bench(bench);
+}
+END_TEST
+
+START_TEST(faster_and_slower_in_1_2_5)
+{
+    Bench *bench = open_bench("mode1", true);
+    bench->lab.screen.pace = 1;
+    static const double paces[] = {2, 5, 10, 20, 50, 100};
+    for (size_t i = 0; i < sizeof paces / sizeof *paces; i++) {
+        press(bench, "+");
+        ck_assert_double_eq_tol(bench->lab.screen.pace, paces[i], 1e-9);
+    }
+    press_all(bench, "- - - - - - -");
+    ck_assert_double_eq_tol(bench->lab.screen.pace, 0.5, 1e-9);
+    press(bench, "Space");
+    for (int i = 0; i < 20; i++)
+        frame(bench);
+    ck_assert_int_eq(step_of(bench), 10);
+    close_bench(bench);
+}
+END_TEST
+
+START_TEST(steps_and_stages_go_both_ways)
+{
+    Bench *bench = open_bench("mode1", true);
+    const Experiment *experiment = bench->lab.screen.experiment;
+    press_all(bench, ". . > ] ] s");
+    ck_assert_int_eq(step_of(bench), 12);
+    ck_assert_int_eq(experiment_stage(experiment), 3);
+    press(bench, "[");
+    ck_assert_int_eq(experiment_stage(experiment), 2);
+    press(bench, ","); /* back to where this step began */
+    ck_assert_int_eq(step_of(bench), 12);
+    ck_assert_int_eq(experiment_stage(experiment), 0);
+    press(bench, "S");
+    ck_assert_int_eq(step_of(bench), 11);
+    ck_assert_int_eq(experiment_stage(experiment), experiment_simulation(experiment)->n_stages - 1);
+    press(bench, "."); /* finishes the step */
+    ck_assert_int_eq(step_of(bench), 12);
+    press(bench, "<");
+    ck_assert_int_eq(step_of(bench), 2);
+    ck_assert_int_eq(experiment_newest(experiment), 12);
+    press_all(bench, "0 , <");
+    ck_assert_int_eq(step_of(bench), 0);
+    press(bench, "$");
+    ck_assert_int_eq(step_of(bench), 12);
+    press_all(bench, "Home End");
+    ck_assert_int_eq(step_of(bench), 12);
+    press_all(bench, "m g # 4 0 Enter");
+    ck_assert_int_eq(step_of(bench), 40);
+    press(bench, "'");
+    ck_assert_int_eq(step_of(bench), 12);
+    press_all(bench, "g 2 . 5 Enter");
+    ck_assert_double_eq_tol(experiment_time(experiment), 2.5, 1e-9);
+    press(bench, "r");
+    ck_assert_int_eq(step_of(bench), 0);
+    ck_assert_int_eq(bench->lab.screen.state, STATE_PAUSED);
+    close_bench(bench);
+}
+END_TEST
+
+START_TEST(the_end_pauses_with_a_summary)
+{
+    Bench *bench = open_bench("mode1", true);
+    press_all(bench, "g 1 0 0 Enter");
+    ck_assert_int_eq(bench->lab.screen.state, STATE_ENDED);
+    ck_assert(bench->lab.screen.summary_known);
+    ck_assert_int_eq(bench->lab.screen.summary.steps, 10000);
+    ck_assert(!laboratory_active(&bench->lab));
+    press_all(bench, ". ] > $");
+    ck_assert_int_eq(step_of(bench), 10000);
+    press(bench, "g");
+    press_all(bench, "1 0 1 Enter"); /* beyond the end: refused, and the reason is on the screen */
+    ck_assert(bench->lab.screen.prompt.open);
+    ck_assert(bench->lab.screen.prompt.problem[0] != '\0');
+    press_all(bench, "Esc Space");
+    ck_assert_int_eq(bench->lab.screen.state, STATE_RUNNING);
+    ck_assert_int_eq(step_of(bench), 0);
+    close_bench(bench);
+}
+END_TEST
+
+/* A long way takes many frames, says how far it has come and can be cancelled. */
+START_TEST(a_long_seek_is_cut_into_frames)
+{
+    Bench *bench = open_bench("mode1", true);
+    bench->rate = 10000;
+    press_all(bench, "g 9 0 Enter");
+    ck_assert_int_eq(bench->lab.screen.state, STATE_COMPUTING);
+    double share = 0;
+    for (int i = 0; i < 10; i++) {
+        double begin = bench->time;
+        frame(bench);
+        ck_assert_double_le(bench->time - begin, FRAME_SECONDS + 0.005);
+        ck_assert_double_gt(bench->lab.screen.work_share, share);
+        share = bench->lab.screen.work_share;
+    }
+    press(bench, "^C");
+    ck_assert_int_eq(bench->lab.screen.state, STATE_PAUSED);
+    ck_assert(!bench->lab.closed);
+    ck_assert_int_gt(step_of(bench), 1000);
+    ck_assert_int_lt(step_of(bench), 9000);
+    close_bench(bench);
+}
+END_TEST
+
+/* --- parameters ------------------------------------------------------------------------------------- */
+
+/* The whole record of what is on screen equals that of a run that never was anything else. */
+static void check_like_fresh(const Bench *bench)
+{
+    Status status = {STATUS_DONE, ""};
+    const Experiment *edited = bench->lab.screen.experiment;
+    Experiment *fresh = experiment_create(experiment_settings(edited), 1 << 20, 1, &status);
+    ck_assert_msg(fresh != NULL, "%s", status.text);
+    ck_assert(experiment_advance(fresh, experiment_step(edited), &status));
+    const Record *one = experiment_record(edited), *other = experiment_record(fresh);
+    ck_assert_uint_eq(one->count, other->count);
+    ck_assert_int_eq(one->n_columns, other->n_columns);
+    ck_assert_int_eq(memcmp(one->rows, other->rows, one->count * (size_t)one->n_columns * sizeof(double)), 0);
+    experiment_destroy(fresh);
+}
+
+START_TEST(ten_nudges_redraw_ten_times)
+{
+    Bench *bench = open_bench("mode1", true);
+    bench->width = 132;
+    bench->height = 43;
+    press_all(bench, "g 2 0 Enter");
+    select_parameter(bench, "initial.mode");
+    for (int i = 0; i < 10; i++) {
+        char *before = canvas_dump(&bench->canvas);
+        press(bench, i < 5 ? "Right" : "Left");
+        ck_assert_double_eq(value(bench, "initial.mode"), i < 5 ? i + 2 : 10 - i);
+        ck_assert_int_eq(bench->lab.screen.state, STATE_PAUSED);
+        ck_assert_int_eq(step_of(bench), 2000);
+        check_like_fresh(bench);
+        char *after = canvas_dump(&bench->canvas);
+        ck_assert_str_ne(before, after);
+        free(before);
+        free(after);
+    }
+    close_bench(bench);
+}
+END_TEST
+
+START_TEST(nudges_of_the_cell_keep_the_time)
+{
+    Bench *bench = open_bench("mode1", true);
+    press_all(bench, "g 2 0 Enter");
+    select_parameter(bench, "mesh.cell_size");
+    for (int i = 0; i < 10; i++) {
+        press(bench, i % 4 < 2 ? "Left" : "Right");
+        double dt = experiment_simulation(bench->lab.screen.experiment)->dt;
+        ck_assert_double_eq_tol(experiment_time(bench->lab.screen.experiment), 20, 0.51 * dt);
+        check_like_fresh(bench);
+    }
+    close_bench(bench);
+}
+END_TEST
+
+START_TEST(a_field_is_edited_in_place)
+{
+    Bench *bench = open_bench("mode1", true);
+    select_parameter(bench, "initial.velocity");
+    press_all(bench, "Enter");
+    ck_assert(bench->lab.screen.editing);
+    press_all(bench, "0 . 2 5 Enter");
+    ck_assert(!bench->lab.screen.editing);
+    ck_assert_double_eq(value(bench, "initial.velocity"), 0.25);
+    press_all(bench, "Enter Backspace 7 Enter"); /* 0.2 and 7 */
+    ck_assert_double_eq(value(bench, "initial.velocity"), 0.27);
+    press_all(bench, "Enter 9 Esc");
+    ck_assert(!bench->lab.screen.editing);
+    ck_assert_double_eq(value(bench, "initial.velocity"), 0.27);
+    close_bench(bench);
+}
+END_TEST
+
+START_TEST(a_bad_value_says_why_and_keeps_the_old)
+{
+    static const char *const bad[] = {"- 1", "a b c", "0", "1 e 9 9 9", "^U"};
+    Bench *bench = open_bench("mode1", true);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        select_parameter(bench, "bar.length");
+        press(bench, "Enter");
+        press_all(bench, bad[i]);
+        press(bench, "Enter");
+        ck_assert_msg(bench->lab.screen.editing, "'%s' was taken", bad[i]);
+        ck_assert(bench->lab.screen.edit_problem[0] != '\0');
+        ck_assert_double_eq(value(bench, "bar.length"), 25);
+        press(bench, "Esc");
+        ck_assert_double_eq(value(bench, "bar.length"), 25);
+    }
+    close_bench(bench);
+}
+END_TEST
+
+START_TEST(edits_are_undone_and_done_again)
+{
+    Bench *bench = open_bench("mode1", true);
+    press(bench, ">");
+    select_parameter(bench, "initial.mode");
+    press_all(bench, "Right Right u");
+    ck_assert_double_eq(value(bench, "initial.mode"), 2);
+    press(bench, "u");
+    ck_assert_double_eq(value(bench, "initial.mode"), 1);
+    press_all(bench, "^R ^R");
+    ck_assert_double_eq(value(bench, "initial.mode"), 3);
+    press_all(bench, "u Right ^R"); /* a new edit takes the way forward away */
+    ck_assert_double_eq(value(bench, "initial.mode"), 3);
+    for (int i = 0; i < 100; i++)
+        press(bench, "Right");
+    for (int i = 0; i < 100; i++)
+        press(bench, "u");
+    ck_assert_double_lt(value(bench, "initial.mode"), 100);
+    close_bench(bench);
+}
+END_TEST
+
+START_TEST(the_question_makes_another_run)
+{
+    Bench *bench = open_bench("mode5", true);
+    press_all(bench, "g 5 Enter t");
+    ck_assert_double_eq(value(bench, "mpm.algorithm"), 1);
+    ck_assert_int_eq(step_of(bench), 500);
+    check_like_fresh(bench);
+    const Ghost *ghosts = experiment_ghosts(bench->lab.screen.experiment);
+    int used = 0;
+    for (int i = 0; i < GHOSTS_MAX; i++)
+        used += ghosts[i].used;
+    ck_assert_int_eq(used, 1);
+    close_bench(bench);
+}
+END_TEST
+
+START_TEST(a_filter_shortens_the_list)
+{
+    Bench *bench = open_bench("mode1", true);
+    press_all(bench, "/ v e l o Enter Right");
+    ck_assert_double_eq(value(bench, "initial.velocity"), 0.2);
+    press(bench, "/");
+    press_all(bench, "z z z Enter");
+    ck_assert(bench->lab.screen.prompt.open); /* nothing is called that */
+    press_all(bench, "Esc");
+    close_bench(bench);
+}
+END_TEST
+
+/* --- leaving ---------------------------------------------------------------------------------------- */
+
+START_TEST(quitting_asks_once_after_a_change)
+{
+    Bench *bench = open_bench("mode1", true);
+    press(bench, "q");
+    ck_assert(bench->lab.closed);
+    close_bench(bench);
+    bench = open_bench("mode1", true);
+    select_parameter(bench, "initial.mode");
+    press_all(bench, "Right q");
+    ck_assert(!bench->lab.closed);
+    ck_assert(bench->lab.screen.prompt.open);
+    press_all(bench, "n");
+    ck_assert(!bench->lab.closed && !bench->lab.screen.prompt.open);
+    press_all(bench, "q y");
+    ck_assert(bench->lab.closed);
+    close_bench(bench);
+}
+END_TEST
+
+START_TEST(quitting_closes_what_is_open_first)
+{
+    Bench *bench = open_bench("mode1", true);
+    press_all(bench, "? q");
+    ck_assert(!bench->lab.closed && !bench->lab.screen.help);
+    press_all(bench, "z q");
+    ck_assert(!bench->lab.closed && !bench->lab.screen.zoomed);
+    press_all(bench, "Enter F10");
+    ck_assert(!bench->lab.closed && !bench->lab.screen.editing);
+    press_all(bench, ": F10");
+    ck_assert(!bench->lab.closed && !bench->lab.screen.prompt.open);
+    press(bench, "F10");
+    ck_assert(bench->lab.closed);
+    close_bench(bench);
+}
+END_TEST
+
+/* --- files ------------------------------------------------------------------------------------------ */
+
+/* A folder of its own, so that what is written harms nothing. */
+static void enter_folder(char path[64])
+{
+    strcpy(path, "/tmp/matvib-check-XXXXXX");
+    ck_assert_ptr_nonnull(mkdtemp(path));
+    ck_assert_int_eq(chdir(path), 0);
+}
+
+static void leave_folder(const char *path)
+{
+    char command[128];
+    snprintf(command, sizeof command, "rm -rf '%s'", path);
+    ck_assert_int_eq(chdir("/"), 0);
+    ck_assert_int_eq(system(command), 0);
+}
+
+START_TEST(export_writes_and_does_not_overwrite)
+{
+    char folder[64];
+    enter_folder(folder);
+    Bench *bench = open_bench("mode1", true);
+    press(bench, "x");
+    ck_assert(!bench->lab.screen.prompt.open); /* there is nothing yet */
+    press_all(bench, "> x");
+    ck_assert_str_eq(bench->lab.screen.prompt.text, "mode1");
+    press(bench, "Enter");
+    ck_assert_msg(shows(bench, "wrote mode1-series.csv"), "%s", bench->lab.screen.message);
+    static const char *const files[] = {"mode1-series.csv",    "mode1-series.csv.ini",
+                                        "mode1-particles.csv", "mode1-particles.csv.ini",
+                                        "mode1-nodes.csv",     "mode1-nodes.csv.ini"};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+        ck_assert_msg(access(files[i], R_OK) == 0, "%s", files[i]);
+    press(bench, "x");
+    ck_assert_str_eq(bench->lab.screen.prompt.text, "mode1-2"); /* what is there is not proposed again */
+    press_all(bench, "m o d e 1 Enter");
+    ck_assert(bench->lab.screen.prompt.open && bench->lab.screen.prompt.yes_no);
+    press(bench, "n");
+    ck_assert(!bench->lab.screen.prompt.open);
+    press_all(bench, ", , x h e r e Enter");
+    press_all(bench, "m o d e 1 . c s v Enter y");
+    ck_assert(shows(bench, "wrote mode1-series.csv (9 rows)"));
+    press_all(bench, "$ x / n o / w h e r e Enter"); /* no such folder */
+    ck_assert_int_eq(bench->lab.screen.message_kind, MESSAGE_ERROR);
+    close_bench(bench);
+    leave_folder(folder);
+}
+END_TEST
+
+START_TEST(scenarios_are_written_and_opened)
+{
+    char folder[64];
+    enter_folder(folder);
+    Bench *bench = open_bench("mode1", true);
+    select_parameter(bench, "initial.mode");
+    press_all(bench, "Right Right > w t h r e e . i n i Enter");
+    ck_assert_msg(access("three.ini", R_OK) == 0, "%s", bench->lab.screen.message);
+    press_all(bench, "o m o d e 5 Enter");
+    ck_assert_double_eq(value(bench, "initial.mode"), 5);
+    press_all(bench, "Space o t h r e e . i n i Enter");
+    ck_assert_double_eq(value(bench, "initial.mode"), 3);
+    ck_assert_double_eq(value(bench, "time.end"), 100);
+    press_all(bench, "o n o n e Enter");
+    ck_assert(bench->lab.screen.prompt.open && bench->lab.screen.prompt.problem[0]);
+    close_bench(bench);
+    leave_folder(folder);
+}
+END_TEST
+
+START_TEST(the_command_line_takes_commands_values_and_times)
+{
+    Bench *bench = open_bench("mode1", true);
+    press_all(bench, ": i n i t i a l . m o d e = 4 Enter");
+    ck_assert_double_eq(value(bench, "initial.mode"), 4);
+    press_all(bench, ": s t e p Enter");
+    ck_assert_int_eq(step_of(bench), 1);
+    press_all(bench, ": 2 Enter");
+    ck_assert_double_eq_tol(experiment_time(bench->lab.screen.experiment), 2, 1e-9);
+    press_all(bench, ": m e s h . c e Tab 0 . 5 Enter");
+    ck_assert_double_eq(value(bench, "mesh.cell_size"), 0.5);
+    press_all(bench, ": n o n s e n s e Enter");
+    ck_assert(bench->lab.screen.prompt.open && bench->lab.screen.prompt.problem[0]);
+    close_bench(bench);
+}
+END_TEST
+
+/* --- at random -------------------------------------------------------------------------------------- */
+
+static uint64_t next_random(uint64_t *random)
+{
+    *random ^= *random << 13, *random ^= *random >> 7, *random ^= *random << 17;
+    return *random >> 11;
+}
+
+/* Any key of the table, and some that mean nothing or only something in a field. */
+static void random_key(uint64_t *random, char name[KEY_NAME_MAX])
+{
+    static const char *const others[] = {"Backspace", "1", "0",  ".", "-",  "e",
+                                         "y",         "n", "F7", "Ω", "^U", "M-x"};
+    uint64_t pick = next_random(random);
+    const Command *command = &commands[pick % (uint64_t)n_commands];
+    snprintf(name, KEY_NAME_MAX, "%s", others[(pick >> 20) % (sizeof others / sizeof *others)]);
+    if (pick % 7)
+        sscanf(command->keys, "%15s", name);
+    if (command->id == COMMAND_OPEN)
+        strcpy(name, "Enter");
+}
+
+static Bench *random_bench(uint64_t *random)
+{
+    Bench *bench = open_bench(scenarios[next_random(random) % N_SCENARIOS], next_random(random) % 2);
+    bench->rate = 500;
+    return bench;
+}
+
+START_TEST(random_keys)
+{
+    char folder[64];
+    const char *wanted = getenv("MATVIB_KEYS");
+    long count = wanted ? atol(wanted) : 20000;
+    uint64_t random = 0x9e3779b97f4a7c15u;
+    enter_folder(folder);
+    Bench *bench = random_bench(&random);
+    for (long i = 0; i < count; i++) {
+        char name[KEY_NAME_MAX];
+        random_key(&random, name);
+        if (next_random(&random) % 50 == 0) {
+            bench->width = 1 + (int)(next_random(&random) % 200);
+            bench->height = 1 + (int)(next_random(&random) % 60);
+        }
+        press(bench, name);
+        frame(bench);
+        /* a new one now and then: some parameters make runs that no test can wait for */
+        if (bench->lab.closed || i % 250 == 249) {
+            close_bench(bench);
+            bench = random_bench(&random);
+        }
+    }
+    close_bench(bench);
+    leave_folder(folder);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *tcase = tcase_create("laboratory");
+    tcase_set_timeout(tcase, 120);
+    tcase_add_test(tcase, every_row_of_the_table_is_carried_out);
+    tcase_add_loop_test(tcase, every_key_in_every_view, 0, N_SCENARIOS);
+    tcase_add_test(tcase, a_period_lasts_three_seconds);
+    tcase_add_test(tcase, a_slow_engine_is_the_limit);
+    tcase_add_test(tcase, faster_and_slower_in_1_2_5);
+    tcase_add_test(tcase, steps_and_stages_go_both_ways);
+    tcase_add_test(tcase, the_end_pauses_with_a_summary);
+    tcase_add_test(tcase, a_long_seek_is_cut_into_frames);
+    tcase_add_test(tcase, ten_nudges_redraw_ten_times);
+    tcase_add_test(tcase, nudges_of_the_cell_keep_the_time);
+    tcase_add_test(tcase, a_field_is_edited_in_place);
+    tcase_add_test(tcase, a_bad_value_says_why_and_keeps_the_old);
+    tcase_add_test(tcase, edits_are_undone_and_done_again);
+    tcase_add_test(tcase, the_question_makes_another_run);
+    tcase_add_test(tcase, a_filter_shortens_the_list);
+    tcase_add_test(tcase, quitting_asks_once_after_a_change);
+    tcase_add_test(tcase, quitting_closes_what_is_open_first);
+    tcase_add_test(tcase, export_writes_and_does_not_overwrite);
+    tcase_add_test(tcase, scenarios_are_written_and_opened);
+    tcase_add_test(tcase, the_command_line_takes_commands_values_and_times);
+    tcase_add_test(tcase, random_keys);
+    suite_add_tcase(suite, tcase);
+}
