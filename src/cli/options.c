@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "lab/parameters.h"
+#include "lab/problem.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -20,6 +21,7 @@ const Option options_table[] = {
      OPTION_OVERRIDE, AT(overrides)},
     {"--end", "T", " open show run ", "the run ends at time T", OPTION_OVERRIDE, AT(overrides),
      .key = "time.end"},
+    {"--steps", "N", " open show run ", "the run ends after N steps", OPTION_COUNT, AT(steps)},
     {"--every", "N", " run ", "a row of the series every N steps (1)", OPTION_OVERRIDE,
      .key = "output.every"},
     {"--series", "FILE", " run ", "writes the series: one row for each recorded step", OPTION_TEXT,
@@ -278,5 +280,23 @@ void options_print(const char *command)
 
 bool options_load(const Options *options, const char *scenario, Settings *settings, Status *status)
 {
-    return scenario_load_with(scenario, options->overrides, options->n_overrides, settings, status);
+    Override overrides[OVERRIDES_MAX + 2];
+    int count = options->n_overrides;
+    memcpy(overrides, options->overrides, (size_t)count * sizeof *overrides);
+    if (options->steps == 0)
+        return scenario_load_with(scenario, overrides, count, settings, status);
+    for (int i = 0; i < count; i++)
+        if (strcmp(overrides[i].key, "time.end") == 0)
+            return status_fail(status, STATUS_USAGE, "--steps: %s says when the run ends (one of them)",
+                               strcmp(overrides[i].origin, "--set") == 0 ? "--set time.end" : "--end");
+    /* the step does not depend on the end, so an end that nothing can object to comes first */
+    char end[NUMBER_TEXT_MAX] = "1e-300";
+    double dt;
+    overrides[count] = (Override){"--steps", "time.end", end};
+    overrides[count + 1] = (Override){"--steps", "output.at", ""};
+    if (!scenario_load_with(scenario, overrides, count + 2, settings, status) ||
+        !problem_time_step(settings, &dt, status))
+        return false;
+    text_shortest(end, (double)options->steps * dt);
+    return scenario_load_with(scenario, overrides, count + 1, settings, status);
 }

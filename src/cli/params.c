@@ -1,5 +1,6 @@
 /* `matvib params [PROBLEM]`: the parameter table for people. */
 #include "cli/cli.h"
+#include "cli/derived.h"
 #include "cli/options.h"
 #include "lab/parameters.h"
 #include "lab/problem.h"
@@ -22,11 +23,20 @@ static void print_parameter(const Settings *settings, const Parameter *parameter
     printf("  %-42s %s%s\n      %s\n", assignment, range, parameter->live ? "  [live]" : "", parameter->help);
 }
 
-static void print_problem(Problem problem)
+static void print_indented(const char *text)
+{
+    while (*text) {
+        size_t n = strcspn(text, "\n");
+        printf("  %.*s\n", (int)n, text);
+        text += n + (text[n] == '\n');
+    }
+}
+
+static bool print_problem(Problem problem, Status *status)
 {
     Settings settings;
     settings_default(&settings, problem);
-    printf("%s (%s)\n", problem_words[problem], method_words[settings.method]);
+    printf("%s (%s): %s\n", problem_words[problem], method_words[settings.method], problem_title(problem));
     const char *group = "";
     for (int i = 0; i < n_parameters; i++) {
         if (!parameter_applies(&parameters[i], problem))
@@ -35,6 +45,13 @@ static void print_problem(Problem problem)
             printf("\n%s\n", group = parameters[i].group);
         print_parameter(&settings, &parameters[i]);
     }
+    char derived[DERIVED_TEXT_MAX];
+    if (!derived_text(&settings, derived, sizeof derived, status))
+        return false;
+    printf("\nFrom these\n");
+    print_indented(derived);
+    putchar('\n');
+    return true;
 }
 
 static bool find_problem(const char *word, int *problem, Status *status)
@@ -58,10 +75,9 @@ int cli_params(int count, char **arguments, Status *status)
             return STATUS_USAGE;
         last = first;
     }
-    for (int problem = first; problem <= last; problem++) {
-        print_problem((Problem)problem);
-        putchar('\n');
-    }
+    for (int problem = first; problem <= last; problem++)
+        if (!print_problem((Problem)problem, status))
+            return (int)status->code;
     printf("[live] may change in mid-run. Each value is set by --set KEY=VALUE or in a scenario file.\n");
     return STATUS_DONE;
 }

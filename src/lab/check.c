@@ -2,6 +2,7 @@
 #include "lab/parameters.h"
 
 #include "base/text.h"
+#include "lab/problem.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -230,7 +231,7 @@ static bool check_changes(const Settings *settings, Status *status)
 
 bool settings_check(const Settings *settings, Status *status)
 {
-    if ((settings->problem == PROBLEM_BAR) != (settings->method == METHOD_MPM))
+    if (!problem_allows(settings->problem, settings->method))
         return status_fail(status, STATUS_USAGE, "scenario.method: %s cannot solve problem %s (%s)",
                            method_words[settings->method], problem_words[settings->problem],
                            method_words[settings->problem == PROBLEM_BAR ? METHOD_MPM : METHOD_PD]);

@@ -1,5 +1,6 @@
 /* The table of problems, and what all references share. */
 #include "lab/problem.h"
+#include "lab/parameters.h"
 #include "lab/problem_rows.h"
 #include "theory/frequency.h"
 
@@ -7,15 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct ProblemName {
-    const char *name, *title;
-} ProblemName;
-
-static const ProblemName names[PROBLEM_COUNT] = {
-    [PROBLEM_BAR] = {"bar", "axial vibration of a bar"},
-    [PROBLEM_SUPPORTED_BEAM] = {"simply-supported-beam", "vibration of a simply supported beam"},
-    [PROBLEM_MOVING_CANTILEVER] = {"moving-cantilever", "vibration of an axially moving cantilever"},
-    [PROBLEM_NOTCHED_BEAM] = {"notched-beam", "three-point bending of a beam with an offset notch"},
+static const char *const titles[PROBLEM_COUNT] = {
+    [PROBLEM_BAR] = "axial vibration of a bar",
+    [PROBLEM_SUPPORTED_BEAM] = "vibration of a simply supported beam",
+    [PROBLEM_MOVING_CANTILEVER] = "vibration of an axially moving cantilever",
+    [PROBLEM_NOTCHED_BEAM] = "three-point bending of a beam with an offset notch",
 };
 
 static const ProblemRow *const rows_of_problems[] = {
@@ -46,12 +43,12 @@ static const ProblemRow *need_row(const Settings *settings, Status *status)
 
 const char *problem_name(Problem problem)
 {
-    return names[problem].name;
+    return problem_words[problem];
 }
 
 const char *problem_title(Problem problem)
 {
-    return names[problem].title;
+    return titles[problem];
 }
 
 bool problem_allows(Problem problem, MethodKind method)

@@ -70,11 +70,18 @@ expect "a fracture energy" 0 show notched-beam --set pd.critical_energy=50
 result "the energy is the handle" says out '^critical_energy = 50$'
 result "the stretch is a comment" says out '^# critical_stretch = 0.0010'
 
+expect "--steps of the bar" 0 show mode1 --steps 100
+result "a hundred steps of 0.01" says out '^end = 1$'
+expect "--steps of a beam with its own step" 0 show supported-beam-coarse --steps 10
+result "derived values are comments" says out '^# dt_crit = [0-9.]*e-7 s$'
+result "a wrong step is said" test "$("$MATVIB" show mode1 --set time.courant=3 | grep -c '^# a run is refused')" -eq 1
+
 expect "params" 0 params
 result "every problem" test "$(grep -c -E '^(bar|simply-supported-beam|moving-cantilever|notched-beam) \(' out)" -eq 4
 result "params fits 120 columns" test -z "$(awk 'length > 120' out)"
 expect "params of one problem" 0 params notched-beam
 result "its parameters" says out '^  load.stress = 6e7 Pa .*\[live\]$'
+result "and what follows from them" says out '^  bonds = 1388854$'
 result "no others" test "$(grep -c mesh.cell_size out)" -eq 0
 
 refuse "unknown scenario" 2 'mode11: no such scenario or file (did you mean mode1?)' show mode11
@@ -93,6 +100,9 @@ refuse "--set of an unknown key" 2 '--set: mesh.cellsize: unknown key (did you m
 refuse "--set out of range" 2 '--set: mesh.particles_per_cell: 9 is out of range (1 to 8)' \
 	show mode1 --set mesh.particles_per_cell=9
 refuse "--end that is no time" 2 '--end: time.end: soon is not a number (> 0)' show mode1 --end soon
+refuse "--end and --steps" 2 '--steps: --end says when the run ends (one of them)' show mode1 --end 3 --steps 4
+refuse "no steps" 2 '--steps: 0 is not allowed (a whole number, 1 or more)' show mode1 --steps 0
+refuse "too many nodes" 2 'notched-beam: pd.spacing: 2.06e+09 bonds are too many for memory (at most 2.68e+08: a larger spacing or a smaller horizon)' show notched-beam --set pd.spacing=1e-5 --set pd.horizon=3e-5
 refuse "both handles" 2 '--set: pd.critical_stretch: pd.critical_stretch and pd.critical_energy say the same (one of them)' \
 	show notched-beam --set pd.critical_energy=1 --set pd.critical_stretch=1e-3
 refuse "unknown problem" 2 \

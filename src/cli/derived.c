@@ -1,0 +1,42 @@
+#include "cli/derived.h"
+
+#include "base/text.h"
+#include "lab/problem.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static size_t add_line(char *out, size_t size, size_t used, const Derived *derived)
+{
+    char value[NUMBER_TEXT_MAX];
+    if (used >= size)
+        return used;
+    if (derived->integer)
+        snprintf(value, sizeof value, "%.0f", derived->value);
+    else
+        text_rounded(value, derived->value, 10);
+    const char *unit = strcmp(derived->unit, "1") == 0 ? "" : derived->unit; /* a plain number */
+    int n = snprintf(out + used, size - used, "%s = %s%s%s\n", derived->name, value, *unit ? " " : "", unit);
+    return used + (n > 0 ? (size_t)n : 0);
+}
+
+bool derived_text(const Settings *settings, char *out, size_t size, Status *status)
+{
+    char advice[240] = "";
+    Derived derived[DERIVED_MAX];
+    Simulation *simulation = problem_simulate(settings, 1, status);
+    if (!simulation)
+        return false;
+    int count = problem_derived(settings, simulation, derived);
+    simulation_destroy(simulation);
+    size_t used = 0;
+    out[0] = '\0';
+    for (int i = 0; i < count; i++)
+        used = add_line(out, size, used, &derived[i]);
+    Status refusal = {0};
+    bool allowed = problem_advice(settings, advice, sizeof advice, &refusal);
+    if (used < size && (!allowed || *advice))
+        snprintf(out + used, size - used, "%s%s\n",
+                 allowed ? "" : "a run is refused: ", allowed ? advice : refusal.text);
+    return true;
+}
