@@ -91,10 +91,10 @@ bool bar_check(const BarDef *def, Status *status)
                 positive(def->courant, "time.courant", status) &&
                 whole(def->particles_per_cell, 1, BAR_SLOTS_MAX, "mesh.particles_per_cell", status) &&
                 whole(def->padding, 0, CELLS_MAX, "mesh.padding", status) &&
-                whole(def->supports, BAR_FIXED_FREE, BAR_FREE_FREE, "bar.supports", status) &&
-                whole(def->algorithm, MPM_USF, MPM_MUSL, "mpm.algorithm", status) &&
-                whole(def->shape, MPM_HAT, MPM_BSPLINE3, "mpm.shape", status) &&
-                whole(def->transfer, MPM_FLIP, MPM_APIC, "mpm.transfer", status) &&
+                whole((int)def->supports, BAR_FIXED_FREE, BAR_FREE_FREE, "bar.supports", status) &&
+                whole((int)def->algorithm, MPM_USF, MPM_MUSL, "mpm.algorithm", status) &&
+                whole((int)def->shape, MPM_HAT, MPM_BSPLINE3, "mpm.shape", status) &&
+                whole((int)def->transfer, MPM_FLIP, MPM_APIC, "mpm.transfer", status) &&
                 finite_number(def->body_force, "load.body_force", status) &&
                 finite_number(def->traction, "load.traction", status) &&
                 finite_number(def->traction_layer, "load.traction_layer", status);
