@@ -93,6 +93,7 @@ struct Bar {
     double energy_start;
 
     /* state: one block; what lies beyond the particle part exists only within a step */
+    void *memory; /* what was allocated: the block, then scratch */
     void *block;
     size_t bytes_flip, bytes_apic, bytes_whole; /* to the end of the FLIP part, the APIC part, everything */
     BarHead *head;
