@@ -9,7 +9,7 @@ INLINE double inner_offset(MpmShape shape, int a)
     return shape == MPM_HAT ? a : shape == MPM_BSPLINE2 ? a - 0.5 : a - 1;
 }
 
-INLINE void wide_map(Bar *bar, MpmShape shape, bool affine, int c, int stop, bool again)
+INLINE void wide_map(Bar *bar, MpmShape shape, bool affine, int c, int stop)
 {
     const int support = shape_support(shape), slots = bar->slots;
     const double h = bar->gimp_half, dx = bar->dx;
@@ -30,20 +30,15 @@ INLINE void wide_map(Bar *bar, MpmShape shape, bool affine, int c, int stop, boo
             UNROLL
             for (int a = 0; a < support; a++) {
                 Piece given = affine ? v + spin * (inner_offset(shape, a) - s) : v;
+                mass[a] += n[a];
                 momentum[a] += given * n[a];
             }
-            if (!again)
-                UNROLL
-            for (int a = 0; a < support; a++)
-                mass[a] += n[a];
         }
         UNROLL
-        for (int a = 0; a < support; a++)
-            PIECE_AT(bar->part[1][a], c) = momentum[a];
-        if (!again)
-            UNROLL
-        for (int a = 0; a < support; a++)
+        for (int a = 0; a < support; a++) {
             PIECE_AT(bar->part[0][a], c) = mass[a];
+            PIECE_AT(bar->part[1][a], c) = momentum[a];
+        }
     }
     for (; c < stop; c++)
         map_cell(bar, shape, affine, c);
