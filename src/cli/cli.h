@@ -24,6 +24,7 @@ const CliCommand *cli_find(const char *name); /* NULL: there is none */
 /* --help: of the program, or of one command. */
 void cli_print_help(const CliCommand *command);
 
+int cli_run(int count, char **arguments, Status *);
 int cli_list(int count, char **arguments, Status *);
 int cli_show(int count, char **arguments, Status *);
 int cli_params(int count, char **arguments, Status *);

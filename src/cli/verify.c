@@ -1,6 +1,7 @@
 /* The table of checks, and what the command line says of it. */
 #include "cli/verify.h"
 #include "base/text.h"
+#include "cli/options.h"
 #include "cli/verify_checks.h"
 #include "cli/verify_stories.h"
 
@@ -73,19 +74,17 @@ static bool unknown_name(const char *name, Status *status)
 
 static bool read_request(int count, char **arguments, Request *request, Status *status)
 {
+    Options options;
     *request = (Request){0};
-    for (int i = 0; i < count; i++) {
-        const char *word = arguments[i];
-        if (strcmp(word, "--full") == 0)
-            request->full = true;
-        else if (strcmp(word, "--list") == 0)
-            request->list = true;
-        else if (word[0] == '-')
-            return status_fail(status, STATUS_USAGE, "verify: unknown option %s (--full, --list)", word);
-        else if (find_check(word) < 0)
-            return unknown_name(word, status);
-        else
-            request->named = request->wanted[find_check(word)] = true;
+    if (!options_parse("verify", count, arguments, &options, status))
+        return false;
+    request->full = options.full;
+    request->list = options.list;
+    for (int i = 0; i < options.n_words; i++) {
+        int check = find_check(options.words[i]);
+        if (check < 0)
+            return unknown_name(options.words[i], status);
+        request->named = request->wanted[check] = true;
     }
     return true;
 }

@@ -168,11 +168,7 @@ void experiment_scenario(const Experiment *experiment, bool to_newest, Settings 
     const Trial *trial = &experiment->trial;
     long step = to_newest ? trial->newest : trial->sim->step;
     *out = trial->base;
-    out->end = (double)step * trial->sim->dt;
-    if (out->problem != PROBLEM_BAR)
-        out->beam.dt = trial->sim->dt;
-    while (out->n_changes > 0 && out->changes[out->n_changes - 1].step > step)
-        out->n_changes--;
+    problem_end_at(out, trial->sim->dt, step);
 }
 
 /* A fit over thousands of rows is not free: while rows come in, it is done when their number has grown by a

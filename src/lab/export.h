@@ -23,8 +23,11 @@ typedef struct RunSummary {
     double time, dt;
     Readout readout;
     double energy_start, energy_end; /* total */
-    double energy_drift;             /* percent of the start (of the work, where the start has none) */
-    long rows;                       /* of the series */
+    double work;                     /* of loads, at the end */
+    double energy_drift; /* of total - work, the mean of the last tenth of the rows against that of
+                          * the first, for kinetic and strain energy are half a step apart and their
+                          * sum ripples; in percent of the first (of the work, if t = 0 has none) */
+    long rows;           /* of the series */
     bool failed;
     Status failure;
 } RunSummary;

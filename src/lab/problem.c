@@ -1,10 +1,12 @@
 /* The table of problems, and what all references share. */
 #include "lab/problem.h"
+#include "base/text.h"
 #include "lab/parameters.h"
 #include "lab/problem_rows.h"
 #include "theory/frequency.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -84,6 +86,29 @@ bool problem_time_step(const Settings *settings, double *dt, Status *status)
     *dt = sim->dt;
     simulation_destroy(sim);
     return true;
+}
+
+void problem_end_at(Settings *settings, double dt, long step)
+{
+    double times[TIMES_MAX];
+    settings->end = (double)step * dt;
+    if (settings->problem != PROBLEM_BAR)
+        settings->beam.dt = dt;
+    while (settings->n_changes > 0 && settings->changes[settings->n_changes - 1].step > step)
+        settings->n_changes--;
+    int n = times_read(settings->at, times, NULL), kept = n;
+    while (kept > 0 && lround(times[kept - 1] / dt) > step)
+        kept--;
+    if (kept == n)
+        return;
+    size_t length = 0;
+    settings->at[0] = '\0';
+    for (int i = 0; i < kept; i++) {
+        char text[NUMBER_TEXT_MAX];
+        text_shortest(text, times[i]);
+        length += (size_t)snprintf(settings->at + length, sizeof settings->at - length, "%s%s",
+                                   i > 0 ? "," : "", text);
+    }
 }
 
 long problem_last_step(double dt, double end)

@@ -33,6 +33,10 @@ Simulation *problem_simulate(const Settings *, int threads, Status *);
  */
 bool problem_time_step(const Settings *, double *dt, Status *);
 
+/* Makes settings those of a run that ends at a step: time.end its time, time.step the number in use, changes
+ * and named times beyond it left out. Such a run has the same rows up to there. */
+void problem_end_at(Settings *, double dt, long step);
+
 /* The first step k with k dt >= end (1 - 1e-9): where a run ends. */
 long problem_last_step(double dt, double end);
 

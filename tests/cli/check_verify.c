@@ -124,7 +124,7 @@ START_TEST(bad_words_are_refused)
     ck_assert_str_eq(text, "");
     free(text);
     ck_assert_int_eq(verify_words("M-fig3 --ful", &text, &status), 2);
-    ck_assert_ptr_nonnull(strstr(status.text, "--ful "));
+    ck_assert_ptr_nonnull(strstr(status.text, "--ful:"));
     free(text);
 }
 END_TEST

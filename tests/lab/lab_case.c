@@ -13,6 +13,12 @@ Settings bar_settings(int mode, double end)
     return settings;
 }
 
+void set(Settings *settings, const char *key, const char *value)
+{
+    Status status = {0};
+    ck_assert_msg(settings_set(settings, key, value, &status), "%s", status.text);
+}
+
 Settings beam_settings(Problem problem, double end)
 {
     Settings settings;
@@ -22,8 +28,8 @@ Settings beam_settings(Problem problem, double end)
     if (problem == PROBLEM_NOTCHED_BEAM) {
         beam->length = 0.1;
         beam->height = 0.04;
-        beam->horizon = 4e-3;
-        beam->spacing = 1e-3;
+        set(&settings, "pd.horizon", "4e-3");
+        set(&settings, "pd.spacing", "1e-3");
         beam->notch_position = 0.03;
         beam->notch_depth = 0.01;
         beam->load_position = 0.05;
@@ -33,16 +39,10 @@ Settings beam_settings(Problem problem, double end)
         beam->protected_depth = 0.006;
         beam->dt = 2e-7;
     } else {
-        beam->horizon = 3.75e-3;
-        beam->spacing = 1.25e-3;
+        set(&settings, "pd.horizon", "3.75e-3");
+        set(&settings, "pd.spacing", "1.25e-3");
     }
     return settings;
-}
-
-void set(Settings *settings, const char *key, const char *value)
-{
-    Status status = {0};
-    ck_assert_msg(settings_set(settings, key, value, &status), "%s", status.text);
 }
 
 Experiment *open_experiment(const Settings *settings, size_t history)

@@ -80,7 +80,8 @@ static bool whole(int value, int low, int high, const char *key, Status *status)
     return status_fail(status, STATUS_USAGE, "%s: %d is out of range (%d to %d)", key, value, low, high);
 }
 
-enum { CELLS_MAX = 100000000 };
+/* A particle takes some 150 bytes. */
+enum { CELLS_MAX = 20000000, PARTICLES_MAX = 20000000 };
 
 bool bar_check(const BarDef *def, Status *status)
 {
@@ -91,10 +92,10 @@ bool bar_check(const BarDef *def, Status *status)
                 positive(def->courant, "time.courant", status) &&
                 whole(def->particles_per_cell, 1, BAR_SLOTS_MAX, "mesh.particles_per_cell", status) &&
                 whole(def->padding, 0, CELLS_MAX, "mesh.padding", status) &&
-                whole(def->supports, BAR_FIXED_FREE, BAR_FREE_FREE, "bar.supports", status) &&
-                whole(def->algorithm, MPM_USF, MPM_MUSL, "mpm.algorithm", status) &&
-                whole(def->shape, MPM_HAT, MPM_BSPLINE3, "mpm.shape", status) &&
-                whole(def->transfer, MPM_FLIP, MPM_APIC, "mpm.transfer", status) &&
+                whole((int)def->supports, BAR_FIXED_FREE, BAR_FREE_FREE, "bar.supports", status) &&
+                whole((int)def->algorithm, MPM_USF, MPM_MUSL, "mpm.algorithm", status) &&
+                whole((int)def->shape, MPM_HAT, MPM_BSPLINE3, "mpm.shape", status) &&
+                whole((int)def->transfer, MPM_FLIP, MPM_APIC, "mpm.transfer", status) &&
                 finite_number(def->body_force, "load.body_force", status) &&
                 finite_number(def->traction, "load.traction", status) &&
                 finite_number(def->traction_layer, "load.traction_layer", status);
@@ -112,9 +113,9 @@ bool bar_check(const BarDef *def, Status *status)
         return status_fail(status, STATUS_USAGE,
                            "mesh.cell_size: the length %g must be a whole number of cells, not %.10g",
                            def->length, cells);
-    if ((long)round(cells) * def->particles_per_cell > CELLS_MAX)
+    if ((long)round(cells) * def->particles_per_cell > PARTICLES_MAX)
         return status_fail(status, STATUS_USAGE,
-                           "mesh.particles_per_cell: more than %d particles are not possible", CELLS_MAX);
+                           "mesh.particles_per_cell: more than %d particles are not possible", PARTICLES_MAX);
     if (def->traction_layer < 0.0 || def->traction_layer > def->length)
         return status_fail(status, STATUS_USAGE,
                            "load.traction_layer: %g is out of range (0 to the length %g)",
@@ -198,7 +199,7 @@ static void lay_out(Bar *bar, unsigned char *block)
     ARRAY(bar->odd, ((size_t)bar->n_cells / BAR_CELL_BLOCK + 1) * sizeof(int16_t));
     ARRAY(bar->old_first, ((size_t)bar->n_cells + 1) * sizeof(int32_t));
     ARRAY(bar->backup, bar->bytes_apic);
-    bar->bytes_memory = (layout.size + 63) / 64 * 64;
+    bar->bytes_memory = layout.size + 64; /* room to begin at a multiple of 64 */
 #undef ARRAY
 }
 
@@ -207,7 +208,7 @@ static void lay_out(Bar *bar, unsigned char *block)
 static void destroy(Simulation *sim)
 {
     Bar *bar = bar_of(sim);
-    free(bar->block);
+    free(bar->memory);
     free(bar);
 }
 
@@ -299,7 +300,6 @@ static const Method method = {
     .row = bar_row,
     .field = bar_field,
     .links = bar_links,
-    .shapes = bar_shapes,
     .explain = bar_explain,
     .state_size = state_size,
     .save = save,
@@ -385,14 +385,14 @@ Simulation *bar_create(const BarDef *definition, Status *status)
     bar->def = *definition;
     derive(bar);
     lay_out(bar, NULL);
-    bar->block = aligned_alloc(64, bar->bytes_memory);
-    if (!bar->block) {
+    bar->memory = calloc(1, bar->bytes_memory); /* pages that are never written cost nothing */
+    if (!bar->memory) {
         status_fail(status, STATUS_FAILED, "not enough memory for a bar of %d particles (%zu MB)",
                     bar->n_particles, bar->bytes_memory / 1000000 + 1);
         free(bar);
         return NULL;
     }
-    memset(bar->block, 0, bar->bytes_memory);
+    bar->block = (unsigned char *)bar->memory + (64 - (uintptr_t)bar->memory % 64);
     lay_out(bar, bar->block);
     bar->kernels = bar_kernels(cpu_best());
 

@@ -93,6 +93,7 @@ struct Bar {
     double energy_start;
 
     /* state: one block; what lies beyond the particle part exists only within a step */
+    void *memory; /* what was allocated: the block, then scratch */
     void *block;
     size_t bytes_flip, bytes_apic, bytes_whole; /* to the end of the FLIP part, the APIC part, everything */
     BarHead *head;
@@ -204,7 +205,6 @@ extern const Field bar_fields[BAR_FIELDS];
 extern const Quantity bar_series[BAR_SERIES];
 void bar_field(const Simulation *sim, int field, size_t first, size_t count, double *out);
 size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t max);
-size_t bar_shapes(const Simulation *sim, double x, Link *out, size_t max);
 void bar_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, char *out,
                  size_t size);
 

@@ -196,15 +196,20 @@ typedef struct Mark {
     long events_beyond;
 } Mark;
 
+static size_t particle_bytes(const Bar *bar)
+{
+    return bar->head->transfer == MPM_APIC ? bar->bytes_apic : bar->bytes_flip;
+}
+
 static Mark set_mark(Bar *bar)
 {
-    memcpy(bar->backup, bar->block, bar->bytes_apic);
+    memcpy(bar->backup, bar->block, particle_bytes(bar));
     return (Mark){bar->sim.step, bar->sim.n_events, bar->sim.events_beyond};
 }
 
 static void go_back(Bar *bar, Mark mark)
 {
-    memcpy(bar->block, bar->backup, bar->bytes_apic);
+    memcpy(bar->block, bar->backup, particle_bytes(bar));
     bar_count_odd_cells(bar);
     bar->sim.step = mark.step;
     bar->sim.n_events = mark.n_events;

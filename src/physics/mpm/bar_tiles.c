@@ -68,7 +68,7 @@ static void plan(Flight *flight, const Bar *bar, int steps, bool with_rows)
     flight->n_tasks = 0;
     for (int step = 0; step < steps; step++) {
         for (int stage = 0; stage < schedule->count; stage++) {
-            add_task(flight, schedule->ops[stage], step);
+            add_task(flight, (int)schedule->ops[stage], step);
             if (with_rows && step > 0 && schedule->ops[stage] == OP_FIX)
                 add_task(flight, SUM_NODES, step - 1);
         }

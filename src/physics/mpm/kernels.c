@@ -170,9 +170,9 @@ INLINE void map_shape(Bar *bar, MpmShape shape, int first, int end, bool again)
         else if (shape == MPM_HAT && !affine)
             hat_map(bar, c, stop - c, again), c = stop;
         else if (affine)
-            wide_map(bar, shape, true, c, stop), c = stop;
+            wide_map(bar, shape, true, c, stop, again), c = stop;
         else
-            wide_map(bar, shape, false, c, stop), c = stop;
+            wide_map(bar, shape, false, c, stop, again), c = stop;
     }
     const int support = shape_support(shape), last = nodes_end(bar, end);
     FOR_RANGE(first, last, scaled_gather_wide(bar->part[1], support, bar->mass, bar->node_momentum, i),
@@ -185,8 +185,10 @@ INLINE void map_shape(Bar *bar, MpmShape shape, int first, int end, bool again)
                                 bar->node_inverse, i));
 }
 
-static void map(Bar *bar, int first, int end,
-                bool again){FOR_SHAPE(bar->def.shape, map_shape(bar, shape, first, end, again))}
+static void map(Bar *bar, int first, int end, bool again)
+{
+    FOR_SHAPE(bar->def.shape, map_shape(bar, shape, first, end, again));
+}
 
 /* --- strain and stress ---------------------------------------------------------------------------- */
 
@@ -225,7 +227,7 @@ INLINE int strain_shape(Bar *bar, MpmShape shape, int first, int end)
 static int strain(Bar *bar, int first, int end)
 {
     int bad = -1;
-    FOR_SHAPE(bar->def.shape, bad = strain_shape(bar, shape, first, end))
+    FOR_SHAPE(bar->def.shape, bad = strain_shape(bar, shape, first, end));
     return bad;
 }
 
@@ -270,8 +272,10 @@ INLINE void force_shape(Bar *bar, MpmShape shape, int first, int end)
         external_force(bar, shape, first, end);
 }
 
-static void force(Bar *bar, int first,
-                  int end){FOR_SHAPE(bar->def.shape, force_shape(bar, shape, first, end))}
+static void force(Bar *bar, int first, int end)
+{
+    FOR_SHAPE(bar->def.shape, force_shape(bar, shape, first, end));
+}
 
 /* --- integrate momentum --------------------------------------------------------------------------- */
 
@@ -335,7 +339,7 @@ INLINE void update_shape(Bar *bar, MpmShape shape, int first, int end)
 
 static void update(Bar *bar, int first, int end)
 {
-    FOR_SHAPE(bar->def.shape, update_shape(bar, shape, first, end))
+    FOR_SHAPE(bar->def.shape, update_shape(bar, shape, first, end));
 }
 
 /* --- sums ----------------------------------------------------------------------------------------- */

@@ -44,8 +44,10 @@ INLINE void hat_map_of(Bar *bar, const int slots, int c, int count, bool again)
                   map_one(slots, s, v, mass, momentum, i));
 }
 
-static void hat_map(Bar *bar, int c, int count,
-                    bool again){FOR_SLOTS(bar->slots, hat_map_of(bar, slots, c, count, again))}
+static void hat_map(Bar *bar, int c, int count, bool again)
+{
+    FOR_SLOTS(bar->slots, hat_map_of(bar, slots, c, count, again));
+}
 
 INLINE bool hat_strain_of(Bar *bar, const int slots, int c, int count)
 {
@@ -64,7 +66,7 @@ INLINE bool hat_strain_of(Bar *bar, const int slots, int c, int count)
 static bool hat_strain(Bar *bar, int c, int count)
 {
     bool good = true;
-    FOR_SLOTS(bar->slots, good = hat_strain_of(bar, slots, c, count))
+    FOR_SLOTS(bar->slots, good = hat_strain_of(bar, slots, c, count));
     return good;
 }
 
@@ -78,7 +80,10 @@ INLINE void hat_force_of(Bar *bar, const int slots, int c, int count)
 }
 
 /* Gives part[0][1] only: the pull at the right node; that at the left is its negative. */
-static void hat_force(Bar *bar, int c, int count){FOR_SLOTS(bar->slots, hat_force_of(bar, slots, c, count))}
+static void hat_force(Bar *bar, int c, int count)
+{
+    FOR_SLOTS(bar->slots, hat_force_of(bar, slots, c, count));
+}
 
 INLINE void hat_update_of(Bar *bar, const int slots, int c, int count)
 {
@@ -91,7 +96,10 @@ INLINE void hat_update_of(Bar *bar, const int slots, int c, int count)
               update_one(slots, s, v, moved, kick, drift, i));
 }
 
-static void hat_update(Bar *bar, int c, int count){FOR_SLOTS(bar->slots, hat_update_of(bar, slots, c, count))}
+static void hat_update(Bar *bar, int c, int count)
+{
+    FOR_SLOTS(bar->slots, hat_update_of(bar, slots, c, count));
+}
 
 /* Any shape. */
 INLINE bool settle_of(Bar *bar, const int slots, int particle, int count)
@@ -111,6 +119,6 @@ INLINE bool settle_of(Bar *bar, const int slots, int particle, int count)
 static bool settle(Bar *bar, int count, int particle)
 {
     bool stay = false;
-    FOR_SLOTS(bar->slots, stay = settle_of(bar, slots, particle, count))
+    FOR_SLOTS(bar->slots, stay = settle_of(bar, slots, particle, count));
     return stay;
 }

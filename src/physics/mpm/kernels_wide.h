@@ -9,7 +9,7 @@ INLINE double inner_offset(MpmShape shape, int a)
     return shape == MPM_HAT ? a : shape == MPM_BSPLINE2 ? a - 0.5 : a - 1;
 }
 
-INLINE void wide_map(Bar *bar, MpmShape shape, bool affine, int c, int stop)
+INLINE void wide_map(Bar *bar, MpmShape shape, bool affine, int c, int stop, bool again)
 {
     const int support = shape_support(shape), slots = bar->slots;
     const double h = bar->gimp_half, dx = bar->dx;
@@ -30,15 +30,20 @@ INLINE void wide_map(Bar *bar, MpmShape shape, bool affine, int c, int stop)
             UNROLL
             for (int a = 0; a < support; a++) {
                 Piece given = affine ? v + spin * (inner_offset(shape, a) - s) : v;
-                mass[a] += n[a];
                 momentum[a] += given * n[a];
             }
+            if (!again)
+                UNROLL
+            for (int a = 0; a < support; a++)
+                mass[a] += n[a];
         }
         UNROLL
-        for (int a = 0; a < support; a++) {
-            PIECE_AT(bar->part[0][a], c) = mass[a];
+        for (int a = 0; a < support; a++)
             PIECE_AT(bar->part[1][a], c) = momentum[a];
-        }
+        if (!again)
+            UNROLL
+        for (int a = 0; a < support; a++)
+            PIECE_AT(bar->part[0][a], c) = mass[a];
     }
     for (; c < stop; c++)
         map_cell(bar, shape, affine, c);

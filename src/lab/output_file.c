@@ -1,0 +1,164 @@
+#include "lab/output_file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <libgen.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+bool output_is_standard(const char *name)
+{
+    return strcmp(name, "-") == 0;
+}
+
+static bool cannot_write(const char *name, Status *status)
+{
+    return status_fail(status, STATUS_FAILED, "%s: cannot be written: %s", name, strerror(errno));
+}
+
+static bool is_special(const char *name)
+{
+    struct stat what;
+    return stat(name, &what) == 0 && !S_ISREG(what.st_mode) && !S_ISDIR(what.st_mode);
+}
+
+bool output_may_begin(const char *name, bool force, Status *status)
+{
+    struct stat what;
+    if (*name == '\0')
+        return status_fail(status, STATUS_USAGE, "a file needs a name");
+    if (output_is_standard(name) || stat(name, &what) != 0)
+        return true;
+    if (S_ISDIR(what.st_mode))
+        return status_fail(status, STATUS_USAGE, "%s: is a folder", name);
+    if (S_ISREG(what.st_mode) && !force)
+        return status_fail(status, STATUS_USAGE, "%s: exists (--force replaces it)", name);
+    return true;
+}
+
+char *output_real_name(const char *name, Status *status)
+{
+    char *whole = realpath(name, NULL); /* also through a symbolic link */
+    if (whole || errno == ENOMEM)
+        return whole;
+    char *copies[2] = {strdup(name), strdup(name)}, *real = NULL;
+    if (copies[0] && copies[1]) {
+        char *folder = realpath(dirname(copies[0]), NULL), *base = basename(copies[1]);
+        if (!folder)
+            cannot_write(name, status);
+        else if (asprintf(&real, "%s/%s", strcmp(folder, "/") == 0 ? "" : folder, base) < 0)
+            real = NULL;
+        free(folder);
+    }
+    free(copies[0]);
+    free(copies[1]);
+    return real;
+}
+
+static bool no_memory(Status *status)
+{
+    return status_fail(status, STATUS_FAILED, "not enough memory for the names of files");
+}
+
+/* A new file beside the target, with the rights that the user's mask (or the file to be replaced) gives. */
+static bool open_temporary(OutputFile *file, Status *status)
+{
+    struct stat what;
+    int descriptor = -1;
+    bool replaces = stat(file->target, &what) == 0;
+    mode_t mode = replaces ? what.st_mode & 07777 : 0666;
+    for (int i = 0; i < 100 && descriptor < 0; i++) {
+        free(file->temporary);
+        if (asprintf(&file->temporary, "%s.%ld-%d.part", file->target, (long)getpid(), i) < 0) {
+            file->temporary = NULL;
+            return no_memory(status);
+        }
+        descriptor = open(file->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+        if (descriptor < 0 && errno != EEXIST)
+            break;
+    }
+    if (descriptor >= 0 && replaces)
+        (void)!fchmod(descriptor, mode);
+    if (descriptor >= 0)
+        file->stream = fdopen(descriptor, "w");
+    if (file->stream)
+        return true;
+    cannot_write(file->name, status);
+    if (descriptor >= 0) {
+        close(descriptor);
+        unlink(file->temporary);
+    }
+    free(file->temporary);
+    file->temporary = NULL;
+    return false;
+}
+
+bool output_open(OutputFile *file, const char *name, bool force, Status *status)
+{
+    *file = (OutputFile){0};
+    if (!output_may_begin(name, force, status))
+        return false;
+    file->name = strdup(name);
+    if (!file->name)
+        return no_memory(status);
+    bool opened;
+    file->standard = output_is_standard(name);
+    if (file->standard) {
+        file->stream = stdout;
+        opened = true;
+    } else if (is_special(name)) {
+        file->stream = fopen(name, "we");
+        opened = file->stream || cannot_write(name, status);
+    } else {
+        file->target = output_real_name(name, status);
+        opened = file->target && open_temporary(file, status);
+    }
+    if (!opened)
+        output_close(file);
+    return opened;
+}
+
+bool output_sound(const OutputFile *file, Status *status)
+{
+    return !ferror(file->stream) || cannot_write(file->name, status);
+}
+
+bool output_finish(OutputFile *file, Status *status)
+{
+    bool arrived = fflush(file->stream) == 0 && !ferror(file->stream) &&
+                   (!file->temporary || fsync(fileno(file->stream)) == 0);
+    int why = errno;
+    if (!file->standard) {
+        arrived = fclose(file->stream) == 0 && arrived;
+        file->stream = NULL;
+    }
+    if (!arrived && why != 0)
+        errno = why;
+    return arrived || cannot_write(file->name, status);
+}
+
+bool output_commit(OutputFile *file, Status *status)
+{
+    if (!file->temporary)
+        return true;
+    if (rename(file->temporary, file->target) != 0)
+        return cannot_write(file->name, status);
+    free(file->temporary);
+    file->temporary = NULL;
+    return true;
+}
+
+void output_close(OutputFile *file)
+{
+    if (file->stream && !file->standard)
+        fclose(file->stream);
+    if (file->temporary)
+        unlink(file->temporary);
+    free(file->name);
+    free(file->target);
+    free(file->temporary);
+    *file = (OutputFile){0};
+}

@@ -1,0 +1,42 @@
+/* A file that is written whole or not at all: everything goes to a temporary file in the same folder, which
+ * takes the name at the end. What is no regular file (a terminal, a pipe, /dev/null) is written directly, and
+ * so is standard output, "-". */
+#ifndef LAB_OUTPUT_FILE_H
+#define LAB_OUTPUT_FILE_H
+
+#include "base/status.h"
+
+#include <stdio.h>
+
+typedef struct OutputFile {
+    FILE *stream;    /* NULL once it is finished */
+    char *name;      /* as the user wrote it, for messages */
+    char *target;    /* the file that it will be; NULL: written directly */
+    char *temporary; /* until it is committed */
+    bool standard;
+} OutputFile;
+
+bool output_is_standard(const char *name); /* "-" */
+
+/* Whether a file may be begun: it does not exist, or may be replaced. Nothing is touched. */
+bool output_may_begin(const char *name, bool force, Status *);
+
+/* The one name that stands for a file however it is written; free() it. NULL: no memory, or there is no such
+ * folder (the status says which). */
+char *output_real_name(const char *name, Status *);
+
+bool output_open(OutputFile *, const char *name, bool force, Status *);
+
+/* Whether all that was written so far has arrived. */
+bool output_sound(const OutputFile *, Status *);
+
+/* Brings it to the disk, still under its temporary name, and closes its stream. */
+bool output_finish(OutputFile *, Status *);
+
+/* Gives it its name; after output_finish(). */
+bool output_commit(OutputFile *, Status *);
+
+/* Takes back what was not committed, and frees. */
+void output_close(OutputFile *);
+
+#endif

@@ -1,0 +1,19 @@
+/* What a run came to, in words: printed by `matvib run`, shown by the laboratory at the end. */
+#ifndef LAB_SUMMARY_H
+#define LAB_SUMMARY_H
+
+#include "lab/experiment.h"
+#include "lab/export.h"
+
+enum { SUMMARY_MAX = 1024 };
+
+/* Fills in the energies from the rows of a run. */
+void summary_energies(RunSummary *, const Column *columns, int n_columns, const double *rows, size_t count);
+
+/* The same numbers for a run on screen, to its newest step. */
+void summary_of(Experiment *, RunSummary *);
+
+/* A few lines of at most 76 columns, ASCII, each ended by '\n'. */
+void summary_text(const RunSummary *, const Settings *, char out[SUMMARY_MAX]);
+
+#endif

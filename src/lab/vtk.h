@@ -1,0 +1,22 @@
+/* Particles as XML point data for ParaView: one .vtu file for each frame, and a .pvd file that names them
+ * with their times. Points stand at their reference positions; "displacement" and "velocity" are vectors. */
+#ifndef LAB_VTK_H
+#define LAB_VTK_H
+
+#include "physics/method.h"
+
+#include <stdio.h>
+
+/* The name of frame `i` of `count` for what the user wrote ("beam", "beam.vtu", "beam.pvd"); free() it. With
+ * one frame there is "beam.vtu" alone. */
+char *vtk_frame_name(const char *name, size_t i, size_t count);
+char *vtk_collection_name(const char *name);
+
+/* False: not enough memory. */
+bool vtk_write_frame(FILE *, const Simulation *);
+
+void vtk_begin_collection(FILE *);
+void vtk_add_to_collection(FILE *, const char *frame_name, double time);
+void vtk_end_collection(FILE *);
+
+#endif

@@ -1,0 +1,128 @@
+#!/bin/sh
+# matvib run as people type it: columns, bytes that repeat, files whole or not at all, exit statuses.
+number=0
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+
+# expect NAME STATUS ARGUMENTS...: runs it, and keeps what it wrote in out and err
+expect() {
+	name=$1 wanted=$2
+	shift 2
+	"$MATVIB" run "$@" >out 2>err
+	got=$?
+	result "$name" test "$got" -eq "$wanted"
+}
+
+result() {
+	number=$((number + 1))
+	name=$1
+	shift
+	if "$@"; then echo "ok $number - $name"; else
+		echo "not ok $number - $name"
+		sed 's/^/# /' out err
+	fi
+}
+
+says() { grep -q -e "$2" "$1"; }
+lines() { test "$(wc -l <"$1")" -eq "$2"; }
+header() { test "$(head -n 1 "$1")" = "$2"; }
+nothing_else() { test "$(ls)" = "$(printf 'err\nout')"; }
+
+# --- tables ---
+expect "the paper's first mode runs" 0 mode1 --series a.csv --particles p.csv --nodes n.csv
+result "columns of the series" header a.csv \
+	step,time,v_cm,v_cm_exact,v_cm_predicted,x_cm,kinetic,kinetic_grid,strain,work,total
+result "columns of the particles" header p.csv step,time,particle,x0,x,u,v,stress,strain,density,mass
+result "columns of the nodes" header n.csv step,time,node,x,mass,momentum,velocity,f_int,f_ext,f
+result "a row for each step" lines a.csv 10002
+result "the summary tells the frequency" says out '^frequency  measured 0.62798[0-9]* *predicted 0.6279837 *exact 0.6283185'
+result "and what was written" says out '^wrote a.csv, p.csv, n.csv$'
+result "nothing on stderr" lines err 0
+result "the scenario stands beside" says a.csv.ini '^# v_cm_predicted \[length/time\]: '
+
+expect "it repeats" 0 a.csv.ini --series b.csv --quiet
+result "the same bytes" cmp -s a.csv b.csv
+result "also beside" cmp -s a.csv.ini b.csv.ini
+result "quiet" lines out 0
+
+"$MATVIB" show mode1 >shown.ini
+expect "what show prints repeats it too" 0 shown.ini --series - --quiet
+result "the same bytes on standard output" cmp -s a.csv out
+
+expect "an existing file is refused" 2 mode5 --series a.csv
+result "in one line" lines err 1
+result "that says how" says err '^matvib: a.csv: exists (--force replaces it)$'
+result "and is left alone" cmp -s a.csv b.csv
+expect "unless it may be replaced" 0 mode5 --series a.csv --force --quiet
+result "then it is another" sh -c '! cmp -s a.csv b.csv'
+rm -f ./*.csv ./*.ini
+
+# --- how far ---
+expect "so many steps" 0 mode1 --steps 25 --series - --quiet
+result "and the start" lines out 27
+expect "to a time" 0 mode1 --end 0.245 --every 10 --series - --quiet
+result "every tenth and the last" sh -c 'test "$(cut -d, -f1 out | tr "\n" " ")" = "step 0 10 20 25 "'
+expect "frames" 0 mode1 --end 1 --frames 3 --particles - --quiet
+result "first, middle and last" sh -c 'test "$(cut -d, -f1 out | uniq | tr "\n" " ")" = "step 0 50 100 "'
+expect "named times" 0 mode1 --end 1 --at 0.1,0.333 --nodes - --quiet
+result "the nearest steps" sh -c 'test "$(cut -d, -f1 out | uniq | tr "\n" " ")" = "step 10 33 "'
+expect "steps and end exclude each other" 2 mode1 --steps 3 --end 5
+expect "the semicolon of spreadsheets" 0 mode1 --steps 1 --series - --dialect semicolon --quiet
+result "with a decimal comma" says out '^1;0,01;0,0636'
+expect "a summary beside a table" 0 mode1 --end 1 --series -
+result "goes to stderr" says err '^100 steps to t = 1  (dt 0.01)$'
+result "and leaves the table alone" lines out 102
+
+# --- beams ---
+expect "a beam" 0 supported-beam-coarse --steps 20 --series s.csv --bonds b.csv --vtk v --frames 2 --quiet
+result "columns of a supported beam" header s.csv \
+	step,time,u_probe,v_probe,u_euler,v_euler,u_timoshenko,v_timoshenko,kinetic,strain,work,dissipated,total,broken_bonds
+result "columns of bonds" header b.csv step,time,i,j,x_i,y_i,x_j,y_j,stretch,broken,broken_at
+result "frames for ParaView" test -s v-0000.vtu -a -s v-0001.vtu -a -s v.pvd
+expect "one thread" 0 supported-beam-coarse --steps 20 --threads 1 --series - --quiet
+result "gives the same bytes" cmp -s s.csv out
+expect "it repeats" 0 s.csv.ini --threads 3 --series - --quiet
+result "with the time step that was found" cmp -s s.csv out
+rm -f ./*.csv ./*.ini v*
+
+# --- what goes wrong ---
+expect "no scenario" 2
+expect "an unknown scenario" 2 mode99
+expect "an unknown option" 2 mode1 --serie x.csv
+result "asks whether it was meant" says err 'did you mean --series?'
+expect "bonds of a bar" 2 mode1 --bonds b.csv
+expect "an unstable courant number" 2 mode1 --set time.courant=1.8
+result "is refused with both numbers" says err '^matvib: .*time.courant: 1.8 .*1.732'
+expect "one file for two tables" 2 mode1 --series x.csv --nodes ./x.csv
+expect "standard output for two tables" 2 mode1 --series - --nodes -
+expect "a folder that is not there" 1 mode1 --series none/x.csv
+expect "a full device" 1 mode1 --series /dev/full
+result "says so" says err '^matvib: /dev/full: cannot be written: No space left on device$'
+result "nothing is left behind" nothing_else
+if test "$(id -u)" -ne 0; then
+	mkdir closed && chmod a-w closed
+	expect "a folder that cannot be written" 1 mode1 --series closed/x.csv
+	rmdir closed
+fi
+
+expect "a bar that leaves its mesh" 1 mode1 --set bar.supports=free-free --set initial.mode=0 \
+	--set initial.velocity=1 --set mesh.padding=1 --series f.csv
+result "says which particle, when" says err '^matvib: particle [0-9]* .*step'
+result "tells how far it came" says out 'where the run failed$'
+result "and is written up to there" sh -c 'test "$(wc -l <f.csv)" -gt 100 && test -s f.csv.ini'
+expect "what stands beside ends before" 0 f.csv.ini --series g.csv --quiet
+result "with the same bytes" cmp -s f.csv g.csv
+rm -f ./*.csv ./*.ini
+
+# --- interrupted --- (a shell starts what runs behind it with SIGINT ignored; env gives it back)
+for signal in 2 15; do
+	env --default-signal=INT "$MATVIB" run mode1 --end 1e6 --series i.csv --particles p.csv >out 2>err &
+	sleep 0.5
+	kill "-$signal" $!
+	wait $!
+	got=$?
+	result "interrupted by signal $signal" test "$got" -eq $((128 + signal))
+	result "leaves nothing" nothing_else
+done
+echo "1..$number"

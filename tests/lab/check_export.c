@@ -1,0 +1,451 @@
+/* Runs as files: what they hold, that they repeat, that they are written whole or not at all. */
+#include "lab/export.h"
+#include "lab/lab_case.h"
+#include "lab/scenario.h"
+#include "suite.h"
+
+#include <dirent.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static char folder[64];
+
+static void make_folder(void)
+{
+    strcpy(folder, "/tmp/check_export.XXXXXX");
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+}
+
+static int count_files(void)
+{
+    int count = 0;
+    DIR *opened = opendir(folder);
+    for (struct dirent *entry; (entry = readdir(opened));)
+        count += entry->d_name[0] != '.';
+    closedir(opened);
+    return count;
+}
+
+static void remove_folder(void)
+{
+    DIR *opened = opendir(folder);
+    for (struct dirent *entry; (entry = readdir(opened));)
+        if (entry->d_name[0] != '.') {
+            char name[512];
+            snprintf(name, sizeof name, "%s/%s", folder, entry->d_name);
+            unlink(name);
+        }
+    closedir(opened);
+    rmdir(folder);
+}
+
+static const char *in_folder(const char *name)
+{
+    static char names[8][128];
+    static int next;
+    char *out = names[next++ % 8];
+    snprintf(out, sizeof names[0], "%s/%s", folder, name);
+    return out;
+}
+
+/* A whole file; free() it. */
+static char *contents(const char *name)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *file = fopen(name, "r");
+    ck_assert_msg(file != NULL, "no file %s", name);
+    ck_assert_int_ge(getdelim(&text, &size, '\0', file), 0);
+    fclose(file);
+    return text;
+}
+
+static void expect_same_files(const char *a, const char *b)
+{
+    char *one = contents(a), *other = contents(b);
+    ck_assert_msg(strcmp(one, other) == 0, "%s and %s differ", a, b);
+    free(one);
+    free(other);
+}
+
+static void expect_header(const char *name, const char *header)
+{
+    char *text = contents(name);
+    text[strcspn(text, "\n")] = '\0';
+    ck_assert_str_eq(text, header);
+    free(text);
+}
+
+static long count_lines(const char *name)
+{
+    char *text = contents(name);
+    long lines = 0;
+    for (const char *c = text; *c; c++)
+        lines += *c == '\n';
+    free(text);
+    return lines;
+}
+
+/* Every cell of every line is a number. */
+static void expect_numbers(const char *name, char separator)
+{
+    char *text = contents(name), *line = strchr(text, '\n') + 1;
+    long columns = 1, bad = 0;
+    for (const char *c = text; *c != '\n'; c++)
+        columns += *c == separator;
+    while (*line) {
+        for (long i = 0; i < columns; i++) {
+            char *end;
+            strtod(line, &end);
+            if (separator == ';' && *end == ',')
+                strtod(end + 1, &end);
+            bad += end == line || *end != (i + 1 < columns ? separator : '\n');
+            line = end + 1;
+        }
+    }
+    ck_assert_int_eq(bad, 0);
+    free(text);
+}
+
+static void run(const Settings *settings, const Outputs *outputs, RunSummary *summary)
+{
+    Status status = {0};
+    ck_assert_msg(export_run(settings, outputs, 1, NULL, NULL, summary, &status), "%s", status.text);
+}
+
+static Settings read_back(const char *name)
+{
+    Settings settings;
+    Status status = {0};
+    ck_assert_msg(scenario_load(name, &settings, &status), "%s", status.text);
+    return settings;
+}
+
+START_TEST(columns_are_those_of_the_contract)
+{
+    RunSummary summary;
+    Settings settings = bar_settings(1, 1);
+    Outputs outputs = {
+        .series = in_folder("s.csv"), .particles = in_folder("p.csv"), .nodes = in_folder("n.csv")};
+    run(&settings, &outputs, &summary);
+    expect_header(outputs.series,
+                  "step,time,v_cm,v_cm_exact,v_cm_predicted,x_cm,kinetic,kinetic_grid,strain,work,total");
+    expect_header(outputs.particles, "step,time,particle,x0,x,u,v,stress,strain,density,mass");
+    expect_header(outputs.nodes, "step,time,node,x,mass,momentum,velocity,f_int,f_ext,f");
+    ck_assert_int_eq(count_lines(outputs.series), 102);
+    ck_assert_int_eq(count_lines(outputs.particles), 51);
+    ck_assert_int_eq(count_lines(outputs.nodes), 31);
+    expect_numbers(outputs.series, ',');
+    expect_numbers(outputs.nodes, ',');
+    ck_assert_int_eq(summary.steps, 100);
+    ck_assert_int_eq(summary.rows, 101);
+
+    outputs.force = true;
+    set(&settings, "mpm.algorithm", "usl");
+    run(&settings, &outputs, &summary);
+    expect_header(outputs.series, "step,time,v_cm,v_cm_exact,x_cm,kinetic,kinetic_grid,strain,work,total");
+
+    static const char *const beams[PROBLEM_COUNT] = {
+        [PROBLEM_SUPPORTED_BEAM] = "step,time,u_probe,v_probe,u_euler,v_euler,u_timoshenko,v_timoshenko,"
+                                   "kinetic,strain,work,dissipated,total,broken_bonds",
+        [PROBLEM_MOVING_CANTILEVER] = "step,time,u_probe,v_probe,length,u_modal,v_modal,v_filtered,"
+                                      "kinetic,strain,work,dissipated,total,broken_bonds",
+        [PROBLEM_NOTCHED_BEAM] = "step,time,u_probe,v_probe,crack_x,crack_y,crack_length,"
+                                 "kinetic,strain,work,dissipated,total,broken_bonds",
+    };
+    for (Problem problem = PROBLEM_SUPPORTED_BEAM; problem < PROBLEM_COUNT; problem++) {
+        settings = beam_settings(problem, 2e-6);
+        Outputs all = {.series = in_folder("s.csv"),
+                       .particles = in_folder("p.csv"),
+                       .bonds = in_folder("b.csv"),
+                       .force = true};
+        run(&settings, &all, NULL);
+        expect_header(all.series, beams[problem]);
+        expect_header(all.particles,
+                      "step,time,particle,x0,y0,ux,uy,vx,vy,damage,surface_factor,strain_energy");
+        expect_header(all.bonds, "step,time,i,j,x_i,y_i,x_j,y_j,stretch,broken,broken_at");
+        expect_numbers(all.series, ',');
+        expect_numbers(all.bonds, ',');
+    }
+}
+END_TEST
+
+START_TEST(rows_are_those_of_the_laboratory)
+{
+    static const Problem problems[] = {PROBLEM_BAR, PROBLEM_MOVING_CANTILEVER, PROBLEM_NOTCHED_BEAM};
+    for (size_t p = 0; p < sizeof problems / sizeof *problems; p++) {
+        Settings settings =
+            problems[p] == PROBLEM_BAR ? bar_settings(5, 3) : beam_settings(problems[p], 3e-5);
+        settings.every = 7;
+        Outputs outputs = {.series = in_folder("s.csv"), .force = true};
+        run(&settings, &outputs, NULL);
+        Experiment *experiment = open_experiment(&settings, 1 << 20);
+        ck_assert(experiment_advance(experiment, 1000000, NULL));
+        const Record *record = experiment_record(experiment);
+        char *text = contents(outputs.series), *at = strchr(text, '\n') + 1;
+        long differing = 0, rows = 0, last = experiment_last_step(experiment);
+        while (*at) {
+            long step = rows * 7 < last ? rows * 7 : last;
+            const double *row = record_of_step(record, step);
+            ck_assert_ptr_nonnull(row);
+            for (int i = 0; i < record->n_columns; i++, at++)
+                differing += strtod(at, &at) != row[i];
+            rows++;
+        }
+        ck_assert_int_eq(differing, 0);
+        ck_assert_int_eq(rows, (last + 6) / 7 + 1);
+        free(text);
+        experiment_destroy(experiment);
+    }
+}
+END_TEST
+
+/* Runs, runs again what stands beside, compares all. */
+static void expect_repeats(const Settings *settings, bool may_fail)
+{
+    bool bar = settings->problem == PROBLEM_BAR;
+    Outputs first = {.series = in_folder("a.csv"), .particles = in_folder("ap.csv"), .force = true};
+    Outputs again = {.series = in_folder("b.csv"), .particles = in_folder("bp.csv"), .force = true};
+    first.nodes = bar ? in_folder("an.csv") : NULL;
+    again.nodes = bar ? in_folder("bn.csv") : NULL;
+    Status status = {0};
+    RunSummary summary;
+    bool sound = export_run(settings, &first, 1, NULL, NULL, &summary, &status);
+    ck_assert_msg(sound != may_fail, "%s", status.text);
+    Settings beside = read_back(in_folder("a.csv.ini"));
+    ck_assert_double_eq(beside.end, summary.time);
+    run(&beside, &again, NULL);
+    expect_same_files(first.series, again.series);
+    expect_same_files(first.particles, again.particles);
+    expect_same_files(in_folder("a.csv.ini"), in_folder("b.csv.ini"));
+    expect_same_files(in_folder("ap.csv.ini"), in_folder("bp.csv.ini"));
+    if (bar)
+        expect_same_files(first.nodes, again.nodes);
+}
+
+START_TEST(what_stands_beside_repeats_the_run)
+{
+    Settings settings = bar_settings(5, 3.1415926);
+    expect_repeats(&settings, false);
+    settings.every = 10;
+    settings.frames = 5;
+    expect_repeats(&settings, false);
+    settings.frames = 0;
+    strcpy(settings.at, "0,0.5,1.23456,3");
+    settings.n_changes = 2;
+    settings.changes[0] = (Change){100, {"mpm.algorithm", "musl"}};
+    settings.changes[1] = (Change){150, {"mpm.transfer", "apic"}};
+    expect_repeats(&settings, false);
+    settings = beam_settings(PROBLEM_SUPPORTED_BEAM, 2e-5);
+    settings.frames = 3;
+    expect_repeats(&settings, false);
+    settings = beam_settings(PROBLEM_MOVING_CANTILEVER, 1.5e-4);
+    settings.every = 13;
+    expect_repeats(&settings, false);
+    settings = beam_settings(PROBLEM_NOTCHED_BEAM, 4e-5);
+    settings.n_changes = 1;
+    settings.changes[0] = (Change){50, {"load.stress", "240000000"}};
+    expect_repeats(&settings, false);
+}
+END_TEST
+
+/* A bar that leaves its mesh after a while. */
+static Settings failing_settings(void)
+{
+    Settings settings = bar_settings(0, 10);
+    set(&settings, "bar.supports", "free-free");
+    set(&settings, "initial.velocity", "1");
+    set(&settings, "mesh.padding", "1");
+    return settings;
+}
+
+START_TEST(a_failed_run_is_written_up_to_there)
+{
+    Settings settings = failing_settings();
+    Outputs outputs = {.series = in_folder("s.csv"), .particles = in_folder("p.csv")};
+    RunSummary summary;
+    Status status = {0};
+    ck_assert(!export_run(&settings, &outputs, 1, NULL, NULL, &summary, &status));
+    ck_assert_int_eq(status.code, STATUS_FAILED);
+    ck_assert(summary.failed);
+    ck_assert_int_gt(summary.steps, 50);
+    ck_assert_int_eq(count_lines(outputs.series), summary.steps + 2);
+    ck_assert_int_eq(count_lines(outputs.particles), 51);
+    expect_repeats(&settings, true);
+    settings.every = 1000;
+    expect_repeats(&settings, true);
+    settings.frames = 20;
+    expect_repeats(&settings, true);
+}
+END_TEST
+
+START_TEST(frames_are_the_nearest_steps)
+{
+    Settings settings = bar_settings(1, 1);
+    Outputs outputs = {.particles = in_folder("p.csv"), .force = true};
+    settings.frames = 4;
+    run(&settings, &outputs, NULL);
+    char *text = contents(outputs.particles);
+    static const char *const starts[] = {"\n0,0,0,", "\n33,0.33,0,", "\n67,0.67,0,", "\n100,1,49,"};
+    for (size_t i = 0; i < sizeof starts / sizeof *starts; i++)
+        ck_assert_msg(strstr(text, starts[i]) != NULL, "no frame %s", starts[i]);
+    ck_assert_int_eq(count_lines(outputs.particles), 201);
+    free(text);
+    settings.frames = 1;
+    run(&settings, &outputs, NULL);
+    ck_assert_int_eq(count_lines(outputs.particles), 51);
+}
+END_TEST
+
+START_TEST(spreadsheets_get_a_decimal_comma)
+{
+    Settings settings = bar_settings(1, 1);
+    Outputs comma = {.series = in_folder("c.csv")};
+    Outputs semicolon = {.series = in_folder("s.csv"), .dialect = DIALECT_SEMICOLON};
+    run(&settings, &comma, NULL);
+    run(&settings, &semicolon, NULL);
+    expect_numbers(semicolon.series, ';');
+    char *one = contents(comma.series), *other = contents(semicolon.series);
+    for (char *c = other; *c; c++)
+        *c = (char)(*c == ',' ? '.' : *c == ';' ? ',' : *c);
+    ck_assert(strcmp(one, other) == 0);
+    free(one);
+    free(other);
+}
+END_TEST
+
+static void expect_refused(const Settings *settings, const Outputs *outputs, StatusCode code,
+                           const char *word)
+{
+    Status status = {0};
+    ck_assert(!export_run(settings, outputs, 1, NULL, NULL, NULL, &status));
+    ck_assert_int_eq(status.code, code);
+    ck_assert_msg(strstr(status.text, word) != NULL, "%s", status.text);
+}
+
+START_TEST(files_are_written_whole_or_not_at_all)
+{
+    Settings settings = bar_settings(1, 1);
+    Outputs outputs = {.series = in_folder("s.csv"), .particles = in_folder("p.csv")};
+    FILE *old = fopen(outputs.particles, "w");
+    fputs("old", old);
+    fclose(old);
+    expect_refused(&settings, &outputs, STATUS_USAGE, "p.csv: exists");
+    ck_assert_int_eq(count_files(), 1);
+    unlink(outputs.particles);
+
+    /* what stands beside may be in the way as well */
+    old = fopen(in_folder("s.csv.ini"), "w");
+    fclose(old);
+    expect_refused(&settings, &outputs, STATUS_USAGE, "s.csv.ini: exists");
+    unlink(in_folder("s.csv.ini"));
+
+    Outputs same = {.series = in_folder("s.csv"), .nodes = in_folder("../"), .particles = NULL};
+    char other[256];
+    snprintf(other, sizeof other, "%s/./s.csv", folder);
+    same.nodes = other;
+    expect_refused(&settings, &same, STATUS_USAGE, "same file");
+    same.nodes = in_folder("s.csv.ini");
+    expect_refused(&settings, &same, STATUS_USAGE, "same file");
+    same = (Outputs){.series = "-", .nodes = "-"};
+    expect_refused(&settings, &same, STATUS_USAGE, "standard output");
+    same = (Outputs){.series = in_folder("none/s.csv")};
+    expect_refused(&settings, &same, STATUS_FAILED, "none/s.csv");
+    same = (Outputs){.series = folder};
+    expect_refused(&settings, &same, STATUS_USAGE, "folder");
+    same = (Outputs){.bonds = in_folder("b.csv")};
+    expect_refused(&settings, &same, STATUS_USAGE, "--bonds");
+    ck_assert_int_eq(count_files(), 0);
+
+    /* a device that is full: nothing takes its place, nothing else is left behind */
+    same = (Outputs){.series = "/dev/full", .particles = in_folder("p.csv"), .force = true};
+    expect_refused(&settings, &same, STATUS_FAILED, "/dev/full");
+    ck_assert_int_eq(count_files(), 0);
+    struct stat what;
+    ck_assert(stat("/dev/full", &what) == 0 && S_ISCHR(what.st_mode));
+}
+END_TEST
+
+static bool stop_soon(double share, void *context)
+{
+    int *calls = context;
+    ck_assert(share >= 0 && share <= 1);
+    return ++*calls < 5;
+}
+
+START_TEST(an_interrupted_run_leaves_nothing)
+{
+    Settings settings = bar_settings(1, 100);
+    settings.frames = 100;
+    Outputs outputs = {
+        .series = in_folder("s.csv"), .particles = in_folder("p.csv"), .vtk = in_folder("v.pvd")};
+    int calls = 0;
+    Status status = {0};
+    ck_assert(!export_run(&settings, &outputs, 1, stop_soon, &calls, NULL, &status));
+    ck_assert_int_eq(calls, 5);
+    ck_assert_int_eq(count_files(), 0);
+}
+END_TEST
+
+START_TEST(paraview_gets_a_collection)
+{
+    Settings settings = beam_settings(PROBLEM_SUPPORTED_BEAM, 2e-6);
+    Outputs outputs = {.vtk = in_folder("v.pvd")};
+    settings.frames = 3;
+    run(&settings, &outputs, NULL);
+    ck_assert_int_eq(count_files(), 4);
+    char *collection = contents(outputs.vtk), *frame = contents(in_folder("v-0002.vtu"));
+    ck_assert_ptr_nonnull(strstr(collection, "timestep=\"0\" part=\"0\" file=\"v-0000.vtu\""));
+    ck_assert_ptr_nonnull(strstr(collection, "file=\"v-0002.vtu\""));
+    ck_assert_ptr_nonnull(strstr(frame, "Name=\"displacement\" NumberOfComponents=\"3\""));
+    ck_assert_ptr_nonnull(strstr(frame, "Name=\"velocity\""));
+    ck_assert_ptr_nonnull(strstr(frame, "Name=\"damage\""));
+    ck_assert_ptr_nonnull(strstr(frame, "</VTKFile>"));
+    free(collection);
+    free(frame);
+    settings.frames = 0;
+    outputs.vtk = in_folder("one");
+    run(&settings, &outputs, NULL);
+    ck_assert_int_eq(count_files(), 5);
+    free(contents(in_folder("one.vtu")));
+}
+END_TEST
+
+START_TEST(a_summary_tells_what_a_run_came_to)
+{
+    Settings settings = bar_settings(5, 20);
+    RunSummary summary;
+    Outputs none = {0};
+    run(&settings, &none, &summary);
+    ck_assert(summary.readout.measured_known && summary.readout.predicted_known);
+    ck_assert_double_eq_tol(summary.readout.error_frequency, -4.239, 2e-3);
+    ck_assert_double_eq_tol(summary.energy_drift, 0, 0.5);
+    ck_assert_double_eq_tol(summary.readout.late, 0.763, 2e-3);
+    settings.velocity = 0;
+    run(&settings, &none, &summary);
+    ck_assert(!summary.readout.moving);
+    ck_assert_double_eq(summary.energy_drift, 0);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *tcase = tcase_create("export");
+    tcase_set_timeout(tcase, 60);
+    tcase_add_checked_fixture(tcase, make_folder, remove_folder);
+    tcase_add_test(tcase, columns_are_those_of_the_contract);
+    tcase_add_test(tcase, rows_are_those_of_the_laboratory);
+    tcase_add_test(tcase, what_stands_beside_repeats_the_run);
+    tcase_add_test(tcase, a_failed_run_is_written_up_to_there);
+    tcase_add_test(tcase, frames_are_the_nearest_steps);
+    tcase_add_test(tcase, spreadsheets_get_a_decimal_comma);
+    tcase_add_test(tcase, files_are_written_whole_or_not_at_all);
+    tcase_add_test(tcase, an_interrupted_run_leaves_nothing);
+    tcase_add_test(tcase, paraview_gets_a_collection);
+    tcase_add_test(tcase, a_summary_tells_what_a_run_came_to);
+    suite_add_tcase(suite, tcase);
+}
