@@ -70,7 +70,7 @@ typedef struct BeamFacts {
     size_t family;        /* bonds of a node in the bulk */
     size_t bonds;         /* each counted once, before the notch */
     size_t notch_bonds;   /* of these cut by the notch */
-    double critical_step; /* 2 / omega_max by power iteration, s */
+    double critical_step; /* 2 / omega_max by power iteration with no node held, s */
 } BeamFacts;
 
 void beam_facts(const Simulation *beam, BeamFacts *facts);

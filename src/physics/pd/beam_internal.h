@@ -122,7 +122,8 @@ typedef struct BeamOptions {
 
 Simulation *beam_create_with(const BeamDef *definition, const BeamOptions *options, Status *status);
 
-/* beam_critical.c: 2 / omega_max; the displacements and forces are zero afterwards. */
+/* beam_critical.c: 2 / omega_max of the body as if nothing held it; the displacements and forces are zero
+ * afterwards. */
 bool beam_critical_step(Beam *beam, double *step, Status *status);
 
 /* beam_problem.c */
