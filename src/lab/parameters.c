@@ -72,7 +72,7 @@ const Parameter parameters[] = {
     {"initial.velocity", "Start", "velocity", "length/time", "", PARAMETER_REAL, AT(velocity), ANY,
      .nudge = NUDGE_1_2_5, .help = "largest velocity of that mode at t = 0", .defaults = {0.1, NO, NO, NO}},
     {"initial.overtones", "Start", "overtones", "", "", PARAMETER_TEXT, AT(overtones),
-     .help = "more modes with their velocities, mode:velocity,...", .defaults = {0, NO, NO, NO}},
+     .help = "more modes with their velocities at t = 0", .defaults = {0, NO, NO, NO}},
     {"initial.amplitude", "Start", "amplitude", "", "m", PARAMETER_REAL, AT(beam.amplitude), ANY,
      .nudge = NUDGE_1_2_5, .help = "deflection U of the beam's mode at t = 0 (the cantilever's tip: 2 U)",
      .defaults = {NO, 3e-6, 3e-6, NO}},
@@ -175,7 +175,7 @@ const Parameter parameters[] = {
      .automatic = "", .nudge = NUDGE_1_2_5,
      .help = "times at which tables are written, evenly from 0 to the end; empty: the last step alone",
      .defaults = {0, 0, 0, 0}},
-    {"output.at", "Output", "tables at", "times", "s", PARAMETER_TEXT, AT(at),
+    {"output.at", "Output", "tables at", "time", "s", PARAMETER_TEXT, AT(at),
      .help = "named times at which tables are written, ascending, parted by commas",
      .defaults = {0, 0, 0, 0}},
 };

@@ -109,10 +109,23 @@ static size_t word_length(const char *text)
     return strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-");
 }
 
+/* Whether a word is a key, or one without its section. */
+static bool is_key(const char *word)
+{
+    for (int i = 0; i < n_parameters + n_text_keys; i++) {
+        const char *key = i < n_parameters ? parameters[i].key : text_keys[i - n_parameters].key;
+        if (strcmp(key, word) == 0 || strcmp(strchr(key, '.') + 1, word) == 0)
+            return true;
+    }
+    return strcmp(word, "problem") == 0 || strcmp(word, "method") == 0;
+}
+
 bool scenario_looks_like_key(const char *text)
 {
+    char word[KEY_MAX];
     size_t n = word_length(text);
-    return n > 0 && text[n + strspn(text + n, " ")] == '=';
+    snprintf(word, sizeof word, "%.*s", (int)n, text);
+    return n > 0 && text[n + strspn(text + n, " ")] == '=' && is_key(word);
 }
 
 bool scenario_may_continue(const char *section, const char *name)

@@ -33,7 +33,7 @@ extern const char *const scenario_sections[];
 /* Whether a value may go on in indented lines below: scenario.about, initial.overtones, output.at. */
 bool scenario_may_continue(const char *section, const char *name);
 
-/* Whether a text begins as a key does: one word, then '='. Such a line may not be a continuation. */
+/* Whether a text begins with the name of a key and '='. Such a line may not be a continuation. */
 bool scenario_looks_like_key(const char *text);
 
 /* Reads a whole stream. False: the status says "FILE:LINE: ..."; entries are to be freed in any case. */

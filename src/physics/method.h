@@ -111,6 +111,10 @@ typedef struct Method {
     /* The links of one thing, at most `max` of them; returns how many there are. May be NULL. */
     size_t (*links)(const Simulation *, int set, size_t index, Link *out, size_t max);
 
+    /* The shape functions of the mesh at a place x of a one-dimensional method: one link for each node that has
+     * a part there. NULL: there is no mesh. */
+    size_t (*shapes)(const Simulation *, double x, Link *out, size_t max);
+
     /* The sum behind the stage just done, for one thing, written out with its numbers: "p15 0.25 x 0.5 +
      * p16 0.75 x 0.5 = 0.5". UTF-8, lines parted by '\n', at most `size` bytes. `before` is the state before
      * the stage as save() wrote it (NULL: not known). May be NULL: nothing to say. */

@@ -371,7 +371,7 @@ void plot_draw(const Plot *plot, Area area)
 
 const char *plot_key(LineStyle line, char letter, Glyphs glyphs)
 {
-    static const char *const keys[] = {[LINE_SOLID] = "──", [LINE_DOTTED] = "··", [LINE_DASHED] = "--"};
+    static const char *const keys[] = {[LINE_SOLID] = "⠒⠒", [LINE_DOTTED] = "··", [LINE_DASHED] = "--"};
     static const char *const blocks[] = {[LINE_SOLID] = "▄▄", [LINE_DOTTED] = "··", [LINE_DASHED] = "--"};
     static const struct {
         char letter;

@@ -90,6 +90,8 @@ typedef struct Screen {
     RunSummary summary;
 } Screen;
 
+enum { HELP_PAGES = 3 }; /* keys, curves, what is solved */
+
 void screen_default(Screen *);
 
 /* Draws everything. Below 40x12 a message. Never fails: what has no room is left out by a fixed order. */
@@ -100,6 +102,9 @@ int screen_parameter_rows(const Screen *, ParameterRow rows[PARAMETER_ROWS_MAX])
 
 /* Where a pane lies at this size; width 0: it is not shown. For focus and mouse. */
 Rect screen_pane(const Screen *, int width, int height, PaneId);
+
+/* The command under column x of the bottom bar, for the mouse; COMMAND_NONE: none. */
+CommandId screen_bar_command(const Screen *, int width, int x);
 
 /* The time at the left and right end of the time plots, as drawn at present. */
 void screen_time_window(const Screen *, double *from, double *to);

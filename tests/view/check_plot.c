@@ -200,8 +200,7 @@ START_TEST(axes_keep_their_gutter)
     ck_assert_int_eq(inner.rect.height, 5);
     char *dump = canvas_dump(&canvas);
     ck_assert_str_eq(
-        dump,
-        "    │\n   5┤\n   0┤─────────────────────────\n  -5┤\n    │\n     0    5   10   15   20   x\n");
+        dump, "    │\n   5┤\n   0┤─────────────────────────\n  -5┤\n    │\n     0    5   10   15   20   x\n");
     free(dump);
     canvas_close(&canvas);
 }

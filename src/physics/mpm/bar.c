@@ -300,6 +300,7 @@ static const Method method = {
     .row = bar_row,
     .field = bar_field,
     .links = bar_links,
+    .shapes = bar_shapes,
     .explain = bar_explain,
     .state_size = state_size,
     .save = save,

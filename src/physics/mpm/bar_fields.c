@@ -278,3 +278,20 @@ size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t
         }
     return count;
 }
+
+size_t bar_shapes(const Simulation *sim, double x, Link *out, size_t max)
+{
+    const Bar *bar = bar_of_const(sim);
+    double place = x / bar->dx + bar->origin;
+    if (!(place >= 0.0 && place <= bar->n_cells))
+        return 0;
+    int cell = (int)place < bar->n_cells ? (int)place : bar->n_cells - 1;
+    double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
+    shape_at(bar->def.shape, bar->gimp_half, bar->n_cells, cell, place - cell, n, dn);
+    size_t count = 0;
+    for (int a = 0; a < bar->support && count < max; a++)
+        if (n[a] != 0.0 || dn[a] != 0.0)
+            out[count++] = (Link){
+                .set = NODES, .index = (size_t)(cell + a), .weight = n[a], .gradient = dn[a] / bar->dx};
+    return count;
+}

@@ -1,0 +1,107 @@
+/* What several panes share: headings with legends, texts of numbers and times. */
+#include "view/panes.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+bool shows_exact(const Screen *screen)
+{
+    return screen->references == SHOW_ALL || screen->references == SHOW_EXACT;
+}
+
+bool shows_predicted(const Screen *screen)
+{
+    return screen->references == SHOW_ALL || screen->references == SHOW_PREDICTED;
+}
+
+bool is_focused(const Screen *screen, PaneId pane)
+{
+    return screen->focus == pane;
+}
+
+void draw_heading(Area area, Style heading, const char *name, const char *scale, const Legend *legend,
+                  int n_legend)
+{
+    char text[160];
+    snprintf(text, sizeof text, "%s%s%s", name, scale[0] ? " " : "", scale);
+    area_rule(area, 0, text, heading);
+    int x = 4 + text_columns(text) + 1;
+    for (int i = 0; i < n_legend; i++) {
+        const int columns = 3 + text_columns(legend[i].name);
+        if (x + columns + 1 > area.rect.width)
+            return;
+        area_print(area, x - 1, 0, STYLE_FRAME, "%*s", columns + 3, "");
+        const char *key =
+            legend[i].key ? legend[i].key : plot_key(legend[i].line, legend[i].letter, area.glyphs);
+        area_text(area, x, 0, key, legend[i].style);
+        area_text(area, x + 3, 0, legend[i].name, STYLE_NORMAL);
+        x += columns + 2;
+    }
+}
+
+void number_text(double value, int digits, int width, char out[NUMBER_TEXT_MAX])
+{
+    do
+        text_rounded(out, value, digits);
+    while ((int)strlen(out) > width && --digits > 0);
+}
+
+void time_text(const Screen *screen, double time, char *out, size_t size)
+{
+    const bool seconds = experiment_settings(screen->experiment)->problem != PROBLEM_BAR;
+    const double unit = seconds ? 1e-3 : 1, dt = experiment_simulation(screen->experiment)->dt / unit;
+    int decimals = dt > 0 ? (int)ceil(-log10(dt) - 1e-9) : 2;
+    decimals = decimals < 0 ? 0 : decimals > 6 ? 6 : decimals;
+    snprintf(out, size, seconds ? "t %.*f ms" : "t %.*f", decimals, time / unit);
+}
+
+int find_column(const Screen *screen, const char *name)
+{
+    int count;
+    const Column *columns = experiment_columns(screen->experiment, &count);
+    for (int i = 0; i < count; i++)
+        if (strcmp(columns[i].quantity.name, name) == 0)
+            return i;
+    return -1;
+}
+
+int box_stage(const Screen *screen, bool *done)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    int stage = experiment_stage(screen->experiment);
+    *done = true;
+    if (stage > 0)
+        return stage - 1;
+    if (experiment_before(screen->experiment))
+        return sim->n_stages - 1;
+    *done = false;
+    return 0;
+}
+
+void append(char *out, size_t size, const char *format, ...)
+{
+    const size_t used = strlen(out);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(out + used, size - used, format, arguments);
+    va_end(arguments);
+}
+
+bool next_word(const char **text, char *out, size_t size)
+{
+    *text += strspn(*text, " ");
+    size_t length = strcspn(*text, " ");
+    if (length == 0)
+        return false;
+    snprintf(out, size, "%.*s", (int)length, *text);
+    *text += length;
+    return true;
+}
+
+const char *parameter_unit(const Screen *screen, const Parameter *parameter)
+{
+    return experiment_settings(screen->experiment)->problem == PROBLEM_BAR ? parameter->unit_bar
+                                                                           : parameter->unit_beam;
+}

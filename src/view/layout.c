@@ -1,0 +1,66 @@
+/* Where panes lie. The two plots keep their places whether the run goes on or not: the caption of a running
+ * experiment and the stage box of a paused one are of one size. */
+#include "view/panes.h"
+
+enum {
+    LEAST_WIDTH = 40,
+    LEAST_HEIGHT = 12,
+    FULL_WIDTH = 80,
+    FULL_HEIGHT = 24,
+    WIDE = 120, /* from here on there is a column at the right */
+    PARAMETERS_WIDTH = 25,
+    WIDE_PARAMETERS_WIDTH = 28,
+    SIDE_HEIGHT = 30
+};
+
+static void lay_out_full(const Screen *screen, int width, int height, Layout *layout)
+{
+    const int box = height < 27 ? 5 : height < 30 ? 6 : height < 40 ? 9 : 10;
+    const int mesh = height < 28 ? 2 : height < 40 ? 3 : 4;
+    const int top = 1 + mesh, middle = height - 2 - box - mesh;
+    const int fields = width < WIDE ? PARAMETERS_WIDTH : WIDE_PARAMETERS_WIDTH;
+    const bool side = width >= WIDE && height >= SIDE_HEIGHT;
+    const int side_width = side ? (width < 150 ? 45 : width * 3 / 10) : 0;
+    const int left = fields + 1, plots = width - left - (side ? side_width + 1 : 0);
+    const int lower = (middle + 3) / 2, upper = middle - lower;
+
+    layout->kind = LAYOUT_FULL;
+    layout->panes[PANE_MESH] = (Rect){0, 1, width, mesh};
+    layout->panes[PANE_PARAMETERS] = (Rect){0, top, fields, middle};
+    layout->panes[PANE_UPPER] = (Rect){left, top, plots, upper};
+    layout->panes[PANE_LOWER] = (Rect){left, top + upper, plots, lower};
+    layout->panes[PANE_BOX] = (Rect){0, top + middle, width, box};
+    if (side) {
+        const int x = width - side_width, third = middle / 3;
+        const int sets = experiment_simulation(screen->experiment)->n_sets > 1 ? 2 : 1;
+        const int energies = sets == 2 ? middle - 2 * third : middle / 2;
+        const int rest = middle - energies;
+        layout->sides[0] = (Rect){x, top, side_width, energies};
+        layout->sides[1] = (Rect){x, top + energies, side_width, sets == 2 ? rest / 2 : rest};
+        if (sets == 2)
+            layout->sides[2] = (Rect){x, top + energies + rest / 2, side_width, rest - rest / 2};
+    }
+}
+
+Layout layout_make(const Screen *screen, int width, int height)
+{
+    Layout layout = {.kind = LAYOUT_TOO_SMALL};
+    if (width < LEAST_WIDTH || height < LEAST_HEIGHT)
+        return layout;
+    layout.title = (Rect){0, 0, width, 1};
+    layout.bar = (Rect){0, height - 1, width, 1};
+    if (width >= FULL_WIDTH && height >= FULL_HEIGHT && !screen->zoomed) {
+        lay_out_full(screen, width, height, &layout);
+        return layout;
+    }
+    layout.kind = LAYOUT_ONE_PANE;
+    PaneId focus = screen->focus < PANE_COUNT ? screen->focus : PANE_PARAMETERS;
+    layout.panes[focus] = (Rect){0, 1, width, height - 2};
+    return layout;
+}
+
+Rect screen_pane(const Screen *screen, int width, int height, PaneId pane)
+{
+    Layout layout = layout_make(screen, width, height);
+    return pane < PANE_COUNT ? layout.panes[pane] : (Rect){0};
+}

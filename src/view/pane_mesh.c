@@ -1,0 +1,307 @@
+/* The strip: the bar as it lies. Above, the grid: cell edges, nodes, supports; below, the particles at
+ * x0 + k u. The chosen particle and its nodes are marked, and in each stage who gives to whom. A beam is
+ * drawn as it lies, to the scale of the strip. */
+#include "view/panes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { CAPTION_WIDTH = 25, NODES_OF_PARTICLE_MAX = 8 };
+
+static double field_at(const Simulation *sim, int field, size_t index)
+{
+    double value = NAN;
+    if (field >= 0)
+        sim->method->field(sim, field, index, 1, &value);
+    return value;
+}
+
+static double *field_of(const Simulation *sim, int field, size_t count)
+{
+    double *values = malloc((count + 1) * sizeof *values);
+    if (values && field >= 0)
+        sim->method->field(sim, field, 0, count, values);
+    else if (values)
+        memset(values, 0, (count + 1) * sizeof *values);
+    return values;
+}
+
+/* A factor of 1, 2 or 5 times a power of ten by which a displacement of at most `reach` becomes at most
+ * `room`. Taken from what the whole run reaches, so that it does not change while it goes on. */
+static double exaggeration(double reach, double room)
+{
+    if (!(reach > 0))
+        return 1;
+    double factor = room / reach;
+    return factor < 1 ? 1 : step_round_down(factor);
+}
+
+/* How far a field has moved or, where the exact answer is known, will move. */
+static double reach_of(const Screen *screen, const Simulation *sim, int field, const double *now,
+                       size_t count)
+{
+    const References *refs = experiment_references(screen->experiment);
+    const Readout *readout = experiment_readout(screen->experiment);
+    const char *name = sim->fields[field].quantity.name;
+    double reach = 0, length = 0;
+    for (size_t i = 0; i < count; i++)
+        reach = fmax(reach, fabs(now[i]));
+    if (count > 0)
+        length = field_at(sim, sim->position[0], count - 1);
+    double span = experiment_settings(screen->experiment)->end;
+    if (readout->moving && readout->exact_known && readout->exact > 0 && !readout->drifting)
+        span = readout->is_period ? readout->exact : 2 * M_PI / readout->exact;
+    for (int i = 0; i <= 24; i++)
+        for (int k = 1; k <= 8; k++) {
+            double value = fabs(references_profile(refs, name, length * k / 8, span * i / 24));
+            if (isfinite(value))
+                reach = fmax(reach, value);
+        }
+    /* a coarse step: a scale that changes is worse than one that is a little small */
+    return reach > 0 ? step_round_up(reach) : 0;
+}
+
+/* Which way a stage hands things on: from particles to nodes, back, or neither. */
+typedef enum Flow { FLOW_NONE, FLOW_TO_NODES, FLOW_TO_PARTICLES, FLOW_FORGET } Flow;
+
+static bool names_field_of(const Simulation *sim, const char *words, int set)
+{
+    char word[64];
+    while (next_word(&words, word, sizeof word)) {
+        /* a name that both sets have says nothing */
+        if (simulation_find_field(sim, set, word) >= 0 && simulation_find_field(sim, 1 - set, word) < 0)
+            return true;
+    }
+    return false;
+}
+
+static Flow flow_of(const Simulation *sim, const Stage *stage)
+{
+    if (sim->n_sets < 2)
+        return FLOW_NONE;
+    const bool reads_particles = names_field_of(sim, stage->reads, 0);
+    const bool reads_nodes = names_field_of(sim, stage->reads, 1);
+    const bool writes_particles = names_field_of(sim, stage->writes, 0);
+    const bool writes_nodes = names_field_of(sim, stage->writes, 1);
+    if (strcmp(stage->id, "forget") == 0)
+        return FLOW_FORGET;
+    if (writes_nodes && reads_particles)
+        return FLOW_TO_NODES;
+    if (writes_particles && (reads_nodes || !writes_nodes))
+        return FLOW_TO_PARTICLES;
+    return FLOW_NONE;
+}
+
+/* --- a bar ---------------------------------------------------------------------------------------- */
+
+typedef struct Strip {
+    double low, cell;  /* x of the left edge; size of a cell */
+    int per_cell;      /* columns */
+    int columns;       /* of the strip */
+    long first, shown; /* cells: the first one, how many */
+    long cells;        /* of the bar */
+} Strip;
+
+static int strip_column(const Strip *strip, double x)
+{
+    double place = (x - strip->low) / strip->cell * strip->per_cell;
+    if (!(place > -0.5 && place < strip->columns))
+        return -1;
+    return (int)floor(place + 1e-9);
+}
+
+static Strip strip_of(const Simulation *sim, int columns, double place, double length, double spacing)
+{
+    (void)sim;
+    Strip strip = {.cell = spacing, .cells = lround(length / spacing)};
+    strip.per_cell = (int)((columns - 1) / (strip.cells + 1));
+    if (strip.per_cell > 6)
+        strip.per_cell = 6;
+    if (strip.per_cell >= 2) {
+        strip.shown = strip.cells;
+        strip.columns = (int)(strip.cells + 1) * strip.per_cell;
+    } else {
+        strip.per_cell = 2;
+        strip.shown = (columns - 1) / 2;
+        strip.columns = (int)strip.shown * 2 + 1;
+        strip.first = (long)floor(place / spacing) - strip.shown / 2;
+        if (strip.first > strip.cells + 1 - strip.shown)
+            strip.first = strip.cells + 1 - strip.shown;
+        if (strip.first < 0)
+            strip.first = 0;
+    }
+    strip.low = (double)strip.first * spacing;
+    return strip;
+}
+
+static void draw_bar(const Screen *screen, Area area)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const size_t particles = sim->counts[0], nodes = sim->n_sets > 1 ? sim->counts[1] : 0;
+    const int rows = area.rect.height;
+    double *x0 = field_of(sim, sim->position[0], particles);
+    double *u = field_of(sim, sim->displacement[0], particles);
+    const int node_x = simulation_find_field(sim, 1, "x"),
+              node_fixed = simulation_find_field(sim, 1, "fixed");
+    if (!x0 || !u || nodes < 2 || particles < 1 || node_x < 0) {
+        free(x0), free(u);
+        return;
+    }
+    const double spacing = field_at(sim, node_x, nodes / 2) - field_at(sim, node_x, nodes / 2 - 1);
+    const double gap = particles > 1 ? x0[1] - x0[0] : spacing;
+    const double length = x0[particles - 1] + gap / 2;
+    const size_t chosen = screen->particle < particles ? screen->particle : particles - 1;
+    /* room for hatching at the left, for words at the right */
+    const int margin = 2, room = area.rect.width - margin - CAPTION_WIDTH - 1;
+    Strip strip = strip_of(sim, room, x0[chosen], length, spacing);
+    Area part = area_part(area, margin, 0, strip.columns, rows);
+    const double k = exaggeration(reach_of(screen, sim, sim->displacement[0], u, particles), spacing);
+
+    const bool tall = rows >= 4;
+    const int grid_row = tall ? 1 : 0, particle_row = rows - 1;
+    if (tall)
+        area_rule(area, 0, "the bar: its grid, and its particles",
+                  is_focused(screen, PANE_MESH) ? STYLE_FOCUS : STYLE_HEADING);
+    bool done;
+    const int stage = box_stage(screen, &done);
+    const bool inside = screen->state != STATE_RUNNING && done && experiment_stage(screen->experiment) > 0;
+    const Flow flow = inside ? flow_of(sim, &sim->stages[stage]) : FLOW_NONE;
+    const bool grid_there = experiment_stage(screen->experiment) > 0;
+
+    /* the grid: an edge line with a tick at each node; between steps it is empty, and drawn faint */
+    for (int x = 0; x < strip.columns; x++)
+        area_put(part, x, grid_row, 0x2500, STYLE_FRAME);
+    for (size_t i = 0; i < nodes; i++) {
+        int column = strip_column(&strip, field_at(sim, node_x, i));
+        if (column < 0)
+            continue;
+        area_put(part, column, grid_row, 0x253c, grid_there ? STYLE_NORMAL : STYLE_FRAME);
+        if (node_fixed >= 0 && field_at(sim, node_fixed, i) > 0 && field_at(sim, node_x, i) > -spacing / 2 &&
+            field_at(sim, node_x, i) < length + spacing / 2) {
+            const bool left = field_at(sim, node_x, i) < length / 2;
+            for (int y = grid_row; y < rows; y++)
+                area_put(area, margin + column + (left ? -1 : 1), y, 0x2592, STYLE_FRAME);
+        }
+    }
+    /* particles: a dot each; where they are denser than the columns, braille dots show how they lie */
+    for (size_t i = 0; i < particles; i++) {
+        double place = (x0[i] + k * u[i] - strip.low) / strip.cell * strip.per_cell;
+        if (!(place >= 0 && place < strip.columns))
+            continue;
+        int column = (int)place, half = (int)((place - column) * 2);
+        if (area.glyphs == GLYPHS_BRAILLE) {
+            Cell *cell =
+                &part.canvas->cells[(size_t)(part.rect.y + particle_row) * (size_t)part.canvas->width +
+                                    (size_t)(part.rect.x + column)];
+            uint32_t dots = cell->glyph >= 0x2800 && cell->glyph <= 0x28ff ? cell->glyph : 0x2800;
+            area_put(part, column, particle_row, dots | (half ? 0x30u : 0x06u), STYLE_MEASURED);
+        } else {
+            area_put(part, column, particle_row, area.glyphs == GLYPHS_BLOCK ? 0x00b7 : 'o', STYLE_MEASURED);
+        }
+    }
+
+    /* the chosen particle, its nodes, and what passes between them */
+    Link links[NODES_OF_PARTICLE_MAX];
+    size_t n_links =
+        sim->method->links ? sim->method->links(sim, 0, chosen, links, NODES_OF_PARTICLE_MAX) : 0;
+    const int own = strip_column(&strip, x0[chosen] + k * u[chosen]);
+    const uint32_t arrow = flow == FLOW_TO_NODES ? 0x2191 : flow == FLOW_TO_PARTICLES ? 0x2193 : 0x00b7;
+    for (size_t i = 0; i < n_links && i < NODES_OF_PARTICLE_MAX && screen->state != STATE_RUNNING; i++) {
+        int column = strip_column(&strip, field_at(sim, node_x, links[i].index));
+        if (column < 0)
+            continue;
+        area_put(part, column, grid_row, 0x25cf, flow == FLOW_TO_NODES ? STYLE_CHANGED : STYLE_SECOND);
+        for (int y = grid_row + 1; y < particle_row; y++)
+            area_put(part, column, y, arrow,
+                     flow == FLOW_NONE || flow == FLOW_FORGET ? STYLE_FRAME : STYLE_CHANGED);
+    }
+    if (screen->state != STATE_RUNNING)
+        area_put(part, own, particle_row, 0x25cf, flow == FLOW_TO_PARTICLES ? STYLE_CHANGED : STYLE_SECOND);
+    if (screen->node_chosen && screen->state != STATE_RUNNING && screen->node < nodes)
+        area_put(part, strip_column(&strip, field_at(sim, node_x, screen->node)), grid_row, 0x25a0,
+                 STYLE_CHANGED);
+
+    /* words */
+    static const char *const flows[] = {[FLOW_NONE] = "",
+                                        [FLOW_TO_NODES] = "↑ particles give to nodes",
+                                        [FLOW_TO_PARTICLES] = "↓ particles take",
+                                        [FLOW_FORGET] = "the grid is put back"};
+    Area words = area_part(area, margin + strip.columns + 1, 0, area.rect.width, rows);
+    char text[64], number[NUMBER_TEXT_MAX];
+    if (flow != FLOW_NONE)
+        area_text(words, 0, grid_row, flows[flow], STYLE_CHANGED);
+    else if (strip.shown < strip.cells)
+        area_print(words, 0, grid_row, STYLE_FAINT, "cells %ld-%ld of %ld", strip.first,
+                   strip.first + strip.shown - 1, strip.cells);
+    else
+        area_print(words, 0, grid_row, STYLE_FAINT, "%ld cells", strip.cells);
+    text_rounded(number, k, 3);
+    if (k == 1)
+        snprintf(text, sizeof text, "%zu particles in place", particles);
+    else
+        snprintf(text, sizeof text, "particles at x0 + %s u", number);
+    area_text(words, 0, particle_row, text, STYLE_FAINT);
+    free(x0), free(u);
+}
+
+/* --- a beam --------------------------------------------------------------------------------------- */
+
+static void draw_beam(const Screen *screen, Area area)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const size_t count = sim->counts[0];
+    double *at[4] = {field_of(sim, sim->position[0], count), field_of(sim, sim->position[1], count),
+                     field_of(sim, sim->displacement[0], count), field_of(sim, sim->displacement[1], count)};
+    const int damage_field = simulation_find_field(sim, 0, "damage");
+    double *damage = field_of(sim, damage_field, count);
+    const int rows = area.rect.height, width = area.rect.width - CAPTION_WIDTH - 1;
+    const bool tall = rows >= 4;
+    Area part = area_part(area, 1, tall ? 1 : 0, width - 2, rows - (tall ? 1 : 0));
+    if (!at[0] || !at[1] || !at[2] || !at[3] || !damage || count == 0 || part.rect.width < 4) {
+        for (int i = 0; i < 4; i++)
+            free(at[i]);
+        free(damage);
+        return;
+    }
+    double low[2] = {at[0][0], at[1][0]}, high[2] = {at[0][0], at[1][0]}, moved = 0;
+    for (size_t i = 0; i < count; i++) {
+        for (int d = 0; d < 2; d++) {
+            low[d] = fmin(low[d], at[d][i] + (d == 0 ? at[2][i] : 0));
+            high[d] = fmax(high[d], at[d][i] + (d == 0 ? at[2][i] : 0));
+        }
+        moved = fmax(moved, fabs(at[3][i]));
+    }
+    const double height = high[1] - low[1];
+    const double reach = reach_of(screen, sim, sim->displacement[1], at[3], count);
+    const double k = exaggeration(reach > moved ? reach : moved, 0.75 * height);
+    /* the drawing keeps its frame while the beam swings */
+    const double top = high[1] + 0.8 * height, bottom = low[1] - 0.8 * height;
+    Plot plot;
+    plot_open(&plot, axis_make(low[0], high[0] + 1e-9 * height, 4), axis_make(bottom, top, 4));
+    plot_begin(&plot, STROKE_DOTS, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '#');
+    for (size_t i = 0; i < count; i++)
+        if (damage[i] <= 0.35)
+            plot_point(&plot, at[0][i] + at[2][i], at[1][i] + k * at[3][i]);
+    plot_draw(&plot, part);
+    plot_close(&plot);
+    if (tall)
+        area_rule(area, 0, "the beam", is_focused(screen, PANE_MESH) ? STYLE_FOCUS : STYLE_HEADING);
+    Area words = area_part(area, part.rect.x + part.rect.width + 1, 0, area.rect.width, rows);
+    char number[NUMBER_TEXT_MAX];
+    text_rounded(number, k, 3);
+    area_print(words, 0, tall ? 1 : 0, STYLE_FAINT, "%zu particles", count);
+    area_print(words, 0, rows - 1, STYLE_FAINT, k == 1 ? "drawn in place%.0s" : "at y0 + %s uy", number);
+    for (int i = 0; i < 4; i++)
+        free(at[i]);
+    free(damage);
+}
+
+void pane_mesh(const Screen *screen, Area area)
+{
+    if (experiment_simulation(screen->experiment)->dimensions == 1)
+        draw_bar(screen, area);
+    else
+        draw_beam(screen, area);
+}

@@ -1,0 +1,169 @@
+/* The parameter pane: fields by group, read-only numbers below, unit and range of the chosen field in its
+ * last row. */
+#include "view/panes.h"
+
+#include "base/text.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+static bool holds(const char *text, const char *part)
+{
+    size_t length = strlen(part);
+    for (; *text; text++) {
+        size_t i = 0;
+        while (i < length && text[i] && tolower((unsigned char)text[i]) == tolower((unsigned char)part[i]))
+            i++;
+        if (i == length)
+            return true;
+    }
+    return length == 0;
+}
+
+static bool passes(const Screen *screen, const char *label, const char *key)
+{
+    return holds(label, screen->filter) || holds(key, screen->filter);
+}
+
+int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS_MAX])
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const char *group = "";
+    int count = 0;
+    for (int i = 0; i < n_parameters && count + 2 < PARAMETER_ROWS_MAX; i++) {
+        const Parameter *parameter = &parameters[i];
+        if (!parameter_applies(parameter, settings->problem) ||
+            !passes(screen, parameter->label, parameter->key))
+            continue;
+        if (strcmp(parameter->group, group) != 0)
+            rows[count++] = (ParameterRow){.heading = group = parameter->group, .derived = -1};
+        rows[count++] = (ParameterRow){.parameter = parameter, .derived = -1};
+    }
+    Derived derived[DERIVED_MAX];
+    int n_derived = experiment_derived(screen->experiment, derived);
+    bool begun = false;
+    for (int i = 0; i < n_derived && count + 1 < PARAMETER_ROWS_MAX; i++) {
+        if (!passes(screen, derived[i].label, derived[i].name))
+            continue;
+        if (!begun)
+            rows[count++] = (ParameterRow){.heading = "Follows from these", .derived = -1};
+        begun = true;
+        rows[count++] = (ParameterRow){.derived = i};
+    }
+    return count;
+}
+
+/* The first row shown, so that the chosen one stands near the middle. */
+static int first_row(const Screen *screen, int count, int room)
+{
+    int first = screen->selected - room / 2;
+    if (first > count - room)
+        first = count - room;
+    return first > 0 ? first : 0;
+}
+
+static void draw_field(const Screen *screen, Area area, int y, const Parameter *parameter, bool chosen)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const bool focused = chosen && is_focused(screen, PANE_PARAMETERS);
+    const int width = area.rect.width;
+    Style style = focused ? STYLE_SELECTED : STYLE_NORMAL;
+    for (int x = 1; focused && x < width; x++)
+        area_put(area, x, y, ' ', style);
+    int label = area_text(area_part(area, 0, y, width, 1), 2, 0, parameter->label, style) + 2;
+
+    if (focused && screen->editing) {
+        int room = width - label - 1 < 12 ? 12 : width - label - 1, cursor = screen->edit_cursor;
+        Area field = area_part(area, width - room, y, room, 1);
+        const char *text = screen->edit_text;
+        for (; cursor >= room && *text; cursor--)
+            utf8_next(&text);
+        for (int x = 0; x < room; x++)
+            area_put(field, x, 0, ' ', STYLE_EDIT);
+        area_text(field, 0, 0, text, STYLE_EDIT);
+        area.canvas->cursor_x = field.rect.x + (cursor < room ? cursor : room - 1);
+        area.canvas->cursor_y = field.rect.y;
+        return;
+    }
+    char value[LIST_MAX];
+    settings_show(settings, parameter, value);
+    if (value[0] == '\0')
+        snprintf(value, sizeof value, "-");
+    int columns = text_columns(value), room = width - label - 1;
+    if (focused && parameter->type == PARAMETER_CHOICE && columns + 2 <= room) {
+        char marked[LIST_MAX + 8];
+        snprintf(marked, sizeof marked, "‹%s›", value);
+        area_text_right(area, width, y, marked, style);
+    } else if (columns <= room) {
+        area_text_right(area, width, y, value, style);
+    } else {
+        area_text(area_part(area, label + 1, y, room, 1), 0, 0, value, style);
+    }
+    if (focused && !screen->prompt.open) {
+        area.canvas->cursor_x = area.rect.x + 1;
+        area.canvas->cursor_y = area.rect.y + y;
+    }
+}
+
+static void draw_derived(Area area, int y, const Derived *derived, bool chosen)
+{
+    const Style style = chosen ? STYLE_SELECTED : STYLE_FAINT;
+    char value[NUMBER_TEXT_MAX];
+    for (int x = 1; chosen && x < area.rect.width; x++)
+        area_put(area, x, y, ' ', style);
+    int label = area_text(area, 2, y, derived->label, style) + 2;
+    if (derived->integer)
+        snprintf(value, sizeof value, "%.0f", derived->value);
+    else
+        number_text(derived->value, 6, area.rect.width - label - 1, value);
+    area_text_right(area, area.rect.width, y, value, style);
+}
+
+/* Unit and range of the chosen field, or how many rows are out of sight. */
+static void draw_hint(const Screen *screen, Area area, const ParameterRow *row, const Derived *derived)
+{
+    char text[160] = "", range[96];
+    if (row && row->parameter) {
+        const char *unit = parameter_unit(screen, row->parameter);
+        parameter_range(row->parameter, range, sizeof range);
+        snprintf(text, sizeof text, "%s%s%s%s", unit[0] ? "in " : "", unit, unit[0] ? "   " : "", range);
+        if (text_columns(text) > area.rect.width - 2)
+            snprintf(text, sizeof text, "%s", unit[0] ? unit : "Enter to choose");
+    } else if (row && row->derived >= 0) {
+        const char *unit = derived[row->derived].unit;
+        snprintf(text, sizeof text, "%s%sread only", strcmp(unit, "1") == 0 ? "" : unit,
+                 strcmp(unit, "1") == 0 ? "" : "   ");
+    }
+    area_text(area, 2, area.rect.height - 1, text, STYLE_FAINT);
+}
+
+void pane_parameters(const Screen *screen, Area area)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    Derived derived[DERIVED_MAX];
+    const int count = screen_parameter_rows(screen, rows);
+    experiment_derived(screen->experiment, derived);
+    const bool focused = is_focused(screen, PANE_PARAMETERS);
+    const int room = area.rect.height - 1, first = first_row(screen, count, room);
+
+    for (int y = 0; y < room && first + y < count; y++) {
+        const ParameterRow *row = &rows[first + y];
+        const bool chosen = first + y == screen->selected;
+        if (row->heading)
+            area_text(area, 1, y, row->heading, focused ? STYLE_FOCUS : STYLE_HEADING);
+        else if (row->parameter)
+            draw_field(screen, area, y, row->parameter, chosen);
+        else
+            draw_derived(area, y, &derived[row->derived], chosen && focused);
+    }
+    if (count == 0)
+        area_text(area, 1, 0, "no parameter of that name", STYLE_FAINT);
+    if (focused && screen->selected >= 0 && screen->selected < count)
+        draw_hint(screen, area, &rows[screen->selected], derived);
+    else if (first + room < count) {
+        char text[40];
+        snprintf(text, sizeof text, "%d more below", count - first - room);
+        area_text(area, 2, area.rect.height - 1, text, STYLE_FAINT);
+    }
+}

@@ -1,0 +1,305 @@
+/* The title line: what is shown, where in time, in what state; and the bottom bar: what can be done now. */
+#include "view/panes.h"
+
+#include "base/text.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* --- title ---------------------------------------------------------------------------------------- */
+
+/* "MPM USF hat": the method and the choices that make the difference. */
+static void method_words_of(const Screen *screen, char *out, size_t size)
+{
+    static const char *const keys[] = {"mpm.algorithm", "mpm.shape", "mpm.transfer"};
+    const Settings *settings = experiment_settings(screen->experiment);
+    snprintf(out, size, "%s", settings->method == METHOD_MPM ? "MPM" : "PD");
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+        const Parameter *parameter = parameter_find(keys[i]);
+        if (!parameter || !parameter_applies(parameter, settings->problem))
+            continue;
+        char value[LIST_MAX];
+        settings_get(settings, parameter, value);
+        if (i == 2 && strcmp(value, "flip") == 0)
+            continue; /* the usual one goes without saying */
+        for (char *c = value; i != 1 && *c; c++)
+            *c = (char)toupper((unsigned char)*c);
+        append(out, size, " %s", value);
+    }
+}
+
+static void pace_text(double pace, char *out, size_t size)
+{
+    if (pace >= 1 || pace <= 0)
+        snprintf(out, size, "x%.0f", pace);
+    else
+        snprintf(out, size, "x1/%.0f", 1 / pace);
+}
+
+static void state_text(const Screen *screen, char *out, size_t size)
+{
+    char pace[24];
+    long back = experiment_newest(screen->experiment) - experiment_step(screen->experiment);
+    switch (screen->state) {
+    case STATE_RUNNING:
+        pace_text(screen->pace, pace, sizeof pace);
+        if (screen->at_limit && screen->rate > 0)
+            snprintf(out, size, "RUNNING %.0f steps/s max", screen->rate);
+        else
+            snprintf(out, size, "RUNNING %s", pace);
+        return;
+    case STATE_COMPUTING:
+        snprintf(out, size, "computing %3.0f %%", 100 * screen->work_share);
+        return;
+    case STATE_ENDED:
+        snprintf(out, size, "END");
+        return;
+    case STATE_FAILED:
+        snprintf(out, size, "STOPPED");
+        return;
+    case STATE_PAUSED:
+        break;
+    }
+    if (back > 0)
+        snprintf(out, size, "PAUSED -%ld step%s", back, back == 1 ? "" : "s");
+    else
+        snprintf(out, size, "PAUSED");
+}
+
+enum { BAR_CELLS = 10 };
+
+void pane_title(const Screen *screen, Area area)
+{
+    const int width = area.rect.width;
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    for (int x = 0; x < width; x++)
+        area_put(area, x, 0, ' ', STYLE_TITLE);
+
+    char state[64];
+    state_text(screen, state, sizeof state);
+    int end = width - 1;
+    if (screen->state == STATE_COMPUTING) {
+        int full = (int)(screen->work_share * BAR_CELLS + 0.5);
+        for (int i = 0; i < BAR_CELLS; i++)
+            area_put(area, end - BAR_CELLS + i, 0, i < full ? 0x2588 : 0x2591, STYLE_TITLE);
+        end -= BAR_CELLS + 1;
+    }
+    area_text_right(area, end, 0, state, STYLE_TITLE);
+    end -= text_columns(state) + 1;
+
+    char time[48], place[128], words[64];
+    time_text(screen, experiment_time(screen->experiment), time, sizeof time);
+    method_words_of(screen, words, sizeof words);
+    const char *name = screen->scenario ? screen->scenario : "";
+    const char *slash = strrchr(name, '/');
+    name = slash && slash[1] ? slash + 1 : name;
+
+    /* what matters least goes first where there is no room */
+    snprintf(place, sizeof place, "%s  step %ld  stage %d/%d", time, experiment_step(screen->experiment),
+             experiment_stage(screen->experiment), sim->n_stages);
+    char whole[256];
+    for (int form = 0; form < 4; form++) {
+        switch (form) {
+        case 0:
+            snprintf(whole, sizeof whole, " matvib  %s  %s   %s", name, words, place);
+            break;
+        case 1:
+            snprintf(whole, sizeof whole, " %s  %s   %s", name, words, place);
+            break;
+        case 2:
+            snprintf(whole, sizeof whole, " %s  %s", name, place);
+            break;
+        default:
+            snprintf(whole, sizeof whole, " %s", place);
+        }
+        if (text_columns(whole) <= end)
+            break;
+    }
+    if (text_columns(whole) > end)
+        snprintf(whole, sizeof whole, " %s", time);
+    area_text_whole(area, 0, 0, end, whole, STYLE_TITLE);
+}
+
+/* --- bottom bar ----------------------------------------------------------------------------------- */
+
+/* The commands that the bar offers, what matters most first; a pair shares one word. */
+typedef struct Offer {
+    CommandId id, pair;
+    const char *word; /* NULL: the command's own */
+} Offer;
+
+static int offers_of(const Screen *screen, const Offer **offers)
+{
+    static const Offer running[] = {
+        {COMMAND_RUN_PAUSE, COMMAND_NONE, "pause"}, {COMMAND_FASTER, COMMAND_SLOWER, "speed"},
+        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},    {COMMAND_REFERENCES, COMMAND_NONE, NULL},
+        {COMMAND_HELP, COMMAND_NONE, NULL},         {COMMAND_QUIT, COMMAND_NONE, NULL},
+        {COMMAND_RESTART, COMMAND_NONE, NULL},      {COMMAND_ZOOM, COMMAND_NONE, NULL},
+        {COMMAND_QUESTION, COMMAND_NONE, NULL},     {COMMAND_PIN, COMMAND_NONE, NULL},
+    };
+    static const Offer paused[] = {
+        {COMMAND_RUN_PAUSE, COMMAND_NONE, "run"},
+        {COMMAND_STEP_BACK, COMMAND_STEP_FORWARD, "step"},
+        {COMMAND_STAGE_BACK, COMMAND_STAGE_FORWARD, "stage"},
+        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
+        {COMMAND_EXPORT, COMMAND_NONE, NULL},
+        {COMMAND_HELP, COMMAND_NONE, NULL},
+        {COMMAND_QUIT, COMMAND_NONE, NULL},
+        {COMMAND_GO_TO, COMMAND_NONE, NULL},
+        {COMMAND_ZOOM, COMMAND_NONE, NULL},
+        {COMMAND_REFERENCES, COMMAND_NONE, NULL},
+        {COMMAND_RESTART, COMMAND_NONE, NULL},
+    };
+    static const Offer paused_parameters[] = {
+        {COMMAND_RUN_PAUSE, COMMAND_NONE, "run"},    {COMMAND_LEFT, COMMAND_RIGHT, "change"},
+        {COMMAND_ENTER, COMMAND_NONE, "edit"},       {COMMAND_STEP_FORWARD, COMMAND_NONE, NULL},
+        {COMMAND_STAGE_FORWARD, COMMAND_NONE, NULL}, {COMMAND_EXPORT, COMMAND_NONE, NULL},
+        {COMMAND_HELP, COMMAND_NONE, NULL},          {COMMAND_QUIT, COMMAND_NONE, NULL},
+        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},     {COMMAND_ZOOM, COMMAND_NONE, NULL},
+        {COMMAND_UNDO, COMMAND_NONE, NULL},
+    };
+    static const Offer running_parameters[] = {
+        {COMMAND_RUN_PAUSE, COMMAND_NONE, "pause"}, {COMMAND_LEFT, COMMAND_RIGHT, "change"},
+        {COMMAND_ENTER, COMMAND_NONE, "edit"},      {COMMAND_FASTER, COMMAND_SLOWER, "speed"},
+        {COMMAND_REFERENCES, COMMAND_NONE, NULL},   {COMMAND_HELP, COMMAND_NONE, NULL},
+        {COMMAND_QUIT, COMMAND_NONE, NULL},         {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
+        {COMMAND_RESTART, COMMAND_NONE, NULL},      {COMMAND_QUESTION, COMMAND_NONE, NULL},
+    };
+    static const Offer ended[] = {
+        {COMMAND_RUN_PAUSE, COMMAND_NONE, "again"}, {COMMAND_EXPORT, COMMAND_NONE, NULL},
+        {COMMAND_STEP_BACK, COMMAND_NONE, NULL},    {COMMAND_START, COMMAND_NONE, NULL},
+        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},    {COMMAND_HELP, COMMAND_NONE, NULL},
+        {COMMAND_QUIT, COMMAND_NONE, NULL},         {COMMAND_REFERENCES, COMMAND_NONE, NULL},
+        {COMMAND_PIN, COMMAND_NONE, NULL},          {COMMAND_QUESTION, COMMAND_NONE, NULL},
+        {COMMAND_ZOOM, COMMAND_NONE, NULL},
+    };
+    static const Offer computing[] = {
+        {COMMAND_INTERRUPT, COMMAND_NONE, "stop here"},
+        {COMMAND_CANCEL, COMMAND_NONE, "stop here"},
+    };
+    static const Offer help[] = {
+        {COMMAND_LEFT, COMMAND_RIGHT, "page"},
+        {COMMAND_UP, COMMAND_DOWN, "scroll"},
+        {COMMAND_CANCEL, COMMAND_NONE, "back"},
+    };
+    static const Offer editing[] = {
+        {COMMAND_ENTER, COMMAND_NONE, "take it"},
+        {COMMAND_CANCEL, COMMAND_NONE, "leave it"},
+    };
+#define GIVE(list) return *offers = list, (int)(sizeof list / sizeof *list)
+    if (screen->help)
+        GIVE(help);
+    if (screen->editing)
+        GIVE(editing);
+    if (screen->state == STATE_COMPUTING)
+        GIVE(computing);
+    const bool in_fields = screen->focus == PANE_PARAMETERS;
+    if (screen->state == STATE_RUNNING) {
+        if (in_fields)
+            GIVE(running_parameters);
+        GIVE(running);
+    }
+    if (screen->state == STATE_ENDED || screen->state == STATE_FAILED)
+        GIVE(ended);
+    if (in_fields)
+        GIVE(paused_parameters);
+    GIVE(paused);
+#undef GIVE
+}
+
+/* A key's name as the bar shows it: short. */
+static const char *short_key(const char *key)
+{
+    static const char *const shorter[][2] = {{"Left", "←"}, {"Right", "→"}, {"Up", "↑"}, {"Down", "↓"}};
+    for (size_t i = 0; i < sizeof shorter / sizeof *shorter; i++)
+        if (strcmp(key, shorter[i][0]) == 0)
+            return shorter[i][1];
+    return key;
+}
+
+/* Lays the offers out from the left; draws them if `area` is not NULL. Returns the command at column x. */
+static CommandId lay_out_bar(const Screen *screen, int width, const Area *area, int wanted_x)
+{
+    const Offer *offers;
+    int count = offers_of(screen, &offers), x = 1;
+    CommandId found = COMMAND_NONE;
+    for (int i = 0; i < count; i++) {
+        const Command *command = command_find(offers[i].id), *pair = command_find(offers[i].pair);
+        if (!command || (offers[i].pair != COMMAND_NONE && !pair))
+            continue;
+        char key[COMMAND_KEY_MAX], other[COMMAND_KEY_MAX] = "";
+        command_first_key(command, key);
+        if (pair)
+            command_first_key(pair, other);
+        const char *first = short_key(key), *second = short_key(other);
+        const char *word = offers[i].word ? offers[i].word : command->brief;
+        int first_columns = text_columns(first), keys = first_columns + (pair ? 1 + text_columns(second) : 0);
+        int columns = keys + 1 + text_columns(word);
+        if (x + columns > width - 1)
+            continue;
+        if (area) {
+            area_text(*area, x, 0, first, STYLE_KEY);
+            if (pair)
+                area_text(*area, x + first_columns + 1, 0, second, STYLE_KEY);
+            area_text(*area, x + keys + 1, 0, word, STYLE_TITLE);
+        }
+        if (wanted_x >= x && wanted_x < x + columns)
+            found = pair && wanted_x > x + first_columns && wanted_x <= x + keys ? pair->id : command->id;
+        x += columns + 2;
+    }
+    return found;
+}
+
+CommandId bar_command_at(const Screen *screen, int width, int x)
+{
+    return lay_out_bar(screen, width, NULL, x);
+}
+
+static void draw_prompt(const Screen *screen, Area area)
+{
+    const Prompt *prompt = &screen->prompt;
+    int x = area_text(area, 1, 0, prompt->question, STYLE_KEY) + 2;
+    if (prompt->yes_no) {
+        area_text(area, x, 0, "y / n", STYLE_TITLE);
+        area.canvas->cursor_x = area.rect.x + x;
+        area.canvas->cursor_y = area.rect.y;
+        return;
+    }
+    /* a long text moves left so that the cursor is seen */
+    const int problem = prompt->problem[0] ? text_columns(prompt->problem) + 2 : 0;
+    int room = area.rect.width - x - 1, cursor = prompt->cursor;
+    if (room - problem >= 12)
+        room -= problem;
+    const char *text = prompt->text;
+    for (; cursor >= room && *text; cursor--)
+        utf8_next(&text);
+    Area field = area_part(area, x, 0, room, 1);
+    for (int i = 0; i < room; i++)
+        area_put(field, i, 0, ' ', STYLE_EDIT);
+    area_text(field, 0, 0, text, STYLE_EDIT);
+    area_text(area, x + room + 1, 0, prompt->problem, STYLE_ERROR);
+    area.canvas->cursor_x = area.rect.x + x + (cursor < room ? cursor : room - 1);
+    area.canvas->cursor_y = area.rect.y;
+}
+
+void pane_bar(const Screen *screen, Area area)
+{
+    static const Style styles[] = {
+        [MESSAGE_NONE] = STYLE_TITLE,
+        [MESSAGE_INFO] = STYLE_TITLE,
+        [MESSAGE_WARNING] = STYLE_WARNING,
+        [MESSAGE_ERROR] = STYLE_ERROR,
+    };
+    for (int x = 0; x < area.rect.width; x++)
+        area_put(area, x, 0, ' ', STYLE_TITLE);
+    if (screen->prompt.open)
+        draw_prompt(screen, area);
+    else if (screen->editing && screen->edit_problem[0])
+        area_text(area, 1, 0, screen->edit_problem, STYLE_ERROR);
+    else if (screen->message_kind != MESSAGE_NONE && screen->message[0])
+        area_text(area, 1, 0, screen->message, styles[screen->message_kind]);
+    else
+        lay_out_bar(screen, area.rect.width, &area, -1);
+}

@@ -1,0 +1,100 @@
+/* The panes of the screen: each draws itself into an area from what the screen says. Private to src/view. */
+#ifndef VIEW_PANES_H
+#define VIEW_PANES_H
+
+#include "base/text.h"
+#include "view/area.h"
+#include "view/axes.h"
+#include "view/plot.h"
+#include "view/screen.h"
+
+/* --- where panes lie --- */
+
+typedef enum LayoutKind { LAYOUT_TOO_SMALL, LAYOUT_ONE_PANE, LAYOUT_FULL } LayoutKind;
+
+enum { SIDES_MAX = 3, GUTTER = 6 };
+
+typedef struct Layout {
+    LayoutKind kind;
+    Rect title, bar;
+    Rect panes[PANE_COUNT];
+    Rect sides[SIDES_MAX]; /* what joins on a large screen: energies, particles, nodes */
+} Layout;
+
+Layout layout_make(const Screen *, int width, int height);
+
+/* --- the views that can stand in the two plot panes --- */
+
+typedef struct View {
+    int number;
+    const char *name;
+    void (*draw)(const Screen *, Area, Style heading, int variant);
+    int (*variants)(const Screen *); /* how many there are, at least 1 */
+} View;
+
+const View *view_find(int number); /* NULL: there is none of that number */
+void view_draw(const Screen *, int number, Area, bool focused);
+
+void view_profile(const Screen *, Area, Style heading, int variant);
+int view_profile_variants(const Screen *);
+void view_probe(const Screen *, Area, Style heading, int variant);
+int view_probe_variants(const Screen *);
+void view_energies(const Screen *, Area, Style heading, int variant);
+void view_shapes(const Screen *, Area, Style heading, int variant);
+int view_shapes_variants(const Screen *);
+void view_table(const Screen *, Area, Style heading, int set);
+int view_table_variants(const Screen *);
+void view_log(const Screen *, Area, Style heading, int variant);
+
+/* --- the other panes --- */
+
+void pane_title(const Screen *, Area);
+void pane_bar(const Screen *, Area);
+void pane_parameters(const Screen *, Area);
+void pane_mesh(const Screen *, Area);
+void pane_box(const Screen *, Area);
+void pane_help(const Screen *, Area);
+
+/* The command under a column of the bottom bar; COMMAND_NONE: none. */
+CommandId bar_command_at(const Screen *, int width, int x);
+
+/* --- what several of them share --- */
+
+/* One entry of a legend. */
+typedef struct Legend {
+    LineStyle line;
+    char letter;
+    Style style;
+    const char *name;
+    const char *key; /* what stands for it, 2 columns; NULL: a piece of the line */
+} Legend;
+
+/* Draws the heading line of a plot: name, scale, legend as far as there is room. */
+void draw_heading(Area, Style heading, const char *name, const char *scale, const Legend *, int n_legend);
+
+bool shows_exact(const Screen *);
+bool shows_predicted(const Screen *);
+bool is_focused(const Screen *, PaneId);
+
+/* "t 12.34" with as many decimals as the time step has: columns do not dance. */
+void time_text(const Screen *, double time, char *out, size_t size);
+
+/* A number for people in at most `width` columns: as many digits as fit, at most `digits`. */
+void number_text(double value, int digits, int width, char out[NUMBER_TEXT_MAX]);
+
+/* The column of the record by name; -1: there is none. */
+int find_column(const Screen *, const char *name);
+
+/* The stage that the box speaks of: the last one done (*done) or, between steps, the next. */
+int box_stage(const Screen *, bool *done);
+
+/* Appends to a text; what does not fit is cut. */
+void append(char *out, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+/* Names of fields, separated by spaces, one after the other. */
+bool next_word(const char **text, char *out, size_t size);
+
+/* The unit of a parameter or "" . */
+const char *parameter_unit(const Screen *, const Parameter *);
+
+#endif

@@ -1,0 +1,132 @@
+#include "view/screen.h"
+#include "view/panes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+void screen_default(Screen *screen)
+{
+    *screen = (Screen){
+        .glyphs = GLYPHS_BRAILLE,
+        .colours = 256,
+        .state = STATE_PAUSED,
+        .pace = 1,
+        .focus = PANE_PARAMETERS,
+        .upper = 1,
+        .lower = 2,
+        .references = SHOW_ALL,
+        .cursor_time = NAN,
+    };
+}
+
+/* --- views ---------------------------------------------------------------------------------------- */
+
+static int one_variant(const Screen *screen)
+{
+    (void)screen;
+    return 1;
+}
+
+static const View views[] = {
+    {1, "profile", view_profile, view_profile_variants},
+    {2, "probe", view_probe, view_probe_variants},
+    {3, "energies", view_energies, one_variant},
+    {4, "shape functions", view_shapes, view_shapes_variants},
+    {7, "tables", view_table, view_table_variants},
+    {9, "log", view_log, one_variant},
+};
+
+const View *view_find(int number)
+{
+    for (size_t i = 0; i < sizeof views / sizeof *views; i++)
+        if (views[i].number == number)
+            return &views[i];
+    return NULL;
+}
+
+void view_draw(const Screen *screen, int number, Area area, bool focused)
+{
+    const View *view = view_find(number);
+    if (!view)
+        view = &views[0];
+    if (area.rect.width < 1 || area.rect.height < 1)
+        return;
+    const int variants = view->variants(screen), variant = screen->variant[view->number];
+    view->draw(screen, area, focused ? STYLE_FOCUS : STYLE_HEADING, variant > 0 ? variant % variants : 0);
+}
+
+/* --- the whole ------------------------------------------------------------------------------------ */
+
+static Area area_of(const Screen *screen, Canvas *canvas, Rect rect)
+{
+    return area_part((Area){canvas, {0, 0, canvas->width, canvas->height}, screen->glyphs}, rect.x, rect.y,
+                     rect.width, rect.height);
+}
+
+static void draw_too_small(Canvas *canvas)
+{
+    char text[64];
+    snprintf(text, sizeof text, "matvib needs 40x12, this is %dx%d", canvas->width, canvas->height);
+    Area whole = {canvas, {0, 0, canvas->width, canvas->height}, GLYPHS_ASCII};
+    int lines = paragraph_lines(canvas->width, text), y = (canvas->height - lines) / 2;
+    y = y > 0 ? y : 0;
+    area_paragraph(whole, 0, y, canvas->width, canvas->height - y, text, STYLE_NORMAL);
+}
+
+static void draw_pane(const Screen *screen, PaneId pane, Area area)
+{
+    if (area.rect.width < 1 || area.rect.height < 1)
+        return;
+    switch (pane) {
+    case PANE_PARAMETERS:
+        pane_parameters(screen, area);
+        break;
+    case PANE_MESH:
+        pane_mesh(screen, area);
+        break;
+    case PANE_UPPER:
+        view_draw(screen, screen->upper, area, is_focused(screen, pane));
+        break;
+    case PANE_LOWER:
+        view_draw(screen, screen->lower, area, is_focused(screen, pane));
+        break;
+    case PANE_BOX:
+        pane_box(screen, area);
+        break;
+    case PANE_COUNT:
+        break;
+    }
+}
+
+void screen_draw(const Screen *screen, Canvas *canvas)
+{
+    canvas_clear(canvas);
+    const Layout layout = layout_make(screen, canvas->width, canvas->height);
+    if (layout.kind == LAYOUT_TOO_SMALL) {
+        draw_too_small(canvas);
+        return;
+    }
+    if (screen->help) {
+        Rect all = {0, 1, canvas->width, canvas->height - 2};
+        pane_help(screen, area_of(screen, canvas, all));
+    } else {
+        for (int pane = 0; pane < PANE_COUNT; pane++)
+            draw_pane(screen, (PaneId)pane, area_of(screen, canvas, layout.panes[pane]));
+        if (layout.sides[0].width > 0) {
+            view_energies(screen, area_of(screen, canvas, layout.sides[0]), STYLE_HEADING, 0);
+            for (int i = 1; i < SIDES_MAX; i++)
+                if (layout.sides[i].width > 0)
+                    view_table(screen, area_of(screen, canvas, layout.sides[i]), STYLE_HEADING, i - 1);
+        }
+    }
+    pane_title(screen, area_of(screen, canvas, layout.title));
+    pane_bar(screen, area_of(screen, canvas, layout.bar));
+    if (screen->glyphs == GLYPHS_ASCII)
+        canvas_to_ascii(canvas);
+}
+
+CommandId screen_bar_command(const Screen *screen, int width, int x)
+{
+    return bar_command_at(screen, width, x);
+}
