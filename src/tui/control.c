@@ -12,6 +12,10 @@
 #define PERIOD_SECONDS 3.0
 #define RUN_SECONDS    15.0
 
+#define MESSAGE_SECONDS                                                                                      \
+    4.0 /* while a run goes on, the keys come back into the bottom bar after that long                       \
+         */
+
 #define CHUNK_SECONDS 0.004 /* the engine is let go for about that long before the clock is read again */
 #define ROUND_FRAMES  15    /* frames in time before "max" goes from the title */
 
@@ -24,6 +28,7 @@ void say(Laboratory *lab, MessageKind kind, const char *format, ...)
     vsnprintf(lab->screen.message, sizeof lab->screen.message, format, arguments);
     va_end(arguments);
     lab->screen.message_kind = lab->screen.message[0] ? kind : MESSAGE_NONE;
+    lab->said_at = lab->host.now(lab->host.context);
 }
 
 /* --- opening ---------------------------------------------------------------------------------------- */
@@ -290,6 +295,7 @@ static void run_frame(Laboratory *lab, double deadline)
 {
     Screen *screen = &lab->screen;
     Status status = {STATUS_DONE, ""};
+    double begin = lab->host.now(lab->host.context);
     lab->owed += screen->pace;
     long wanted = (long)lab->owed, done = 0;
     lab->owed -= (double)wanted;
@@ -309,7 +315,8 @@ static void run_frame(Laboratory *lab, double deadline)
         screen->at_limit = true;
     else if (lab->frames_in_time >= ROUND_FRAMES)
         screen->at_limit = false;
-    double rate = (double)done / FRAME_SECONDS;
+    double took = lab->host.now(lab->host.context) - begin;
+    double rate = (double)done / (took > FRAME_SECONDS ? took : FRAME_SECONDS);
     screen->rate = screen->rate > 0 ? 0.8 * screen->rate + 0.2 * rate : rate;
     if (!sound || experiment_at_end(screen->experiment))
         settle(lab);
@@ -344,6 +351,9 @@ static void compute_frame(Laboratory *lab, double deadline)
 
 void laboratory_frame(Laboratory *lab, double deadline)
 {
+    if (lab->screen.message_kind == MESSAGE_INFO &&
+        lab->host.now(lab->host.context) > lab->said_at + MESSAGE_SECONDS)
+        say(lab, MESSAGE_NONE, "%s", "");
     if (lab->screen.state == STATE_COMPUTING)
         compute_frame(lab, deadline);
     else if (lab->screen.state == STATE_RUNNING)

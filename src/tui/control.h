@@ -39,6 +39,7 @@ struct Laboratory {
     Settings *undo, *redo; /* UNDO_MAX each, the newest last */
     int n_undo, n_redo;
     bool changed;    /* parameters were edited since the last export: quitting asks */
+    double said_at;  /* when the message came */
     bool fresh;      /* the text under edit is the old value: a first character replaces it */
     RunState resume; /* after computing: running or paused */
     long goal_step;  /* where computing goes */

@@ -1,11 +1,13 @@
 #include "tui/terminal.h"
 
+#include "tui/painter.h"
 #include "tui/theme.h"
 
 #include <errno.h>
 #include <langinfo.h>
 #include <poll.h>
 #include <signal.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
@@ -27,13 +29,11 @@ static const int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 enum { N_ENDS = sizeof ends / sizeof *ends, N_CRASHES = sizeof crashes / sizeof *crashes, INPUT_MAX = 512 };
 
 struct Terminal {
-    SCREEN *screen;
+    Painter painter;
     int width, height;
-    int colours;
-    bool light, utf8, mouse;
+    bool mouse;
     Glyphs glyphs;
-    Canvas shown; /* what the terminal shows; width 0: not known */
-    bool cursor_shown;
+    char enter[128], leave[160]; /* what takes the screen over and gives it back */
     KeyDecoder decoder;
     unsigned char input[INPUT_MAX];
     size_t input_first, input_end;
@@ -139,37 +139,115 @@ static bool read_size(Terminal *terminal)
     return changed;
 }
 
-static void keep_farewell(bool mouse)
+static const char *capability(const char *name)
 {
-    static const char *const capabilities[] = {"sgr0", "cnorm", "rmkx", "rmcup"};
-    farewell_length = 0;
-    farewell[0] = '\0';
-    for (size_t i = 0; i < sizeof capabilities / sizeof *capabilities; i++) {
-        const char *text = tigetstr(capabilities[i]);
-        if (!text || text == (char *)-1 || farewell_length + strlen(text) + 32 >= sizeof farewell)
-            continue;
-        strcpy(farewell + farewell_length, text);
-        farewell_length += strlen(text);
-    }
-    if (mouse) {
-        strcpy(farewell + farewell_length, "\033[?1006l\033[?1000l");
-        farewell_length = strlen(farewell);
-    }
+    const char *text = tigetstr(name);
+    return text && text != (char *)-1 ? text : "";
 }
 
-static int count_colours(void)
+static void copy_capability(char *to, size_t size, const char *name)
+{
+    /* what does not fit is no use in part */
+    const char *text = capability(name);
+    snprintf(to, size, "%s", strlen(text) < size ? text : "");
+}
+
+/* The terminal's description as the painter wants it. */
+static void read_capabilities(Capabilities *can)
+{
+    const struct {
+        char *to;
+        size_t size;
+        const char *name;
+    } wanted[] = {
+        {can->move, sizeof can->move, "cup"},
+        {can->clear, sizeof can->clear, "clear"},
+        {can->plain, sizeof can->plain, "sgr0"},
+        {can->bold, sizeof can->bold, "bold"},
+        {can->dim, sizeof can->dim, "dim"},
+        {can->underline, sizeof can->underline, "smul"},
+        {can->reverse, sizeof can->reverse, "rev"},
+        {can->foreground, sizeof can->foreground, "setaf"},
+        {can->background, sizeof can->background, "setab"},
+        {can->hide_cursor, sizeof can->hide_cursor, "civis"},
+        {can->show_cursor, sizeof can->show_cursor, "cnorm"},
+    };
+    for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++)
+        copy_capability(wanted[i].to, wanted[i].size, wanted[i].name);
+    can->margin_scrolls = tigetflag("am") > 0 && tigetflag("xenl") <= 0;
+}
+
+static int count_colours(const Capabilities *can)
 {
     const char *no_color = getenv("NO_COLOR");
-    if ((no_color && *no_color) || !has_colors() || start_color() == ERR)
+    int colours = tigetnum("colors");
+    if ((no_color && *no_color) || !can->foreground[0] || !can->background[0])
         return 0;
-    use_default_colors();
-    return COLORS >= 256 ? 256 : COLORS >= 8 ? 8 : 0;
+    return colours >= 256 ? 256 : colours >= 8 ? 8 : 0;
 }
 
-static void set_mouse(const Terminal *terminal, bool on)
+/* Appends without padding, "$<5>", which a handler of signals could not wait for either. */
+static void append(char *out, size_t size, const char *text)
 {
-    if (terminal->mouse)
-        putp(on ? "\033[?1000h\033[?1006h" : "\033[?1006l\033[?1000l");
+    size_t length = strlen(out);
+    for (; *text && length + 1 < size; text++) {
+        if (strncmp(text, "$<", 2) == 0 && strchr(text, '>'))
+            text = strchr(text, '>');
+        else
+            out[length++] = *text;
+    }
+    out[length] = '\0';
+}
+
+static void compose_enter_and_leave(Terminal *terminal)
+{
+    append(terminal->enter, sizeof terminal->enter, capability("smcup"));
+    append(terminal->enter, sizeof terminal->enter, capability("smkx"));
+    append(terminal->enter, sizeof terminal->enter, terminal->mouse ? "\033[?1000h\033[?1006h" : "");
+    append(terminal->leave, sizeof terminal->leave, terminal->mouse ? "\033[?1006l\033[?1000l" : "");
+    append(terminal->leave, sizeof terminal->leave, capability("sgr0"));
+    /* without an alternate screen the shell goes on on an empty one */
+    append(terminal->leave, sizeof terminal->leave, capability("rmcup")[0] ? "" : capability("clear"));
+    append(terminal->leave, sizeof terminal->leave, capability("rmkx"));
+    append(terminal->leave, sizeof terminal->leave, capability("cnorm"));
+    append(terminal->leave, sizeof terminal->leave, capability("rmcup"));
+    farewell_length = strlen(terminal->leave);
+    memcpy(farewell, terminal->leave, farewell_length);
+}
+
+static void write_all(const char *bytes, size_t length)
+{
+    while (length > 0) {
+        ssize_t written = write(STDOUT_FILENO, bytes, length);
+        if (written > 0) {
+            bytes += written;
+            length -= (size_t)written;
+        } else if (errno == EAGAIN) {
+            struct pollfd screen = {.fd = STDOUT_FILENO, .events = POLLOUT};
+            poll(&screen, 1, 100);
+        } else if (errno != EINTR)
+            return; /* the terminal is gone; reading it will tell */
+    }
+}
+
+/* Every key comes as it is, nothing is echoed, and output is not changed on its way. */
+static void take_screen(Terminal *terminal)
+{
+    struct termios raw = before;
+    raw.c_iflag &= ~(tcflag_t)(BRKINT | ICRNL | INLCR | IGNCR | ISTRIP | IXON);
+    raw.c_lflag &= ~(tcflag_t)(ECHO | ECHONL | ICANON | ISIG | IEXTEN);
+    raw.c_oflag &= ~(tcflag_t)OPOST;
+    raw.c_cc[VMIN] = 1;
+    raw.c_cc[VTIME] = 0;
+    tcsetattr(STDIN_FILENO, TCSADRAIN, &raw);
+    write_all(terminal->enter, strlen(terminal->enter));
+    painter_forget(&terminal->painter);
+}
+
+static void give_screen_back(Terminal *terminal)
+{
+    write_all(terminal->leave, strlen(terminal->leave));
+    tcsetattr(STDIN_FILENO, TCSADRAIN, &before);
 }
 
 static bool is_usable(const char *term, Status *status)
@@ -187,60 +265,45 @@ static bool is_usable(const char *term, Status *status)
                            "the terminal TERM=%s is not known on this machine; use: matvib run SCENARIO",
                            term);
     const char *move_to = tigetstr("cup");
-    bool addressable = move_to && move_to != (char *)-1;
-    del_curterm(cur_term);
-    if (!addressable)
+    if (!move_to || move_to == (char *)-1) {
+        del_curterm(cur_term);
         return status_fail(status, STATUS_USAGE,
                            "the laboratory cannot draw on this terminal (TERM=%s); use: matvib run SCENARIO",
                            term);
+    }
     return true;
 }
 
 Terminal *terminal_open(const TerminalOptions *options, Status *status)
 {
-    const char *term = getenv("TERM");
+    const char *term = getenv("TERM"), *codeset = nl_langinfo(CODESET);
+    Glyphs glyphs;
+    if (!terminal_choose_glyphs(options->glyphs, codeset, term, &glyphs)) {
+        status_fail(status, STATUS_USAGE, "--glyphs: unknown set '%s' (auto, braille, block or ascii)",
+                    options->glyphs);
+        return NULL;
+    }
     if (!is_usable(term, status))
         return NULL;
     Terminal *terminal = calloc(1, sizeof *terminal);
     if (!terminal) {
+        del_curterm(cur_term);
         status_fail(status, STATUS_FAILED, "out of memory");
         return NULL;
     }
-    const char *codeset = nl_langinfo(CODESET);
-    if (!terminal_choose_glyphs(options->glyphs, codeset, term, &terminal->glyphs)) {
-        status_fail(status, STATUS_USAGE, "--glyphs: unknown set '%s' (auto, braille, block or ascii)",
-                    options->glyphs);
-        free(terminal);
-        return NULL;
-    }
-    terminal->utf8 = strcmp(codeset, "UTF-8") == 0;
-    terminal->light = theme_is_light(options->theme, getenv("COLORFGBG"));
+    Painter *painter = &terminal->painter;
+    terminal->glyphs = glyphs;
+    read_capabilities(&painter->can);
+    painter->colours = count_colours(&painter->can);
+    painter->light = theme_is_light(options->theme, getenv("COLORFGBG"));
+    painter->utf8 = strcmp(codeset, "UTF-8") == 0;
+    terminal->mouse = options->mouse && capability("kmous")[0];
+    compose_enter_and_leave(terminal);
     keys_reset(&terminal->decoder);
     tcgetattr(STDIN_FILENO, &before);
-    /* before curses looks: it leaves signals alone that somebody handles */
     catch_signals(terminal);
-    terminal->screen = newterm(NULL, stdout, stdin);
-    if (!terminal->screen) {
-        release_signals(terminal);
-        free(terminal);
-        status_fail(status, STATUS_FAILED, "the terminal TERM=%s cannot be opened", term);
-        return NULL;
-    }
-    const char *mouse = tigetstr("kmous");
-    terminal->mouse = options->mouse && mouse && mouse != (char *)-1;
-    keep_farewell(terminal->mouse);
-    raw();
-    noecho();
-    nonl();
-    keypad(stdscr, TRUE);
-    typeahead(-1);
-    leaveok(stdscr, FALSE);
-    terminal->colours = count_colours();
-    curs_set(0);
-    terminal->cursor_shown = false;
     read_size(terminal);
-    resizeterm(terminal->height, terminal->width);
-    set_mouse(terminal, true);
+    take_screen(terminal);
     return terminal;
 }
 
@@ -248,13 +311,10 @@ void terminal_close(Terminal *terminal)
 {
     if (!terminal)
         return;
-    set_mouse(terminal, false);
-    curs_set(1);
-    endwin();
-    delscreen(terminal->screen);
-    tcsetattr(STDIN_FILENO, TCSADRAIN, &before);
+    give_screen_back(terminal);
     release_signals(terminal);
-    canvas_close(&terminal->shown);
+    painter_close(&terminal->painter);
+    del_curterm(cur_term);
     free(terminal);
 }
 
@@ -266,17 +326,17 @@ void terminal_size(const Terminal *terminal, int *width, int *height)
 
 int terminal_colours(const Terminal *terminal)
 {
-    return terminal->colours;
+    return terminal->painter.colours;
 }
 
 bool terminal_is_light(const Terminal *terminal)
 {
-    return terminal->light;
+    return terminal->painter.light;
 }
 
 bool terminal_is_utf8(const Terminal *terminal)
 {
-    return terminal->utf8;
+    return terminal->painter.utf8;
 }
 
 Glyphs terminal_glyphs(const Terminal *terminal)
@@ -284,88 +344,16 @@ Glyphs terminal_glyphs(const Terminal *terminal)
     return terminal->glyphs;
 }
 
-static cchar_t complex_character(const Terminal *terminal, const Cell *cell)
-{
-    Look look = theme_look(terminal->colours, terminal->light, cell->style, cell->back);
-    attr_t attributes =
-        (look.attributes & LOOK_BOLD ? A_BOLD : 0) | (look.attributes & LOOK_UNDERLINE ? A_UNDERLINE : 0) |
-        (look.attributes & LOOK_REVERSE ? A_REVERSE : 0) | (look.attributes & LOOK_DIM ? A_DIM : 0);
-    int pair = 0;
-    if (look.foreground != LOOK_DEFAULT || look.background != LOOK_DEFAULT)
-        pair = alloc_pair(look.foreground, look.background);
-    if (pair < 0)
-        pair = 0;
-    uint32_t glyph = cell->glyph ? cell->glyph : ' ';
-    if (glyph > 0x7e && !terminal->utf8)
-        glyph = '?';
-    wchar_t text[2] = {(wchar_t)glyph, L'\0'};
-    cchar_t character;
-    setcchar(&character, text, attributes, (short)pair, &pair);
-    return character;
-}
-
-static bool same_cell(const Cell *a, const Cell *b)
-{
-    return a->glyph == b->glyph && a->style == b->style && a->back == b->back;
-}
-
-/* Copies what differs; returns whether anything did. */
-static bool copy_cells(Terminal *terminal, const Canvas *canvas)
-{
-    bool changed = false;
-    int rows = canvas->height < terminal->height ? canvas->height : terminal->height;
-    int row_width = canvas->width < terminal->width ? canvas->width : terminal->width;
-    for (int y = 0; y < rows; y++)
-        for (int x = 0; x < row_width; x++) {
-            size_t at = (size_t)y * (size_t)canvas->width + (size_t)x;
-            if (same_cell(&terminal->shown.cells[at], &canvas->cells[at]))
-                continue;
-            cchar_t character = complex_character(terminal, &canvas->cells[at]);
-            mvadd_wchnstr(y, x, &character, 1);
-            terminal->shown.cells[at] = canvas->cells[at];
-            changed = true;
-        }
-    return changed;
-}
-
 void terminal_show(Terminal *terminal, const Canvas *canvas)
 {
-    Canvas *shown = &terminal->shown;
-    bool changed = false;
-    if (shown->width != canvas->width || shown->height != canvas->height) {
-        if (!canvas_open(shown, canvas->width, canvas->height, NULL))
-            return;
-        erase();
-        clearok(curscr, TRUE);
-        canvas_clear(shown);
-        shown->cursor_x = shown->cursor_y = -1;
-        changed = true;
-    }
-    changed |= copy_cells(terminal, canvas);
-    bool visible = canvas->cursor_x >= 0 && canvas->cursor_x < terminal->width && canvas->cursor_y >= 0 &&
-                   canvas->cursor_y < terminal->height;
-    if (visible != terminal->cursor_shown) {
-        terminal->cursor_shown = visible;
-        curs_set(visible);
-        changed = true;
-    }
-    if (canvas->cursor_x != shown->cursor_x || canvas->cursor_y != shown->cursor_y) {
-        shown->cursor_x = canvas->cursor_x;
-        shown->cursor_y = canvas->cursor_y;
-        changed = true;
-    }
-    if (!changed)
-        return;
-    if (visible)
-        move(canvas->cursor_y, canvas->cursor_x);
-    wnoutrefresh(stdscr);
-    doupdate();
+    size_t length;
+    const char *bytes = painter_paint(&terminal->painter, canvas, terminal->width, terminal->height, &length);
+    write_all(bytes, length);
 }
 
 void terminal_redraw(Terminal *terminal)
 {
-    canvas_close(&terminal->shown);
-    terminal->shown = (Canvas){0};
+    painter_forget(&terminal->painter);
 }
 
 static void read_input(Terminal *terminal)
@@ -428,8 +416,7 @@ bool terminal_resized(Terminal *terminal)
         return false;
     signal_resized = 0;
     if (!read_size(terminal))
-        return terminal->shown.width == 0;
-    resizeterm(terminal->height, terminal->width);
+        return terminal->painter.shown.width == 0;
     terminal_redraw(terminal);
     return true;
 }
@@ -442,9 +429,7 @@ int terminal_signal(const Terminal *terminal)
 
 void terminal_suspend(Terminal *terminal)
 {
-    set_mouse(terminal, false);
-    curs_set(1);
-    endwin();
+    give_screen_back(terminal);
     struct sigaction ours;
     catch_signal(SIGTSTP, SIG_DFL, &ours);
     sigset_t stop, old;
@@ -463,8 +448,5 @@ void terminal_suspend(Terminal *terminal)
         continue;
     signal_continued = 0;
     signal_resized = 1;
-    refresh();
-    set_mouse(terminal, true);
-    curs_set(terminal->cursor_shown);
-    terminal_redraw(terminal);
+    take_screen(terminal);
 }
