@@ -1,6 +1,7 @@
 /* Arguments in, exit status out: the only place that prints an error or exits. */
 #include "cli/cli.h"
 #include "cli/options.h"
+#include "tui/laboratory.h"
 
 #include <errno.h>
 #include <signal.h>
@@ -22,7 +23,18 @@ static int open_laboratory(int count, char **arguments, Status *status)
     if (!options_words(&options, 0, 1, "[SCENARIO]", status) ||
         !options_load(&options, scenario, &settings, status))
         return (int)status->code;
-    return status_fail(status, STATUS_FAILED, "%s: this build has no laboratory", scenario), STATUS_FAILED;
+    const LaboratoryOptions laboratory = {.settings = &settings,
+                                          .scenario = scenario,
+                                          .paused = options.paused,
+                                          .glyphs = options.glyphs,
+                                          .theme = options.theme,
+                                          .no_mouse = options.no_mouse,
+                                          .history = options.history,
+                                          .threads = (int)options.threads,
+                                          .script = options.script,
+                                          .width = options.size[0],
+                                          .height = options.size[1]};
+    return laboratory_main(&laboratory, status);
 }
 
 static bool asks_for_help(int count, char **arguments)
