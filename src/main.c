@@ -7,6 +7,18 @@
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
+
+/* "rnu mode1" is no scenario but a slip of the fingers. */
+static bool is_slip(const char *word, Status *status)
+{
+    const char *nearest = cli_nearest(word);
+    if (!nearest || scenario_builtin(word) || access(word, F_OK) == 0)
+        return false;
+    status_fail(status, STATUS_USAGE, "%.60s: no such command, scenario or file (did you mean %s?)", word,
+                nearest);
+    return true;
+}
 
 /* No command word: the laboratory. */
 static int open_laboratory(int count, char **arguments, Status *status)
@@ -20,21 +32,24 @@ static int open_laboratory(int count, char **arguments, Status *status)
         return STATUS_DONE;
     }
     const char *scenario = options.n_words > 0 ? options.words[0] : "mode1";
-    if (!options_words(&options, 0, 1, "[SCENARIO]", status) ||
+    if (is_slip(scenario, status) || !options_words(&options, 0, 1, "[SCENARIO]", status) ||
         !options_load(&options, scenario, &settings, status))
         return (int)status->code;
-    const LaboratoryOptions laboratory = {.settings = &settings,
-                                          .scenario = scenario,
-                                          .paused = options.paused,
-                                          .glyphs = options.glyphs,
-                                          .theme = options.theme,
-                                          .no_mouse = options.no_mouse,
-                                          .history = options.history,
-                                          .threads = (int)options.threads,
-                                          .script = options.script,
-                                          .width = options.size[0],
-                                          .height = options.size[1]};
-    return laboratory_main(&laboratory, status);
+    return laboratory_main(
+        &(LaboratoryOptions){
+            .settings = &settings,
+            .scenario = scenario,
+            .paused = options.paused,
+            .glyphs = options.glyphs,
+            .theme = options.theme,
+            .no_mouse = options.no_mouse,
+            .history = options.history,
+            .threads = (int)options.threads,
+            .script = options.script,
+            .width = options.size[0],
+            .height = options.size[1],
+        },
+        status);
 }
 
 static bool asks_for_help(int count, char **arguments)

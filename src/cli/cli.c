@@ -2,6 +2,7 @@
 
 #include "cli/options.h"
 #include "cli/verify.h"
+#include "lab/parameters.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -26,6 +27,19 @@ const CliCommand *cli_find(const char *name)
         if (strcmp(command->name, name) == 0)
             return command;
     return NULL;
+}
+
+const char *cli_nearest(const char *word)
+{
+    enum { MOST = 120 };
+    const char *names[MOST + 1] = {NULL};
+    int count = 0;
+    for (const BuiltinScenario *builtin = builtin_scenarios; builtin->name && count < MOST; builtin++)
+        names[count++] = builtin->name;
+    for (const CliCommand *command = cli_commands; command->name && count < MOST; command++)
+        names[count++] = command->name;
+    const char *nearest = nearest_word(names, word);
+    return nearest && cli_find(nearest) ? nearest : NULL;
 }
 
 static void print_command(const CliCommand *command)

@@ -21,6 +21,9 @@ extern const CliCommand cli_commands[]; /* ended by a NULL name */
 
 const CliCommand *cli_find(const char *name); /* NULL: there is none */
 
+/* The command or built-in scenario nearest to a word that is neither, if that is a command; else NULL. */
+const char *cli_nearest(const char *word);
+
 /* --help: of the program, or of one command. */
 void cli_print_help(const CliCommand *command);
 

@@ -109,10 +109,22 @@ refuse "unknown problem" 2 \
 	'params: beam is not a problem (bar | simply-supported-beam | moving-cantilever | notched-beam)' params beam
 refuse "laboratory: unknown option" 2 '--pause: unknown option (did you mean --paused?)' --pause
 refuse "laboratory: unknown scenario" 2 'mode11: no such scenario or file (did you mean mode1?)' mode11
+refuse "a slip in a command" 2 'rnu: no such command, scenario or file (did you mean run?)' rnu mode1
+refuse "laboratory: two scenarios" 2 'mode5: is one argument too many ([SCENARIO])' mode1 mode5
 refuse "laboratory: wrong word" 2 '--glyphs: dots is not a choice (auto | braille | block | ascii)' --glyphs dots
 refuse "laboratory: wrong size" 2 '--size: 80 is no size (such as 80x24)' --size 80
 refuse "laboratory: wrong history" 2 '--history: 1Q is no size (such as 64M or 2G)' --history 1Q
 refuse "laboratory: wrong threads" 2 '--threads: 0 is not allowed (a whole number, 1 or more)' --threads 0
+
+# no command word: the laboratory, which needs a terminal or a script
+refuse "laboratory: no terminal" 2 'the laboratory needs a terminal; without one use: matvib run SCENARIO' mode5 </dev/null
+printf 'screen\nkey q\nclosed\n' >keys
+expect "laboratory: a script" 0 --script keys --size 100x30 --paused mode10 --set mesh.cell_size=0.5 --glyphs ascii
+result "it opens the scenario" says out 'mode10 .*PAUSED'
+result "with the value that was set" says out 'cell size *0.5'
+result "in the size asked for" test "$(awk 'length > n { n = length } END { print n }' out)" -eq 100
+expect "laboratory: mode1 without a name" 0 --script keys
+result "it is mode1" says out 'mode1 '
 
 printf '[scenario]\nproblem = bar\n[mesh]\n cell_size = 0.5\n' >bad.ini
 refuse "a damaged file" 2 'bad.ini:4: cell_size: is indented (keys begin in the first column)' show bad.ini
