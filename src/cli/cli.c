@@ -14,6 +14,7 @@ static int verify(int count, char **arguments, Status *status)
 
 const CliCommand cli_commands[] = {
     {"run", "SCENARIO", "runs a scenario to its end and writes tables of it", cli_run},
+    {"sweep", "SCENARIO", "many runs that differ in some parameters, a row for each", cli_sweep},
     {"verify", "[NAME]...", "what the papers say, what theory predicts, what was measured", verify},
     {"list", "", "the built-in scenarios", cli_list},
     {"show", "SCENARIO", "the resolved scenario as a file, derived values as comments", cli_show},

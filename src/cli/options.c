@@ -17,11 +17,21 @@ static const char *const themes[] = {"auto", "light", "dark", NULL};
 #define ONE_OF(names) .kind = OPTION_WORD, .words = names
 
 const Option options_table[] = {
-    {"--set", "KEY=VALUE", " open show run ", "a value instead of the scenario's; may be repeated",
+    {"--set", "KEY=VALUE", " open show run sweep ", "a value instead of the scenario's; may be repeated",
      OPTION_OVERRIDE, AT(overrides)},
-    {"--end", "T", " open show run ", "the run ends at time T", OPTION_OVERRIDE, AT(overrides),
+    {"--end", "T", " open show run sweep ", "the run ends at time T", OPTION_OVERRIDE, AT(overrides),
      .key = "time.end"},
-    {"--steps", "N", " open show run ", "the run ends after N steps", OPTION_COUNT, AT(steps)},
+    {"--steps", "N", " open show run sweep ", "the run ends after N steps", OPTION_COUNT, AT(steps)},
+    {"--vary", "KEY=VALUES", " sweep ",
+     "a run for each value, KEY=A,B,C or KEY=LO:HI:N; given twice: the product",
+     OPTION_AXIS, AT(axes)},
+    {"--with", "KEY=VALUES", " sweep ", "changes value by value together with the --vary before it",
+     OPTION_AXIS, AT(axes)},
+    {"--jobs", "N", " sweep ", "runs at the same time (1)", OPTION_COUNT, AT(jobs)},
+    {"--output", "FILE", " sweep ", "where the table goes; an interrupted sweep goes on from FILE.partial",
+     OPTION_TEXT, AT(output)},
+    {"--plan", NULL, " sweep ", "prints one matvib run command a line instead of running", OPTION_FLAG,
+     AT(plan)},
     {"--every", "N", " run ", "a row of the series every N steps (1)", OPTION_OVERRIDE,
      .key = "output.every"},
     {"--series", "FILE", " run ", "writes the series: one row for each recorded step", OPTION_TEXT,
@@ -35,12 +45,12 @@ const Option options_table[] = {
      OPTION_OVERRIDE, AT(overrides), .key = "output.frames", .clears = "output.at"},
     {"--at", "T,T,...", " run ", "tables at these times", OPTION_OVERRIDE, AT(overrides), .key = "output.at",
      .clears = "output.frames"},
-    {"--dialect", "D", " run ", "comma, or semicolon with a decimal comma, for spreadsheets", AT(dialect),
-     ONE_OF(dialects)},
-    {"--force", NULL, " run ", "replaces files that exist", OPTION_FLAG, AT(force)},
-    {"--quiet", NULL, " run ", "neither progress nor summary", OPTION_FLAG, AT(quiet)},
-    {"--threads", "N", " open run ", "threads to compute with; the numbers do not depend on it", OPTION_COUNT,
-     AT(threads)},
+    {"--dialect", "D", " run sweep ", "comma, or semicolon with a decimal comma, for spreadsheets",
+     AT(dialect), ONE_OF(dialects)},
+    {"--force", NULL, " run sweep ", "replaces files that exist", OPTION_FLAG, AT(force)},
+    {"--quiet", NULL, " run sweep ", "neither progress nor summary", OPTION_FLAG, AT(quiet)},
+    {"--threads", "N", " open run sweep ", "threads to compute with; the numbers do not depend on it",
+     OPTION_COUNT, AT(threads)},
     {"--full", NULL, " verify ", "everything, however long it takes", OPTION_FLAG, AT(full)},
     {"--list", NULL, " verify ", "tells the names", OPTION_FLAG, AT(list)},
     {"--paused", NULL, " open ", "opens paused at t = 0", OPTION_FLAG, AT(paused)},
@@ -166,6 +176,12 @@ static bool take(const Option *option, const char *value, Options *options, Stat
                            allowed);
     case OPTION_OVERRIDE:
         return take_override(option, value, options, status);
+    case OPTION_AXIS:
+        if (options->n_axes == AXES_MAX)
+            return status_fail(status, STATUS_USAGE, "%s: too many keys to vary (at most %d)", option->name,
+                               AXES_MAX);
+        options->axes[options->n_axes++] = (Axis){option->name, value};
+        return true;
     }
     return false;
 }

@@ -18,6 +18,7 @@ typedef enum OptionKind {
     OPTION_SIZE,     /* int[2]: 80x24 */
     OPTION_WORD,     /* const char *, one of some words */
     OPTION_OVERRIDE, /* sets a key of the scenario: KEY=VALUE, or the value of a key */
+    OPTION_AXIS,     /* appends to the axes of a sweep */
 } OptionKind;
 
 typedef struct Option {
@@ -35,7 +36,13 @@ typedef struct Option {
 extern const Option options_table[];
 extern const int n_options;
 
-enum { WORDS_MAX = 64, OVERRIDES_MAX = 128 };
+enum { WORDS_MAX = 64, OVERRIDES_MAX = 128, AXES_MAX = 16 };
+
+/* What a sweep varies, as it was said. */
+typedef struct Axis {
+    const char *origin; /* "--vary" or "--with" */
+    const char *text;   /* KEY=A,B,C or KEY=LO:HI:N */
+} Axis;
 
 /* What a command line came to; what was not said is 0. */
 typedef struct Options {
@@ -53,6 +60,12 @@ typedef struct Options {
     Outputs outputs; /* its dialect and force are filled in by options_parse() */
     const char *dialect;
     bool force, quiet;
+
+    Axis axes[AXES_MAX]; /* --vary and --with, in their order */
+    int n_axes;
+    long jobs;
+    const char *output;
+    bool plan;
 
     bool paused, no_mouse;
     const char *glyphs, *theme, *script;

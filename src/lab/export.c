@@ -516,7 +516,8 @@ static void sum_up(const Export *export, RunSummary *summary)
     references_readout(export->refs, record->rows, rows, record->n_columns, &summary->readout);
     summary->readout.time = summary->time;
     summary->readout.late = readout_late(&summary->readout, summary->time);
-    summary_energies(summary, export->columns, export->n_columns, record->rows, record->count);
+    summary_rows(summary, export->columns, export->n_columns, record->rows, record->count);
+    summary->n_derived = problem_derived(export->settings, export->sim, summary->derived);
 }
 
 static bool prepare(Export *export, int threads, Status *status)

@@ -24,10 +24,15 @@ typedef struct RunSummary {
     Readout readout;
     double energy_start, energy_end; /* total */
     double work;                     /* of loads, at the end */
-    double energy_drift; /* of total - work, the mean of the last tenth of the rows against that of
-                          * the first, for kinetic and strain energy are half a step apart and their
-                          * sum ripples; in percent of the first (of the work, if t = 0 has none) */
-    long rows;           /* of the series */
+    double energy_drift;         /* of total - work, the mean of the last tenth of the rows against that of
+                                  * the first, for kinetic and strain energy are half a step apart and their
+                                  * sum ripples; in percent of the first (of the work, if t = 0 has none) */
+    long rows;                   /* of the series */
+    Column columns[COLUMNS_MAX]; /* of the series */
+    int n_columns;
+    double last_row[COLUMNS_MAX];
+    Derived derived[DERIVED_MAX]; /* of the simulation that ran */
+    int n_derived;
     bool failed;
     Status failure;
 } RunSummary;

@@ -25,8 +25,8 @@ static double mean_energy(const double *rows, size_t count, int n_columns, int t
     return sum / (double)count;
 }
 
-void summary_energies(RunSummary *summary, const Column *columns, int n_columns, const double *rows,
-                      size_t count)
+static void take_energies(RunSummary *summary, const Column *columns, int n_columns, const double *rows,
+                          size_t count)
 {
     int total = find(columns, n_columns, "total"), work = find(columns, n_columns, "work");
     if (total < 0 || count == 0)
@@ -40,6 +40,15 @@ void summary_energies(RunSummary *summary, const Column *columns, int n_columns,
     double after = mean_energy(rows + (count - tenth) * (size_t)n_columns, tenth, n_columns, total, work);
     double scale = summary->energy_start > 0 ? before : fabs(summary->work);
     summary->energy_drift = scale > 0 ? 100 * (after - before) / scale : 0;
+}
+
+void summary_rows(RunSummary *summary, const Column *columns, int n_columns, const double *rows, size_t count)
+{
+    take_energies(summary, columns, n_columns, rows, count);
+    summary->n_columns = n_columns;
+    memcpy(summary->columns, columns, (size_t)n_columns * sizeof *columns);
+    if (count > 0)
+        memcpy(summary->last_row, rows + (count - 1) * (size_t)n_columns, (size_t)n_columns * sizeof *rows);
 }
 
 void summary_of(Experiment *experiment, RunSummary *summary)
@@ -56,7 +65,8 @@ void summary_of(Experiment *experiment, RunSummary *summary)
     summary->readout.time = summary->time;
     summary->readout.late = readout_late(&summary->readout, summary->time);
     summary->failed = experiment_failed(experiment, &summary->failure);
-    summary_energies(summary, columns, n, record->rows, record->count);
+    summary_rows(summary, columns, n, record->rows, record->count);
+    summary->n_derived = experiment_derived(experiment, summary->derived);
 }
 
 typedef struct Writer {

@@ -1,0 +1,38 @@
+/* What one combination of a sweep comes to: a number for each column that its run has, NAN for the others. */
+#ifndef CLI_SWEEP_RESULT_H
+#define CLI_SWEEP_RESULT_H
+
+#include "lab/export.h"
+
+typedef enum ResultColumn {
+    RESULT_MEASURED,
+    RESULT_PREDICTED,
+    RESULT_EXACT,
+    RESULT_ERROR,
+    RESULT_EXACT_EULER,
+    RESULT_ERROR_EULER,
+    RESULT_REAL_HEIGHT,
+    RESULT_REAL_SPAN,
+    RESULT_BROKEN_BONDS,
+    RESULT_CRACK_LENGTH,
+    RESULT_ENERGY_LEFT,
+    RESULT_STEPS,
+    RESULT_WALL,
+    RESULT_COLUMNS
+} ResultColumn;
+
+typedef struct SweepResult {
+    bool done; /* else the failure says why there is no row */
+    Status failure;
+    double cells[RESULT_COLUMNS];
+} SweepResult;
+
+const char *result_name(ResultColumn);
+
+/* "[s]: period fitted to ...", for the description of the table. */
+void result_describe(ResultColumn, Problem, char *out, size_t size);
+
+/* The row of a run that came to its end in `wall` seconds. */
+void result_of(const RunSummary *, const Settings *, double wall, SweepResult *);
+
+#endif

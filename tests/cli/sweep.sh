@@ -1,0 +1,178 @@
+#!/bin/sh
+# Sweeps: what they measure, the order of their rows, going on after an interruption, plans, wrong words.
+number=0
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+
+# expect NAME STATUS ARGUMENTS...: runs a sweep and keeps what it wrote in out and err
+expect() {
+	name=$1 wanted=$2
+	shift 2
+	"$MATVIB" sweep "$@" >out 2>err
+	got=$?
+	result "$name: status $wanted" test "$got" -eq "$wanted"
+}
+# refuse NAME LINE ARGUMENTS...: bad input, nothing on stdout, one line on stderr, this one
+refuse() {
+	name=$1 line="matvib: $2"
+	shift 2
+	"$MATVIB" sweep "$@" >out 2>err
+	got=$?
+	test "$got" -eq 2 || echo "status $got, not 2" >>out
+	printf '%s\n' "$line" | cmp -s - err || printf 'wanted: %s\n' "$line" >>out
+	result "$name" test ! -s out
+}
+result() {
+	number=$((number + 1))
+	name=$1
+	shift
+	if "$@"; then echo "ok $number - $name"; else
+		echo "not ok $number - $name"
+		sed 's/^/# /' out err
+	fi
+}
+says() { grep -q -e "$2" "$1"; }
+# without_wall FILE: all columns but the last, which is the wall time
+without_wall() { sed 's/,[^,]*$//' "$1"; }
+# holds FILE CONDITION: of the awk program's named columns, in its last block
+holds() { awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next } { for (name in at) v[name, NR - 1] = $at[name] }
+	END { exit !('"$2"') }' "$1"; }
+
+# --- the bar: half the cell, a quarter of the error
+
+expect "cell sizes" 0 mode5 --vary mesh.cell_size=1,0.5,0.25
+cp out cells.csv
+result "the columns of a bar" test "$(head -n 1 out)" = \
+	mesh.cell_size,measured,predicted,exact,error,energy_left,steps,wall
+result "a row each" test "$(wc -l <out)" -eq 4
+result "nothing on stderr" test ! -s err
+result "second order in the cell size" holds out \
+	'v["error", 1] / v["error", 2] > 3.7 && v["error", 1] / v["error", 2] < 4.3 &&
+	 v["error", 2] / v["error", 3] > 3.7 && v["error", 2] / v["error", 3] < 4.3'
+result "as predicted, within 0.1 %" holds out \
+	'(v["measured", 1] / v["predicted", 1] - 1) ^ 2 < 1e-6 && (v["measured", 3] / v["predicted", 3] - 1) ^ 2 < 1e-6'
+result "as many steps as the cells ask for" holds out 'v["steps", 1] == 10000 && v["steps", 3] == 40000'
+
+expect "a range and choices" 0 mode5 --vary time.courant=.1:.3:3 --vary mpm.algorithm=usf,usl,musl --end 30 --jobs 3
+result "the product in order, choices as indices" test "$(cut -d, -f1,2 out | tr '\n' ' ')" = \
+	'time.courant,mpm.algorithm 0.1,0 0.1,1 0.1,2 0.2,0 0.2,1 0.2,2 0.3,0 0.3,1 0.3,2 '
+without_wall out >three
+expect "the same with one job" 0 mode5 --vary time.courant=.1,.2,.3 --vary mpm.algorithm=usf,usl,musl --end 30
+without_wall out >one
+result "the same rows" cmp -s one three
+expect "the number of steps" 0 mode5 --vary time.courant=.1,.2 --steps 700
+result "is the same for all" holds out 'v["steps", 1] == 700 && v["steps", 2] == 700'
+
+# --- beams: the two coarsest rows of table 1
+
+expect "table 1" 0 supported-beam --vary pd.horizon=5e-3,2.5e-3 --with pd.spacing=1.2e-3,.6e-3 --end 2e-3
+result "the columns of a beam" test "$(head -n 1 out)" = pd.horizon,pd.spacing,measured,predicted,exact,error,\
+exact_euler,error_euler,real_height,real_span,energy_left,steps,wall
+result "horizon and spacing side by side" test "$(cut -d, -f1,2 out | tail -n 2 | tr '\n' ' ')" = \
+	'0.005,0.0012 0.0025,0.0006 '
+result "periods to 2e-3" holds out \
+	'(v["measured", 1] / .9927e-3 - 1) ^ 2 < 4e-6 && (v["measured", 2] / .9150e-3 - 1) ^ 2 < 4e-6'
+result "errors against both theories" holds out \
+	'(v["error", 1] - 100 * (v["measured", 1] / v["exact", 1] - 1)) ^ 2 < 1e-12 &&
+	 (v["error_euler", 1] - 100 * (v["measured", 1] / .860109e-3 - 1)) ^ 2 < 1e-6'
+result "the height as it is" holds out '(v["real_height", 1] - .0048) ^ 2 < 1e-18'
+expect "the notched beam" 0 notched-beam-coarse --vary load.stress=60e6,70e6 --steps 20
+result "has no frequency, but bonds" test "$(head -n 1 out)" = \
+	load.stress,real_height,real_span,broken_bonds,crack_length,steps,wall
+
+# --- combinations without a row
+
+expect "unstable steps" 1 mode5 --vary time.courant=0.1,3,0.5 --end 30
+result "the others have rows" test "$(cut -d, -f1 out | tr '\n' ' ')" = 'time.courant 0.1 0.5 '
+result "it says which" says err '^left out: time.courant=3: .*unstable'
+result "it counts" says err '^matvib: 1 of 3 combinations have no row$'
+expect "a run too short" 1 mode5 --vary time.end=0.1,30
+result "has no row" says err '^left out: time.end=0.1: too short'
+expect "no row at all" 1 mode5 --vary time.courant=3,4 --output none.csv
+result "no table either" test ! -e none.csv -a ! -e none.csv.partial
+
+# --- files
+
+expect "a file" 0 mode5 --vary mpm.algorithm=usf,usl --end 30 --output table.csv
+result "no more on stdout" test ! -s out
+result "the partial file has gone" test ! -e table.csv.partial
+result "what the indices mean" says table.csv.ini 'mpm.algorithm .*0 = usf, 1 = usl, 2 = musl'
+result "the command" says table.csv.ini '^# matvib sweep mode5 --vary mpm.algorithm=usf,usl --end 30'
+"$MATVIB" show table.csv.ini >out 2>err
+result "the scenario reads back" test ! -s err
+cp table.csv before.csv
+refuse "it is not replaced" 'table.csv: exists (--force replaces it)' mode5 --vary mpm.algorithm=usf --output table.csv
+result "and has not changed" cmp -s table.csv before.csv
+expect "--force" 0 mode5 --vary mpm.algorithm=musl --end 30 --output table.csv --force --dialect semicolon
+result "replaces it" says table.csv '^2;5,'
+
+# --- an interruption: the third run would take days
+
+signal=TERM ended=143
+env --default-signal=INT true 2>/dev/null && signal=INT ended=130
+set -- sweep mode5 --jobs 2 --output long.csv
+if test $signal = INT; then
+	env --default-signal=INT "$MATVIB" "$@" --vary time.end=20,30,1e8 >out 2>err &
+else
+	"$MATVIB" "$@" --vary time.end=20,30,1e8 >out 2>err &
+fi
+sweep=$!
+for try in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
+	test "$(wc -l 2>/dev/null <long.csv.partial)" -eq 4 2>/dev/null && break
+	sleep 0.25
+done
+kill -$signal $sweep
+wait $sweep
+got=$?
+result "the signal's status" test $got -eq $ended
+result "the rows are kept" test "$(wc -l <long.csv.partial)" -eq 4
+result "it says so" says err '^matvib: interrupted; 2 of 3 rows are in long.csv.partial'
+printf '0123456789abcdef,5.4,' >>long.csv.partial
+sed -n 3p long.csv.partial | sed 's/.*,//' >wall
+expect "going on, with other values" 0 mode5 --vary time.end=10,20,30,40 --output long.csv
+result "two rows were there" says err '^2 of 4 rows are in long.csv.partial already$'
+result "they were not run again" says long.csv ",$(cat wall)\$"
+result "all in order" test "$(cut -d, -f1 long.csv | tr '\n' ' ')" = 'time.end 10 20 30 40 '
+expect "at one go" 0 mode5 --vary time.end=10,20,30,40
+without_wall out >one
+without_wall long.csv >resumed
+result "the same rows" cmp -s one resumed
+printf 'my diary\n' >other.csv.partial
+refuse "a strange partial file" 'other.csv.partial: holds rows of another sweep (--force begins anew)' \
+	mode5 --vary time.end=1 --output other.csv
+result "is left alone" test "$(cat other.csv.partial)" = 'my diary'
+
+# --- plans
+
+"$MATVIB" show mode5 >"it's \$mine.ini"
+expect "a plan" 0 "it's \$mine.ini" --vary mesh.cell_size=1,0.5 --set scenario.title='a; b' --end 20 --plan
+cp out plan
+result "a command for each combination" test "$(grep -c '^matvib run .* --series .*-[12]\.csv' plan)" -eq 2
+mkdir bin
+ln -s "$MATVIB" bin/matvib
+PATH=$PWD/bin:$PATH sh plan >out 2>err
+result "the shell takes it" test ! -s err
+result "cell sizes as planned" says "it's \$mine-2.csv.ini" '^cell_size = 0.5$'
+result "the end as planned" says "it's \$mine-1.csv.ini" '^end = 20$'
+
+# --- wrong words
+
+refuse "nothing to vary" '--vary is missing (--vary KEY=A,B,C or KEY=LO:HI:N)' mode5
+refuse "no scenario" 'SCENARIO is missing (see: matvib --help)' --vary time.end=1
+refuse "no values" '--vary: "time.end" varies nothing (KEY=A,B,C or KEY=LO:HI:N)' mode5 --vary time.end
+refuse "an empty value" '--vary: time.end: an empty value (A,B,C or LO:HI:N)' mode5 --vary time.end=1,,2
+refuse "a range of one" '--vary: time.end: 1:2:1 is no range (LO:HI:N, N from 2 to 100000)' mode5 --vary time.end=1:2:1
+refuse "an unknown key" '--vary: mesh.cellsize: unknown key (did you mean mesh.cell_size?)' mode5 --vary mesh.cellsize=1
+refuse "out of range, the last value" '--vary: mesh.particles_per_cell: 9 is out of range (1 to 8)' \
+	mode5 --vary mesh.particles_per_cell=1:9:9
+refuse "a text" '--vary: initial.overtones: is a text (numbers and choices can be varied)' \
+	mode5 --vary initial.overtones=3:0.1
+refuse "twice" '--with: time.end: is varied twice (once)' mode5 --vary time.end=1,2 --with time.end=1,2
+refuse "--with alone" '--with: time.end: needs a --vary before it' mode5 --with time.end=1
+refuse "--with too short" '--with: mesh.cell_size: has 1 values beside 2 of time.end (as many)' \
+	mode5 --vary time.end=1,2 --with mesh.cell_size=1
+refuse "too many" '--vary: 1000000 combinations are too many (at most 100000)' \
+	mode5 --vary time.end=1:2:1000 --vary bar.density=1:2:1000
+refuse "two ends" '--vary: time.end: --steps says when the run ends (one of them)' mode5 --vary time.end=1,2 --steps 9
+echo "1..$number"
