@@ -127,6 +127,7 @@ static BarWatch choose_watch(const BarTheory *theory, const BarMesh *mesh)
         centre = fabs(bar_centre_velocity(&alone, 0)) > 1e-9;
     }
     watch.moving = true;
+    watch.mode = mode;
     if (!centre) {
         watch.column = "strain";
         watch.times = by_load ? 1 : 2;
@@ -215,6 +216,8 @@ static void read_out(const References *refs, const double *rows, size_t n_rows, 
     const BarWatch *watch = &refs->bar.watch;
     out->moving = watch->moving;
     out->column = watch->column;
+    out->times = watch->times;
+    out->mode = watch->mode;
     if (!watch->moving)
         return;
     out->exact_known = true;

@@ -357,6 +357,16 @@ static void write_legends(Experiment *experiment)
     }
 }
 
+/* What the record of a run says to its newest row. */
+static Readout read_whole(const Trial *trial)
+{
+    const Record *record = &trial->record;
+    Readout readout;
+    size_t rows = record->count - (record->loose_last && record->count > 0 ? 1 : 0);
+    references_readout(trial->refs, record->rows, rows, record->n_columns, &readout);
+    return readout;
+}
+
 /* A place for a ghost; the unpinned one has its place for itself. NULL: all are taken. */
 static Ghost *find_place(Experiment *experiment, bool pinned)
 {
@@ -375,7 +385,8 @@ static Ghost *find_place(Experiment *experiment, bool pinned)
 }
 
 /* The record is handed over, not copied. */
-static void make_ghost(Experiment *experiment, Ghost *ghost, bool pinned, const Trial *from, Record *record)
+static void make_ghost(Experiment *experiment, Ghost *ghost, bool pinned, const Trial *from, Record *record,
+                       const Readout *readout)
 {
     drop_ghost(ghost);
     ghost->used = true;
@@ -385,6 +396,7 @@ static void make_ghost(Experiment *experiment, Ghost *ghost, bool pinned, const 
     ghost->record = *record;
     memcpy(ghost->columns, from->columns, sizeof ghost->columns);
     ghost->n_columns = from->n_columns;
+    ghost->readout = *readout;
     memset(record, 0, sizeof *record);
 }
 
@@ -412,7 +424,8 @@ bool experiment_pin(Experiment *experiment, Status *status)
                            GHOSTS_MAX - 1);
     if (!record_copy(&copy, &trial->record))
         return status_fail(status, STATUS_FAILED, "not enough memory to pin the curves");
-    make_ghost(experiment, place, true, trial, &copy);
+    const Readout readout = read_whole(trial);
+    make_ghost(experiment, place, true, trial, &copy, &readout);
     write_legends(experiment);
     return true;
 }
@@ -437,8 +450,10 @@ static bool replace_trial(Experiment *experiment, const Settings *settings, bool
     Trial fresh;
     if (!trial_open(&fresh, settings, experiment->history, experiment->threads, status))
         return false;
-    if (keep_ghost && has_curve(experiment))
-        make_ghost(experiment, find_place(experiment, false), false, trial, &trial->record);
+    if (keep_ghost && has_curve(experiment)) {
+        const Readout readout = read_whole(trial);
+        make_ghost(experiment, find_place(experiment, false), false, trial, &trial->record, &readout);
+    }
     trial_close(trial);
     *trial = fresh;
     experiment->pending = false;
@@ -586,6 +601,7 @@ static bool edit_live(Experiment *experiment, const Settings *wanted, Status *st
     Record old = {0};
     Trial shell = {.base = trial->base, .n_columns = trial->n_columns};
     memcpy(shell.columns, trial->columns, sizeof shell.columns);
+    const Readout readout = read_whole(trial);
     if (trial->newest > step && !record_copy(&old, &trial->record))
         return status_fail(status, STATUS_FAILED, "not enough memory to keep the curves");
     for (int i = 0; i < n_parameters; i++) {
@@ -600,7 +616,7 @@ static bool edit_live(Experiment *experiment, const Settings *wanted, Status *st
     }
     memcpy(trial->advice, advice, sizeof advice);
     if (old.count > 0)
-        make_ghost(experiment, find_place(experiment, false), false, &shell, &old);
+        make_ghost(experiment, find_place(experiment, false), false, &shell, &old, &readout);
     record_close(&old);
     forget_derived(experiment);
     write_legends(experiment);

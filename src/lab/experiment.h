@@ -24,6 +24,7 @@ typedef struct Ghost {
     Record record;
     Column columns[COLUMNS_MAX];
     int n_columns;
+    Readout readout; /* of its whole record */
 } Ghost;
 
 typedef struct Experiment Experiment;

@@ -311,7 +311,8 @@ void references_readout(const References *refs, const double *rows, size_t n_row
                          .error_period = NAN,
                          .predicted_error_frequency = NAN,
                          .late = NAN,
-                         .column = ""};
+                         .column = "",
+                         .times = 1};
     if (n_rows > 0)
         readout->time = rows[(n_rows - 1) * (size_t)n_columns + 1];
     refs->kind->readout(refs, rows, n_rows, n_columns, readout);

@@ -78,6 +78,8 @@ typedef struct Readout {
     double time;
     bool drifting; /* the period itself changes: the three numbers and `late` are those of the last zeros */
     const char *column; /* the series it was measured on */
+    double times;       /* which swings so many times as fast */
+    int mode;           /* of a bar: the number of the mode that it is; 0: none */
 } Readout;
 
 /* Periods behind the exact answer at another time than the readout's; NAN: not known. */

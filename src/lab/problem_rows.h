@@ -20,6 +20,7 @@ typedef struct PlannedColumn {
 /* On which column the bar's frequency is measured, and what it should be. */
 typedef struct BarWatch {
     bool moving;
+    int mode;
     const char *column;
     double times;       /* the column oscillates so many times as fast as the bar */
     bool whole_periods; /* it is no pure cosine: only whole periods of it are fitted */

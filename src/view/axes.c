@@ -105,8 +105,89 @@ Axis axis_around(double low, double high, int most)
     return axis_make(floor(low / step) * step, ceil(high / step) * step, most);
 }
 
+Axis axis_make_root(double low, double high, int most)
+{
+    if (!(low < high) || !isfinite(low) || !isfinite(high))
+        low = -1, high = 0;
+    return (Axis){.scale = SCALE_ROOT, .low = low, .high = high, .step = 1.0 / (most < 2 ? 2 : most)};
+}
+
+Axis axis_make_log(double low, double high, int most)
+{
+    if (!(low > 0) || !(low < high) || !isfinite(high))
+        low = 0.1, high = 1;
+    const int first = decade_of(low), last = decade_of(high) + (decade_of(high) < log10(high) - 1e-9);
+    const int decades = last > first ? last - first : 1, step = (decades + most - 1) / (most < 2 ? 2 : most);
+    return (Axis){.scale = SCALE_LOG,
+                  .low = power_of_ten(first),
+                  .high = power_of_ten(first + decades),
+                  .step = step < 1 ? 1 : step};
+}
+
+double axis_place(const Axis *axis, double value)
+{
+    switch (axis->scale) {
+    case SCALE_LINEAR:
+        break;
+    case SCALE_ROOT:
+        return value < 0 ? -sqrt(-value) : sqrt(value);
+    case SCALE_LOG:
+        return value > 0 ? log10(value) : isnan(value) ? value : -400; /* below all that a double can be */
+    }
+    return value;
+}
+
+static double axis_length(const Axis *axis)
+{
+    return axis_place(axis, axis->high) - axis_place(axis, axis->low);
+}
+
+/* From 0 outwards, each far enough from the one before. */
+static int root_ticks(const Axis *axis, double ticks[TICKS_MAX])
+{
+    static const double ladder[] = {1, 5, 20, 50};
+    const double least = axis->step * axis_length(axis) * (1 - 1e-9);
+    double below[TICKS_MAX];
+    int n_below = 0, count = 0;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        const double end = sign < 0 ? -axis->low : axis->high;
+        double before = 0;
+        if (!(end > 0))
+            continue;
+        for (int decade = decade_of(end) / 2 * 2 - 6; decade <= decade_of(end) + 2; decade += 2)
+            for (int i = 0; i < 4; i++) {
+                const double value = ladder[i] * power_of_ten(decade), place = sqrt(value);
+                if (value > end * (1 + 1e-9) || place - before < least)
+                    continue;
+                before = place;
+                if (sign < 0 && n_below < TICKS_MAX / 2 - 1)
+                    below[n_below++] = -value;
+                else if (sign > 0 && count < TICKS_MAX / 2)
+                    ticks[n_below + 1 + count++] = value;
+            }
+    }
+    for (int i = 0; i < n_below; i++)
+        ticks[i] = below[n_below - 1 - i];
+    ticks[n_below] = 0;
+    return n_below + 1 + count;
+}
+
+static int log_ticks(const Axis *axis, double ticks[TICKS_MAX])
+{
+    const int first = decade_of(axis->low), last = decade_of(axis->high), step = (int)axis->step;
+    int count = 0;
+    for (int decade = first; decade <= last && count < TICKS_MAX; decade++)
+        if ((last - decade) % step == 0)
+            ticks[count++] = power_of_ten(decade);
+    return count;
+}
+
 int axis_ticks(const Axis *axis, double ticks[TICKS_MAX])
 {
+    if (axis->scale == SCALE_ROOT)
+        return root_ticks(axis, ticks);
+    if (axis->scale == SCALE_LOG)
+        return log_ticks(axis, ticks);
     double slack = 1e-9 * (axis->high - axis->low);
     double first = ceil((axis->low - slack) / axis->step);
     int count = ticks_within(axis->low, axis->high, axis->step);
@@ -118,6 +199,18 @@ int axis_ticks(const Axis *axis, double ticks[TICKS_MAX])
 
 void axis_label(const Axis *axis, double tick, char out[TICK_TEXT_MAX])
 {
+    if (axis->scale == SCALE_LOG) {
+        const int decade = decade_of(tick);
+        if (decade < -2 || decade > 3)
+            snprintf(out, TICK_TEXT_MAX, "1e%d", decade);
+        else
+            snprintf(out, TICK_TEXT_MAX, "%g", tick);
+        return;
+    }
+    if (axis->scale == SCALE_ROOT) {
+        snprintf(out, TICK_TEXT_MAX, "%g", tick);
+        return;
+    }
     double value = tick / power_of_ten(axis->exponent);
     if (fabs(value) < 0.5 * power_of_ten(-axis->decimals))
         value = 0; /* never "-0" */
@@ -164,7 +257,7 @@ void axis_scale_text(const Axis *axis, const char *unit, char out[TICK_TEXT_MAX]
 
 int axis_column(const Axis *axis, double value, int cells)
 {
-    double place = (value - axis->low) / (axis->high - axis->low) * cells;
+    double place = (axis_place(axis, value) - axis_place(axis, axis->low)) / axis_length(axis) * cells;
     if (!(place >= -1e-9 * cells) || !(place <= cells * (1 + 1e-9)))
         return -1;
     int column = (int)floor(place + 1e-9);
@@ -173,7 +266,8 @@ int axis_column(const Axis *axis, double value, int cells)
 
 int axis_row(const Axis *axis, double value, int cells)
 {
-    double place = (axis->high - value) / (axis->high - axis->low) * (4 * cells - 1);
+    double place =
+        (axis_place(axis, axis->high) - axis_place(axis, value)) / axis_length(axis) * (4 * cells - 1);
     if (!(place >= -0.5) || !(place <= 4 * cells - 0.5))
         return -1;
     int row = (int)floor(place + 0.5 + 1e-9) / 4;

@@ -1,5 +1,6 @@
 /* Axes with round ticks: steps of 1, 2 or 5 times a power of ten, and a common power of ten for their labels.
- */
+ * An axis may also go by square roots, where small and large errors are to be read side by side, or by powers
+ * of ten. */
 #ifndef VIEW_AXES_H
 #define VIEW_AXES_H
 
@@ -7,9 +8,12 @@
 
 enum { TICKS_MAX = 64, TICK_TEXT_MAX = 24 };
 
+typedef enum AxisScale { SCALE_LINEAR, SCALE_ROOT, SCALE_LOG } AxisScale;
+
 typedef struct Axis {
+    AxisScale scale;
     double low, high; /* what is shown */
-    double step;      /* distance of the ticks */
+    double step;      /* distance of the ticks; by roots: least distance, as a share of the axis */
     int exponent;     /* labels are value / 10^exponent; a multiple of 3 */
     int decimals;     /* of the labels */
 } Axis;
@@ -21,6 +25,13 @@ Axis axis_make(double low, double high, int most);
 /* An axis around zero that holds +-amplitude, rounded up generously so that it keeps still while a run goes
  * on. */
 Axis axis_symmetric(double amplitude, int most);
+
+/* An axis on which a value stands at the signed root of its distance from 0: what grows like a square is a
+ * straight line. Ticks: 0, and 1, 5, 20, 50 times a power of 100 as far as there is room for `most` of them. */
+Axis axis_make_root(double low, double high, int most);
+
+/* Powers of ten from below `low` to above `high`, both positive. */
+Axis axis_make_log(double low, double high, int most);
 
 /* An axis that holds low and high, and 0 if it is not far; rounded outwards. */
 Axis axis_around(double low, double high, int most);
@@ -45,6 +56,10 @@ void axis_scale_text(const Axis *, const char *unit, char out[TICK_TEXT_MAX]);
 /* Draws both axes along the edges of an area: labels of y in a gutter of `gutter` columns at the left, labels
  * of x in the last row, `x_name` at its end. Returns the part that is left for the curves. */
 Area axes_draw(Area, const Axis *x, const Axis *y, const char *x_name, int gutter);
+
+/* Where a value stands, in a measure that is even along the axis: the value itself, its root, its logarithm.
+ */
+double axis_place(const Axis *, double value);
 
 /* The column and row of a value within `cells` cells; -1 if it is outside. */
 int axis_column(const Axis *, double value, int cells);

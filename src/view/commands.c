@@ -45,6 +45,8 @@ const Command commands[] = {
     {COMMAND_VIEW_2, "view-2", "2", "Views", "v_cm", "the probe over time"},
     {COMMAND_VIEW_3, "view-3", "3", "Views", "energy", "energies: seen by the grid, hidden, strain, work"},
     {COMMAND_VIEW_4, "view-4", "4", "Views", "shapes", "shape functions of the mesh and their slopes"},
+    {COMMAND_VIEW_5, "view-5", "5", "Views", "errors",
+     "dispersion: the error of every mode of this mesh; beams: period over horizon"},
     {COMMAND_VIEW_7, "view-7", "7", "Views", "tables", "numbers of particles; again: of nodes"},
     {COMMAND_VIEW_9, "view-9", "9", "Views", "log", "what happened, in words"},
     {COMMAND_REFERENCES, "references", "e", "Views", "curves",

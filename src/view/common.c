@@ -32,7 +32,8 @@ void draw_heading(Area area, Style heading, const char *name, const char *scale,
         const int columns = 3 + text_columns(legend[i].name);
         if (x + columns + 1 > area.rect.width)
             return;
-        area_print(area, x - 1, 0, STYLE_FRAME, "%*s", columns + 3, "");
+        for (int k = -1; k <= columns + 1; k++)
+            area_put(area, x + k, 0, ' ', STYLE_FRAME);
         const char *key =
             legend[i].key ? legend[i].key : plot_key(legend[i].line, legend[i].letter, area.glyphs);
         area_text(area, x, 0, key, legend[i].style);

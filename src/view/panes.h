@@ -42,6 +42,8 @@ int view_probe_variants(const Screen *);
 void view_energies(const Screen *, Area, Style heading, int variant);
 void view_shapes(const Screen *, Area, Style heading, int variant);
 int view_shapes_variants(const Screen *);
+void view_dispersion(const Screen *, Area, Style heading, int variant);
+int view_dispersion_variants(const Screen *);
 void view_table(const Screen *, Area, Style heading, int set);
 int view_table_variants(const Screen *);
 void view_log(const Screen *, Area, Style heading, int variant);

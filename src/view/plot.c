@@ -240,8 +240,9 @@ static Place place_of(const Plot *plot, const Raster *raster, size_t point)
 {
     double width = raster->columns * raster->across, height = raster->rows * raster->down;
     double x = (plot->points[2 * point] - plot->x.low) / (plot->x.high - plot->x.low) * width;
+    const double top = axis_place(&plot->y, plot->y.high), bottom = axis_place(&plot->y, plot->y.low);
     double y =
-        (plot->y.high - plot->points[2 * point + 1]) / (plot->y.high - plot->y.low) * (height - 1) + 0.5;
+        (top - axis_place(&plot->y, plot->points[2 * point + 1])) / (top - bottom) * (height - 1) + 0.5;
     /* the right end belongs to the last dot; rounding must not lose what lies on an edge */
     if (x >= width && x <= width * (1 + 1e-9))
         x = width - 0.5;

@@ -33,6 +33,7 @@ static const View views[] = {
     {2, "probe", view_probe, view_probe_variants},
     {3, "energies", view_energies, one_variant},
     {4, "shape functions", view_shapes, view_shapes_variants},
+    {5, "dispersion", view_dispersion, view_dispersion_variants},
     {7, "tables", view_table, view_table_variants},
     {9, "log", view_log, one_variant},
 };

@@ -1,0 +1,198 @@
+/* What the views of the errors, the spectrum and the timeline show is where theory and the run say: read from
+ * the grid alone, by the labels of its axes, as a reader would. */
+#include "lab/scenario.h"
+#include "lab/dispersion.h"
+#include "suite.h"
+#include "view/screen.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct Show {
+    Screen screen;
+    Canvas canvas;
+    Status status;
+} Show;
+
+static void work(Show *show)
+{
+    while (experiment_pending(show->screen.experiment, NULL))
+        ck_assert(experiment_work(show->screen.experiment, 1000, &show->status));
+}
+
+static void open_show(Show *show, const char *scenario, long steps)
+{
+    Settings settings;
+    *show = (Show){.status = {STATUS_DONE, ""}};
+    ck_assert_msg(scenario_load(scenario, &settings, &show->status), "%s", show->status.text);
+    screen_default(&show->screen);
+    show->screen.scenario = scenario;
+    show->screen.experiment = experiment_create(&settings, 64 << 20, 1, &show->status);
+    ck_assert_msg(show->screen.experiment != NULL, "%s", show->status.text);
+    ck_assert(experiment_advance(show->screen.experiment, steps, &show->status));
+}
+
+static void close_show(Show *show)
+{
+    canvas_close(&show->canvas);
+    experiment_destroy(show->screen.experiment);
+}
+
+static void draw(Show *show, int width, int height)
+{
+    ck_assert(canvas_open(&show->canvas, width, height, &show->status));
+    screen_draw(&show->screen, &show->canvas);
+}
+
+static const Cell *cell(const Show *show, int x, int y)
+{
+    return &show->canvas.cells[y * show->canvas.width + x];
+}
+
+/* A row as text, one byte a column; what is not ASCII is a '?'. */
+static void row_text(const Show *show, int y, char *out)
+{
+    for (int x = 0; x < show->canvas.width; x++) {
+        uint32_t glyph = cell(show, x, y)->glyph;
+        out[x] = (char)(glyph == 0 ? ' ' : glyph < 0x80 ? glyph : '?');
+    }
+    out[show->canvas.width] = '\0';
+}
+
+/* Where a label of the axis at the left stands, in the zoomed pane: its row. */
+static int row_of(const Show *show, const char *label)
+{
+    char text[400];
+    for (int y = 0; y < show->canvas.height; y++) {
+        row_text(show, y, text);
+        char number[16];
+        if (cell(show, 6, y)->glyph == 0x2524 && sscanf(text, "%15s", number) == 1 &&
+            strncmp(number, label, strlen(label)) == 0 && number[strlen(label)] == '?')
+            return y;
+    }
+    ck_abort_msg("no label %s at the left", label);
+    return -1;
+}
+
+/* The middle of a label below the plot. */
+static double column_of(const Show *show, const char *label)
+{
+    char text[400], wanted[20];
+    snprintf(wanted, sizeof wanted, " %s ", label);
+    for (int y = show->canvas.height - 1; y > 0; y--) {
+        row_text(show, y, text);
+        const char *found = strstr(text, wanted);
+        if (found && strspn(text, " 0123456789.") > 20)
+            return (double)(found - text) + 1 + ((double)strlen(label) - 1) / 2;
+    }
+    ck_abort_msg("no label %s below", label);
+    return -1;
+}
+
+static bool has_style(const Show *show, double column, double row, Style style)
+{
+    for (int y = (int)floor(row); y <= (int)ceil(row); y++)
+        for (int x = (int)floor(column); x <= (int)ceil(column); x++)
+            for (int dy = -1; dy <= 1; dy++)
+                if (cell(show, x, y + dy)->style == style)
+                    return true;
+    return false;
+}
+
+/* --- the modes of a mesh -------------------------------------------------------------------------- */
+
+START_TEST(factors_make_the_error)
+{
+    static const struct {
+        int number;
+        double percent;
+    } known[] = {{1, -.053}, {5, -4.239}, {10, -17.710}};
+    Settings settings;
+    Status status = {STATUS_DONE, ""};
+    ck_assert(scenario_load("mode1", &settings, &status));
+    ck_assert_int_eq(dispersion_modes(&settings), 25);
+    for (int i = 0; i < 3; i++) {
+        ModeOnMesh mode;
+        ck_assert(dispersion_mode(&settings, known[i].number, &mode));
+        const double percent = 100 * (mode.predicted / mode.exact - 1);
+        ck_assert_msg(fabs(percent - known[i].percent) < 6e-4, "mode %d: %g %%", known[i].number, percent);
+        ck_assert_double_eq_tol(mode.by_mesh * mode.by_filter * mode.by_time, mode.predicted / mode.exact,
+                                1e-13);
+        /* the lumped mesh alone explains little of it */
+        const double theta = (2 * known[i].number - 1) * M_PI / 50;
+        ck_assert_double_eq_tol(mode.by_mesh, 2 * sin(theta / 2) / theta, 1e-12);
+        ck_assert(mode.by_filter < mode.by_mesh);
+    }
+    ModeOnMesh mode;
+    ck_assert(!dispersion_mode(&settings, 0, &mode));
+    ck_assert(!dispersion_mode(&settings, 26, &mode));
+    ck_assert(scenario_load("supported-beam", &settings, &status));
+    ck_assert_int_eq(dispersion_modes(&settings), 0);
+}
+END_TEST
+
+/* The curve goes through -4.24 % at mode 5 and -17.7 % at mode 10; a run's dot lies on it. */
+START_TEST(predicted_curve_is_where_theory_says)
+{
+    static const struct {
+        const char *scenario;
+        double mode, percent;
+    } cases[] = {{"mode5", 5, 4.239}, {"mode10", 10, 17.710}};
+    for (int i = 0; i < 2; i++) {
+        Show show;
+        open_show(&show, cases[i].scenario, 2000);
+        show.screen.lower = 5;
+        show.screen.focus = PANE_LOWER;
+        show.screen.zoomed = true;
+        show.screen.references = SHOW_PREDICTED;
+        draw(&show, 100, 30);
+        const int zero = row_of(&show, "0"), twenty = row_of(&show, "-20");
+        const double grain = (twenty - zero) / sqrt(20);
+        const double five = column_of(&show, "5"), fifteen = column_of(&show, "15");
+        for (int k = 0; k < 2; k++) {
+            const double column = five + (cases[k].mode - 5) * (fifteen - five) / 10;
+            const double row = zero + grain * sqrt(cases[k].percent);
+            ck_assert_msg(has_style(&show, column, row, STYLE_PREDICTED) || k == i, "%s: no curve at %g, %g",
+                          cases[i].scenario, column, row);
+            if (k == i)
+                ck_assert_msg(has_style(&show, column, row, STYLE_MEASURED), "%s: no dot at %g, %g",
+                              cases[i].scenario, column, row);
+        }
+        close_show(&show);
+    }
+}
+END_TEST
+
+/* An edit leaves a dot of the earlier run, with its letter beside it. */
+START_TEST(earlier_runs_leave_a_dot)
+{
+    Show show;
+    open_show(&show, "mode5", 1000);
+    Settings settings = *experiment_settings(show.screen.experiment);
+    ck_assert(settings_set(&settings, "initial.mode", "10", &show.status));
+    ck_assert(experiment_edit(show.screen.experiment, &settings, &show.status));
+    work(&show);
+    show.screen.lower = 5;
+    show.screen.focus = PANE_LOWER;
+    show.screen.zoomed = true;
+    draw(&show, 100, 30);
+    const int zero = row_of(&show, "0"), twenty = row_of(&show, "-20");
+    const double five = column_of(&show, "5"), row = zero + (twenty - zero) * sqrt(4.24 / 20);
+    bool found = false;
+    for (int y = (int)row; y <= (int)row + 1; y++)
+        for (int x = (int)five - 1; x <= (int)five + 1; x++)
+            found |= cell(&show, x, y)->glyph == 0x25cb && cell(&show, x + 1, y)->glyph == 'a';
+    ck_assert_msg(found, "no dot with its letter near %g, %g", five, row);
+    close_show(&show);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *dispersion = tcase_create("dispersion");
+    tcase_add_test(dispersion, factors_make_the_error);
+    tcase_add_test(dispersion, predicted_curve_is_where_theory_says);
+    tcase_add_test(dispersion, earlier_runs_leave_a_dot);
+    suite_add_tcase(suite, dispersion);
+}
