@@ -30,7 +30,7 @@ struct Experiment {
     long row_step; /* the step that `row` belongs to; -1: none */
     Readout readout;
     size_t readout_rows; /* how many rows it was worked out from */
-    size_t asked_rows;   /* how many there were when it was asked for last */
+    bool flowing;        /* rows come in: it is worked out now and then only */
 };
 
 /* --- life ----------------------------------------------------------------------------------------- */
@@ -172,19 +172,18 @@ void experiment_scenario(const Experiment *experiment, bool to_newest, Settings 
 }
 
 /* A fit over thousands of rows is not free: while rows come in, it is done when their number has grown by a
- * few percent; once they stop coming, exactly. */
+ * tenth; once they stop coming, exactly. */
 const Readout *experiment_readout(Experiment *experiment)
 {
     const Trial *trial = &experiment->trial;
     const Record *record = &trial->record;
     size_t rows = record->count - (record->loose_last && record->count > 0 ? 1 : 0);
     size_t known = experiment->readout_rows;
-    bool still = rows == experiment->asked_rows || trial->sim->step >= trial->last;
-    if (known == 0 || rows < known || rows > known + known / 32 || (still && rows != known)) {
+    bool still = !experiment->flowing || trial->sim->step >= trial->last;
+    if (known == 0 || rows < known || rows > known + known / 10 || (still && rows != known)) {
         references_readout(trial->refs, record->rows, rows, record->n_columns, &experiment->readout);
         experiment->readout_rows = rows;
     }
-    experiment->asked_rows = rows;
     experiment->readout.time = simulation_time(trial->sim);
     experiment->readout.late = readout_late(&experiment->readout, experiment->readout.time);
     return &experiment->readout;
@@ -214,8 +213,14 @@ const double *experiment_row(Experiment *experiment)
 bool experiment_advance(Experiment *experiment, long steps, Status *status)
 {
     experiment->pending = false;
+    experiment->flowing = true;
     experiment->before.known = false;
     return trial_steps(&experiment->trial, steps, status);
+}
+
+void experiment_rest(Experiment *experiment)
+{
+    experiment->flowing = false;
 }
 
 static void note_before(Experiment *experiment)
@@ -436,7 +441,7 @@ static void forget_derived(Experiment *experiment)
 {
     experiment->before.known = false;
     experiment->row_step = -1;
-    experiment->readout_rows = experiment->asked_rows = 0;
+    experiment->readout_rows = 0;
 }
 
 /* Another run takes the place of this one, and seeks the time that was on screen. */

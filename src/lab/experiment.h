@@ -42,7 +42,7 @@ const Record *experiment_record(const Experiment *);
 const Column *experiment_columns(const Experiment *, int *count);
 const Ghost *experiment_ghosts(const Experiment *);             /* GHOSTS_MAX of them */
 const char *experiment_advice(const Experiment *);              /* "" or a line to be shown */
-const Readout *experiment_readout(Experiment *);                /* worked out anew when rows have come */
+const Readout *experiment_readout(Experiment *);                /* see experiment_rest() */
 const double *experiment_row(Experiment *);                     /* all columns at the present whole step */
 const Event *experiment_events(const Experiment *, int *count); /* up to the newest step, even when rewound */
 
@@ -64,6 +64,10 @@ bool experiment_failed(const Experiment *, Status *);
  * steps finish it, and do nothing else). A seek that is pending is given up. False: the run failed; then it
  * stands at the last sound whole step. */
 bool experiment_advance(Experiment *, long steps, Status *);
+
+/* No rows come for the time being: what is worked out now and then only while the run goes on, the readout, is
+ * worked out exactly. */
+void experiment_rest(Experiment *);
 
 /* The next stage only; nothing at the end of the run. */
 bool experiment_next_stage(Experiment *, Status *);

@@ -1,6 +1,7 @@
 #include "tui/control.h"
 
 #include "lab/scenario.h"
+#include "lab/summary.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -183,31 +184,6 @@ bool open_scenario(Laboratory *lab, const char *name, Status *status)
 
 /* --- the engine's share of a frame ------------------------------------------------------------------ */
 
-/* What a run came to so far; the laboratory's counterpart of the summary that `matvib run` prints. */
-static void summarise(Laboratory *lab)
-{
-    Experiment *experiment = lab->screen.experiment;
-    RunSummary *summary = &lab->screen.summary;
-    const Record *record = experiment_record(experiment);
-    int n_columns;
-    const Column *columns = experiment_columns(experiment, &n_columns);
-    *summary = (RunSummary){.steps = experiment_newest(experiment),
-                            .time = experiment_time(experiment),
-                            .dt = experiment_simulation(experiment)->dt,
-                            .readout = *experiment_readout(experiment),
-                            .rows = (long)record->count};
-    for (int i = 0; i < n_columns && record->count > 0; i++) {
-        if (strcmp(columns[i].quantity.name, "total") != 0)
-            continue;
-        summary->energy_start = record_row(record, 0)[i];
-        summary->energy_end = record_row(record, record->count - 1)[i];
-        if (summary->energy_start != 0)
-            summary->energy_drift =
-                100 * (summary->energy_end - summary->energy_start) / summary->energy_start;
-    }
-    lab->screen.summary_known = true;
-}
-
 void settle(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
@@ -224,9 +200,12 @@ void settle(Laboratory *lab)
     } else if (experiment_at_end(experiment)) {
         screen->state = STATE_ENDED;
         lab->resume = STATE_PAUSED;
-        summarise(lab);
+        summary_of(experiment, &screen->summary);
+        screen->summary_known = true;
     } else
         screen->state = lab->resume;
+    if (screen->state != STATE_RUNNING)
+        experiment_rest(experiment);
 }
 
 void pause_run(Laboratory *lab)
