@@ -4,6 +4,7 @@
  * tables say is what the program does, so a page cannot fall behind it. */
 #include "cli/cli.h"
 #include "cli/options.h"
+#include "cli/sweep_result.h"
 #include "lab/parameters.h"
 #include "lab/problem.h"
 #include "view/commands.h"
@@ -281,15 +282,28 @@ static bool write_tables(const char *scenario)
     return simulation != NULL;
 }
 
+/* Units that depend on the problem are told by the meaning. */
+static bool write_results(const char *argument)
+{
+    (void)argument;
+    for (int column = 0; column < RESULT_COLUMNS; column++) {
+        Quantity quantity = result_quantity((ResultColumn)column, PROBLEM_BAR);
+        if (strcmp(quantity.unit, result_quantity((ResultColumn)column, PROBLEM_SUPPORTED_BEAM).unit) != 0)
+            quantity.unit = "";
+        write_quantity(&quantity);
+    }
+    return true;
+}
+
 /* --- the frame ------------------------------------------------------------------------------------ */
 
 static const struct {
     const char *name;
     bool (*write)(const char *argument);
 } tables[] = {
-    {"commands", write_commands},     {"keys", write_keys},           {"options", write_options},
-    {"parameters", write_parameters}, {"scenarios", write_scenarios}, {"series", write_series},
-    {"tables", write_tables},         {"texts", write_texts},
+    {"commands", write_commands},     {"keys", write_keys},       {"options", write_options},
+    {"parameters", write_parameters}, {"results", write_results}, {"scenarios", write_scenarios},
+    {"series", write_series},         {"tables", write_tables},   {"texts", write_texts},
 };
 
 static bool fill(char *line)

@@ -1,7 +1,6 @@
 #include "cli/sweep_result.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 typedef struct ColumnText {
@@ -10,7 +9,8 @@ typedef struct ColumnText {
 
 /* Of the bar a frequency in radians per unit time is compared, of beams a period. */
 static const ColumnText texts[RESULT_COLUMNS] = {
-    [RESULT_MEASURED] = {"measured", "1/time", "s", "frequency (bar) or period (beams) fitted to the series"},
+    [RESULT_MEASURED] = {"measured", "1/time", "s",
+                         "frequency in radians per time (bar) or period (beams), fitted to the series"},
     [RESULT_PREDICTED] = {"predicted", "1/time", "s",
                           "the same predicted: by the equations of this mesh (bar), by Timoshenko's theory "
                           "for the beam as it lies on the lattice"},
@@ -36,11 +36,11 @@ const char *result_name(ResultColumn column)
     return texts[column].name;
 }
 
-void result_describe(ResultColumn column, Problem problem, char *out, size_t size)
+Quantity result_quantity(ResultColumn column, Problem problem)
 {
     const ColumnText *text = &texts[column];
-    snprintf(out, size, "%s [%s]: %s", text->name, problem == PROBLEM_BAR ? text->unit_bar : text->unit_beam,
-             text->meaning);
+    const char *unit = problem == PROBLEM_BAR ? text->unit_bar : text->unit_beam;
+    return (Quantity){text->name, text->name, unit, text->meaning};
 }
 
 static double derived_value(const RunSummary *summary, const char *name)

@@ -29,8 +29,8 @@ typedef struct SweepResult {
 
 const char *result_name(ResultColumn);
 
-/* "[s]: period fitted to ...", for the description of the table. */
-void result_describe(ResultColumn, Problem, char *out, size_t size);
+/* The column as a problem's table has it. */
+Quantity result_quantity(ResultColumn, Problem);
 
 /* The row of a run that came to its end in `wall` seconds. */
 void result_of(const RunSummary *, const Settings *, double wall, SweepResult *);

@@ -127,12 +127,11 @@ static void describe_key(const SweepTable *table, const SweepKey *key, FILE *str
 
 void table_describe(const SweepTable *table, FILE *stream)
 {
-    char text[256];
     for (int k = 0; k < table->plan->n_keys; k++)
         describe_key(table, &table->plan->keys[k], stream);
     for (int column = 0; column < RESULT_COLUMNS; column++)
         if (table->has[column]) {
-            result_describe((ResultColumn)column, table->problem, text, sizeof text);
-            fprintf(stream, "%s\n", text);
+            Quantity quantity = result_quantity((ResultColumn)column, table->problem);
+            fprintf(stream, "%s [%s]: %s\n", quantity.name, quantity.unit, quantity.meaning);
         }
 }
