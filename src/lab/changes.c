@@ -6,19 +6,18 @@
 #include <stdio.h>
 #include <string.h>
 
-bool changes_check(const Settings *settings, Status *status)
+bool changes_advice(const Settings *settings, char *advice, size_t size, Status *status)
 {
-    Settings tried = *settings;
+    if (!problem_advice(settings, advice, size, status))
+        return false;
     for (int i = 0; i < settings->n_changes; i++) {
-        const Change *change = &settings->changes[i];
-        const Parameter *parameter = parameter_find(change->to.key);
-        if (change->step < 0 || (i > 0 && change->step < settings->changes[i - 1].step))
-            return status_fail(status, STATUS_USAGE, "changes: step %ld is out of order (ascending steps)",
-                               change->step);
-        if (parameter && !parameter->live)
-            return status_fail(status, STATUS_USAGE, "changes: %s cannot change in mid-run", change->to.key);
-        if (!settings_set(&tried, change->to.key, change->to.value, status))
-            return status_prefix(status, "changes");
+        Settings then;
+        char later[160];
+        changes_in_force(settings, settings->changes[i].step, &then);
+        if (!problem_advice(&then, later, sizeof later, status))
+            return status_prefix(status, "changes.%ld", settings->changes[i].step);
+        if (*later && size > 0 && !*advice)
+            snprintf(advice, size, "%s", later);
     }
     return true;
 }

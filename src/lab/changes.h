@@ -7,8 +7,8 @@
 
 #include "lab/settings.h"
 
-/* Whether every change names a live parameter of the problem and a value it can have, steps ascending. */
-bool changes_check(const Settings *, Status *);
+/* problem_advice() for the settings at the start and after each change. */
+bool changes_advice(const Settings *, char *advice, size_t size, Status *);
 
 /* Applies those of the simulation's present step; they become events of the run. False: the method refuses;
  * the simulation is marked as failed. */

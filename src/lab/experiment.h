@@ -34,6 +34,11 @@ typedef struct Experiment Experiment;
 Experiment *experiment_create(const Settings *, size_t history, int threads, Status *);
 void experiment_destroy(Experiment *);
 
+/* The same around a simulation of any method, which it takes over (in any case), for trials of methods that
+ * no problem knows: there are no references, and no edits but time.end, output.* and texts. Of the settings
+ * only these are read. */
+Experiment *experiment_adopt(const Settings *, Simulation *, size_t history, Status *);
+
 /* The state of affairs; read only, valid until the next call that changes the experiment. */
 const Settings *experiment_settings(const Experiment *); /* in force at the present step */
 const Simulation *experiment_simulation(const Experiment *);
@@ -93,12 +98,15 @@ bool experiment_restart(Experiment *, bool keep_ghost, Status *);
  * the present step (the end of the step that has begun; at t = 0 and at the end of the run as a restart
  * parameter), and the future that was computed is cut off. A restart parameter begins anew at t = 0 and seeks
  * the time that was on screen: call experiment_work() until nothing is pending. Either way the curves that go
- * stay as the unpinned ghost. time.end, output.*, texts and view alone do not recompute. A list of changes
- * that differs (an undo) begins anew as well. False: refused, nothing has changed. */
+ * stay as the unpinned ghost. time.end, output.*, texts and view alone do not recompute. False: refused,
+ * nothing has changed. */
 bool experiment_edit(Experiment *, const Settings *, Status *);
 
 /* The same, but live parameters hold from t = 0 on as all others do: another run to compare with. */
 bool experiment_rerun(Experiment *, const Settings *, Status *);
+
+/* Settings as they once were, with the changes in mid-run that they had then: for undo. */
+bool experiment_replace(Experiment *, const Settings *, Status *);
 
 /* Pins the present curves as a ghost (with the unpinned one's place at most GHOSTS_MAX - 1 of them), or
  * unpins the one of the same settings. False: all places are taken, or no memory. */

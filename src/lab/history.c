@@ -92,6 +92,12 @@ void history_cut(History *history, long step)
         drop(history, --history->count);
 }
 
+void history_reset(History *history)
+{
+    history_cut(history, 1);
+    history->interval = FIRST_INTERVAL;
+}
+
 long history_next(const History *history, long step)
 {
     return history->interval - step % history->interval;

@@ -33,6 +33,9 @@ const Keyframe *history_nearest(const History *, long step);
 /* Forgets the keyframes from a step on, but for that at t = 0. */
 void history_cut(History *, long step);
 
+/* Forgets all but the keyframe at t = 0, and begins with the first interval again. */
+void history_reset(History *);
+
 /* Steps until the next keyframe is due. */
 long history_next(const History *, long step);
 

@@ -174,18 +174,37 @@ void plan_filter(References *refs, const Quantity *quantity, const char *of, Ans
     plan_add(refs, (PlannedColumn){{*quantity, COLUMN_MEASURED, plan_find(refs, of)}, -1, answer, true});
 }
 
-References *problem_references(const Settings *settings, const Simulation *sim, Status *status)
+static bool prepare_nothing(References *refs, const Settings *settings, const Simulation *sim, Status *status)
 {
-    const ProblemRow *row = need_row(settings, status);
-    if (!row)
-        return NULL;
+    (void)refs, (void)settings, (void)sim, (void)status;
+    return true;
+}
+
+static double know_nothing(const References *refs, const char *field, double x, double time)
+{
+    (void)refs, (void)field, (void)x, (void)time;
+    return NAN;
+}
+
+static void read_nothing(const References *refs, const double *rows, size_t n_rows, int n_columns,
+                         Readout *out)
+{
+    (void)refs, (void)rows, (void)n_rows, (void)n_columns, (void)out;
+}
+
+static const ProblemRow no_problem = {
+    .prepare = prepare_nothing, .profile = know_nothing, .readout = read_nothing};
+
+static References *make_references(const ProblemRow *row, const Settings *settings, const Simulation *sim,
+                                   const char *unit_of_time, Status *status)
+{
     References *refs = calloc(1, sizeof *refs);
     if (!refs) {
         status_fail(status, STATUS_FAILED, "not enough memory for the reference solutions");
         return NULL;
     }
     static const Quantity step = {"step", "step", "1", "whole time steps done"};
-    Quantity time = {"time", "t", settings->problem == PROBLEM_BAR ? "time" : "s", "step * dt"};
+    Quantity time = {"time", "t", unit_of_time, "step * dt"};
     refs->kind = row;
     refs->dt = sim->dt;
     plan_answer(refs, &step, COLUMN_MEASURED, NULL, NULL);
@@ -196,6 +215,18 @@ References *problem_references(const Settings *settings, const Simulation *sim, 
     }
     plan_rest_of_method(refs, sim);
     return refs;
+}
+
+References *problem_references(const Settings *settings, const Simulation *sim, Status *status)
+{
+    const ProblemRow *row = need_row(settings, status);
+    const char *unit = settings->problem == PROBLEM_BAR ? "time" : "s";
+    return row ? make_references(row, settings, sim, unit, status) : NULL;
+}
+
+References *problem_no_references(const Simulation *sim, Status *status)
+{
+    return make_references(&no_problem, NULL, sim, "time", status);
 }
 
 void references_destroy(References *refs)

@@ -25,6 +25,12 @@ static void copy_events(Trial *trial)
     trial->n_events = sim->n_events;
 }
 
+static void note_now(Trial *trial)
+{
+    if (trial->base.n_changes > 0)
+        changes_in_force(&trial->base, trial->sim->step, &trial->now);
+}
+
 static bool out_of_memory(Status *status)
 {
     return status_fail(status, STATUS_FAILED, "not enough memory for the run's record");
@@ -54,8 +60,8 @@ bool trial_open(Trial *trial, const Settings *settings, size_t history, int thre
 {
     memset(trial, 0, sizeof *trial);
     trial->base = *settings;
-    if (!settings_check(settings, status) || !changes_check(settings, status) ||
-        !problem_advice(settings, trial->advice, sizeof trial->advice, status))
+    if (!settings_check(settings, status) ||
+        !changes_advice(settings, trial->advice, sizeof trial->advice, status))
         return false;
     trial->sim = problem_simulate(settings, threads, status);
     if (trial->sim)
@@ -64,6 +70,40 @@ bool trial_open(Trial *trial, const Settings *settings, size_t history, int thre
         return true;
     trial_close(trial);
     return false;
+}
+
+bool trial_adopt(Trial *trial, const Settings *settings, Simulation *sim, size_t history, Status *status)
+{
+    memset(trial, 0, sizeof *trial);
+    trial->base = *settings;
+    trial->sim = sim;
+    trial->refs = problem_no_references(sim, status);
+    if (trial->refs && begin(trial, history, status))
+        return true;
+    trial_close(trial);
+    return false;
+}
+
+void trial_rewind(Trial *trial, Record *old)
+{
+    Simulation *sim = trial->sim;
+    simulation_restore(sim, history_nearest(&trial->history, 0)->bytes);
+    history_reset(&trial->history);
+    *old = trial->record;
+    record_open(&trial->record, trial->n_columns, 1, record_budget);
+    references_reset(trial->refs);
+    simulation_row(sim, trial->block);
+    if (!take_row(trial, trial->block, 0)) {
+        /* no memory for another record: then there is nothing to hand over */
+        record_close(&trial->record);
+        trial->record = *old;
+        *old = (Record){0};
+        record_cut(&trial->record, 0);
+    }
+    trial->newest = 0;
+    trial->failed = false;
+    copy_events(trial);
+    note_now(trial);
 }
 
 void trial_close(Trial *trial)
@@ -77,12 +117,6 @@ void trial_close(Trial *trial)
 }
 
 /* --- forwards ------------------------------------------------------------------------------------- */
-
-static void note_now(Trial *trial)
-{
-    if (trial->base.n_changes > 0)
-        changes_in_force(&trial->base, trial->sim->step, &trial->now);
-}
 
 /* At a whole step, its row taken: changes come into force, a keyframe is kept. */
 static bool arrive(Trial *trial, Status *status)
@@ -288,7 +322,7 @@ static void cut(Trial *trial, long step)
 bool trial_change(Trial *trial, long step, const char *key, const char *value, Status *status)
 {
     Settings before = trial->base;
-    if (!changes_add(&trial->base, step, key, value, status) || !changes_check(&trial->base, status) ||
+    if (!changes_add(&trial->base, step, key, value, status) || !settings_check(&trial->base, status) ||
         !renew_references(trial, status)) {
         trial->base = before;
         return false;

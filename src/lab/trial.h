@@ -30,6 +30,12 @@ typedef struct Trial {
 bool trial_open(Trial *, const Settings *, size_t history, int threads, Status *);
 void trial_close(Trial *);
 
+/* The same around a simulation that is there already, which it takes over in any case: without references. */
+bool trial_adopt(Trial *, const Settings *, Simulation *, size_t history, Status *);
+
+/* Back to t = 0, as if nothing had been computed. The record so far is handed over. */
+void trial_rewind(Trial *, Record *old);
+
 /* Finishes the step that has begun, if one has; then at most `steps` whole steps, not beyond the last. Rows
  * that are recorded already are not worked out again. False: the run failed, and stands at its last sound
  * whole step; or memory was short. */

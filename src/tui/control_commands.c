@@ -501,7 +501,7 @@ static void swap_settings(Laboratory *lab, Settings *from, int *n_from, Settings
         return;
     }
     Settings old = *experiment_settings(lab->screen.experiment);
-    if (!experiment_edit(lab->screen.experiment, &from[*n_from - 1], &status)) {
+    if (!experiment_replace(lab->screen.experiment, &from[*n_from - 1], &status)) {
         say(lab, MESSAGE_ERROR, "%s", status.text);
         return;
     }

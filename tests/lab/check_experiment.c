@@ -270,6 +270,105 @@ START_TEST(a_live_parameter_changes_in_mid_run)
 }
 END_TEST
 
+START_TEST(undo_brings_back_what_was)
+{
+    Settings settings = bar_settings(5, 20);
+    Experiment *experiment = open_experiment(&settings, MEGABYTE);
+    ck_assert(experiment_advance(experiment, 300, NULL));
+    Settings first = *experiment_settings(experiment);
+    edit_one(experiment, "mpm.algorithm", "usl");
+    ck_assert(experiment_advance(experiment, 100, NULL));
+    Settings second = *experiment_settings(experiment);
+    edit_one(experiment, "mpm.transfer", "apic");
+    ck_assert(experiment_advance(experiment, 100, NULL));
+    edit_one(experiment, "mesh.particles_per_cell", "3");
+    finish_work(experiment);
+    ck_assert_int_eq(experiment_step(experiment), 500);
+    ck_assert_int_eq(experiment_settings(experiment)->n_changes, 2);
+
+    /* one live change less, still in the middle of the run */
+    ck_assert(experiment_replace(experiment, &second, NULL));
+    finish_work(experiment);
+    ck_assert_int_eq(experiment_step(experiment), 500);
+    ck_assert_int_eq(experiment_settings(experiment)->n_changes, 1);
+    ck_assert_int_eq(experiment_settings(experiment)->bar.algorithm, MPM_USL);
+    ck_assert_int_eq(experiment_settings(experiment)->bar.particles_per_cell, 2);
+    expect_repeats(experiment, "one change");
+
+    /* none, and the prediction is back */
+    ck_assert(experiment_replace(experiment, &first, NULL));
+    finish_work(experiment);
+    int n;
+    experiment_columns(experiment, &n);
+    ck_assert_int_eq(n, 11);
+    expect_straight(experiment, "undone");
+
+    /* the other algorithm from the start, and back: not as a change in mid-run */
+    Settings other = *experiment_settings(experiment);
+    set(&other, "mpm.algorithm", "musl");
+    ck_assert(experiment_rerun(experiment, &other, NULL));
+    finish_work(experiment);
+    ck_assert_int_eq(experiment_settings(experiment)->n_changes, 0);
+    expect_straight(experiment, "toggled");
+    ck_assert(experiment_replace(experiment, &first, NULL));
+    finish_work(experiment);
+    ck_assert_int_eq(experiment_settings(experiment)->n_changes, 0);
+    ck_assert_int_eq(experiment_step(experiment), 500);
+    expect_straight(experiment, "toggled back");
+    experiment_destroy(experiment);
+}
+END_TEST
+
+START_TEST(a_live_edit_at_either_end_holds_from_the_start)
+{
+    Settings settings = bar_settings(5, 2);
+    Experiment *experiment = open_experiment(&settings, MEGABYTE);
+    edit_one(experiment, "mpm.algorithm", "usl");
+    ck_assert_int_eq(experiment_settings(experiment)->n_changes, 0);
+    ck_assert(experiment_advance(experiment, 1000, NULL));
+    edit_one(experiment, "mpm.algorithm", "musl");
+    /* once more while it is still on its way to the end */
+    ck_assert(experiment_pending(experiment, NULL));
+    edit_one(experiment, "mpm.flip_fraction", "0.5");
+    finish_work(experiment);
+    ck_assert(experiment_at_end(experiment));
+    ck_assert_int_eq(experiment_settings(experiment)->n_changes, 0);
+    ck_assert_int_eq(experiment_settings(experiment)->bar.algorithm, MPM_MUSL);
+    expect_straight(experiment, "at the end");
+    /* the ghost is the last curve that was whole */
+    ck_assert_int_eq(experiment_ghosts(experiment)[0].settings.bar.algorithm, MPM_USL);
+    ck_assert_uint_eq(experiment_ghosts(experiment)[0].record.count, 201);
+    experiment_destroy(experiment);
+}
+END_TEST
+
+START_TEST(given_changes_stay_with_the_scenario)
+{
+    Settings settings = bar_settings(5, 5);
+    settings.n_changes = 1;
+    settings.changes[0] = (Change){100, {"mpm.algorithm", "usl"}};
+    Experiment *experiment = open_experiment(&settings, MEGABYTE);
+    ck_assert(experiment_advance(experiment, 200, NULL));
+    ck_assert_int_eq(experiment_settings(experiment)->bar.algorithm, MPM_USL);
+    ck_assert(experiment_restart(experiment, true, NULL));
+    ck_assert_int_eq(experiment_settings(experiment)->bar.algorithm, MPM_USF);
+    ck_assert_int_eq(experiment_settings(experiment)->n_changes, 1);
+    ck_assert(experiment_advance(experiment, 200, NULL));
+    /* with half the time step it keeps its time */
+    edit_one(experiment, "time.courant", "0.05");
+    finish_work(experiment);
+    ck_assert_int_eq(experiment_step(experiment), 400);
+    ck_assert_int_eq(experiment_settings(experiment)->changes[0].step, 200);
+    expect_repeats(experiment, "given");
+    /* a change to what is unstable is refused before the run */
+    settings.bar.courant = 1.2;
+    Status status = {0};
+    ck_assert_ptr_null(experiment_create(&settings, MEGABYTE, 1, &status));
+    ck_assert_msg(strstr(status.text, "changes.100: time.courant: 1.2") != NULL, "%s", status.text);
+    experiment_destroy(experiment);
+}
+END_TEST
+
 START_TEST(a_filter_survives_a_change_in_the_past)
 {
     Settings settings = beam_settings(PROBLEM_MOVING_CANTILEVER, 3e-4);
@@ -445,6 +544,9 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, an_edit_recomputes_to_the_time_on_screen);
     tcase_add_test(tcase, a_refused_edit_changes_nothing);
     tcase_add_test(tcase, a_live_parameter_changes_in_mid_run);
+    tcase_add_test(tcase, undo_brings_back_what_was);
+    tcase_add_test(tcase, a_live_edit_at_either_end_holds_from_the_start);
+    tcase_add_test(tcase, given_changes_stay_with_the_scenario);
     tcase_add_test(tcase, a_filter_survives_a_change_in_the_past);
     tcase_add_test(tcase, another_end_does_not_recompute);
     tcase_add_test(tcase, a_failed_run_keeps_its_rows);

@@ -1,0 +1,524 @@
+/* Problems with their references: columns, answers, readouts, advice. */
+#include "lab/bar_problem.h"
+#include "lab/lab_case.h"
+#include "suite.h"
+#include "theory/beam.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double pi = 3.14159265358979323846;
+
+static Simulation *simulate(const Settings *settings)
+{
+    Status status = {0};
+    Simulation *sim = problem_simulate(settings, 1, &status);
+    ck_assert_msg(sim != NULL, "%s", status.text);
+    return sim;
+}
+
+static References *refer(const Settings *settings, const Simulation *sim)
+{
+    Status status = {0};
+    References *refs = problem_references(settings, sim, &status);
+    ck_assert_msg(refs != NULL, "%s", status.text);
+    return refs;
+}
+
+static bool has_column(const Settings *settings, const char *name)
+{
+    Simulation *sim = simulate(settings);
+    References *refs = refer(settings, sim);
+    Column columns[COLUMNS_MAX];
+    bool found = false;
+    int n = references_columns(refs, columns);
+    for (int i = 0; i < n; i++) {
+        found = found || strcmp(columns[i].quantity.name, name) == 0;
+        ck_assert(columns[i].of < i);
+        ck_assert(*columns[i].quantity.meaning && *columns[i].quantity.unit);
+    }
+    references_destroy(refs);
+    simulation_destroy(sim);
+    return found;
+}
+
+START_TEST(a_column_that_a_run_has_not_is_absent)
+{
+    static const char *const unpredicted[][2] = {
+        {"mpm.algorithm", "usl"},   {"mpm.shape", "gimp"},         {"mpm.transfer", "apic"},
+        {"mpm.flip_fraction", "0"}, {"bar.supports", "free-free"}, {"load.body_force", "1e-3"},
+        {"load.traction", "1e-3"},
+    };
+    Settings settings = bar_settings(1, 1);
+    ck_assert(has_column(&settings, "v_cm_predicted"));
+    for (size_t i = 0; i < sizeof unpredicted / sizeof *unpredicted; i++) {
+        Settings other = settings;
+        set(&other, unpredicted[i][0], unpredicted[i][1]);
+        ck_assert_msg(!has_column(&other, "v_cm_predicted"), "%s", unpredicted[i][1]);
+        ck_assert(has_column(&other, "v_cm_exact"));
+    }
+    settings.n_changes = 1;
+    settings.changes[0] = (Change){5, {"mpm.algorithm", "musl"}};
+    ck_assert(!has_column(&settings, "v_cm_predicted"));
+    ck_assert(has_column(&settings, "v_cm_exact"));
+    settings.changes[0] = (Change){5, {"load.traction", "0.1"}};
+    ck_assert(!has_column(&settings, "v_cm_exact"));
+}
+END_TEST
+
+START_TEST(answers_stand_beside_what_they_answer)
+{
+    Settings settings = bar_settings(5, 10);
+    strcpy(settings.overtones, "3:0.03,7:0.01");
+    settings.velocity = 1e-6;
+    Experiment *experiment = open_experiment(&settings, 1 << 20);
+    ck_assert(experiment_advance(experiment, 1000, NULL));
+    BarTheory theory;
+    ck_assert(bar_theory_of(&settings, &theory, NULL));
+    ck_assert_int_eq(theory.n_modes, 3);
+    int n;
+    const Column *columns = experiment_columns(experiment, &n);
+    ck_assert_str_eq(columns[3].quantity.name, "v_cm_exact");
+    ck_assert_int_eq(columns[3].of, 2);
+    ck_assert_int_eq(columns[3].kind, COLUMN_EXACT);
+    ck_assert_int_eq(columns[4].kind, COLUMN_PREDICTED);
+    const Record *record = experiment_record(experiment);
+    double worst_exact = 0;
+    for (size_t i = 0; i < record->count; i++) {
+        const double *row = record_row(record, i);
+        worst_exact = fmax(worst_exact, fabs(row[3] - bar_centre_velocity(&theory, row[1])));
+    }
+    ck_assert_double_eq(worst_exact, 0);
+    experiment_destroy(experiment);
+
+    /* with small motion the prediction is the run */
+    settings.overtones[0] = '\0';
+    experiment = open_experiment(&settings, 1 << 20);
+    ck_assert(experiment_advance(experiment, 1000, NULL));
+    record = experiment_record(experiment);
+    double worst = 0;
+    for (size_t i = 0; i < record->count; i++)
+        worst = fmax(worst, fabs(record_row(record, i)[2] - record_row(record, i)[4]));
+    ck_assert_double_lt(worst, 1e-6 * 1e-6);
+    experiment_destroy(experiment);
+}
+END_TEST
+
+START_TEST(exact_profiles_are_the_theory)
+{
+    Settings settings = bar_settings(2, 10);
+    set(&settings, "load.body_force", "1e-2");
+    Simulation *sim = simulate(&settings);
+    References *refs = refer(&settings, sim);
+    BarTheory theory;
+    ck_assert(bar_theory_of(&settings, &theory, NULL));
+    double x = 7.3, t = 1.9, stress = bar_stress(&theory, x, t);
+    ck_assert_double_eq(references_profile(refs, "u", x, t), bar_displacement(&theory, x, t));
+    ck_assert_double_eq(references_profile(refs, "v", x, t), bar_velocity(&theory, x, t));
+    ck_assert_double_eq(references_profile(refs, "stress", x, t), stress);
+    ck_assert_double_eq(references_profile(refs, "density", x, t), 1 / (1 + stress / 100));
+    ck_assert(isnan(references_profile(refs, "u", 25.1, t)));
+    ck_assert(isnan(references_profile(refs, "mass", x, t)));
+    references_destroy(refs);
+    simulation_destroy(sim);
+}
+END_TEST
+
+/* The readout of a run to its end. */
+static Readout read_out(const Settings *settings)
+{
+    Experiment *experiment = open_experiment(settings, 1 << 20);
+    ck_assert(experiment_advance(experiment, 10000000, NULL));
+    Readout readout = *experiment_readout(experiment);
+    experiment_destroy(experiment);
+    return readout;
+}
+
+START_TEST(the_paper_s_errors_are_read)
+{
+    static const struct {
+        int mode;
+        double error, predicted;
+    } cases[] = {{1, -0.053, -0.053}, {5, -4.239, -4.239}, {10, -17.723, -17.710}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Settings settings = bar_settings(cases[i].mode, 20);
+        Readout readout = read_out(&settings);
+        ck_assert(readout.moving && readout.measured_known && readout.predicted_known && !readout.is_period);
+        ck_assert_str_eq(readout.column, "v_cm");
+        ck_assert_double_eq_tol(readout.error_frequency, cases[i].error, 1e-3);
+        ck_assert_double_eq_tol(readout.predicted_error_frequency, cases[i].predicted, 1e-3);
+        ck_assert_double_eq_tol(readout.error_period, 100 * (readout.exact / readout.measured - 1), 1e-9);
+    }
+}
+END_TEST
+
+START_TEST(the_lag_grows_with_time)
+{
+    Settings settings = bar_settings(5, 20);
+    Experiment *experiment = open_experiment(&settings, 1 << 20);
+    ck_assert(!experiment_readout(experiment)->measured_known);
+    ck_assert(experiment_advance(experiment, 40, NULL)); /* a third of a period */
+    ck_assert(!experiment_readout(experiment)->measured_known);
+    ck_assert(isnan(experiment_readout(experiment)->late));
+    ck_assert(experiment_advance(experiment, 40, NULL));
+    ck_assert(experiment_readout(experiment)->measured_known);
+    ck_assert(experiment_advance(experiment, 1230, NULL));
+    /* half a period at t = 13.1, at the present time wherever that is */
+    ck_assert_double_eq_tol(experiment_readout(experiment)->late, 0.5, 0.002);
+    experiment_seek(experiment, 655, 0);
+    finish_work(experiment);
+    ck_assert_double_eq_tol(experiment_readout(experiment)->late, 0.25, 0.001);
+    experiment_destroy(experiment);
+}
+END_TEST
+
+START_TEST(symmetric_bars_are_measured_on_their_strain)
+{
+    static const char *const supports[] = {"free-free", "fixed-fixed"};
+    for (int i = 0; i < 2; i++) {
+        Settings settings = bar_settings(2, 20);
+        set(&settings, "bar.supports", supports[i]);
+        settings.velocity = 1e-3;
+        Readout readout = read_out(&settings);
+        ck_assert(readout.moving && readout.measured_known && readout.predicted_known);
+        ck_assert_str_eq(readout.column, "strain");
+        ck_assert_double_eq_tol(readout.measured / readout.predicted, 1, 1e-4);
+    }
+    /* an odd mode between two walls shows in the centre */
+    Settings settings = bar_settings(1, 20);
+    set(&settings, "bar.supports", "fixed-fixed");
+    ck_assert_str_eq(read_out(&settings).column, "v_cm");
+}
+END_TEST
+
+START_TEST(what_rests_has_no_frequency)
+{
+    Settings settings = bar_settings(1, 5);
+    settings.velocity = 0;
+    ck_assert(!read_out(&settings).moving);
+    set(&settings, "bar.supports", "free-free");
+    settings.mode = 0;
+    settings.velocity = 0.1;
+    ck_assert(!read_out(&settings).moving);
+    /* gravity alone moves a free bar as a whole */
+    set(&settings, "load.body_force", "1e-3");
+    ck_assert(!read_out(&settings).moving);
+    /* an overtone is a vibration */
+    strcpy(settings.overtones, "2:0.01");
+    ck_assert(read_out(&settings).moving);
+    settings = beam_settings(PROBLEM_NOTCHED_BEAM, 2e-6);
+    ck_assert(!read_out(&settings).moving);
+}
+END_TEST
+
+START_TEST(loads_from_rest_swing_with_the_lowest_mode)
+{
+    static const char *const loads[][2] = {{"load.body_force", "1e-3"}, {"load.traction", "1e-2"}};
+    for (int i = 0; i < 2; i++) {
+        Settings settings = bar_settings(1, 9);
+        settings.velocity = 0;
+        set(&settings, loads[i][0], loads[i][1]);
+        /* harmonics spoil the fit of a part of a period: nothing is told before the first whole one */
+        Readout readout = read_out(&settings);
+        ck_assert(readout.moving && readout.exact_known && !readout.measured_known);
+        ck_assert_double_eq_tol(readout.exact, 2 * pi / 10, 1e-12); /* period 4 L / c */
+        settings.end = 50;
+        readout = read_out(&settings);
+        ck_assert(readout.measured_known);
+        ck_assert_double_eq_tol(readout.error_frequency, -0.05, 0.3);
+    }
+}
+END_TEST
+
+START_TEST(a_thinned_record_reads_the_same)
+{
+    Settings settings = bar_settings(5, 400);
+    Experiment *experiment = open_experiment(&settings, 1 << 20);
+    ck_assert(experiment_advance(experiment, 40000, NULL));
+    Readout all = *experiment_readout(experiment);
+    const Record *record = experiment_record(experiment);
+    Record thin;
+    record_open(&thin, record->n_columns, 1, 3000 * (size_t)record->n_columns * sizeof(double));
+    for (size_t i = 0; i < record->count; i++)
+        ck_assert(record_append(&thin, record_row(record, i)));
+    Readout some;
+    references_readout(experiment_references(experiment), thin.rows, thin.count - thin.loose_last,
+                       thin.n_columns, &some);
+    ck_assert(all.measured_known && some.measured_known);
+    ck_assert_double_eq_tol(some.measured / all.measured, 1, 1e-4);
+    record_close(&thin);
+    experiment_destroy(experiment);
+}
+END_TEST
+
+/* --- beams ---------------------------------------------------------------------------------------- */
+
+START_TEST(a_supported_beam_s_period_is_read)
+{
+    /* Table 1's coarsest lattice */
+    Settings settings;
+    settings_default(&settings, PROBLEM_SUPPORTED_BEAM);
+    set(&settings, "pd.horizon", "5e-3");
+    set(&settings, "pd.spacing", "1.2e-3");
+    settings.end = 2e-3;
+    Readout readout = read_out(&settings);
+    ck_assert(readout.is_period && readout.measured_known);
+    ck_assert_double_eq_tol(readout.measured / 0.9927e-3, 1, 2e-3);
+    ck_assert_double_eq_tol(readout.exact / 0.86381e-3, 1, 1e-5);
+    /* Timoshenko's beam as it lies on the lattice: 4 rows, 82 spacings between the supports */
+    BeamTheory real = {.length = 82 * 1.2e-3,
+                       .height = 4 * 1.2e-3,
+                       .youngs_modulus = settings.beam.youngs_modulus,
+                       .density = settings.beam.density};
+    ck_assert(readout.predicted_known);
+    ck_assert_double_eq_tol(readout.predicted / beam_period_timoshenko(&real), 1, 1e-12);
+    ck_assert_double_lt(readout.error_frequency, -12);
+}
+END_TEST
+
+/* A tip that does what the modal solution does, a little later. */
+START_TEST(a_moving_cantilever_is_read_at_its_zeros)
+{
+    const double shift = 2e-5;
+    Settings settings = beam_settings(PROBLEM_MOVING_CANTILEVER, 5e-3);
+    Simulation *sim = simulate(&settings);
+    References *refs = refer(&settings, sim);
+    BeamTheory theory = {.length = settings.beam.length,
+                         .height = settings.beam.height,
+                         .youngs_modulus = settings.beam.youngs_modulus,
+                         .density = settings.beam.density,
+                         .amplitude = settings.beam.amplitude};
+    MovingCantilever *tip = moving_cantilever_solve(&theory, settings.beam.speed, 5e-3, NULL);
+    ck_assert_ptr_nonnull(tip);
+    Column columns[COLUMNS_MAX];
+    Record record;
+    int n = references_columns(refs, columns), u_probe = simulation_find_series(sim, "u_probe");
+    record_open(&record, n, 1, 1 << 24);
+    double method_row[COLUMNS_MAX] = {0}, row[COLUMNS_MAX];
+    long steps = problem_last_step(sim->dt, 5e-3);
+    Readout readout;
+    for (long k = 0; k <= steps; k++) {
+        double t = (double)k * sim->dt;
+        method_row[u_probe] = moving_cantilever_tip(tip, t - shift);
+        references_row(refs, k, t, method_row, row);
+        ck_assert(record_append(&record, row));
+        if (k == lround(2e-3 / sim->dt)) { /* one zero so far */
+            references_readout(refs, record.rows, record.count, n, &readout);
+            ck_assert(readout.moving && !readout.measured_known);
+        }
+    }
+    references_readout(refs, record.rows, record.count, n, &readout);
+    ck_assert(readout.is_period && readout.drifting && readout.measured_known && readout.exact_known);
+    /* zeros at 2.1919 and 4.2915 ms */
+    ck_assert_double_eq_tol(readout.exact, 2 * (4.2915e-3 - 2.1919e-3), 4e-7);
+    ck_assert_double_eq_tol(readout.measured / readout.exact, 1, 1e-6);
+    ck_assert_double_eq_tol(readout.late, shift / readout.exact, 1e-6);
+    record_close(&record);
+    moving_cantilever_free(tip);
+    references_destroy(refs);
+    simulation_destroy(sim);
+}
+END_TEST
+
+/* A slow motion and a thickness mode of 1 MHz that is four tenths as strong. */
+static double slow(double t)
+{
+    return cos(2 * pi * t / 2.4e-3);
+}
+
+START_TEST(the_filter_takes_thickness_modes_away_and_does_not_lag)
+{
+    Settings settings = beam_settings(PROBLEM_MOVING_CANTILEVER, 5e-3);
+    Simulation *sim = simulate(&settings);
+    References *refs = refer(&settings, sim);
+    Column columns[COLUMNS_MAX];
+    int n = references_columns(refs, columns), filtered = 0, v_probe = simulation_find_series(sim, "v_probe");
+    while (filtered < n && strcmp(columns[filtered].quantity.name, "v_filtered") != 0)
+        filtered++;
+    ck_assert_int_lt(filtered, n);
+    ck_assert_int_eq(references_memory(refs), lround(1e-4 / sim->dt) + 1);
+    double method_row[COLUMNS_MAX] = {0}, row[COLUMNS_MAX], off = 0, whole = 0, first = 0;
+    long steps = problem_last_step(sim->dt, 5e-3);
+    for (int round = 0; round < 2; round++) {
+        references_reset(refs);
+        for (long k = 0; k <= steps; k++) {
+            double t = (double)k * sim->dt;
+            method_row[v_probe] = slow(t) + 0.4 * sin(2 * pi * 1.1e6 * t);
+            references_row(refs, k, t, method_row, row);
+            if (k == 1000 && round == 0)
+                first = row[filtered];
+            if (k == 1000)
+                ck_assert_double_eq(first, row[filtered]); /* the reset forgets all */
+            if (t < 1e-4 || round > 0)
+                continue;
+            off += (row[filtered] - slow(t)) * (row[filtered] - slow(t));
+            whole += slow(t) * slow(t);
+        }
+    }
+    ck_assert_double_lt(sqrt(off / whole), 0.03);
+    references_destroy(refs);
+    simulation_destroy(sim);
+}
+END_TEST
+
+/* --- advice and numbers --------------------------------------------------------------------------- */
+
+START_TEST(courant_numbers_are_warned_of_and_refused)
+{
+    static const struct {
+        const char *algorithm, *courant;
+        bool allowed, warned;
+        const char *limit;
+    } cases[] = {
+        {"usf", "0.99", true, false, ""},        {"usf", "1", true, true, "1.732"},
+        {"musl", "1.73", true, true, "1.732"},   {"usf", "1.74", false, false, "1.732"},
+        {"usl", "0.69", true, false, ""},        {"usl", "0.7", true, true, "0.7559"},
+        {"usl", "0.76", false, false, "0.7559"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Settings settings = bar_settings(1, 1);
+        char advice[200];
+        Status status = {0};
+        set(&settings, "mpm.algorithm", cases[i].algorithm);
+        set(&settings, "time.courant", cases[i].courant);
+        ck_assert(problem_advice(&settings, advice, sizeof advice, &status) == cases[i].allowed);
+        ck_assert_msg((*advice != 0) == cases[i].warned, "%s %s: %s", cases[i].algorithm, cases[i].courant,
+                      advice);
+        const char *said = cases[i].allowed ? advice : status.text;
+        ck_assert_msg(strstr(said, cases[i].limit) != NULL, "%s", said);
+        if (!cases[i].allowed)
+            ck_assert_msg(strstr(said, cases[i].courant) != NULL, "%s", said);
+    }
+    /* no limit is known of cubic splines */
+    Settings settings = bar_settings(1, 1);
+    char advice[200];
+    set(&settings, "mpm.shape", "bspline3");
+    set(&settings, "time.courant", "1.5");
+    ck_assert(problem_advice(&settings, advice, sizeof advice, NULL));
+    ck_assert(*advice);
+    settings = beam_settings(PROBLEM_NOTCHED_BEAM, 1e-6);
+    ck_assert(problem_advice(&settings, advice, sizeof advice, NULL));
+    ck_assert_str_eq(advice, "");
+    set(&settings, "pd.horizon", "6e-3");
+    ck_assert(problem_advice(&settings, advice, sizeof advice, NULL));
+    ck_assert_msg(strstr(advice, "6 spacings") != NULL, "%s", advice);
+}
+END_TEST
+
+static double derived_value(const Derived *rows, int n, const char *name)
+{
+    for (int i = 0; i < n; i++)
+        if (strcmp(rows[i].name, name) == 0)
+            return rows[i].value;
+    ck_abort_msg("no derived %s", name);
+    return 0;
+}
+
+START_TEST(derived_numbers_follow_from_the_settings)
+{
+    Derived rows[DERIVED_MAX];
+    for (Problem problem = PROBLEM_BAR; problem < PROBLEM_COUNT; problem++) {
+        Settings settings = problem == PROBLEM_BAR ? bar_settings(5, 1) : beam_settings(problem, 1e-6);
+        Simulation *sim = simulate(&settings);
+        int n = problem_derived(&settings, sim, rows), without = 0;
+        ck_assert_int_gt(n, 4);
+        ck_assert_int_lt(n, DERIVED_MAX);
+        for (int i = 0; i < n; i++)
+            for (int j = 0; j < i; j++)
+                ck_assert_str_ne(rows[i].name, rows[j].name);
+        ck_assert_double_eq(derived_value(rows, n, "dt"), sim->dt);
+        if (problem == PROBLEM_BAR) {
+            ck_assert_double_eq_tol(derived_value(rows, n, "omega"), 5.6548667765, 1e-9);
+            ck_assert_double_eq_tol(derived_value(rows, n, "omega_predicted"), 5.4151680880, 1e-9);
+            ck_assert_double_eq(derived_value(rows, n, "particles"), 50);
+            ck_assert_double_eq_tol(derived_value(rows, n, "largest_courant"), sqrt(3), 1e-9);
+        } else {
+            ck_assert_double_gt(derived_value(rows, n, "dt_crit"), sim->dt);
+        }
+        /* what needs no simulation is there without one */
+        without = problem_derived(&settings, NULL, rows);
+        ck_assert(problem == PROBLEM_BAR ? without == n : without > 0 && without < n);
+        simulation_destroy(sim);
+    }
+    Settings settings;
+    settings_default(&settings, PROBLEM_NOTCHED_BEAM);
+    int n = problem_derived(&settings, NULL, rows);
+    ck_assert_double_eq_tol(derived_value(rows, n, "critical_energy"), 35.68, 0.01);
+}
+END_TEST
+
+START_TEST(the_last_step_is_the_first_to_reach_the_end)
+{
+    unsigned long seed = 5;
+    for (int i = 0; i < 20000; i++) {
+        double dt = 1e-9 * (double)(1 + draw(&seed, 1000000)), end = dt * (double)draw(&seed, 5000);
+        if (i % 3 == 0)
+            end += dt * 1e-6 * (double)draw(&seed, 1000000);
+        long last = problem_last_step(dt, end), bad = 0;
+        bad += !((double)last * dt >= end * (1 - 1e-9));
+        bad += last > 0 && (double)(last - 1) * dt >= end * (1 - 1e-9);
+        /* and its time, taken for the end, leads to it again */
+        bad += problem_last_step(dt, (double)last * dt) != last;
+        if (bad)
+            ck_abort_msg("dt %.17g, end %.17g: last step %ld", dt, end, last);
+    }
+    ck_assert_int_eq(problem_last_step(0.01, 100), 10000);
+}
+END_TEST
+
+START_TEST(a_run_cut_short_leaves_out_what_comes_later)
+{
+    Settings settings = bar_settings(1, 10);
+    strcpy(settings.at, "0,0.5,2,7");
+    settings.n_changes = 2;
+    settings.changes[0] = (Change){100, {"mpm.algorithm", "usl"}};
+    settings.changes[1] = (Change){300, {"mpm.algorithm", "usf"}};
+    problem_end_at(&settings, 0.01, 200);
+    ck_assert_double_eq(settings.end, 2);
+    ck_assert_str_eq(settings.at, "0,0.5,2");
+    ck_assert_int_eq(settings.n_changes, 1);
+    Settings beam = beam_settings(PROBLEM_SUPPORTED_BEAM, 1e-3);
+    problem_end_at(&beam, 1.5e-7, 10);
+    ck_assert_double_eq(beam.beam.dt, 1.5e-7);
+}
+END_TEST
+
+START_TEST(every_problem_has_its_method)
+{
+    for (Problem problem = PROBLEM_BAR; problem < PROBLEM_COUNT; problem++) {
+        ck_assert(problem_allows(problem, METHOD_MPM) == (problem == PROBLEM_BAR));
+        ck_assert(problem_allows(problem, METHOD_PD) == (problem != PROBLEM_BAR));
+        ck_assert_uint_gt(strlen(problem_title(problem)), 10);
+    }
+    Settings settings = bar_settings(1, 1);
+    settings.method = METHOD_PD;
+    Status status = {0};
+    ck_assert_ptr_null(problem_simulate(&settings, 1, &status));
+    ck_assert_int_eq(status.code, STATUS_USAGE);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *tcase = tcase_create("problem");
+    tcase_set_timeout(tcase, 60);
+    tcase_add_test(tcase, a_column_that_a_run_has_not_is_absent);
+    tcase_add_test(tcase, answers_stand_beside_what_they_answer);
+    tcase_add_test(tcase, exact_profiles_are_the_theory);
+    tcase_add_test(tcase, the_paper_s_errors_are_read);
+    tcase_add_test(tcase, the_lag_grows_with_time);
+    tcase_add_test(tcase, symmetric_bars_are_measured_on_their_strain);
+    tcase_add_test(tcase, what_rests_has_no_frequency);
+    tcase_add_test(tcase, loads_from_rest_swing_with_the_lowest_mode);
+    tcase_add_test(tcase, a_thinned_record_reads_the_same);
+    tcase_add_test(tcase, a_supported_beam_s_period_is_read);
+    tcase_add_test(tcase, a_moving_cantilever_is_read_at_its_zeros);
+    tcase_add_test(tcase, the_filter_takes_thickness_modes_away_and_does_not_lag);
+    tcase_add_test(tcase, courant_numbers_are_warned_of_and_refused);
+    tcase_add_test(tcase, derived_numbers_follow_from_the_settings);
+    tcase_add_test(tcase, the_last_step_is_the_first_to_reach_the_end);
+    tcase_add_test(tcase, a_run_cut_short_leaves_out_what_comes_later);
+    tcase_add_test(tcase, every_problem_has_its_method);
+    suite_add_tcase(suite, tcase);
+}
