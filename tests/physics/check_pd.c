@@ -243,6 +243,14 @@ static void same_with(const BeamDef *def, const BeamOptions *options, const char
         ck_assert_msg(memcmp(rows[0], rows[1], (size_t)sim->n_series * sizeof(double)) == 0,
                       "%s: rows differ", what);
     }
+    static const char *const fields[] = {"strain_energy", "stretch"};
+    for (size_t f = 0; f < sizeof fields / sizeof *fields; f++) {
+        double *a = field_now(straight, SET_PARTICLE, fields[f]),
+               *b = field_now(sim, SET_PARTICLE, fields[f]);
+        ck_assert_msg(memcmp(a, b, sim->counts[SET_PARTICLE] * sizeof *a) == 0, "%s: %s differs", what,
+                      fields[f]);
+        free(a), free(b);
+    }
     simulation_destroy(sim);
     simulation_destroy(straight);
 }
@@ -372,6 +380,35 @@ START_TEST(fields_are_the_same_in_pieces)
         free(whole);
         free(pieces);
     }
+    simulation_destroy(sim);
+}
+END_TEST
+
+START_TEST(nodes_have_what_their_bonds_have)
+{
+    Simulation *sim = cracking();
+    size_t nodes = sim->counts[SET_PARTICLE], bonds = sim->counts[SET_BOND];
+    double *energy = field_now(sim, SET_PARTICLE, "strain_energy"),
+           *stretch = field_now(sim, SET_PARTICLE, "stretch"), *of_bond = field_now(sim, SET_BOND, "energy");
+    double *i = field_now(sim, SET_BOND, "i"), *j = field_now(sim, SET_BOND, "j");
+    double *sum = calloc(nodes, sizeof *sum);
+    ck_assert_ptr_nonnull(sum);
+    for (size_t b = 0; b < bonds; b++) {
+        sum[(size_t)i[b]] += of_bond[b] / 2;
+        sum[(size_t)j[b]] += of_bond[b] / 2;
+    }
+    for (size_t p = 0; p < nodes; p++) {
+        Link links[FAMILY_MAX];
+        size_t n = sim->method->links(sim, SET_PARTICLE, p, links, FAMILY_MAX);
+        double most = -1;
+        for (size_t l = 0; l < n; l++)
+            if (!links[l].broken)
+                most = fmax(most, links[l].weight);
+        if (!(fabs(energy[p] - sum[p]) <= 1e-13 * sum[p] && stretch[p] == most))
+            ck_abort_msg("node %zu: %.17g J of %.17g J, stretch %.17g of %.17g", p, energy[p], sum[p],
+                         stretch[p], most);
+    }
+    free(energy), free(stretch), free(of_bond), free(i), free(j), free(sum);
     simulation_destroy(sim);
 }
 END_TEST
@@ -521,6 +558,7 @@ void add_cases(Suite *suite)
     tcase_add_test(told, links_add_up_to_the_force);
     tcase_add_test(told, bonds_are_listed_once);
     tcase_add_test(told, fields_are_the_same_in_pieces);
+    tcase_add_test(told, nodes_have_what_their_bonds_have);
     tcase_add_test(told, energies_of_nodes_add_up);
     tcase_add_test(told, every_stage_explains_itself);
     suite_add_tcase(suite, told);

@@ -3,18 +3,6 @@
 
 #include <math.h>
 
-double beam_stretch(const Beam *beam, BondPlace place)
-{
-    const Lattice *lattice = &beam->lattice;
-    const Offset *offset = &lattice->offsets[place.offset];
-    size_t own = lattice_at(lattice, place.i, place.j);
-    size_t other = lattice_at(lattice, place.i + offset->p, place.j + offset->q);
-    double ex = beam->nodes.ux[other] - beam->nodes.ux[own], ey = beam->nodes.uy[other] - beam->nodes.uy[own];
-    double rx = offset->x + ex, ry = offset->y + ey;
-    double d = ex * (offset->x + rx) + ey * (offset->y + ry);
-    return d / (offset->length * (sqrt(rx * rx + ry * ry) + offset->length));
-}
-
 BondNow beam_bond(const Beam *beam, BondPlace place)
 {
     const Lattice *lattice = &beam->lattice;
@@ -24,11 +12,10 @@ BondNow beam_bond(const Beam *beam, BondPlace place)
     size_t slot = lattice_slot(lattice, place), nx = (size_t)lattice->nx;
     double ex = beam->nodes.ux[other] - beam->nodes.ux[own], ey = beam->nodes.uy[other] - beam->nodes.uy[own];
     double rx = offset->x + ex, ry = offset->y + ey, length = sqrt(rx * rx + ry * ry);
-    double d = ex * (offset->x + rx) + ey * (offset->y + ry);
     BondNow bond = {
         .a = (size_t)place.j * nx + (size_t)place.i,
         .b = (size_t)(place.j + offset->q) * nx + (size_t)(place.i + offset->p),
-        .stretch = d / (offset->length * (length + offset->length)),
+        .stretch = offset_stretch(offset, ex, ey),
         .direction_x = length > 0 ? rx / length : 0,
         .direction_y = length > 0 ? ry / length : 0,
         .broken = beam_bit(beam->broken, slot),

@@ -312,85 +312,17 @@ static BondValue *const bond_values[N_FIELDS] = {
     [F_BOND_ENERGY] = energy,
 };
 
-/* Fields of nodes that come from their bonds: each bond adds to both ends. A broken one has coefficient 0. */
-
-typedef void FamilyShare(double *sum, double coefficient, double stretch, double length);
-
-static void share_energy(double *sum, double coefficient, double stretch, double length)
-{
-    *sum += coefficient * stretch * stretch * length / 2;
-}
-
-/* Starts at -1, which is what no live bond has. */
-static void share_stretch(double *sum, double coefficient, double stretch, double length)
-{
-    (void)length;
-    if (coefficient != 0 && stretch > *sum)
-        *sum = stretch;
-}
-
-/* Adds for every end in [first, first + count) what the bond has; the same however it is reached. */
-static inline void share_bond(const Beam *beam, FamilyShare *share, BondPlace place, size_t first,
-                              size_t count, double *out)
-{
-    const Lattice *lattice = &beam->lattice;
-    const Offset *offset = &lattice->offsets[place.offset];
-    size_t a = (size_t)place.j * (size_t)lattice->nx + (size_t)place.i;
-    size_t b = (size_t)(place.j + offset->q) * (size_t)lattice->nx + (size_t)(place.i + offset->p);
-    double coefficient = beam->coefficient[lattice_slot(lattice, place)], stretch = beam_stretch(beam, place);
-    if (a - first < count)
-        share(&out[a - first], coefficient, stretch, offset->length);
-    if (b - first < count)
-        share(&out[b - first], coefficient, stretch, offset->length);
-}
-
-/* Node by node or, for many nodes, bond by bond: a node meets its bonds in the same order. */
-static inline void family_field(const Beam *beam, FamilyShare *share, double start, size_t first,
-                                size_t count, double *out)
-{
-    const Lattice *lattice = &beam->lattice;
-    size_t nx = (size_t)lattice->nx;
-    for (size_t k = 0; k < count; k++)
-        out[k] = start;
-    if (count < 4 * nx) {
-        for (size_t k = 0; k < count; k++) {
-            BondPlace family[FAMILY_MAX];
-            size_t n = beam_family(beam, column(beam, first + k), row(beam, first + k), family);
-            for (size_t b = 0; b < n; b++)
-                share_bond(beam, share, family[b], first + k, 1, &out[k]);
-        }
-        return;
-    }
-    int low = row(beam, first) - lattice->reach, high = row(beam, first + count - 1);
-    for (int j = low > 0 ? low : 0; j <= high; j++)
-        for (int i = 0; i < lattice->nx; i++)
-            for (int o = 0; o < lattice->n_offsets; o++)
-                if (lattice_has(lattice, i + lattice->offsets[o].p, j + lattice->offsets[o].q))
-                    share_bond(beam, share, (BondPlace){i, j, o}, first, count, out);
-}
-
-/* The largest stretch of live bonds; 0 where none is left. */
-static void largest_stretch(const Beam *beam, size_t first, size_t count, double *out)
-{
-    family_field(beam, share_stretch, -1, first, count, out);
-    for (size_t k = 0; k < count; k++)
-        if (out[k] <= -1)
-            out[k] = 0;
-}
-
 void beam_field(const Simulation *sim, int field, size_t first, size_t count, double *out)
 {
     const Beam *beam = (const Beam *)sim;
     if (count == 0)
         return;
     if (field == F_STRAIN_ENERGY) {
-        family_field(beam, share_energy, 0, first, count, out);
-        for (size_t k = 0; k < count; k++)
-            out[k] *= beam->system.energy_scale;
+        beam_strain_energies(beam, first, count, out);
         return;
     }
     if (field == F_STRETCH) {
-        largest_stretch(beam, first, count, out);
+        beam_largest_stretches(beam, first, count, out);
         return;
     }
     if (fields[field].set == SET_PARTICLE) {

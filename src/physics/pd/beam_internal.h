@@ -166,6 +166,11 @@ void beam_row(Simulation *sim, double *row);
 void beam_set_fields(Beam *beam);
 void beam_field(const Simulation *sim, int field, size_t first, size_t count, double *out);
 
+/* beam_shares.c: half of the energy of the bonds of nodes [first, first + count), J; the largest stretch of
+ * their live bonds, 0 where none is left. `count` is at least 1. */
+void beam_strain_energies(const Beam *beam, size_t first, size_t count, double *out);
+void beam_largest_stretches(const Beam *beam, size_t first, size_t count, double *out);
+
 /* beam_family.c: one bond as it stands. */
 typedef struct BondNow {
     size_t a, b; /* nodes: the owner and the other end */
@@ -177,9 +182,6 @@ typedef struct BondNow {
 } BondNow;
 
 BondNow beam_bond(const Beam *beam, BondPlace place);
-
-/* Its stretch alone (eq. 3), robust where it is tiny. */
-double beam_stretch(const Beam *beam, BondPlace place);
 
 /* The bonds of a node, by the row of the other end and then by its column; returns how many there are. */
 size_t beam_family(const Beam *beam, int i, int j, BondPlace *out);

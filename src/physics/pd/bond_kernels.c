@@ -381,6 +381,18 @@ static double energy_of_row(const BondSystem *system, int j)
     return sum;
 }
 
+static void stretches(const BondSystem *system, BondPlace first, size_t count, double *restrict out)
+{
+    const Lattice *lattice = system->lattice;
+    const Offset *offset = &lattice->offsets[first.offset];
+    size_t own = lattice_at(lattice, first.i, first.j);
+    size_t other = lattice_at(lattice, first.i + offset->p, first.j + offset->q);
+    const double *own_x = system->ux + own, *other_x = system->ux + other;
+    const double *own_y = system->uy + own, *other_y = system->uy + other;
+    for (size_t k = 0; k < count; k++)
+        out[k] = offset_stretch(offset, other_x[k] - own_x[k], other_y[k] - own_y[k]);
+}
+
 static void add(double *y, const double *x, double factor, size_t count)
 {
     for (size_t i = 0; i < count; i += LANES)
@@ -402,4 +414,4 @@ static double dot(const double *x, const double *y, size_t count)
 }
 
 extern const BondKernels KERNELS;
-const BondKernels KERNELS = {LEVEL, forces, energy_of_row, add, dot};
+const BondKernels KERNELS = {LEVEL, forces, energy_of_row, stretches, add, dot};

@@ -68,6 +68,10 @@ typedef struct BondKernels {
     /* The strain energy alone; nothing breaks. The same bits as from `forces`. */
     double (*energy)(const BondSystem *system, int j);
 
+    /* The stretches of `count` bonds of one direction, by the root: of `first` and of the owners in the
+     * columns that follow it. */
+    void (*stretches)(const BondSystem *system, BondPlace first, size_t count, double *out);
+
     /* y += factor x, and x.y, over whole blocks. */
     void (*add)(double *y, const double *x, double factor, size_t count);
     double (*dot)(const double *x, const double *y, size_t count);

@@ -12,6 +12,7 @@
 #include "base/status.h"
 #include "physics/pd/beam.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -32,6 +33,14 @@ typedef struct Offset {
     double weight;                 /* w: the share of the other end's area that lies within the horizon */
     double series[LATTICE_SERIES]; /* C_k: (1 - |xi|/|xi + eta|)/|xi| = d (C_0 + C_1 d + ...) */
 } Offset;
+
+/* The stretch (eq. 3) from eta, robust where it is tiny. */
+static inline double offset_stretch(const Offset *offset, double eta_x, double eta_y)
+{
+    double x = offset->x + eta_x, y = offset->y + eta_y;
+    double d = eta_x * (offset->x + x) + eta_y * (offset->y + y);
+    return d / (offset->length * (sqrt(x * x + y * y) + offset->length));
+}
 
 typedef struct Lattice {
     int nx, ny, reach; /* reach: the largest offset in either direction */
