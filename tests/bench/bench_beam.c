@@ -1,16 +1,19 @@
 /* How fast beams are: bonds per second, each bond counted once, whole steps with breaking. The yardstick is a
  * plain loop over a list of bonds, measured in the same run; all are measured in turn, several times, and the
  * best counts, since the machine may have other work. */
+#include "bench/lammps.h"
 #include "physics/pd/beam_internal.h"
 
 #include <math.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
-enum { ROUNDS = 9, RUNNERS_MAX = CPU_LEVELS + 3 };
+enum { ROUNDS = 9, RUNNERS_MAX = CPU_LEVELS + 4 };
 
 static double now(void)
 {
@@ -105,11 +108,37 @@ static void plain_step(Plain *plain, double s0, double load)
         v[k] += half * f[k];
 }
 
+/* --- another process that keeps one core busy --- */
+
+static pid_t start_busy(void)
+{
+    pid_t parent = getpid(), child = fork();
+    if (child < 0) {
+        perror("bench_beam: fork");
+        exit(1);
+    }
+    if (child == 0) {
+        /* it does not outlive its parent */
+        for (volatile unsigned long count = 0; count % 1000000 != 0 || getppid() == parent; count++)
+            ;
+        _exit(0);
+    }
+    return child;
+}
+
+static void stop_busy(pid_t child)
+{
+    kill(child, SIGKILL);
+    waitpid(child, NULL, 0);
+}
+
 /* --- what is measured --- */
 
 typedef struct Runner {
-    char name[40];
+    char name[48];
     Simulation *sim; /* NULL: the yardstick */
+    bool busy;       /* another process keeps a core busy meanwhile */
+    int one;         /* the runner with one thread to compare with; 0: none */
     double best;     /* bonds per second */
 } Runner;
 
@@ -130,7 +159,7 @@ static double measure(const Runner *runner, Plain *plain, long steps)
     return (double)plain->n_bonds * (double)steps / (now() - start);
 }
 
-static void add_runner(Runner *runners, int *n, const BeamDef *def, CpuLevel level, int threads)
+static int add_runner(Runner *runners, int *n, const BeamDef *def, CpuLevel level, int threads, bool busy)
 {
     BeamDef mine = *def;
     BeamOptions options = {.force_level = true, .level = level};
@@ -142,35 +171,58 @@ static void add_runner(Runner *runners, int *n, const BeamDef *def, CpuLevel lev
         fprintf(stderr, "bench_beam: %s\n", status.text);
         exit(1);
     }
-    snprintf(runner->name, sizeof runner->name, "%s, %d thread%s", cpu_name(level), threads,
-             threads > 1 ? "s" : "");
+    runner->busy = busy;
+    snprintf(runner->name, sizeof runner->name, "%s, %d thread%s%s", cpu_name(level), threads,
+             threads > 1 ? "s" : "", busy ? ", one core busy" : "");
+    return *n - 1;
+}
+
+/* Another program's number beside ours. */
+static void show_lammps(const Beam *beam, const Runner *plain)
+{
+    char why[80];
+    fflush(stdout);
+    double speed = lammps_speed(beam, why, sizeof why);
+    if (speed > 0)
+        printf("  %-32s %8.3g bonds/s  %5.2f x plain\n", "LAMMPS peri/pmb, 1 process", speed,
+               speed / plain->best);
+    else
+        printf("  %-32s no number: %s\n", "LAMMPS peri/pmb", why);
 }
 
 static void bench(const char *title, const BeamDef *def)
 {
     Runner runners[RUNNERS_MAX] = {{.name = "plain list of bonds"}};
-    int n = 1, cores = (int)sysconf(_SC_NPROCESSORS_ONLN);
+    int n = 1, one = 0, cores = (int)sysconf(_SC_NPROCESSORS_ONLN), threads = cores < 64 ? cores : 64;
     for (int level = CPU_PLAIN; level < CPU_LEVELS; level++)
         if (cpu_has((CpuLevel)level))
-            add_runner(runners, &n, def, (CpuLevel)level, 1);
-    int one = n - 1;
-    if (cores > 1)
-        add_runner(runners, &n, def, cpu_best(), cores < 64 ? cores : 64);
+            one = add_runner(runners, &n, def, (CpuLevel)level, 1, false);
+    if (cores > 1) {
+        runners[add_runner(runners, &n, def, cpu_best(), threads, false)].one = one;
+        one = add_runner(runners, &n, def, cpu_best(), 1, true);
+        runners[add_runner(runners, &n, def, cpu_best(), threads, true)].one = one;
+    }
 
     Plain plain = plain_create((const Beam *)runners[1].sim);
     for (int round = 0; round < ROUNDS; round++)
         for (int k = 0; k < n; k++) {
+            pid_t busy = runners[k].busy ? start_busy() : 0;
             double speed = measure(&runners[k], &plain, (long)(3e7 / (double)plain.n_bonds) + 1);
+            if (busy)
+                stop_busy(busy);
             runners[k].best = fmax(runners[k].best, speed);
         }
     printf("%s: %zu bonds\n", title, plain.n_bonds);
     for (int k = 0; k < n; k++) {
-        printf("  %-22s %8.3g bonds/s  %5.2f x plain", runners[k].name, runners[k].best,
+        printf("  %-32s %8.3g bonds/s  %5.2f x plain", runners[k].name, runners[k].best,
                runners[k].best / runners[0].best);
-        if (k > one)
-            printf("  %5.2f x one thread", runners[k].best / runners[one].best);
+        if (runners[k].one)
+            printf("  %5.2f x one thread", runners[k].best / runners[runners[k].one].best);
         printf("\n");
     }
+    if (def->problem == BEAM_NOTCHED)
+        show_lammps((const Beam *)runners[1].sim, &runners[0]);
+    fflush(stdout);
     plain_free(&plain);
     for (int k = 1; k < n; k++)
         simulation_destroy(runners[k].sim);
