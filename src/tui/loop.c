@@ -151,7 +151,7 @@ int loop_run(const LaboratoryOptions *options, Status *status)
     loop->frame_fd = descriptor && *descriptor ? atoi(descriptor) : -1;
     if (!open_loop(loop, options, status)) {
         free(loop);
-        return status->code;
+        return (int)status->code;
     }
     int signal_number = 0;
     loop->stale = true;

@@ -47,10 +47,15 @@ static void become(Session *session, int frames, const char *const *environment,
     char number[16];
     snprintf(number, sizeof number, "%d", FRAME_FD);
     setenv("MATVIB_FRAME_FD", number, 1);
-    dup2(frames, FRAME_FD);
-    close(frames);
+    /* whoever started the tests may have left any descriptor open, so ours may stand at FRAME_FD already */
+    int slave = fcntl(session->slave, F_DUPFD, FRAME_FD + 1);
+    int pipe_end = fcntl(frames, F_DUPFD, FRAME_FD + 1);
     close(session->master);
-    login_tty(session->slave);
+    close(session->slave);
+    close(frames);
+    dup2(pipe_end, FRAME_FD);
+    close(pipe_end);
+    login_tty(slave);
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, NULL);
