@@ -58,6 +58,8 @@ void experiment_destroy(Experiment *experiment)
     for (int i = 0; i < GHOSTS_MAX; i++)
         experiment_drop_ghost(&experiment->ghosts[i]);
     trial_close(&experiment->trial);
+    for (int i = 0; i < SPECTRUM_SPANS; i++)
+        spectrum_close(&experiment->spectra[i]);
     free(experiment->before.bytes);
     free(experiment);
 }
@@ -173,6 +175,12 @@ const Readout *experiment_readout(Experiment *experiment)
     experiment->readout.time = simulation_time(trial->sim);
     experiment->readout.late = readout_late(&experiment->readout, experiment->readout.time);
     return &experiment->readout;
+}
+
+const Spectrum *experiment_spectrum(Experiment *experiment, int column, SpectrumSpan span)
+{
+    Spectrum *spectrum = &experiment->spectra[span];
+    return spectrum_of(&experiment->trial.record, column, span, spectrum) ? spectrum : NULL;
 }
 
 /* The record's row where it is kept; else it is worked out, which is possible between steps only. */

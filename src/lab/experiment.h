@@ -12,6 +12,7 @@
 #include "lab/problem.h"
 #include "lab/record.h"
 #include "lab/settings.h"
+#include "lab/spectrum.h"
 
 enum { GHOSTS_MAX = 5, LEGEND_MAX = 120 };
 
@@ -45,9 +46,10 @@ const Simulation *experiment_simulation(const Experiment *);
 References *experiment_references(const Experiment *);
 const Record *experiment_record(const Experiment *);
 const Column *experiment_columns(const Experiment *, int *count);
-const Ghost *experiment_ghosts(const Experiment *);             /* GHOSTS_MAX of them */
-const char *experiment_advice(const Experiment *);              /* "" or a line to be shown */
-const Readout *experiment_readout(Experiment *);                /* see experiment_rest() */
+const Ghost *experiment_ghosts(const Experiment *);                          /* GHOSTS_MAX of them */
+const char *experiment_advice(const Experiment *);                           /* "" or a line to be shown */
+const Readout *experiment_readout(Experiment *);                             /* see experiment_rest() */
+const Spectrum *experiment_spectrum(Experiment *, int column, SpectrumSpan); /* NULL: too few rows as yet */
 const double *experiment_row(Experiment *);                     /* all columns at the present whole step */
 const Event *experiment_events(const Experiment *, int *count); /* up to the newest step, even when rewound */
 
@@ -70,8 +72,8 @@ bool experiment_failed(const Experiment *, Status *);
  * stands at the last sound whole step. */
 bool experiment_advance(Experiment *, long steps, Status *);
 
-/* No rows come for the time being: what is worked out now and then only while the run goes on, the readout, is
- * worked out exactly. */
+/* No rows come for the time being: what is worked out now and then only while the run goes on, the readout,
+ * is worked out exactly. */
 void experiment_rest(Experiment *);
 
 /* The next stage only; nothing at the end of the run. */

@@ -110,6 +110,8 @@ void experiment_forget_answers(Experiment *experiment)
     experiment->before.known = false;
     experiment->row_step = -1;
     experiment->readout_rows = 0;
+    for (int i = 0; i < SPECTRUM_SPANS; i++)
+        spectrum_close(&experiment->spectra[i]);
 }
 
 /* Another run takes the place of this one, and seeks the time that was on screen. */

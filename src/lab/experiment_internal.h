@@ -29,6 +29,7 @@ struct Experiment {
     Readout readout;
     size_t readout_rows; /* how many rows it was worked out from */
     bool flowing;        /* rows come in: it is worked out now and then only */
+    Spectrum spectra[SPECTRUM_SPANS];
 };
 
 void experiment_forget_answers(Experiment *); /* what was worked out from the run that is no more */

@@ -47,6 +47,8 @@ const Command commands[] = {
     {COMMAND_VIEW_4, "view-4", "4", "Views", "shapes", "shape functions of the mesh and their slopes"},
     {COMMAND_VIEW_5, "view-5", "5", "Views", "errors",
      "dispersion: the error of every mode of this mesh; beams: period over horizon"},
+    {COMMAND_VIEW_6, "view-6", "6", "Views", "spectrum",
+     "amplitude spectrum of the probe; again: all frequencies, logarithmic"},
     {COMMAND_VIEW_7, "view-7", "7", "Views", "tables", "numbers of particles; again: of nodes"},
     {COMMAND_VIEW_9, "view-9", "9", "Views", "log", "what happened, in words"},
     {COMMAND_REFERENCES, "references", "e", "Views", "curves",

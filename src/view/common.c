@@ -68,6 +68,16 @@ int find_column(const Screen *screen, const char *name)
     return -1;
 }
 
+double derived_value(const Screen *screen, const char *name)
+{
+    Derived derived[DERIVED_MAX];
+    const int count = experiment_derived(screen->experiment, derived);
+    for (int i = 0; i < count; i++)
+        if (strcmp(derived[i].name, name) == 0)
+            return derived[i].value;
+    return NAN;
+}
+
 int box_stage(const Screen *screen, bool *done)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);

@@ -44,6 +44,8 @@ void view_shapes(const Screen *, Area, Style heading, int variant);
 int view_shapes_variants(const Screen *);
 void view_dispersion(const Screen *, Area, Style heading, int variant);
 int view_dispersion_variants(const Screen *);
+void view_spectrum(const Screen *, Area, Style heading, int variant);
+int view_spectrum_variants(const Screen *);
 void view_table(const Screen *, Area, Style heading, int set);
 int view_table_variants(const Screen *);
 void view_log(const Screen *, Area, Style heading, int variant);
@@ -86,6 +88,9 @@ void number_text(double value, int digits, int width, char out[NUMBER_TEXT_MAX])
 
 /* The column of the record by name; -1: there is none. */
 int find_column(const Screen *, const char *name);
+
+/* A derived number by name; NAN: there is none. */
+double derived_value(const Screen *, const char *name);
 
 /* The stage that the box speaks of: the last one done (*done) or, between steps, the next. */
 int box_stage(const Screen *, bool *done);

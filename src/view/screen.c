@@ -34,6 +34,7 @@ static const View views[] = {
     {3, "energies", view_energies, one_variant},
     {4, "shape functions", view_shapes, view_shapes_variants},
     {5, "dispersion", view_dispersion, view_dispersion_variants},
+    {6, "spectrum", view_spectrum, view_spectrum_variants},
     {7, "tables", view_table, view_table_variants},
     {9, "log", view_log, one_variant},
 };

@@ -7,7 +7,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 /* One run in the picture. */
 typedef struct Dot {
@@ -195,16 +194,6 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
 }
 
 /* --- a beam --------------------------------------------------------------------------------------- */
-
-static double derived_value(const Screen *screen, const char *name)
-{
-    Derived derived[DERIVED_MAX];
-    const int count = experiment_derived(screen->experiment, derived);
-    for (int i = 0; i < count; i++)
-        if (strcmp(derived[i].name, name) == 0)
-            return derived[i].value;
-    return NAN;
-}
 
 static double milliseconds(double seconds)
 {

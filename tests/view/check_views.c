@@ -188,8 +188,118 @@ START_TEST(earlier_runs_leave_a_dot)
 }
 END_TEST
 
+/* --- the spectrum --------------------------------------------------------------------------------- */
+
+static void fill(Record *record, long rows, double dt, double frequency, double amplitude)
+{
+    record_open(record, 3, 1, (size_t)64 << 20);
+    for (long step = 0; step < rows; step++) {
+        const double time = (double)step * dt;
+        ck_assert(
+            record_append(record, (double[]){(double)step, time, 7 + amplitude * sin(frequency * time)}));
+    }
+}
+
+/* The line of a sine stands in its bin with its amplitude, also where means of rows are taken and where only
+ * the newest are looked at; rows that come in ones and twos do not change what is shown. */
+START_TEST(spectrum_of_a_sine)
+{
+    static const struct {
+        long rows;
+        SpectrumSpan span;
+        size_t bins;
+    } cases[] = {{2048, SPECTRUM_SLOW, 1025},
+                 {2048, SPECTRUM_FAST, 1025},
+                 {10240, SPECTRUM_SLOW, 2561},
+                 {40960, SPECTRUM_SLOW, 2561},
+                 {40960, SPECTRUM_FAST, 8193}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const double dt = 0.01, frequency = 2 * M_PI * 40 / (dt * 2048), amplitude = 3;
+        Record record;
+        Spectrum spectrum = {0};
+        fill(&record, cases[i].rows, dt, frequency, amplitude);
+        ck_assert(spectrum_of(&record, 2, cases[i].span, &spectrum));
+        ck_assert_msg(spectrum.count == cases[i].bins, "case %zu: %zu bins", i, spectrum.count);
+        size_t peak = 1;
+        for (size_t k = 2; k < spectrum.count; k++)
+            peak = spectrum.amplitudes[k] > spectrum.amplitudes[peak] ? k : peak;
+        ck_assert_msg(fabs((double)peak * spectrum.step - frequency) < 0.01 * spectrum.step,
+                      "case %zu: bin %zu", i, peak);
+        ck_assert_double_eq_tol(spectrum.amplitudes[peak], amplitude, 0.001 * amplitude);
+        const double *before = spectrum.amplitudes;
+        const double next[] = {(double)cases[i].rows, (double)cases[i].rows * dt, 7};
+        ck_assert(record_append(&record, next));
+        ck_assert(spectrum_of(&record, 2, cases[i].span, &spectrum));
+        ck_assert(spectrum.amplitudes == before);
+        record_cut(&record, 20);
+        ck_assert(!spectrum_of(&record, 2, cases[i].span, &spectrum));
+        spectrum_close(&spectrum);
+        record_close(&record);
+    }
+}
+END_TEST
+
+/* The highest bin of a run is that of its fitted frequency, or its neighbour. */
+START_TEST(spectrum_peaks_at_the_fit)
+{
+    static const char *const scenarios[] = {"mode1", "mode5", "mode10"};
+    for (int i = 0; i < 3; i++) {
+        Show show;
+        open_show(&show, scenarios[i], 4000);
+        Experiment *experiment = show.screen.experiment;
+        const Readout *readout = experiment_readout(experiment);
+        const Spectrum *spectrum = experiment_spectrum(experiment, 2, SPECTRUM_SLOW);
+        ck_assert(spectrum != NULL && readout->measured_known);
+        size_t peak = 1;
+        for (size_t k = 2; k < spectrum->count; k++)
+            peak = spectrum->amplitudes[k] > spectrum->amplitudes[peak] ? k : peak;
+        ck_assert_msg(fabs((double)peak * spectrum->step - readout->measured) <= spectrum->step,
+                      "%s: %g, fit %g", scenarios[i], (double)peak * spectrum->step, readout->measured);
+        close_show(&show);
+    }
+}
+END_TEST
+
+/* On screen the peak is the highest point of the measured curve, and the predicted line runs through it. */
+START_TEST(spectrum_on_screen)
+{
+    Show show;
+    open_show(&show, "mode5", 100);
+    show.screen.lower = 6;
+    show.screen.focus = PANE_LOWER;
+    show.screen.zoomed = true;
+    draw(&show, 100, 30);
+    char text[400];
+    row_text(&show, 2, text);
+    ck_assert_msg(strstr(text, "needs more time") != NULL, "%s", text);
+    ck_assert(experiment_advance(show.screen.experiment, 3900, &show.status));
+    draw(&show, 100, 30);
+    const double four = column_of(&show, "4"), eight = column_of(&show, "8"), grain = (eight - four) / 4;
+    const double bin = 2 * M_PI / 40 * grain;
+    double predicted = -1, peak = -1;
+    for (int x = 7; x < 100; x++)
+        if (cell(&show, x, 2)->style == STYLE_PREDICTED)
+            predicted = x;
+    for (int y = 2; y < 27 && peak < 0; y++)
+        for (int x = 7; x < 100; x++)
+            if (cell(&show, x, y)->style == STYLE_MEASURED)
+                peak = x;
+    ck_assert_msg(fabs(predicted - (four + 1.4152 * grain)) <= 1, "predicted at column %g", predicted);
+    ck_assert_msg(fabs(peak - (four + 1.4152 * grain)) <= bin + 1, "peak at column %g", peak);
+    row_text(&show, 28, text);
+    double place;
+    ck_assert_msg(sscanf(text, " peak at %lf", &place) == 1 && fabs(place - 5.4152) < 0.02, "%s", text);
+    close_show(&show);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
+    TCase *spectrum = tcase_create("spectrum");
+    tcase_add_test(spectrum, spectrum_of_a_sine);
+    tcase_add_test(spectrum, spectrum_peaks_at_the_fit);
+    tcase_add_test(spectrum, spectrum_on_screen);
+    suite_add_tcase(suite, spectrum);
     TCase *dispersion = tcase_create("dispersion");
     tcase_add_test(dispersion, factors_make_the_error);
     tcase_add_test(dispersion, predicted_curve_is_where_theory_says);
