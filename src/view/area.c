@@ -87,12 +87,16 @@ static int paragraph(const Area *area, int x, int y, int width, int rows, const 
     while (*text != '\0' && lines < rows) {
         const char *rest;
         size_t length = next_line(text, width, &rest);
+        /* what does not fit is not silently gone, and no word is cut for the ellipsis */
+        const bool cut = lines == rows - 1 && *rest != '\0';
+        if (cut && width > 2)
+            length = next_line(text, width - 2, &rest);
         if (area) {
             char line[1024];
-            length = length < sizeof line - 1 ? length : sizeof line - 1;
+            length = length < sizeof line - 8 ? length : sizeof line - 8;
             memcpy(line, text, length);
-            line[length] = '\0';
-            area_text(*area, x, y + lines, line, style);
+            strcpy(line + length, cut ? " …" : "");
+            area_text(area_part(*area, x, y + lines, width, 1), 0, 0, line, style);
         }
         text = rest;
         lines++;
@@ -108,6 +112,30 @@ int area_paragraph(Area area, int x, int y, int width, int rows, const char *tex
 int paragraph_lines(int width, const char *text)
 {
     return paragraph(NULL, 0, 0, width, 10000, text, STYLE_NORMAL);
+}
+
+int area_phrases(Area area, int x, int y, int width, int rows, const char *text, Style style)
+{
+    int line = 0, used = 0;
+    while (*text != '\0' && line < rows) {
+        const char *end = strstr(text, "  ");
+        size_t length = end ? (size_t)(end - text) : strlen(text);
+        char phrase[256];
+        length = length < sizeof phrase - 1 ? length : sizeof phrase - 1;
+        memcpy(phrase, text, length);
+        phrase[length] = '\0';
+        const int columns = text_columns(phrase), gap = used ? 2 : 0;
+        if (used && used + gap + columns > width) {
+            line++;
+            used = 0;
+            continue;
+        }
+        Area part = area_part(area, x + used + gap, y + line, width - used - gap, 1);
+        used += gap + area_text(part, 0, 0, phrase, style);
+        text += strlen(phrase);
+        text += strspn(text, " ");
+    }
+    return line + (used > 0);
 }
 
 void area_rule(Area area, int y, const char *heading, Style heading_style)

@@ -29,6 +29,10 @@ int area_text_whole(Area, int x, int y, int width, const char *text, Style);
 int area_paragraph(Area, int x, int y, int width, int rows, const char *text, Style);
 int paragraph_lines(int width, const char *text);
 
+/* Draws phrases that are parted by two spaces, each whole, on as many lines as it takes up to `rows`. Returns
+ * the lines used. */
+int area_phrases(Area, int x, int y, int width, int rows, const char *text, Style);
+
 /* A horizontal line with a heading in it. */
 void area_rule(Area, int y, const char *heading, Style heading_style);
 

@@ -98,6 +98,20 @@ static bool is_control(uint32_t glyph)
     return glyph < ' ' || (glyph >= 0x7f && glyph < 0xa0);
 }
 
+/* Half a number is worse than none: the ellipsis takes the place of all of it. */
+static void drop_cut_number(Canvas *canvas, int x, int y, int ellipsis, Style style)
+{
+    if (y < 0 || y >= canvas->height)
+        return;
+    const Cell *row = canvas->cells + (size_t)y * (size_t)canvas->width;
+    int at = ellipsis;
+    while (at > x && at <= canvas->width && row[at - 1].glyph < 0x80 &&
+           strchr("0123456789.", (int)row[at - 1].glyph))
+        at--;
+    for (int i = at; i <= ellipsis && at < ellipsis; i++)
+        canvas_put(canvas, i, y, i == at ? ELLIPSIS : ' ', style);
+}
+
 int canvas_text(Canvas *canvas, int x, int y, int width, const char *text, Style style)
 {
     int used = 0;
@@ -105,9 +119,10 @@ int canvas_text(Canvas *canvas, int x, int y, int width, const char *text, Style
         uint32_t glyph = utf8_next(&text);
         if (!glyph)
             break;
-        if (used == width - 1 && *text != '\0')
-            glyph = ELLIPSIS;
-        canvas_put(canvas, x + used++, y, is_control(glyph) ? ' ' : glyph, style);
+        const bool cut = used == width - 1 && *text != '\0';
+        canvas_put(canvas, x + used++, y, cut ? ELLIPSIS : is_control(glyph) ? ' ' : glyph, style);
+        if (cut)
+            drop_cut_number(canvas, x, y, x + used - 1, style);
     }
     return used;
 }

@@ -63,7 +63,8 @@ void canvas_clear(Canvas *);
 
 void canvas_put(Canvas *, int x, int y, uint32_t glyph, Style); /* outside the canvas: nothing */
 
-/* Writes UTF-8 from (x, y), cut at `width` columns with an ellipsis as the last. Returns the columns used. */
+/* Writes UTF-8 from (x, y), cut at `width` columns with an ellipsis as the last; of a number that does not
+ * fit nothing is left. Returns the columns used. */
 int canvas_text(Canvas *, int x, int y, int width, const char *text, Style);
 
 /* The whole grid as UTF-8, one line a row, trailing spaces cut; for tests and scripts. malloc'ed; NULL: no

@@ -25,7 +25,7 @@ void draw_heading(Area area, Style heading, const char *name, const char *scale,
                   int n_legend)
 {
     char text[160];
-    snprintf(text, sizeof text, "%s%s%s", name, scale[0] ? " " : "", scale);
+    snprintf(text, sizeof text, "%s%s%s", name, !scale[0] ? "" : scale[0] == 'x' ? " " : ", ", scale);
     area_rule(area, 0, text, heading);
     int x = 4 + text_columns(text) + 1;
     for (int i = 0; i < n_legend; i++) {
@@ -115,4 +115,47 @@ const char *parameter_unit(const Screen *screen, const Parameter *parameter)
 {
     return experiment_settings(screen->experiment)->problem == PROBLEM_BAR ? parameter->unit_bar
                                                                            : parameter->unit_beam;
+}
+
+bool has_mesh(const Simulation *sim)
+{
+    return sim->n_sets > 1 && strcmp(sim->sets[1].name, "node") == 0;
+}
+
+/* How many of the names only this set has. */
+static int own_names(const Simulation *sim, const char *words, int set)
+{
+    char word[64];
+    int count = 0;
+    while (next_word(&words, word, sizeof word))
+        count += simulation_find_field(sim, set, word) >= 0 && simulation_find_field(sim, 1 - set, word) < 0;
+    return count;
+}
+
+int stage_target(const Simulation *sim, const Stage *stage)
+{
+    if (!has_mesh(sim))
+        return 0;
+    const int particles = own_names(sim, stage->writes, 0), nodes = own_names(sim, stage->writes, 1);
+    if (particles != nodes)
+        return nodes > particles;
+    /* only shared names: what it reads of the one it writes to the other */
+    return own_names(sim, stage->reads, 0) > 0;
+}
+
+Flow stage_flow(const Simulation *sim, const Stage *stage)
+{
+    if (!has_mesh(sim))
+        return FLOW_NONE;
+    if (strcmp(stage->id, "forget") == 0)
+        return FLOW_FORGET;
+    const int target = stage_target(sim, stage);
+    if (own_names(sim, stage->reads, 1 - target) == 0)
+        return FLOW_NONE;
+    return target == 1 ? FLOW_TO_NODES : FLOW_TO_PARTICLES;
+}
+
+int stage_field(const Simulation *sim, int set, const char *name)
+{
+    return set < sim->n_sets ? simulation_find_field(sim, set, name) : -1;
 }

@@ -32,6 +32,8 @@ static void put_line(Sheet *sheet, Style style, const char *text)
 /* A paragraph, broken into lines of `width` columns, further ones indented like the first. */
 static void put_text(Sheet *sheet, Style style, int width, int indent, const char *text)
 {
+    const int least = indent + 8;
+    width = width > least ? width : least;
     while (*text) {
         char line[512];
         const char *here = text, *space = NULL;
@@ -166,8 +168,8 @@ static const Passage bar_before[] = {
 
 static const Passage bar_after[] = {
     {true, "What this mesh makes of a wave (hat, uGIMP)", NULL},
-    {false, "ωₕ² = (c/Δx)² F K    K = 4 sin²(βΔx/2)    F = 1 - (1/3 + 1/(6P²))(1 - cos βΔx)",
-     "w_h^2 = (c/dx)^2 F K    K = 4 sin^2(beta dx/2)    F = 1 - (1/3 + 1/(6P^2))(1 - cos(beta dx))"},
+    {false, "ω² = (c/Δx)² F K    K = 4 sin²(βΔx/2)\nF = 1 - (1/3 + 1/(6P²))(1 - cos βΔx)",
+     "w^2 = (c/dx)^2 F K    K = 4 sin^2(beta dx/2)\nF = 1 - (1/3 + 1/(6P^2))(1 - cos(beta dx))"},
     {false,
      "K is the usual dispersion of linear elements; F, what particle to node to particle leaves of a wave, "
      "is the larger part of the error. P: particles per cell.",

@@ -102,11 +102,11 @@ static void draw_summary(const Screen *screen, Area area)
     snprintf(text, sizeof text, "%ld steps to %s", experiment_step(screen->experiment), time);
     if (screen->summary_known && isfinite(summary->energy_drift)) {
         number_text(summary->energy_drift, 3, 10, number);
-        append(text, sizeof text, ",  energy %s%s %% against the start", summary->energy_drift > 0 ? "+" : "",
+        append(text, sizeof text, "  energy %s%s %% against the start", summary->energy_drift > 0 ? "+" : "",
                number);
     }
-    if (y < rows)
-        area_text(area, 1, y++, text, STYLE_NORMAL);
+    const int width = area.rect.width - 2;
+    y += area_phrases(area, 1, y, width, rows - y, text, STYLE_NORMAL);
     if (readout->moving && readout->measured_known && y < rows) {
         const double unit = readout->is_period ? 1e-3 : 1;
         const char *tail = readout->is_period ? " ms" : "";
@@ -117,12 +117,10 @@ static void draw_summary(const Screen *screen, Area area)
         if (readout->exact_known && shows_exact(screen))
             append(text, sizeof text, "  exact %.5f%s  %+.3f %%", readout->exact / unit, tail,
                    readout->is_period ? readout->error_period : readout->error_frequency);
-        area_text(area, 1, y++, text, STYLE_NORMAL);
+        y += area_phrases(area, 1, y, width, rows - y, text, STYLE_NORMAL);
     }
-    if (y < rows)
-        area_text(area, 1, y,
-                  "Space runs it again, x writes it as CSV, , steps back, ? explains what is solved.",
-                  STYLE_FAINT);
+    area_paragraph(area, 1, y, width, rows - y,
+                   "Space runs it again, x writes it as CSV, ? explains what is solved.", STYLE_FAINT);
 }
 
 /* --- the stage box -------------------------------------------------------------------------------- */
@@ -134,28 +132,11 @@ static double field_at(const Simulation *sim, int field, size_t index)
     return value;
 }
 
-/* The field of a set that a stage speaks of; -1: it has none of that name. Where the particles have the name
- * too (x), a stage means theirs. */
-static int field_of(const Simulation *sim, int set, const char *name)
-{
-    if (set > 0 && simulation_find_field(sim, 0, name) >= 0)
-        return -1;
-    return simulation_find_field(sim, set, name);
-}
-
-static bool concerns(const Simulation *sim, const char *words, int set)
-{
-    char word[64];
-    while (next_word(&words, word, sizeof word))
-        if (field_of(sim, set, word) >= 0)
-            return true;
-    return false;
-}
-
 /* Two values as texts of at most six digits, or as many more as it takes to tell them apart. */
-static void pair_text(double before, double now, char was[NUMBER_TEXT_MAX], char is[NUMBER_TEXT_MAX])
+static void pair_text(int least, double before, double now, char was[NUMBER_TEXT_MAX],
+                      char is[NUMBER_TEXT_MAX])
 {
-    for (int digits = 5; digits <= 9; digits++) {
+    for (int digits = least; digits <= 9; digits++) {
         number_text(before, digits, 16, was);
         number_text(now, digits, 16, is);
         if (strcmp(was, is) != 0)
@@ -170,11 +151,11 @@ static int draw_numbers(const Screen *screen, Area area, int x, int y, int set, 
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     char word[64], text[96];
-    const int begin = x;
+    const int begin = x, digits = area.rect.width < 60 ? 4 : 5;
     snprintf(text, sizeof text, "%s %zu", sim->sets[set].name, index);
     x += area_text(area, x, y, text, STYLE_HEADING);
     while (next_word(&words, word, sizeof word)) {
-        int field = field_of(sim, set, word);
+        int field = stage_field(sim, set, word);
         if (field < 0)
             continue;
         const double value = field_at(sim, field, index);
@@ -182,12 +163,12 @@ static int draw_numbers(const Screen *screen, Area area, int x, int y, int set, 
         char now[NUMBER_TEXT_MAX], was[NUMBER_TEXT_MAX];
         const bool known = written && experiment_field_before(screen->experiment, field, index, 1, &before);
         const bool changed = known && before != value && !(isnan(before) && isnan(value));
-        number_text(value, 5, 12, now);
+        number_text(value, digits, 12, now);
         if (changed)
-            pair_text(before, value, was, now);
+            pair_text(digits, before, value, was, now);
         int columns = 2 + text_columns(word) + 1 + text_columns(now) + (changed ? text_columns(was) + 3 : 0);
         if (x + columns > area.rect.width)
-            break;
+            continue;
         x += 2;
         x += area_text(area, x, y, word, STYLE_FAINT) + 1;
         if (changed) {
@@ -209,6 +190,67 @@ static void draw_stage_list(const Screen *screen, Area area, int current)
                                  : STYLE_FAINT,
                    "%s%d %s", i == current ? "> " : "  ", i + 1, sim->stages[i].name);
     }
+}
+
+/* The nodes of the chosen particle, side by side as far as there is room. */
+static void draw_nodes(const Screen *screen, Area area, int y, const char *words, bool written)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    Link links[NODES_MAX];
+    size_t count = sim->method->links ? sim->method->links(sim, 0, screen->particle, links, NODES_MAX) : 0;
+    count = count < NODES_MAX ? count : NODES_MAX;
+    /* two nodes share the line; of more, the others are in the strip and in the table */
+    const int share = area.rect.width / 2;
+    for (size_t i = 0; i < count && i < 2; i++) {
+        Area half = area_part(area, i == 0 ? 0 : share, 0, i == 0 ? share - 2 : share, area.rect.height);
+        draw_numbers(screen, half, 0, y, 1, links[i].index, words, written);
+    }
+}
+
+/* What the box holds, in the order of need: the equation, the sum with its numbers, what the stage wrote,
+ * what it read from the other side, the sentence. Drawn from the top in the order of reading. */
+static void draw_stage_body(const Screen *screen, Area area, int current, bool done)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Stage *stage = &sim->stages[current];
+    const int width = area.rect.width, rows = area.rect.height;
+    const bool node = screen->node_chosen && has_mesh(sim) && screen->node < sim->counts[1];
+    const int set = node ? 1 : 0, target = stage_target(sim, stage);
+    const size_t index = node ? screen->node : screen->particle < sim->counts[0] ? screen->particle : 0;
+    const Flow flow = stage_flow(sim, stage);
+
+    const char *equation = screen->glyphs == GLYPHS_ASCII ? stage->ascii : stage->equation;
+    char sum[512] = "";
+    if (done && sim->method->explain)
+        sim->method->explain(sim, current, set, index, experiment_before(screen->experiment), sum,
+                             sizeof sum);
+    int room = rows - paragraph_lines(width, equation);
+    int sum_lines = paragraph_lines(width, sum);
+    /* a sum that is whole tells more than the numbers beside it */
+    if (sum_lines > room)
+        sum_lines = room > 1 ? room - 1 : room > 0 ? room : 0;
+    room -= sum_lines;
+    const bool written = done && room > 0 && (!node || target == 1);
+    room -= written;
+    const bool source = room > 0 && !node && (!done || flow == FLOW_TO_NODES || flow == FLOW_TO_PARTICLES);
+    room -= source;
+    const bool sentence = room >= paragraph_lines(width, stage->sentence);
+
+    int y = area_paragraph(area, 0, 0, width, rows, equation, STYLE_NORMAL);
+    if (sentence)
+        y += area_paragraph(area, 0, y, width, rows - y, stage->sentence, STYLE_FAINT);
+    const bool source_nodes = done ? flow == FLOW_TO_PARTICLES : flow == FLOW_NONE && target == 1;
+    if (source && source_nodes)
+        draw_nodes(screen, area, y++, stage->reads, false);
+    else if (source)
+        draw_numbers(screen, area, 0, y++, 0, index, stage->reads, false);
+    if (written && node)
+        draw_numbers(screen, area, 0, y++, 1, index, stage->writes, true);
+    else if (written && target == 1)
+        draw_nodes(screen, area, y++, stage->writes, true);
+    else if (written)
+        draw_numbers(screen, area, 0, y++, 0, index, stage->writes, true);
+    area_paragraph(area, 0, y, width, sum_lines < rows - y ? sum_lines : rows - y, sum, STYLE_NORMAL);
 }
 
 static void draw_stage(const Screen *screen, Area area)
@@ -239,58 +281,12 @@ static void draw_stage(const Screen *screen, Area area)
             area_put(body, STAGE_LIST_WIDTH, y, 0x2502, STYLE_FRAME);
         body = area_part(body, STAGE_LIST_WIDTH + 1, 0, body.rect.width, body.rect.height);
     }
-    const int width = body.rect.width - 2, rows = body.rect.height;
-    const char *equation = screen->glyphs == GLYPHS_ASCII ? stage->ascii : stage->equation;
-    int y = area_paragraph(body, 1, 0, width, rows, equation, STYLE_NORMAL);
-
-    /* the sum written out needs its lines first; the sentence comes where there is room to spare */
-    char sum[512] = "";
-    const bool node = screen->node_chosen && sim->n_sets > 1 && strcmp(sim->sets[1].name, "node") == 0;
-    const int set = node ? 1 : 0;
-    const size_t index = node ? screen->node < sim->counts[1] ? screen->node : 0
-                         : screen->particle < sim->counts[0] ? screen->particle
-                                                             : 0;
-    if (done && sim->method->explain)
-        sim->method->explain(sim, current, set, index, experiment_before(screen->experiment), sum,
-                             sizeof sum);
-    const int sum_lines = paragraph_lines(width, sum),
-              sentence_lines = paragraph_lines(width, stage->sentence);
-    const char *words = done ? stage->writes : stage->reads;
-    const bool meshed = sim->n_sets > 1 && strcmp(sim->sets[1].name, "node") == 0;
-    const bool own = concerns(sim, words, set), nodes = meshed && set == 0 && concerns(sim, stage->writes, 1);
-    int room = rows - y - sum_lines;
-    if (room - own - nodes >= sentence_lines) {
-        y += area_paragraph(body, 1, y, width, rows - y, stage->sentence, STYLE_FAINT);
-        room -= sentence_lines;
-    }
-    if (!done && y < rows && room - own < sentence_lines) {
-        y += area_paragraph(body, 1, y, width, rows - y, stage->sentence, STYLE_FAINT);
-        room -= sentence_lines;
-    }
-    if (own && y < rows && (room > 0 || sum_lines == 0)) {
-        draw_numbers(screen, area_part(body, 1, 0, width, rows), 0, y++, set, index, words, done);
-        room--;
-    }
-    if (nodes && y < rows && (room > 0 || !own)) {
-        Link links[NODES_MAX];
-        size_t count = sim->method->links ? sim->method->links(sim, 0, index, links, NODES_MAX) : 0;
-        int x = 0;
-        for (size_t i = 0; i < count && i < NODES_MAX; i++) {
-            if (x > 0 && x > width / 2)
-                break;
-            x += draw_numbers(screen, area_part(body, 1, 0, width, rows), x, y, 1, links[i].index,
-                              stage->writes, done) +
-                 3;
-        }
-        y++;
-    }
-    if (y < rows)
-        area_paragraph(body, 1, y, width, rows - y, sum, STYLE_NORMAL);
+    draw_stage_body(screen, area_part(body, 1, 0, body.rect.width - 2, body.rect.height), current, done);
 }
 
 void pane_box(const Screen *screen, Area area)
 {
-    if (screen->state == STATE_RUNNING)
+    if (screen->state == STATE_RUNNING || screen->state == STATE_COMPUTING)
         draw_caption(screen, area);
     else if ((screen->state == STATE_ENDED || screen->state == STATE_FAILED) &&
              experiment_stage(screen->experiment) == 0)

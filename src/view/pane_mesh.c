@@ -63,37 +63,6 @@ static double reach_of(const Screen *screen, const Simulation *sim, int field, c
     return reach > 0 ? step_round_up(reach) : 0;
 }
 
-/* Which way a stage hands things on: from particles to nodes, back, or neither. */
-typedef enum Flow { FLOW_NONE, FLOW_TO_NODES, FLOW_TO_PARTICLES, FLOW_FORGET } Flow;
-
-static bool names_field_of(const Simulation *sim, const char *words, int set)
-{
-    char word[64];
-    while (next_word(&words, word, sizeof word)) {
-        /* a name that both sets have says nothing */
-        if (simulation_find_field(sim, set, word) >= 0 && simulation_find_field(sim, 1 - set, word) < 0)
-            return true;
-    }
-    return false;
-}
-
-static Flow flow_of(const Simulation *sim, const Stage *stage)
-{
-    if (sim->n_sets < 2)
-        return FLOW_NONE;
-    const bool reads_particles = names_field_of(sim, stage->reads, 0);
-    const bool reads_nodes = names_field_of(sim, stage->reads, 1);
-    const bool writes_particles = names_field_of(sim, stage->writes, 0);
-    const bool writes_nodes = names_field_of(sim, stage->writes, 1);
-    if (strcmp(stage->id, "forget") == 0)
-        return FLOW_FORGET;
-    if (writes_nodes && reads_particles)
-        return FLOW_TO_NODES;
-    if (writes_particles && (reads_nodes || !writes_nodes))
-        return FLOW_TO_PARTICLES;
-    return FLOW_NONE;
-}
-
 /* --- a bar ---------------------------------------------------------------------------------------- */
 
 typedef struct Strip {
@@ -136,6 +105,22 @@ static Strip strip_of(const Simulation *sim, int columns, double place, double l
     return strip;
 }
 
+/* Where there is room: the shares by which the chosen particle and its nodes give to each other. */
+static void list_links(Area area, const Simulation *sim, size_t chosen, const Link *links, size_t count)
+{
+    const int node_x = simulation_find_field(sim, 1, "x");
+    area_print(area, 0, 0, STYLE_HEADING, "particle %zu and its nodes", chosen);
+    for (size_t i = 0; i < count && i < NODES_OF_PARTICLE_MAX; i++) {
+        char place[NUMBER_TEXT_MAX], weight[NUMBER_TEXT_MAX], slope[NUMBER_TEXT_MAX];
+        number_text(field_at(sim, node_x, links[i].index), 5, 10, place);
+        number_text(links[i].weight, 4, 10, weight);
+        number_text(links[i].gradient, 4, 10, slope);
+        char line[128];
+        snprintf(line, sizeof line, "node %zu  x %s  N %s  N' %s", links[i].index, place, weight, slope);
+        area_phrases(area, 0, 1 + (int)i, area.rect.width, 1, line, STYLE_NORMAL);
+    }
+}
+
 static void draw_bar(const Screen *screen, Area area)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
@@ -160,14 +145,14 @@ static void draw_bar(const Screen *screen, Area area)
     const double k = exaggeration(reach_of(screen, sim, sim->displacement[0], u, particles), spacing);
 
     const bool tall = rows >= 4;
-    const int grid_row = tall ? 1 : 0, particle_row = rows - 1;
+    const int grid_row = tall ? 1 : 0, particle_row = rows > 6 ? 4 : rows - 1;
     if (tall)
         area_rule(area, 0, "the bar: its grid, and its particles",
                   is_focused(screen, PANE_MESH) ? STYLE_FOCUS : STYLE_HEADING);
     bool done;
     const int stage = box_stage(screen, &done);
     const bool inside = screen->state != STATE_RUNNING && done && experiment_stage(screen->experiment) > 0;
-    const Flow flow = inside ? flow_of(sim, &sim->stages[stage]) : FLOW_NONE;
+    const Flow flow = inside ? stage_flow(sim, &sim->stages[stage]) : FLOW_NONE;
     const bool grid_there = experiment_stage(screen->experiment) > 0;
 
     /* the grid: an edge line with a tick at each node; between steps it is empty, and drawn faint */
@@ -181,7 +166,7 @@ static void draw_bar(const Screen *screen, Area area)
         if (node_fixed >= 0 && field_at(sim, node_fixed, i) > 0 && field_at(sim, node_x, i) > -spacing / 2 &&
             field_at(sim, node_x, i) < length + spacing / 2) {
             const bool left = field_at(sim, node_x, i) < length / 2;
-            for (int y = grid_row; y < rows; y++)
+            for (int y = grid_row; y <= particle_row; y++)
                 area_put(area, margin + column + (left ? -1 : 1), y, 0x2592, STYLE_FRAME);
         }
     }
@@ -243,6 +228,9 @@ static void draw_bar(const Screen *screen, Area area)
     else
         snprintf(text, sizeof text, "particles at x0 + %s u", number);
     area_text(words, 0, particle_row, text, STYLE_FAINT);
+    if (rows > particle_row + 2)
+        list_links(area_part(area, 1, particle_row + 2, area.rect.width - 2, rows - particle_row - 2), sim,
+                   chosen, links, n_links);
     free(x0), free(u);
 }
 
@@ -276,8 +264,15 @@ static void draw_beam(const Screen *screen, Area area)
     const double height = high[1] - low[1];
     const double reach = reach_of(screen, sim, sim->displacement[1], at[3], count);
     const double k = exaggeration(reach > moved ? reach : moved, 0.75 * height);
-    /* the drawing keeps its frame while the beam swings */
-    const double top = high[1] + 0.8 * height, bottom = low[1] - 0.8 * height;
+    /* the drawing keeps its frame while the beam swings; to scale if there are rows enough, else as they
+     * allow */
+    double top = high[1] + 0.8 * height, bottom = low[1] - 0.8 * height;
+    const double needed = (top - bottom) / (high[0] - low[0]) * part.rect.width / 2;
+    if (needed < part.rect.height) {
+        const double more = (top - bottom) * (part.rect.height / needed - 1) / 2;
+        top += more, bottom -= more;
+    }
+    const double stretch = needed > part.rect.height ? part.rect.height / needed : 1;
     Plot plot;
     plot_open(&plot, axis_make(low[0], high[0] + 1e-9 * height, 4), axis_make(bottom, top, 4));
     plot_begin(&plot, STROKE_DOTS, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '#');
@@ -291,7 +286,10 @@ static void draw_beam(const Screen *screen, Area area)
     Area words = area_part(area, part.rect.x + part.rect.width + 1, 0, area.rect.width, rows);
     char number[NUMBER_TEXT_MAX];
     text_rounded(number, k, 3);
-    area_print(words, 0, tall ? 1 : 0, STYLE_FAINT, "%zu particles", count);
+    if (stretch < 0.95)
+        area_print(words, 0, tall ? 1 : 0, STYLE_FAINT, "height drawn x %.2g", stretch);
+    else
+        area_text(words, 0, tall ? 1 : 0, "to scale", STYLE_FAINT);
     area_print(words, 0, rows - 1, STYLE_FAINT, k == 1 ? "drawn in place%.0s" : "at y0 + %s uy", number);
     for (int i = 0; i < 4; i++)
         free(at[i]);

@@ -91,6 +91,10 @@ static void draw_field(const Screen *screen, Area area, int y, const Parameter *
     if (value[0] == '\0')
         snprintf(value, sizeof value, "-");
     int columns = text_columns(value), room = width - label - 1;
+    if (columns > room && parameter->type == PARAMETER_REAL) {
+        number_text(settings_number(settings, parameter), 6, room, value);
+        columns = text_columns(value);
+    }
     if (focused && parameter->type == PARAMETER_CHOICE && columns + 2 <= room) {
         char marked[LIST_MAX + 8];
         snprintf(marked, sizeof marked, "‹%s›", value);

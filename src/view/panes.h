@@ -98,6 +98,14 @@ int box_stage(const Screen *, bool *done);
 /* Appends to a text; what does not fit is cut. */
 void append(char *out, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
+/* Between which things a stage hands on: a name that particles and nodes share (mass, x) counts as the one
+ * that the other names of the stage tell. */
+typedef enum Flow { FLOW_NONE, FLOW_TO_NODES, FLOW_TO_PARTICLES, FLOW_FORGET } Flow;
+bool has_mesh(const Simulation *);                   /* its second set are nodes */
+int stage_target(const Simulation *, const Stage *); /* the set that a stage writes to */
+Flow stage_flow(const Simulation *, const Stage *);
+int stage_field(const Simulation *, int set, const char *name); /* -1: the set has none of that name */
+
 /* Names of fields, separated by spaces, one after the other. */
 bool next_word(const char **text, char *out, size_t size);
 

@@ -309,7 +309,7 @@ static void draw_band(const Plot *plot, const Stroke *stroke, Raster *raster)
             return;
         Place low = place_of(plot, raster, stroke->first + i),
               high = place_of(plot, raster, stroke->first + i + 1);
-        bool covered = low.x <= x + 0.5 && (i + 3 < stroke->count || low.x >= x - 0.5);
+        bool covered = low.x <= x + 0.5 + 1e-6 && (i + 3 < stroke->count || low.x >= x - 0.5);
         if (!covered || !isfinite(low.y) || !isfinite(high.y) || low.y - high.y < 1e-9 * rows)
             continue;
         int top = high.y < 0 ? 0 : dot_of(high.y), bottom = low.y > rows ? rows : dot_of(low.y);

@@ -107,6 +107,8 @@ void screen_draw(const Screen *screen, Canvas *canvas)
     const Layout layout = layout_make(screen, canvas->width, canvas->height);
     if (layout.kind == LAYOUT_TOO_SMALL) {
         draw_too_small(canvas);
+        if (screen->glyphs == GLYPHS_ASCII)
+            canvas_to_ascii(canvas);
         return;
     }
     if (screen->help) {

@@ -166,7 +166,7 @@ void view_profile(const Screen *screen, Area area, Style heading, int variant)
         isfinite(references_profile(experiment_references(screen->experiment), name, row.x[row.count / 2],
                                     experiment_time(screen->experiment)));
     const Legend legend[] = {
-        {LINE_SOLID, '*', STYLE_MEASURED, sim->dimensions == 1 ? "particles" : "middle row", NULL},
+        {LINE_SOLID, '*', STYLE_MEASURED, sim->dimensions == 1 ? "measured" : "measured, middle row", NULL},
         {LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL}};
     char scale[TICK_TEXT_MAX], x_scale[TICK_TEXT_MAX], x_name[TICK_TEXT_MAX + 4];
     axis_scale_text(&y, quantity->unit, scale);

@@ -81,8 +81,7 @@ void view_shapes(const Screen *screen, Area area, Style heading, int variant)
                              {LINE_SOLID, ':', STYLE_FAINT, "others", NULL},
                              {LINE_DOTTED, '.', STYLE_EXACT, "sum", NULL}};
     char name[64], scale[TICK_TEXT_MAX];
-    snprintf(name, sizeof name, slope ? "slopes N', particle %zu" : "shape functions N, particle %zu",
-             chosen);
+    snprintf(name, sizeof name, slope ? "slopes N', particle %zu" : "shapes N, particle %zu", chosen);
     axis_scale_text(&y, "", scale);
     draw_heading(area, heading, name, scale, legend, 3);
     Area inner = axes_draw(area_part(area, 0, 1, area.rect.width, area.rect.height - 1), &x, &y, "x", GUTTER);

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { CELL_WIDTH = 10, INDEX_WIDTH = 7, FIELDS_MAX = 48 };
+enum { CELL_WIDTH = 10, INDEX_WIDTH = 7, FIELDS_MAX = 48, ROWS_MAX = 256 };
 
 int view_table_variants(const Screen *screen)
 {
@@ -45,7 +45,7 @@ void view_table(const Screen *screen, Area area, Style heading, int set)
     const size_t count = sim->counts[set];
     size_t chosen = chosen_of(screen, set);
     chosen = chosen < count ? chosen : count ? count - 1 : 0;
-    const int room = area.rect.height - 2;
+    const int room = area.rect.height - 2 < ROWS_MAX ? area.rect.height - 2 : ROWS_MAX;
     if (room < 1)
         return;
     size_t first = chosen > (size_t)(room / 2) ? chosen - (size_t)(room / 2) : 0;
@@ -54,6 +54,7 @@ void view_table(const Screen *screen, Area area, Style heading, int set)
     if (count <= (size_t)room)
         first = 0;
 
+    const size_t rows = count - first < (size_t)room ? count - first : (size_t)room;
     char name[64];
     snprintf(name, sizeof name, "%s, %zu of them", sim->sets[set].plural, count);
     area_rule(area, 0, name, heading);
@@ -71,13 +72,14 @@ void view_table(const Screen *screen, Area area, Style heading, int set)
         const int field = fields[first_field + column], end = INDEX_WIDTH + (column + 1) * CELL_WIDTH - 1;
         Area label = area_part(area, end - CELL_WIDTH + 1, 1, CELL_WIDTH, 1);
         area_text_right(label, CELL_WIDTH - 1, 0, sim->fields[field].quantity.name, STYLE_HEADING);
-        for (int y = 0; y < room && first + (size_t)y < count; y++) {
+        double values[ROWS_MAX], before[ROWS_MAX];
+        sim->method->field(sim, field, first, rows, values);
+        const bool known = experiment_field_before(screen->experiment, field, first, rows, before);
+        for (int y = 0; y < (int)rows; y++) {
             const size_t index = first + (size_t)y;
-            double value, before;
+            const double value = values[y];
             char text[NUMBER_TEXT_MAX];
-            sim->method->field(sim, field, index, 1, &value);
-            bool changed = experiment_field_before(screen->experiment, field, index, 1, &before) &&
-                           before != value && !(isnan(before) && isnan(value));
+            bool changed = known && before[y] != value && !(isnan(before[y]) && isnan(value));
             if (sim->fields[field].integer)
                 snprintf(text, sizeof text, "%.0f", value);
             else

@@ -224,32 +224,50 @@ static void draw_ghost_letters(const Screen *screen, Area inner, const Plot *plo
     }
 }
 
-/* Lines under the plot: what the run is judged by. */
-static void frequency_lines(const Screen *screen, char first[160], char second[160])
+/* What a beam that breaks is judged by; false: this one does not. */
+static bool crack_line(const Screen *screen, char out[160])
+{
+    const int broken = find_column(screen, "broken_bonds"), x = find_column(screen, "crack_x");
+    const int y = find_column(screen, "crack_y");
+    const double *row = experiment_row(screen->experiment);
+    if (broken < 0 || x < 0 || y < 0 || !row)
+        return false;
+    snprintf(out, 160, "broken bonds %.0f", row[broken]);
+    if (isfinite(row[x]) && isfinite(row[y]))
+        append(out, 160, "  crack's tip at x %.1f, y %.1f mm", 1e3 * row[x], 1e3 * row[y]);
+    return true;
+}
+
+/* Lines under the plot: what the run is judged by. In a narrow pane the words are shorter; a number is never
+ * cut. */
+static void frequency_lines(const Screen *screen, int width, char first[160], char second[160])
 {
     const Readout *readout = experiment_readout(screen->experiment);
-    const bool period = readout->is_period;
+    const bool period = readout->is_period, exact = readout->exact_known && shows_exact(screen);
+    const bool predicted = readout->predicted_known && shows_predicted(screen);
     const double unit = period ? 1e-3 : 1;
     const char *symbol = period ? "T" : "w", *tail = period ? " ms" : "";
     first[0] = second[0] = '\0';
     if (!readout->moving) {
-        snprintf(first, 160, "nothing vibrates here: no %s to measure", period ? "period" : "frequency");
+        if (!crack_line(screen, first))
+            snprintf(first, 160, "nothing vibrates: no %s to measure", period ? "period" : "frequency");
         return;
     }
+    const bool narrow = width < 52;
     if (readout->measured_known)
-        append(first, 160, "%s measured %.4f", symbol, readout->measured / unit);
+        append(first, 160, narrow ? "%s %.4f" : "%s measured %.4f", symbol, readout->measured / unit);
     else
-        append(first, 160, "%s measuring", symbol);
-    if (readout->predicted_known && shows_predicted(screen))
-        append(first, 160, "  predicted %.4f", readout->predicted / unit);
-    if (readout->exact_known && shows_exact(screen))
-        append(first, 160, "  exact %.4f", readout->exact / unit);
+        append(first, 160, narrow ? "%s ..." : "%s measuring", symbol);
+    if (predicted)
+        append(first, 160, narrow ? " pred %.4f" : "  predicted %.4f", readout->predicted / unit);
+    if (exact)
+        append(first, 160, narrow ? " exact %.4f" : "  exact %.4f", readout->exact / unit);
     append(first, 160, "%s", tail);
-    if (!readout->measured_known || !readout->exact_known || !shows_exact(screen))
+    if (!readout->measured_known || !exact)
         return;
-    const double late = readout->late;
-    snprintf(second, 160, "%s %+.2f %%  %s %+.2f %%  %s by %.2f periods", "w", readout->error_frequency, "T",
-             readout->error_period, late < 0 ? "early" : "late", fabs(late));
+    append(second, 160, "w %+.2f %%  T %+.2f %%", readout->error_frequency, readout->error_period);
+    append(second, 160, narrow ? "  %s %.2f T" : "  %s by %.2f periods", readout->late < 0 ? "early" : "late",
+           fabs(readout->late));
 }
 
 /* The values of every curve at the cursor. */
@@ -279,25 +297,23 @@ static void cursor_line(const Screen *screen, int column, char out[160])
     }
 }
 
-static int draw_readout(const Screen *screen, Area area, int column)
+static void draw_readout(const Screen *screen, Area area, int column)
 {
-    char first[160], second[160];
-    frequency_lines(screen, first, second);
+    char first[160], second[160], cursor[160] = "";
     const int width = area.rect.width - 2, rows = area.rect.height;
+    frequency_lines(screen, width, first, second);
     if (isfinite(screen->cursor_time)) {
-        char line[160] = "";
-        cursor_line(screen, column, line);
-        area_text(area, 1, rows - 1, line, STYLE_SELECTED);
+        cursor_line(screen, column, cursor);
+        area_phrases(area, 1, rows - 1, width, 1, cursor, STYLE_SELECTED);
         if (rows > 1)
-            area_text_whole(area, 1, 0, width, first, STYLE_NORMAL);
-        return 0;
+            area_phrases(area, 1, 0, width, 1, first, STYLE_NORMAL);
+        return;
     }
-    int used = area_text(area, 1, 0, first, STYLE_NORMAL);
+    if (rows == 1 && second[0])
+        append(first, sizeof first, "   %s", second);
+    area_phrases(area, 1, 0, width, 1, first, STYLE_NORMAL);
     if (rows > 1)
-        area_text(area, 1, 1, second, STYLE_NORMAL);
-    else
-        area_text_whole(area, 1 + used + 3, 0, width - used - 3, second, STYLE_NORMAL);
-    return 0;
+        area_phrases(area, 1, 1, width, 1, second, STYLE_NORMAL);
 }
 
 void view_probe(const Screen *screen, Area area, Style heading, int variant)
@@ -312,7 +328,8 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
     }
     const Quantity *quantity = &columns[column].quantity;
     const Readout *readout = experiment_readout(screen->experiment);
-    const bool judged = strcmp(readout->column, quantity->name) == 0 || isfinite(screen->cursor_time);
+    const bool judged = strcmp(readout->column, quantity->name) == 0 || isfinite(screen->cursor_time) ||
+                        find_column(screen, "crack_x") >= 0;
     const int under = !judged || area.rect.height < 6                  ? 0
                       : area.rect.width >= 100 || area.rect.height < 8 ? 1
                                                                        : 2;

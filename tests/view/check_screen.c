@@ -1,0 +1,405 @@
+/* Whole screens: compared with pictures that were looked at, and with what every screen must keep to.
+ *
+ * The pictures are tests/golden/view/NAME.txt. After a change that is meant, write them anew and look at the
+ * difference:
+ *
+ *     make -C build check_screen && MATVIB_REGENERATE=1 MATVIB_SRCDIR=. build/check_screen all && git diff */
+#include "suite.h"
+#include "view/panes.h"
+#include "view/scene.h"
+
+#include <ctype.h>
+#include <locale.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <wchar.h>
+
+/* --- pictures ------------------------------------------------------------------------------------- */
+
+typedef struct Picture {
+    const char *name, *words;
+} Picture;
+
+static const Picture pictures[] = {
+    {"first", "mode1 80x24 0 running"},
+    {"start-paused", "mode1 80x24 0"},
+    {"running", "mode5 80x24 1234 running"},
+    {"running-block", "mode5 80x24 1234 running block"},
+    {"running-ascii", "mode5 80x24 1234 running ascii"},
+    {"map", "mode5 80x24 1234 stage 1"},
+    {"strain", "mode5 80x24 1234 stage 3"},
+    {"forces-ascii", "mode5 80x24 1234 stage 4 ascii"},
+    {"update-node", "mode5 80x24 1234 stage 6 node"},
+    {"musl-gimp", "mode5 80x24 400 mpm.algorithm=musl mpm.shape=gimp stage 6"},
+    {"rewound", "mode5 80x24 1234 back 40"},
+    {"ghost", "mode5 80x24 600 ghost mesh.cell_size=0.5"},
+    {"ended", "mode5 80x24 10000 ended"},
+    {"no-references", "mode5 80x24 800 none running"},
+    {"editing", "mode5 80x24 800 edit select 7"},
+    {"cursor", "mode5 80x24 800 focus 3 cursor 6.5"},
+    {"energies-shapes", "mode10 80x24 3000 upper 4 lower 3"},
+    {"slopes-work", "gravity 80x24 600 upper 4 lower 3 variant 1"},
+    {"tables-log", "crossing 80x24 900 upper 7 lower 9 stage 3"},
+    {"velocity", "mode10 80x24 500 variant 1"},
+    {"wide", "mode5 120x40 1234 stage 5"},
+    {"large", "mode5 132x43 1234 stage 3"},
+    {"large-block", "mode10 132x43 2000 running block"},
+    {"large-ascii", "mode10 132x43 2000 stage 2 ascii"},
+    {"small", "mode5 79x23 1234 focus 3"},
+    {"smaller", "mode5 60x18 1234 focus 2 running"},
+    {"smaller-block", "mode5 60x18 1234 focus 0 block"},
+    {"smallest", "mode5 40x12 1234 focus 3"},
+    {"smallest-stage", "mode5 40x12 1234 focus 4 stage 3"},
+    {"smallest-strip", "mode5 40x12 1234 focus 1 stage 1"},
+    {"too-small", "mode5 20x5 100"},
+    {"help-curves", "mode5 80x24 10 help 1"},
+    {"help-solved", "mode5 80x66 10 help 2"},
+    {"help-solved-ascii", "mode5 80x66 10 help 2 ascii"},
+    {"beam", "supported-beam-coarse 80x24 2000 running"},
+    {"beam-stage", "supported-beam-coarse 132x43 500 stage 4"},
+    {"cantilever", "moving-cantilever-coarse 80x24 800 lower 2 variant 1"},
+    {"notched", "notched-beam-coarse 80x24 900"},
+};
+
+static void compare(const Picture *picture, const Canvas *canvas)
+{
+    char path[128], *text = canvas_dump(canvas), *golden;
+    ck_assert_ptr_nonnull(text);
+    snprintf(path, sizeof path, "tests/golden/view/%s.txt", picture->name);
+    if (getenv("MATVIB_REGENERATE")) {
+        FILE *file = fopen(source_path(path), "w");
+        ck_assert_msg(file != NULL, "%s cannot be written", path);
+        fputs(text, file);
+        fclose(file);
+        free(text);
+        return;
+    }
+    FILE *file = fopen(source_path(path), "r");
+    ck_assert_msg(file != NULL, "%s is missing", path);
+    golden = calloc(1, 200000);
+    ck_assert_ptr_nonnull(golden);
+    size_t size = fread(golden, 1, 199999, file);
+    golden[size] = '\0';
+    fclose(file);
+    ck_assert_msg(strcmp(text, golden) == 0, "%s (%s) differs:\n%s\nit should be:\n%s", picture->name,
+                  picture->words, text, golden);
+    free(golden);
+    free(text);
+}
+
+START_TEST(screens_look_as_they_did)
+{
+    const Picture *picture = &pictures[_i];
+    Scene scene;
+    Status status = {STATUS_DONE, ""};
+    ck_assert_msg(scene_open(&scene, picture->words, &status), "%s", status.text);
+    compare(picture, &scene.canvas);
+    scene_close(&scene);
+}
+END_TEST
+
+/* --- what every screen keeps to ------------------------------------------------------------------- */
+
+/* Every glyph is one column wide; with ASCII glyphs it is ASCII. */
+static void expect_plain_glyphs(const Canvas *canvas, Glyphs glyphs, const char *what)
+{
+    for (int i = 0; i < canvas->width * canvas->height; i++) {
+        uint32_t glyph = canvas->cells[i].glyph;
+        if (glyph < ' ' || wcwidth((wchar_t)glyph) != 1)
+            ck_abort_msg("%s: glyph U+%04X", what, glyph);
+        if (glyphs == GLYPHS_ASCII && glyph > 0x7e)
+            ck_abort_msg("%s: U+%04X is no ASCII", what, glyph);
+        if (canvas->cells[i].style >= STYLE_COUNT)
+            ck_abort_msg("%s: style %d", what, canvas->cells[i].style);
+    }
+}
+
+/* An ellipsis may cut words, never a number. */
+static void expect_whole_numbers(const Canvas *canvas, const char *what)
+{
+    for (int y = 0; y < canvas->height; y++)
+        for (int x = 1; x < canvas->width; x++) {
+            const Cell *cell = &canvas->cells[y * canvas->width + x];
+            const uint32_t before = cell[-1].glyph;
+            if (cell->glyph == 0x2026 && before < 0x80 && (isdigit((int)before) || before == '.')) {
+                char *text = canvas_dump(canvas);
+                ck_abort_msg("%s: a number is cut in row %d:\n%s", what, y, text);
+            }
+        }
+}
+
+START_TEST(every_screen_is_sound)
+{
+    const Picture *picture = &pictures[_i];
+    Scene scene;
+    Status status = {STATUS_DONE, ""};
+    ck_assert_msg(scene_open(&scene, picture->words, &status), "%s", status.text);
+    Screen *screen = &scene.screen;
+    Canvas *canvas = &scene.canvas;
+    static const int sizes[][2] = {{80, 24}, {120, 40}, {79, 23},  {132, 43}, {100, 30}, {60, 18},
+                                   {40, 12}, {20, 5},   {200, 60}, {1, 1},    {80, 23},  {300, 12}};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+        for (int glyphs = 0; glyphs < GLYPHS_COUNT; glyphs++)
+            for (int focus = 0; focus < PANE_COUNT; focus++) {
+                screen->glyphs = (Glyphs)glyphs;
+                screen->focus = (PaneId)focus;
+                ck_assert(canvas_open(canvas, sizes[i][0], sizes[i][1], NULL));
+                screen_draw(screen, canvas);
+                expect_plain_glyphs(canvas, screen->glyphs, picture->words);
+                expect_whole_numbers(canvas, picture->words);
+                ck_assert(canvas->cursor_x < canvas->width && canvas->cursor_y < canvas->height);
+            }
+    scene_close(&scene);
+}
+END_TEST
+
+/* --- panes keep to their places ------------------------------------------------------------------- */
+
+typedef void Draw(const Screen *, Area);
+
+static void draw_view_1(const Screen *screen, Area area)
+{
+    view_draw(screen, 1, area, false);
+}
+
+static void draw_view_2(const Screen *screen, Area area)
+{
+    view_draw(screen, 2, area, true);
+}
+
+static void draw_view_3(const Screen *screen, Area area)
+{
+    view_draw(screen, 3, area, false);
+}
+
+static void draw_view_4(const Screen *screen, Area area)
+{
+    view_draw(screen, 4, area, true);
+}
+
+static void draw_view_7(const Screen *screen, Area area)
+{
+    view_draw(screen, 7, area, false);
+}
+
+static void draw_view_9(const Screen *screen, Area area)
+{
+    view_draw(screen, 9, area, true);
+}
+
+START_TEST(nothing_leaves_its_pane)
+{
+    static Draw *const draws[] = {pane_title,  pane_bar,    pane_parameters, pane_mesh,
+                                  pane_box,    pane_help,   draw_view_1,     draw_view_2,
+                                  draw_view_3, draw_view_4, draw_view_7,     draw_view_9};
+    static const char *const words[] = {"mode5 80x24 700 stage 3", "mode5 80x24 700 running",
+                                        "notched-beam-coarse 80x24 30 stage 5", "crossing 80x24 900 ended"};
+    enum { WIDTH = 160, HEIGHT = 50, MARK = 0x2603 };
+    Scene scene;
+    Status status = {STATUS_DONE, ""};
+    ck_assert_msg(scene_open(&scene, words[_i], &status), "%s", status.text);
+    ck_assert(canvas_open(&scene.canvas, WIDTH, HEIGHT, NULL));
+    uint64_t state = 31;
+    for (int trial = 0; trial < 1200; trial++) {
+        for (int i = 0; i < WIDTH * HEIGHT; i++)
+            scene.canvas.cells[i].glyph = MARK;
+        state ^= state << 13, state ^= state >> 7, state ^= state << 17;
+        Rect rect = {(int)(state % 20), (int)(state >> 8) % 10, 1 + (int)(state >> 20) % 130,
+                     1 + (int)(state >> 32) % 38};
+        rect.y = abs(rect.y), rect.width = abs(rect.width), rect.height = abs(rect.height);
+        Area area = {&scene.canvas, rect, (Glyphs)(trial % GLYPHS_COUNT)};
+        scene.screen.glyphs = area.glyphs;
+        draws[(size_t)trial % (sizeof draws / sizeof *draws)](&scene.screen, area);
+        for (int y = 0; y < HEIGHT; y++)
+            for (int x = 0; x < WIDTH; x++) {
+                bool inside =
+                    x >= rect.x && x < rect.x + rect.width && y >= rect.y && y < rect.y + rect.height;
+                if (!inside && scene.canvas.cells[y * WIDTH + x].glyph != MARK)
+                    ck_abort_msg("drawing %d in %dx%d at %d,%d leaves it at %d,%d",
+                                 trial % (int)(sizeof draws / sizeof *draws), rect.width, rect.height, rect.x,
+                                 rect.y, x, y);
+            }
+    }
+    scene_close(&scene);
+}
+END_TEST
+
+START_TEST(panes_do_not_overlap)
+{
+    Scene scene;
+    Status status = {STATUS_DONE, ""};
+    ck_assert_msg(scene_open(&scene, "mode1 80x24 0", &status), "%s", status.text);
+    for (int width = 40; width < 240; width += 3)
+        for (int height = 12; height < 80; height++)
+            for (int zoomed = 0; zoomed < 2; zoomed++) {
+                scene.screen.zoomed = zoomed;
+                Layout layout = layout_make(&scene.screen, width, height);
+                char taken[240][80] = {0};
+                Rect all[PANE_COUNT + SIDES_MAX + 2];
+                int count = 0;
+                for (int i = 0; i < PANE_COUNT; i++)
+                    all[count++] = layout.panes[i];
+                for (int i = 0; i < SIDES_MAX; i++)
+                    all[count++] = layout.sides[i];
+                all[count++] = layout.title, all[count++] = layout.bar;
+                for (int i = 0; i < count; i++)
+                    for (int y = all[i].y; y < all[i].y + all[i].height; y++)
+                        for (int x = all[i].x; x < all[i].x + all[i].width; x++) {
+                            if (x < 0 || y < 0 || x >= width || y >= height || taken[x][y])
+                                ck_abort_msg("%dx%d: overlap at %d,%d", width, height, x, y);
+                            taken[x][y] = 1;
+                        }
+                ck_assert_int_eq(layout.panes[PANE_UPPER].width > 0, layout.kind == LAYOUT_FULL);
+            }
+    scene_close(&scene);
+}
+END_TEST
+
+START_TEST(labels_stand_apart)
+{
+    Canvas canvas = {0};
+    ck_assert(canvas_open(&canvas, 160, 20, NULL));
+    uint64_t state = 77;
+    for (int trial = 0; trial < 20000; trial++) {
+        state ^= state << 13, state ^= state >> 7, state ^= state << 17;
+        double scale = pow(10, (double)(state % 18) - 9),
+               low = ((double)(state >> 8 & 0xff) / 128 - 1) * scale;
+        double high = low + scale * (0.02 + (double)(state >> 16 & 0xff) / 100);
+        int width = 16 + (int)(state >> 24 & 0x7f), height = 3 + (int)(state >> 32 & 0xf);
+        Axis x = axis_make(low, high, width / 9), y = axis_make(low, high, 1 + height / 2);
+        canvas_clear(&canvas);
+        axes_draw((Area){&canvas, {0, 0, width, height}, GLYPHS_BRAILLE}, &x, &y, "x", GUTTER);
+        /* each word of the last row is a whole label */
+        double ticks[TICKS_MAX];
+        int count = axis_ticks(&x, ticks);
+        char row[200] = "", *rest = row;
+        for (int i = 0; i < width; i++)
+            row[i] = (char)canvas.cells[(height - 1) * canvas.width + i].glyph;
+        for (char *word; (word = strtok_r(rest, " ", &rest));) {
+            bool known = strcmp(word, "x") == 0;
+            for (int i = 0; i < count && !known; i++) {
+                char text[TICK_TEXT_MAX];
+                axis_label(&x, ticks[i], text);
+                known = strcmp(text, word) == 0;
+            }
+            ck_assert_msg(known, "\"%s\" is no label of %g..%g in %d columns", word, low, high, width);
+        }
+    }
+    canvas_close(&canvas);
+}
+END_TEST
+
+START_TEST(any_state_can_be_drawn)
+{
+    static const char *const scenarios[] = {"mode5 80x24 40 stage 2", "supported-beam-coarse 80x24 3 stage 4",
+                                            "pull 80x24 100"};
+    Scene scene;
+    Status status = {STATUS_DONE, ""};
+    ck_assert_msg(scene_open(&scene, scenarios[_i], &status), "%s", status.text);
+    uint64_t state = 5;
+#define DRAW(most)                                                                                           \
+    (state ^= state << 13, state ^= state >> 7, state ^= state << 17, (int)(state % (uint64_t)(most)))
+    for (int trial = 0; trial < 1500; trial++) {
+        Screen *screen = &scene.screen;
+        screen->glyphs = (Glyphs)DRAW(GLYPHS_COUNT);
+        screen->state = (RunState)DRAW(STATE_FAILED + 1);
+        screen->pace = DRAW(3) ? DRAW(1000) : 0.125;
+        screen->rate = DRAW(100000);
+        screen->at_limit = DRAW(2);
+        screen->work_share = DRAW(101) / 100.0;
+        screen->focus = (PaneId)DRAW(PANE_COUNT);
+        screen->zoomed = DRAW(3) == 0;
+        screen->upper = DRAW(11);
+        screen->lower = DRAW(11);
+        for (int v = 0; v < 10; v++)
+            screen->variant[v] = DRAW(9);
+        screen->references = (ReferencesShown)DRAW(SHOW_COUNT);
+        screen->selected = DRAW(60) - 2;
+        screen->editing = DRAW(4) == 0;
+        strcpy(screen->edit_text, DRAW(2) ? "3:0.03,7:0.01,9:0.005,11:0.001,13:0.01" : "");
+        screen->edit_cursor = DRAW(40);
+        strcpy(screen->filter, DRAW(4) ? "" : "den");
+        screen->particle = (size_t)DRAW(3000);
+        screen->node = (size_t)DRAW(100);
+        screen->node_chosen = DRAW(2);
+        screen->table_scroll = DRAW(100);
+        screen->table_column = DRAW(40);
+        screen->window = DRAW(2) ? 0 : DRAW(100) / 7.0;
+        screen->cursor_time = DRAW(2) ? NAN : DRAW(100) / 33.0;
+        screen->prompt.open = DRAW(6) == 0;
+        screen->prompt.yes_no = DRAW(2);
+        strcpy(screen->prompt.question, "write the run as");
+        strcpy(screen->prompt.text, "a-rather-long-name-of-a-file-in-some-folder/mode5.csv");
+        screen->prompt.cursor = DRAW(60);
+        strcpy(screen->prompt.problem, DRAW(2) ? "" : "it exists already");
+        screen->message_kind = (MessageKind)DRAW(4);
+        strcpy(screen->message, "a message that says something");
+        screen->help = DRAW(6) == 0;
+        screen->help_page = DRAW(5) - 1;
+        screen->help_scroll = DRAW(200) - 5;
+        screen->used = state;
+        screen->summary_known = DRAW(2);
+        int width = 1 + DRAW(180), height = 1 + DRAW(60);
+        ck_assert(canvas_open(&scene.canvas, width, height, NULL));
+        screen_draw(screen, &scene.canvas);
+        expect_plain_glyphs(&scene.canvas, screen->glyphs, "random state");
+        for (int x = -1; x <= width; x++)
+            screen_bar_command(screen, width, x);
+    }
+#undef DRAW
+    scene_close(&scene);
+}
+END_TEST
+
+START_TEST(the_bar_can_be_clicked)
+{
+    Scene scene;
+    Status status = {STATUS_DONE, ""};
+    ck_assert_msg(scene_open(&scene, "mode1 80x24 0 focus 3", &status), "%s", status.text);
+    char *text = canvas_dump(&scene.canvas), *last = text;
+    for (char *line = text; *line; line = strchr(line, '\n') + 1)
+        last = line;
+    ck_assert_int_eq(screen_bar_command(&scene.screen, 80, (int)(strstr(last, "Space") - last)),
+                     COMMAND_RUN_PAUSE);
+    ck_assert_int_eq(screen_bar_command(&scene.screen, 80, (int)(strstr(last, "quit") - last)), COMMAND_QUIT);
+    ck_assert_int_eq(screen_bar_command(&scene.screen, 80, 0), COMMAND_NONE);
+    free(text);
+    scene_close(&scene);
+}
+END_TEST
+
+START_TEST(the_help_holds_every_command)
+{
+    Scene scene;
+    Status status = {STATUS_DONE, ""};
+    ck_assert_msg(scene_open(&scene, "mode1 120x200 0 help 0", &status), "%s", status.text);
+    char *text = canvas_dump(&scene.canvas);
+    for (int i = 0; i < n_commands; i++) {
+        ck_assert_msg(strstr(text, commands[i].help) != NULL, "%s is not in the help", commands[i].name);
+        ck_assert_msg(strstr(text, commands[i].keys) != NULL, "the keys %s are not", commands[i].keys);
+    }
+    free(text);
+    scene_close(&scene);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    setlocale(LC_CTYPE, "C.UTF-8");
+    const int count = sizeof pictures / sizeof *pictures;
+    TCase *golden = tcase_create("pictures");
+    tcase_add_loop_test(golden, screens_look_as_they_did, 0, count);
+    suite_add_tcase(suite, golden);
+    TCase *sound = tcase_create("sound");
+    tcase_add_loop_test(sound, every_screen_is_sound, 0, count);
+    tcase_add_loop_test(sound, nothing_leaves_its_pane, 0, 4);
+    tcase_add_test(sound, panes_do_not_overlap);
+    tcase_add_test(sound, labels_stand_apart);
+    tcase_add_loop_test(sound, any_state_can_be_drawn, 0, 3);
+    tcase_add_test(sound, the_bar_can_be_clicked);
+    tcase_add_test(sound, the_help_holds_every_command);
+    suite_add_tcase(suite, sound);
+}

@@ -1,0 +1,173 @@
+#include "view/scene.h"
+
+#include "lab/scenario.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct Plan {
+    Settings settings;
+    int width, height;
+    long steps, stages, back, particle;
+    char ghost[VALUE_MAX]; /* key=value of an edit after the steps */
+} Plan;
+
+/* A word that takes no number; false: it is none. */
+static bool simple_word(Scene *scene, const char *word)
+{
+    Screen *screen = &scene->screen;
+    if (strcmp(word, "running") == 0)
+        screen->state = STATE_RUNNING, screen->pace = 10;
+    else if (strcmp(word, "ended") == 0)
+        screen->state = STATE_ENDED;
+    else if (strcmp(word, "computing") == 0)
+        screen->state = STATE_COMPUTING, screen->work_share = 0.42;
+    else if (strcmp(word, "ascii") == 0)
+        screen->glyphs = GLYPHS_ASCII;
+    else if (strcmp(word, "block") == 0)
+        screen->glyphs = GLYPHS_BLOCK;
+    else if (strcmp(word, "zoom") == 0)
+        screen->zoomed = true;
+    else if (strcmp(word, "none") == 0)
+        screen->references = SHOW_NONE;
+    else if (strcmp(word, "exact") == 0)
+        screen->references = SHOW_EXACT;
+    else if (strcmp(word, "node") == 0)
+        screen->node_chosen = true;
+    else if (strcmp(word, "styles") == 0)
+        scene->styles = true;
+    else if (strcmp(word, "edit") == 0) {
+        screen->editing = true;
+        strcpy(screen->edit_text, "12.5");
+        screen->edit_cursor = 4;
+    } else
+        return false;
+    return true;
+}
+
+static bool number_word(Scene *scene, Plan *plan, const char *word, const char *number)
+{
+    Screen *screen = &scene->screen;
+    if (strcmp(word, "help") == 0)
+        screen->help = true, screen->help_page = atoi(number);
+    else if (strcmp(word, "scroll") == 0)
+        screen->help_scroll = atoi(number);
+    else if (strcmp(word, "upper") == 0)
+        screen->upper = atoi(number);
+    else if (strcmp(word, "lower") == 0)
+        screen->lower = atoi(number);
+    else if (strcmp(word, "variant") == 0)
+        for (int v = 0; v < 10; v++)
+            screen->variant[v] = atoi(number);
+    else if (strcmp(word, "focus") == 0)
+        screen->focus = (PaneId)atoi(number);
+    else if (strcmp(word, "select") == 0)
+        screen->selected = atoi(number);
+    else if (strcmp(word, "stage") == 0)
+        plan->stages = atol(number);
+    else if (strcmp(word, "back") == 0)
+        plan->back = atol(number);
+    else if (strcmp(word, "particle") == 0)
+        plan->particle = atol(number);
+    else if (strcmp(word, "window") == 0)
+        screen->window = atof(number);
+    else if (strcmp(word, "cursor") == 0)
+        screen->cursor_time = atof(number);
+    else if (strcmp(word, "ghost") == 0)
+        snprintf(plan->ghost, sizeof plan->ghost, "%s", number);
+    else
+        return false;
+    return true;
+}
+
+static bool assign(Settings *settings, char *word, Status *status)
+{
+    char *equals = strchr(word, '=');
+    *equals = '\0';
+    return settings_set(settings, word, equals + 1, status);
+}
+
+static bool read_words(Scene *scene, Plan *plan, const char *words, Status *status)
+{
+    char copy[512], *rest = copy;
+    snprintf(copy, sizeof copy, "%s", words);
+    const char *scenario = strtok_r(rest, " ", &rest), *size = strtok_r(rest, " ", &rest);
+    const char *steps = strtok_r(rest, " ", &rest);
+    if (!scenario || !size || !steps || sscanf(size, "%dx%d", &plan->width, &plan->height) != 2)
+        return status_fail(status, STATUS_USAGE, "a scene is SCENARIO WxH STEPS [words]");
+    snprintf(scene->scenario, sizeof scene->scenario, "%s", scenario);
+    plan->steps = atol(steps);
+    if (!scenario_load(scenario, &plan->settings, status))
+        return false;
+    for (char *word; (word = strtok_r(rest, " ", &rest));) {
+        if (simple_word(scene, word))
+            continue;
+        if (strchr(word, '=')) {
+            if (!assign(&plan->settings, word, status))
+                return false;
+            continue;
+        }
+        const char *number = strtok_r(rest, " ", &rest);
+        if (!number || !number_word(scene, plan, word, number))
+            return status_fail(status, STATUS_USAGE, "%s: not a word of a scene", word);
+    }
+    return true;
+}
+
+static bool work_off(Experiment *experiment, Status *status)
+{
+    while (experiment_pending(experiment, NULL))
+        if (!experiment_work(experiment, 100000, status))
+            return false;
+    return true;
+}
+
+static bool play(Scene *scene, Plan *plan, Status *status)
+{
+    Screen *screen = &scene->screen;
+    Experiment *experiment = screen->experiment = experiment_create(&plan->settings, 64 << 20, 1, status);
+    if (!experiment)
+        return false;
+    const Simulation *sim = experiment_simulation(experiment);
+    screen->particle = plan->particle >= 0 ? (size_t)plan->particle : sim->counts[0] / 2;
+    screen->node = sim->n_sets > 1 ? sim->counts[1] / 2 : 0;
+    if (!experiment_advance(experiment, plan->steps, status))
+        screen->state = STATE_FAILED;
+    if (plan->ghost[0]) {
+        Settings edited = *experiment_settings(experiment);
+        if (!assign(&edited, plan->ghost, status) || !experiment_edit(experiment, &edited, status) ||
+            !work_off(experiment, status))
+            return false;
+    }
+    if (plan->back > 0) {
+        experiment_seek(experiment, experiment_step(experiment) - plan->back, 0);
+        if (!work_off(experiment, status))
+            return false;
+    }
+    for (long i = 0; i < plan->stages; i++)
+        if (!experiment_next_stage(experiment, status))
+            return false;
+    return true;
+}
+
+bool scene_open(Scene *scene, const char *words, Status *status)
+{
+    *scene = (Scene){.scenario = ""};
+    Plan plan = {.particle = -1};
+    screen_default(&scene->screen);
+    scene->screen.scenario = scene->scenario;
+    scene->screen.selected = 1;
+    if (!read_words(scene, &plan, words, status) || !play(scene, &plan, status) ||
+        !canvas_open(&scene->canvas, plan.width, plan.height, status))
+        return false;
+    screen_draw(&scene->screen, &scene->canvas);
+    return true;
+}
+
+void scene_close(Scene *scene)
+{
+    experiment_destroy(scene->screen.experiment);
+    scene->screen.experiment = NULL;
+    canvas_close(&scene->canvas);
+}

@@ -1,0 +1,24 @@
+/* A screen from words, for tests that compare pictures and for looking at them:
+ *
+ *     SCENARIO WxH STEPS [key=value]... [word]...
+ *
+ * words: running, ended, computing, ascii, block, zoom, none, exact, node, edit, ghost (an edit behind), and
+ * with a number: help, scroll, upper, lower, variant, focus, select, stage, back, window, cursor, particle.
+ */
+#ifndef TESTS_VIEW_SCENE_H
+#define TESTS_VIEW_SCENE_H
+
+#include "view/screen.h"
+
+typedef struct Scene {
+    Screen screen;
+    Canvas canvas;
+    char scenario[64];
+    bool styles; /* show styles, not glyphs */
+} Scene;
+
+/* Builds, advances and draws. False: the status says why; close it all the same. */
+bool scene_open(Scene *, const char *words, Status *);
+void scene_close(Scene *);
+
+#endif
