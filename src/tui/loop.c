@@ -113,7 +113,9 @@ static void one_round(Loop *loop)
     Laboratory *lab = &loop->lab;
     Key key;
     while (!lab->closed && terminal_key(loop->terminal, &key)) {
-        laboratory_key(lab, &key);
+        /* a terminal may send reports that nobody asked for */
+        if (key.x < 0 || !loop->lab.options.no_mouse)
+            laboratory_key(lab, &key);
         loop->stale = true;
     }
     if (terminal_resized(loop->terminal))

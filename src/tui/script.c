@@ -60,9 +60,9 @@ static void frame(Player *player)
 }
 
 /* As the event loop does it: work that a key asks for begins in the same frame, and the screen is drawn. */
-static bool press(Player *player, const char *name, Status *status)
+static bool press_at(Player *player, const char *name, int x, int y, Status *status)
 {
-    Key key = {.x = -1, .y = -1};
+    Key key = {.x = x, .y = y};
     if (player->lab.closed)
         return status_fail(status, STATUS_FAILED, "key %s: the laboratory has been left", name);
     snprintf(key.name, sizeof key.name, "%s", name);
@@ -70,6 +70,11 @@ static bool press(Player *player, const char *name, Status *status)
     if (player->lab.screen.state == STATE_COMPUTING)
         frame(player);
     return draw(player, status);
+}
+
+static bool press(Player *player, const char *name, Status *status)
+{
+    return press_at(player, name, -1, -1, status);
 }
 
 /* --- instructions ----------------------------------------------------------------------------------- */
@@ -81,6 +86,15 @@ static bool do_key(Player *player, char *rest, Status *status)
         if (!press(player, name, status))
             return false;
     return true;
+}
+
+static bool do_click(Player *player, char *rest, Status *status)
+{
+    int x, y;
+    char end;
+    if (sscanf(rest, "%d %d%c", &x, &y, &end) != 2)
+        return status_fail(status, STATUS_USAGE, "click: a column and a row are wanted, not: %s", rest);
+    return press_at(player, "Click", x, y, status);
 }
 
 static bool do_type(Player *player, char *rest, Status *status)
@@ -194,9 +208,9 @@ static const struct {
     const char *name;
     bool (*run)(Player *, char *rest, Status *);
 } instructions[] = {
-    {"key", do_key},       {"type", do_type},     {"wait", do_wait},     {"size", do_size},
-    {"rate", do_rate},     {"screen", do_screen}, {"styles", do_styles}, {"expect", do_expect},
-    {"reject", do_reject}, {"closed", do_closed},
+    {"key", do_key},       {"click", do_click},   {"type", do_type},     {"wait", do_wait},
+    {"size", do_size},     {"rate", do_rate},     {"screen", do_screen}, {"styles", do_styles},
+    {"expect", do_expect}, {"reject", do_reject}, {"closed", do_closed},
 };
 
 static bool play_line(Player *player, char *line, Status *status)

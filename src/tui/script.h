@@ -5,6 +5,7 @@
  *
  *     key NAME...       presses keys by name (Space, Enter, ^C, ], ...)
  *     type TEXT         presses the characters of the text one by one
+ *     click X Y         presses the mouse in a column and a row, from 0
  *     wait SECONDS      lets that much time pass, frame by frame
  *     size WIDTHxHEIGHT resizes the screen
  *     rate STEPS        the engine does that many steps in a second; 0: as many as are asked for

@@ -265,21 +265,45 @@ static void write_solved(Sheet *sheet, const Screen *screen, int width, bool bar
         write_passages(sheet, width, ascii, beam_after, sizeof beam_after / sizeof *beam_after);
 }
 
+static int page_of(const Screen *screen)
+{
+    return screen->help_page < 0 ? 0 : screen->help_page >= HELP_PAGES ? HELP_PAGES - 1 : screen->help_page;
+}
+
+/* The lines of the page that is open, for a screen of this width. */
+static void write_page(Sheet *sheet, const Screen *screen, int screen_width)
+{
+    const int width = screen_width - 2 < 100 ? screen_width - 2 : 100, page = page_of(screen);
+    const bool bar = experiment_settings(screen->experiment)->problem == PROBLEM_BAR;
+    sheet->used = 0;
+    sheet->count = 0;
+    if (page == 0)
+        write_keys(sheet, width);
+    else if (page == 1)
+        write_curves(sheet, width, bar);
+    else
+        write_solved(sheet, screen, width, bar);
+}
+
+int screen_help_pages(void)
+{
+    return HELP_PAGES;
+}
+
+int screen_help_most(const Screen *screen, int width, int height)
+{
+    Sheet sheet;
+    write_page(&sheet, screen, width);
+    const int room = height - 3; /* without title, heading and bar */
+    return sheet.count > room ? sheet.count - room : 0;
+}
+
 void pane_help(const Screen *screen, Area area)
 {
     static const char *const names[HELP_PAGES] = {"keys", "the curves", "what is solved"};
-    const int page = screen->help_page < 0             ? 0
-                     : screen->help_page >= HELP_PAGES ? HELP_PAGES - 1
-                                                       : screen->help_page;
-    const int width = area.rect.width - 2 < 100 ? area.rect.width - 2 : 100, room = area.rect.height - 1;
-    const bool bar = experiment_settings(screen->experiment)->problem == PROBLEM_BAR;
-    Sheet sheet = {.used = 0};
-    if (page == 0)
-        write_keys(&sheet, width);
-    else if (page == 1)
-        write_curves(&sheet, width, bar);
-    else
-        write_solved(&sheet, screen, width, bar);
+    const int page = page_of(screen), room = area.rect.height - 1;
+    Sheet sheet;
+    write_page(&sheet, screen, area.rect.width);
 
     int first = screen->help_scroll;
     if (first > sheet.count - room)

@@ -171,3 +171,14 @@ void pane_parameters(const Screen *screen, Area area)
         area_text(area, 2, area.rect.height - 1, text, STYLE_FAINT);
     }
 }
+
+int screen_parameter_at(const Screen *screen, int width, int height, int x, int y)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    const Rect pane = screen_pane(screen, width, height, PANE_PARAMETERS);
+    const int count = screen_parameter_rows(screen, rows), room = pane.height - 1;
+    if (x < pane.x || x >= pane.x + pane.width || y < pane.y || y >= pane.y + room)
+        return -1;
+    const int row = first_row(screen, count, room) + y - pane.y;
+    return row < count && !rows[row].heading ? row : -1;
+}

@@ -106,6 +106,13 @@ Rect screen_pane(const Screen *, int width, int height, PaneId);
 /* The command under column x of the bottom bar, for the mouse; COMMAND_NONE: none. */
 CommandId screen_bar_command(const Screen *, int width, int x);
 
+/* The row of the parameter pane at a place of the screen, for the mouse; -1: none. */
+int screen_parameter_at(const Screen *, int width, int height, int x, int y);
+
+/* How many pages the help has, and how far the open one can be scrolled. */
+int screen_help_pages(void);
+int screen_help_most(const Screen *, int width, int height);
+
 /* The time at the left and right end of the time plots, as drawn at present. */
 void screen_time_window(const Screen *, double *from, double *to);
 
