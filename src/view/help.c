@@ -293,6 +293,8 @@ int screen_help_pages(void)
 int screen_help_most(const Screen *screen, int width, int height)
 {
     Sheet sheet;
+    if (layout_make(screen, width, height).kind == LAYOUT_TOO_SMALL)
+        return 0; /* nothing of it is shown, and its lines need some width */
     write_page(&sheet, screen, width);
     const int room = height - 3; /* without title, heading and bar */
     return sheet.count > room ? sheet.count - room : 0;
