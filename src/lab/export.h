@@ -26,7 +26,7 @@ typedef struct RunSummary {
     double work;                     /* of loads, at the end */
     double energy_drift;         /* of total - work, the mean of the last tenth of the rows against that of
                                   * the first, for kinetic and strain energy are half a step apart and their
-                                  * sum ripples; in percent of the first (of the work, if t = 0 has none) */
+                                  * sum ripples; in percent of the first (of the largest work, if t = 0 has none) */
     long rows;                   /* of the series */
     Column columns[COLUMNS_MAX]; /* of the series */
     int n_columns;

@@ -38,7 +38,10 @@ static void take_energies(RunSummary *summary, const Column *columns, int n_colu
     size_t tenth = count < 20 ? 1 : count / 10;
     double before = mean_energy(rows, tenth, n_columns, total, work);
     double after = mean_energy(rows + (count - tenth) * (size_t)n_columns, tenth, n_columns, total, work);
-    double scale = summary->energy_start > 0 ? before : fabs(summary->work);
+    double scale = summary->energy_start > 0 ? before : 0;
+    /* the work of a load swings with the body, so its value at the end says little */
+    for (size_t i = 0; i < count && work >= 0 && !(summary->energy_start > 0); i++)
+        scale = fmax(scale, fabs(rows[i * (size_t)n_columns + (size_t)work]));
     summary->energy_drift = scale > 0 ? 100 * (after - before) / scale : 0;
 }
 
