@@ -27,7 +27,8 @@ Axis axis_make(double low, double high, int most);
 Axis axis_symmetric(double amplitude, int most);
 
 /* An axis on which a value stands at the signed root of its distance from 0: what grows like a square is a
- * straight line. Ticks: 0, and 1, 5, 20, 50 times a power of 100 as far as there is room for `most` of them. */
+ * straight line. Ticks: 0, and 1, 5, 20, 50 times a power of 100 as far as there is room for `most` of them.
+ */
 Axis axis_make_root(double low, double high, int most);
 
 /* Powers of ten from below `low` to above `high`, both positive. */

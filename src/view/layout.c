@@ -8,6 +8,7 @@ enum {
     FULL_WIDTH = 80,
     FULL_HEIGHT = 24,
     WIDE = 120, /* from here on there is a column at the right */
+    WIDER = 130,
     PARAMETERS_WIDTH = 25,
     WIDE_PARAMETERS_WIDTH = 28,
     SIDE_HEIGHT = 30
@@ -18,9 +19,9 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     const int box = height < 27 ? 5 : height < 30 ? 6 : height < 40 ? 9 : 10;
     const int mesh = height < 28 ? 2 : height < 40 ? 3 : 4;
     const int top = 1 + mesh, middle = height - 2 - box - mesh;
-    const int fields = width < WIDE ? PARAMETERS_WIDTH : WIDE_PARAMETERS_WIDTH;
+    const int fields = width < WIDER ? PARAMETERS_WIDTH : WIDE_PARAMETERS_WIDTH;
     const bool side = width >= WIDE && height >= SIDE_HEIGHT;
-    const int side_width = side ? (width < 150 ? 45 : width * 3 / 10) : 0;
+    const int side_width = side ? (width < WIDER ? 39 : width < 150 ? 45 : width * 3 / 10) : 0;
     const int left = fields + 1, plots = width - left - (side ? side_width + 1 : 0);
     const int lower = (middle + 3) / 2, upper = middle - lower;
 

@@ -223,10 +223,7 @@ static void draw_bar(const Screen *screen, Area area)
     else
         area_print(words, 0, grid_row, STYLE_FAINT, "%ld cells", strip.cells);
     text_rounded(number, k, 3);
-    if (k == 1)
-        snprintf(text, sizeof text, "%zu particles in place", particles);
-    else
-        snprintf(text, sizeof text, "particles at x0 + %s u", number);
+    snprintf(text, sizeof text, "particles at x0 + %s%su", k == 1 ? "" : number, k == 1 ? "" : " ");
     area_text(words, 0, particle_row, text, STYLE_FAINT);
     if (rows > particle_row + 2)
         list_links(area_part(area, 1, particle_row + 2, area.rect.width - 2, rows - particle_row - 2), sim,
@@ -261,6 +258,13 @@ static void draw_beam(const Screen *screen, Area area)
         }
         moved = fmax(moved, fabs(at[3][i]));
     }
+    /* no more dots across than the lattice has columns: else some stay dark */
+    size_t columns = 1;
+    while (columns < count && at[1][columns] == at[1][0])
+        columns++;
+    const int most = (int)columns / plot_dots_across(area.glyphs);
+    if (most >= 4 && part.rect.width > most)
+        part.rect.width = most;
     const double height = high[1] - low[1];
     const double reach = reach_of(screen, sim, sim->displacement[1], at[3], count);
     const double k = exaggeration(reach > moved ? reach : moved, 0.75 * height);

@@ -124,22 +124,27 @@ static void draw_derived(Area area, int y, const Derived *derived, bool chosen)
     area_text_right(area, area.rect.width, y, value, style);
 }
 
-/* Unit and range of the chosen field, or how many rows are out of sight. */
+/* Below the fields: the unit of the chosen one, and what it may be. */
+enum { HINT_ROWS = 2 };
+
+static int room_of(int height)
+{
+    return height > HINT_ROWS ? height - HINT_ROWS : height;
+}
+
 static void draw_hint(const Screen *screen, Area area, const ParameterRow *row, const Derived *derived)
 {
-    char text[160] = "", range[96];
-    if (row && row->parameter) {
-        const char *unit = parameter_unit(screen, row->parameter);
+    char unit[96] = "", range[96] = "";
+    if (row->parameter) {
+        snprintf(unit, sizeof unit, "%s", parameter_unit(screen, row->parameter));
         parameter_range(row->parameter, range, sizeof range);
-        snprintf(text, sizeof text, "%s%s%s%s", unit[0] ? "in " : "", unit, unit[0] ? "   " : "", range);
-        if (text_columns(text) > area.rect.width - 2)
-            snprintf(text, sizeof text, "%s", unit[0] ? unit : "Enter to choose");
-    } else if (row && row->derived >= 0) {
-        const char *unit = derived[row->derived].unit;
-        snprintf(text, sizeof text, "%s%sread only", strcmp(unit, "1") == 0 ? "" : unit,
-                 strcmp(unit, "1") == 0 ? "" : "   ");
+    } else if (row->derived >= 0) {
+        snprintf(unit, sizeof unit, "%s", derived[row->derived].unit);
+        snprintf(range, sizeof range, "read only");
     }
-    area_text(area, 2, area.rect.height - 1, text, STYLE_FAINT);
+    if (unit[0] && strcmp(unit, "1") != 0)
+        area_print(area, 2, area.rect.height - 2, STYLE_FAINT, "in %s", unit);
+    area_text(area, 2, area.rect.height - 1, range, STYLE_FAINT);
 }
 
 void pane_parameters(const Screen *screen, Area area)
@@ -149,7 +154,7 @@ void pane_parameters(const Screen *screen, Area area)
     const int count = screen_parameter_rows(screen, rows);
     experiment_derived(screen->experiment, derived);
     const bool focused = is_focused(screen, PANE_PARAMETERS);
-    const int room = area.rect.height - 1, first = first_row(screen, count, room);
+    const int room = room_of(area.rect.height), first = first_row(screen, count, room);
 
     for (int y = 0; y < room && first + y < count; y++) {
         const ParameterRow *row = &rows[first + y];
@@ -163,6 +168,8 @@ void pane_parameters(const Screen *screen, Area area)
     }
     if (count == 0)
         area_text(area, 1, 0, "no parameter of that name", STYLE_FAINT);
+    if (room == area.rect.height)
+        return;
     if (focused && screen->selected >= 0 && screen->selected < count)
         draw_hint(screen, area, &rows[screen->selected], derived);
     else if (first + room < count) {

@@ -30,6 +30,8 @@ static void method_words_of(const Screen *screen, char *out, size_t size)
     }
 }
 
+enum { FRAMES_PER_SECOND = 30 };
+
 static void pace_text(double pace, char *out, size_t size)
 {
     if (pace >= 1 || pace <= 0)
@@ -45,9 +47,10 @@ static void state_text(const Screen *screen, char *out, size_t size)
     switch (screen->state) {
     case STATE_RUNNING:
         pace_text(screen->pace, pace, sizeof pace);
-        if (screen->at_limit && screen->rate > 0)
-            snprintf(out, size, "RUNNING %.0f steps/s max", screen->rate);
-        else
+        if (screen->at_limit && screen->rate > 0) {
+            pace_text(screen->rate / FRAMES_PER_SECOND, pace, sizeof pace);
+            snprintf(out, size, "RUNNING %s max, %.0f steps/s", pace, screen->rate);
+        } else
             snprintf(out, size, "RUNNING %s", pace);
         return;
     case STATE_COMPUTING:
@@ -257,6 +260,8 @@ CommandId bar_command_at(const Screen *screen, int width, int x)
     return lay_out_bar(screen, width, NULL, x);
 }
 
+enum { EDIT_HINT_COLUMN = 31 };
+
 static void draw_prompt(const Screen *screen, Area area)
 {
     const Prompt *prompt = &screen->prompt;
@@ -284,6 +289,22 @@ static void draw_prompt(const Screen *screen, Area area)
     area.canvas->cursor_y = area.rect.y;
 }
 
+/* The keys; beside a field under edit, what it is and what it may be. */
+static void draw_keys(const Screen *screen, Area area)
+{
+    lay_out_bar(screen, area.rect.width, &area, -1);
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    const int count = screen_parameter_rows(screen, rows);
+    if (!screen->editing || screen->selected < 0 || screen->selected >= count ||
+        !rows[screen->selected].parameter)
+        return;
+    const Parameter *parameter = rows[screen->selected].parameter;
+    char range[96], text[256];
+    parameter_range(parameter, range, sizeof range);
+    snprintf(text, sizeof text, "%s: %s", range, parameter->help);
+    area_text(area, EDIT_HINT_COLUMN, 0, text, STYLE_TITLE);
+}
+
 void pane_bar(const Screen *screen, Area area)
 {
     static const Style styles[] = {
@@ -301,5 +322,5 @@ void pane_bar(const Screen *screen, Area area)
     else if (screen->message_kind != MESSAGE_NONE && screen->message[0])
         area_text(area, 1, 0, screen->message, styles[screen->message_kind]);
     else
-        lay_out_bar(screen, area.rect.width, &area, -1);
+        draw_keys(screen, area);
 }

@@ -56,7 +56,9 @@ void view_table(const Screen *screen, Area area, Style heading, int set)
 
     const size_t rows = count - first < (size_t)room ? count - first : (size_t)room;
     char name[64];
-    snprintf(name, sizeof name, "%s, %zu of them", sim->sets[set].plural, count);
+    const bool empty = set == 1 && has_mesh(sim) && experiment_stage(screen->experiment) == 0;
+    snprintf(name, sizeof name, "%s, %zu of them%s", sim->sets[set].plural, count,
+             empty ? " (empty between steps)" : "");
     area_rule(area, 0, name, heading);
     area_text_right(area, INDEX_WIDTH - 1, 1, sim->sets[set].name, STYLE_HEADING);
     for (int y = 0; y < room && first + (size_t)y < count; y++) {

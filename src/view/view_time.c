@@ -495,7 +495,9 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
         if (work >= 0)
             most_work = fmax(most_work, fabs(record_row(record, i)[work]));
     }
-    const int under = area.rect.height >= 8 ? 2 : area.rect.height >= 6 ? 1 : 0;
+    /* the ripple comes of velocities and stresses half a step apart; velocity Verlet has none */
+    const bool staggered = find_column(screen, "kinetic_grid") >= 0;
+    const int under = area.rect.height >= 8 && staggered ? 2 : area.rect.height >= 6 ? 1 : 0;
     Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
     const int width = plot_area.rect.width - GUTTER - 1, dots = width * plot_dots_across(area.glyphs);
     const int rows = plot_area.rect.height - 1;
