@@ -65,8 +65,8 @@ static bool holds(Rect rect, int x, int y)
     return x >= rect.x && x < rect.x + rect.width && y >= rect.y && y < rect.y + rect.height;
 }
 
-/* A key in the bottom bar is pressed, a field is chosen (and, once chosen, edited), a pane takes the focus.
- */
+/* A key in the bottom bar is pressed, a place of the timeline is gone to, a field is chosen (and, once chosen,
+ * edited), a pane takes the focus. */
 static void click(Laboratory *lab, int x, int y)
 {
     Screen *screen = &lab->screen;
@@ -80,6 +80,12 @@ static void click(Laboratory *lab, int x, int y)
     }
     if (screen->help)
         return;
+    const long step = screen_timeline_step(screen, lab->width, lab->height, x, y);
+    if (step >= 0) {
+        pause_run(lab);
+        seek(lab, step, 0);
+        return;
+    }
     for (int pane = 0; pane < PANE_COUNT; pane++)
         if (holds(screen_pane(screen, lab->width, lab->height, (PaneId)pane), x, y) &&
             screen->focus != (PaneId)pane) {

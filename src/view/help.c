@@ -112,6 +112,10 @@ static void write_curves(Sheet *sheet, int width, bool bar)
         {"ripple",
          "velocities and stresses are known half a step apart, so their sum ripples by about half of "
          "w times the time step. It is no loss."},
+        {"K and F",
+         "view 5, the two reasons for the error of w. K: the masses are lumped on the nodes. F: what is left "
+         "of a wave that goes from the particles to the nodes and back. Its axis goes by square roots, so "
+         "that an error that grows like the square of n is a straight line."},
     };
     static const struct {
         const char *word, *meaning;
@@ -125,6 +129,21 @@ static void write_curves(Sheet *sheet, int width, bool bar)
         {"modal", "the moving cantilever by its first bending modes on the growing length."},
         {"damage",
          "the share of a node's bonds that is broken. A crack right through reads 0.4 to 0.5, not 1."},
+        {"horizon",
+         "view 5: the period over the reach of the bonds, with the two beam theories. Each earlier run with "
+         "another horizon leaves its dot."},
+    };
+    static const struct {
+        const char *word, *meaning;
+    } last_words[] = {
+        {"timeline", "under the plots, from 0 to the end of the run: the line is what has been computed, the "
+                     "dot is where "
+                     "we are. x: a particle crossed into another cell; b: bonds broke; E: the energy left "
+                     "its range; c: a "
+                     "parameter was changed; !: the run stopped."},
+        {"spectrum",
+         "view 6: how large each sine in the record is. A record of the length t shows no line finer than "
+         "2 pi/t: a longer one is sharper."},
     };
     put_line(sheet, STYLE_HEADING, "What the curves mean");
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
@@ -132,9 +151,15 @@ static void write_curves(Sheet *sheet, int width, bool bar)
         put_text(sheet, STYLE_NORMAL, width, 4, words[i].meaning);
     }
     put_line(sheet, STYLE_NORMAL, "");
-    for (size_t i = 0; i < 5; i++) {
+    const size_t count = bar ? sizeof bar_words / sizeof *bar_words : sizeof beam_words / sizeof *beam_words;
+    for (size_t i = 0; i < count; i++) {
         put_line(sheet, STYLE_FOCUS, bar ? bar_words[i].word : beam_words[i].word);
         put_text(sheet, STYLE_NORMAL, width, 4, bar ? bar_words[i].meaning : beam_words[i].meaning);
+    }
+    put_line(sheet, STYLE_NORMAL, "");
+    for (size_t i = 0; i < sizeof last_words / sizeof *last_words; i++) {
+        put_line(sheet, STYLE_FOCUS, last_words[i].word);
+        put_text(sheet, STYLE_NORMAL, width, 4, last_words[i].meaning);
     }
 }
 

@@ -1,5 +1,6 @@
 /* Where panes lie. The two plots keep their places whether the run goes on or not: the caption of a running
- * experiment and the stage box of a paused one are of one size. */
+ * experiment and the stage box of a paused one are of one size. Only the timeline, where it has no row of its
+ * own, takes one from the lower plot while we are back in time. */
 #include "view/panes.h"
 
 enum {
@@ -11,7 +12,9 @@ enum {
     WIDER = 130,
     PARAMETERS_WIDTH = 25,
     WIDE_PARAMETERS_WIDTH = 28,
-    SIDE_HEIGHT = 30
+    SIDE_HEIGHT = 30,
+    TIMELINE_WIDTH = 100,
+    TIMELINE_HEIGHT = 30
 };
 
 static void lay_out_full(const Screen *screen, int width, int height, Layout *layout)
@@ -24,12 +27,15 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     const int side_width = side ? (width < WIDER ? 39 : width < 150 ? 45 : width * 3 / 10) : 0;
     const int left = fields + 1, plots = width - left - (side ? side_width + 1 : 0);
     const int lower = (middle + 3) / 2, upper = middle - lower;
+    const int timeline = (width >= TIMELINE_WIDTH && height >= TIMELINE_HEIGHT) || is_rewound(screen);
 
     layout->kind = LAYOUT_FULL;
     layout->panes[PANE_MESH] = (Rect){0, 1, width, mesh};
     layout->panes[PANE_PARAMETERS] = (Rect){0, top, fields, middle};
     layout->panes[PANE_UPPER] = (Rect){left, top, plots, upper};
-    layout->panes[PANE_LOWER] = (Rect){left, top + upper, plots, lower};
+    layout->panes[PANE_LOWER] = (Rect){left, top + upper, plots, lower - timeline};
+    if (timeline)
+        layout->timeline = (Rect){left, top + middle - 1, plots, 1};
     layout->panes[PANE_BOX] = (Rect){0, top + middle, width, box};
     if (side) {
         const int x = width - side_width, third = middle / 3;

@@ -17,6 +17,7 @@ enum { SIDES_MAX = 3, GUTTER = 6 };
 typedef struct Layout {
     LayoutKind kind;
     Rect title, bar;
+    Rect timeline; /* one row under the plots; width 0: there is none */
     Rect panes[PANE_COUNT];
     Rect sides[SIDES_MAX]; /* what joins on a large screen: energies, particles, nodes */
 } Layout;
@@ -55,6 +56,7 @@ void view_log(const Screen *, Area, Style heading, int variant);
 void pane_title(const Screen *, Area);
 void pane_bar(const Screen *, Area);
 void pane_parameters(const Screen *, Area);
+void pane_timeline(const Screen *, Area);
 void pane_mesh(const Screen *, Area);
 void pane_box(const Screen *, Area);
 void pane_help(const Screen *, Area);
@@ -79,6 +81,7 @@ void draw_heading(Area, Style heading, const char *name, const char *scale, cons
 bool shows_exact(const Screen *);
 bool shows_predicted(const Screen *);
 bool is_focused(const Screen *, PaneId);
+bool is_rewound(const Screen *); /* more has been computed than is shown */
 
 /* "t 12.34" with as many decimals as the time step has: columns do not dance. */
 void time_text(const Screen *, double time, char *out, size_t size);

@@ -117,6 +117,8 @@ void screen_draw(const Screen *screen, Canvas *canvas)
     } else {
         for (int pane = 0; pane < PANE_COUNT; pane++)
             draw_pane(screen, (PaneId)pane, area_of(screen, canvas, layout.panes[pane]));
+        if (layout.timeline.width > 0)
+            pane_timeline(screen, area_of(screen, canvas, layout.timeline));
         if (layout.sides[0].width > 0) {
             view_energies(screen, area_of(screen, canvas, layout.sides[0]), STYLE_HEADING, 0);
             for (int i = 1; i < SIDES_MAX; i++)

@@ -113,6 +113,9 @@ int screen_parameter_at(const Screen *, int width, int height, int x, int y);
 int screen_help_pages(void);
 int screen_help_most(const Screen *, int width, int height);
 
+/* The step that lies under a cell of the timeline, for the mouse; -1: the cell is not on it. */
+long screen_timeline_step(const Screen *, int width, int height, int x, int y);
+
 /* The time at the left and right end of the time plots, as drawn at present. */
 void screen_time_window(const Screen *, double *from, double *to);
 

@@ -140,9 +140,12 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
     const int n_dots = bar_dots(screen, dots);
     double least = 0, most = 0;
     ModeOnMesh mode;
-    for (int n = 1; n <= last; n += every)
-        if (dispersion_mode(settings, n, &mode))
+    bool predicted = false;
+    for (int n = 1; n <= last && shows_predicted(screen); n += every)
+        if (dispersion_mode(settings, n, &mode)) {
             widen(percent(mode.predicted / mode.exact), &least, &most);
+            predicted |= isfinite(mode.predicted);
+        }
     for (int i = 0; i < n_dots; i++)
         if (dots[i].x <= last)
             widen(dots[i].y, &least, &most);
@@ -155,7 +158,7 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
     legend[n_legend++] = (Legend){LINE_SOLID, 'O', STYLE_MEASURED, "measured", dot_key(area.glyphs)};
     if (shows_exact(screen))
         legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL};
-    if (shows_predicted(screen))
+    if (predicted)
         legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "predicted", NULL};
     draw_heading(area, heading, "error of w, %", "", legend, n_legend);
     Area inner = axes_draw(plot_area, &x, &y, "mode n", GUTTER);
@@ -167,7 +170,7 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
         plot_point(&plot, 0, 0);
         plot_point(&plot, last, 0);
     }
-    if (shows_predicted(screen)) {
+    if (predicted) {
         plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-');
         for (int n = 1; n <= last; n += every)
             if (dispersion_mode(settings, n, &mode))
@@ -236,8 +239,8 @@ static void beam_lines(const Readout *readout, double height, double span, char 
         snprintf(first, 160, "T %.4f ms: %+.2f %%, its real size alone %+.2f %%",
                  milliseconds(readout->measured), percent(readout->measured / readout->exact),
                  percent(readout->predicted / readout->exact));
-        snprintf(second, 160, "real height %.4g mm, real span %.4g mm: T goes as span^2/height",
-                 height / 1e-3, span / 1e-3);
+        snprintf(second, 160, "real height %.4g mm, span %.4g mm; T as span^2/height", height / 1e-3,
+                 span / 1e-3);
     }
 }
 

@@ -128,7 +128,7 @@ static double slow_range(const Screen *screen, const Spectrum *spectrum, const M
     for (size_t k = 1; k < spectrum->count; k++)
         largest = fmax(largest, spectrum->amplitudes[k]);
     for (size_t k = 1; k < spectrum->count; k++)
-        if (spectrum->amplitudes[k] > 0.1 * largest)
+        if (spectrum->amplitudes[k] > 0.05 * largest)
             range = fmax(range, 1.25 * (double)k * spectrum->step);
     return fmin(range, highest_of(screen));
 }
@@ -148,7 +148,7 @@ static int peaks_of(const Picture *picture, bool fast, double peaks[PEAKS_MAX])
 {
     const double *a = picture->spectrum->amplitudes;
     const size_t end = bins_within(picture), apart = fast ? end / 50 + 1 : 2;
-    const double least = largest_of(picture) * (fast ? 1e-3 : 0.2);
+    const double least = largest_of(picture) * (fast ? 1e-3 : 0.05);
     size_t found[PEAKS_MAX];
     int count = 0;
     while (count < PEAKS_MAX) {

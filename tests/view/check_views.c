@@ -293,8 +293,86 @@ START_TEST(spectrum_on_screen)
 }
 END_TEST
 
+/* --- the timeline --------------------------------------------------------------------------------- */
+
+static bool find_timeline(const Show *show, int *y, int *first, int *last)
+{
+    char text[400];
+    for (*y = 0; *y < show->canvas.height; ++*y) {
+        row_text(show, *y, text);
+        *first = *last = -1;
+        for (int x = 0; x < show->canvas.width; x++)
+            if (screen_timeline_step(&show->screen, show->canvas.width, show->canvas.height, x, *y) >= 0) {
+                *first = *first < 0 ? x : *first;
+                *last = x;
+            }
+        if (*first >= 0)
+            return strstr(text, "t 0") != NULL;
+    }
+    return false;
+}
+
+/* Where there is no row to spare it comes with the first step back; elsewhere it is always there. */
+START_TEST(timeline_comes_when_rewound)
+{
+    Show show;
+    int y, first, last;
+    open_show(&show, "mode5", 1000);
+    draw(&show, 80, 24);
+    ck_assert(!find_timeline(&show, &y, &first, &last));
+    draw(&show, 100, 30);
+    ck_assert(find_timeline(&show, &y, &first, &last));
+    experiment_seek(show.screen.experiment, 999, 0);
+    work(&show);
+    draw(&show, 80, 24);
+    ck_assert(find_timeline(&show, &y, &first, &last));
+    show.screen.zoomed = true;
+    draw(&show, 80, 24);
+    ck_assert(!find_timeline(&show, &y, &first, &last));
+    close_show(&show);
+}
+END_TEST
+
+/* The dot, the end of what is computed and the marks stand at their share of the whole run. */
+START_TEST(timeline_marks_places)
+{
+    Show show;
+    int y, first, last, count;
+    open_show(&show, "crossing", 4000);
+    Experiment *experiment = show.screen.experiment;
+    experiment_seek(experiment, 2500, 0);
+    work(&show);
+    draw(&show, 132, 43);
+    ck_assert(find_timeline(&show, &y, &first, &last));
+    const double end = (double)experiment_last_step(experiment), cells = last - first;
+    ck_assert_int_eq(cell(&show, first + (int)floor(2500 / end * cells + 0.5), y)->glyph, 0x25cf);
+    ck_assert_int_eq(cell(&show, first + (int)floor(4000 / end * cells + 0.5), y)->glyph, 0x2524);
+    ck_assert_int_eq(cell(&show, last, y)->glyph, 0x00b7);
+    const Event *events = experiment_events(experiment, &count);
+    ck_assert_int_gt(count, 0);
+    int crossings = 0;
+    for (int i = 0; i < count; i++)
+        if (events[i].kind == EVENT_CROSSING) {
+            const uint32_t glyph =
+                cell(&show, first + (int)floor((double)events[i].step / end * cells + 0.5), y)->glyph;
+            ck_assert_msg(glyph == 'x' || glyph == 'E' || glyph == 0x25cf, "U+%04X at step %ld", glyph,
+                          events[i].step);
+            crossings++;
+        }
+    ck_assert_int_gt(crossings, 0);
+    ck_assert_int_eq(screen_timeline_step(&show.screen, 132, 43, first, y), 0);
+    ck_assert_int_eq(screen_timeline_step(&show.screen, 132, 43, last, y), (long)end);
+    ck_assert_int_eq(screen_timeline_step(&show.screen, 132, 43, first, y + 1), -1);
+    close_show(&show);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
+    TCase *timeline = tcase_create("timeline");
+    tcase_add_test(timeline, timeline_comes_when_rewound);
+    tcase_add_test(timeline, timeline_marks_places);
+    suite_add_tcase(suite, timeline);
     TCase *spectrum = tcase_create("spectrum");
     tcase_add_test(spectrum, spectrum_of_a_sine);
     tcase_add_test(spectrum, spectrum_peaks_at_the_fit);
