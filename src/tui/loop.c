@@ -92,7 +92,7 @@ static bool open_loop(Loop *loop, const LaboratoryOptions *options, Status *stat
 {
     TerminalOptions how = {.glyphs = options->glyphs, .theme = options->theme, .mouse = !options->no_mouse};
     Host host = {now, worked, go_on, redraw, suspend, loop};
-    /* the laboratory first: what is wrong with a scenario is said on the screen the user sees */
+    /* the laboratory first: what is wrong with a scenario is said where the shell can show it */
     if (!laboratory_open(&loop->lab, options, &host, status))
         return false;
     loop->terminal = terminal_open(&how, status);

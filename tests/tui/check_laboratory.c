@@ -645,6 +645,9 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, export_writes_and_does_not_overwrite);
     tcase_add_test(tcase, scenarios_are_written_and_opened);
     tcase_add_test(tcase, the_command_line_takes_commands_values_and_times);
-    tcase_add_test(tcase, random_keys);
     suite_add_tcase(suite, tcase);
+    TCase *random = tcase_create("random");
+    tcase_set_timeout(random, 120);
+    tcase_add_test(random, random_keys);
+    suite_add_tcase(suite, random);
 }
