@@ -91,9 +91,8 @@ static void write_export(Laboratory *lab, bool force)
         return;
     }
     lab->changed = false;
-    say(lab, sound ? MESSAGE_INFO : MESSAGE_WARNING,
-        "wrote %s (%ld rows), particles%s; settings beside as .csv.ini", paths[0], summary.rows,
-        outputs.nodes ? ", nodes" : "");
+    say(lab, sound ? MESSAGE_INFO : MESSAGE_WARNING, "wrote %s (%ld rows), particles%s, each with its .ini",
+        paths[0], summary.rows, outputs.nodes ? ", nodes" : "");
 }
 
 static bool answer_replace(Laboratory *lab, const char *text)

@@ -65,8 +65,8 @@ static bool holds(Rect rect, int x, int y)
     return x >= rect.x && x < rect.x + rect.width && y >= rect.y && y < rect.y + rect.height;
 }
 
-/* A key in the bottom bar is pressed, a place of the timeline is gone to, a field is chosen (and, once chosen,
- * edited), a pane takes the focus. */
+/* A key in the bottom bar is pressed, a place of the timeline is gone to, a field is chosen (and, once
+ * chosen, edited), a pane takes the focus. */
 static void click(Laboratory *lab, int x, int y)
 {
     Screen *screen = &lab->screen;
