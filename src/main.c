@@ -9,14 +9,20 @@
 #include <string.h>
 #include <unistd.h>
 
-/* "rnu mode1" is no scenario but a slip of the fingers. */
+/* "rnu mode1" is no scenario but a slip of the fingers, or a command that this version has not. */
 static bool is_slip(const char *word, Status *status)
 {
-    const char *nearest = cli_nearest(word);
-    if (!nearest || scenario_builtin(word) || access(word, F_OK) == 0)
+    if (scenario_builtin(word) || access(word, F_OK) == 0 || errno != ENOENT)
         return false;
-    status_fail(status, STATUS_USAGE, "%.60s: no such command, scenario or file (did you mean %s?)", word,
-                nearest);
+    const char *nearest = cli_nearest(word);
+    if (nearest && !cli_find(nearest))
+        return false; /* a scenario is meant, and its reader says which */
+    if (nearest)
+        status_fail(status, STATUS_USAGE, "%.60s: no such command, scenario or file (did you mean %s?)", word,
+                    nearest);
+    else
+        status_fail(status, STATUS_USAGE, "%.60s: no such command, scenario or file (see: matvib --help)",
+                    word);
     return true;
 }
 

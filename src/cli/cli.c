@@ -39,8 +39,7 @@ const char *cli_nearest(const char *word)
         names[count++] = builtin->name;
     for (const CliCommand *command = cli_commands; command->name && count < MOST; command++)
         names[count++] = command->name;
-    const char *nearest = nearest_word(names, word);
-    return nearest && cli_find(nearest) ? nearest : NULL;
+    return nearest_word(names, word);
 }
 
 static void print_command(const CliCommand *command)

@@ -21,7 +21,7 @@ extern const CliCommand cli_commands[]; /* ended by a NULL name */
 
 const CliCommand *cli_find(const char *name); /* NULL: there is none */
 
-/* The command or built-in scenario nearest to a word that is neither, if that is a command; else NULL. */
+/* The command or built-in scenario nearest to a word that is neither; NULL: none is near. */
 const char *cli_nearest(const char *word);
 
 /* --help: of the program, or of one command. */

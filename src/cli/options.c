@@ -23,8 +23,7 @@ const Option options_table[] = {
      .key = "time.end"},
     {"--steps", "N", " open show run sweep ", "the run ends after N steps", OPTION_COUNT, AT(steps)},
     {"--vary", "KEY=VALUES", " sweep ",
-     "a run for each value, KEY=A,B,C or KEY=LO:HI:N; given twice: the product",
-     OPTION_AXIS, AT(axes)},
+     "a run for each value, KEY=A,B,C or KEY=LO:HI:N; given twice: the product", OPTION_AXIS, AT(axes)},
     {"--with", "KEY=VALUES", " sweep ", "changes value by value together with the --vary before it",
      OPTION_AXIS, AT(axes)},
     {"--jobs", "N", " sweep ", "runs at the same time (1)", OPTION_COUNT, AT(jobs)},
@@ -131,6 +130,13 @@ static bool take_override(const Option *option, const char *value, Options *opti
         kept[equals - value] = '\0';
         key = kept;
         value = equals + 1;
+    }
+    /* either takes the place of the scenario's other one, but not of what is said beside it */
+    for (int i = 0; option->clears && i < options->n_overrides; i++) {
+        const Override *other = &options->overrides[i];
+        if (strcmp(other->key, option->clears) == 0 && *other->value)
+            return status_fail(status, STATUS_USAGE, "%s: %s is given too (one of them)", option->name,
+                               strcmp(other->origin, "--set") == 0 ? other->key : other->origin);
     }
     if (option->clears && !add_override(options, option->name, option->clears, "", status))
         return false;

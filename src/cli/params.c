@@ -19,7 +19,11 @@ static void print_parameter(const Settings *settings, const Parameter *parameter
     const char *unit = unit_of(parameter, settings->problem);
     settings_show(settings, parameter, value);
     parameter_range(parameter, range, sizeof range);
-    snprintf(assignment, sizeof assignment, "%s = %.60s%s%s", parameter->key, value, *unit ? " " : "", unit);
+    /* neither a word nor nothing at all has a unit */
+    if (!*value || (parameter->automatic && strcmp(value, parameter->automatic) == 0))
+        unit = "";
+    snprintf(assignment, sizeof assignment, "%s =%s%.60s%s%s", parameter->key, *value ? " " : "", value,
+             *unit ? " " : "", unit);
     printf("  %-42s %s%s\n      %s\n", assignment, range, parameter->live ? "  [live]" : "", parameter->help);
 }
 

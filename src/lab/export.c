@@ -123,6 +123,7 @@ static void sum_up(const Export *export, RunSummary *summary)
     summary_rows(summary, export->columns, export->n_columns, record->rows, record->count);
     if (!export->adopted)
         summary->n_derived = problem_derived(export->settings, export->sim, summary->derived);
+    summary_crack(summary, export->sim);
 }
 
 static bool prepare(Export *export, int threads, Status *status)
@@ -176,7 +177,7 @@ static bool run(Export *export, RunProgress progress, void *context, RunSummary 
         if (!stopped)
             return false;
         summary->failed = true;
-        summary->failure = *status;
+        export->failure = summary->failure = *status;
         return end_early(export, status);
     }
     return !progress || progress(1, context) || status_fail(status, STATUS_FAILED, "interrupted");

@@ -297,7 +297,13 @@ static bool write_beside(const Export *export, const Settings *scenario, OutputF
     FILE *text = open_memstream(&comment, &size);
     if (!text)
         return status_fail(status, STATUS_FAILED, "not enough memory to write %s", beside->name);
-    fprintf(text, "matvib " PACKAGE_VERSION "\n\nColumns:\n");
+    fprintf(text, "matvib " PACKAGE_VERSION "\n");
+    if (*export->failure.text)
+        fprintf(text, "the run stopped: %s\n", export->failure.text);
+    if (export->outputs->dialect == DIALECT_SEMICOLON)
+        fprintf(text,
+                "written with --dialect semicolon, which no scenario holds: give it again for these bytes\n");
+    fprintf(text, "\nColumns:\n");
     if (table)
         describe_table(export, table, text);
     else

@@ -37,6 +37,7 @@ typedef struct Export {
     double *block;
     double newest[COLUMNS_MAX]; /* the row of the newest step that has one */
     long rows;
+    Status failure; /* of a run that stopped by itself */
 } Export;
 
 /* export_files.c: names are checked before anything is touched; then every file is begun. */

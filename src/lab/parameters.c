@@ -9,6 +9,7 @@
 const char *const problem_words[] = {"bar", "simply-supported-beam", "moving-cantilever", "notched-beam",
                                      NULL};
 const char *const method_words[] = {"mpm", "pd", NULL};
+const char *const reference_words[] = {"all", "exact", "predicted", "none", NULL};
 
 static const char *const bar_supports[] = {"fixed-free", "free-fixed", "fixed-fixed", "free-free", NULL};
 static const char *const algorithms[] = {"usf", "usl", "musl", NULL};
@@ -185,16 +186,17 @@ const int n_parameters = (int)(sizeof parameters / sizeof *parameters);
 #define TEXT(member) offsetof(Settings, member), sizeof(((Settings *)NULL)->member)
 
 const TextKey text_keys[] = {
-    {"scenario.title", TEXT(title), "one line that names the scenario in lists"},
-    {"scenario.about", TEXT(about), "what there is to see; further lines are indented"},
-    {"question.key", TEXT(question), "the choice that the key t toggles"},
-    {"view.upper", TEXT(view.upper), "view in the upper plot, 1 to 9"},
-    {"view.lower", TEXT(view.lower), "view in the lower plot, 1 to 9"},
-    {"view.window", TEXT(view.window), "length of the time window"},
-    {"view.pace", TEXT(view.pace), "steps per frame"},
-    {"view.colour", TEXT(view.colour), "what colours a beam"},
-    {"view.exaggeration", TEXT(view.exaggeration), "factor by which displacements are drawn"},
-    {"view.references", TEXT(view.references), "reference curves: all, exact, predicted, none"},
+    {"scenario.title", TEXT(title), "one line that names the scenario in lists", TEXT_ANY},
+    {"scenario.about", TEXT(about), "what there is to see; further lines are indented", TEXT_ANY},
+    {"question.key", TEXT(question), "the choice that the key t toggles", TEXT_ANY},
+    {"view.upper", TEXT(view.upper), "view in the upper plot, 1 to 9", TEXT_VIEW},
+    {"view.lower", TEXT(view.lower), "view in the lower plot, 1 to 9", TEXT_VIEW},
+    {"view.window", TEXT(view.window), "length of the time window", TEXT_POSITIVE},
+    {"view.pace", TEXT(view.pace), "steps per frame", TEXT_POSITIVE},
+    {"view.colour", TEXT(view.colour), "what colours a beam", TEXT_ANY},
+    {"view.exaggeration", TEXT(view.exaggeration), "factor by which displacements are drawn", TEXT_POSITIVE},
+    {"view.references", TEXT(view.references), "reference curves: all, exact, predicted, none",
+     TEXT_REFERENCES},
 };
 
 const int n_text_keys = (int)(sizeof text_keys / sizeof *text_keys);

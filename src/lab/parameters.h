@@ -47,12 +47,21 @@ typedef struct Parameter {
 extern const Parameter parameters[];
 extern const int n_parameters;
 
+/* What a text may be; empty is always allowed. */
+typedef enum TextRule {
+    TEXT_ANY,
+    TEXT_VIEW,      /* the number of a view, 1 to 9 */
+    TEXT_POSITIVE,  /* a number > 0 */
+    TEXT_REFERENCES /* one of reference_words */
+} TextRule;
+
 /* Keys of a scenario file that hold words and are no parameters of the run: title, question, view. */
 typedef struct TextKey {
     const char *key;
     size_t offset; /* of the char array in Settings */
     size_t size;
     const char *help;
+    TextRule rule;
 } TextKey;
 
 extern const TextKey text_keys[];
@@ -61,6 +70,9 @@ extern const int n_text_keys;
 /* The words of a scenario file for Problem and MethodKind, ended by NULL. */
 extern const char *const problem_words[];
 extern const char *const method_words[];
+
+/* The words of view.references, ended by NULL. */
+extern const char *const reference_words[];
 
 /* The row of a key; NULL: unknown. */
 const Parameter *parameter_find(const char *key);

@@ -54,6 +54,22 @@ void summary_rows(RunSummary *summary, const Column *columns, int n_columns, con
         memcpy(summary->last_row, rows + (count - 1) * (size_t)n_columns, (size_t)n_columns * sizeof *rows);
 }
 
+const double crack_heights[CRACK_ANGLES] = {0.010, 0.020, 0.038};
+
+void summary_crack(RunSummary *summary, const Simulation *sim)
+{
+    summary->crack_known = sim->stage == 0 && crack_measure(sim, &summary->crack);
+    if (!summary->crack_known)
+        return;
+    double x, y;
+    bool begun = crack_path(sim, &x, &y, 1) > 0;
+    for (int i = 0; i < CRACK_ANGLES; i++) {
+        /* the first row of the path is the next one above the notch's end */
+        bool far = begun && summary->crack.y >= y + crack_heights[i];
+        summary->crack_angle[i] = far ? crack_angle(sim, crack_heights[i]) : NAN;
+    }
+}
+
 void summary_of(Experiment *experiment, RunSummary *summary)
 {
     const Record *record = experiment_record(experiment);
@@ -70,6 +86,9 @@ void summary_of(Experiment *experiment, RunSummary *summary)
     summary->failed = experiment_failed(experiment, &summary->failure);
     summary_rows(summary, columns, n, record->rows, record->count);
     summary->n_derived = experiment_derived(experiment, summary->derived);
+    /* the crack is that of the step on screen */
+    if (experiment_simulation(experiment)->step == summary->steps)
+        summary_crack(summary, experiment_simulation(experiment));
 }
 
 typedef struct Writer {
@@ -101,10 +120,8 @@ static void add_known(Writer *writer, const char *word, bool known, double value
 
 static void add_readout(Writer *writer, const Readout *readout)
 {
-    if (!readout->moving) {
-        add(writer, "no vibration, so no frequency\n");
+    if (!readout->moving)
         return;
-    }
     add(writer, "%s", readout->is_period ? "period" : "frequency");
     if (!readout->measured_known)
         add(writer, "  too short a run to measure it");
@@ -124,6 +141,43 @@ static void add_readout(Writer *writer, const Readout *readout)
         strcmp(readout->column, "strain") == 0 ? " (measured on the strain energy)" : "");
 }
 
+static void add_time(Writer *writer, const char *word, double seconds, const char *never)
+{
+    if (isnan(seconds))
+        add(writer, "%s %s", word, never);
+    else
+        add(writer, "%s %.2f us", word, 1e6 * seconds);
+}
+
+void summary_crack_text(const RunSummary *summary, char out[SUMMARY_MAX])
+{
+    Writer writer = {out, 0};
+    const Crack *crack = &summary->crack;
+    out[0] = '\0';
+    if (!summary->crack_known)
+        return;
+    add_time(&writer, "crack  first break", crack->first_break, "none");
+    add_time(&writer, "  twentieth", crack->twentieth_break, "none");
+    add_time(&writer, "  at the protected zone", crack->arrival, "not yet");
+    add(&writer, "\n");
+    bool any = false;
+    for (int i = 0; i < CRACK_ANGLES; i++) {
+        if (isnan(summary->crack_angle[i]))
+            continue;
+        add(&writer, "%s%.1f deg over %.0f mm", any ? "  " : "angle  ", summary->crack_angle[i],
+            1e3 * crack_heights[i]);
+        any = true;
+    }
+    add(&writer, "%s", any ? "\n" : "");
+    add(&writer, "tip  x %.1f mm  y %.1f mm  broken bonds %ld\n", 1e3 * crack->x, 1e3 * crack->y,
+        crack->broken);
+}
+
+const char *summary_drift_base(const RunSummary *summary)
+{
+    return summary->energy_start > 0 ? "" : " of the work";
+}
+
 void summary_text(const RunSummary *summary, const Settings *settings, char out[SUMMARY_MAX])
 {
     Writer writer = {out, 0};
@@ -135,6 +189,7 @@ void summary_text(const RunSummary *summary, const Settings *settings, char out[
     add(&writer, "%ld steps to t = %s%s  (dt %s)%s\n", summary->steps, time, bar ? "" : " s", dt,
         summary->failed ? ", where the run failed" : "");
     add_readout(&writer, &summary->readout);
-    add(&writer, "energy drift %+.3g %%%s\n", summary->energy_drift,
-        summary->energy_start > 0 ? "" : " of the work");
+    char crack[SUMMARY_MAX];
+    summary_crack_text(summary, crack);
+    add(&writer, "%senergy drift %+.3g %%%s\n", crack, summary->energy_drift, summary_drift_base(summary));
 }

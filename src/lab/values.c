@@ -135,7 +135,9 @@ static bool read_number(const Parameter *parameter, const char *text, double *va
         return refuse(parameter, text, "is not a number", status);
     if (parameter->type == PARAMETER_INTEGER && *value != floor(*value))
         return refuse(parameter, text, "is not a whole number", status);
-    if (!in_range(parameter, *value))
+    /* where nothing at all stands for 0, a 0 that was typed is a slip */
+    bool silent_zero = parameter->automatic && !*parameter->automatic && *value == 0;
+    if (silent_zero || !in_range(parameter, *value))
         return refuse(parameter, text, "is out of range", status);
     return true;
 }
@@ -188,11 +190,31 @@ static bool not_of_problem(const Parameter *parameter, Problem problem, Status *
                        problem_words[problem], problems);
 }
 
+/* Empty is always allowed: as the laboratory likes. */
+static bool check_words(const TextKey *words, const char *text, Status *status)
+{
+    double value;
+    bool sound = !*text || words->rule == TEXT_ANY;
+    bool number = !sound && words->rule != TEXT_REFERENCES && text_to_double(text, &value);
+    if (number && words->rule == TEXT_VIEW)
+        sound = value >= 1 && value <= 9 && value == floor(value);
+    else if (number)
+        sound = value > 0;
+    for (int i = 0; words->rule == TEXT_REFERENCES && reference_words[i]; i++)
+        sound |= strcmp(reference_words[i], text) == 0;
+    static const char *const allowed[] = {[TEXT_VIEW] = "1 to 9",
+                                          [TEXT_POSITIVE] = "> 0",
+                                          [TEXT_REFERENCES] = "all | exact | predicted | none"};
+    return sound || status_fail(status, STATUS_USAGE, "%s: %.60s is not allowed (%s)", words->key, text,
+                                allowed[words->rule]);
+}
+
 bool settings_set(Settings *settings, const char *key, const char *text, Status *status)
 {
     const TextKey *words = text_key_find(key);
     if (words)
-        return put_text(settings, key, words->offset, words->size, text, status);
+        return check_words(words, text, status) &&
+               put_text(settings, key, words->offset, words->size, text, status);
     const Parameter *parameter = parameter_find(key);
     if (!parameter)
         return unknown(settings->problem, key, status);

@@ -224,7 +224,12 @@ static bool play_line(Player *player, char *line, Status *status)
     for (size_t i = 0; i < sizeof instructions / sizeof *instructions; i++)
         if (strlen(instructions[i].name) == length && strncmp(line, instructions[i].name, length) == 0)
             return instructions[i].run(player, rest, status);
-    return status_fail(status, STATUS_USAGE, "unknown instruction: %s", line);
+    char known[128] = "";
+    size_t used = 0;
+    for (size_t i = 0; i < sizeof instructions / sizeof *instructions && used < sizeof known; i++)
+        used +=
+            (size_t)snprintf(known + used, sizeof known - used, "%s%s", i ? " | " : "", instructions[i].name);
+    return status_fail(status, STATUS_USAGE, "unknown instruction: %.60s (%s)", line, known);
 }
 
 static bool play(Player *player, FILE *file, Status *status)

@@ -1,6 +1,7 @@
 /* The box at the bottom. Paused: the stage just done, its equation, what it read and wrote, the numbers of
  * the chosen particle and its nodes, the sum written out. Running: a caption. At the end: the summary. */
 #include "view/panes.h"
+#include "lab/summary.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -102,8 +103,8 @@ static void draw_summary(const Screen *screen, Area area)
     snprintf(text, sizeof text, "%ld steps to %s", experiment_step(screen->experiment), time);
     if (screen->summary_known && isfinite(summary->energy_drift)) {
         number_text(summary->energy_drift, 3, 10, number);
-        append(text, sizeof text, "  energy %s%s %% against the start", summary->energy_drift > 0 ? "+" : "",
-               number);
+        append(text, sizeof text, "  energy %s%s %%%s", summary->energy_drift > 0 ? "+" : "", number,
+               *summary_drift_base(summary) ? summary_drift_base(summary) : " against the start");
     }
     const int width = area.rect.width - 2;
     y += area_phrases(area, 1, y, width, rows - y, text, STYLE_NORMAL);
@@ -118,6 +119,13 @@ static void draw_summary(const Screen *screen, Area area)
             append(text, sizeof text, "  exact %.5f%s  %+.3f %%", readout->exact / unit, tail,
                    readout->is_period ? readout->error_period : readout->error_frequency);
         y += area_phrases(area, 1, y, width, rows - y, text, STYLE_NORMAL);
+    }
+    char crack[SUMMARY_MAX] = "", *line = crack;
+    if (screen->summary_known)
+        summary_crack_text(summary, crack);
+    for (char *end; y < rows && (end = strchr(line, '\n')); line = end + 1) {
+        *end = '\0';
+        y += area_phrases(area, 1, y, width, rows - y, line, STYLE_NORMAL);
     }
     area_paragraph(area, 1, y, width, rows - y,
                    "Space runs it again, x writes it as CSV, ? explains what is solved.", STYLE_FAINT);

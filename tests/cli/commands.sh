@@ -77,6 +77,8 @@ result "derived values are comments" says out '^# dt_crit = [0-9.]*e-7 s$'
 result "a wrong step is said" test "$("$MATVIB" show mode1 --set time.courant=3 | grep -c '^# a run is refused')" -eq 1
 
 expect "params" 0 params
+result "a word has no unit" says out '^  load.traction_layer = auto  *auto | > 0$'
+result "nothing has no unit" says out '^  output.at =  *time,time,...$'
 result "every problem" test "$(grep -c -E '^(bar|simply-supported-beam|moving-cantilever|notched-beam) \(' out)" -eq 4
 result "params fits 120 columns" test -z "$(awk 'length > 120' out)"
 expect "params of one problem" 0 params notched-beam
@@ -99,6 +101,14 @@ refuse "--set of an unknown key" 2 '--set: mesh.cellsize: unknown key (did you m
 	show mode1 --set mesh.cellsize=1
 refuse "--set out of range" 2 '--set: mesh.particles_per_cell: 9 is out of range (1 to 8)' \
 	show mode1 --set mesh.particles_per_cell=9
+refuse "a view that is none" 2 '--set: view.upper: 99 is not allowed (1 to 9)' show mode1 --set view.upper=99
+refuse "half a view" 2 '--set: view.lower: 1.5 is not allowed (1 to 9)' show mode1 --set view.lower=1.5
+refuse "a window without length" 2 '--set: view.window: 0 is not allowed (> 0)' show mode1 --set view.window=0
+refuse "a pace in words" 2 '--set: view.pace: fast is not allowed (> 0)' show mode1 --set view.pace=fast
+refuse "curves that are none" 2 \
+	'--set: view.references: some is not allowed (all | exact | predicted | none)' show mode1 --set view.references=some
+expect "a view, a window, curves" 0 show mode1 --set view.upper=3 --set view.window=20 --set view.references=exact
+result "they are in the scenario" says out '^references = exact$'
 refuse "--end that is no time" 2 '--end: time.end: soon is not a number (> 0)' show mode1 --end soon
 refuse "--end and --steps" 2 '--steps: --end says when the run ends (one of them)' show mode1 --end 3 --steps 4
 refuse "no steps" 2 '--steps: 0 is not allowed (a whole number, 1 or more)' show mode1 --steps 0
@@ -109,6 +119,11 @@ refuse "unknown problem" 2 \
 	'params: beam is not a problem (bar | simply-supported-beam | moving-cantilever | notched-beam)' params beam
 refuse "laboratory: unknown option" 2 '--pause: unknown option (did you mean --paused?)' --pause
 refuse "laboratory: unknown scenario" 2 'mode11: no such scenario or file (did you mean mode1?)' mode11
+for word in figure lesson export-lammps; do
+	refuse "no command of this version: $word" 2 \
+		"$word: no such command, scenario or file (see: matvib --help)" $word mode1
+done
+refuse "the same without more" 2 'lesson: no such command, scenario or file (see: matvib --help)' lesson
 refuse "a slip in a command" 2 'rnu: no such command, scenario or file (did you mean run?)' rnu mode1
 refuse "laboratory: two scenarios" 2 'mode5: is one argument too many ([SCENARIO])' mode1 mode5
 refuse "laboratory: wrong word" 2 '--glyphs: dots is not a choice (auto | braille | block | ascii)' --glyphs dots
@@ -125,6 +140,11 @@ result "with the value that was set" says out 'cell size *0.5'
 result "in the size asked for" test "$(awk 'length > n { n = length } END { print n }' out)" -eq 100
 expect "laboratory: mode1 without a name" 0 --script keys
 result "it is mode1" says out 'mode1 '
+
+printf 'zebra\n' >keys
+refuse "a script with an unknown instruction" 2 \
+	'keys:1: unknown instruction: zebra (key | click | type | wait | size | rate | screen | styles | expect | reject | closed)' \
+	--script keys
 
 printf '[scenario]\nproblem = bar\n[mesh]\n cell_size = 0.5\n' >bad.ini
 refuse "a damaged file" 2 'bad.ini:4: cell_size: is indented (keys begin in the first column)' show bad.ini

@@ -67,9 +67,21 @@ expect "frames" 0 mode1 --end 1 --frames 3 --particles - --quiet
 result "first, middle and last" sh -c 'test "$(cut -d, -f1 out | uniq | tr "\n" " ")" = "step 0 50 100 "'
 expect "named times" 0 mode1 --end 1 --at 0.1,0.333 --nodes - --quiet
 result "the nearest steps" sh -c 'test "$(cut -d, -f1 out | uniq | tr "\n" " ")" = "step 10 33 "'
+expect "frames and named times exclude each other" 2 mode1 --frames 3 --at 1,2
+result "in words" says err '^matvib: --at: --frames is given too (one of them)$'
+expect "in either order" 2 mode1 --at 1,2 --frames 3
+expect "also through --set" 2 mode1 --set output.at=1 --frames 3
+expect "also behind it" 2 mode1 --frames 3 --set output.at=1
+expect "no frames at all" 2 mode1 --frames 0
+result "tells what is allowed" says err 'output.frames: 0 is out of range (empty | 1 to 1000000)$'
 expect "steps and end exclude each other" 2 mode1 --steps 3 --end 5
 expect "the semicolon of spreadsheets" 0 mode1 --steps 1 --series - --dialect semicolon --quiet
 result "with a decimal comma" says out '^1;0,01;0,0636'
+expect "semicolons in a file" 0 mode1 --steps 1 --series d.csv --dialect semicolon --quiet
+result "are told beside" says d.csv.ini '^# written with --dialect semicolon'
+expect "and given again" 0 d.csv.ini --series e.csv --dialect semicolon --quiet
+result "give the same bytes" cmp -s d.csv e.csv
+rm -f ./*.csv ./*.ini
 expect "a summary beside a table" 0 mode1 --end 1 --series -
 result "goes to stderr" says err '^100 steps to t = 1  (dt 0.01)$'
 result "and leaves the table alone" lines out 102
@@ -85,6 +97,20 @@ result "gives the same bytes" cmp -s s.csv out
 expect "it repeats" 0 s.csv.ini --threads 3 --series - --quiet
 result "with the time step that was found" cmp -s s.csv out
 rm -f ./*.csv ./*.ini v*
+expect "a beam that cracks" 0 notched-beam-coarse --series n.csv
+first=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "broken_bonds") c = i; next } $c > 0 { print $2; exit }' n.csv)
+seen=$(sed -n 's/^crack  first break \([0-9.]*\) us  twentieth [0-9.]* us  at the protected zone [0-9.]* us$/\1/p' out)
+result "tells its times" test -n "$seen"
+result "none before a bond breaks" awk "BEGIN { exit !($seen >= $first * 1e6 - 0.01) }"
+result "its angles" says out '^angle  [0-9.]* deg over 10 mm  [0-9.]* deg over 20 mm  [0-9.]* deg over 38 mm$'
+broken=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "broken_bonds") c = i; next } { last = $c } END { print last }' n.csv)
+result "its tip and the bonds of the last row" says out "^tip  x [0-9.]* mm  y [0-9.]* mm  broken bonds $broken\$"
+result "the energy by the work" says out ' % of the work$'
+result "and no frequency" sh -c '! grep -q frequency out'
+expect "before anything breaks" 0 notched-beam-coarse --steps 5
+result "says that" says out '^crack  first break none  twentieth none  at the protected zone not yet$'
+result "without an angle" sh -c '! grep -q angle out'
+rm -f ./*.csv ./*.ini
 
 # --- what goes wrong ---
 expect "no scenario" 2
@@ -111,6 +137,7 @@ expect "a bar that leaves its mesh" 1 mode1 --set bar.supports=free-free --set i
 result "says which particle, when" says err '^matvib: particle [0-9]* .*step'
 result "tells how far it came" says out 'where the run failed$'
 result "and is written up to there" sh -c 'test "$(wc -l <f.csv)" -gt 100 && test -s f.csv.ini'
+result "with the failure in what stands beside" says f.csv.ini '^# the run stopped: particle [0-9]* left the mesh in step'
 expect "what stands beside ends before" 0 f.csv.ini --series g.csv --quiet
 result "with the same bytes" cmp -s f.csv g.csv
 rm -f ./*.csv ./*.ini
