@@ -128,7 +128,7 @@ static void add_readout(Writer *writer, const Readout *readout)
     add_known(writer, "measured", readout->measured_known, readout->measured);
     add_known(writer, "predicted", readout->predicted_known, readout->predicted);
     add_known(writer, "exact", readout->exact_known, readout->exact);
-    if (readout->is_period)
+    if (readout->is_period && (readout->measured_known || readout->predicted_known || readout->exact_known))
         add(writer, "  s");
     add(writer, "\n");
     if (!readout->measured_known || !readout->exact_known)

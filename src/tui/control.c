@@ -341,6 +341,11 @@ void laboratory_frame(Laboratory *lab, double deadline)
 
 bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)
 {
+    /* where not all panes have room, the plot is what a run is looked at for: Tab reaches the others */
+    const bool was_whole = lab->width == 0 || screen_is_whole(lab->width, lab->height);
+    if (was_whole && !screen_is_whole(width, height) && lab->screen.focus == PANE_PARAMETERS &&
+        !lab->screen.editing && !lab->screen.prompt.open)
+        lab->screen.focus = PANE_LOWER;
     lab->width = width;
     lab->height = height;
     if ((canvas->width != width || canvas->height != height) && !canvas_open(canvas, width, height, NULL))

@@ -208,6 +208,7 @@ static void focus_by(Laboratory *lab, int direction)
     int focus = (int)screen->focus;
     for (int i = 0; i < PANE_COUNT; i++) {
         focus = (focus + direction + PANE_COUNT) % PANE_COUNT;
+        whole.focus = (PaneId)focus; /* a small screen has the one that is asked for */
         if (screen_pane(&whole, lab->width, lab->height, (PaneId)focus).width > 0)
             break;
     }
@@ -378,6 +379,11 @@ static void show_view(Laboratory *lab, int view)
 {
     Screen *screen = &lab->screen;
     bool in_plot = screen->focus == PANE_UPPER || screen->focus == PANE_LOWER;
+    const char *missing = screen_view_missing(screen, view);
+    if (missing) {
+        say(lab, MESSAGE_INFO, "view %d: %s", view, missing);
+        return;
+    }
     if (screen->upper == view || screen->lower == view) {
         PaneId at = in_plot && view_in(screen, screen->focus) == view ? screen->focus
                     : screen->upper == view                           ? PANE_UPPER

@@ -32,7 +32,7 @@ void close_prompt(Laboratory *lab)
 
 static bool refuse(Laboratory *lab, const char *why)
 {
-    snprintf(lab->screen.prompt.problem, sizeof lab->screen.prompt.problem, "%.159s", why);
+    snprintf(lab->screen.prompt.problem, sizeof lab->screen.prompt.problem, "%.319s", why);
     return false;
 }
 

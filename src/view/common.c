@@ -21,25 +21,30 @@ bool is_focused(const Screen *screen, PaneId pane)
     return screen->focus == pane;
 }
 
-void draw_heading(Area area, Style heading, const char *name, const char *scale, const Legend *legend,
-                  int n_legend)
+int draw_legend(Area area, int x, int y, const Legend *legend, int n_legend)
+{
+    for (int i = 0; i < n_legend; i++) {
+        const int columns = 3 + text_columns(legend[i].name);
+        if (x + columns + 1 > area.rect.width)
+            return i;
+        for (int k = -1; k <= columns + 1; k++)
+            area_put(area, x + k, y, ' ', STYLE_FRAME);
+        const char *key =
+            legend[i].key ? legend[i].key : plot_key(legend[i].line, legend[i].letter, area.glyphs);
+        area_text(area, x, y, key, legend[i].style);
+        area_text(area, x + 3, y, legend[i].name, STYLE_NORMAL);
+        x += columns + 2;
+    }
+    return n_legend;
+}
+
+int draw_heading(Area area, Style heading, const char *name, const char *scale, const Legend *legend,
+                 int n_legend)
 {
     char text[160];
     snprintf(text, sizeof text, "%s%s%s", name, !scale[0] ? "" : scale[0] == 'x' ? " " : ", ", scale);
     area_rule(area, 0, text, heading);
-    int x = 4 + text_columns(text) + 1;
-    for (int i = 0; i < n_legend; i++) {
-        const int columns = 3 + text_columns(legend[i].name);
-        if (x + columns + 1 > area.rect.width)
-            return;
-        for (int k = -1; k <= columns + 1; k++)
-            area_put(area, x + k, 0, ' ', STYLE_FRAME);
-        const char *key =
-            legend[i].key ? legend[i].key : plot_key(legend[i].line, legend[i].letter, area.glyphs);
-        area_text(area, x, 0, key, legend[i].style);
-        area_text(area, x + 3, 0, legend[i].name, STYLE_NORMAL);
-        x += columns + 2;
-    }
+    return draw_legend(area, 4 + text_columns(text) + 1, 0, legend, n_legend);
 }
 
 void number_text(double value, int digits, int width, char out[NUMBER_TEXT_MAX])

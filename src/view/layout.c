@@ -8,6 +8,8 @@ enum {
     LEAST_HEIGHT = 12,
     FULL_WIDTH = 80,
     FULL_HEIGHT = 24,
+    PAIR_WIDTH = 60, /* from here on both plots are seen, without parameters */
+    PAIR_HEIGHT = 20,
     WIDE = 120, /* from here on there is a column at the right */
     WIDER = 130,
     PARAMETERS_WIDTH = 25,
@@ -63,7 +65,18 @@ Layout layout_make(const Screen *screen, int width, int height)
     layout.kind = LAYOUT_ONE_PANE;
     PaneId focus = screen->focus < PANE_COUNT ? screen->focus : PANE_PARAMETERS;
     layout.panes[focus] = (Rect){0, 1, width, height - 2};
+    if (!screen->zoomed && width >= PAIR_WIDTH && height >= PAIR_HEIGHT &&
+        (focus == PANE_UPPER || focus == PANE_LOWER)) {
+        const int upper = (height - 2) / 2;
+        layout.panes[PANE_UPPER] = (Rect){0, 1, width, upper};
+        layout.panes[PANE_LOWER] = (Rect){0, 1 + upper, width, height - 2 - upper};
+    }
     return layout;
+}
+
+bool screen_is_whole(int width, int height)
+{
+    return width >= FULL_WIDTH && height >= FULL_HEIGHT;
 }
 
 Rect screen_pane(const Screen *screen, int width, int height, PaneId pane)

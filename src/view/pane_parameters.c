@@ -71,7 +71,18 @@ static void draw_field(const Screen *screen, Area area, int y, const Parameter *
     Style style = focused ? STYLE_SELECTED : STYLE_NORMAL;
     for (int x = 1; focused && x < width; x++)
         area_put(area, x, y, ' ', style);
-    int label = area_text(area_part(area, 0, y, width, 1), 2, 0, parameter->label, style) + 2;
+    char value[LIST_MAX];
+    settings_show(settings, parameter, value);
+    if (value[0] == '\0')
+        snprintf(value, sizeof value, "-");
+    /* a number is never cut: where both have no room, the label is shorter */
+    const bool is_number = parameter->type == PARAMETER_REAL || parameter->type == PARAMETER_INTEGER;
+    const int wanted = 3 + text_columns(parameter->label);
+    if (is_number && text_columns(value) > width - wanted && parameter->type == PARAMETER_REAL)
+        number_text(settings_number(settings, parameter), 6, width - wanted < 10 ? 10 : width - wanted,
+                    value);
+    const int label_width = is_number ? width - text_columns(value) - 1 : width;
+    int label = area_text(area_part(area, 0, y, label_width, 1), 2, 0, parameter->label, style) + 2;
 
     if (focused && screen->editing) {
         int room = width - label - 1 < 12 ? 12 : width - label - 1, cursor = screen->edit_cursor;
@@ -86,15 +97,7 @@ static void draw_field(const Screen *screen, Area area, int y, const Parameter *
         area.canvas->cursor_y = field.rect.y;
         return;
     }
-    char value[LIST_MAX];
-    settings_show(settings, parameter, value);
-    if (value[0] == '\0')
-        snprintf(value, sizeof value, "-");
-    int columns = text_columns(value), room = width - label - 1;
-    if (columns > room && parameter->type == PARAMETER_REAL) {
-        number_text(settings_number(settings, parameter), 6, room, value);
-        columns = text_columns(value);
-    }
+    const int columns = text_columns(value), room = width - label - 1;
     if (focused && parameter->type == PARAMETER_CHOICE && columns + 2 <= room) {
         char marked[LIST_MAX + 8];
         snprintf(marked, sizeof marked, "‹%s›", value);

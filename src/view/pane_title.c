@@ -40,17 +40,17 @@ static void pace_text(double pace, char *out, size_t size)
         snprintf(out, size, "x1/%.0f", 1 / pace);
 }
 
-static void state_text(const Screen *screen, char *out, size_t size)
+/* The state in full or, where room is short, in as few words as tell it. */
+static void state_text(const Screen *screen, bool brief, char *out, size_t size)
 {
     char pace[24];
     long back = experiment_newest(screen->experiment) - experiment_step(screen->experiment);
     switch (screen->state) {
     case STATE_RUNNING:
         pace_text(screen->pace, pace, sizeof pace);
-        if (screen->at_limit && screen->rate > 0) {
-            pace_text(screen->rate / FRAMES_PER_SECOND, pace, sizeof pace);
-            snprintf(out, size, "RUNNING %s max, %.0f steps/s", pace, screen->rate);
-        } else
+        if (screen->at_limit && screen->rate > 0)
+            snprintf(out, size, brief ? "RUN %.0f/s max" : "RUNNING %.0f steps/s max", screen->rate);
+        else
             snprintf(out, size, "RUNNING %s", pace);
         return;
     case STATE_COMPUTING:
@@ -66,62 +66,86 @@ static void state_text(const Screen *screen, char *out, size_t size)
         break;
     }
     if (back > 0)
-        snprintf(out, size, "PAUSED -%ld step%s", back, back == 1 ? "" : "s");
+        snprintf(out, size, brief ? "PAUSED -%ld" : "PAUSED -%ld step%s", back, back == 1 ? "" : "s");
     else
         snprintf(out, size, "PAUSED");
 }
 
+/* The time with so many decimals less than the step has, but with two at least where it has them. */
+static void shorter_time(const Screen *screen, int less, char *out, size_t size)
+{
+    time_text(screen, experiment_time(screen->experiment), out, size);
+    char *point = strchr(out, '.');
+    if (!point)
+        return;
+    const size_t decimals = strspn(point + 1, "0123456789");
+    if (decimals <= 2)
+        return;
+    const size_t most = decimals - 2, cut = (size_t)less < most ? (size_t)less : most;
+    char *from = point + 1 + decimals;
+    memmove(from - cut, from, strlen(from) + 1);
+}
+
 enum { BAR_CELLS = 10 };
+
+/* What the title gives up, one after the other, where there is no room. */
+typedef struct TitleForm {
+    bool brand, brief, name, words;
+    int fewer; /* decimals of the time that are left out */
+    bool close;
+} TitleForm;
 
 void pane_title(const Screen *screen, Area area)
 {
+    static const TitleForm forms[] = {
+        {true, false, true, true, 0, false},  {false, false, true, true, 0, false},
+        {false, true, true, true, 0, false},  {false, true, true, true, 2, false},
+        {false, true, true, true, 2, true},   {false, true, true, true, 4, true},
+        {false, true, true, false, 4, true},  {false, true, false, false, 4, false},
+        {false, true, false, false, 4, true},
+    };
+    enum { FORMS = sizeof forms / sizeof *forms };
     const int width = area.rect.width;
     const Simulation *sim = experiment_simulation(screen->experiment);
     for (int x = 0; x < width; x++)
         area_put(area, x, 0, ' ', STYLE_TITLE);
 
-    char state[64];
-    state_text(screen, state, sizeof state);
-    int end = width - 1;
-    if (screen->state == STATE_COMPUTING) {
-        int full = (int)(screen->work_share * BAR_CELLS + 0.5);
-        for (int i = 0; i < BAR_CELLS; i++)
-            area_put(area, end - BAR_CELLS + i, 0, i < full ? 0x2588 : 0x2591, STYLE_TITLE);
-        end -= BAR_CELLS + 1;
-    }
-    area_text_right(area, end, 0, state, STYLE_TITLE);
-    end -= text_columns(state) + 1;
-
-    char time[48], place[128], words[64];
-    time_text(screen, experiment_time(screen->experiment), time, sizeof time);
+    char state[64], time[48], words[64], whole[256] = "";
     method_words_of(screen, words, sizeof words);
     const char *name = screen->scenario ? screen->scenario : "";
     const char *slash = strrchr(name, '/');
     name = slash && slash[1] ? slash + 1 : name;
 
-    /* what matters least goes first where there is no room */
-    snprintf(place, sizeof place, "%s  step %ld  stage %d/%d", time, experiment_step(screen->experiment),
-             experiment_stage(screen->experiment), sim->n_stages);
-    char whole[256];
-    for (int form = 0; form < 4; form++) {
-        switch (form) {
-        case 0:
-            snprintf(whole, sizeof whole, " matvib  %s  %s   %s", name, words, place);
-            break;
-        case 1:
-            snprintf(whole, sizeof whole, " %s  %s   %s", name, words, place);
-            break;
-        case 2:
-            snprintf(whole, sizeof whole, " %s  %s", name, place);
-            break;
-        default:
-            snprintf(whole, sizeof whole, " %s", place);
-        }
-        if (text_columns(whole) <= end)
-            break;
+    int end = width - 1;
+    bool bar = false, fits = false;
+    for (int i = 0; i < FORMS && !fits; i++) {
+        const TitleForm *form = &forms[i];
+        const char *gap = form->close ? " " : "  ";
+        state_text(screen, form->brief, state, sizeof state);
+        bar = screen->state == STATE_COMPUTING && !form->brief;
+        end = width - 1 - text_columns(state) - 1 - (bar ? BAR_CELLS + 1 : 0);
+        shorter_time(screen, form->fewer, time, sizeof time);
+        snprintf(whole, sizeof whole, " %s", form->brand ? "matvib  " : "");
+        if (form->name)
+            append(whole, sizeof whole, "%s%s", name, gap);
+        if (form->words)
+            append(whole, sizeof whole, "%s%s", words, gap);
+        if (form->name && !form->close)
+            append(whole, sizeof whole, " ");
+        append(whole, sizeof whole, "%s%sstep %ld%sstage %d/%d", time, gap,
+               experiment_step(screen->experiment), gap, experiment_stage(screen->experiment), sim->n_stages);
+        fits = text_columns(whole) <= end;
     }
-    if (text_columns(whole) > end)
+    if (!fits)
         snprintf(whole, sizeof whole, " %s", time);
+    int right = width - 1;
+    if (bar) {
+        int full = (int)(screen->work_share * BAR_CELLS + 0.5);
+        for (int i = 0; i < BAR_CELLS; i++)
+            area_put(area, right - BAR_CELLS + i, 0, i < full ? 0x2588 : 0x2591, STYLE_TITLE);
+        right -= BAR_CELLS + 1;
+    }
+    area_text_right(area, right, 0, state, STYLE_TITLE);
     area_text_whole(area, 0, 0, end, whole, STYLE_TITLE);
 }
 
@@ -262,6 +286,20 @@ CommandId bar_command_at(const Screen *screen, int width, int x)
 
 enum { EDIT_HINT_COLUMN = 31 };
 
+/* What was refused, and why, in full: it takes as many lines as it needs, the last one at row y of the bar's
+ * area (row -1 lies above it). */
+static void draw_notice(Area bar, int y, const char *text, Style style)
+{
+    const int width = bar.rect.width - 2, last = bar.rect.y + y;
+    int rows = paragraph_lines(width, text);
+    rows = rows < last ? rows : last;
+    Area area = {bar.canvas, {bar.rect.x, last - rows + 1, bar.rect.width, rows}, bar.glyphs};
+    for (int row = 0; row < rows; row++)
+        for (int x = 0; x < bar.rect.width; x++)
+            area_put(area, x, row, ' ', style);
+    area_paragraph(area, 1, 0, width, rows, text, style);
+}
+
 static void draw_prompt(const Screen *screen, Area area)
 {
     const Prompt *prompt = &screen->prompt;
@@ -273,10 +311,7 @@ static void draw_prompt(const Screen *screen, Area area)
         return;
     }
     /* a long text moves left so that the cursor is seen */
-    const int problem = prompt->problem[0] ? text_columns(prompt->problem) + 2 : 0;
     int room = area.rect.width - x - 1, cursor = prompt->cursor;
-    if (room - problem >= 12)
-        room -= problem;
     const char *text = prompt->text;
     for (; cursor >= room && *text; cursor--)
         utf8_next(&text);
@@ -284,7 +319,8 @@ static void draw_prompt(const Screen *screen, Area area)
     for (int i = 0; i < room; i++)
         area_put(field, i, 0, ' ', STYLE_EDIT);
     area_text(field, 0, 0, text, STYLE_EDIT);
-    area_text(area, x + room + 1, 0, prompt->problem, STYLE_ERROR);
+    if (prompt->problem[0])
+        draw_notice(area, -1, prompt->problem, STYLE_ERROR);
     area.canvas->cursor_x = area.rect.x + x + (cursor < room ? cursor : room - 1);
     area.canvas->cursor_y = area.rect.y;
 }
@@ -318,9 +354,9 @@ void pane_bar(const Screen *screen, Area area)
     if (screen->prompt.open)
         draw_prompt(screen, area);
     else if (screen->editing && screen->edit_problem[0])
-        area_text(area, 1, 0, screen->edit_problem, STYLE_ERROR);
+        draw_notice(area, 0, screen->edit_problem, STYLE_ERROR);
     else if (screen->message_kind != MESSAGE_NONE && screen->message[0])
-        area_text(area, 1, 0, screen->message, styles[screen->message_kind]);
+        draw_notice(area, 0, screen->message, styles[screen->message_kind]);
     else
         draw_keys(screen, area);
 }

@@ -75,8 +75,12 @@ typedef struct Legend {
     const char *key; /* what stands for it, 2 columns; NULL: a piece of the line */
 } Legend;
 
-/* Draws the heading line of a plot: name, scale, legend as far as there is room. */
-void draw_heading(Area, Style heading, const char *name, const char *scale, const Legend *, int n_legend);
+/* Draws entries of a legend from column x on as far as there is room; returns how many. */
+int draw_legend(Area, int x, int y, const Legend *, int n_legend);
+
+/* Draws the heading line of a plot: name, scale, legend as far as there is room. Returns how many entries of
+ * the legend that were. */
+int draw_heading(Area, Style heading, const char *name, const char *scale, const Legend *, int n_legend);
 
 bool shows_exact(const Screen *);
 bool shows_predicted(const Screen *);

@@ -47,6 +47,16 @@ const View *view_find(int number)
     return NULL;
 }
 
+const char *screen_view_missing(const Screen *screen, int view)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    if (!view_find(view))
+        return "there is no such view for this problem";
+    if (view == 4 && (!sim->method->shapes || sim->n_sets < 2))
+        return "this method has no mesh, so no shape functions";
+    return NULL;
+}
+
 void view_draw(const Screen *screen, int number, Area area, bool focused)
 {
     const View *view = view_find(number);

@@ -30,7 +30,7 @@ typedef struct Prompt {
     char question[96];
     char text[256];
     int cursor;        /* in characters */
-    char problem[160]; /* why the last answer was refused; "" at first */
+    char problem[320]; /* why the last answer was refused; "" at first */
 } Prompt;
 
 /* One row of the parameter pane. */
@@ -103,6 +103,9 @@ int screen_parameter_rows(const Screen *, ParameterRow rows[PARAMETER_ROWS_MAX])
 /* Where a pane lies at this size; width 0: it is not shown. For focus and mouse. */
 Rect screen_pane(const Screen *, int width, int height, PaneId);
 
+/* Whether all panes have room; on a smaller screen only the focused one, or the two plots, are seen. */
+bool screen_is_whole(int width, int height);
+
 /* The command under column x of the bottom bar, for the mouse; COMMAND_NONE: none. */
 CommandId screen_bar_command(const Screen *, int width, int x);
 
@@ -115,6 +118,9 @@ int screen_help_most(const Screen *, int width, int height);
 
 /* The step that lies under a cell of the timeline, for the mouse; -1: the cell is not on it. */
 long screen_timeline_step(const Screen *, int width, int height, int x, int y);
+
+/* Why this view has nothing to show for the problem at hand; NULL: it has. */
+const char *screen_view_missing(const Screen *, int view);
 
 /* The time at the left and right end of the time plots, as drawn at present. */
 void screen_time_window(const Screen *, double *from, double *to);

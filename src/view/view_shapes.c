@@ -77,11 +77,11 @@ void view_shapes(const Screen *screen, Area area, Style heading, int variant)
     /* the mesh's spacing: slopes are counted in it */
     const double spacing = (to - from) / (double)(last > first ? last - first : 1);
     Axis y = slope ? axis_make(-1.25 / spacing, 1.25 / spacing, 5) : axis_make(0, 1.2, 4);
-    const Legend legend[] = {{LINE_SOLID, '*', STYLE_MEASURED, "its nodes", NULL},
-                             {LINE_SOLID, ':', STYLE_FAINT, "others", NULL},
+    const Legend legend[] = {{LINE_SOLID, '*', STYLE_MEASURED, "its", NULL},
+                             {LINE_DASHED, ':', STYLE_FAINT, "others", NULL},
                              {LINE_DOTTED, '.', STYLE_EXACT, "sum", NULL}};
     char name[64], scale[TICK_TEXT_MAX];
-    snprintf(name, sizeof name, slope ? "slopes N', particle %zu" : "shapes N, particle %zu", chosen);
+    snprintf(name, sizeof name, slope ? "slopes N', p %zu" : "shapes N, p %zu", chosen);
     axis_scale_text(&y, "", scale);
     draw_heading(area, heading, name, scale, legend, 3);
     Area inner = axes_draw(area_part(area, 0, 1, area.rect.width, area.rect.height - 1), &x, &y, "x", GUTTER);
@@ -93,7 +93,7 @@ void view_shapes(const Screen *screen, Area area, Style heading, int variant)
         bool own = false;
         for (size_t i = 0; i < n_links; i++)
             own |= links[i].index == node;
-        plot_begin(&plot, STROKE_LINE, LINE_SOLID, own ? STYLE_MEASURED : STYLE_FAINT,
+        plot_begin(&plot, STROKE_LINE, own ? LINE_SOLID : LINE_DASHED, own ? STYLE_MEASURED : STYLE_FAINT,
                    own ? RANK_SECOND : RANK_GHOST, own ? '*' : ':');
         for (int i = 0; i <= 2 * dots; i++) {
             double sum, at = from + (to - from) * i / (2 * dots),

@@ -208,12 +208,12 @@ static void add_ghosts(const Screen *screen, Plot *plot, const char *name, int d
     }
 }
 
-/* A pinned ghost's letter stands at the end of its curve. */
+/* A ghost's letter stands at the end of its curve, so that it is told by more than its faint colour. */
 static void draw_ghost_letters(const Screen *screen, Area inner, const Plot *plot, const char *name)
 {
     const Ghost *ghosts = experiment_ghosts(screen->experiment);
     for (int i = 0; i < GHOSTS_MAX; i++) {
-        int column = ghosts[i].used && ghosts[i].pinned ? ghost_column(&ghosts[i], name) : -1;
+        int column = ghosts[i].used ? ghost_column(&ghosts[i], name) : -1;
         if (column < 0 || ghosts[i].record.count == 0)
             continue;
         const double *row = record_row(&ghosts[i].record, record_find(&ghosts[i].record, plot->x.high));
@@ -222,6 +222,24 @@ static void draw_ghost_letters(const Screen *screen, Area inner, const Plot *plo
         if (x >= 0 && y >= 0)
             area_put(inner, x, y, (uint32_t)(unsigned char)ghosts[i].letter, STYLE_FAINT);
     }
+}
+
+/* Ghosts in the legend, by the letter at the end of their curve. What differs is told where there is room;
+ * else the letter has to do. */
+static int ghost_legend(const Screen *screen, const char *name, int room, char keys[][4], Legend *out)
+{
+    const Ghost *ghosts = experiment_ghosts(screen->experiment);
+    int count = 0;
+    for (int i = 0; i < GHOSTS_MAX; i++) {
+        if (!ghosts[i].used || ghost_column(&ghosts[i], name) < 0)
+            continue;
+        snprintf(keys[count], 4, "%c:", ghosts[i].letter);
+        const char *word = text_columns(ghosts[i].legend) + 5 <= room ? ghosts[i].legend : "before";
+        room -= text_columns(word) + 5;
+        out[count] = (Legend){LINE_SOLID, ':', STYLE_FAINT, word, keys[count]};
+        count++;
+    }
+    return count;
 }
 
 /* What a beam that breaks is judged by; false: this one does not. */
@@ -262,7 +280,8 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
         append(first, 160, narrow ? " pred %.4f" : "  predicted %.4f", readout->predicted / unit);
     if (exact)
         append(first, 160, narrow ? " exact %.4f" : "  exact %.4f", readout->exact / unit);
-    append(first, 160, "%s", tail);
+    if (readout->measured_known || predicted || exact)
+        append(first, 160, "%s", tail);
     if (!readout->measured_known || !exact)
         return;
     append(second, 160, "w %+.2f %%  T %+.2f %%", readout->error_frequency, readout->error_period);
@@ -270,8 +289,8 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
            fabs(readout->late));
 }
 
-/* The values of every curve at the cursor. */
-static void cursor_line(const Screen *screen, int column, char out[160])
+/* The values of every curve at the cursor: with so many digits, and in short words if wanted. */
+static void cursor_line(const Screen *screen, int column, int digits, bool brief, char out[160])
 {
     int n;
     const Column *columns = experiment_columns(screen->experiment, &n);
@@ -281,8 +300,8 @@ static void cursor_line(const Screen *screen, int column, char out[160])
     const double *row = record_row(record, record_find(record, screen->cursor_time));
     char time[48], number[NUMBER_TEXT_MAX];
     time_text(screen, row[1], time, sizeof time);
-    number_text(row[column], 5, 12, number);
-    append(out, 160, "%s  measured %s", time, number);
+    number_text(row[column], digits, 12, number);
+    snprintf(out, 160, brief ? "%s  meas %s" : "%s  measured %s", time, number);
     int exact = 0;
     for (int i = 2; i < n; i++) {
         Legend legend;
@@ -292,8 +311,9 @@ static void cursor_line(const Screen *screen, int column, char out[160])
         exact += columns[i].kind == COLUMN_EXACT;
         if (!shown || !isfinite(row[i]))
             continue;
-        number_text(row[i], 5, 12, number);
-        append(out, 160, "  %s %s", legend.name, number);
+        number_text(row[i], digits, 12, number);
+        append(out, 160, "  %s %s", brief && strcmp(legend.name, "predicted") == 0 ? "pred" : legend.name,
+               number);
     }
 }
 
@@ -303,7 +323,22 @@ static void draw_readout(const Screen *screen, Area area, int column)
     const int width = area.rect.width - 2, rows = area.rect.height;
     frequency_lines(screen, width, first, second);
     if (isfinite(screen->cursor_time)) {
-        cursor_line(screen, column, cursor);
+        /* every value is seen: with fewer digits and shorter words, else on both lines */
+        static const struct {
+            int digits;
+            bool brief;
+        } forms[] = {{5, false}, {5, true}, {4, true}, {3, true}};
+        const size_t n_forms = rows > 1 ? 3 : 4;
+        for (size_t i = 0; i < n_forms; i++) {
+            cursor_line(screen, column, forms[i].digits, forms[i].brief, cursor);
+            if (text_columns(cursor) <= width)
+                break;
+        }
+        if (rows > 1 && text_columns(cursor) > width) {
+            cursor_line(screen, column, 5, false, cursor);
+            area_phrases(area, 1, 0, width, rows, cursor, STYLE_SELECTED);
+            return;
+        }
         area_phrases(area, 1, rows - 1, width, 1, cursor, STYLE_SELECTED);
         if (rows > 1)
             area_phrases(area, 1, 0, width, 1, first, STYLE_NORMAL);
@@ -364,7 +399,16 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
 
     char scale[TICK_TEXT_MAX], name[32];
     axis_scale_text(&y, quantity->unit, scale);
-    draw_heading(area, heading, quantity->label, scale, legend, n_legend);
+    Legend entries[6 + GHOSTS_MAX];
+    char keys[GHOSTS_MAX][4];
+    int used = 9 + text_columns(quantity->label) + text_columns(scale);
+    for (int i = 0; i < n_legend; i++) {
+        entries[i] = legend[i];
+        used += text_columns(legend[i].name) + 5;
+    }
+    const int n_ghosts =
+        ghost_legend(screen, quantity->name, area.rect.width - used, keys, entries + n_legend);
+    draw_heading(area, heading, quantity->label, scale, entries, n_legend + n_ghosts);
     Area inner = axes_draw(plot_area, &x, &y, time_name(screen, &x, name, sizeof name), GUTTER);
     Plot plot;
     plot_open(&plot, x, y);
@@ -519,7 +563,7 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
         legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "work", NULL};
     char scale[TICK_TEXT_MAX], name[32], line[160];
     axis_scale_text(&y, experiment_settings(screen->experiment)->problem == PROBLEM_BAR ? "" : "J", scale);
-    draw_heading(area, heading, "energy", scale, legend, n_legend);
+    const int named = draw_heading(area, heading, "energy", scale, legend, n_legend);
     Area inner = axes_draw(plot_area, &x, &y, time_name(screen, &x, name, sizeof name), GUTTER);
     Plot plot;
     plot_open(&plot, x, y);
@@ -536,7 +580,10 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
         energy_line(screen, &stack, area.rect.width - 2, line);
         area_text(area, 1, area.rect.height - under, line, STYLE_NORMAL);
     }
-    if (under > 1)
+    /* a band without a name says nothing: what the heading has no room for comes before the remark */
+    if (under > 1 && named < n_legend)
+        draw_legend(area, 1, area.rect.height - 1, legend + named, n_legend - named);
+    else if (under > 1)
         area_text(area, 1, area.rect.height - 1,
                   text_columns("the ripple is staggering (v and stress half a step apart), not loss") <
                           area.rect.width - 1
