@@ -145,4 +145,6 @@ void laboratory_key(Laboratory *lab, const Key *key)
         help_command(lab, command ? command->id : COMMAND_NONE);
     else if (command)
         laboratory_command(lab, command->id);
+    else if (strlen(key->name) == 1 && key->name[0] >= '1' && key->name[0] <= '9')
+        laboratory_command(lab, (CommandId)(COMMAND_VIEW_1 + (key->name[0] - '1'))); /* says why not */
 }

@@ -169,6 +169,12 @@ int view_probe_variants(const Screen *screen)
     return count > 0 ? count : 1;
 }
 
+/* A curve's name where room is short. */
+static const char *short_word(const char *name)
+{
+    return strcmp(name, "predicted") == 0 ? "pred" : strcmp(name, "measured") == 0 ? "meas" : name;
+}
+
 /* How a column that answers another is drawn; false: it is not shown. */
 static bool legend_of(const Screen *screen, const Column *column, int exact_before, Legend *out)
 {
@@ -312,7 +318,7 @@ static void cursor_line(const Screen *screen, int column, int digits, bool brief
         if (!shown || !isfinite(row[i]))
             continue;
         number_text(row[i], digits, 12, number);
-        append(out, 160, "  %s %s", brief && strcmp(legend.name, "predicted") == 0 ? "pred" : legend.name,
+        append(out, 160, "  %s %s", brief ? short_word(legend.name) : legend.name,
                number);
     }
 }
@@ -406,8 +412,10 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
         entries[i] = legend[i];
         used += text_columns(legend[i].name) + 5;
     }
-    const int n_ghosts =
-        ghost_legend(screen, quantity->name, area.rect.width - used, keys, entries + n_legend);
+    const int n_ghosts = ghost_legend(screen, quantity->name, area.rect.width - used, keys, entries + n_legend);
+    if (n_ghosts > 0 && used + text_columns(entries[n_legend].name) + 5 > area.rect.width)
+        for (int i = 0; i < n_legend; i++)
+            entries[i].name = short_word(entries[i].name);
     draw_heading(area, heading, quantity->label, scale, entries, n_legend + n_ghosts);
     Area inner = axes_draw(plot_area, &x, &y, time_name(screen, &x, name, sizeof name), GUTTER);
     Plot plot;
