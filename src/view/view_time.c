@@ -318,8 +318,7 @@ static void cursor_line(const Screen *screen, int column, int digits, bool brief
         if (!shown || !isfinite(row[i]))
             continue;
         number_text(row[i], digits, 12, number);
-        append(out, 160, "  %s %s", brief ? short_word(legend.name) : legend.name,
-               number);
+        append(out, 160, "  %s %s", brief ? short_word(legend.name) : legend.name, number);
     }
 }
 
@@ -412,7 +411,8 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
         entries[i] = legend[i];
         used += text_columns(legend[i].name) + 5;
     }
-    const int n_ghosts = ghost_legend(screen, quantity->name, area.rect.width - used, keys, entries + n_legend);
+    const int n_ghosts =
+        ghost_legend(screen, quantity->name, area.rect.width - used, keys, entries + n_legend);
     if (n_ghosts > 0 && used + text_columns(entries[n_legend].name) + 5 > area.rect.width)
         for (int i = 0; i < n_legend; i++)
             entries[i].name = short_word(entries[i].name);
