@@ -57,6 +57,9 @@ static void read_view(Laboratory *lab)
     Screen *screen = &lab->screen;
     double value;
     int number;
+    /* of a beam there is more to see than its middle row */
+    if (experiment_simulation(screen->experiment)->dimensions == 2)
+        screen->upper = 8;
     if (sscanf(view->upper, "%d", &number) == 1 && number >= 1 && number <= 9)
         screen->upper = number;
     if (sscanf(view->lower, "%d", &number) == 1 && number >= 1 && number <= 9)

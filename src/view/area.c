@@ -30,6 +30,15 @@ void area_put(Area area, int x, int y, uint32_t glyph, Style style)
         canvas_put(area.canvas, area.rect.x + x, area.rect.y + y, glyph, style);
 }
 
+void area_put_back(Area area, int x, int y, uint32_t glyph, Style style, Style back)
+{
+    area_put(area, x, y, glyph, style);
+    if (x >= 0 && x < area.rect.width && has_row(area, y) && area.rect.x + x < area.canvas->width &&
+        area.rect.y + y < area.canvas->height)
+        area.canvas->cells[(size_t)(area.rect.y + y) * (size_t)area.canvas->width + (size_t)(area.rect.x + x)]
+            .back = (uint16_t)(1 + back);
+}
+
 int area_text(Area area, int x, int y, const char *text, Style style)
 {
     if (x < 0 || x >= area.rect.width || !has_row(area, y))

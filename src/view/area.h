@@ -14,6 +14,7 @@ typedef struct Area {
 Area area_part(Area, int x, int y, int width, int height);
 
 void area_put(Area, int x, int y, uint32_t glyph, Style);
+void area_put_back(Area, int x, int y, uint32_t glyph, Style, Style back); /* on a coloured background */
 
 /* Writes from (x, y) to the right edge at most, an ellipsis where it is cut. Returns the columns used. */
 int area_text(Area, int x, int y, const char *text, Style);

@@ -50,6 +50,8 @@ const Command commands[] = {
     {COMMAND_VIEW_6, "view-6", "6", "Views", "spectrum",
      "amplitude spectrum of the probe; again: all frequencies, logarithmic"},
     {COMMAND_VIEW_7, "view-7", "7", "Views", "tables", "numbers of particles; again: of nodes"},
+    {COMMAND_VIEW_8, "view-8", "8", "Views", "beam",
+     "the beam as it lies, coloured; again: by another field"},
     {COMMAND_VIEW_9, "view-9", "9", "Views", "log", "what happened, in words"},
     {COMMAND_REFERENCES, "references", "e", "Views", "curves",
      "reference curves and numbers: all, exact, predicted, none"},

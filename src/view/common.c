@@ -164,3 +164,27 @@ int stage_field(const Simulation *sim, int set, const char *name)
 {
     return set < sim->n_sets ? simulation_find_field(sim, set, name) : -1;
 }
+
+double field_reach(const Screen *screen, int field, const double *now, size_t count)
+{
+    enum { TIMES = 24, PLACES = 8 };
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const References *refs = experiment_references(screen->experiment);
+    const Readout *readout = experiment_readout(screen->experiment);
+    const char *name = sim->fields[field].quantity.name;
+    double reach = 0, length = 0;
+    for (size_t i = 0; i < count; i++)
+        reach = fmax(reach, fabs(now[i]));
+    if (count > 0)
+        sim->method->field(sim, sim->position[0], count - 1, 1, &length);
+    double span = experiment_settings(screen->experiment)->end;
+    if (readout->moving && readout->exact_known && readout->exact > 0 && !readout->drifting)
+        span = readout->is_period ? readout->exact : 2 * M_PI / readout->exact;
+    for (int i = 0; i <= TIMES; i++)
+        for (int k = 1; k <= PLACES; k++) {
+            double value = fabs(references_profile(refs, name, length * k / PLACES, span * i / TIMES));
+            if (isfinite(value))
+                reach = fmax(reach, value);
+        }
+    return reach > 0 && isfinite(reach) ? step_round_up(reach) : 0;
+}

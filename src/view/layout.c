@@ -22,7 +22,10 @@ enum {
 static void lay_out_full(const Screen *screen, int width, int height, Layout *layout)
 {
     const int box = height < 27 ? 5 : height < 30 ? 6 : height < 40 ? 9 : 10;
-    const int mesh = height < 28 ? 2 : height < 40 ? 3 : 4;
+    /* a beam that stands in a plot pane is not drawn twice */
+    const bool drawn = experiment_simulation(screen->experiment)->dimensions == 2 &&
+                       (screen->upper == 8 || screen->lower == 8);
+    const int mesh = drawn ? 0 : height < 28 ? 2 : height < 40 ? 3 : 4;
     const int top = 1 + mesh, middle = height - 2 - box - mesh;
     const int fields = width < WIDER ? PARAMETERS_WIDTH : WIDE_PARAMETERS_WIDTH;
     const bool side = width >= WIDE && height >= SIDE_HEIGHT;
@@ -32,7 +35,7 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     const int timeline = (width >= TIMELINE_WIDTH && height >= TIMELINE_HEIGHT) || is_rewound(screen);
 
     layout->kind = LAYOUT_FULL;
-    layout->panes[PANE_MESH] = (Rect){0, 1, width, mesh};
+    layout->panes[PANE_MESH] = (Rect){0, 1, mesh ? width : 0, mesh};
     layout->panes[PANE_PARAMETERS] = (Rect){0, top, fields, middle};
     layout->panes[PANE_UPPER] = (Rect){left, top, plots, upper};
     layout->panes[PANE_LOWER] = (Rect){left, top + upper, plots, lower - timeline};

@@ -38,31 +38,6 @@ static double exaggeration(double reach, double room)
     return factor < 1 ? 1 : step_round_down(factor);
 }
 
-/* How far a field has moved or, where the exact answer is known, will move. */
-static double reach_of(const Screen *screen, const Simulation *sim, int field, const double *now,
-                       size_t count)
-{
-    const References *refs = experiment_references(screen->experiment);
-    const Readout *readout = experiment_readout(screen->experiment);
-    const char *name = sim->fields[field].quantity.name;
-    double reach = 0, length = 0;
-    for (size_t i = 0; i < count; i++)
-        reach = fmax(reach, fabs(now[i]));
-    if (count > 0)
-        length = field_at(sim, sim->position[0], count - 1);
-    double span = experiment_settings(screen->experiment)->end;
-    if (readout->moving && readout->exact_known && readout->exact > 0 && !readout->drifting)
-        span = readout->is_period ? readout->exact : 2 * M_PI / readout->exact;
-    for (int i = 0; i <= 24; i++)
-        for (int k = 1; k <= 8; k++) {
-            double value = fabs(references_profile(refs, name, length * k / 8, span * i / 24));
-            if (isfinite(value))
-                reach = fmax(reach, value);
-        }
-    /* a coarse step: a scale that changes is worse than one that is a little small */
-    return reach > 0 ? step_round_up(reach) : 0;
-}
-
 /* --- a bar ---------------------------------------------------------------------------------------- */
 
 typedef struct Strip {
@@ -142,7 +117,7 @@ static void draw_bar(const Screen *screen, Area area)
     const int margin = 2, room = area.rect.width - margin - CAPTION_WIDTH - 1;
     Strip strip = strip_of(sim, room, x0[chosen], length, spacing);
     Area part = area_part(area, margin, 0, strip.columns, rows);
-    const double k = exaggeration(reach_of(screen, sim, sim->displacement[0], u, particles), spacing);
+    const double k = exaggeration(field_reach(screen, sim->displacement[0], u, particles), spacing);
 
     const bool tall = rows >= 4;
     const int grid_row = tall ? 1 : 0, particle_row = rows > 6 ? 4 : rows - 1;
@@ -266,7 +241,7 @@ static void draw_beam(const Screen *screen, Area area)
     if (most >= 4 && part.rect.width > most)
         part.rect.width = most;
     const double height = high[1] - low[1];
-    const double reach = reach_of(screen, sim, sim->displacement[1], at[3], count);
+    const double reach = field_reach(screen, sim->displacement[1], at[3], count);
     const double k = exaggeration(reach > moved ? reach : moved, 0.75 * height);
     /* the drawing keeps its frame while the beam swings; to scale if there are rows enough, else as they
      * allow */

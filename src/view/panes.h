@@ -49,6 +49,8 @@ void view_spectrum(const Screen *, Area, Style heading, int variant);
 int view_spectrum_variants(const Screen *);
 void view_table(const Screen *, Area, Style heading, int set);
 int view_table_variants(const Screen *);
+void view_beam(const Screen *, Area, Style heading, int variant);
+int view_beam_variants(const Screen *);
 void view_log(const Screen *, Area, Style heading, int variant);
 
 /* --- the other panes --- */
@@ -92,6 +94,10 @@ void time_text(const Screen *, double time, char *out, size_t size);
 
 /* A number for people in at most `width` columns: as many digits as fit, at most `digits`. */
 void number_text(double value, int digits, int width, char out[NUMBER_TEXT_MAX]);
+
+/* How far a particle field reaches: what it is now and, where the exact answer is known, will be; rounded up
+ * so that a scale made of it keeps still. */
+double field_reach(const Screen *, int field, const double *now, size_t count);
 
 /* The column of the record by name; -1: there is none. */
 int find_column(const Screen *, const char *name);

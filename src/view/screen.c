@@ -36,6 +36,7 @@ static const View views[] = {
     {5, "dispersion", view_dispersion, view_dispersion_variants},
     {6, "spectrum", view_spectrum, view_spectrum_variants},
     {7, "tables", view_table, view_table_variants},
+    {8, "beam", view_beam, view_beam_variants},
     {9, "log", view_log, one_variant},
 };
 

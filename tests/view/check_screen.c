@@ -77,6 +77,10 @@ static const Picture pictures[] = {
     {"spectrum-beam", "supported-beam-coarse 132x43 3000 lower 6"},
     {"timeline", "crossing 100x30 2000 back 700"},
     {"timeline-ascii", "crossing 80x24 900 back 100 ascii"},
+    {"beam-map", "supported-beam-coarse 80x24 2000 upper 8 running"},
+    {"beam-map-large", "supported-beam-coarse 132x43 600 upper 8 variant 2 stage 2"},
+    {"cantilever-map-ascii", "moving-cantilever-coarse 80x24 1500 upper 8 ascii"},
+    {"notched-map-ascii", "notched-beam-coarse 80x24 1300 upper 8 focus 2 zoom variant 4 ascii"},
 };
 
 static void compare(const Picture *picture, const Canvas *canvas)
@@ -202,6 +206,11 @@ static void draw_view_7(const Screen *screen, Area area)
     view_draw(screen, 7, area, false);
 }
 
+static void draw_view_8(const Screen *screen, Area area)
+{
+    view_draw(screen, 8, area, true);
+}
+
 static void draw_view_9(const Screen *screen, Area area)
 {
     view_draw(screen, 9, area, true);
@@ -209,9 +218,9 @@ static void draw_view_9(const Screen *screen, Area area)
 
 START_TEST(nothing_leaves_its_pane)
 {
-    static Draw *const draws[] = {pane_title,  pane_bar,    pane_parameters, pane_mesh,
-                                  pane_box,    pane_help,   draw_view_1,     draw_view_2,
-                                  draw_view_3, draw_view_4, draw_view_7,     draw_view_9};
+    static Draw *const draws[] = {pane_title,  pane_bar,    pane_parameters, pane_mesh,   pane_box,
+                                  pane_help,   draw_view_1, draw_view_2,     draw_view_3, draw_view_4,
+                                  draw_view_7, draw_view_8, draw_view_9};
     static const char *const words[] = {"mode5 80x24 700 stage 3", "mode5 80x24 700 running",
                                         "notched-beam-coarse 80x24 30 stage 5", "crossing 80x24 900 ended"};
     enum { WIDTH = 160, HEIGHT = 50, MARK = 0x2603 };
