@@ -93,6 +93,8 @@ Axis axis_around(double low, double high, int most)
     if (!isfinite(low) || !isfinite(high) || low > high)
         low = 0, high = 1;
     double reach = fmax(fabs(low), fabs(high));
+    if (reach == 0)
+        return axis_make(0, 1, most);
     if (low >= 0 && low < 0.6 * high)
         return axis_make(0, axis_round_up(high), most);
     if (high <= 0 && high > 0.6 * low)

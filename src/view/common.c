@@ -186,5 +186,5 @@ double field_reach(const Screen *screen, int field, const double *now, size_t co
             if (isfinite(value))
                 reach = fmax(reach, value);
         }
-    return reach > 0 && isfinite(reach) ? step_round_up(reach) : 0;
+    return isfinite(reach) ? reach : 0;
 }

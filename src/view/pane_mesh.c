@@ -34,7 +34,8 @@ static double exaggeration(double reach, double room)
 {
     if (!(reach > 0))
         return 1;
-    double factor = room / reach;
+    /* a coarse step: a scale that changes is worse than one that is a little small */
+    double factor = room / step_round_up(reach);
     return factor < 1 ? 1 : step_round_down(factor);
 }
 

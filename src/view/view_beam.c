@@ -253,14 +253,16 @@ void view_beam(const Screen *screen, Area area, Style heading, int variant)
     const Settings *settings = experiment_settings(screen->experiment);
     if (settings->problem == PROBLEM_MOVING_CANTILEVER)
         cloud.high[0] = fmax(cloud.high[0], cloud.x[cloud.count - 1] + settings->beam.speed * settings->end);
-    double stretch, enlarged, reach = field_reach(screen, sim->displacement[1], cloud.uy, cloud.count);
+    double stretch, enlarged;
+    double reach = field_reach(screen, sim->displacement[1], cloud.uy, cloud.count);
+    reach = reach > 0 ? step_round_up(reach) : 0;
     choose_scales(&cloud, reach, &picture, &stretch, &enlarged);
     const bool damage = strcmp(name, "damage") == 0;
     fill(&cloud, &picture, !damage);
 
     /* a crack right through leaves half of the family at best */
     double most = damage ? 0.5 : field_reach(screen, field, cloud.value, cloud.count);
-    most = most > 0 ? most : 1;
+    most = most > 0 ? axis_round_up(most) : 1;
     const double low = colourings[variant % COLOURINGS].is_signed ? -most : 0;
     Area map = area_part(area, 1, 1, picture.width, area.rect.height - 2);
     for (int y = 0; y < map.rect.height; y++)
