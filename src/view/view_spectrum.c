@@ -267,8 +267,9 @@ void view_spectrum(const Screen *screen, Area area, Style heading, int variant)
                  ? axis_make_log(fmax(largest, 1e-290) * 1e-3, fmax(largest, 1e-286) * 1.02, rows < 5 ? 3 : 5)
                  : axis_make(0, axis_round_up(1.02 * largest), rows < 5 ? 3 : 5);
 
+    /* where there is little room the solid line goes without saying */
     Legend legend[3] = {{LINE_SOLID, '*', STYLE_MEASURED, "measured", NULL}};
-    int n_legend = 1;
+    int n_legend = area.rect.width < 70 ? 0 : 1;
     bool exact = false, predicted = false;
     for (int i = 0; i < n_marks; i++) {
         exact |= marks[i].exact;
@@ -283,7 +284,7 @@ void view_spectrum(const Screen *screen, Area area, Style heading, int variant)
         axis_scale_text(&y, quantity->unit, scale);
     else if (!is_bar(screen))
         snprintf(scale, sizeof scale, "%s", quantity->unit);
-    snprintf(name, sizeof name, area.rect.width < 70 ? "%s" : "spectrum of %s", quantity->label);
+    snprintf(name, sizeof name, "spectrum of %s", quantity->label);
     draw_heading(area, heading, name, scale, legend, n_legend);
     Area inner = axes_draw(area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under), &picture.x,
                            &y, is_bar(screen) ? "w" : "kHz", GUTTER);
