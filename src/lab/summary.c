@@ -158,7 +158,7 @@ void summary_crack_text(const RunSummary *summary, char out[SUMMARY_MAX])
         return;
     add_time(&writer, "crack  first break", crack->first_break, "none");
     add_time(&writer, "  twentieth", crack->twentieth_break, "none");
-    add_time(&writer, "  at the protected zone", crack->arrival, "not yet");
+    add_time(&writer, "  protected zone", crack->arrival, "not yet");
     add(&writer, "\n");
     bool any = false;
     for (int i = 0; i < CRACK_ANGLES; i++) {
