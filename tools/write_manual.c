@@ -7,6 +7,7 @@
 #include "cli/sweep_result.h"
 #include "lab/parameters.h"
 #include "lab/problem.h"
+#include "tui/script.h"
 #include "view/commands.h"
 
 #include <stdio.h>
@@ -139,6 +140,22 @@ static bool write_keys(const char *unused)
         say(commands[i].name);
         puts(")");
         say_line(commands[i].help);
+    }
+    return true;
+}
+
+static bool write_script(const char *unused)
+{
+    (void)unused;
+    for (const ScriptInstruction *row = script_instructions; row->name; row++) {
+        puts(".TP");
+        say_in("B", row->name);
+        if (*row->arguments) {
+            putchar(' ');
+            say_in("I", row->arguments);
+        }
+        putchar('\n');
+        say_line(row->help);
     }
     return true;
 }
@@ -303,7 +320,8 @@ static const struct {
 } tables[] = {
     {"commands", write_commands},     {"keys", write_keys},       {"options", write_options},
     {"parameters", write_parameters}, {"results", write_results}, {"scenarios", write_scenarios},
-    {"series", write_series},         {"tables", write_tables},   {"texts", write_texts},
+    {"script", write_script},         {"series", write_series},   {"tables", write_tables},
+    {"texts", write_texts},
 };
 
 static bool fill(char *line)

@@ -11,7 +11,7 @@
 
 enum { SIZE_MAX_CELLS = 1000 };
 
-typedef struct Player {
+struct Player {
     Laboratory lab;
     Canvas canvas;
     int width, height;
@@ -19,7 +19,7 @@ typedef struct Player {
     double rate; /* steps per second; 0: without limit */
     const char *name;
     long line;
-} Player;
+};
 
 static double now(void *context)
 {
@@ -204,13 +204,20 @@ static bool do_closed(Player *player, char *rest, Status *status)
     return player->lab.closed || status_fail(status, STATUS_FAILED, "the laboratory is still open");
 }
 
-static const struct {
-    const char *name;
-    bool (*run)(Player *, char *rest, Status *);
-} instructions[] = {
-    {"key", do_key},       {"click", do_click},   {"type", do_type},     {"wait", do_wait},
-    {"size", do_size},     {"rate", do_rate},     {"screen", do_screen}, {"styles", do_styles},
-    {"expect", do_expect}, {"reject", do_reject}, {"closed", do_closed},
+const ScriptInstruction script_instructions[] = {
+    {"key", "NAME...", "presses keys by name: Space, Enter, ^C, ], ...", do_key},
+    {"type", "TEXT", "presses the characters of the text one by one", do_type},
+    {"click", "X Y", "presses the mouse in a column and a row, from 0", do_click},
+    {"wait", "SECONDS", "lets that much time pass, frame by frame", do_wait},
+    {"size", "WIDTHxHEIGHT", "resizes the screen", do_size},
+    {"rate", "STEPS", "the engine does that many steps in a second; 0, as at first: as many as are asked for",
+     do_rate},
+    {"screen", "[NAME]", "prints the screen, under a line with the name", do_screen},
+    {"styles", "[NAME]", "prints its styles, one letter a cell", do_styles},
+    {"expect", "TEXT", "the text is on the screen, within one line", do_expect},
+    {"reject", "TEXT", "the text is not on the screen", do_reject},
+    {"closed", "", "the laboratory has been left", do_closed},
+    {NULL, NULL, NULL, NULL},
 };
 
 static bool play_line(Player *player, char *line, Status *status)
@@ -221,14 +228,13 @@ static bool play_line(Player *player, char *line, Status *status)
         return true;
     size_t length = strcspn(line, " ");
     char *rest = line + length + (line[length] == ' ');
-    for (size_t i = 0; i < sizeof instructions / sizeof *instructions; i++)
-        if (strlen(instructions[i].name) == length && strncmp(line, instructions[i].name, length) == 0)
-            return instructions[i].run(player, rest, status);
+    for (const ScriptInstruction *row = script_instructions; row->name; row++)
+        if (strlen(row->name) == length && strncmp(line, row->name, length) == 0)
+            return row->run(player, rest, status);
     char known[128] = "";
     size_t used = 0;
-    for (size_t i = 0; i < sizeof instructions / sizeof *instructions && used < sizeof known; i++)
-        used +=
-            (size_t)snprintf(known + used, sizeof known - used, "%s%s", i ? " | " : "", instructions[i].name);
+    for (const ScriptInstruction *row = script_instructions; row->name && used < sizeof known; row++)
+        used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", used ? " | " : "", row->name);
     return status_fail(status, STATUS_USAGE, "unknown instruction: %.60s (%s)", line, known);
 }
 
