@@ -298,7 +298,7 @@ static void run_frame(Laboratory *lab, double deadline)
     else if (lab->frames_in_time >= ROUND_FRAMES)
         screen->at_limit = false;
     double took = lab->host.now(lab->host.context) - begin;
-    double rate = (double)done / (took > FRAME_SECONDS ? took : FRAME_SECONDS);
+    double rate = (double)done / (took > FRAME_SECONDS ? took / FRAME_SECONDS : 1);
     screen->rate = screen->rate > 0 ? 0.8 * screen->rate + 0.2 * rate : rate;
     if (!sound || experiment_at_end(screen->experiment))
         settle(lab);

@@ -48,9 +48,10 @@ static void state_text(const Screen *screen, bool brief, char *out, size_t size)
     switch (screen->state) {
     case STATE_RUNNING:
         pace_text(screen->pace, pace, sizeof pace);
-        if (screen->at_limit && screen->rate > 0)
-            snprintf(out, size, brief ? "RUN %.0f/s max" : "RUNNING %.0f steps/s max", screen->rate);
-        else
+        if (screen->at_limit && screen->rate > 0) {
+            pace_text(screen->rate, pace, sizeof pace);
+            snprintf(out, size, brief ? "%s max" : "RUNNING %s max", pace);
+        } else
             snprintf(out, size, "RUNNING %s", pace);
         return;
     case STATE_COMPUTING:

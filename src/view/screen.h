@@ -52,7 +52,7 @@ typedef struct Screen {
 
     RunState state;
     double pace;       /* steps per frame */
-    double rate;       /* steps per second, measured; for a stepping engine that is the limit */
+    double rate;       /* steps per frame that the engine reaches; shown where it is the limit */
     bool at_limit;     /* the engine is slower than the pace asked for */
     double work_share; /* STATE_COMPUTING: share done */
 
