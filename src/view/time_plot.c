@@ -1,0 +1,129 @@
+#include "view/time_plot.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* --- the time window ------------------------------------------------------------------------------ */
+
+static double automatic_window(const Screen *screen, double end)
+{
+    enum { PERIODS = 4 };
+    const Readout *readout = experiment_readout(screen->experiment);
+    double window = end;
+    if (readout->moving && readout->exact_known && readout->exact > 0 && !readout->drifting)
+        window = step_round_up(PERIODS * (readout->is_period ? readout->exact : 2 * M_PI / readout->exact));
+    return window < end ? window : end;
+}
+
+void screen_time_window(const Screen *screen, double *from, double *to)
+{
+    const double present = experiment_time(screen->experiment);
+    const double dt = experiment_simulation(screen->experiment)->dt;
+    const double newest = dt * (double)experiment_newest(screen->experiment);
+    const double last = dt * (double)experiment_last_step(screen->experiment);
+    double window = screen->window > 0 ? screen->window : automatic_window(screen, last);
+    if (!(window > 0))
+        window = last > 0 ? last : 1;
+    /* it shows the newest; rewound far, the present stands in the middle */
+    double right = newest - present <= window / 2 ? newest : present + window / 2;
+    right = fmax(right, present);
+    /* move by whole hundredths, so that curves shift by whole cells and do not shimmer */
+    const double grain = window / 100;
+    *from = right <= window ? 0 : ceil((right - window) / grain - 1e-9) * grain;
+    *to = *from + window;
+}
+
+/* The same window, but such that it begins at a whole cell of a plot of so many columns. */
+Axis time_plot_axis(const Screen *screen, int columns)
+{
+    double from, to;
+    screen_time_window(screen, &from, &to);
+    const double window = to - from, cell = window / (columns > 0 ? columns : 1);
+    if (from > 0)
+        from = ceil(from / cell - 1e-9) * cell;
+    return axis_make(from, from + window, columns / 9);
+}
+
+/* --- curves --------------------------------------------------------------------------------------- */
+
+static double curve_sample(const void *context, size_t index, double *x)
+{
+    const Curve *curve = context;
+    const double *row = record_row(curve->record, index);
+    double value = row[curve->column];
+    if (curve->minus >= 0)
+        value -= row[curve->minus];
+    if (curve->plus >= 0)
+        value += row[curve->plus];
+    *x = row[1];
+    return value;
+}
+
+void time_plot_curve(Plot *plot, const Curve *curve, int columns)
+{
+    const Record *record = curve->record;
+    if (record->count == 0)
+        return;
+    size_t first = record_find(record, plot->x.low), end = record_find(record, plot->x.high) + 2;
+    plot_curve(plot, curve_sample, curve, first, end < record->count ? end : record->count, columns);
+}
+
+/* The largest magnitude of a column in the whole record, so that the axis does not depend on the window. */
+double time_plot_reach(const Record *record, int column)
+{
+    double reach = 0;
+    for (size_t i = 0; i < record->count; i++) {
+        double value = fabs(record_row(record, i)[column]);
+        if (value > reach && isfinite(value))
+            reach = value;
+    }
+    return reach;
+}
+
+/* What a reference will reach: asked for times to come, so that the axis is right from the start. */
+double time_plot_reach_to_come(const Screen *screen, int column, int n_columns)
+{
+    enum { TIMES = 96 };
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    References *refs = experiment_references(screen->experiment);
+    const long last = experiment_last_step(screen->experiment);
+    double from, to, nothing[COLUMNS_MAX] = {0}, earlier[COLUMNS_MAX] = {0}, row[COLUMNS_MAX], reach = 0;
+    screen_time_window(screen, &from, &to);
+    long steps = sim->dt > 0 ? (long)((to - from) / sim->dt) : 0;
+    steps = steps < last ? steps : last;
+    if (n_columns > COLUMNS_MAX)
+        return 0;
+    for (int i = 0; i <= TIMES; i++) {
+        long step = steps / TIMES * i + steps % TIMES * i / TIMES;
+        references_row_again(refs, step, sim->dt * (double)step, nothing, earlier, row);
+        double value = fabs(row[column]);
+        if (isfinite(value) && value > reach)
+            reach = value;
+    }
+    return reach;
+}
+
+void time_plot_now(const Screen *screen, Area inner, const Axis *x)
+{
+    const double present = experiment_time(screen->experiment);
+    if (experiment_newest(screen->experiment) > experiment_step(screen->experiment)) {
+        int column = axis_column(x, present, inner.rect.width);
+        for (int y = 0; column >= 0 && y < inner.rect.height; y++)
+            area_put(inner, column, y, 0x2502, STYLE_FOCUS);
+    }
+    if (isfinite(screen->cursor_time)) {
+        int column = axis_column(x, screen->cursor_time, inner.rect.width);
+        for (int y = 0; column >= 0 && y < inner.rect.height; y++)
+            area_put(inner, column, y, 0x2502, STYLE_SELECTED);
+    }
+}
+
+const char *time_plot_name(const Screen *screen, const Axis *x, char *out, size_t size)
+{
+    char scale[TICK_TEXT_MAX];
+    const bool seconds = experiment_settings(screen->experiment)->problem != PROBLEM_BAR;
+    axis_scale_text(x, seconds ? "s" : "", scale);
+    snprintf(out, size, scale[0] ? "t, %s" : "t", scale);
+    return out;
+}

@@ -1,0 +1,32 @@
+/* What plots over time share: the window, curves from a record, the mark of the present. */
+#ifndef VIEW_TIME_PLOT_H
+#define VIEW_TIME_PLOT_H
+
+#include "view/panes.h"
+
+typedef struct Curve {
+    const Record *record;
+    int column;
+    int minus, plus; /* the value is column - minus + plus; -1: none */
+} Curve;
+
+/* The time window as an axis of a plot of so many columns: it begins at a whole cell, so that curves shift by
+ * whole cells and do not shimmer. */
+Axis time_plot_axis(const Screen *, int columns);
+
+/* Adds a curve's part in the window to the last stroke begun, extremes of each of `dots` columns kept. */
+void time_plot_curve(Plot *, const Curve *, int dots);
+
+/* The largest magnitude of a column in the whole record, so that the axis does not depend on the window. */
+double time_plot_reach(const Record *, int column);
+
+/* What a reference will reach: asked for times to come, so that the axis is right from the start. */
+double time_plot_reach_to_come(const Screen *, int column, int n_columns);
+
+/* Marks the present, if it is not the newest time, and the cursor. */
+void time_plot_now(const Screen *, Area inner, const Axis *x);
+
+/* "t" or "t, ms" for the end of the axis. */
+const char *time_plot_name(const Screen *, const Axis *x, char *out, size_t size);
+
+#endif

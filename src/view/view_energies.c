@@ -1,0 +1,167 @@
+/* View 3: the energies over time, stacked. */
+#include "view/time_plot.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Energies stacked from below: what the grid sees, what it does not, strain, dissipated. */
+typedef struct Layer {
+    const char *name;
+    int column, minus; /* its height: column - minus */
+    Style style;
+    int fill;
+} Layer;
+
+typedef struct Stack {
+    const Record *record;
+    Layer layers[4];
+    int count;
+} Stack;
+
+static double stack_height(const Stack *stack, size_t index, int upto)
+{
+    const double *row = record_row(stack->record, index);
+    double sum = 0;
+    for (int i = 0; i < upto; i++) {
+        const Layer *layer = &stack->layers[i];
+        sum += row[layer->column] - (layer->minus >= 0 ? row[layer->minus] : 0);
+    }
+    return sum;
+}
+
+static void add_layer(Stack *stack, const char *name, int column, int minus, Style style)
+{
+    if (column >= 0) {
+        stack->layers[stack->count] = (Layer){name, column, minus, style, stack->count};
+        stack->count++;
+    }
+}
+
+static Stack stack_of(const Screen *screen)
+{
+    Stack stack = {.record = experiment_record(screen->experiment)};
+    const int kinetic = find_column(screen, "kinetic"), grid = find_column(screen, "kinetic_grid");
+    if (grid >= 0) {
+        add_layer(&stack, "grid", grid, -1, STYLE_MEASURED);
+        add_layer(&stack, "hidden", kinetic, grid, STYLE_SECOND);
+    } else {
+        add_layer(&stack, "kinetic", kinetic, -1, STYLE_MEASURED);
+    }
+    add_layer(&stack, "strain", find_column(screen, "strain"), -1, STYLE_EXACT);
+    add_layer(&stack, "dissipated", find_column(screen, "dissipated"), -1, STYLE_THIRD);
+    return stack;
+}
+
+/* One point a column of dots: the row at its middle. Bands need no extremes: their edges are sums that hardly
+ * change within a column when the curve's swing is wider than one; where it is narrower, the mean is told. */
+static void add_stack(Plot *plot, const Stack *stack, int dots)
+{
+    const Record *record = stack->record;
+    const double step = (plot->x.high - plot->x.low) / dots;
+    for (int layer = 0; layer < stack->count; layer++) {
+        plot_begin(plot, STROKE_BAND, LINE_SOLID, stack->layers[layer].style, RANK_BAND, "#+.:"[layer & 3]);
+        plot->strokes[plot->n_strokes - 1].fill = stack->layers[layer].fill;
+        const double newest = record->count ? record_row(record, record->count - 1)[1] : -1;
+        for (int i = 0; i < dots; i++) {
+            double from = plot->x.low + i * step, low = 0, high = 0;
+            if (from > newest)
+                break;
+            size_t first = record_find(record, from), end = record_find(record, from + step);
+            for (size_t k = first; k <= end; k++) {
+                low += stack_height(stack, k, layer);
+                high += stack_height(stack, k, layer + 1);
+            }
+            double count = (double)(end - first + 1);
+            plot_point(plot, from + step / 2, low / count);
+            plot_point(plot, from + step / 2, high / count);
+        }
+    }
+}
+
+static void energy_line(const Screen *screen, const Stack *stack, int width, char out[160])
+{
+    const Record *record = stack->record;
+    out[0] = '\0';
+    if (record->count == 0)
+        return;
+    const double *now = experiment_row(screen->experiment), *start = record_row(record, 0);
+    const int total = find_column(screen, "total"), kinetic = find_column(screen, "kinetic");
+    const int grid = find_column(screen, "kinetic_grid");
+    if (!now || total < 0)
+        return;
+    char number[NUMBER_TEXT_MAX], hidden[48] = "";
+    number_text(now[total], 5, 10, number);
+    append(out, 160, "total %s", number);
+    if (start[total] != 0)
+        append(out, 160, " = %.2f %% of the start", 100 * now[total] / start[total]);
+    if (grid >= 0 && kinetic >= 0 && now[kinetic] > 0)
+        append(hidden, sizeof hidden, ", %.1f %% of kinetic hidden", 100 * (1 - now[grid] / now[kinetic]));
+    if (text_columns(out) + text_columns(hidden) <= width)
+        append(out, 160, "%s", hidden);
+}
+
+void view_energies(const Screen *screen, Area area, Style heading, int variant)
+{
+    (void)variant;
+    const Stack stack = stack_of(screen);
+    const Record *record = stack.record;
+    const int work = find_column(screen, "work");
+    double most = 0, most_work = 0;
+    for (size_t i = 0; i < record->count; i++) {
+        most = fmax(most, stack_height(&stack, i, stack.count));
+        if (work >= 0)
+            most_work = fmax(most_work, fabs(record_row(record, i)[work]));
+    }
+    /* the ripple comes of velocities and stresses half a step apart; velocity Verlet has none */
+    const bool staggered = find_column(screen, "kinetic_grid") >= 0;
+    const int under = area.rect.height >= 8 && staggered ? 2 : area.rect.height >= 6 ? 1 : 0;
+    Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
+    const int width = plot_area.rect.width - GUTTER - 1, dots = width * plot_dots_across(area.glyphs);
+    const int rows = plot_area.rect.height - 1;
+    Axis y = axis_make(0, axis_round_up(fmax(most, most_work) * 1.02), rows < 4 ? 2 : rows < 12 ? 4 : 6);
+    Axis x = time_plot_axis(screen, width);
+
+    /* bands are told apart by how densely they are filled: the legend shows a piece of each */
+    static const char *const keys[GLYPHS_COUNT][4] = {
+        [GLYPHS_BRAILLE] = {"⣿⣿", "⢕⢕", "⠅⠅", "⠁⠁"},
+        [GLYPHS_BLOCK] = {"▓▓", "▒▒", "░░", "··"},
+        [GLYPHS_ASCII] = {"##", "++", "..", "::"},
+    };
+    Legend legend[6];
+    int n_legend = 0;
+    for (int i = 0; i < stack.count; i++)
+        legend[n_legend++] = (Legend){LINE_SOLID, '#', stack.layers[i].style, stack.layers[i].name,
+                                      keys[area.glyphs][stack.layers[i].fill & 3]};
+    if (most_work > 0)
+        legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "work", NULL};
+    char scale[TICK_TEXT_MAX], name[32], line[160];
+    axis_scale_text(&y, experiment_settings(screen->experiment)->problem == PROBLEM_BAR ? "" : "J", scale);
+    const int named = draw_heading(area, heading, "energy", scale, legend, n_legend);
+    Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
+    Plot plot;
+    plot_open(&plot, x, y);
+    add_stack(&plot, &stack, dots);
+    if (most_work > 0) {
+        plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-');
+        time_plot_curve(&plot, &(Curve){record, work, -1, -1}, dots);
+    }
+    time_plot_now(screen, inner, &x);
+    plot_draw(&plot, inner);
+    plot_close(&plot);
+
+    if (under > 0) {
+        energy_line(screen, &stack, area.rect.width - 2, line);
+        area_text(area, 1, area.rect.height - under, line, STYLE_NORMAL);
+    }
+    /* a band without a name says nothing: what the heading has no room for comes before the remark */
+    if (under > 1 && named < n_legend)
+        draw_legend(area, 1, area.rect.height - 1, legend + named, n_legend - named);
+    else if (under > 1)
+        area_text(area, 1, area.rect.height - 1,
+                  text_columns("the ripple is staggering (v and stress half a step apart), not loss") <
+                          area.rect.width - 1
+                      ? "the ripple is staggering (v and stress half a step apart), not loss"
+                      : "the ripple is staggering, not loss",
+                  STYLE_FAINT);
+}

@@ -1,0 +1,307 @@
+/* View 2: what is measured at the probe, over time, with the reference curves, earlier runs and the readout.
+ */
+#include "view/time_plot.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* The columns that can stand in the probe view: what is measured and is no energy. */
+static bool is_energy(const char *name)
+{
+    static const char *const energies[] = {"kinetic", "kinetic_grid", "strain",
+                                           "work",    "dissipated",   "total"};
+    for (size_t i = 0; i < sizeof energies / sizeof *energies; i++)
+        if (strcmp(name, energies[i]) == 0)
+            return true;
+    return false;
+}
+
+static int probe_column(const Screen *screen, int variant, int *count)
+{
+    int n, found = -1;
+    const Column *columns = experiment_columns(screen->experiment, &n);
+    *count = 0;
+    for (int i = 2; i < n; i++)
+        if (columns[i].kind == COLUMN_MEASURED && columns[i].of < 0 && !is_energy(columns[i].quantity.name)) {
+            if (*count == variant)
+                found = i;
+            (*count)++;
+        }
+    return found;
+}
+
+int view_probe_variants(const Screen *screen)
+{
+    int count;
+    probe_column(screen, 0, &count);
+    return count > 0 ? count : 1;
+}
+
+/* A curve's name where room is short. */
+static const char *short_word(const char *name)
+{
+    return strcmp(name, "predicted") == 0 ? "pred" : strcmp(name, "measured") == 0 ? "meas" : name;
+}
+
+/* How a column that answers another is drawn; false: it is not shown. */
+static bool legend_of(const Screen *screen, const Column *column, int exact_before, Legend *out)
+{
+    *out = (Legend){LINE_DOTTED, '.', STYLE_EXACT, column->quantity.label, NULL};
+    switch (column->kind) {
+    case COLUMN_EXACT:
+        if (exact_before > 0)
+            *out = (Legend){LINE_DASHED, '-', STYLE_THIRD, column->quantity.label, NULL};
+        return shows_exact(screen);
+    case COLUMN_PREDICTED:
+        *out = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, column->quantity.label, NULL};
+        return shows_predicted(screen);
+    case COLUMN_MEASURED:
+        *out = (Legend){LINE_SOLID, 'o', STYLE_SECOND, column->quantity.label, NULL};
+        return true;
+    }
+    return false;
+}
+
+static int ghost_column(const Ghost *ghost, const char *name)
+{
+    for (int i = 0; i < ghost->n_columns; i++)
+        if (strcmp(ghost->columns[i].quantity.name, name) == 0)
+            return i;
+    return -1;
+}
+
+static void add_ghosts(const Screen *screen, Plot *plot, const char *name, int dots)
+{
+    const Ghost *ghosts = experiment_ghosts(screen->experiment);
+    for (int i = 0; i < GHOSTS_MAX; i++) {
+        int column = ghosts[i].used ? ghost_column(&ghosts[i], name) : -1;
+        if (column < 0)
+            continue;
+        plot_begin(plot, STROKE_LINE, LINE_SOLID, STYLE_FAINT, RANK_GHOST, ':');
+        time_plot_curve(plot, &(Curve){&ghosts[i].record, column, -1, -1}, dots);
+    }
+}
+
+/* A ghost's letter stands at the end of its curve, so that it is told by more than its faint colour. */
+static void draw_ghost_letters(const Screen *screen, Area inner, const Plot *plot, const char *name)
+{
+    const Ghost *ghosts = experiment_ghosts(screen->experiment);
+    for (int i = 0; i < GHOSTS_MAX; i++) {
+        int column = ghosts[i].used ? ghost_column(&ghosts[i], name) : -1;
+        if (column < 0 || ghosts[i].record.count == 0)
+            continue;
+        const double *row = record_row(&ghosts[i].record, record_find(&ghosts[i].record, plot->x.high));
+        int x = axis_column(&plot->x, row[1], inner.rect.width);
+        int y = axis_row(&plot->y, row[column], inner.rect.height);
+        if (x >= 0 && y >= 0)
+            area_put(inner, x, y, (uint32_t)(unsigned char)ghosts[i].letter, STYLE_FAINT);
+    }
+}
+
+/* Ghosts in the legend, by the letter at the end of their curve. What differs is told where there is room;
+ * else the letter has to do. */
+static int ghost_legend(const Screen *screen, const char *name, int room, char keys[][4], Legend *out)
+{
+    const Ghost *ghosts = experiment_ghosts(screen->experiment);
+    int count = 0;
+    for (int i = 0; i < GHOSTS_MAX; i++) {
+        if (!ghosts[i].used || ghost_column(&ghosts[i], name) < 0)
+            continue;
+        snprintf(keys[count], 4, "%c:", ghosts[i].letter);
+        const char *word = text_columns(ghosts[i].legend) + 5 <= room ? ghosts[i].legend : "before";
+        room -= text_columns(word) + 5;
+        out[count] = (Legend){LINE_SOLID, ':', STYLE_FAINT, word, keys[count]};
+        count++;
+    }
+    return count;
+}
+
+/* What a beam that breaks is judged by; false: this one does not. */
+static bool crack_line(const Screen *screen, char out[160])
+{
+    const int broken = find_column(screen, "broken_bonds"), x = find_column(screen, "crack_x");
+    const int y = find_column(screen, "crack_y");
+    const double *row = experiment_row(screen->experiment);
+    if (broken < 0 || x < 0 || y < 0 || !row)
+        return false;
+    snprintf(out, 160, "broken bonds %.0f", row[broken]);
+    if (isfinite(row[x]) && isfinite(row[y]))
+        append(out, 160, "  crack's tip at x %.1f, y %.1f mm", 1e3 * row[x], 1e3 * row[y]);
+    return true;
+}
+
+/* Lines under the plot: what the run is judged by. In a narrow pane the words are shorter; a number is never
+ * cut. */
+static void frequency_lines(const Screen *screen, int width, char first[160], char second[160])
+{
+    const Readout *readout = experiment_readout(screen->experiment);
+    const bool period = readout->is_period, exact = readout->exact_known && shows_exact(screen);
+    const bool predicted = readout->predicted_known && shows_predicted(screen);
+    const double unit = period ? 1e-3 : 1;
+    const char *symbol = period ? "T" : "w", *tail = period ? " ms" : "";
+    first[0] = second[0] = '\0';
+    if (!readout->moving) {
+        if (!crack_line(screen, first))
+            snprintf(first, 160, "nothing vibrates: no %s to measure", period ? "period" : "frequency");
+        return;
+    }
+    const bool narrow = width < 52;
+    if (readout->measured_known)
+        append(first, 160, narrow ? "%s %.4f" : "%s measured %.4f", symbol, readout->measured / unit);
+    else
+        append(first, 160, narrow ? "%s ..." : "%s measuring", symbol);
+    if (predicted)
+        append(first, 160, narrow ? " pred %.4f" : "  predicted %.4f", readout->predicted / unit);
+    if (exact)
+        append(first, 160, narrow ? " exact %.4f" : "  exact %.4f", readout->exact / unit);
+    if (readout->measured_known || predicted || exact)
+        append(first, 160, "%s", tail);
+    if (!readout->measured_known || !exact)
+        return;
+    append(second, 160, "w %+.2f %%  T %+.2f %%", readout->error_frequency, readout->error_period);
+    append(second, 160, narrow ? "  %s %.2f T" : "  %s by %.2f periods", readout->late < 0 ? "early" : "late",
+           fabs(readout->late));
+}
+
+/* The values of every curve at the cursor: with so many digits, and in short words if wanted. */
+static void cursor_line(const Screen *screen, int column, int digits, bool brief, char out[160])
+{
+    int n;
+    const Column *columns = experiment_columns(screen->experiment, &n);
+    const Record *record = experiment_record(screen->experiment);
+    if (record->count == 0)
+        return;
+    const double *row = record_row(record, record_find(record, screen->cursor_time));
+    char time[48], number[NUMBER_TEXT_MAX];
+    time_text(screen, row[1], time, sizeof time);
+    number_text(row[column], digits, 12, number);
+    snprintf(out, 160, brief ? "%s  meas %s" : "%s  measured %s", time, number);
+    int exact = 0;
+    for (int i = 2; i < n; i++) {
+        Legend legend;
+        if (columns[i].of != column)
+            continue;
+        bool shown = legend_of(screen, &columns[i], exact, &legend);
+        exact += columns[i].kind == COLUMN_EXACT;
+        if (!shown || !isfinite(row[i]))
+            continue;
+        number_text(row[i], digits, 12, number);
+        append(out, 160, "  %s %s", brief ? short_word(legend.name) : legend.name, number);
+    }
+}
+
+static void draw_readout(const Screen *screen, Area area, int column)
+{
+    char first[160], second[160], cursor[160] = "";
+    const int width = area.rect.width - 2, rows = area.rect.height;
+    frequency_lines(screen, width, first, second);
+    if (isfinite(screen->cursor_time)) {
+        /* every value is seen: with fewer digits and shorter words, else on both lines */
+        static const struct {
+            int digits;
+            bool brief;
+        } forms[] = {{5, false}, {5, true}, {4, true}, {3, true}};
+        const size_t n_forms = rows > 1 ? 3 : 4;
+        for (size_t i = 0; i < n_forms; i++) {
+            cursor_line(screen, column, forms[i].digits, forms[i].brief, cursor);
+            if (text_columns(cursor) <= width)
+                break;
+        }
+        if (rows > 1 && text_columns(cursor) > width) {
+            cursor_line(screen, column, 5, false, cursor);
+            area_phrases(area, 1, 0, width, rows, cursor, STYLE_SELECTED);
+            return;
+        }
+        area_phrases(area, 1, rows - 1, width, 1, cursor, STYLE_SELECTED);
+        if (rows > 1)
+            area_phrases(area, 1, 0, width, 1, first, STYLE_NORMAL);
+        return;
+    }
+    if (rows == 1 && second[0])
+        append(first, sizeof first, "   %s", second);
+    area_phrases(area, 1, 0, width, 1, first, STYLE_NORMAL);
+    if (rows > 1)
+        area_phrases(area, 1, 1, width, 1, second, STYLE_NORMAL);
+}
+
+void view_probe(const Screen *screen, Area area, Style heading, int variant)
+{
+    int n, count;
+    const Column *columns = experiment_columns(screen->experiment, &n);
+    const Record *record = experiment_record(screen->experiment);
+    const int column = probe_column(screen, variant, &count);
+    if (column < 0) {
+        area_rule(area, 0, "over time", heading);
+        return;
+    }
+    const Quantity *quantity = &columns[column].quantity;
+    const Readout *readout = experiment_readout(screen->experiment);
+    const bool judged = strcmp(readout->column, quantity->name) == 0 || isfinite(screen->cursor_time) ||
+                        find_column(screen, "crack_x") >= 0;
+    const int under = !judged || area.rect.height < 6                  ? 0
+                      : area.rect.width >= 100 || area.rect.height < 8 ? 1
+                                                                       : 2;
+    Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
+    const int width = plot_area.rect.width - GUTTER - 1, dots = width * plot_dots_across(area.glyphs);
+
+    /* around zero for what swings; what only grows has its own range */
+    double reach = time_plot_reach(record, column), least = 0, most = 0;
+    Legend legend[6];
+    int n_legend = 0, exact = 0, shown[COLUMNS_MAX];
+    legend[n_legend++] = (Legend){LINE_SOLID, '*', STYLE_MEASURED, "measured", NULL};
+    shown[0] = column;
+    bool swings = false;
+    for (int i = 2; i < n && n_legend < 6; i++) {
+        if (columns[i].of != column)
+            continue;
+        swings = true;
+        if (legend_of(screen, &columns[i], exact, &legend[n_legend]))
+            shown[n_legend++] = i;
+        if (columns[i].kind != COLUMN_MEASURED)
+            reach = fmax(reach, time_plot_reach_to_come(screen, i, n));
+        exact += columns[i].kind == COLUMN_EXACT;
+    }
+    for (size_t i = 0; i < record->count; i++) {
+        double value = record_row(record, i)[column];
+        least = i == 0 || value < least ? value : least;
+        most = i == 0 || value > most ? value : most;
+    }
+    const int rows = plot_area.rect.height - 1, most_ticks = rows < 5 ? 3 : rows < 12 ? 5 : 7;
+    Axis y = swings || least < 0 ? axis_symmetric(reach, most_ticks) : axis_around(least, most, most_ticks);
+    Axis x = time_plot_axis(screen, width);
+
+    char scale[TICK_TEXT_MAX], name[32];
+    axis_scale_text(&y, quantity->unit, scale);
+    Legend entries[6 + GHOSTS_MAX];
+    char keys[GHOSTS_MAX][4];
+    int used = 9 + text_columns(quantity->label) + text_columns(scale);
+    for (int i = 0; i < n_legend; i++) {
+        entries[i] = legend[i];
+        used += text_columns(legend[i].name) + 5;
+    }
+    const int n_ghosts =
+        ghost_legend(screen, quantity->name, area.rect.width - used, keys, entries + n_legend);
+    if (n_ghosts > 0 && used + text_columns(entries[n_legend].name) + 5 > area.rect.width)
+        for (int i = 0; i < n_legend; i++)
+            entries[i].name = short_word(entries[i].name);
+    draw_heading(area, heading, quantity->label, scale, entries, n_legend + n_ghosts);
+    Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
+    Plot plot;
+    plot_open(&plot, x, y);
+    add_ghosts(screen, &plot, quantity->name, dots);
+    for (int i = 0; i < n_legend; i++) {
+        const int rank = columns[shown[i]].kind == COLUMN_EXACT       ? RANK_EXACT
+                         : columns[shown[i]].kind == COLUMN_PREDICTED ? RANK_PREDICTED
+                         : i > 0                                      ? RANK_SECOND
+                                                                      : RANK_MEASURED;
+        plot_begin(&plot, STROKE_LINE, legend[i].line, legend[i].style, rank, legend[i].letter);
+        time_plot_curve(&plot, &(Curve){record, shown[i], -1, -1}, dots);
+    }
+    time_plot_now(screen, inner, &x);
+    plot_draw(&plot, inner);
+    draw_ghost_letters(screen, inner, &plot, quantity->name);
+    plot_close(&plot);
+    if (under > 0)
+        draw_readout(screen, area_part(area, 0, area.rect.height - under, area.rect.width, under), column);
+}
