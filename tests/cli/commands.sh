@@ -143,7 +143,7 @@ result "it is mode1" says out 'mode1 '
 
 printf 'zebra\n' >keys
 refuse "a script with an unknown instruction" 2 \
-	'keys:1: unknown instruction: zebra (key | click | type | wait | size | rate | screen | styles | expect | reject | closed)' \
+	'keys:1: unknown instruction: zebra (key | type | click | wait | size | rate | screen | styles | expect | reject | closed)' \
 	--script keys
 
 printf '[scenario]\nproblem = bar\n[mesh]\n cell_size = 0.5\n' >bad.ini

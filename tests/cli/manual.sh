@@ -56,7 +56,7 @@ result "matvib.1 knows every scenario:$missing" test -z "$missing"
 printf 'zebra\n' | "$MATVIB" --script - 2>&1 | sed -n 's/.*instruction: zebra (\(.*\))/\1/p' | tr -d '|' >known
 missing=
 for word in $(cat known); do
-	plain "$man/matvib.1" | grep -q -E "^\.B[IR]? $word( |\\\\|\$)" || missing="$missing $word"
+	plain "$man/matvib.1" | grep -q "^.fB$word.fR" || missing="$missing $word"
 done
 result "matvib.1 knows every instruction of a script:$missing" test -s known -a -z "$missing"
 echo "1..$number"
