@@ -69,11 +69,17 @@ void time_plot_curve(Plot *plot, const Curve *curve, int columns)
     plot_curve(plot, curve_sample, curve, first, end < record->count ? end : record->count, columns);
 }
 
+size_t time_plot_stride(const Record *record)
+{
+    enum { ROWS = 20000 };
+    return 1 + record->count / ROWS;
+}
+
 /* The largest magnitude of a column in the whole record, so that the axis does not depend on the window. */
 double time_plot_reach(const Record *record, int column)
 {
     double reach = 0;
-    for (size_t i = 0; i < record->count; i++) {
+    for (size_t i = 0; i < record->count; i += time_plot_stride(record)) {
         double value = fabs(record_row(record, i)[column]);
         if (value > reach && isfinite(value))
             reach = value;

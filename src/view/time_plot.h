@@ -17,6 +17,10 @@ Axis time_plot_axis(const Screen *, int columns);
 /* Adds a curve's part in the window to the last stroke begun, extremes of each of `dots` columns kept. */
 void time_plot_curve(Plot *, const Curve *, int dots);
 
+/* The distance of rows at which a whole record is looked through for the range of an axis: a picture must not
+ * take longer because the run is long. Axes are rounded up, and swings have many rows. */
+size_t time_plot_stride(const Record *);
+
 /* The largest magnitude of a column in the whole record, so that the axis does not depend on the window. */
 double time_plot_reach(const Record *, int column);
 

@@ -108,7 +108,7 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
     const Record *record = stack.record;
     const int work = find_column(screen, "work");
     double most = 0, most_work = 0;
-    for (size_t i = 0; i < record->count; i++) {
+    for (size_t i = 0; i < record->count; i += time_plot_stride(record)) {
         most = fmax(most, stack_height(&stack, i, stack.count));
         if (work >= 0)
             most_work = fmax(most_work, fabs(record_row(record, i)[work]));

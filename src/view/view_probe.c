@@ -262,7 +262,7 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
             reach = fmax(reach, time_plot_reach_to_come(screen, i, n));
         exact += columns[i].kind == COLUMN_EXACT;
     }
-    for (size_t i = 0; i < record->count; i++) {
+    for (size_t i = 0; i < record->count; i += time_plot_stride(record)) {
         double value = record_row(record, i)[column];
         least = i == 0 || value < least ? value : least;
         most = i == 0 || value > most ? value : most;
