@@ -127,7 +127,7 @@ static void draw_bar(const Screen *screen, Area area)
                   is_focused(screen, PANE_MESH) ? STYLE_FOCUS : STYLE_HEADING);
     bool done;
     const int stage = box_stage(screen, &done);
-    const bool inside = screen->state != STATE_RUNNING && done && experiment_stage(screen->experiment) > 0;
+    const bool inside = screen->state != STATE_RUNNING && done;
     const Flow flow = inside ? stage_flow(sim, &sim->stages[stage]) : FLOW_NONE;
     const bool grid_there = experiment_stage(screen->experiment) > 0;
 
