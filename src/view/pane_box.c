@@ -55,6 +55,18 @@ static void line_words(const Screen *screen, char *out, size_t size)
                        : "Dotted: exact (continuum).");
 }
 
+/* Cuts a text to the whole sentences that fit: a caption never stops in mid-sentence. */
+static void keep_sentences(char *text, int width, int rows)
+{
+    size_t end = strlen(text);
+    while (end > 0 && paragraph_lines(width, text) > rows) {
+        do
+            end--;
+        while (end > 0 && !(strchr(".?!", text[end - 1]) && text[end] == ' '));
+        text[end] = '\0';
+    }
+}
+
 static void draw_caption(const Screen *screen, Area area)
 {
     const Settings *settings = experiment_settings(screen->experiment);
@@ -80,8 +92,11 @@ static void draw_caption(const Screen *screen, Area area)
     }
     line_words(screen, text, sizeof text);
     area_text(area, 1, y++, text, STYLE_NORMAL);
-    if (last >= y && settings->about[0])
-        area_paragraph(area, 1, y, width, last - y + 1, settings->about, STYLE_NORMAL);
+    char about[ABOUT_MAX];
+    memcpy(about, settings->about, sizeof about);
+    keep_sentences(about, width, last - y + 1);
+    if (about[0])
+        area_paragraph(area, 1, y, width, last - y + 1, about, STYLE_NORMAL);
 }
 
 /* --- summary -------------------------------------------------------------------------------------- */
