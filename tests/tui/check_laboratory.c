@@ -1,103 +1,12 @@
 /* What keys do to the laboratory, with a virtual clock and no terminal. */
-#include "lab/scenario.h"
 #include "suite.h"
-#include "tui/control.h"
+#include "tui/tui_case.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-typedef struct Bench {
-    Laboratory lab;
-    Settings settings;
-    Canvas canvas;
-    double time, rate; /* rate: steps in a second, 0: without limit */
-    int width, height;
-} Bench;
-
-static double now(void *context)
-{
-    return ((const Bench *)context)->time;
-}
-
-static void worked(void *context, long steps)
-{
-    Bench *bench = context;
-    if (bench->rate > 0)
-        bench->time += (double)steps / bench->rate;
-}
-
-static bool go_on(void *context)
-{
-    (void)context;
-    return true;
-}
-
-static void nothing(void *context)
-{
-    (void)context;
-}
-
-static Bench *open_bench(const char *scenario, bool paused)
-{
-    Status status = {STATUS_DONE, ""};
-    Bench *bench = calloc(1, sizeof *bench);
-    ck_assert_ptr_nonnull(bench);
-    bench->width = 80;
-    bench->height = 24;
-    ck_assert_msg(scenario_load(scenario, &bench->settings, &status), "%s", status.text);
-    LaboratoryOptions options = {.settings = &bench->settings, .scenario = scenario, .paused = paused};
-    Host host = {now, worked, go_on, nothing, nothing, bench};
-    ck_assert_msg(laboratory_open(&bench->lab, &options, &host, &status), "%s", status.text);
-    ck_assert(laboratory_draw(&bench->lab, &bench->canvas, bench->width, bench->height));
-    return bench;
-}
-
-static void close_bench(Bench *bench)
-{
-    laboratory_close(&bench->lab);
-    canvas_close(&bench->canvas);
-    free(bench);
-}
-
-static void frame(Bench *bench)
-{
-    double begin = bench->time;
-    laboratory_frame(&bench->lab, begin + FRAME_SECONDS);
-    if (bench->time < begin + FRAME_SECONDS)
-        bench->time = begin + FRAME_SECONDS;
-}
-
-static void press(Bench *bench, const char *name)
-{
-    Key key = {.x = -1, .y = -1};
-    snprintf(key.name, sizeof key.name, "%s", name);
-    laboratory_key(&bench->lab, &key);
-    if (bench->lab.screen.state == STATE_COMPUTING)
-        frame(bench);
-    ck_assert(laboratory_draw(&bench->lab, &bench->canvas, bench->width, bench->height));
-}
-
-static void press_all(Bench *bench, const char *names)
-{
-    char list[256];
-    snprintf(list, sizeof list, "%s", names);
-    char *place;
-    for (char *name = strtok_r(list, " ", &place); name; name = strtok_r(NULL, " ", &place))
-        press(bench, name);
-}
-
-static bool shows(Bench *bench, const char *text)
-{
-    char *dump = canvas_dump(&bench->canvas);
-    ck_assert_ptr_nonnull(dump);
-    bool found = strstr(dump, text) != NULL;
-    free(dump);
-    return found;
-}
 
 static void select_parameter(Bench *bench, const char *key)
 {
@@ -128,33 +37,6 @@ START_TEST(every_row_of_the_table_is_carried_out)
 {
     for (int i = 0; i < n_commands; i++)
         ck_assert_msg(laboratory_can(commands[i].id), "%s", commands[i].name);
-}
-END_TEST
-
-static const char *const scenarios[] = {"mode1", "gravity", "supported-beam-coarse", "notched-beam-coarse"};
-enum { N_SCENARIOS = sizeof scenarios / sizeof *scenarios };
-
-/* Each key of each command in each view, then out of whatever it opened. */
-START_TEST(every_key_in_every_view)
-{
-    Bench *bench = open_bench(scenarios[_i], true);
-    bench->rate = 1000;
-    press_all(bench, "> ]");
-    for (char view = '1'; view <= '9'; view++)
-        for (int i = 0; i < n_commands; i++) {
-            char keys[64], *place;
-            press(bench, (char[]){view, '\0'});
-            snprintf(keys, sizeof keys, "%s", commands[i].keys);
-            for (char *key = strtok_r(keys, " ", &place); key; key = strtok_r(NULL, " ", &place)) {
-                press(bench, key);
-                frame(bench);
-                press_all(bench, "Esc Esc");
-                bench->lab.closed = false;
-            }
-            if (bench->lab.screen.state == STATE_RUNNING)
-                press(bench, "Space");
-        }
-    close_bench(bench);
 }
 END_TEST
 
@@ -477,22 +359,6 @@ END_TEST
 
 /* --- files ------------------------------------------------------------------------------------------ */
 
-/* A folder of its own, so that what is written harms nothing. */
-static void enter_folder(char path[64])
-{
-    strcpy(path, "/tmp/matvib-check-XXXXXX");
-    ck_assert_ptr_nonnull(mkdtemp(path));
-    ck_assert_int_eq(chdir(path), 0);
-}
-
-static void leave_folder(const char *path)
-{
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf '%s'", path);
-    ck_assert_int_eq(chdir("/"), 0);
-    ck_assert_int_eq(system(command), 0);
-}
-
 START_TEST(export_writes_and_does_not_overwrite)
 {
     char folder[64];
@@ -562,71 +428,11 @@ START_TEST(the_command_line_takes_commands_values_and_times)
 }
 END_TEST
 
-/* --- at random -------------------------------------------------------------------------------------- */
-
-static uint64_t next_random(uint64_t *random)
-{
-    *random ^= *random << 13, *random ^= *random >> 7, *random ^= *random << 17;
-    return *random >> 11;
-}
-
-/* Any key of the table, and some that mean nothing or only something in a field. */
-static void random_key(uint64_t *random, char name[KEY_NAME_MAX])
-{
-    static const char *const others[] = {"Backspace", "1", "0",  ".", "-",  "e",
-                                         "y",         "n", "F7", "Ω", "^U", "M-x"};
-    uint64_t pick = next_random(random);
-    const Command *command = &commands[pick % (uint64_t)n_commands];
-    snprintf(name, KEY_NAME_MAX, "%s", others[(pick >> 20) % (sizeof others / sizeof *others)]);
-    if (pick % 7)
-        sscanf(command->keys, "%15s", name);
-    if (command->id == COMMAND_OPEN)
-        strcpy(name, "Enter");
-}
-
-static Bench *random_bench(uint64_t *random)
-{
-    /* beams take most of the time, so there are fewer of them */
-    uint64_t pick = next_random(random);
-    Bench *bench = open_bench(scenarios[pick % 12 ? pick % 2 : 2 + (pick >> 20) % 2], (pick >> 30) % 2);
-    bench->rate = 500;
-    return bench;
-}
-
-START_TEST(random_keys)
-{
-    char folder[64];
-    const char *wanted = getenv("MATVIB_KEYS");
-    long count = wanted ? atol(wanted) : 20000;
-    uint64_t random = 0x9e3779b97f4a7c15u;
-    enter_folder(folder);
-    Bench *bench = random_bench(&random);
-    for (long i = 0; i < count; i++) {
-        char name[KEY_NAME_MAX];
-        random_key(&random, name);
-        if (next_random(&random) % 50 == 0) {
-            bench->width = 1 + (int)(next_random(&random) % 200);
-            bench->height = 1 + (int)(next_random(&random) % 60);
-        }
-        press(bench, name);
-        frame(bench);
-        /* a new one now and then: some parameters make runs that no test can wait for */
-        if (bench->lab.closed || i % 250 == 249) {
-            close_bench(bench);
-            bench = random_bench(&random);
-        }
-    }
-    close_bench(bench);
-    leave_folder(folder);
-}
-END_TEST
-
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("laboratory");
     tcase_set_timeout(tcase, 120);
     tcase_add_test(tcase, every_row_of_the_table_is_carried_out);
-    tcase_add_loop_test(tcase, every_key_in_every_view, 0, N_SCENARIOS);
     tcase_add_test(tcase, a_period_lasts_three_seconds);
     tcase_add_test(tcase, a_slow_engine_is_the_limit);
     tcase_add_test(tcase, faster_and_slower_in_1_2_5);
@@ -646,8 +452,4 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, scenarios_are_written_and_opened);
     tcase_add_test(tcase, the_command_line_takes_commands_values_and_times);
     suite_add_tcase(suite, tcase);
-    TCase *random = tcase_create("random");
-    tcase_set_timeout(random, 120);
-    tcase_add_test(random, random_keys);
-    suite_add_tcase(suite, random);
 }

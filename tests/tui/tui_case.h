@@ -1,0 +1,33 @@
+/* What the tests of the laboratory's keys share: a laboratory with a virtual clock and no terminal. */
+#ifndef TESTS_TUI_CASE_H
+#define TESTS_TUI_CASE_H
+
+#include "tui/control.h"
+
+typedef struct Bench {
+    Laboratory lab;
+    Settings settings;
+    Canvas canvas;
+    double time, rate; /* rate: steps in a second, 0: without limit */
+    int width, height;
+} Bench;
+
+/* At 80x24, drawn once. */
+Bench *open_bench(const char *scenario, bool paused);
+void close_bench(Bench *);
+
+/* One frame's work, not drawn. */
+void frame(Bench *);
+
+/* As the event loop does it: work that a key asks for begins in the same frame, and the screen is drawn. */
+void press_key(Bench *, const Key *);
+void press(Bench *, const char *name);
+void press_all(Bench *, const char *names); /* parted by spaces */
+
+bool shows(Bench *, const char *text);
+
+/* A folder of its own, so that what is written harms nothing. */
+void enter_folder(char path[64]);
+void leave_folder(const char *path);
+
+#endif
