@@ -13,12 +13,6 @@ void beam_run(Beam *beam, PoolWork *work, int chunks)
             work(beam, chunk, 0);
 }
 
-int beam_band_end(const Beam *beam, int band)
-{
-    int end = (band + 1) * beam->band_rows;
-    return end < beam->lattice.ny ? end : beam->lattice.ny;
-}
-
 /* Row `row` above the band's end, in the band's halo: its column 0. */
 static double *halo_row(const Beam *beam, int band, int component, int row)
 {
@@ -29,7 +23,7 @@ static double *halo_row(const Beam *beam, int band, int component, int row)
 
 static void clear_band(Beam *beam, int band)
 {
-    int first = band * beam->band_rows, rows = beam_band_end(beam, band) - first;
+    int first = beam->band_first[band], rows = beam->band_first[band + 1] - first;
     size_t stride = beam->lattice.stride, bytes = stride * sizeof(double);
     memset(beam->nodes.fx + (size_t)first * stride, 0, (size_t)rows * bytes);
     memset(beam->nodes.fy + (size_t)first * stride, 0, (size_t)rows * bytes);
@@ -38,8 +32,8 @@ static void clear_band(Beam *beam, int band)
 
 void beam_bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy)
 {
-    int band = j / beam->band_rows, end = beam_band_end(beam, band);
-    if (j == band * beam->band_rows)
+    int band = beam->band_of_row[j], end = beam->band_first[band + 1];
+    if (j == beam->band_first[band])
         clear_band(beam, band);
     double *fx[LATTICE_REACH_MAX + 1], *fy[LATTICE_REACH_MAX + 1];
     for (int q = 0; q <= beam->lattice.reach; q++) {
@@ -55,10 +49,9 @@ void beam_bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy)
 void beam_add_halos(Beam *beam, int j)
 {
     size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
-    int own = j / beam->band_rows, reach = beam->lattice.reach;
-    int lowest = own - (reach + beam->band_rows - 1) / beam->band_rows;
-    for (int band = lowest > 0 ? lowest : 0; band < own; band++) {
-        int above = j - beam_band_end(beam, band);
+    int own = beam->band_of_row[j], reach = beam->lattice.reach;
+    for (int band = j > reach ? beam->band_of_row[j - reach] : 0; band < own; band++) {
+        int above = j - beam->band_first[band + 1];
         if (above >= reach)
             continue;
         beam->kernels->add(beam->nodes.fx + row, halo_row(beam, band, 0, above), 1, count);
@@ -70,7 +63,7 @@ static void bonds_of_band(Beam *beam, int band, int worker, bool with_energy)
 {
     BondLog *log = &beam->band_logs[band];
     log->scratch = beam->scratch + (size_t)worker * BONDS_SCRATCH;
-    for (int j = band * beam->band_rows; j < beam_band_end(beam, band); j++)
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
         beam_bonds_of_row(beam, j, log, with_energy);
 }
 
@@ -88,7 +81,7 @@ static void halos_chunk(void *context, int band, int worker)
 {
     (void)worker;
     Beam *beam = context;
-    for (int j = band * beam->band_rows; j < beam_band_end(beam, band); j++)
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
         beam_add_halos(beam, j);
 }
 
@@ -96,7 +89,7 @@ static void energy_chunk(void *context, int band, int worker)
 {
     (void)worker;
     Beam *beam = context;
-    for (int j = band * beam->band_rows; j < beam_band_end(beam, band); j++)
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
         beam->row_energy[j] = beam->kernels->energy(&beam->system, j);
 }
 

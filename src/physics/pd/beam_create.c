@@ -60,6 +60,8 @@ static void destroy(Simulation *sim)
     for (int band = 0; beam->band_logs && band < beam->n_bands; band++)
         free(beam->band_logs[band].breaks);
     free(beam->band_logs);
+    free(beam->band_of_row);
+    free(beam->band_first);
     free(beam->coefficient);
     free(beam->notched);
     free(beam->unbreakable);
@@ -86,6 +88,25 @@ static void *zeroed(size_t bytes)
     return block;
 }
 
+/* Two threads begin at the two ends and meet near the middle, so bands get smaller towards it: nobody waits
+ * long for the last one. Elsewhere they are as large as is worth while, since each has a halo to add. */
+static void cut_into_bands(Beam *beam)
+{
+    enum { ROWS_MAX = 8 };
+    int ny = beam->lattice.ny, middle = ny / 2;
+    beam->n_bands = 0;
+    for (int row = 0; row < ny;) {
+        /* above the middle the mirror image of below */
+        int rows = row < middle ? (middle - row) / 2 : (row - middle + 1);
+        rows = rows < 1 ? 1 : rows > ROWS_MAX ? ROWS_MAX : rows;
+        beam->band_first[beam->n_bands] = row;
+        for (int end = row + rows; row < end && row < ny; row++)
+            beam->band_of_row[row] = beam->n_bands;
+        beam->n_bands++;
+    }
+    beam->band_first[beam->n_bands] = ny;
+}
+
 static bool allocate(Beam *beam, Status *status)
 {
     const Lattice *lattice = &beam->lattice;
@@ -94,9 +115,11 @@ static bool allocate(Beam *beam, Status *status)
     size_t head = (sizeof(StateHead) + 63) / 64 * 64, arrays = 6 * beam->array * sizeof(double);
     beam->state_size = head + arrays + slots / 8;
 
-    /* small enough that threads share a short beam evenly, large enough that halos cost little */
-    beam->band_rows = lattice->ny / 10 < 1 ? 1 : lattice->ny / 10 > 8 ? 8 : lattice->ny / 10;
-    beam->n_bands = (lattice->ny + beam->band_rows - 1) / beam->band_rows;
+    beam->band_of_row = zeroed((size_t)lattice->ny * sizeof *beam->band_of_row);
+    beam->band_first = zeroed(((size_t)lattice->ny + 1) * sizeof *beam->band_first);
+    if (!beam->band_of_row || !beam->band_first)
+        return status_fail(status, STATUS_FAILED, "not enough memory for %d rows (pd.spacing)", lattice->ny);
+    cut_into_bands(beam);
     size_t bands = (size_t)beam->n_bands, reach = (size_t)lattice->reach;
 
     beam->coefficient = zeroed(slots * sizeof *beam->coefficient);

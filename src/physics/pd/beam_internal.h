@@ -102,7 +102,9 @@ typedef struct Beam {
 
     /* bands of rows: what a thread takes at once. Forces on rows above the band go to the band's own halo and
      * are added in the order of bands, so that the number of threads leaves no trace. */
-    int band_rows, n_bands;
+    int n_bands;
+    int *band_first;  /* first row of each band; one more: ny */
+    int *band_of_row;
     double *halo; /* per band: reach rows of fx, then of fy */
     double *row_energy;
     BondLog *band_logs; /* one per band */
@@ -133,7 +135,6 @@ void beam_set_motion(Beam *beam, const BeamOptions *options);
 
 /* beam_bands.c */
 void beam_run(Beam *beam, PoolWork *work, int chunks); /* context: the beam */
-int beam_band_end(const Beam *beam, int band);         /* the row after its last */
 void beam_bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy);
 void beam_add_halos(Beam *beam, int j);              /* what the bands below have for row j */
 void beam_bond_forces(Beam *beam, bool with_energy); /* all bands; halos are still to be added */

@@ -207,7 +207,7 @@ static void begin_chunk(void *context, int band, int worker)
 {
     (void)worker;
     Beam *beam = context;
-    for (int j = band * beam->band_rows; j < beam_band_end(beam, band); j++)
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
         begin_row(beam, j, beam->sim.step);
 }
 
@@ -215,7 +215,7 @@ static void end_chunk(void *context, int band, int worker)
 {
     (void)worker;
     Beam *beam = context;
-    for (int j = band * beam->band_rows; j < beam_band_end(beam, band); j++)
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
         end_row(beam, j, beam->sim.step);
 }
 
@@ -224,7 +224,7 @@ static void turn_chunk(void *context, int band, int worker)
 {
     (void)worker;
     Beam *beam = context;
-    for (int j = band * beam->band_rows; j < beam_band_end(beam, band); j++) {
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++) {
         end_row(beam, j, beam->sim.step);
         begin_row(beam, j, beam->sim.step + 1);
     }

@@ -1,6 +1,8 @@
-/* One word says it all: the number of the job in its upper half, the next chunk to take in its lower. A
- * thread takes a chunk by adding one to the word it read; if the job has ended meanwhile the word has changed
- * and the attempt fails, so that nobody works for a job that is gone. */
+/* One word says it all: the number of the job in its upper half, how many chunks were taken from the front
+ * and how many from the back in the quarters of its lower. A thread takes a chunk by adding one to its
+ * quarter of the word it read; if the job has ended meanwhile the word has changed and the attempt fails, so
+ * that nobody works for a job that is gone. Two ends, since a core then meets the chunks again that its cache
+ * holds. */
 #include "physics/pd/pool.h"
 
 #include <pthread.h>
@@ -55,15 +57,32 @@ static void chunk_done(Pool *pool)
     }
 }
 
-/* Takes and does chunks until there are none. */
+static int from_front(uint64_t ticket)
+{
+    return (int)(ticket & UINT16_MAX);
+}
+
+static int from_back(uint64_t ticket)
+{
+    return (int)(ticket >> 16 & UINT16_MAX);
+}
+
+static bool all_taken(const Pool *pool, uint64_t ticket)
+{
+    return from_front(ticket) + from_back(ticket) >= atomic_load(&pool->chunks);
+}
+
+/* Takes and does chunks until there are none: the caller and every other worker from the front. */
 static void take_chunks(Pool *pool, int worker)
 {
     uint64_t ticket = atomic_load(&pool->ticket);
-    while ((int)(uint32_t)ticket < atomic_load(&pool->chunks)) {
-        /* read before the attempt: after it the job cannot end before this chunk has */
-        if (!atomic_compare_exchange_weak(&pool->ticket, &ticket, ticket + 1))
+    while (!all_taken(pool, ticket)) {
+        bool back = worker % 2 != 0;
+        /* after the exchange the job cannot end before this chunk has */
+        if (!atomic_compare_exchange_weak(&pool->ticket, &ticket, ticket + (back ? UINT64_C(1) << 16 : 1)))
             continue;
-        pool->work(pool->context, (int)(uint32_t)ticket, worker);
+        int chunk = back ? atomic_load(&pool->chunks) - 1 - from_back(ticket) : from_front(ticket);
+        pool->work(pool->context, chunk, worker);
         chunk_done(pool);
         ticket = atomic_load(&pool->ticket);
     }
@@ -71,8 +90,7 @@ static void take_chunks(Pool *pool, int worker)
 
 static bool idle(Pool *pool)
 {
-    return (int)(uint32_t)atomic_load(&pool->ticket) >= atomic_load(&pool->chunks) &&
-           !atomic_load(&pool->ends);
+    return all_taken(pool, atomic_load(&pool->ticket)) && !atomic_load(&pool->ends);
 }
 
 static void *serve(void *argument)
