@@ -92,13 +92,12 @@ static void *zeroed(size_t bytes)
  * long for the last one. Elsewhere they are as large as is worth while, since each has a halo to add. */
 static void cut_into_bands(Beam *beam)
 {
-    enum { ROWS_MAX = 8 };
-    int ny = beam->lattice.ny, middle = ny / 2;
+    int ny = beam->lattice.ny, middle = ny / 2, most = 8 + ny / 8192;
     beam->n_bands = 0;
     for (int row = 0; row < ny;) {
         /* above the middle the mirror image of below */
         int rows = row < middle ? (middle - row) / 2 : (row - middle + 1);
-        rows = rows < 1 ? 1 : rows > ROWS_MAX ? ROWS_MAX : rows;
+        rows = rows < 1 ? 1 : rows > most ? most : rows;
         beam->band_first[beam->n_bands] = row;
         for (int end = row + rows; row < end && row < ny; row++)
             beam->band_of_row[row] = beam->n_bands;
