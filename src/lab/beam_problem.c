@@ -55,6 +55,28 @@ static double no_profile(const References *refs, const char *field, double x, do
     return NAN;
 }
 
+/* The zeros of a column: how many, the first and the last two. */
+typedef struct Zeros {
+    long count;
+    double first, last, before;
+} Zeros;
+
+static Zeros find_zeros(const double *rows, size_t n_rows, int n_columns, int column, long most)
+{
+    Zeros zeros = {0, NAN, NAN, NAN};
+    const size_t width = (size_t)n_columns, at = (size_t)column;
+    for (size_t k = 1; k < n_rows && zeros.count < most; k++) {
+        const double *a = rows + (k - 1) * width, *b = rows + k * width;
+        if ((a[at] < 0) == (b[at] < 0))
+            continue;
+        zeros.before = zeros.last;
+        zeros.last = a[1] + (b[1] - a[1]) * a[at] / (a[at] - b[at]);
+        if (zeros.count++ == 0)
+            zeros.first = zeros.last;
+    }
+    return zeros;
+}
+
 /* --- simply supported ----------------------------------------------------------------------------- */
 
 static double u_euler(References *refs, long step, double time, const double *row)
@@ -137,6 +159,9 @@ static void read_supported(const References *refs, const double *rows, size_t n_
         out->measured = 2 * M_PI / frequency;
         out->measured_known = true;
     }
+    const Zeros zeros = find_zeros(rows, n_rows, n_columns, plan_find(refs, "u_probe"), LONG_MAX);
+    if (zeros.count > 1)
+        out->by_zeros = 2 * (zeros.last - zeros.first) / (double)(zeros.count - 1);
 }
 
 /* --- axially moving cantilever -------------------------------------------------------------------- */
@@ -179,7 +204,7 @@ static bool prepare_moving(References *refs, const Settings *settings, const Sim
 {
     static const Quantity u_m = {"u_modal", "modal", "m", "tip displacement by the modal equations"};
     static const Quantity v_m = {"v_modal", "modal", "m/s", "the tip's material velocity by the same"};
-    static const Quantity v_f = {"v_filtered", "filtered", "m/s",
+    static const Quantity v_f = {"v_filtered", "filtered 0.1 ms", "m/s",
                                  "v_probe without its thickness modes: the end of the straight line "
                                  "through the last 0.1 ms"};
     const double window = 1e-4;
@@ -190,6 +215,7 @@ static bool prepare_moving(References *refs, const Settings *settings, const Sim
     beam->moving = moving_cantilever_solve(&beam->theory, settings->beam.speed, fmax(end, sim->dt), status);
     if (!beam->moving)
         return false;
+    beam->speed = settings->beam.speed;
     beam->v_probe = simulation_find_series(sim, "v_probe");
     beam->window.size = lround(window / sim->dt) + 1;
     if (beam->window.size > 1000000)
@@ -204,27 +230,6 @@ static bool prepare_moving(References *refs, const Settings *settings, const Sim
     plan_answer(refs, &v_m, COLUMN_EXACT, "v_probe", v_modal);
     plan_filter(refs, &v_f, "v_probe", v_filtered);
     return true;
-}
-
-/* The last two zeros of a column and how many there were. */
-typedef struct Zeros {
-    long count;
-    double last, before;
-} Zeros;
-
-static Zeros find_zeros(const double *rows, size_t n_rows, int n_columns, int column, long most)
-{
-    Zeros zeros = {0, NAN, NAN};
-    const size_t width = (size_t)n_columns, at = (size_t)column;
-    for (size_t k = 1; k < n_rows && zeros.count < most; k++) {
-        const double *a = rows + (k - 1) * width, *b = rows + k * width;
-        if ((a[at] < 0) == (b[at] < 0))
-            continue;
-        zeros.before = zeros.last;
-        zeros.last = a[1] + (b[1] - a[1]) * a[at] / (a[at] - b[at]);
-        zeros.count++;
-    }
-    return zeros;
 }
 
 /* The period grows with the length, so the time between the last two zeros is told (twice, for a whole

@@ -300,6 +300,30 @@ double references_profile(const References *refs, const char *field, double x, d
     return refs->kind->profile(refs, field, x, time);
 }
 
+static double length_at(const References *refs, double time)
+{
+    return refs->beam.theory.length + refs->beam.speed * time;
+}
+
+double references_envelope(const References *refs, const char *column, double time)
+{
+    const BeamTheory *beam = &refs->beam.theory;
+    if (!refs->beam.moving)
+        return NAN;
+    const double growth = length_at(refs, time) / beam->length, tip = 2 * fabs(beam->amplitude);
+    if (strcmp(column, "u_probe") == 0)
+        return tip * sqrt(growth);
+    if (strcmp(column, "v_probe") == 0)
+        return tip * cantilever_frequency(beam, beam->length) * pow(growth, -1.5);
+    return NAN;
+}
+
+double references_standing_frequency(const References *refs, double time)
+{
+    return refs->beam.moving ? cantilever_frequency(&refs->beam.theory, length_at(refs, time)) / (2 * M_PI)
+                             : NAN;
+}
+
 /* --- the readout ---------------------------------------------------------------------------------- */
 
 bool readout_fit(const double *rows, size_t n_rows, int n_columns, int column, double start,
@@ -342,6 +366,7 @@ void references_readout(const References *refs, const double *rows, size_t n_row
                          .error_period = NAN,
                          .predicted_error_frequency = NAN,
                          .late = NAN,
+                         .by_zeros = NAN,
                          .column = "",
                          .times = 1};
     if (n_rows > 0)

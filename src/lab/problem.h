@@ -68,6 +68,14 @@ long references_memory(const References *);
 /* The exact profile of a particle field ("u", "v", "stress", ...) at a reference position; NAN: not known. */
 double references_profile(const References *, const char *field, double x, double time);
 
+/* How far a column of a beam that comes out of its channel swings at a time, by slow lengthening alone (its
+ * action is kept): displacement as L^(1/2), velocity as L^(-3/2). NAN: not such a column. */
+double references_envelope(const References *, const char *column, double time);
+
+/* The frequency in Hz that a beam which comes out of its channel would have if it stopped at a time; NAN: it
+ * is none. */
+double references_standing_frequency(const References *, double time);
+
 /* What the run is judged by: a frequency (bar, radians per time) or a period (beams, s). */
 typedef struct Readout {
     bool moving; /* false: at rest or rigid motion; there is no frequency */
@@ -78,7 +86,8 @@ typedef struct Readout {
     double predicted_error_frequency;     /* predicted against exact, in percent */
     double late;                          /* periods behind the exact answer at `time` */
     double time;
-    bool drifting; /* the period itself changes: the three numbers and `late` are those of the last zeros */
+    double by_zeros; /* a beam's period once more, from the zeros of its swing; NAN: fewer than two */
+    bool drifting;   /* the period itself changes: the three numbers and `late` are those of the last zeros */
     const char *column; /* the series it was measured on */
     double times;       /* which swings so many times as fast */
     int mode;           /* of a bar: the number of the mode that it is; 0: none */

@@ -46,6 +46,7 @@ typedef struct BeamAnswers {
     BeamTheory real;                           /* as the lattice came out */
     double euler, timoshenko, timoshenko_real; /* periods of the simply supported beam */
     MovingCantilever *moving;
+    double speed; /* of the same */
     Window window;
     int v_probe; /* in the method's row */
 } BeamAnswers;

@@ -34,6 +34,12 @@ double beam_period_timoshenko(const BeamTheory *beam)
     return 2 * M_PI / sqrt(z);
 }
 
+double cantilever_frequency(const BeamTheory *beam, double length)
+{
+    const double lambda = 1.8751040687119611; /* the first root of 1 + cosh cos */
+    return lambda * lambda / (length * length) * sqrt(gyration(beam) * beam->youngs_modulus / beam->density);
+}
+
 double beam_midpoint(const BeamTheory *beam, double period, double t)
 {
     return beam->amplitude * cos(2 * M_PI * t / period);

@@ -22,6 +22,10 @@ double beam_period_timoshenko(const BeamTheory *beam);
 double beam_midpoint(const BeamTheory *beam, double period, double t);
 double beam_midpoint_velocity(const BeamTheory *beam, double period, double t);
 
+/* The first angular frequency of a cantilever of the beam's section and of this length (its own does not
+ * count): lambda_1^2 / length^2 sqrt(E h^2 / (12 rho)). */
+double cantilever_frequency(const BeamTheory *beam, double length);
+
 /* Axially moving cantilever, Euler-Bernoulli on L(t) = L0 + v0 t, by modal equations; see the .c file. */
 typedef struct MovingCantilever MovingCantilever;
 

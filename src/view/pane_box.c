@@ -1,5 +1,6 @@
 /* The box at the bottom. Paused: the stage just done, its equation, what it read and wrote, the numbers of
  * the chosen particle and its nodes, the sum written out. Running: a caption. At the end: the summary. */
+#include "base/text.h"
 #include "view/panes.h"
 #include "lab/summary.h"
 
@@ -67,6 +68,27 @@ static void keep_sentences(char *text, int width, int rows)
     }
 }
 
+/* " 4200 steps/s, about 9 s to the end ": known after the first frames, for pace and machine as they are. */
+static void rate_text(const Screen *screen, char *out, size_t size)
+{
+    const Experiment *experiment = screen->experiment;
+    const double rate = screen->rate * FRAMES_PER_SECOND;
+    const long left = experiment_last_step(experiment) - experiment_step(experiment);
+    char number[NUMBER_TEXT_MAX];
+    out[0] = '\0';
+    if (screen->state != STATE_RUNNING || !(rate > 0) || left < 1)
+        return;
+    const double seconds = (double)left / rate;
+    text_rounded(number, rate, rate < 1000 ? 2 : 3);
+    snprintf(out, size, " %s steps/s, ", number);
+    if (seconds < 1)
+        append(out, size, "less than 1 s to the end ");
+    else if (seconds < 100)
+        append(out, size, "about %.0f s to the end ", seconds);
+    else
+        append(out, size, "about %.0f min to the end ", ceil(seconds / 60));
+}
+
 static void draw_caption(const Screen *screen, Area area)
 {
     const Settings *settings = experiment_settings(screen->experiment);
@@ -74,6 +96,10 @@ static void draw_caption(const Screen *screen, Area area)
     const int width = area.rect.width - 2, rows = area.rect.height;
     const char *title = settings->title[0] ? settings->title : problem_title(settings->problem);
     area_rule(area, 0, title, STYLE_HEADING);
+    char rate[64];
+    rate_text(screen, rate, sizeof rate);
+    if (5 + text_columns(title) + text_columns(rate) + 2 <= area.rect.width)
+        area_text_right(area, area.rect.width - 1, 0, rate, STYLE_FAINT);
 
     int last = rows - 1, y = 1;
     char text[256];

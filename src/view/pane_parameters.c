@@ -82,7 +82,8 @@ static void draw_field(const Screen *screen, Area area, int y, const Parameter *
         number_text(settings_number(settings, parameter), 6, width - wanted < 10 ? 10 : width - wanted,
                     value);
     const int label_width = is_number ? width - text_columns(value) - 1 : width;
-    int label = area_text(area_part(area, 0, y, label_width, 1), 2, 0, parameter->label, style) + 2;
+    const int indent = is_number && 2 + text_columns(parameter->label) > label_width ? 1 : 2;
+    int label = area_text(area_part(area, 0, y, label_width, 1), indent, 0, parameter->label, style) + indent;
 
     if (focused && screen->editing) {
         int room = width - label - 1 < 12 ? 12 : width - label - 1, cursor = screen->edit_cursor;

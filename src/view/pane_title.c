@@ -30,8 +30,6 @@ static void method_words_of(const Screen *screen, char *out, size_t size)
     }
 }
 
-enum { FRAMES_PER_SECOND = 30 };
-
 static void pace_text(double pace, char *out, size_t size)
 {
     if (pace >= 1 || pace <= 0)
@@ -93,17 +91,24 @@ enum { BAR_CELLS = 10 };
 typedef struct TitleForm {
     bool brand, brief, name, words;
     int fewer; /* decimals of the time that are left out */
-    bool close;
+    bool close, no_stage, no_step;
 } TitleForm;
 
 void pane_title(const Screen *screen, Area area)
 {
     static const TitleForm forms[] = {
-        {true, false, true, true, 0, false},  {false, false, true, true, 0, false},
-        {false, true, true, true, 0, false},  {false, true, true, true, 2, false},
-        {false, true, true, true, 2, true},   {false, true, true, true, 4, true},
-        {false, true, true, false, 4, true},  {false, true, false, false, 4, false},
-        {false, true, false, false, 4, true},
+        {true, false, true, true, 0, false, false, false},
+        {false, false, true, true, 0, false, false, false},
+        {false, true, true, true, 0, false, false, false},
+        {false, true, true, true, 2, false, false, false},
+        {false, true, true, true, 2, true, false, false},
+        {false, true, true, true, 4, true, false, false},
+        /* between two steps, and while they run, the time says where we are */
+        {false, true, true, true, 4, true, true, false},
+        {false, true, true, true, 4, true, true, true},
+        {false, true, true, false, 4, true, false, false},
+        {false, true, false, false, 4, false, false, false},
+        {false, true, false, false, 4, true, false, false},
     };
     enum { FORMS = sizeof forms / sizeof *forms };
     const int width = area.rect.width;
@@ -117,6 +122,7 @@ void pane_title(const Screen *screen, Area area)
     const char *slash = strrchr(name, '/');
     name = slash && slash[1] ? slash + 1 : name;
 
+    const int stage = experiment_stage(screen->experiment);
     int end = width - 1;
     bool bar = false, fits = false;
     for (int i = 0; i < FORMS && !fits; i++) {
@@ -133,9 +139,13 @@ void pane_title(const Screen *screen, Area area)
             append(whole, sizeof whole, "%s%s", words, gap);
         if (form->name && !form->close)
             append(whole, sizeof whole, " ");
-        append(whole, sizeof whole, "%s%sstep %ld%sstage %d/%d", time, gap,
-               experiment_step(screen->experiment), gap, experiment_stage(screen->experiment), sim->n_stages);
-        fits = text_columns(whole) <= end;
+        append(whole, sizeof whole, "%s", time);
+        if (!form->no_step)
+            append(whole, sizeof whole, "%sstep %ld", gap, experiment_step(screen->experiment));
+        if (!form->no_stage)
+            append(whole, sizeof whole, "%sstage %d/%d", gap, stage, sim->n_stages);
+        fits = text_columns(whole) <= end && !(form->no_stage && stage > 0) &&
+               !(form->no_step && screen->state != STATE_RUNNING);
     }
     if (!fits)
         snprintf(whole, sizeof whole, " %s", time);

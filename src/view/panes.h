@@ -63,6 +63,9 @@ void pane_mesh(const Screen *, Area);
 void pane_box(const Screen *, Area);
 void pane_help(const Screen *, Area);
 
+/* Two lines that tell what a beam's run is judged by, for a pane of so many columns; false: it is a bar. */
+bool beam_lines(const Screen *, int width, char first[160], char second[160]);
+
 /* The command under a column of the bottom bar; COMMAND_NONE: none. */
 CommandId bar_command_at(const Screen *, int width, int x);
 

@@ -9,6 +9,8 @@
 #include "view/canvas.h"
 #include "view/commands.h"
 
+enum { FRAMES_PER_SECOND = 30 };
+
 typedef enum PaneId { PANE_PARAMETERS, PANE_MESH, PANE_UPPER, PANE_LOWER, PANE_BOX, PANE_COUNT } PaneId;
 
 typedef enum RunState {
@@ -51,7 +53,7 @@ typedef struct Screen {
     bool light;  /* a light background */
 
     RunState state;
-    double pace;       /* steps per frame */
+    double pace;       /* steps per frame; FRAMES_PER_SECOND frames */
     double rate;       /* steps per frame that the engine reaches; shown where it is the limit */
     bool at_limit;     /* the engine is slower than the pace asked for */
     double work_share; /* STATE_COMPUTING: share done */

@@ -227,7 +227,7 @@ static int beam_dots(const Screen *screen, Dot dots[DOTS_MAX])
     return count;
 }
 
-static void beam_lines(const Readout *readout, double height, double span, char first[160], char second[160])
+static void period_lines(const Readout *readout, double height, double span, char first[160], char second[160])
 {
     first[0] = second[0] = '\0';
     if (!readout->measured_known) {
@@ -303,7 +303,7 @@ static void draw_beam(const Screen *screen, Area area, Style heading)
     draw_run_dots(inner, &x, &y, dots, n_dots);
 
     char lines[2][160];
-    beam_lines(readout, derived_value(screen, "real_height"), derived_value(screen, "real_span"), lines[0],
+    period_lines(readout, derived_value(screen, "real_height"), derived_value(screen, "real_span"), lines[0],
                lines[1]);
     for (int i = 0; i < under; i++)
         area_text(area, 1, area.rect.height - under + i, lines[i], i == 0 ? STYLE_NORMAL : STYLE_FAINT);

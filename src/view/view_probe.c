@@ -117,46 +117,28 @@ static int ghost_legend(const Screen *screen, const char *name, int room, char k
     return count;
 }
 
-/* What a beam that breaks is judged by; false: this one does not. */
-static bool crack_line(const Screen *screen, char out[160])
-{
-    const int broken = find_column(screen, "broken_bonds"), x = find_column(screen, "crack_x");
-    const int y = find_column(screen, "crack_y");
-    const double *row = experiment_row(screen->experiment);
-    if (broken < 0 || x < 0 || y < 0 || !row)
-        return false;
-    snprintf(out, 160, "broken bonds %.0f", row[broken]);
-    if (isfinite(row[x]) && isfinite(row[y]))
-        append(out, 160, "  crack's tip at x %.1f, y %.1f mm", 1e3 * row[x], 1e3 * row[y]);
-    return true;
-}
-
 /* Lines under the plot: what the run is judged by. In a narrow pane the words are shorter; a number is never
  * cut. */
 static void frequency_lines(const Screen *screen, int width, char first[160], char second[160])
 {
+    if (beam_lines(screen, width, first, second))
+        return;
     const Readout *readout = experiment_readout(screen->experiment);
-    const bool period = readout->is_period, exact = readout->exact_known && shows_exact(screen);
+    const bool exact = readout->exact_known && shows_exact(screen);
     const bool predicted = readout->predicted_known && shows_predicted(screen);
-    const double unit = period ? 1e-3 : 1;
-    const char *symbol = period ? "T" : "w", *tail = period ? " ms" : "";
-    first[0] = second[0] = '\0';
     if (!readout->moving) {
-        if (!crack_line(screen, first))
-            snprintf(first, 160, "nothing vibrates: no %s to measure", period ? "period" : "frequency");
+        snprintf(first, 160, "nothing vibrates: no frequency to measure");
         return;
     }
     const bool narrow = width < 52;
     if (readout->measured_known)
-        append(first, 160, narrow ? "%s %.4f" : "%s measured %.4f", symbol, readout->measured / unit);
+        append(first, 160, narrow ? "w %.4f" : "w measured %.4f", readout->measured);
     else
-        append(first, 160, narrow ? "%s ..." : "%s measuring", symbol);
+        append(first, 160, narrow ? "w ..." : "w measuring");
     if (predicted)
-        append(first, 160, narrow ? " pred %.4f" : "  predicted %.4f", readout->predicted / unit);
+        append(first, 160, narrow ? " pred %.4f" : "  predicted %.4f", readout->predicted);
     if (exact)
-        append(first, 160, narrow ? " exact %.4f" : "  exact %.4f", readout->exact / unit);
-    if (readout->measured_known || predicted || exact)
-        append(first, 160, "%s", tail);
+        append(first, 160, narrow ? " exact %.4f" : "  exact %.4f", readout->exact);
     if (!readout->measured_known || !exact)
         return;
     append(second, 160, "w %+.2f %%  T %+.2f %%", readout->error_frequency, readout->error_period);
@@ -238,7 +220,7 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
     const Quantity *quantity = &columns[column].quantity;
     const Readout *readout = experiment_readout(screen->experiment);
     const bool judged = strcmp(readout->column, quantity->name) == 0 || isfinite(screen->cursor_time) ||
-                        find_column(screen, "crack_x") >= 0;
+                        experiment_settings(screen->experiment)->problem != PROBLEM_BAR;
     const int under = !judged || area.rect.height < 6                  ? 0
                       : area.rect.width >= 100 || area.rect.height < 8 ? 1
                                                                        : 2;
@@ -251,13 +233,14 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
     int n_legend = 0, exact = 0, shown[COLUMNS_MAX];
     legend[n_legend++] = (Legend){LINE_SOLID, '*', STYLE_MEASURED, "measured", NULL};
     shown[0] = column;
-    bool swings = false;
+    bool swings = false, smoothed = false;
     for (int i = 2; i < n && n_legend < 6; i++) {
         if (columns[i].of != column)
             continue;
         swings = true;
         if (legend_of(screen, &columns[i], exact, &legend[n_legend]))
             shown[n_legend++] = i;
+        smoothed |= columns[i].kind == COLUMN_MEASURED;
         if (columns[i].kind != COLUMN_MEASURED)
             reach = fmax(reach, time_plot_reach_to_come(screen, i, n));
         exact += columns[i].kind == COLUMN_EXACT;
@@ -294,6 +277,7 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
         const int rank = columns[shown[i]].kind == COLUMN_EXACT       ? RANK_EXACT
                          : columns[shown[i]].kind == COLUMN_PREDICTED ? RANK_PREDICTED
                          : i > 0                                      ? RANK_SECOND
+                         : smoothed                                   ? RANK_BAND /* the raw one lies below */
                                                                       : RANK_MEASURED;
         plot_begin(&plot, STROKE_LINE, legend[i].line, legend[i].style, rank, legend[i].letter);
         time_plot_curve(&plot, &(Curve){record, shown[i], -1, -1}, dots);

@@ -266,6 +266,7 @@ START_TEST(a_supported_beam_s_period_is_read)
     ck_assert(readout.is_period && readout.measured_known);
     ck_assert_double_eq_tol(readout.measured / 0.9927e-3, 1, 2e-3);
     ck_assert_double_eq_tol(readout.exact / 0.86381e-3, 1, 1e-5);
+    ck_assert_double_eq_tol(readout.by_zeros / readout.measured, 1, 5e-3);
     /* Timoshenko's beam as it lies on the lattice: 4 rows, 82 spacings between the supports */
     BeamTheory real = {.length = 82 * 1.2e-3,
                        .height = 4 * 1.2e-3,
@@ -314,6 +315,23 @@ START_TEST(a_moving_cantilever_is_read_at_its_zeros)
     ck_assert_double_eq_tol(readout.exact, 2 * (4.2915e-3 - 2.1919e-3), 4e-7);
     ck_assert_double_eq_tol(readout.measured / readout.exact, 1, 1e-6);
     ck_assert_double_eq_tol(readout.late, shift / readout.exact, 1e-6);
+    ck_assert(isnan(references_envelope(refs, "strain", 0)));
+    ck_assert_double_eq_tol(references_envelope(refs, "u_probe", 0), 6e-6, 1e-18);
+    /* the swings end at their envelopes: within 3 % of them */
+    const double spans[][2] = {{1e-3, 1.9e-3}, {2.6e-3, 3.6e-3}};
+    for (int i = 0; i < 2; i++) {
+        double most = 0, then = 0;
+        for (double t = spans[i][0]; t < spans[i][1]; t += 1e-6)
+            if (fabs(moving_cantilever_tip(tip, t)) > most)
+                most = fabs(moving_cantilever_tip(tip, then = t));
+        ck_assert_double_eq_tol(most / references_envelope(refs, "u_probe", then), 1, 0.03);
+    }
+    double fastest = 0, then = 0;
+    for (double t = 1.5e-3; t < 3e-3; t += 1e-6)
+        if (fabs(moving_cantilever_tip_velocity(tip, t)) > fastest)
+            fastest = fabs(moving_cantilever_tip_velocity(tip, then = t));
+    ck_assert_double_eq_tol(fastest / references_envelope(refs, "v_probe", then), 1, 0.03);
+    ck_assert_double_eq_tol(references_standing_frequency(refs, 0), 1 / 2.41436e-3, 1e-3);
     record_close(&record);
     moving_cantilever_free(tip);
     references_destroy(refs);

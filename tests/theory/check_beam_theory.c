@@ -22,6 +22,14 @@ START_TEST(periods)
 }
 END_TEST
 
+START_TEST(a_cantilever_slows_down_as_it_grows)
+{
+    ck_assert_double_eq_tol(2 * M_PI / cantilever_frequency(&paper, 0.1), 2.41436e-3, 5e-9);
+    ck_assert_double_eq_tol(cantilever_frequency(&paper, 0.2) / cantilever_frequency(&paper, 0.1), 0.25,
+                            1e-12);
+}
+END_TEST
+
 START_TEST(midpoint_swings)
 {
     double period = beam_period_euler(&paper);
@@ -142,6 +150,7 @@ void add_cases(Suite *suite)
 {
     TCase *pins = tcase_create("pins");
     tcase_add_test(pins, periods);
+    tcase_add_test(pins, a_cantilever_slows_down_as_it_grows);
     tcase_add_test(pins, midpoint_swings);
     suite_add_tcase(suite, pins);
     TCase *moving = tcase_create("moving");
