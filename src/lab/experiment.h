@@ -57,7 +57,7 @@ const Event *experiment_events(const Experiment *, int *count); /* up to the new
  * one. For export_run() and scenario_write(): its time.end is the actual last time, its time.step the number
  * in use. */
 void experiment_scenario(const Experiment *, bool to_newest, Settings *);
-int experiment_derived(const Experiment *, Derived out[DERIVED_MAX]);
+int experiment_derived(Experiment *, Derived out[DERIVED_MAX]);
 
 double experiment_time(const Experiment *);
 long experiment_step(const Experiment *); /* present */

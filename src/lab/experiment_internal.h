@@ -30,6 +30,9 @@ struct Experiment {
     size_t readout_rows; /* how many rows it was worked out from */
     bool flowing;        /* rows come in: it is worked out now and then only */
     Spectrum spectra[SPECTRUM_SPANS];
+    Derived derived[DERIVED_MAX];
+    int n_derived; /* 0: not known */
+    Settings derived_for;
 };
 
 void experiment_forget_answers(Experiment *); /* what was worked out from the run that is no more */

@@ -87,27 +87,26 @@ double time_plot_reach(const Record *record, int column)
     return reach;
 }
 
-/* What a reference will reach: asked for times to come, so that the axis is right from the start. */
-double time_plot_reach_to_come(const Screen *screen, int column, int n_columns)
+void time_plot_reach_to_come(const Screen *screen, double reach[COLUMNS_MAX])
 {
     enum { TIMES = 96 };
+    int n;
+    experiment_columns(screen->experiment, &n);
     const Simulation *sim = experiment_simulation(screen->experiment);
     References *refs = experiment_references(screen->experiment);
     const long last = experiment_last_step(screen->experiment);
-    double from, to, nothing[COLUMNS_MAX] = {0}, earlier[COLUMNS_MAX] = {0}, row[COLUMNS_MAX], reach = 0;
+    double from, to, nothing[COLUMNS_MAX] = {0}, earlier[COLUMNS_MAX] = {0}, row[COLUMNS_MAX];
     screen_time_window(screen, &from, &to);
     long steps = sim->dt > 0 ? (long)((to - from) / sim->dt) : 0;
     steps = steps < last ? steps : last;
-    if (n_columns > COLUMNS_MAX)
-        return 0;
+    memset(reach, 0, COLUMNS_MAX * sizeof *reach);
     for (int i = 0; i <= TIMES; i++) {
         long step = steps / TIMES * i + steps % TIMES * i / TIMES;
         references_row_again(refs, step, sim->dt * (double)step, nothing, earlier, row);
-        double value = fabs(row[column]);
-        if (isfinite(value) && value > reach)
-            reach = value;
+        for (int k = 0; k < n; k++)
+            if (isfinite(row[k]) && fabs(row[k]) > reach[k])
+                reach[k] = fabs(row[k]);
     }
-    return reach;
 }
 
 void time_plot_now(const Screen *screen, Area inner, const Axis *x)

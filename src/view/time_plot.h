@@ -24,8 +24,9 @@ size_t time_plot_stride(const Record *);
 /* The largest magnitude of a column in the whole record, so that the axis does not depend on the window. */
 double time_plot_reach(const Record *, int column);
 
-/* What a reference will reach: asked for times to come, so that the axis is right from the start. */
-double time_plot_reach_to_come(const Screen *, int column, int n_columns);
+/* What the references among the columns will reach: asked for times to come, so that the axis is right from the
+ * start. */
+void time_plot_reach_to_come(const Screen *, double reach[COLUMNS_MAX]);
 
 /* Marks the present, if it is not the newest time, and the cursor. */
 void time_plot_now(const Screen *, Area inner, const Axis *x);

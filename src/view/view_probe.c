@@ -228,7 +228,7 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
     const int width = plot_area.rect.width - GUTTER - 1, dots = width * plot_dots_across(area.glyphs);
 
     /* around zero for what swings; what only grows has its own range */
-    double reach = time_plot_reach(record, column), least = 0, most = 0;
+    double reach = time_plot_reach(record, column), least = 0, most = 0, to_come[COLUMNS_MAX];
     Legend legend[6];
     int n_legend = 0, exact = 0, shown[COLUMNS_MAX];
     legend[n_legend++] = (Legend){LINE_SOLID, '*', STYLE_MEASURED, "measured", NULL};
@@ -237,12 +237,14 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
     for (int i = 2; i < n && n_legend < 6; i++) {
         if (columns[i].of != column)
             continue;
+        if (!swings)
+            time_plot_reach_to_come(screen, to_come);
         swings = true;
         if (legend_of(screen, &columns[i], exact, &legend[n_legend]))
             shown[n_legend++] = i;
         smoothed |= columns[i].kind == COLUMN_MEASURED;
         if (columns[i].kind != COLUMN_MEASURED)
-            reach = fmax(reach, time_plot_reach_to_come(screen, i, n));
+            reach = fmax(reach, to_come[i]);
         exact += columns[i].kind == COLUMN_EXACT;
     }
     for (size_t i = 0; i < record->count; i += time_plot_stride(record)) {
