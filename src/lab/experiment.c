@@ -191,6 +191,12 @@ const Spectrum *experiment_spectrum(Experiment *experiment, int column, Spectrum
     return spectrum_of(&experiment->trial.record, column, span, spectrum) ? spectrum : NULL;
 }
 
+const Spectrum *experiment_ghost_spectrum(Experiment *experiment, int i, int column, SpectrumSpan span)
+{
+    Ghost *ghost = &experiment->ghosts[i];
+    return spectrum_of(&ghost->record, column, span, &ghost->spectra[span]) ? &ghost->spectra[span] : NULL;
+}
+
 /* The record's row where it is kept; else it is worked out, which is possible between steps only. */
 const double *experiment_row(Experiment *experiment)
 {

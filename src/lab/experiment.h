@@ -10,6 +10,7 @@
 #define LAB_EXPERIMENT_H
 
 #include "lab/problem.h"
+#include "lab/profile.h"
 #include "lab/record.h"
 #include "lab/settings.h"
 #include "lab/spectrum.h"
@@ -26,6 +27,8 @@ typedef struct Ghost {
     Column columns[COLUMNS_MAX];
     int n_columns;
     Readout readout; /* of its whole record */
+    Profile profile; /* as it was last on screen */
+    Spectrum spectra[SPECTRUM_SPANS];
 } Ghost;
 
 typedef struct Experiment Experiment;
@@ -50,6 +53,7 @@ const Ghost *experiment_ghosts(const Experiment *);                          /* 
 const char *experiment_advice(const Experiment *);                           /* "" or a line to be shown */
 const Readout *experiment_readout(Experiment *);                             /* see experiment_rest() */
 const Spectrum *experiment_spectrum(Experiment *, int column, SpectrumSpan); /* NULL: too few rows as yet */
+const Spectrum *experiment_ghost_spectrum(Experiment *, int ghost, int column, SpectrumSpan);
 const double *experiment_row(Experiment *);                     /* all columns at the present whole step */
 const Event *experiment_events(const Experiment *, int *count); /* up to the newest step, even when rewound */
 

@@ -11,6 +11,9 @@
 void experiment_drop_ghost(Ghost *ghost)
 {
     record_close(&ghost->record);
+    profile_close(&ghost->profile);
+    for (int i = 0; i < SPECTRUM_SPANS; i++)
+        spectrum_close(&ghost->spectra[i]);
     memset(ghost, 0, sizeof *ghost);
 }
 
@@ -57,9 +60,22 @@ static Ghost *find_place(Experiment *experiment, bool pinned)
     return pinned && n_pinned == GHOSTS_MAX - 1 ? NULL : found;
 }
 
-/* The record is handed over, not copied. */
+/* What a run leaves behind besides its record. */
+typedef struct Remains {
+    Readout readout;
+    Profile profile; /* empty where memory is short */
+} Remains;
+
+static Remains remains_of(const Trial *trial)
+{
+    Remains remains = {.readout = read_whole(trial)};
+    profile_take(&remains.profile, trial->sim, NULL);
+    return remains;
+}
+
+/* Record and remains are handed over, not copied. */
 static void make_ghost(Experiment *experiment, Ghost *ghost, bool pinned, const Trial *from, Record *record,
-                       const Readout *readout)
+                       Remains *remains)
 {
     experiment_drop_ghost(ghost);
     ghost->used = true;
@@ -69,8 +85,10 @@ static void make_ghost(Experiment *experiment, Ghost *ghost, bool pinned, const 
     ghost->record = *record;
     memcpy(ghost->columns, from->columns, sizeof ghost->columns);
     ghost->n_columns = from->n_columns;
-    ghost->readout = *readout;
+    ghost->readout = remains->readout;
+    ghost->profile = remains->profile;
     memset(record, 0, sizeof *record);
+    memset(remains, 0, sizeof *remains);
 }
 
 /* Whether there is a curve worth keeping: one that is still on its way to the time on screen is not. */
@@ -97,8 +115,8 @@ bool experiment_pin(Experiment *experiment, Status *status)
                            GHOSTS_MAX - 1);
     if (!record_copy(&copy, &trial->record))
         return status_fail(status, STATUS_FAILED, "not enough memory to pin the curves");
-    const Readout readout = read_whole(trial);
-    make_ghost(experiment, place, true, trial, &copy, &readout);
+    Remains remains = remains_of(trial);
+    make_ghost(experiment, place, true, trial, &copy, &remains);
     write_legends(experiment);
     return true;
 }
@@ -127,8 +145,8 @@ static bool replace_trial(Experiment *experiment, const Settings *settings, bool
     if (!trial_open(&fresh, settings, experiment->history, experiment->threads, status))
         return false;
     if (keep_ghost && has_curve(experiment)) {
-        const Readout readout = read_whole(trial);
-        make_ghost(experiment, find_place(experiment, false), false, trial, &trial->record, &readout);
+        Remains remains = remains_of(trial);
+        make_ghost(experiment, find_place(experiment, false), false, trial, &trial->record, &remains);
     }
     trial_close(trial);
     *trial = fresh;
@@ -163,11 +181,14 @@ static void rewind_trial(Experiment *experiment, bool keep_ghost)
 {
     Record old;
     Trial *trial = &experiment->trial;
-    const Readout readout = read_whole(trial);
-    bool kept = keep_ghost && has_curve(experiment);
+    const bool kept = keep_ghost && has_curve(experiment);
+    Remains remains = {0};
+    if (kept)
+        remains = remains_of(trial);
     trial_rewind(trial, &old);
     if (kept && old.count > 0)
-        make_ghost(experiment, find_place(experiment, false), false, trial, &old, &readout);
+        make_ghost(experiment, find_place(experiment, false), false, trial, &old, &remains);
+    profile_close(&remains.profile);
     record_close(&old);
     experiment->pending = false;
     experiment_forget_answers(experiment);
@@ -298,9 +319,11 @@ static bool edit_live(Experiment *experiment, const Settings *wanted, Status *st
     Record old = {0};
     Trial shell = {.base = trial->base, .n_columns = trial->n_columns};
     memcpy(shell.columns, trial->columns, sizeof shell.columns);
-    const Readout readout = read_whole(trial);
+    Remains remains = {0};
     if (trial->newest > step && !record_copy(&old, &trial->record))
         return status_fail(status, STATUS_FAILED, "not enough memory to keep the curves");
+    if (old.count > 0)
+        remains = remains_of(trial);
     for (int i = 0; i < n_parameters; i++) {
         char text[LIST_MAX];
         if (!differs(&before, wanted, &parameters[i]) || !recomputes(wanted, &parameters[i]))
@@ -308,12 +331,13 @@ static bool edit_live(Experiment *experiment, const Settings *wanted, Status *st
         settings_get(wanted, &parameters[i], text);
         if (!trial_change(trial, step, parameters[i].key, text, status)) {
             record_close(&old);
+            profile_close(&remains.profile);
             return false;
         }
     }
     memcpy(trial->advice, advice, sizeof advice);
     if (old.count > 0)
-        make_ghost(experiment, find_place(experiment, false), false, &shell, &old, &readout);
+        make_ghost(experiment, find_place(experiment, false), false, &shell, &old, &remains);
     record_close(&old);
     experiment_forget_answers(experiment);
     write_legends(experiment);

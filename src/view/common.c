@@ -47,6 +47,23 @@ int draw_heading(Area area, Style heading, const char *name, const char *scale, 
     return draw_legend(area, 4 + text_columns(text) + 1, 0, legend, n_legend);
 }
 
+const char *short_word(const char *name)
+{
+    return strcmp(name, "predicted") == 0 ? "pred" : strcmp(name, "measured") == 0 ? "meas" : name;
+}
+
+void shorten_legend(Area area, const char *name, const char *scale, Legend *legend, int n_legend)
+{
+    const int heading = 5 + text_columns(name) + (scale[0] ? 2 + text_columns(scale) : 0);
+    int whole = heading, brief = heading;
+    for (int i = 0; i < n_legend; i++) {
+        whole += text_columns(legend[i].name) + 5;
+        brief += text_columns(short_word(legend[i].name)) + 5;
+    }
+    for (int i = 0; i < n_legend && whole > area.rect.width && brief <= area.rect.width; i++)
+        legend[i].name = short_word(legend[i].name);
+}
+
 void number_text(double value, int digits, int width, char out[NUMBER_TEXT_MAX])
 {
     do

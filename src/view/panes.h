@@ -87,6 +87,12 @@ int draw_legend(Area, int x, int y, const Legend *, int n_legend);
  * the legend that were. */
 int draw_heading(Area, Style heading, const char *name, const char *scale, const Legend *, int n_legend);
 
+/* A curve's name where room is short: "measured" is "meas", "predicted" is "pred". */
+const char *short_word(const char *name);
+
+/* Short words for a legend that else would not stand in the heading as a whole. */
+void shorten_legend(Area, const char *name, const char *scale, Legend *, int n_legend);
+
 bool shows_exact(const Screen *);
 bool shows_predicted(const Screen *);
 bool is_focused(const Screen *, PaneId);

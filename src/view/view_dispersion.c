@@ -1,7 +1,7 @@
 /* View 5. A bar: by how much each mode of its mesh is off, which is the picture that explains the paper's 5 %
  * and 20 %. A beam: its period over the horizon, between the two beam theories. Earlier runs leave their dot.
  */
-#include "view/panes.h"
+#include "view/runs.h"
 
 #include "lab/dispersion.h"
 
@@ -11,10 +11,10 @@
 /* One run in the picture. */
 typedef struct Dot {
     double x, y;
-    char letter; /* of a ghost; 0: the run on screen */
+    char letter; /* 0: there is one run only */
+    Style style;
+    bool filled; /* a run that goes on; ghosts are rings */
 } Dot;
-
-enum { DOTS_MAX = GHOSTS_MAX + 1 };
 
 static const char *dot_key(Glyphs glyphs)
 {
@@ -30,8 +30,7 @@ static void draw_run_dots(Area inner, const Axis *x, const Axis *y, const Dot *d
         const int row = axis_row(y, dots[i].y, inner.rect.height);
         if (column < 0 || row < 0)
             continue;
-        area_put(inner, column, row, dots[i].letter ? 0x25cb : 0x25cf,
-                 dots[i].letter ? STYLE_NORMAL : STYLE_MEASURED);
+        area_put(inner, column, row, dots[i].filled ? 0x25cf : 0x25cb, dots[i].style);
         if (!dots[i].letter)
             continue;
         int before = 0; /* dots on the same place have their letters in a row */
@@ -40,8 +39,14 @@ static void draw_run_dots(Area inner, const Axis *x, const Axis *y, const Dot *d
                       axis_row(y, dots[k].y, inner.rect.height) == row;
         const int right = column + 1 + before;
         area_put(inner, right < inner.rect.width ? right : column - 1 - before, row,
-                 (uint32_t)(unsigned char)dots[i].letter, STYLE_NORMAL);
+                 (uint32_t)(unsigned char)dots[i].letter, dots[i].style);
     }
+}
+
+static Dot dot_of(const Run *run, double x, double y)
+{
+    const bool ghost = !run->experiment;
+    return (Dot){x, y, run->letter, ghost ? STYLE_NORMAL : run->style, !ghost};
 }
 
 static void widen(double value, double *least, double *most)
@@ -100,20 +105,16 @@ static void mode_lines(const Screen *screen, char first[160], char second[160])
              percent(mode.by_filter), percent(mode.by_time));
 }
 
-static int bar_dots(const Screen *screen, Dot dots[DOTS_MAX])
+static int bar_dots(const Screen *screen, Dot dots[RUNS_MAX])
 {
-    const Ghost *ghosts = experiment_ghosts(screen->experiment);
-    const Readout *readout = experiment_readout(screen->experiment);
+    Run runs[RUNS_MAX];
+    const int n_runs = runs_of(screen, runs);
     int count = 0;
-    for (int i = 0; i < GHOSTS_MAX; i++) {
-        const Readout *earlier = &ghosts[i].readout;
-        if (ghosts[i].used && ghosts[i].settings.problem == PROBLEM_BAR && earlier->mode > 0 &&
-            earlier->measured_known)
-            dots[count++] =
-                (Dot){earlier->mode, percent(earlier->measured / earlier->exact), ghosts[i].letter};
+    for (int i = 0; i < n_runs; i++) {
+        const Readout *readout = runs[i].readout;
+        if (runs[i].settings->problem == PROBLEM_BAR && readout->mode > 0 && readout->measured_known)
+            dots[count++] = dot_of(&runs[i], readout->mode, percent(readout->measured / readout->exact));
     }
-    if (readout->mode > 0 && readout->measured_known)
-        dots[count++] = (Dot){readout->mode, percent(readout->measured / readout->exact), 0};
     return count;
 }
 
@@ -136,7 +137,7 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
     const int columns = width > 1 ? width * plot_dots_across(area.glyphs) : 2;
     const int every = last > columns ? (last + columns - 1) / columns : 1;
 
-    Dot dots[DOTS_MAX];
+    Dot dots[RUNS_MAX];
     const int n_dots = bar_dots(screen, dots);
     double least = 0, most = 0;
     ModeOnMesh mode;
@@ -211,19 +212,15 @@ static double beam_answer(const Readout *readout)
     return readout->drifting ? readout->error_period : milliseconds(readout->measured);
 }
 
-static int beam_dots(const Screen *screen, Dot dots[DOTS_MAX])
+static int beam_dots(const Screen *screen, Dot dots[RUNS_MAX])
 {
-    const Settings *settings = experiment_settings(screen->experiment);
-    const Ghost *ghosts = experiment_ghosts(screen->experiment);
-    const Readout *readout = experiment_readout(screen->experiment);
+    Run runs[RUNS_MAX];
+    const int n_runs = runs_of(screen, runs);
+    const Problem problem = experiment_settings(screen->experiment)->problem;
     int count = 0;
-    for (int i = 0; i < GHOSTS_MAX; i++)
-        if (ghosts[i].used && ghosts[i].settings.problem == settings->problem &&
-            ghosts[i].readout.measured_known)
-            dots[count++] =
-                (Dot){ghosts[i].settings.beam.horizon, beam_answer(&ghosts[i].readout), ghosts[i].letter};
-    if (readout->measured_known)
-        dots[count++] = (Dot){settings->beam.horizon, beam_answer(readout), 0};
+    for (int i = 0; i < n_runs; i++)
+        if (runs[i].settings->problem == problem && runs[i].readout->measured_known)
+            dots[count++] = dot_of(&runs[i], runs[i].settings->beam.horizon, beam_answer(runs[i].readout));
     return count;
 }
 
@@ -265,7 +262,7 @@ static void draw_beam(const Screen *screen, Area area, Style heading)
          LINE_DASHED, '-', STYLE_THIRD},
     };
 
-    Dot dots[DOTS_MAX];
+    Dot dots[RUNS_MAX];
     const int n_dots = beam_dots(screen, dots);
     double least = INFINITY, most = -INFINITY, furthest = settings->beam.horizon;
     for (int i = 0; i < 2; i++)

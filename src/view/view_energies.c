@@ -1,4 +1,5 @@
 /* View 3: the energies over time, stacked. */
+#include "view/runs.h"
 #include "view/time_plot.h"
 
 #include <math.h>
@@ -135,6 +136,8 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
                                       keys[area.glyphs][stack.layers[i].fill & 3]};
     if (most_work > 0)
         legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "work", NULL};
+    Run runs[RUNS_MAX];
+    const int n_runs = runs_with(runs, runs_of(screen, runs), "total");
     char scale[TICK_TEXT_MAX], name[32], line[160];
     axis_scale_text(&y, experiment_settings(screen->experiment)->problem == PROBLEM_BAR ? "" : "J", scale);
     const int named = draw_heading(area, heading, "energy", scale, legend, n_legend);
@@ -146,8 +149,10 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
         plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-');
         time_plot_curve(&plot, &(Curve){record, work, -1, -1}, dots);
     }
+    add_ghosts(&plot, runs, n_runs, "total", dots);
     time_plot_now(screen, inner, &x);
     plot_draw(&plot, inner);
+    draw_run_letters(&plot, inner, runs, n_runs, "total");
     plot_close(&plot);
 
     if (under > 0) {

@@ -1,5 +1,6 @@
 /* View 2: what is measured at the probe, over time, with the reference curves, earlier runs and the readout.
  */
+#include "view/runs.h"
 #include "view/time_plot.h"
 
 #include <math.h>
@@ -38,12 +39,6 @@ int view_probe_variants(const Screen *screen)
     return count > 0 ? count : 1;
 }
 
-/* A curve's name where room is short. */
-static const char *short_word(const char *name)
-{
-    return strcmp(name, "predicted") == 0 ? "pred" : strcmp(name, "measured") == 0 ? "meas" : name;
-}
-
 /* How a column that answers another is drawn; false: it is not shown. */
 static bool legend_of(const Screen *screen, const Column *column, int exact_before, Legend *out)
 {
@@ -61,60 +56,6 @@ static bool legend_of(const Screen *screen, const Column *column, int exact_befo
         return true;
     }
     return false;
-}
-
-static int ghost_column(const Ghost *ghost, const char *name)
-{
-    for (int i = 0; i < ghost->n_columns; i++)
-        if (strcmp(ghost->columns[i].quantity.name, name) == 0)
-            return i;
-    return -1;
-}
-
-static void add_ghosts(const Screen *screen, Plot *plot, const char *name, int dots)
-{
-    const Ghost *ghosts = experiment_ghosts(screen->experiment);
-    for (int i = 0; i < GHOSTS_MAX; i++) {
-        int column = ghosts[i].used ? ghost_column(&ghosts[i], name) : -1;
-        if (column < 0)
-            continue;
-        plot_begin(plot, STROKE_LINE, LINE_SOLID, STYLE_FAINT, RANK_GHOST, ':');
-        time_plot_curve(plot, &(Curve){&ghosts[i].record, column, -1, -1}, dots);
-    }
-}
-
-/* A ghost's letter stands at the end of its curve, so that it is told by more than its faint colour. */
-static void draw_ghost_letters(const Screen *screen, Area inner, const Plot *plot, const char *name)
-{
-    const Ghost *ghosts = experiment_ghosts(screen->experiment);
-    for (int i = 0; i < GHOSTS_MAX; i++) {
-        int column = ghosts[i].used ? ghost_column(&ghosts[i], name) : -1;
-        if (column < 0 || ghosts[i].record.count == 0)
-            continue;
-        const double *row = record_row(&ghosts[i].record, record_find(&ghosts[i].record, plot->x.high));
-        int x = axis_column(&plot->x, row[1], inner.rect.width);
-        int y = axis_row(&plot->y, row[column], inner.rect.height);
-        if (x >= 0 && y >= 0)
-            area_put(inner, x, y, (uint32_t)(unsigned char)ghosts[i].letter, STYLE_FAINT);
-    }
-}
-
-/* Ghosts in the legend, by the letter at the end of their curve. What differs is told where there is room;
- * else the letter has to do. */
-static int ghost_legend(const Screen *screen, const char *name, int room, char keys[][4], Legend *out)
-{
-    const Ghost *ghosts = experiment_ghosts(screen->experiment);
-    int count = 0;
-    for (int i = 0; i < GHOSTS_MAX; i++) {
-        if (!ghosts[i].used || ghost_column(&ghosts[i], name) < 0)
-            continue;
-        snprintf(keys[count], 4, "%c:", ghosts[i].letter);
-        const char *word = text_columns(ghosts[i].legend) + 5 <= room ? ghosts[i].legend : "before";
-        room -= text_columns(word) + 5;
-        out[count] = (Legend){LINE_SOLID, ':', STYLE_FAINT, word, keys[count]};
-        count++;
-    }
-    return count;
 }
 
 /* Lines under the plot: what the run is judged by. In a narrow pane the words are shorter; a number is never
@@ -258,23 +199,21 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
 
     char scale[TICK_TEXT_MAX], name[32];
     axis_scale_text(&y, quantity->unit, scale);
-    Legend entries[6 + GHOSTS_MAX];
-    char keys[GHOSTS_MAX][4];
+    Run runs[RUNS_MAX];
+    const int n_runs = runs_with(runs, runs_of(screen, runs), quantity->name);
+    Legend entries[6 + RUNS_MAX];
     int used = 9 + text_columns(quantity->label) + text_columns(scale);
     for (int i = 0; i < n_legend; i++) {
         entries[i] = legend[i];
         used += text_columns(legend[i].name) + 5;
     }
-    const int n_ghosts =
-        ghost_legend(screen, quantity->name, area.rect.width - used, keys, entries + n_legend);
-    if (n_ghosts > 0 && used + text_columns(entries[n_legend].name) + 5 > area.rect.width)
-        for (int i = 0; i < n_legend; i++)
-            entries[i].name = short_word(entries[i].name);
+    const int n_ghosts = ghost_legends(runs, n_runs, area.rect.width - used, entries + n_legend);
+    shorten_legend(area, quantity->label, scale, entries, n_legend + n_ghosts);
     draw_heading(area, heading, quantity->label, scale, entries, n_legend + n_ghosts);
     Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
     Plot plot;
     plot_open(&plot, x, y);
-    add_ghosts(screen, &plot, quantity->name, dots);
+    add_ghosts(&plot, runs, n_runs, quantity->name, dots);
     for (int i = 0; i < n_legend; i++) {
         const int rank = columns[shown[i]].kind == COLUMN_EXACT       ? RANK_EXACT
                          : columns[shown[i]].kind == COLUMN_PREDICTED ? RANK_PREDICTED
@@ -286,7 +225,7 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
     }
     time_plot_now(screen, inner, &x);
     plot_draw(&plot, inner);
-    draw_ghost_letters(screen, inner, &plot, quantity->name);
+    draw_run_letters(&plot, inner, runs, n_runs, quantity->name);
     plot_close(&plot);
     if (under > 0)
         draw_readout(screen, area_part(area, 0, area.rect.height - under, area.rect.width, under), column);

@@ -1,75 +1,38 @@
 /* View 1: a field of the particles along the bar, or along the middle of a beam, with the exact curve behind.
  */
-#include "view/panes.h"
+#include "view/runs.h"
 
 #include <math.h>
-#include <stdlib.h>
+#include <stdio.h>
 #include <string.h>
-
-/* The fields worth a picture, by method; the first is shown first. */
-static const char *const one_dimension[] = {"u", "v", "stress", "density", "strain"};
-static const char *const two_dimensions[] = {"uy", "vy", "ux", "vx", "damage"};
-enum { PROFILES = 5 };
-
-static const char *const *names_of(const Simulation *sim)
-{
-    return sim->dimensions == 1 ? one_dimension : two_dimensions;
-}
 
 int view_profile_variants(const Screen *screen)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     int count = 0;
-    while (count < PROFILES && simulation_find_field(sim, 0, names_of(sim)[count]) >= 0)
+    while (profile_field(sim, count))
         count++;
     return count ? count : 1;
 }
 
-/* The particles that are drawn: all of a bar; of a beam those of its middle row. */
-typedef struct Row {
-    double *x, *value;
-    size_t count;
-} Row;
+/* A run's part of the picture: what is now, of a ghost what was last on screen. */
+typedef struct Curve {
+    const Run *run;
+    Profile taken; /* of a run that goes on */
+    const Profile *profile;
+    const double *values;
+} Curve;
 
-static void free_row(Row *row)
+/* False: this run has nothing to show here. */
+static bool open_curve(Curve *curve, const Run *run, const char *field)
 {
-    free(row->x);
-    free(row->value);
-}
-
-static bool take_row(const Simulation *sim, int field, Row *row)
-{
-    const size_t all = sim->counts[0];
-    double *y = NULL;
-    *row = (Row){.x = malloc((all + 1) * sizeof(double)), .value = malloc((all + 1) * sizeof(double))};
-    if (!row->x || !row->value)
-        return false;
-    sim->method->field(sim, sim->position[0], 0, all, row->x);
-    sim->method->field(sim, field, 0, all, row->value);
-    row->count = all;
-    if (sim->dimensions < 2 || all == 0)
-        return true;
-    y = malloc(all * sizeof *y);
-    if (!y)
-        return false;
-    sim->method->field(sim, sim->position[1], 0, all, y);
-    double least = y[0], most = y[0], middle = y[0];
-    for (size_t i = 0; i < all; i++) {
-        least = y[i] < least ? y[i] : least;
-        most = y[i] > most ? y[i] : most;
+    *curve = (Curve){.run = run, .profile = run->profile};
+    if (run->experiment) {
+        profile_take(&curve->taken, experiment_simulation(run->experiment), field);
+        curve->profile = &curve->taken;
     }
-    const double centre = (least + most) / 2, slack = 1e-9 * (most - least);
-    for (size_t i = 0; i < all; i++)
-        if (fabs(y[i] - centre) < fabs(middle - centre) - slack)
-            middle = y[i];
-    row->count = 0;
-    for (size_t i = 0; i < all; i++)
-        if (fabs(y[i] - middle) <= slack) {
-            row->x[row->count] = row->x[i];
-            row->value[row->count++] = row->value[i];
-        }
-    free(y);
-    return true;
+    curve->values = curve->profile->count > 0 ? profile_values(curve->profile, field) : NULL;
+    return curve->values != NULL;
 }
 
 /* How far the exact answer reaches over the run, so that the axis keeps still; 0: not known. */
@@ -90,8 +53,8 @@ static double exact_reach(const Screen *screen, const char *field, const double 
     return reach;
 }
 
-static Axis value_axis(const Screen *screen, const Simulation *sim, const char *field, const Row *row,
-                       int rows)
+static Axis value_axis(const Screen *screen, const Simulation *sim, const char *field, const Curve *curves,
+                       int n_curves, int rows)
 {
     const int most = rows < 5 ? 3 : rows < 12 ? 5 : 7;
     double reach = 0, base = 0;
@@ -99,10 +62,14 @@ static Axis value_axis(const Screen *screen, const Simulation *sim, const char *
         return axis_make(0, 1, most);
     if (strcmp(field, "density") == 0 && sim->dimensions == 1)
         base = experiment_settings(screen->experiment)->bar.density;
-    for (size_t i = 0; i < row->count; i++)
-        if (isfinite(row->value[i]) && fabs(row->value[i] - base) > reach)
-            reach = fabs(row->value[i] - base);
-    double exact = exact_reach(screen, field, row->x, row->count, base);
+    for (int k = 0; k < n_curves; k++) {
+        const Profile *profile = curves[k].profile;
+        for (size_t i = 0; i < profile->count && curves[k].run->experiment; i++)
+            if (isfinite(curves[k].values[i]) && fabs(curves[k].values[i] - base) > reach)
+                reach = fabs(curves[k].values[i] - base);
+    }
+    const Profile *present = curves[n_curves - 1].profile;
+    double exact = exact_reach(screen, field, present->x, present->count, base);
     reach = exact > reach ? exact : reach;
     if (base != 0) {
         double end = reach > 0 ? axis_round_up(reach * 1.02) : 0.01 * base;
@@ -111,7 +78,7 @@ static Axis value_axis(const Screen *screen, const Simulation *sim, const char *
     return axis_symmetric(reach, most);
 }
 
-static void draw_exact(const Screen *screen, Plot *plot, const char *field, const Row *row, int dots)
+static void draw_exact(const Screen *screen, Plot *plot, const char *field, const Profile *row, int dots)
 {
     const References *refs = experiment_references(screen->experiment);
     const double time = experiment_time(screen->experiment);
@@ -123,12 +90,61 @@ static void draw_exact(const Screen *screen, Plot *plot, const char *field, cons
     }
 }
 
-static void draw_particles(Area inner, const Axis *x, const Axis *y, const Row *row)
+/* Particles that lie well apart are seen one by one. */
+static void draw_particles(const Plot *plot, Area inner, const Curve *curve)
 {
-    for (size_t i = 0; i < row->count; i++)
-        area_put(inner, axis_column(x, row->x[i], inner.rect.width),
-                 axis_row(y, row->value[i], inner.rect.height), inner.glyphs == GLYPHS_ASCII ? 'o' : 0x25cf,
-                 STYLE_MEASURED);
+    const Profile *profile = curve->profile;
+    if (!curve->run->experiment || (size_t)inner.rect.width < 2 * profile->count)
+        return;
+    for (size_t i = 0; i < profile->count; i++)
+        area_put(inner, axis_column(&plot->x, profile->x[i], inner.rect.width),
+                 axis_row(&plot->y, curve->values[i], inner.rect.height),
+                 inner.glyphs == GLYPHS_ASCII ? 'o' : 0x25cf, curve->run->style);
+}
+
+/* What a ghost's letter stands for: its moment, where it is another one than the present, and what differs.
+ */
+static void tell_moment(const Screen *screen, Run *run)
+{
+    const double dt = experiment_simulation(screen->experiment)->dt;
+    char moment[sizeof run->brief - 4], word[LEGEND_MAX];
+    if (fabs(run->profile->time - experiment_time(screen->experiment)) < 0.51 * dt)
+        return;
+    time_text(screen, run->profile->time, moment, sizeof moment);
+    snprintf(run->brief, sizeof run->brief, "at %s", moment);
+    snprintf(word, sizeof word, "%s", run->word);
+    snprintf(run->word, sizeof run->word, "%s, %s", run->brief, word);
+}
+
+static void draw_legends(const Screen *screen, Area area, Style heading, const char *label, const char *scale,
+                         const Curve *curves, int n_curves, bool exact)
+{
+    Legend legend[RUNS_MAX + 1];
+    Run runs[RUNS_MAX];
+    int n_legend = 0, used = 9 + text_columns(label) + text_columns(scale);
+    for (int i = 0; i < n_curves; i++) {
+        runs[i] = *curves[i].run;
+        if (runs[i].ghost >= 0)
+            tell_moment(screen, &runs[i]);
+        else if (runs[i].shown)
+            legend[n_legend++] = run_legend(&runs[i]);
+        if (runs[i].experiment && !runs[i].letter &&
+            experiment_simulation(runs[i].experiment)->dimensions > 1)
+            append(runs[i].word, sizeof runs[i].word, ", middle row");
+    }
+    if (exact)
+        legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL};
+    for (int i = 0; i < n_legend; i++)
+        used += text_columns(legend[i].name) + 5;
+    n_legend += ghost_legends(runs, n_curves, area.rect.width - used, legend + n_legend);
+    shorten_legend(area, label, scale, legend, n_legend);
+    draw_heading(area, heading, label, scale, legend, n_legend);
+}
+
+static void close_curves(Curve *curves, int n_curves)
+{
+    for (int i = 0; i < n_curves; i++)
+        profile_close(&curves[i].taken);
 }
 
 void view_profile(const Screen *screen, Area area, Style heading, int variant)
@@ -139,41 +155,42 @@ void view_profile(const Screen *screen, Area area, Style heading, int variant)
         experiment_step(screen->experiment) == 0 && experiment_stage(screen->experiment) == 0;
     if (variant == 0 && at_start && screen->state != STATE_RUNNING && sim->dimensions == 1)
         variant = 1;
-    const char *name = names_of(sim)[variant];
-    const int field = simulation_find_field(sim, 0, name);
-    Row row;
-    if (field < 0 || !take_row(sim, field, &row) || row.count == 0) {
+    const char *name = profile_field(sim, variant);
+    Run runs[RUNS_MAX];
+    Curve curves[RUNS_MAX];
+    int n_runs = runs_of(screen, runs), n_curves = 0;
+    for (int i = 0; i < n_runs && name; i++)
+        if (open_curve(&curves[n_curves], &runs[i], name))
+            n_curves++;
+    if (n_curves == 0 || !curves[n_curves - 1].run->experiment) {
         area_rule(area, 0, "profile", heading);
-        if (field >= 0)
-            free_row(&row);
+        close_curves(curves, n_curves);
         return;
     }
-    const Quantity *quantity = &sim->fields[field].quantity;
+    const Profile *present = curves[n_curves - 1].profile;
+    const Quantity *quantity = &sim->fields[simulation_find_field(sim, 0, name)].quantity;
     const int rows = area.rect.height - 2;
-    Axis y = value_axis(screen, sim, name, &row, rows);
-    double from = row.x[0], to = row.x[row.count - 1];
-    for (size_t i = 0; i < row.count; i++) {
-        from = row.x[i] < from ? row.x[i] : from;
-        to = row.x[i] > to ? row.x[i] : to;
+    Axis y = value_axis(screen, sim, name, curves, n_curves, rows);
+    double from = present->x[0], to = present->x[present->count - 1];
+    for (size_t i = 0; i < present->count; i++) {
+        from = present->x[i] < from ? present->x[i] : from;
+        to = present->x[i] > to ? present->x[i] : to;
     }
-    const double margin = (to - from) / (double)row.count;
+    const double margin = (to - from) / (double)present->count;
     if (from > 0 && from < 2 * margin)
         from = 0;
     Axis x = axis_make(from, to + margin, area.rect.width / 9);
 
     const bool exact =
         shows_exact(screen) &&
-        isfinite(references_profile(experiment_references(screen->experiment), name, row.x[row.count / 2],
-                                    experiment_time(screen->experiment)));
-    const Legend legend[] = {
-        {LINE_SOLID, '*', STYLE_MEASURED, sim->dimensions == 1 ? "measured" : "measured, middle row", NULL},
-        {LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL}};
+        isfinite(references_profile(experiment_references(screen->experiment), name,
+                                    present->x[present->count / 2], experiment_time(screen->experiment)));
     char scale[TICK_TEXT_MAX], x_scale[TICK_TEXT_MAX], x_name[TICK_TEXT_MAX + 4];
     axis_scale_text(&y, quantity->unit, scale);
     axis_scale_text(&x, sim->fields[sim->position[0]].quantity.unit, x_scale);
     strcpy(x_name, x_scale[0] ? "x, " : "x");
     strcat(x_name, x_scale);
-    draw_heading(area, heading, quantity->label, scale, legend, exact ? 2 : 1);
+    draw_legends(screen, area, heading, quantity->label, scale, curves, n_curves, exact);
     Area inner =
         axes_draw(area_part(area, 0, 1, area.rect.width, area.rect.height - 1), &x, &y, x_name, GUTTER);
 
@@ -181,14 +198,23 @@ void view_profile(const Screen *screen, Area area, Style heading, int variant)
     plot_open(&plot, x, y);
     const int dots = inner.rect.width * plot_dots_across(area.glyphs);
     if (exact && inner.rect.width > 0)
-        draw_exact(screen, &plot, name, &row, dots);
-    plot_begin(&plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
-    for (size_t i = 0; i < row.count; i++)
-        plot_point(&plot, row.x[i], row.value[i]);
+        draw_exact(screen, &plot, name, present, dots);
+    for (int k = 0; k < n_curves; k++) {
+        if (!curves[k].run->shown)
+            continue;
+        run_begin(&plot, curves[k].run);
+        for (size_t i = 0; i < curves[k].profile->count; i++)
+            plot_point(&plot, curves[k].profile->x[i], curves[k].values[i]);
+    }
     plot_draw(&plot, inner);
+    for (int k = 0; k < n_curves; k++) {
+        const Profile *profile = curves[k].profile;
+        if (!curves[k].run->shown)
+            continue;
+        draw_particles(&plot, inner, &curves[k]);
+        run_letter(curves[k].run, &plot, inner, profile->x[profile->count - 1],
+                   curves[k].values[profile->count - 1]);
+    }
     plot_close(&plot);
-    /* particles that lie well apart are seen one by one */
-    if ((size_t)inner.rect.width >= 2 * row.count)
-        draw_particles(inner, &x, &y, &row);
-    free_row(&row);
+    close_curves(curves, n_curves);
 }

@@ -1,6 +1,6 @@
 /* View 6: the amplitude spectrum of the probe, with the predicted and the exact lines marked. The slow lines
  * on an even scale, or everything that the mesh can do on a logarithmic one. */
-#include "view/panes.h"
+#include "view/runs.h"
 
 #include "lab/dispersion.h"
 
@@ -106,6 +106,16 @@ static size_t bins_within(const Picture *picture)
 {
     const double bins = ceil(picture->x.high * picture->unit / picture->spectrum->step) + 1;
     return bins < (double)picture->spectrum->count ? (size_t)bins : picture->spectrum->count;
+}
+
+/* The same column of another run; NULL: it has too few rows. */
+static const Spectrum *spectrum_of_run(const Screen *screen, const Run *run, const char *column,
+                                       SpectrumSpan span)
+{
+    const int at = run_column(run, column);
+    return at < 0            ? NULL
+           : run->experiment ? experiment_spectrum(run->experiment, at, span)
+                             : experiment_ghost_spectrum(screen->experiment, run->ghost, at, span);
 }
 
 static double largest_of(const Picture *picture)
@@ -233,6 +243,23 @@ static void add_marks(const Screen *screen, Plot *plot, const Picture *picture, 
     }
 }
 
+/* A run's letter stands at its highest peak. */
+static void letter_at_peak(const Screen *screen, const Plot *plot, Area inner, const Picture *picture,
+                           const Run *run, const char *column, SpectrumSpan span)
+{
+    Picture of_run = *picture;
+    of_run.spectrum = spectrum_of_run(screen, run, column, span);
+    if (!run->letter || !run->shown || !of_run.spectrum)
+        return;
+    size_t best = 0;
+    for (size_t k = 1; k < bins_within(&of_run); k++)
+        if (best == 0 || of_run.spectrum->amplitudes[k] > of_run.spectrum->amplitudes[best])
+            best = k;
+    double x;
+    const double y = sample(&of_run, best, &x);
+    run_letter(run, plot, inner, x, y);
+}
+
 void view_spectrum(const Screen *screen, Area area, Style heading, int variant)
 {
     Choice choice = choice_of(screen, variant);
@@ -268,8 +295,14 @@ void view_spectrum(const Screen *screen, Area area, Style heading, int variant)
                  : axis_make(0, axis_round_up(1.02 * largest), rows < 5 ? 3 : 5);
 
     /* where there is little room the solid line goes without saying */
-    Legend legend[3] = {{LINE_SOLID, '*', STYLE_MEASURED, "measured", NULL}};
-    int n_legend = area.rect.width < 70 ? 0 : 1;
+    Run runs[RUNS_MAX];
+    const int n_runs = runs_with(runs, runs_of(screen, runs), quantity->name);
+    const SpectrumSpan span = choice.fast ? SPECTRUM_FAST : SPECTRUM_SLOW;
+    Legend legend[RUNS_MAX + 2];
+    int n_legend = 0;
+    for (int i = 0; i < n_runs; i++)
+        if (runs[i].experiment && runs[i].shown && (runs[i].letter || area.rect.width >= 70))
+            legend[n_legend++] = run_legend(&runs[i]);
     bool exact = false, predicted = false;
     for (int i = 0; i < n_marks; i++) {
         exact |= marks[i].exact;
@@ -285,6 +318,11 @@ void view_spectrum(const Screen *screen, Area area, Style heading, int variant)
     else if (!is_bar(screen))
         snprintf(scale, sizeof scale, "%s", quantity->unit);
     snprintf(name, sizeof name, "spectrum of %s", quantity->label);
+    int used = 9 + text_columns(name) + text_columns(scale);
+    for (int i = 0; i < n_legend; i++)
+        used += text_columns(legend[i].name) + 5;
+    n_legend += ghost_legends(runs, n_runs, area.rect.width - used, legend + n_legend);
+    shorten_legend(area, name, scale, legend, n_legend);
     draw_heading(area, heading, name, scale, legend, n_legend);
     Area inner = axes_draw(area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under), &picture.x,
                            &y, is_bar(screen) ? "w" : "kHz", GUTTER);
@@ -292,10 +330,18 @@ void view_spectrum(const Screen *screen, Area area, Style heading, int variant)
     Plot plot;
     plot_open(&plot, picture.x, y);
     add_marks(screen, &plot, &picture, marks, n_marks);
-    plot_begin(&plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
-    plot_curve(&plot, sample, &picture, 0, bins_within(&picture),
-               inner.rect.width * plot_dots_across(area.glyphs));
+    for (int i = 0; i < n_runs; i++) {
+        Picture of_run = picture;
+        of_run.spectrum = spectrum_of_run(screen, &runs[i], quantity->name, span);
+        if (!runs[i].shown || !of_run.spectrum)
+            continue;
+        run_begin(&plot, &runs[i]);
+        plot_curve(&plot, sample, &of_run, 0, bins_within(&of_run),
+                   inner.rect.width * plot_dots_across(area.glyphs));
+    }
     plot_draw(&plot, inner);
+    for (int i = 0; i < n_runs; i++)
+        letter_at_peak(screen, &plot, inner, &picture, &runs[i], quantity->name, span);
     plot_close(&plot);
     if (under > 0) {
         peak_line(screen, &picture, choice.fast, text);

@@ -509,6 +509,55 @@ START_TEST(curves_are_pinned_and_unpinned)
 }
 END_TEST
 
+/* What a ghost shows along x is the field of its own run at the moment that was on screen, not of the run
+ * that takes its place. */
+START_TEST(a_ghost_keeps_what_was_on_screen)
+{
+    static const struct {
+        Problem problem;
+        const char *key, *value, *field;
+        size_t count;
+    } cases[] = {
+        {PROBLEM_BAR, "mesh.cell_size", "0.5", "u", 50},
+        {PROBLEM_BAR, "mpm.algorithm", "usl", "stress", 50},
+        {PROBLEM_SUPPORTED_BEAM, "pd.surface_correction", "none", "vy", 0},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Settings settings =
+            cases[i].problem == PROBLEM_BAR ? bar_settings(5, 10) : beam_settings(cases[i].problem, 1e-4);
+        Experiment *experiment = open_experiment(&settings, MEGABYTE);
+        ck_assert(experiment_advance(experiment, 60, NULL));
+        experiment_seek(experiment, 40, 0);
+        finish_work(experiment);
+        const double time = experiment_time(experiment);
+        Profile before;
+        ck_assert(profile_take(&before, experiment_simulation(experiment), cases[i].field));
+        ck_assert_int_eq(before.n_fields, 1);
+        edit_one(experiment, cases[i].key, cases[i].value);
+        const Ghost *ghost = &experiment_ghosts(experiment)[0];
+        ck_assert(ghost->used);
+        ck_assert_int_eq(ghost->profile.n_fields, PROFILE_FIELDS);
+        ck_assert(ghost->profile.time == time);
+        if (cases[i].count > 0)
+            ck_assert_uint_eq(ghost->profile.count, cases[i].count);
+        ck_assert_uint_eq(ghost->profile.count, before.count);
+        const double *kept = profile_values(&ghost->profile, cases[i].field), *was = before.values[0];
+        ck_assert_mem_eq(kept, was, before.count * sizeof *was);
+        ck_assert_mem_eq(ghost->profile.x, before.x, before.count * sizeof *was);
+        ck_assert_ptr_null(profile_values(&before, "density"));
+        ck_assert(experiment_advance(experiment, 3, NULL));
+        Profile after;
+        ck_assert(profile_take(&after, experiment_simulation(experiment), cases[i].field));
+        ck_assert(after.count != before.count || memcmp(after.values[0], was, before.count * sizeof *was));
+        for (size_t k = 1; k < before.count; k++)
+            ck_assert_msg(before.x[k] > before.x[k - 1], "case %zu: particle %zu is not in a row", i, k);
+        profile_close(&before);
+        profile_close(&after);
+        experiment_destroy(experiment);
+    }
+}
+END_TEST
+
 START_TEST(a_million_steps_stay_within_bounds)
 {
     Settings settings = bar_settings(1, 10000);
@@ -552,6 +601,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, a_failed_run_keeps_its_rows);
     tcase_add_test(tcase, the_state_before_a_stage_is_known);
     tcase_add_test(tcase, curves_are_pinned_and_unpinned);
+    tcase_add_test(tcase, a_ghost_keeps_what_was_on_screen);
     tcase_add_test(tcase, a_million_steps_stay_within_bounds);
     suite_add_tcase(suite, tcase);
 }
