@@ -60,7 +60,8 @@ void shorten_legend(Area area, const char *name, const char *scale, Legend *lege
         whole += text_columns(legend[i].name) + 5;
         brief += text_columns(short_word(legend[i].name)) + 5;
     }
-    for (int i = 0; i < n_legend && whole > area.rect.width && brief <= area.rect.width; i++)
+    const int most = area.rect.width + 1; /* after the last one there is no gap */
+    for (int i = 0; i < n_legend && whole > most && brief <= most; i++)
         legend[i].name = short_word(legend[i].name);
 }
 
