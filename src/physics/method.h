@@ -66,6 +66,19 @@ typedef struct Link {
     bool broken;     /* a bond that carries nothing any more */
 } Link;
 
+/* What linked things give to each other in a stage: for each pair a product of a few numbers. The products that
+ * one thing is given add up to a field of it: a node's momentum is the sum of "m v N" of its particles. */
+enum { EXCHANGE_FACTORS_MAX = 4 };
+typedef struct Exchange {
+    const char *stage;   /* id of the stage that does it */
+    int from, to;        /* sets */
+    const char *field;   /* of the receiver: what the products add up to */
+    bool adds;           /* they are added to what the field was before the stage */
+    const char *factors; /* their names, one word each: "m v N", UTF-8 */
+    const char *ascii;   /* the same in ASCII */
+    const char *note;    /* what a factor stands for, or NULL: "a = f/m" */
+} Exchange;
+
 /* Something that happened in the run: in plain words, as the log and the caption show it. */
 typedef enum EventKind {
     EVENT_CROSSING, /* a particle entered another cell */
@@ -115,6 +128,11 @@ typedef struct Method {
      * a part there. NULL: there is no mesh. */
     size_t (*shapes)(const Simulation *, double x, Link *out, size_t max);
 
+    /* The factors of what thing `from` gives to thing `to` in an exchange; returns how many there are. 0: they
+     * are not at hand at the present stage, or the pair exchanges nothing. NULL: there are no exchanges. */
+    int (*exchange)(const Simulation *, int exchange, size_t from, size_t to,
+                    double factors[EXCHANGE_FACTORS_MAX]);
+
     /* The sum behind the stage just done, for one thing, written out with its numbers: "p15 0.25 x 0.5 +
      * p16 0.75 x 0.5 = 0.5". UTF-8, lines parted by '\n', at most `size` bytes. `before` is the state before
      * the stage as save() wrote it (NULL: not known). May be NULL: nothing to say. */
@@ -139,6 +157,9 @@ struct Simulation {
     const Stage *stages; /* of the present algorithm; may change between steps with a live parameter */
     int n_stages;
     size_t stage_items; /* how many items a stage has */
+
+    const Exchange *exchanges; /* of the present algorithm, as the stages are */
+    int n_exchanges;
 
     const Set *sets;
     int n_sets;

@@ -100,6 +100,9 @@ static void begin_run(Laboratory *lab)
     screen->at_limit = false;
     screen->summary_known = false;
     screen->cursor_time = NAN;
+    if (screen->inspecting && screen->focus == PANE_INSPECTOR)
+        screen->focus = screen->before_inspector;
+    screen->inspecting = false;
     const Simulation *simulation = experiment_simulation(screen->experiment);
     screen->particle = simulation->counts[0] / 2;
     screen->node = simulation->n_sets > 1 ? simulation->counts[1] / 2 : 0;

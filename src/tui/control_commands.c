@@ -275,6 +275,8 @@ static void move(Laboratory *lab, int x, int y, int page)
 {
     Screen *screen = &lab->screen;
     int view = view_in(screen, screen->focus);
+    if (screen->focus == PANE_INSPECTOR && screen_move_inspector(screen, x, y, page))
+        return;
     if (screen->focus == PANE_PARAMETERS) {
         if (x)
             nudge_selected(lab, x);
@@ -337,6 +339,30 @@ static void enter(Laboratory *lab)
     }
 }
 
+static void close_inspector(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    screen->inspecting = false;
+    screen->zoomed = false;
+    if (screen->focus == PANE_INSPECTOR)
+        screen->focus = screen->before_inspector;
+}
+
+static void inspect(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    if (screen->inspecting) {
+        close_inspector(lab);
+    } else if (!screen_has_inspector(screen)) {
+        say(lab, MESSAGE_INFO, "there is no inspector for this method");
+    } else {
+        screen->inspecting = true;
+        screen->before_inspector = screen->focus;
+        screen->focus = PANE_INSPECTOR;
+        screen->cursor_time = NAN;
+    }
+}
+
 /* Closes what lies on top; false: there is nothing. */
 static bool close_top(Laboratory *lab)
 {
@@ -351,6 +377,8 @@ static bool close_top(Laboratory *lab)
         screen->cursor_time = NAN;
     else if (screen->zoomed)
         screen->zoomed = false;
+    else if (screen->inspecting)
+        close_inspector(lab);
     else if (screen->filter[0])
         screen->filter[0] = '\0';
     else
@@ -378,12 +406,14 @@ static PaneId home_of(int view)
 static void show_view(Laboratory *lab, int view)
 {
     Screen *screen = &lab->screen;
-    bool in_plot = screen->focus == PANE_UPPER || screen->focus == PANE_LOWER;
     const char *missing = screen_view_missing(screen, view);
     if (missing) {
         say(lab, MESSAGE_INFO, "view %d: %s", view, missing);
         return;
     }
+    if (screen->inspecting) /* it lies over the plots: who asks for one wants to see it */
+        close_inspector(lab);
+    bool in_plot = screen->focus == PANE_UPPER || screen->focus == PANE_LOWER;
     if (screen->upper == view || screen->lower == view) {
         PaneId at = in_plot && view_in(screen, screen->focus) == view ? screen->focus
                     : screen->upper == view                           ? PANE_UPPER
@@ -547,6 +577,8 @@ static void line(Laboratory *lab)
 
 static void filter(Laboratory *lab)
 {
+    if (lab->screen.inspecting)
+        close_inspector(lab);
     lab->screen.focus = PANE_PARAMETERS;
     ask(lab, answer_filter, false, lab->screen.filter, "parameters whose name holds");
 }
@@ -615,6 +647,7 @@ static const Carry carries[COMMAND_COUNT] = {
     [COMMAND_CANCEL] = cancel,
     [COMMAND_UNDO] = undo,
     [COMMAND_REDO] = redo,
+    [COMMAND_INSPECT] = inspect,
     [COMMAND_ZOOM] = zoom,
     [COMMAND_NARROWER] = narrower,
     [COMMAND_WIDER] = wider,

@@ -30,6 +30,8 @@ const Command commands[] = {
      "larger value or next choice; particle to the right; cursor on in a time plot"},
     {COMMAND_PAGE_UP, "page-up", "PageUp", "Panes", "page up", "one page up"},
     {COMMAND_PAGE_DOWN, "page-down", "PageDown", "Panes", "page dn", "one page down"},
+    {COMMAND_INSPECT, "inspect", "i", "Panes", "inspect",
+     "the chosen particle or node: what it gives and takes; arrows: the next one"},
     {COMMAND_ZOOM, "zoom", "z", "Panes", "zoom", "the pane fills the screen; again: back"},
 
     {COMMAND_ENTER, "enter", "Enter", "Parameters", "edit", "edit the parameter, take what was typed"},

@@ -15,6 +15,7 @@ enum {
     PARAMETERS_WIDTH = 25,
     WIDE_PARAMETERS_WIDTH = 28,
     SIDE_HEIGHT = 30,
+    INSPECTOR_WIDTH = 79,
     TIMELINE_WIDTH = 100,
     TIMELINE_HEIGHT = 30
 };
@@ -42,6 +43,19 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     if (timeline)
         layout->timeline = (Rect){left, top + middle - 1, plots, 1};
     layout->panes[PANE_BOX] = (Rect){0, top + middle, width, box};
+    if (screen->inspecting) {
+        /* over the plots, and where its columns need the room over the fields too */
+        const bool beside = width >= INSPECTOR_WIDTH + fields + 1;
+        layout->panes[PANE_INSPECTOR] =
+            (Rect){beside ? left : 0, top, beside ? width - left : width, middle - timeline};
+        layout->panes[PANE_UPPER] = layout->panes[PANE_LOWER] = (Rect){0};
+        if (!beside) {
+            layout->panes[PANE_PARAMETERS] = (Rect){0};
+            if (timeline)
+                layout->timeline = (Rect){0, top + middle - 1, width, 1};
+        }
+        return;
+    }
     if (side) {
         const int x = width - side_width, third = middle / 3;
         const int sets = experiment_simulation(screen->experiment)->n_sets > 1 ? 2 : 1;

@@ -62,6 +62,16 @@ void pane_timeline(const Screen *, Area);
 void pane_mesh(const Screen *, Area);
 void pane_box(const Screen *, Area);
 void pane_help(const Screen *, Area);
+void pane_mesh_inspector(const Screen *, Area); /* of methods with particles and a grid */
+
+/* What stands in the inspector; the seam is in inspector.c. */
+typedef struct Inspector {
+    bool (*fits)(const Simulation *); /* the methods that it is for */
+    void (*draw)(const Screen *, Area);
+    /* The arrows: to the next thing. NULL: as in the mesh strip. */
+    void (*move)(Screen *, int x, int y, int page);
+} Inspector;
+const Inspector *inspector_find(const Screen *); /* NULL: none fits */
 
 /* Two lines that tell what a beam's run is judged by, for a pane of so many columns; false: it is a bar. */
 bool beam_lines(const Screen *, int width, char first[160], char second[160]);

@@ -107,6 +107,10 @@ static void draw_pane(const Screen *screen, PaneId pane, Area area)
     case PANE_BOX:
         pane_box(screen, area);
         break;
+    case PANE_INSPECTOR:
+        if (inspector_find(screen))
+            inspector_find(screen)->draw(screen, area);
+        break;
     case PANE_COUNT:
         break;
     }

@@ -11,7 +11,15 @@
 
 enum { FRAMES_PER_SECOND = 30 };
 
-typedef enum PaneId { PANE_PARAMETERS, PANE_MESH, PANE_UPPER, PANE_LOWER, PANE_BOX, PANE_COUNT } PaneId;
+typedef enum PaneId {
+    PANE_PARAMETERS,
+    PANE_MESH,
+    PANE_UPPER,
+    PANE_LOWER,
+    PANE_BOX,
+    PANE_INSPECTOR,
+    PANE_COUNT
+} PaneId;
 
 typedef enum RunState {
     STATE_PAUSED,
@@ -77,6 +85,9 @@ typedef struct Screen {
     bool node_chosen; /* the stage box follows the node, not the particle */
     int table_scroll, table_column;
 
+    bool inspecting;         /* the inspector is open, see screen_inspector() */
+    PaneId before_inspector; /* the pane that had the focus before it was opened */
+
     double window;      /* length of the time window; 0: automatic */
     double cursor_time; /* of the time plot's cursor; NAN: none */
 
@@ -120,6 +131,11 @@ int screen_help_most(const Screen *, int width, int height);
 
 /* The step that lies under a cell of the timeline, for the mouse; -1: the cell is not on it. */
 long screen_timeline_step(const Screen *, int width, int height, int x, int y);
+
+/* The inspector, the pane that `i` opens over the plots: whether this method has one, and the arrows in it.
+ * False: they do what they do in the mesh strip. */
+bool screen_has_inspector(const Screen *);
+bool screen_move_inspector(Screen *, int x, int y, int page);
 
 /* Why this view has nothing to show for the problem at hand; NULL: it has. */
 const char *screen_view_missing(const Screen *, int view);

@@ -33,6 +33,8 @@ static bool simple_word(Scene *scene, const char *word)
         screen->references = SHOW_NONE;
     else if (strcmp(word, "exact") == 0)
         screen->references = SHOW_EXACT;
+    else if (strcmp(word, "inspect") == 0)
+        screen->inspecting = true, screen->focus = PANE_INSPECTOR;
     else if (strcmp(word, "node") == 0)
         screen->node_chosen = true;
     else if (strcmp(word, "styles") == 0)

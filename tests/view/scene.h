@@ -2,7 +2,7 @@
  *
  *     SCENARIO WxH STEPS [key=value]... [word]...
  *
- * words: running, ended, computing, ascii, block, zoom, none, exact, node, edit, ghost (an edit behind), and
+ * words: running, ended, computing, ascii, block, zoom, none, exact, node, inspect, edit, ghost (an edit behind), and
  * with a number: help, scroll, upper, lower, variant, focus, select, stage, back, window, cursor, particle.
  */
 #ifndef TESTS_VIEW_SCENE_H

@@ -218,6 +218,7 @@ static void take_schedule(Bar *bar)
     bar->sim.stages = schedule->stages;
     bar->sim.n_stages = schedule->count;
     bar->sim.sets = schedule->sets;
+    bar->sim.exchanges = bar_exchanges(bar->head, &bar->sim.n_exchanges);
 }
 
 static size_t saved_bytes(const Bar *bar, const BarHead *head)
@@ -301,6 +302,7 @@ static const Method method = {
     .field = bar_field,
     .links = bar_links,
     .shapes = bar_shapes,
+    .exchange = bar_exchange,
     .explain = bar_explain,
     .state_size = state_size,
     .save = save,

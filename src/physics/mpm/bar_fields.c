@@ -109,8 +109,7 @@ static double node_velocity(const Bar *bar, int i)
     return bar->node_momentum[i] * bar->node_inverse[i];
 }
 
-/* The nodal velocity that the strain of this step was made of. */
-static double strain_velocity(const Bar *bar, int i)
+double bar_strain_velocity(const Bar *bar, int i)
 {
     /* update stress first: that of before the momentum was integrated */
     if (bar->head->algorithm == MPM_USF && bar_has_done(bar, OP_INTEGRATE))
@@ -123,7 +122,7 @@ static double strain_increment(const Bar *bar, int cell, double s)
     double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX], v[BAR_SUPPORT_MAX], gradient = 0.0;
     shape_at(bar->def.shape, bar->gimp_half, bar->n_cells, cell, s, n, dn);
     for (int a = 0; a < bar->support; a++)
-        v[a] = strain_velocity(bar, cell + a);
+        v[a] = bar_strain_velocity(bar, cell + a);
     if (bar->def.shape == MPM_HAT)
         bar_lend_velocity(bar, cell, v);
     for (int a = 0; a < bar->support; a++)

@@ -199,13 +199,17 @@ double bar_node_position(const Bar *bar, int node);
 /* The cell in which a particle is (during a step: in which it began it). */
 int bar_cell_of(const Bar *bar, int particle);
 
-/* bar_fields.c, bar_explain.c: what front ends read. */
+/* bar_fields.c, bar_exchange.c, bar_explain.c: what front ends read. */
 enum { BAR_FIELDS = 23, BAR_SERIES = 7 };
 extern const Field bar_fields[BAR_FIELDS];
 extern const Quantity bar_series[BAR_SERIES];
 void bar_field(const Simulation *sim, int field, size_t first, size_t count, double *out);
 size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t max);
 size_t bar_shapes(const Simulation *sim, double x, Link *out, size_t max);
+int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
+                 double factors[EXCHANGE_FACTORS_MAX]);
+const Exchange *bar_exchanges(const BarHead *head, int *count);
+double bar_strain_velocity(const Bar *bar, int node); /* that the strain of this step was made of */
 void bar_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, char *out,
                  size_t size);
 
