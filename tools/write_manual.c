@@ -141,6 +141,15 @@ static bool write_keys(const char *unused)
         puts(")");
         say_line(commands[i].help);
     }
+    heading("Behind :");
+    for (int i = 0; i < n_line_verbs; i++) {
+        puts(".TP");
+        say_in("B", line_verbs[i].name);
+        putchar(' ');
+        say_in("I", line_verbs[i].arguments);
+        putchar('\n');
+        say_line(line_verbs[i].help);
+    }
     return true;
 }
 

@@ -134,7 +134,7 @@ static Experiment *make_experiment(const Laboratory *lab, const Settings *settin
 
 bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Host *host, Status *status)
 {
-    *lab = (Laboratory){.host = *host, .options = *options};
+    *lab = (Laboratory){.host = *host, .options = *options, .overlay = {.y = -1}};
     lab->utf8 = true;
     lab->undo = calloc(UNDO_MAX, sizeof *lab->undo);
     lab->redo = calloc(UNDO_MAX, sizeof *lab->redo);
@@ -158,6 +158,7 @@ bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Ho
 void laboratory_close(Laboratory *lab)
 {
     experiment_destroy(lab->screen.experiment);
+    overlay_close(&lab->overlay);
     free(lab->undo);
     free(lab->redo);
     lab->screen.experiment = NULL;

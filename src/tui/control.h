@@ -3,13 +3,21 @@
 #ifndef TUI_CONTROL_H
 #define TUI_CONTROL_H
 
+#include "lab/overlay.h"
 #include "tui/keys.h"
 #include "tui/laboratory.h"
 #include "view/screen.h"
 
 #define FRAME_SECONDS 0.033 /* a frame is at most that long, so a key is answered within it */
 
-enum { UNDO_MAX = 32, NAME_MAX_BYTES = 256 };
+enum { UNDO_MAX = 32, NAME_MAX_BYTES = 256, LINE_HISTORY_MAX = 32 };
+
+/* What was entered behind `:`, the newest last. */
+typedef struct LineHistory {
+    char lines[LINE_HISTORY_MAX][sizeof((Prompt *)0)->text];
+    char unfinished[sizeof((Prompt *)0)->text]; /* what was being typed when an earlier one was fetched */
+    int count, at;                              /* at: the one on screen; count: the unfinished one */
+} LineHistory;
 
 typedef struct Laboratory Laboratory;
 
@@ -54,6 +62,8 @@ struct Laboratory {
     long bookmark_step;  /* -1: none */
     int bookmark_stage;
     Answer answer;
+    LineHistory past;
+    Overlay overlay; /* behind screen.overlay */
     char export_name[NAME_MAX_BYTES];
     bool export_newest; /* the export that is being asked for goes to the newest step, not to here */
     char scenario[NAME_MAX_BYTES]; /* behind screen.scenario */
@@ -112,8 +122,16 @@ void ask(Laboratory *, Answer, bool yes_no, const char *text, const char *format
     __attribute__((format(printf, 5, 6)));
 void close_prompt(Laboratory *);
 void prompt_key(Laboratory *, const Key *);
+void complete_prompt(Laboratory *);
+void ask_line(Laboratory *);
+void recall_line(Laboratory *, int direction);
 
-void ask_export(Laboratory *);
+/* Says in the question that is open why its answer is not taken; returns false. */
+bool refuse(Laboratory *, const char *why);
+
+/* Asks how far and under which name, as far as that is not known; `name` "": it is asked for. False: refused.
+ */
+bool ask_export(Laboratory *, const char *name);
 bool answer_go_to(Laboratory *, const char *text);
 bool answer_open(Laboratory *, const char *text);
 bool answer_write(Laboratory *, const char *text);

@@ -570,9 +570,9 @@ static void write_file(Laboratory *lab)
     ask(lab, answer_write, false, name, "write scenario to");
 }
 
-static void line(Laboratory *lab)
+static void export_run_as_files(Laboratory *lab)
 {
-    ask(lab, answer_line, false, "", ":");
+    ask_export(lab, "");
 }
 
 static void filter(Laboratory *lab)
@@ -657,10 +657,10 @@ static const Carry carries[COMMAND_COUNT] = {
     [COMMAND_PIN] = pin,
     [COMMAND_BOOKMARK] = bookmark,
     [COMMAND_JUMP] = jump,
-    [COMMAND_EXPORT] = ask_export,
+    [COMMAND_EXPORT] = export_run_as_files,
     [COMMAND_OPEN] = open_file,
     [COMMAND_WRITE] = write_file,
-    [COMMAND_LINE] = line,
+    [COMMAND_LINE] = ask_line,
     [COMMAND_HELP] = help,
     [COMMAND_GLYPHS] = cycle_glyphs,
     [COMMAND_FILTER] = filter,

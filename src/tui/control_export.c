@@ -1,12 +1,14 @@
 /* The run as files, asked for with x. The files are those of `matvib run`, by the same function. */
 #include "tui/control.h"
 
+#include "base/text.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-enum { EXPORTS = 3, PATH_BYTES = NAME_MAX_BYTES + 32 };
+enum { EXPORTS = 3, PATH_BYTES = NAME_MAX_BYTES + 32, SPREADSHEET_ROWS = 1048576 };
 
 static const char *const suffixes[EXPORTS] = {"-series.csv", "-particles.csv", "-nodes.csv"};
 
@@ -91,8 +93,10 @@ static void write_export(Laboratory *lab, bool force)
         return;
     }
     lab->changed = false;
+    char *whole = realpath(paths[0], NULL);
     say(lab, sound ? MESSAGE_INFO : MESSAGE_WARNING, "wrote %s (%ld rows), particles%s, each with its .ini",
-        paths[0], summary.rows, outputs.nodes ? ", nodes" : "");
+        whole ? whole : paths[0], summary.rows, outputs.nodes ? ", nodes" : "");
+    free(whole);
 }
 
 static bool answer_replace(Laboratory *lab, const char *text)
@@ -102,17 +106,16 @@ static bool answer_replace(Laboratory *lab, const char *text)
     return true;
 }
 
-static bool answer_export(Laboratory *lab, const char *text)
+static bool export_named(Laboratory *lab, const char *text)
 {
-    char found[PATH_BYTES + 4];
+    char found[PATH_BYTES + 4], name[NAME_MAX_BYTES];
     size_t length = strlen(text);
     if (length > 4 && strcmp(text + length - 4, ".csv") == 0)
         length -= 4;
-    if (length == 0) {
-        snprintf(lab->screen.prompt.problem, sizeof lab->screen.prompt.problem, "a name is wanted");
-        return false;
-    }
-    snprintf(lab->export_name, sizeof lab->export_name, "%.*s", (int)length, text);
+    if (length == 0)
+        return refuse(lab, "a name is wanted");
+    snprintf(name, sizeof name, "%.*s", (int)length, text); /* the text may be the name already */
+    memcpy(lab->export_name, name, sizeof name);
     find_existing(lab, lab->export_name, found);
     if (found[0])
         ask(lab, answer_replace, true, "", "%.60s exists: replace?", found);
@@ -121,37 +124,80 @@ static bool answer_export(Laboratory *lab, const char *text)
     return true;
 }
 
+/* --- how much it will be ---------------------------------------------------------------------------- */
+
+/* Rows that the series will have: one every so many steps, the first and the last always. */
+static long series_rows(const Laboratory *lab)
+{
+    const Experiment *experiment = lab->screen.experiment;
+    const long every = experiment_settings(experiment)->every;
+    const long last = lab->export_newest ? experiment_newest(experiment) : experiment_step(experiment);
+    return last / every + 1 + (last % every != 0);
+}
+
+/* Bytes of the series, from some of the rows that there are. */
+static double series_bytes(const Laboratory *lab)
+{
+    enum { SAMPLES = 200 };
+    const Record *record = experiment_record(lab->screen.experiment);
+    size_t rows = 0;
+    double bytes = 0;
+    for (size_t i = 0; i < record->count; i += 1 + record->count / SAMPLES, rows++)
+        for (int k = 0; k < record->n_columns; k++) {
+            char number[NUMBER_TEXT_MAX];
+            bytes += (double)text_shortest(number, record_row(record, i)[k]) + 1;
+        }
+    return rows ? bytes / (double)rows * (double)series_rows(lab) : 0;
+}
+
 static void ask_name(Laboratory *lab)
 {
     char name[NAME_MAX_BYTES];
+    const long rows = series_rows(lab);
+    const double megabytes = series_bytes(lab) / 1e6;
     default_name(lab, name);
-    ask(lab, answer_export, false, name, "export as (NAME-series.csv, ...)");
+    ask(lab, export_named, false, name, "export %ld row%s, %.*f MB, as", rows, rows == 1 ? "" : "s",
+        megabytes < 0.1  ? 3
+        : megabytes < 10 ? 1
+                         : 0,
+        megabytes);
+    Prompt *prompt = &lab->screen.prompt;
+    snprintf(prompt->hint, sizeof prompt->hint, "writes NAME-series.csv and its tables, each with its .ini");
+    const long every = 1 + (rows - 1) / (SPREADSHEET_ROWS - 1); /* one row is the heading */
+    if (every > 1)
+        snprintf(prompt->hint, sizeof prompt->hint,
+                 "more rows than a spreadsheet takes (%d with the heading): output.every=%ld would fit",
+                 SPREADSHEET_ROWS, every * experiment_settings(lab->screen.experiment)->every);
 }
 
 static bool answer_which(Laboratory *lab, const char *text)
 {
     lab->export_newest = strcmp(text, "newest") == 0;
-    if (!lab->export_newest && strcmp(text, "here") != 0) {
-        snprintf(lab->screen.prompt.problem, sizeof lab->screen.prompt.problem, "here or newest");
-        return false;
-    }
+    if (!lab->export_newest && strcmp(text, "here") != 0)
+        return refuse(lab, "here or newest");
+    if (lab->export_name[0])
+        return export_named(lab, lab->export_name);
     ask_name(lab);
     return true;
 }
 
-void ask_export(Laboratory *lab)
+bool ask_export(Laboratory *lab, const char *name)
 {
     Experiment *experiment = lab->screen.experiment;
     pause_run(lab);
     if (lab->screen.state == STATE_COMPUTING) {
         say(lab, MESSAGE_INFO, "wait until the run has come to its time, or cancel with Esc");
-        return;
+        return true;
     }
     lab->export_newest = true;
+    snprintf(lab->export_name, sizeof lab->export_name, "%s", name);
     if (experiment_newest(experiment) == 0)
         say(lab, MESSAGE_INFO, "nothing has been computed yet: Space runs");
     else if (experiment_step(experiment) < experiment_newest(experiment))
         ask(lab, answer_which, false, "newest", "export to here or to the newest time?");
+    else if (name[0])
+        return export_named(lab, name);
     else
         ask_name(lab);
+    return true;
 }

@@ -30,7 +30,7 @@ void close_prompt(Laboratory *lab)
     lab->screen.prompt = (Prompt){.open = false};
 }
 
-static bool refuse(Laboratory *lab, const char *why)
+bool refuse(Laboratory *lab, const char *why)
 {
     snprintf(lab->screen.prompt.problem, sizeof lab->screen.prompt.problem, "%.319s", why);
     return false;
@@ -49,41 +49,6 @@ static void submit(Laboratory *lab, const char *text)
     lab->answer = answer;
 }
 
-/* --- completion of the command line ------------------------------------------------------------------ */
-
-/* Cuts `common` to what it shares with another candidate for the completion of `start`. */
-static void share(const char *start, const char *candidate, char *common, size_t size, int *found)
-{
-    if (strncmp(candidate, start, strlen(start)) != 0)
-        return;
-    if ((*found)++ == 0) {
-        snprintf(common, size, "%s", candidate);
-        return;
-    }
-    size_t same = 0;
-    while (common[same] && common[same] == candidate[same])
-        same++;
-    common[same] = '\0';
-}
-
-/* Completes a command's name or a parameter's key as far as it is certain. */
-static void complete(Laboratory *lab)
-{
-    Prompt *prompt = &lab->screen.prompt;
-    char common[KEY_MAX + 1] = "";
-    int found = 0;
-    for (int i = 0; i < n_commands; i++)
-        share(prompt->text, commands[i].name, common, sizeof common, &found);
-    for (int i = 0; i < n_parameters; i++)
-        if (parameter_applies(&parameters[i], experiment_settings(lab->screen.experiment)->problem))
-            share(prompt->text, parameters[i].key, common, sizeof common, &found);
-    if (found == 0)
-        return;
-    snprintf(prompt->text, sizeof prompt->text, "%s%s", common,
-             found == 1 && parameter_find(common) ? "=" : "");
-    prompt->cursor = text_columns(prompt->text);
-}
-
 void prompt_key(Laboratory *lab, const Key *key)
 {
     Prompt *prompt = &lab->screen.prompt;
@@ -99,12 +64,15 @@ void prompt_key(Laboratory *lab, const Key *key)
         char text[sizeof prompt->text];
         memcpy(text, prompt->text, sizeof text);
         submit(lab, text);
-    } else if (strcmp(name, "Tab") == 0 && lab->answer == answer_line) {
-        complete(lab);
-        lab->fresh = false;
+    } else if (strcmp(name, "Tab") == 0) {
+        complete_prompt(lab);
+    } else if (lab->answer == answer_line && (strcmp(name, "Up") == 0 || strcmp(name, "Down") == 0)) {
+        recall_line(lab, name[0] == 'U' ? -1 : 1);
     } else if (line_key(prompt->text, sizeof prompt->text, &prompt->cursor, name, lab->fresh)) {
         lab->fresh = false;
         prompt->problem[0] = '\0';
+        if (lab->answer == answer_line)
+            prompt->hint[0] = '\0';
     }
 }
 
@@ -177,39 +145,6 @@ bool answer_write(Laboratory *lab, const char *text)
         return write_scenario(lab, text);
     snprintf(lab->export_name, sizeof lab->export_name, "%s", text);
     ask(lab, answer_replace_scenario, true, "", "%.60s exists: replace it?", text);
-    return true;
-}
-
-/* A command's name, KEY=VALUE, or a time. */
-bool answer_line(Laboratory *lab, const char *text)
-{
-    while (*text == ' ' || *text == ':')
-        text++;
-    const Command *command = command_by_name(text);
-    const char *equals = strchr(text, '=');
-    double time;
-    if (!*text)
-        return true;
-    if (command) {
-        laboratory_command(lab, command->id);
-        return true;
-    }
-    if (!equals)
-        return text[0] == '#' || text_to_double(text, &time)
-                   ? answer_go_to(lab, text)
-                   : refuse(lab, "a command's name (Tab completes), KEY=VALUE, or a time");
-    if (strncmp(text, "set ", 4) == 0)
-        text += 4;
-    Settings settings = *experiment_settings(lab->screen.experiment);
-    Status status = {STATUS_DONE, ""};
-    char key[KEY_MAX];
-    int length = (int)(equals - text);
-    while (length > 0 && text[length - 1] == ' ')
-        length--;
-    snprintf(key, sizeof key, "%.*s", length, text);
-    if (!settings_set(&settings, key, equals + 1 + strspn(equals + 1, " "), &status) ||
-        !change_settings(lab, &settings, experiment_edit, &status))
-        return refuse(lab, status.text);
     return true;
 }
 

@@ -67,7 +67,7 @@ const Command commands[] = {
     {COMMAND_OPEN, "open", "o", "Files", "open", "open a scenario by name or path"},
     {COMMAND_WRITE, "write", "w", "Files", "write", "write these parameters as a scenario file"},
 
-    {COMMAND_LINE, "line", ":", "Program", "command", "a command by name, or key=value"},
+    {COMMAND_LINE, "line", ":", "Program", "command", "a command by name, KEY=VALUE, a time; Tab completes"},
     {COMMAND_HELP, "help", "? F1", "Program", "help", "this help; Left and Right turn its pages"},
     {COMMAND_REDRAW, "redraw", "^L", "Program", "redraw", "draw the screen anew"},
     {COMMAND_SUSPEND, "suspend", "^Z", "Program", "suspend", "back to the shell; fg returns"},
@@ -76,6 +76,26 @@ const Command commands[] = {
 };
 
 const int n_commands = sizeof commands / sizeof *commands;
+
+const LineVerb line_verbs[] = {
+    {LINE_SET, "set", "KEY VALUE", ARGUMENT_KEY, "a parameter, as KEY=VALUE does without the word set"},
+    {LINE_OPEN, "open", "SCENARIO", ARGUMENT_SCENARIO, "open a scenario by name or path"},
+    {LINE_WRITE, "write", "FILE", ARGUMENT_FILE, "write these parameters as a scenario file"},
+    {LINE_EXPORT, "export", "NAME", ARGUMENT_OTHER, "write the run as NAME-series.csv and its tables"},
+    {LINE_GO_TO, "goto", "TIME or #STEP", ARGUMENT_OTHER, "to a time, as the number alone does, or a step"},
+    {LINE_OVERLAY, "overlay", "FILE.csv [X Y]", ARGUMENT_FILE,
+     "draw a foreign series over the plots, columns by name or number; alone: take it away"},
+};
+
+const int n_line_verbs = sizeof line_verbs / sizeof *line_verbs;
+
+const LineVerb *line_verb_find(const char *word, size_t length)
+{
+    for (int i = 0; i < n_line_verbs; i++)
+        if (strlen(line_verbs[i].name) == length && memcmp(line_verbs[i].name, word, length) == 0)
+            return &line_verbs[i];
+    return NULL;
+}
 
 const Command *command_find(CommandId id)
 {

@@ -5,6 +5,7 @@
 #define VIEW_COMMANDS_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 typedef enum CommandId {
     COMMAND_NONE,
@@ -78,6 +79,34 @@ typedef struct Command {
     const char *brief; /* at most 8 columns, for the bottom bar: "pause" */
     const char *help;  /* one line */
 } Command;
+
+/* What an argument of a line verb is, for completion. */
+typedef enum LineArgument { ARGUMENT_OTHER, ARGUMENT_KEY, ARGUMENT_SCENARIO, ARGUMENT_FILE } LineArgument;
+
+typedef enum LineVerbId {
+    LINE_SET,
+    LINE_OPEN,
+    LINE_WRITE,
+    LINE_EXPORT,
+    LINE_GO_TO,
+    LINE_OVERLAY,
+    LINE_COUNT
+} LineVerbId;
+
+/* A word of the `:` line that takes arguments. A command of the same name is what it is without them. */
+typedef struct LineVerb {
+    LineVerbId id;
+    const char *name;
+    const char *arguments; /* "FILE.csv [X Y]", for the help */
+    LineArgument argument;
+    const char *help; /* one line */
+} LineVerb;
+
+extern const LineVerb line_verbs[];
+extern const int n_line_verbs;
+
+/* The verb whose name these bytes are; NULL: none. */
+const LineVerb *line_verb_find(const char *word, size_t length);
 
 /* Only commands that work stand in it: a row and the function that carries it out land together. */
 extern const Command commands[];

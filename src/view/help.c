@@ -54,6 +54,18 @@ static void put_text(Sheet *sheet, Style style, int width, int indent, const cha
 
 /* --- keys ----------------------------------------------------------------------------------------- */
 
+static void write_verbs(Sheet *sheet, int width)
+{
+    put_line(sheet, STYLE_NORMAL, "");
+    put_line(sheet, STYLE_HEADING, "Behind :");
+    for (int i = 0; i < n_line_verbs; i++) {
+        char line[256];
+        snprintf(line, sizeof line, "  %s %s", line_verbs[i].name, line_verbs[i].arguments);
+        put_line(sheet, STYLE_NORMAL, line);
+        put_text(sheet, STYLE_NORMAL, width, 13 < width / 3 ? 13 : 4, line_verbs[i].help);
+    }
+}
+
 static void write_keys(Sheet *sheet, int width)
 {
     const char *group = "";
@@ -73,6 +85,7 @@ static void write_keys(Sheet *sheet, int width)
         put_line(sheet, STYLE_NORMAL, line);
         put_text(sheet, STYLE_NORMAL, width, 13 < width / 3 ? 13 : 4, commands[i].help);
     }
+    write_verbs(sheet, width);
 }
 
 /* --- curves --------------------------------------------------------------------------------------- */

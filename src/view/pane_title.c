@@ -332,6 +332,8 @@ static void draw_prompt(const Screen *screen, Area area)
     area_text(field, 0, 0, text, STYLE_EDIT);
     if (prompt->problem[0])
         draw_notice(area, -1, prompt->problem, STYLE_ERROR);
+    else if (prompt->hint[0])
+        draw_notice(area, -1, prompt->hint, STYLE_TITLE);
     area.canvas->cursor_x = area.rect.x + x + (cursor < room ? cursor : room - 1);
     area.canvas->cursor_y = area.rect.y;
 }

@@ -5,6 +5,7 @@
 
 #include "lab/experiment.h"
 #include "lab/export.h"
+#include "lab/overlay.h"
 #include "lab/parameters.h"
 #include "view/canvas.h"
 #include "view/commands.h"
@@ -41,6 +42,7 @@ typedef struct Prompt {
     char text[256];
     int cursor;        /* in characters */
     char problem[320]; /* why the last answer was refused; "" at first */
+    char hint[320];    /* what may be answered; shown as long as nothing was refused */
 } Prompt;
 
 /* One row of the parameter pane. */
@@ -91,9 +93,11 @@ typedef struct Screen {
     double window;      /* length of the time window; 0: automatic */
     double cursor_time; /* of the time plot's cursor; NAN: none */
 
+    const Overlay *overlay; /* a foreign series over the plots; NULL: none */
+
     Prompt prompt;
     MessageKind message_kind;
-    char message[240];
+    char message[512];
 
     bool help;
     int help_page, help_scroll;
@@ -139,6 +143,10 @@ bool screen_move_inspector(Screen *, int x, int y, int page);
 
 /* Why this view has nothing to show for the problem at hand; NULL: it has. */
 const char *screen_view_missing(const Screen *, int view);
+
+/* The names of the curves on screen: of the plot over time, and of the field along the bar. */
+const char *screen_time_curve(const Screen *);
+const char *screen_profile_curve(const Screen *);
 
 /* The time at the left and right end of the time plots, as drawn at present. */
 void screen_time_window(const Screen *, double *from, double *to);

@@ -224,7 +224,8 @@ static int beam_dots(const Screen *screen, Dot dots[RUNS_MAX])
     return count;
 }
 
-static void period_lines(const Readout *readout, double height, double span, char first[160], char second[160])
+static void period_lines(const Readout *readout, double height, double span, char first[160],
+                         char second[160])
 {
     first[0] = second[0] = '\0';
     if (!readout->measured_known) {
@@ -301,7 +302,7 @@ static void draw_beam(const Screen *screen, Area area, Style heading)
 
     char lines[2][160];
     period_lines(readout, derived_value(screen, "real_height"), derived_value(screen, "real_span"), lines[0],
-               lines[1]);
+                 lines[1]);
     for (int i = 0; i < under; i++)
         area_text(area, 1, area.rect.height - under + i, lines[i], i == 0 ? STYLE_NORMAL : STYLE_FAINT);
 }

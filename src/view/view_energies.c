@@ -1,4 +1,5 @@
 /* View 3: the energies over time, stacked. */
+#include "view/overlay_plot.h"
 #include "view/runs.h"
 #include "view/time_plot.h"
 
@@ -114,6 +115,7 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
         if (work >= 0)
             most_work = fmax(most_work, fabs(record_row(record, i)[work]));
     }
+    overlay_widen(screen, "total", false, &(double){0}, &most);
     /* the ripple comes of velocities and stresses half a step apart; velocity Verlet has none */
     const bool staggered = find_column(screen, "kinetic_grid") >= 0;
     const int under = area.rect.height >= 8 && staggered ? 2 : area.rect.height >= 6 ? 1 : 0;
@@ -150,8 +152,10 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
         time_plot_curve(&plot, &(Curve){record, work, -1, -1}, dots);
     }
     add_ghosts(&plot, runs, n_runs, "total", dots);
+    overlay_stroke(screen, &plot, "total", false, dots);
     time_plot_now(screen, inner, &x);
     plot_draw(&plot, inner);
+    overlay_marks(screen, inner, &plot, "total", false);
     draw_run_letters(&plot, inner, runs, n_runs, "total");
     plot_close(&plot);
 

@@ -1,5 +1,6 @@
 /* View 2: what is measured at the probe, over time, with the reference curves, earlier runs and the readout.
  */
+#include "view/overlay_plot.h"
 #include "view/runs.h"
 #include "view/time_plot.h"
 
@@ -37,6 +38,16 @@ int view_probe_variants(const Screen *screen)
     int count;
     probe_column(screen, 0, &count);
     return count > 0 ? count : 1;
+}
+
+const char *screen_time_curve(const Screen *screen)
+{
+    int n, count;
+    const Column *columns = experiment_columns(screen->experiment, &n);
+    const int view = screen->focus == PANE_UPPER ? screen->upper : screen->lower;
+    const int variants = view_probe_variants(screen);
+    const int column = probe_column(screen, screen->variant[2] % variants, &count);
+    return view == 3 ? "total" : column >= 0 ? columns[column].quantity.name : "";
 }
 
 /* How a column that answers another is drawn; false: it is not shown. */
@@ -111,6 +122,11 @@ static void cursor_line(const Screen *screen, int column, int digits, bool brief
             continue;
         number_text(row[i], digits, 12, number);
         append(out, 160, "  %s %s", brief ? short_word(legend.name) : legend.name, number);
+    }
+    const double foreign = overlay_value(screen, columns[column].quantity.name, false, row[1]);
+    if (isfinite(foreign)) {
+        number_text(foreign, digits, 12, number);
+        append(out, 160, "  %s %s", brief ? "file" : screen->overlay->file, number);
     }
 }
 
@@ -193,6 +209,8 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
         least = i == 0 || value < least ? value : least;
         most = i == 0 || value > most ? value : most;
     }
+    overlay_widen(screen, quantity->name, false, &least, &most);
+    reach = fmax(reach, overlay_reach(screen, quantity->name, false));
     const int rows = plot_area.rect.height - 1, most_ticks = rows < 5 ? 3 : rows < 12 ? 5 : 7;
     Axis y = swings || least < 0 ? axis_symmetric(reach, most_ticks) : axis_around(least, most, most_ticks);
     Axis x = time_plot_axis(screen, width);
@@ -223,8 +241,10 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
         plot_begin(&plot, STROKE_LINE, legend[i].line, legend[i].style, rank, legend[i].letter);
         time_plot_curve(&plot, &(Curve){record, shown[i], -1, -1}, dots);
     }
+    overlay_stroke(screen, &plot, quantity->name, false, dots);
     time_plot_now(screen, inner, &x);
     plot_draw(&plot, inner);
+    overlay_marks(screen, inner, &plot, quantity->name, false);
     draw_run_letters(&plot, inner, runs, n_runs, quantity->name);
     plot_close(&plot);
     if (under > 0)

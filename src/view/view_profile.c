@@ -1,5 +1,6 @@
 /* View 1: a field of the particles along the bar, or along the middle of a beam, with the exact curve behind.
  */
+#include "view/overlay_plot.h"
 #include "view/runs.h"
 
 #include <math.h>
@@ -69,8 +70,10 @@ static Axis value_axis(const Screen *screen, const Simulation *sim, const char *
                 reach = fabs(curves[k].values[i] - base);
     }
     const Profile *present = curves[n_curves - 1].profile;
-    double exact = exact_reach(screen, field, present->x, present->count, base);
-    reach = exact > reach ? exact : reach;
+    double least = base, highest = base;
+    overlay_widen(screen, field, true, &least, &highest);
+    reach = fmax(reach, fmax(base - least, highest - base));
+    reach = fmax(reach, exact_reach(screen, field, present->x, present->count, base));
     if (base != 0) {
         double end = reach > 0 ? axis_round_up(reach * 1.02) : 0.01 * base;
         return axis_make(base - end, base + end, most);
@@ -147,15 +150,29 @@ static void close_curves(Curve *curves, int n_curves)
         profile_close(&curves[i].taken);
 }
 
+/* At t = 0 nothing has moved yet: what there is to see of a bar is the velocity. */
+static int variant_shown(const Screen *screen, int variant)
+{
+    const bool at_start =
+        experiment_step(screen->experiment) == 0 && experiment_stage(screen->experiment) == 0;
+    return variant == 0 && at_start && screen->state != STATE_RUNNING &&
+                   experiment_simulation(screen->experiment)->dimensions == 1
+               ? 1
+               : variant;
+}
+
+const char *screen_profile_curve(const Screen *screen)
+{
+    const int variant = screen->variant[1] % view_profile_variants(screen);
+    const char *name =
+        profile_field(experiment_simulation(screen->experiment), variant_shown(screen, variant));
+    return name ? name : "";
+}
+
 void view_profile(const Screen *screen, Area area, Style heading, int variant)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
-    /* at t = 0 nothing has moved yet: what there is to see is the velocity */
-    const bool at_start =
-        experiment_step(screen->experiment) == 0 && experiment_stage(screen->experiment) == 0;
-    if (variant == 0 && at_start && screen->state != STATE_RUNNING && sim->dimensions == 1)
-        variant = 1;
-    const char *name = profile_field(sim, variant);
+    const char *name = profile_field(sim, variant_shown(screen, variant));
     Run runs[RUNS_MAX];
     Curve curves[RUNS_MAX];
     int n_runs = runs_of(screen, runs), n_curves = 0;
@@ -206,6 +223,7 @@ void view_profile(const Screen *screen, Area area, Style heading, int variant)
         for (size_t i = 0; i < curves[k].profile->count; i++)
             plot_point(&plot, curves[k].profile->x[i], curves[k].values[i]);
     }
+    overlay_stroke(screen, &plot, name, true, dots);
     plot_draw(&plot, inner);
     for (int k = 0; k < n_curves; k++) {
         const Profile *profile = curves[k].profile;
@@ -215,6 +233,7 @@ void view_profile(const Screen *screen, Area area, Style heading, int variant)
         run_letter(curves[k].run, &plot, inner, profile->x[profile->count - 1],
                    curves[k].values[profile->count - 1]);
     }
+    overlay_marks(screen, inner, &plot, name, true);
     plot_close(&plot);
     close_curves(curves, n_curves);
 }

@@ -1,0 +1,168 @@
+/* Tab in a question: what has been typed is completed as far as it is certain, else what there is is shown.
+ */
+#include "tui/control.h"
+
+#include "lab/scenario.h"
+
+#include <dirent.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+typedef struct Completion {
+    const char *start; /* what stands there */
+    char common[sizeof((Prompt *)0)->text];
+    char list[sizeof((Prompt *)0)->hint];
+    char tail[2]; /* follows if there is one candidate only */
+    int found;
+} Completion;
+
+static void offer(Completion *completion, const char *candidate, const char *tail)
+{
+    if (strncmp(candidate, completion->start, strlen(completion->start)) != 0)
+        return;
+    const size_t used = strlen(completion->list);
+    if (used + strlen(candidate) + 8 < sizeof completion->list)
+        snprintf(completion->list + used, sizeof completion->list - used, "%s%s", used ? "  " : "",
+                 candidate);
+    else if (used && completion->list[used - 1] != '.')
+        strcat(completion->list, " ...");
+    if (completion->found++ == 0) {
+        snprintf(completion->common, sizeof completion->common, "%s", candidate);
+        snprintf(completion->tail, sizeof completion->tail, "%s", tail);
+        return;
+    }
+    size_t same = 0;
+    while (completion->common[same] && completion->common[same] == candidate[same])
+        same++;
+    completion->common[same] = '\0';
+}
+
+static void offer_keys(Completion *completion, const Laboratory *lab, const char *tail)
+{
+    for (int i = 0; i < n_parameters; i++)
+        if (parameter_applies(&parameters[i], experiment_settings(lab->screen.experiment)->problem))
+            offer(completion, parameters[i].key, tail);
+}
+
+/* The words that a parameter may be; of a number, in the hint, what is allowed. */
+static void offer_values(Completion *completion, const char *key, size_t length)
+{
+    char name[KEY_MAX];
+    snprintf(name, sizeof name, "%.*s", (int)length, key);
+    const Parameter *parameter = parameter_find(name);
+    if (!parameter)
+        return;
+    for (int i = 0; parameter->type == PARAMETER_CHOICE && parameter->choices[i]; i++)
+        offer(completion, parameter->choices[i], "");
+    if (parameter->type == PARAMETER_FLAG) {
+        offer(completion, "yes", "");
+        offer(completion, "no", "");
+    }
+    if (parameter->automatic && *completion->start)
+        offer(completion, parameter->automatic, "");
+    if (completion->found == 0) {
+        char range[96];
+        parameter_range(parameter, range, sizeof range);
+        snprintf(completion->list, sizeof completion->list, "%s: %s", range, parameter->help);
+    }
+}
+
+static void offer_files(Completion *completion)
+{
+    const char *slash = strrchr(completion->start, '/');
+    const size_t folder = slash ? (size_t)(slash - completion->start) + 1 : 0;
+    char path[512];
+    snprintf(path, sizeof path, "%.*s", (int)folder, completion->start);
+    DIR *entries = opendir(folder ? path : ".");
+    if (!entries)
+        return;
+    for (const struct dirent *entry; (entry = readdir(entries));) {
+        struct stat file;
+        if (entry->d_name[0] == '.' && completion->start[folder] != '.')
+            continue;
+        snprintf(path, sizeof path, "%.*s%s", (int)folder, completion->start, entry->d_name);
+        if (strlen(path) + 2 < sizeof path && stat(path, &file) == 0 && S_ISDIR(file.st_mode))
+            strcat(path, "/");
+        offer(completion, path, "");
+    }
+    closedir(entries);
+}
+
+static void offer_scenarios(Completion *completion)
+{
+    for (const BuiltinScenario *builtin = builtin_scenarios; builtin->name; builtin++)
+        offer(completion, builtin->name, "");
+    if (*completion->start)
+        offer_files(completion);
+}
+
+/* The words after a verb; `start` is what stands behind it. */
+static void offer_arguments(Completion *completion, const Laboratory *lab, LineArgument kind)
+{
+    const char *words = completion->start;
+    const size_t key = strcspn(words, " =");
+    switch (kind) {
+    case ARGUMENT_KEY:
+        if (!words[key]) {
+            offer_keys(completion, lab, " ");
+            break;
+        }
+        completion->start = words + key + strspn(words + key, " =");
+        offer_values(completion, words, key);
+        break;
+    case ARGUMENT_SCENARIO:
+        offer_scenarios(completion);
+        break;
+    case ARGUMENT_FILE:
+        offer_files(completion);
+        break;
+    case ARGUMENT_OTHER:
+        break;
+    }
+}
+
+static void offer_line(Completion *completion, const Laboratory *lab)
+{
+    const char *line = completion->start;
+    const size_t word = strcspn(line, " =");
+    const LineVerb *verb = line[word] == ' ' ? line_verb_find(line, word) : NULL;
+    if (verb) {
+        completion->start = line + word + strspn(line + word, " ");
+        offer_arguments(completion, lab, verb->argument);
+    } else if (line[word]) {
+        offer_arguments(completion, lab, ARGUMENT_KEY);
+    } else {
+        for (int i = 0; i < n_line_verbs; i++)
+            offer(completion, line_verbs[i].name, " ");
+        for (int i = 0; i < n_commands; i++)
+            if (!line_verb_find(commands[i].name, strlen(commands[i].name)))
+                offer(completion, commands[i].name, "");
+        offer_keys(completion, lab, "=");
+    }
+}
+
+void complete_prompt(Laboratory *lab)
+{
+    Prompt *prompt = &lab->screen.prompt;
+    Completion completion = {.start = prompt->text};
+    if (lab->answer == answer_line)
+        offer_line(&completion, lab);
+    else if (lab->answer == answer_open)
+        offer_scenarios(&completion);
+    else if (lab->answer == answer_write)
+        offer_files(&completion);
+    else
+        return;
+    const size_t before = (size_t)(completion.start - prompt->text), had = strlen(completion.start);
+    const bool further = completion.found == 1 || strlen(completion.common) > had;
+    prompt->problem[0] = prompt->hint[0] = '\0';
+    lab->fresh = false;
+    if (!further)
+        snprintf(prompt->hint, sizeof prompt->hint, "%s", completion.list);
+    else if (before + strlen(completion.common) + 2 < sizeof prompt->text) {
+        snprintf(prompt->text + before, sizeof prompt->text - before, "%s%s", completion.common,
+                 completion.found == 1 ? completion.tail : "");
+        prompt->cursor = text_columns(prompt->text);
+    }
+}
