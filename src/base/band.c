@@ -1,0 +1,68 @@
+#include "base/band.h"
+
+#include <float.h>
+#include <math.h>
+
+static double entry(const Band *band, size_t i, size_t d)
+{
+    return d <= (size_t)band->width && d <= i ? band->rows[i * ((size_t)band->width + 1) + d] : 0;
+}
+
+/* A bound on the size of all eigenvalues (Gershgorin). */
+static double reach_of(const Band *band)
+{
+    double most = 0;
+    for (size_t i = 0; i < band->size; i++) {
+        double sum = fabs(entry(band, i, 0));
+        for (size_t d = 1; d <= (size_t)band->width; d++)
+            sum += fabs(entry(band, i, d)) + (i + d < band->size ? fabs(entry(band, i + d, d)) : 0);
+        most = fmax(most, sum);
+    }
+    return most;
+}
+
+/* `least`: a smaller pivot is taken for so large a one; a change of the matrix by its own rounding. */
+static size_t count_below(const Band *band, double x, double least)
+{
+    enum { ROWS = BAND_WIDTH_MAX + 1 };
+    double lower[ROWS][ROWS]; /* the last rows of L, each with the entries left of its diagonal: [d] is column
+                                 i - d */
+    double pivots[ROWS];
+    const size_t width = (size_t)band->width, kept = width + 1;
+    size_t count = 0;
+    for (size_t i = 0; i < band->size; i++) {
+        double *row = lower[i % kept], pivot = entry(band, i, 0) - x;
+        const size_t left = i < width ? i : width;
+        for (size_t d = left; d >= 1; d--) {
+            const double *other = lower[(i - d) % kept];
+            double product = entry(band, i, d);
+            for (size_t e = d + 1; e <= left; e++)
+                product -= row[e] * pivots[(i - e) % kept] * other[e - d];
+            row[d] = product / pivots[(i - d) % kept];
+            pivot -= row[d] * product;
+        }
+        if (fabs(pivot) < least)
+            pivot = least;
+        pivots[i % kept] = pivot;
+        count += pivot < 0;
+    }
+    return count;
+}
+
+size_t band_count_below(const Band *band, double x)
+{
+    return count_below(band, x, DBL_EPSILON * reach_of(band));
+}
+
+double band_eigenvalue(const Band *band, size_t number)
+{
+    double high = reach_of(band), low = -high;
+    const double rounding = DBL_EPSILON * high;
+    while (high - low > rounding / 4) {
+        double middle = low + (high - low) / 2;
+        if (!(middle > low && middle < high))
+            break;
+        *(count_below(band, middle, rounding) > number ? &high : &low) = middle;
+    }
+    return low + (high - low) / 2;
+}

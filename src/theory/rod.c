@@ -1,0 +1,246 @@
+#include "theory/rod.h"
+
+#include "base/band.h"
+#include "theory/quiet.h"
+
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* --- the endless lattice -------------------------------------------------------------------------- */
+
+static int reach_of(const RodLatticeTheory *lattice)
+{
+    return (int)floor(lattice->horizon / lattice->spacing * (1 + 1e-9));
+}
+
+/* w_m: the cell at distance m h reaches from (m - 1/2) h to (m + 1/2) h, the horizon to delta. */
+static double weight(const RodLatticeTheory *lattice, int m)
+{
+    double within = lattice->horizon / lattice->spacing + 0.5 - m;
+    return lattice->partial_volumes && within < 1 ? within : 1;
+}
+
+static double verlet(double omega, double dt)
+{
+    double half = omega * dt / 2;
+    return half <= 1 ? 2 * asin(half) / dt : NAN;
+}
+
+Dispersion rod_dispersion(const BarTheory *bar, const RodLatticeTheory *lattice, double wave_number)
+{
+    Dispersion wave = {.space_only = NAN, .frequency = NAN, .decay = 0, .filter = 1};
+    double theta = fabs(wave_number) * lattice->spacing, ratio = lattice->horizon / lattice->spacing;
+    double sum = 0, moment = 0;
+    if (!(theta <= M_PI * (1 + 1e-12))) /* shorter than two spacings: to the nodes it is a longer one */
+        return wave;
+    for (int m = 1; m <= reach_of(lattice); m++) {
+        double s = sin(m * theta / 2);
+        sum += weight(lattice, m) / m * s * s;
+        moment += weight(lattice, m) * m;
+    }
+    if (lattice->energy_correction)
+        sum *= ratio * ratio / (2 * moment);
+    wave.space_only = sqrt(8 * bar->youngs_modulus / bar->density * sum) / lattice->horizon;
+    wave.frequency = verlet(wave.space_only, lattice->dt);
+    wave.known = lattice->dt > 0 && isfinite(wave.frequency);
+    return wave;
+}
+
+/* --- the lattice with its ends -------------------------------------------------------------------- */
+
+/* The node at place k, or the one whose mirror image lies there; -1: nothing does. */
+static int node_at(const BarTheory *bar, int n, int k, int *sign)
+{
+    *sign = k < 0 || k >= n ? -1 : 1;
+    if (k < 0)
+        return bar->left_fixed ? -1 - k : -1;
+    if (k >= n)
+        return bar->right_fixed ? 2 * n - 1 - k : -1;
+    return k;
+}
+
+/* The energy of node i's family at unit strain, in shares of what it should be. */
+static double family_share(const BarTheory *bar, const RodLatticeTheory *lattice, int n, int i)
+{
+    double ratio = lattice->horizon / lattice->spacing, sum = 0;
+    int sign;
+    for (int m = 1; m <= reach_of(lattice); m++)
+        for (int side = -1; side <= 1; side += 2)
+            if (node_at(bar, n, i + side * m, &sign) >= 0)
+                sum += weight(lattice, m) * m;
+    return sum / (ratio * ratio);
+}
+
+static double bond_factor(const BarTheory *bar, const RodLatticeTheory *lattice, int n, int i, int j)
+{
+    if (!lattice->energy_correction)
+        return 1;
+    return (1 / family_share(bar, lattice, n, i) + 1 / family_share(bar, lattice, n, j)) / 2;
+}
+
+typedef void PutEntry(void *into, int row, int column, double value);
+
+/* Minus acceleration of node i per displacement of node j, entry by entry (several may belong to one). */
+static void write_matrix(const BarTheory *bar, const RodLatticeTheory *lattice, int n, PutEntry *put,
+                         void *into)
+{
+    const double scale = 2 * bar->youngs_modulus / (bar->density * lattice->horizon * lattice->horizon);
+    for (int i = 0; i < n; i++)
+        for (int m = 1; m <= reach_of(lattice); m++)
+            for (int side = -1; side <= 1; side += 2) {
+                int sign, j = node_at(bar, n, i + side * m, &sign);
+                if (j < 0)
+                    continue;
+                double k = scale * bond_factor(bar, lattice, n, i, j) * weight(lattice, m) / m;
+                put(into, i, i, k);
+                put(into, i, j, -sign * k);
+            }
+}
+
+typedef struct BandRows {
+    double *rows;
+    int width;
+} BandRows;
+
+static void put_in_band(void *into, int row, int column, double value)
+{
+    BandRows *band = into;
+    if (column <= row)
+        band->rows[row * (band->width + 1) + row - column] += value;
+}
+
+static int nodes_of(const BarTheory *bar, const RodLatticeTheory *lattice)
+{
+    return (int)round(bar->length / lattice->spacing);
+}
+
+double rod_frequency(const BarTheory *bar, const RodLatticeTheory *lattice, int number)
+{
+    const int n = nodes_of(bar, lattice), width = reach_of(lattice);
+    if (number < 1 || number > n || width > n || width > BAND_WIDTH_MAX)
+        return NAN;
+    if (bar->left_fixed && bar->right_fixed)
+        return rod_dispersion(bar, lattice, bar_wave_number(bar, number)).frequency;
+    /* the free-free bar has its rigid motion first */
+    const int place = bar->left_fixed || bar->right_fixed ? number - 1 : number;
+    BandRows band = {calloc((size_t)n * (size_t)(width + 1), sizeof(double)), width};
+    if (!band.rows || place >= n) {
+        free(band.rows);
+        return NAN;
+    }
+    write_matrix(bar, lattice, n, put_in_band, &band);
+    const Band matrix = {(size_t)n, width, band.rows};
+    double square = band_eigenvalue(&matrix, (size_t)place);
+    free(band.rows);
+    return verlet(sqrt(fmax(0, square)), lattice->dt);
+}
+
+/* --- v_cm(t) -------------------------------------------------------------------------------------- */
+
+struct RodModes {
+    int count;
+    double *frequency, *share; /* v_cm = sum share cos(frequency t) */
+    double dt;
+};
+
+void rod_modes_free(RodModes *modes)
+{
+    if (!modes)
+        return;
+    free(modes->frequency);
+    free(modes->share);
+    free(modes);
+}
+
+double rod_centre_velocity(const RodModes *modes, long step)
+{
+    double sum = 0;
+    for (int k = 0; k < modes->count; k++)
+        sum += modes->share[k] * cos(modes->frequency[k] * (double)step * modes->dt);
+    return sum;
+}
+
+static RodModes *room_for(int count, double dt)
+{
+    RodModes *modes = calloc(1, sizeof *modes);
+    if (!modes)
+        return NULL;
+    *modes = (RodModes){count, calloc((size_t)count + 1, sizeof(double)),
+                        calloc((size_t)count + 1, sizeof(double)), dt};
+    if (modes->frequency && modes->share)
+        return modes;
+    rod_modes_free(modes);
+    return NULL;
+}
+
+/* Between two fixed ends each sine is a mode. */
+static bool take_sines(RodModes *modes, const BarTheory *bar, const RodLatticeTheory *lattice, int n)
+{
+    for (int k = 0; k < bar->n_modes; k++) {
+        const int number = bar->modes[k].number;
+        double sum = 0;
+        for (int i = 0; i < n; i++)
+            sum += bar_mode_shape(bar, number, (i + 0.5) * lattice->spacing);
+        modes->share[k] = bar->modes[k].velocity * sum / n;
+        modes->frequency[k] = number < 1 ? 0 : rod_frequency(bar, lattice, number);
+        if (!isfinite(modes->frequency[k]))
+            return false;
+    }
+    return true;
+}
+
+static void put_in_matrix(void *into, int row, int column, double value)
+{
+    *gsl_matrix_ptr(into, (size_t)row, (size_t)column) += value;
+}
+
+static bool take_vectors(RodModes *modes, const BarTheory *bar, const RodLatticeTheory *lattice, int n)
+{
+    const size_t size = (size_t)n;
+    bool sound = false;
+    quiet_begin();
+    gsl_matrix *matrix = gsl_matrix_calloc(size, size), *vectors = gsl_matrix_alloc(size, size);
+    gsl_vector *squares = gsl_vector_alloc(size);
+    gsl_eigen_symmv_workspace *work = gsl_eigen_symmv_alloc(size);
+    if (matrix && vectors && squares && work) {
+        write_matrix(bar, lattice, n, put_in_matrix, matrix);
+        sound = gsl_eigen_symmv(matrix, squares, vectors, work) == GSL_SUCCESS;
+    }
+    for (int k = 0; sound && k < n; k++) {
+        double along = 0, mean = 0;
+        for (int i = 0; i < n; i++) {
+            double part = gsl_matrix_get(vectors, (size_t)i, (size_t)k);
+            along += part * bar_initial_velocity(bar, (i + 0.5) * lattice->spacing);
+            mean += part / n;
+        }
+        modes->share[k] = along * mean;
+        modes->frequency[k] = verlet(sqrt(fmax(0, gsl_vector_get(squares, (size_t)k))), lattice->dt);
+        sound = isfinite(modes->frequency[k]);
+    }
+    if (work)
+        gsl_eigen_symmv_free(work);
+    if (squares)
+        gsl_vector_free(squares);
+    if (vectors)
+        gsl_matrix_free(vectors);
+    if (matrix)
+        gsl_matrix_free(matrix);
+    quiet_end();
+    return sound;
+}
+
+RodModes *rod_modes_create(const BarTheory *bar, const RodLatticeTheory *lattice)
+{
+    const int n = nodes_of(bar, lattice);
+    const bool sines = bar->left_fixed && bar->right_fixed;
+    if (bar->body_force != 0 || bar->traction != 0 || n < 1 || reach_of(lattice) > n ||
+        (!sines && n > ROD_MODES_MAX))
+        return NULL;
+    RodModes *modes = room_for(sines ? bar->n_modes : n, lattice->dt);
+    if (!modes || (sines ? take_sines : take_vectors)(modes, bar, lattice, n))
+        return modes;
+    rod_modes_free(modes);
+    return NULL;
+}

@@ -1,0 +1,245 @@
+/* The lattice's prediction against the engine, and what counts eigenvalues against a dense solver. */
+#include "base/band.h"
+#include "physics/pd/rod.h"
+#include "suite.h"
+#include "theory/frequency.h"
+#include "theory/rod.h"
+
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_sort_vector.h>
+#include <math.h>
+#include <stdlib.h>
+
+static BarTheory theory(bool left, bool right, int mode)
+{
+    return (BarTheory){.length = 25,
+                       .youngs_modulus = 100,
+                       .density = 1,
+                       .left_fixed = left,
+                       .right_fixed = right,
+                       .n_modes = 1,
+                       .modes = {{mode, 0.1}}};
+}
+
+static RodLatticeTheory lattice(double spacing, double horizon, bool partial, bool energy, double dt)
+{
+    return (RodLatticeTheory){spacing, horizon, partial, energy, dt};
+}
+
+static double velocity(double x, const void *context)
+{
+    return bar_initial_velocity(context, x);
+}
+
+static Simulation *rod(const BarTheory *bar, const RodLatticeTheory *on)
+{
+    RodDef def = {.length = bar->length,
+                  .youngs_modulus = bar->youngs_modulus,
+                  .density = bar->density,
+                  .left_fixed = bar->left_fixed,
+                  .right_fixed = bar->right_fixed,
+                  .spacing = on->spacing,
+                  .horizon = on->horizon,
+                  .surface_correction = on->energy_correction ? SURFACE_ENERGY : SURFACE_NONE,
+                  .volume_correction = on->partial_volumes ? VOLUME_PARTIAL : VOLUME_NONE,
+                  .dt = on->dt,
+                  .initial_velocity = velocity,
+                  .initial_context = bar};
+    Status status = {0};
+    Simulation *sim = rod_create(&def, &status);
+    ck_assert_msg(sim != NULL, "%s", status.text);
+    return sim;
+}
+
+/* The frequency of a node's velocity by least squares over 2000 steps. */
+static double measured(const BarTheory *bar, const RodLatticeTheory *on, double start)
+{
+    enum { STEPS = 2000 };
+    static double record[STEPS];
+    Simulation *sim = rod(bar, on);
+    const int field = simulation_find_field(sim, 0, "v");
+    for (int k = 0; k < STEPS; k++) {
+        sim->method->field(sim, field, 3, 1, &record[k]);
+        ck_assert(simulation_steps(sim, 1, NULL, NULL, NULL));
+    }
+    simulation_destroy(sim);
+    FrequencyFit fit;
+    Status status = {0};
+    ck_assert_msg(frequency_fit(record, STEPS, 0, on->dt, start, &fit, &status), "%s", status.text);
+    return fit.frequency;
+}
+
+/* Between two fixed ends a sine is an exact mode of the lattice. */
+START_TEST(fixed_ends)
+{
+    static const int modes[] = {1, 2, 5, 10, 20};
+    static const double horizons[] = {0.5, 1, 1.5, 2, 1.4};
+    for (int m = 0; m < 5; m++)
+        for (int h = 0; h < 5; h++)
+            for (int flags = 0; flags < 4; flags++) {
+                const bool partial = flags & 1, energy = flags & 2;
+                const BarTheory bar = theory(true, true, modes[m]);
+                const RodLatticeTheory on = lattice(0.5, horizons[h], partial, energy, 0.01);
+                const double predicted = rod_frequency(&bar, &on, modes[m]);
+                ck_assert_double_eq_tol(measured(&bar, &on, predicted) / predicted, 1, 1e-9);
+            }
+}
+END_TEST
+
+/* v_cm of the run at every step, to the rounding of what it starts with. */
+static double furthest(const BarTheory *bar, const RodLatticeTheory *on, int steps)
+{
+    Simulation *sim = rod(bar, on);
+    RodModes *modes = rod_modes_create(bar, on);
+    ck_assert(modes != NULL);
+    const int v_cm = simulation_find_series(sim, "v_cm");
+    double row[16], most = 0;
+    for (int k = 0; k <= steps; k++) {
+        simulation_row(sim, row);
+        most = fmax(most, fabs(row[v_cm] - rod_centre_velocity(modes, k)));
+        ck_assert(simulation_steps(sim, 1, NULL, NULL, NULL));
+    }
+    rod_modes_free(modes);
+    simulation_destroy(sim);
+    return most / 0.1;
+}
+
+START_TEST(centre_of_mass)
+{
+    for (int ends = 0; ends < 4; ends++)
+        for (int energy = 0; energy < 2; energy++) {
+            BarTheory bar = theory(ends & 1, ends & 2, 5);
+            bar.n_modes = 2;
+            bar.modes[1].number = 3, bar.modes[1].velocity = 0.02;
+            const RodLatticeTheory on = lattice(0.5, 1.5, true, energy, 0.03);
+            ck_assert_double_lt(furthest(&bar, &on, 3000), 1e-11);
+        }
+}
+END_TEST
+
+/* How far a free end moves the frequency, and that it does so less and less on finer lattices. Percent of the
+ * continuum's, by a dense eigenvalue solver. */
+START_TEST(free_end)
+{
+    static const struct {
+        double spacing;
+        bool energy;
+        int mode;
+        double ends, endless; /* omega/exact - 1, % */
+    } cases[] = {
+        {0.5, false, 1, -0.0217, -0.0206},  {0.5, false, 5, -1.7412, -1.6490},
+        {0.5, false, 10, -7.5010, -7.0989}, {0.5, true, 1, -0.0134, -0.0206},
+        {0.5, true, 5, -1.2158, -1.6490},   {0.5, true, 10, -6.2188, -7.0989},
+        {0.25, true, 5, -0.3481, -0.4153},  {0.1, true, 5, -0.0620, -0.0666},
+    };
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        const BarTheory bar = theory(true, false, cases[k].mode);
+        const double exact = bar_frequency(&bar, cases[k].mode);
+        /* so small a step that time adds nothing */
+        const RodLatticeTheory on =
+            lattice(cases[k].spacing, 3 * cases[k].spacing, true, cases[k].energy, 1e-5);
+        const double endless = rod_dispersion(&bar, &on, bar_wave_number(&bar, cases[k].mode)).frequency;
+        ck_assert_double_eq_tol(100 * (endless / exact - 1), cases[k].endless, 6e-5);
+        ck_assert_double_eq_tol(100 * (rod_frequency(&bar, &on, cases[k].mode) / exact - 1), cases[k].ends,
+                                6e-5);
+    }
+}
+END_TEST
+
+/* The run starts in a sine, which is no mode of the lattice with a free end: others swing along. What the fit
+ * finds is near the eigenvalue, far nearer than the endless lattice. */
+START_TEST(free_end_measured)
+{
+    const BarTheory bar = theory(true, false, 5);
+    const RodLatticeTheory on = lattice(0.5, 1.5, true, true, 0.01);
+    const double predicted = rod_frequency(&bar, &on, 5), found = measured(&bar, &on, predicted);
+    const double endless = rod_dispersion(&bar, &on, bar_wave_number(&bar, 5)).frequency;
+    ck_assert_double_lt(fabs(found / predicted - 1), 2e-4);
+    ck_assert_double_gt(fabs(endless / predicted - 1), 4e-3);
+}
+END_TEST
+
+START_TEST(long_waves_and_time)
+{
+    const BarTheory bar = theory(true, true, 1);
+    const double k = 1e-2;
+    for (int reach = 1; reach <= 6; reach++) {
+        const double h = 0.5, delta = reach * h;
+        RodLatticeTheory on = lattice(h, delta, true, false, 1e-6);
+        const double lag = 1 - rod_dispersion(&bar, &on, k).frequency / (10 * k);
+        ck_assert_double_eq_tol(lag / (k * k * (delta * delta + h * h) / 48), 1, 1e-3);
+        on.dt = 0.02;
+        const Dispersion wave = rod_dispersion(&bar, &on, 2);
+        ck_assert(wave.known);
+        ck_assert_double_eq_tol(sin(wave.frequency * on.dt / 2), wave.space_only * on.dt / 2, 1e-15);
+        on.dt = 2.0001 / wave.space_only;
+        ck_assert(!rod_dispersion(&bar, &on, 2).known);
+        ck_assert(!rod_dispersion(&bar, &on, 1.001 * M_PI / h).known);
+    }
+    /* a reach of one is the chain of springs */
+    const RodLatticeTheory on = lattice(0.5, 0.5, false, true, 1e-6);
+    ck_assert_double_eq_tol(rod_dispersion(&bar, &on, 2).space_only, 10 / 0.5 * 2 * sin(0.5), 1e-12);
+}
+END_TEST
+
+START_TEST(not_predicted)
+{
+    BarTheory bar = theory(true, false, 1);
+    RodLatticeTheory on = lattice(0.05, 0.15, true, true, 1e-3);
+    ck_assert(rod_modes_create(&bar, &on) == NULL); /* 500 nodes with a free end */
+    ck_assert(isfinite(rod_frequency(&bar, &on, 1)));
+    bar.right_fixed = true;
+    RodModes *modes = rod_modes_create(&bar, &on);
+    ck_assert(modes != NULL);
+    rod_modes_free(modes);
+    bar.body_force = 1;
+    ck_assert(rod_modes_create(&bar, &on) == NULL);
+    bar.body_force = 0;
+    on.dt = 10;
+    ck_assert(rod_modes_create(&bar, &on) == NULL);
+    ck_assert(isnan(rod_frequency(&bar, &on, 0)) && isnan(rod_frequency(&bar, &on, 501)));
+    rod_modes_free(NULL);
+}
+END_TEST
+
+/* --- counting eigenvalues ------------------------------------------------------------------------- */
+
+START_TEST(eigenvalues_of_a_band)
+{
+    enum { SIZE = 40, WIDTH = 4 };
+    static double rows[SIZE * (WIDTH + 1)];
+    gsl_matrix *matrix = gsl_matrix_calloc(SIZE, SIZE);
+    gsl_vector *values = gsl_vector_alloc(SIZE);
+    gsl_eigen_symm_workspace *work = gsl_eigen_symm_alloc(SIZE);
+    for (size_t i = 0; i < SIZE; i++)
+        for (size_t d = 0; d <= WIDTH && d <= i; d++) {
+            const double value = d == 0 ? 0 : sin(1.0 + (double)(7 * i * i + 3 * d)) / (1 + (double)d);
+            rows[i * (WIDTH + 1) + d] = value;
+            gsl_matrix_set(matrix, i, i - d, value);
+            gsl_matrix_set(matrix, i - d, i, value);
+        }
+    ck_assert_int_eq(gsl_eigen_symm(matrix, values, work), 0);
+    gsl_sort_vector(values);
+    const Band band = {SIZE, WIDTH, rows};
+    for (size_t k = 0; k < SIZE; k++)
+        ck_assert_double_eq_tol(band_eigenvalue(&band, k), gsl_vector_get(values, k), 1e-13);
+    ck_assert_uint_eq(band_count_below(&band, -10), 0);
+    ck_assert_uint_eq(band_count_below(&band, 10), SIZE);
+    gsl_eigen_symm_free(work);
+    gsl_vector_free(values);
+    gsl_matrix_free(matrix);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *tcase = tcase_create("rod");
+    tcase_add_test(tcase, fixed_ends);
+    tcase_add_test(tcase, centre_of_mass);
+    tcase_add_test(tcase, free_end);
+    tcase_add_test(tcase, free_end_measured);
+    tcase_add_test(tcase, long_waves_and_time);
+    tcase_add_test(tcase, not_predicted);
+    tcase_add_test(tcase, eigenvalues_of_a_band);
+    suite_add_tcase(suite, tcase);
+}
