@@ -115,6 +115,13 @@ static double loaded(const Beam *beam, size_t node)
     return row(beam, node) == beam->lattice.ny - 1 && i >= beam->load_first && i < beam->load_end;
 }
 
+static double probe(const Beam *beam, size_t node)
+{
+    int i = column(beam, node), j = row(beam, node);
+    return (i == beam->probe_i[0] || i == beam->probe_i[1]) &&
+           (j == beam->probe_j[0] || j == beam->probe_j[1]);
+}
+
 static double protected_node(const Beam *beam, size_t node)
 {
     return beam->unbreakable[node];
@@ -212,6 +219,7 @@ typedef enum FieldIndex {
     F_SURFACE_Y,
     F_HELD,
     F_LOADED,
+    F_PROBE,
     F_PROTECTED,
     F_I,
     F_J,
@@ -260,6 +268,7 @@ static const Field fields[N_FIELDS] = {
     [F_SURFACE_Y] = PARTICLE("surface_y", "g_y", "1", "surface factor across the beam", false, false),
     [F_HELD] = PARTICLE("held", "held", "1", "1: a support or the channel holds the node", false, true),
     [F_LOADED] = PARTICLE("loaded", "loaded", "1", "1: the load acts on the node", false, true),
+    [F_PROBE] = PARTICLE("probe", "probe", "1", "1: the probe is the mean of such nodes", false, true),
     [F_PROTECTED] = PARTICLE("protected", "protected", "1", "1: bonds of the node never break", false, true),
     [F_I] = BOND("i", "i", "1", "particle at one end", true, true),
     [F_J] = BOND("j", "j", "1", "particle at the other end", true, true),
@@ -294,6 +303,7 @@ static FieldValue *const particle_values[N_FIELDS] = {
     [F_SURFACE_Y] = surface_y,
     [F_HELD] = held,
     [F_LOADED] = loaded,
+    [F_PROBE] = probe,
     [F_PROTECTED] = protected_node,
 };
 

@@ -1,0 +1,24 @@
+/* `matvib export-lammps SCENARIO --output DIR`: a beam as input for LAMMPS. */
+#include "cli/cli.h"
+#include "cli/options.h"
+#include "lab/lammps.h"
+
+#include <stdio.h>
+
+int cli_export_lammps(int count, char **arguments, Status *status)
+{
+    Options options;
+    Settings settings;
+    if (!options_parse("export-lammps", count, arguments, &options, status) ||
+        !options_words(&options, 1, 1, "SCENARIO", status))
+        return (int)status->code;
+    if (!options.output) {
+        status_fail(status, STATUS_USAGE, "--output: is missing (a folder)");
+        return (int)status->code;
+    }
+    if (!options_load(&options, options.words[0], &settings, status) ||
+        !lammps_export(&settings, options.output, options.force, status))
+        return (int)status->code;
+    printf("wrote %s; run it with: cd %s && lmp -in in.matvib\n", options.output, options.output);
+    return STATUS_DONE;
+}
