@@ -119,7 +119,7 @@ refuse "unknown problem" 2 \
 	'params: beam is not a problem (bar | simply-supported-beam | moving-cantilever | notched-beam)' params beam
 refuse "laboratory: unknown option" 2 '--pause: unknown option (did you mean --paused?)' --pause
 refuse "laboratory: unknown scenario" 2 'mode11: no such scenario or file (did you mean mode1?)' mode11
-for word in figure lesson export-lammps; do
+for word in figure lesson; do
 	refuse "no command of this version: $word" 2 \
 		"$word: no such command, scenario or file (see: matvib --help)" $word mode1
 done
