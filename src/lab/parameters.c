@@ -10,6 +10,8 @@ const char *const problem_words[] = {"bar", "simply-supported-beam", "moving-can
                                      NULL};
 const char *const method_words[] = {"mpm", "pd", NULL};
 const char *const reference_words[] = {"all", "exact", "predicted", "none", NULL};
+const char *const colour_words[] = {
+    "uy", "ux", "velocity", "energy", "damage", "family", "surface_factor", "drawing", NULL};
 
 static const char *const bar_supports[] = {"fixed-free", "free-fixed", "fixed-fixed", "free-free", NULL};
 static const char *const algorithms[] = {"usf", "usl", "musl", NULL};
@@ -193,7 +195,7 @@ const TextKey text_keys[] = {
     {"view.lower", TEXT(view.lower), "view in the lower plot, 1 to 9", TEXT_VIEW},
     {"view.window", TEXT(view.window), "length of the time window", TEXT_POSITIVE},
     {"view.pace", TEXT(view.pace), "steps per frame", TEXT_POSITIVE},
-    {"view.colour", TEXT(view.colour), "what colours a beam", TEXT_ANY},
+    {"view.colour", TEXT(view.colour), "what colours a beam, or its drawing with dimensions", TEXT_COLOUR},
     {"view.exaggeration", TEXT(view.exaggeration), "factor by which displacements are drawn", TEXT_POSITIVE},
     {"view.references", TEXT(view.references), "reference curves: all, exact, predicted, none",
      TEXT_REFERENCES},

@@ -50,9 +50,10 @@ extern const int n_parameters;
 /* What a text may be; empty is always allowed. */
 typedef enum TextRule {
     TEXT_ANY,
-    TEXT_VIEW,      /* the number of a view, 1 to 9 */
-    TEXT_POSITIVE,  /* a number > 0 */
-    TEXT_REFERENCES /* one of reference_words */
+    TEXT_VIEW,       /* the number of a view, 1 to 9 */
+    TEXT_POSITIVE,   /* a number > 0 */
+    TEXT_REFERENCES, /* one of reference_words */
+    TEXT_COLOUR      /* one of colour_words */
 } TextRule;
 
 /* Keys of a scenario file that hold words and are no parameters of the run: title, question, view. */
@@ -73,6 +74,9 @@ extern const char *const method_words[];
 
 /* The words of view.references, ended by NULL. */
 extern const char *const reference_words[];
+
+/* The words of view.colour, ended by NULL, in the order in which the beam view goes through them. */
+extern const char *const colour_words[];
 
 /* The row of a key; NULL: unknown. */
 const Parameter *parameter_find(const char *key);

@@ -190,23 +190,28 @@ static bool not_of_problem(const Parameter *parameter, Problem problem, Status *
                        problem_words[problem], problems);
 }
 
-/* Empty is always allowed: as the laboratory likes. */
-static bool check_words(const TextKey *words, const char *text, Status *status)
+/* The words of a rule that names them; NULL: it asks for something else. */
+static const char *const *words_of(TextRule rule)
 {
+    return rule == TEXT_REFERENCES ? reference_words : rule == TEXT_COLOUR ? colour_words : NULL;
+}
+
+/* Empty is always allowed: as the laboratory likes. */
+static bool check_words(const TextKey *key, const char *text, Status *status)
+{
+    const char *const *words = words_of(key->rule);
+    char allowed[160];
     double value;
-    bool sound = !*text || words->rule == TEXT_ANY;
-    bool number = !sound && words->rule != TEXT_REFERENCES && text_to_double(text, &value);
-    if (number && words->rule == TEXT_VIEW)
-        sound = value >= 1 && value <= 9 && value == floor(value);
-    else if (number)
-        sound = value > 0;
-    for (int i = 0; words->rule == TEXT_REFERENCES && reference_words[i]; i++)
-        sound |= strcmp(reference_words[i], text) == 0;
-    static const char *const allowed[] = {[TEXT_VIEW] = "1 to 9",
-                                          [TEXT_POSITIVE] = "> 0",
-                                          [TEXT_REFERENCES] = "all | exact | predicted | none"};
-    return sound || status_fail(status, STATUS_USAGE, "%s: %.60s is not allowed (%s)", words->key, text,
-                                allowed[words->rule]);
+    snprintf(allowed, sizeof allowed, "%s", key->rule == TEXT_VIEW ? "1 to 9" : words ? "" : "> 0");
+    bool sound = !*text || key->rule == TEXT_ANY;
+    if (!sound && !words && text_to_double(text, &value))
+        sound = key->rule == TEXT_VIEW ? value >= 1 && value <= 9 && value == floor(value) : value > 0;
+    for (size_t used = 0; words && *words; words++) {
+        sound |= strcmp(*words, text) == 0;
+        used += (size_t)snprintf(allowed + used, sizeof allowed - used, "%s%s", used ? " | " : "", *words);
+    }
+    return sound ||
+           status_fail(status, STATUS_USAGE, "%s: %.60s is not allowed (%s)", key->key, text, allowed);
 }
 
 bool settings_set(Settings *settings, const char *key, const char *text, Status *status)

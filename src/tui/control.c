@@ -70,10 +70,11 @@ static void read_view(Laboratory *lab)
         screen->pace = value;
         lab->pace_automatic = false;
     }
-    static const char *const references[SHOW_COUNT] = {"all", "exact", "predicted", "none"};
     for (int i = 0; i < SHOW_COUNT; i++)
-        if (strcmp(view->references, references[i]) == 0)
+        if (strcmp(view->references, reference_words[i]) == 0)
             screen->references = (ReferencesShown)i;
+    if (screen_beam_variant(view->colour) >= 0)
+        screen->variant[8] = screen_beam_variant(view->colour);
 }
 
 /* The first row that can be edited. */
@@ -104,7 +105,7 @@ static void begin_run(Laboratory *lab)
         screen->focus = screen->before_inspector;
     screen->inspecting = false;
     const Simulation *simulation = experiment_simulation(screen->experiment);
-    screen->particle = simulation->counts[0] / 2;
+    screen->particle = screen_middle_particle(simulation);
     screen->node = simulation->n_sets > 1 ? simulation->counts[1] / 2 : 0;
     choose_pace(lab);
     read_view(lab);
@@ -182,6 +183,7 @@ bool open_scenario(Laboratory *lab, const char *name, Status *status)
         lab->screen.lower = fresh.lower;
         memcpy(lab->screen.variant, fresh.variant, sizeof fresh.variant);
         lab->screen.window = fresh.window;
+        map_whole(lab);
         name_scenario(lab, name);
         begin_run(lab);
     }

@@ -118,6 +118,16 @@ void nudge_selected(Laboratory *, int direction);
 void begin_edit(Laboratory *);
 void edit_key(Laboratory *, const Key *);
 
+/* control_map.c: the map of a beam. */
+void map_zoom(Laboratory *);  /* begins to magnify it, or ends that */
+void map_whole(Laboratory *); /* ends it */
+void map_magnify(Laboratory *, int direction);
+void map_pan(Laboratory *, int x, int y);
+bool map_is_focused(const Laboratory *);
+void map_enlarge(Laboratory *, int direction); /* displacements; 0: automatic */
+
+double next_125(double value, int direction); /* the next number of 1, 2, 5, 10, ... above or below */
+
 void ask(Laboratory *, Answer, bool yes_no, const char *text, const char *format, ...)
     __attribute__((format(printf, 5, 6)));
 void close_prompt(Laboratory *);

@@ -117,8 +117,7 @@ static void stage_back(Laboratory *lab)
         say(lab, MESSAGE_INFO, "this is t = 0");
 }
 
-/* The next number of 1, 2, 5, 10, ... above (or below) a value. */
-static double next_125(double value, int direction)
+double next_125(double value, int direction)
 {
     static const double mantissas[] = {1, 2, 5};
     double best = 0;
@@ -136,6 +135,10 @@ static double next_125(double value, int direction)
 static void change_pace(Laboratory *lab, int direction)
 {
     Screen *screen = &lab->screen;
+    if (screen->zooming && map_is_focused(lab)) {
+        map_magnify(lab, direction);
+        return;
+    }
     double pace = next_125(screen->pace, direction);
     if (pace < 0.01 || pace > 1e7)
         return;
@@ -277,7 +280,9 @@ static void move(Laboratory *lab, int x, int y, int page)
     int view = view_in(screen, screen->focus);
     if (screen->focus == PANE_INSPECTOR && screen_move_inspector(screen, x, y, page))
         return;
-    if (screen->focus == PANE_PARAMETERS) {
+    if (screen->zooming && map_is_focused(lab)) {
+        map_pan(lab, x, y);
+    } else if (screen->focus == PANE_PARAMETERS) {
         if (x)
             nudge_selected(lab, x);
         else
@@ -375,6 +380,8 @@ static bool close_top(Laboratory *lab)
         screen->editing = false;
     else if (!isnan(screen->cursor_time))
         screen->cursor_time = NAN;
+    else if (screen->zooming)
+        map_whole(lab);
     else if (screen->zoomed)
         screen->zoomed = false;
     else if (screen->inspecting)
@@ -444,6 +451,10 @@ static void change_window(Laboratory *lab, int direction)
 {
     Screen *screen = &lab->screen;
     double from, to;
+    if (map_is_focused(lab)) {
+        map_enlarge(lab, direction);
+        return;
+    }
     screen_time_window(screen, &from, &to);
     double length = screen->window > 0 ? screen->window : to - from;
     double least = 10 * experiment_simulation(screen->experiment)->dt;
@@ -468,6 +479,10 @@ static void wider(Laboratory *lab)
 
 static void automatic(Laboratory *lab)
 {
+    if (map_is_focused(lab)) {
+        map_enlarge(lab, 0);
+        return;
+    }
     lab->screen.window = 0;
     say(lab, MESSAGE_INFO, "time window automatic");
 }
@@ -649,6 +664,7 @@ static const Carry carries[COMMAND_COUNT] = {
     [COMMAND_REDO] = redo,
     [COMMAND_INSPECT] = inspect,
     [COMMAND_ZOOM] = zoom,
+    [COMMAND_ZOOM_2D] = map_zoom,
     [COMMAND_NARROWER] = narrower,
     [COMMAND_WIDER] = wider,
     [COMMAND_AUTOMATIC] = automatic,

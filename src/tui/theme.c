@@ -35,13 +35,18 @@ static const Row rows[STYLE_RAMP_0] = {
 };
 
 /* From dark blue over green to yellow, brightness rising all the way, so that it reads in grey too. */
-static const short ramp_256[RAMP_STEPS] = {53, 54, 55, 61, 60, 25, 31, 30, 37, 36, 35, 71, 77, 113, 149, 220};
-static const short ramp_8[RAMP_STEPS] = {4, 4, 4, 4, 6, 6, 6, 6, 2, 2, 2, 2, 3, 3, 3, 7};
+static const short ramp_256[RAMP_STEPS] = {53, 54, 55, 24,  25,  61,  31,  67,
+                                           36, 72, 77, 113, 149, 185, 220, 226};
+
+/* Four of the eight colours, four steps each, by brightness: away from that of the ground. On a dark one
+ * blue, cyan, yellow, white, on a light one cyan, magenta, blue, black; below zero and above never share one.
+ */
+static const short ramp_8[2][4] = {{4, 6, 3, 7}, {6, 5, 4, 0}};
 
 static int colour_of(int colours, bool light, unsigned style)
 {
     if (style >= STYLE_RAMP_0)
-        return (colours == 256 ? ramp_256 : ramp_8)[style - STYLE_RAMP_0];
+        return colours == 256 ? ramp_256[style - STYLE_RAMP_0] : ramp_8[light][(style - STYLE_RAMP_0) / 4];
     const Row *row = &rows[style];
     return colours == 256 ? (light ? row->light : row->dark) : row->eight;
 }

@@ -20,6 +20,8 @@ enum {
     TIMELINE_HEIGHT = 30
 };
 
+#define TALL_SHARE 0.2 /* height over length */
+
 static void lay_out_full(const Screen *screen, int width, int height, Layout *layout)
 {
     const int box = height < 27 ? 5 : height < 30 ? 6 : height < 40 ? 9 : 10;
@@ -32,7 +34,10 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     const bool side = width >= WIDE && height >= SIDE_HEIGHT;
     const int side_width = side ? (width < WIDER ? 39 : width < 150 ? 45 : width * 3 / 10) : 0;
     const int left = fields + 1, plots = width - left - (side ? side_width + 1 : 0);
-    const int lower = (middle + 3) / 2, upper = middle - lower;
+    /* the map of a beam that is no rod wants height more than the curve below it */
+    const BeamDef *beam = &experiment_settings(screen->experiment)->beam;
+    const bool tall = drawn && screen->upper == 8 && beam->height > TALL_SHARE * beam->length;
+    const int lower = tall ? middle * 4 / 9 + 1 : (middle + 3) / 2, upper = middle - lower;
     const int timeline = (width >= TIMELINE_WIDTH && height >= TIMELINE_HEIGHT) || is_rewound(screen);
 
     layout->kind = LAYOUT_FULL;

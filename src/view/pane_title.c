@@ -226,6 +226,12 @@ static int offers_of(const Screen *screen, const Offer **offers)
         {COMMAND_ENTER, COMMAND_NONE, "take it"},
         {COMMAND_CANCEL, COMMAND_NONE, "leave it"},
     };
+    static const Offer magnified[] = {
+        {COMMAND_LEFT, COMMAND_RIGHT, "move"},       {COMMAND_UP, COMMAND_DOWN, "move"},
+        {COMMAND_FASTER, COMMAND_SLOWER, "size"},    {COMMAND_CANCEL, COMMAND_NONE, "whole"},
+        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},     {COMMAND_STEP_FORWARD, COMMAND_NONE, NULL},
+        {COMMAND_STAGE_FORWARD, COMMAND_NONE, NULL}, {COMMAND_ZOOM, COMMAND_NONE, NULL},
+    };
 #define GIVE(list) return *offers = list, (int)(sizeof list / sizeof *list)
     if (screen->help)
         GIVE(help);
@@ -234,6 +240,8 @@ static int offers_of(const Screen *screen, const Offer **offers)
     if (screen->state == STATE_COMPUTING)
         GIVE(computing);
     const bool in_fields = screen->focus == PANE_PARAMETERS;
+    if (screen->zooming && !in_fields)
+        GIVE(magnified);
     if (screen->state == STATE_RUNNING) {
         if (in_fields)
             GIVE(running_parameters);

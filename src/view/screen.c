@@ -16,6 +16,8 @@ void screen_default(Screen *screen)
         .upper = 1,
         .lower = 2,
         .references = SHOW_ALL,
+        .magnified = 1,
+        .looked_at = {0.5, 0.5},
         .cursor_time = NAN,
     };
 }

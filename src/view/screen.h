@@ -89,6 +89,9 @@ typedef struct Screen {
 
     bool inspecting;         /* the inspector is open, see screen_inspector() */
     PaneId before_inspector; /* the pane that had the focus before it was opened */
+    bool zooming;        /* arrows, + and - move the eye over the map of a beam */
+    double magnified;    /* of the map: 1 is the whole beam */
+    double looked_at[2]; /* in the middle of the magnified map: share of the beam's length and height */
 
     double window;      /* length of the time window; 0: automatic */
     double cursor_time; /* of the time plot's cursor; NAN: none */
@@ -140,6 +143,18 @@ long screen_timeline_step(const Screen *, int width, int height, int x, int y);
  * False: they do what they do in the mesh strip. */
 bool screen_has_inspector(const Screen *);
 bool screen_move_inspector(Screen *, int x, int y, int page);
+
+/* The particle that is looked at first: in the middle of a bar, of a beam's middle row. */
+size_t screen_middle_particle(const Simulation *);
+
+/* The node of the beam's map that is drawn in or near a cell, for the mouse; -1: none. */
+long screen_map_node(const Screen *, int width, int height, int x, int y);
+
+/* The factor by which the beam's map draws displacements; 0: it is not shown. */
+double screen_map_enlargement(const Screen *, int width, int height);
+
+/* The variant of the beam view that a word of view.colour names; -1: none. */
+int screen_beam_variant(const char *colour);
 
 /* Why this view has nothing to show for the problem at hand; NULL: it has. */
 const char *screen_view_missing(const Screen *, int view);

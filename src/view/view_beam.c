@@ -1,292 +1,206 @@
-/* View 8: a beam as it lies, coloured by a field. The displacement is drawn enlarged and, where the beam is
- * too slender for the pane, its height as well; both factors are stated. */
-#include "view/panes.h"
+/* View 8: a beam as it lies, coloured by a field, or drawn with its dimensions. Every factor is stated. */
+#include "view/map.h"
+
+#include "physics/pd/crack.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-
-/* What a beam can be coloured by; a signed field has its zero in the middle of the ramp. */
-static const struct {
-    const char *field;
-    bool is_signed;
-} colourings[] = {{"uy", true}, {"ux", true}, {"vy", true}, {"strain_energy", false}, {"damage", false}};
-enum { COLOURINGS = sizeof colourings / sizeof *colourings };
 
 int view_beam_variants(const Screen *screen)
 {
-    return experiment_simulation(screen->experiment)->dimensions == 2 ? COLOURINGS : 1;
+    return experiment_simulation(screen->experiment)->dimensions == 2 ? MAP_VARIANTS : 1;
 }
 
-/* One half of a cell: about as wide as it is high. */
-typedef struct Pixel {
-    double sum;
-    float count, broken;
-} Pixel;
-
-typedef struct Picture {
-    int width, height; /* pixels; two in a cell, one above the other */
-    Pixel *pixels;
-    double low_x, scale_x; /* pixel = (x - low_x) scale_x */
-    double mid_y, scale_y; /* pixel = height / 2 - (y - mid_y) scale_y - move scale_move */
-    double move;           /* pixels for a displacement of 1 */
-} Picture;
-
-/* The particles and what is needed of them. */
-typedef struct Cloud {
-    size_t count, columns; /* particles; in a row of the lattice */
-    double *x, *y, *ux, *uy, *value, *damage, *held, *loaded;
-    double low[2], high[2];
-} Cloud;
-
-static double *values_of(const Simulation *sim, int field)
+size_t screen_middle_particle(const Simulation *sim)
 {
-    const size_t count = sim->counts[0];
-    double *values = calloc(count + 1, sizeof *values);
-    if (values && field >= 0)
-        sim->method->field(sim, field, 0, count, values);
-    return values;
+    Body body;
+    if (!body_of(sim, &body))
+        return sim->counts[0] / 2;
+    return (size_t)(body.ny / 2) * (size_t)body.nx + (size_t)(body.nx / 2);
 }
 
-static void cloud_close(Cloud *cloud)
+int screen_beam_variant(const char *colour)
 {
-    double *all[] = {cloud->x,     cloud->y,      cloud->ux,   cloud->uy,
-                     cloud->value, cloud->damage, cloud->held, cloud->loaded};
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-        free(all[i]);
+    for (int i = 0; colour_words[i]; i++)
+        if (strcmp(colour, colour_words[i]) == 0)
+            return i;
+    return -1;
 }
 
-static bool cloud_open(Cloud *cloud, const Simulation *sim, int field)
+/* --- heading --------------------------------------------------------------------------------------- */
+
+/* Appends a part if the heading still has room for it. */
+static void add_part(char *title, size_t size, int room, const char *part)
 {
-    *cloud = (Cloud){
-        .count = sim->counts[0],
-        .x = values_of(sim, sim->position[0]),
-        .y = values_of(sim, sim->position[1]),
-        .ux = values_of(sim, sim->displacement[0]),
-        .uy = values_of(sim, sim->displacement[1]),
-        .value = values_of(sim, field),
-        .damage = values_of(sim, simulation_find_field(sim, 0, "damage")),
-        .held = values_of(sim, simulation_find_field(sim, 0, "held")),
-        .loaded = values_of(sim, simulation_find_field(sim, 0, "loaded")),
-    };
-    if (!cloud->x || !cloud->y || !cloud->ux || !cloud->uy || !cloud->value || !cloud->damage ||
-        !cloud->held || !cloud->loaded || cloud->count < 4)
-        return false;
-    cloud->low[0] = cloud->high[0] = cloud->x[0];
-    cloud->low[1] = cloud->high[1] = cloud->y[0];
-    for (size_t i = 0; i < cloud->count; i++) {
-        cloud->low[0] = fmin(cloud->low[0], cloud->x[i] + cloud->ux[i]);
-        cloud->high[0] = fmax(cloud->high[0], cloud->x[i] + cloud->ux[i]);
-        cloud->low[1] = fmin(cloud->low[1], cloud->y[i]);
-        cloud->high[1] = fmax(cloud->high[1], cloud->y[i]);
-    }
-    cloud->columns = 1;
-    while (cloud->columns < cloud->count && cloud->y[cloud->columns] == cloud->y[0])
-        cloud->columns++;
-    return cloud->high[0] > cloud->low[0] && cloud->high[1] > cloud->low[1];
+    if (*part && text_columns(title) + 2 + text_columns(part) <= room)
+        append(title, size, "  %s", part);
 }
 
-/* Scales: lengths true, the height stretched if it would be less than a few pixels, the displacement so that
- * the largest of the run fills what is left. */
-static void choose_scales(const Cloud *cloud, double reach, Picture *picture, double *stretch,
-                          double *enlarged)
+/* "tip 66.5, 19.5 mm" and "29° from the notch": where the crack is, and how it leaves the notch. */
+static void crack_texts(const Map *map, char *tip, char *angle, size_t size)
 {
-    const double spacing = cloud->columns > 1 ? cloud->x[1] - cloud->x[0] : cloud->high[0] - cloud->low[0];
-    const double length = cloud->high[0] - cloud->low[0] + spacing,
-                 height = cloud->high[1] - cloud->low[1] + spacing;
-    picture->scale_x = picture->width / length;
-    picture->low_x = cloud->low[0] - spacing / 2;
-    picture->mid_y = (cloud->low[1] + cloud->high[1]) / 2;
-    const double most = 0.6 * picture->height, true_height = height * picture->scale_x;
-    *stretch = 1;
-    if (true_height > most)
-        *stretch = most / true_height;
-    else if (true_height < 0.3 * picture->height)
-        *stretch = step_round_down(0.45 * picture->height / true_height);
-    picture->scale_y = picture->scale_x * *stretch;
-    const double room = (picture->height - height * picture->scale_y) / 2 - 1;
-    *enlarged = reach > 0 && room > 0 ? room / (reach * picture->scale_y) : 1;
-    *enlarged = *enlarged > 1 ? step_round_down(*enlarged) : 1;
-    picture->move = picture->scale_y * *enlarged;
-}
-
-static Pixel *pixel_at(Picture *picture, int x, int y)
-{
-    if (x < 0 || y < 0 || x >= picture->width || y >= picture->height)
-        return NULL;
-    return &picture->pixels[(size_t)y * (size_t)picture->width + (size_t)x];
-}
-
-/* Each particle covers its piece of the lattice; a pixel shows the mean of what covers it. */
-static void fill(const Cloud *cloud, Picture *picture, bool hide_broken)
-{
-    const size_t rows = cloud->count / cloud->columns;
-    const double wide = cloud->columns > 1 ? (cloud->x[1] - cloud->x[0]) * picture->scale_x : picture->width;
-    const double high =
-        (cloud->high[1] - cloud->low[1]) / (double)(rows > 1 ? rows - 1 : 1) * picture->scale_y;
-    for (size_t i = 0; i < cloud->count; i++) {
-        const double px = (cloud->x[i] + cloud->ux[i] - picture->low_x) * picture->scale_x;
-        const double py = picture->height / 2.0 - (cloud->y[i] - picture->mid_y) * picture->scale_y -
-                          cloud->uy[i] * picture->move;
-        if (!(fabs(px) < 1e6) || !(fabs(py) < 1e6))
-            continue;
-        int left = (int)floor(px - wide / 2 + 0.5), right = (int)floor(px + wide / 2 + 0.5);
-        int top = (int)floor(py - high / 2 + 0.5), bottom = (int)floor(py + high / 2 + 0.5);
-        right = right > left ? right : left + 1;
-        bottom = bottom > top ? bottom : top + 1;
-        if (wide < 1)
-            left = (int)floor(px), right = left + 1;
-        if (high < 1)
-            top = (int)floor(py), bottom = top + 1;
-        for (int y = top; y < bottom; y++)
-            for (int x = left; x < right; x++) {
-                Pixel *pixel = pixel_at(picture, x, y);
-                if (!pixel)
-                    continue;
-                pixel->sum += cloud->value[i];
-                pixel->count += 1;
-                pixel->broken += hide_broken && cloud->damage[i] > 0.35;
-            }
-    }
-}
-
-/* --- from pixels to cells --- */
-
-enum { NOTHING = -1 };
-
-/* The step of the ramp, or NOTHING. */
-static int step_of(const Pixel *pixel, double low, double high)
-{
-    if (pixel->count < 0.5f || pixel->broken > 0.5f * pixel->count)
-        return NOTHING;
-    double share = (pixel->sum / (double)pixel->count - low) / (high - low);
-    int step = (int)floor(share * RAMP_STEPS);
-    return step < 0 ? 0 : step >= RAMP_STEPS ? RAMP_STEPS - 1 : step;
-}
-
-/* Where colours are few the ramp is told by glyphs, darker for more. */
-static uint32_t letter_of(int step)
-{
-    return (uint32_t)(unsigned char)".,:;-=+coaxOX%#@"[step];
-}
-
-static bool has_colours(const Screen *screen, Area area)
-{
-    return screen->colours >= 256 && area.glyphs != GLYPHS_ASCII;
-}
-
-static void draw_cell(const Screen *screen, Area area, int x, int y, int upper, int lower)
-{
-    if (upper == NOTHING && lower == NOTHING)
+    Crack crack;
+    tip[0] = angle[0] = '\0';
+    if (!crack_measure(map->sim, &crack))
         return;
-    if (!has_colours(screen, area)) {
-        int step = upper == NOTHING ? lower : lower == NOTHING ? upper : (upper + lower + 1) / 2;
-        area_put(area, x, y, letter_of(step), (Style)(STYLE_RAMP_0 + step));
-    } else if (lower == NOTHING) {
-        area_put(area, x, y, 0x2580, (Style)(STYLE_RAMP_0 + upper));
-    } else if (upper == NOTHING) {
-        area_put(area, x, y, 0x2584, (Style)(STYLE_RAMP_0 + lower));
-    } else {
-        area_put_back(area, x, y, 0x2580, (Style)(STYLE_RAMP_0 + upper), (Style)(STYLE_RAMP_0 + lower));
-    }
+    if (crack.length > 0)
+        snprintf(tip, size, "tip %.1f, %.1f mm", 1e3 * crack.x, 1e3 * crack.y);
+    else
+        snprintf(tip, size, "no crack yet");
+    const double degrees = crack_angle(map->sim, map->settings->beam.height);
+    if (isfinite(degrees))
+        snprintf(angle, size, "angle %.0f°", fabs(degrees));
 }
 
-/* Supports below, load above: a mark at the first pixel beyond the beam. */
-static void draw_marks(const Cloud *cloud, Picture *picture, Area area)
+/* "5000", not "5e3". */
+static void factor_text(double factor, char out[NUMBER_TEXT_MAX])
 {
-    for (int pass = 0; pass < 2; pass++) {
-        const double *flag = pass == 0 ? cloud->held : cloud->loaded;
-        for (size_t i = 0; i < cloud->count; i++) {
-            if (flag[i] <= 0)
-                continue;
-            const int x = (int)floor((cloud->x[i] + cloud->ux[i] - picture->low_x) * picture->scale_x);
-            if (x < 0 || x >= picture->width)
-                continue;
-            int y = pass == 0 ? picture->height - 1 : 0;
-            const int step = pass == 0 ? -1 : 1;
-            while (y >= 0 && y < picture->height && pixel_at(picture, x, y)->count < 0.5f)
-                y += step;
-            y -= step;
-            area_put(area, x, y / 2, pass == 0 ? 0x25b2 : 0x25bc, STYLE_HEADING);
-        }
-    }
+    if (factor >= 1 && factor < 1e7)
+        snprintf(out, NUMBER_TEXT_MAX, "%.0f", factor);
+    else
+        text_rounded(out, factor, 2);
 }
 
-/* "-3 [ramp] 3 µm" */
-static void draw_scale(const Screen *screen, Area area, int y, double low, double high, const char *unit)
+static void draw_title(const Map *map, Area area, Style heading)
 {
-    const Axis axis = axis_make(low, high, 3);
+    const Colouring *colouring = map->colouring;
+    const int room = area.rect.width - 6;
+    char title[192], parts[5][64] = {"", "", "", "", ""}, number[NUMBER_TEXT_MAX];
+    crack_texts(map, parts[0], parts[1], sizeof parts[0]);
+    if (map->moves_on) {
+        const double length =
+            map->settings->beam.length + map->settings->beam.speed * simulation_time(map->sim);
+        snprintf(parts[0], sizeof parts[0], "length %.1f mm", 1e3 * length);
+    }
+    factor_text(map->enlarged, number);
+    if (map->enlarged != 1)
+        snprintf(parts[2], sizeof parts[2], "%s x %s", map->moves_on ? "uy" : "u", number);
+    factor_text(map->screen->magnified, number);
+    if (map->screen->magnified > 1)
+        snprintf(parts[3], sizeof parts[3], "zoom %s", number);
+    factor_text(map->stretch, number);
+    if (map->stretch != 1)
+        snprintf(parts[4], sizeof parts[4], "height x %s", number);
+    else
+        snprintf(parts[4], sizeof parts[4], "to scale");
+    int columns = text_columns(colouring->meaning);
+    for (int i = 0; i < 5; i++)
+        columns += parts[i][0] ? 2 + text_columns(parts[i]) : 0;
+    snprintf(title, sizeof title, "%s", columns <= room ? colouring->meaning : colouring->label);
+    for (int i = 0; i < 5; i++)
+        add_part(title, sizeof title, room, parts[i]);
+    area_rule(area, 0, title, heading);
+}
+
+/* --- colour bar ------------------------------------------------------------------------------------ */
+
+enum { HALF_RAMP = RAMP_STEPS / 2 };
+
+static int draw_half_ramp(const Map *map, Area area, int x, int y, int first)
+{
+    for (int step = first; step < first + HALF_RAMP; step++, x++)
+        if (map->coloured)
+            area_put_back(area, x, y, map_letter(map, step), map_ink(step), (Style)(STYLE_RAMP_0 + step));
+        else
+            area_put(area, x, y, map_letter(map, step), (Style)(STYLE_RAMP_0 + step));
+    return x;
+}
+
+/* "-4 [ramp] 0 [ramp] 4 µm", and what there is to say of the picture. */
+static void draw_scale(const Map *map, Area area, int y, const char *note)
+{
+    Axis axis = axis_make(map->low, map->high, 5);
+    const double ends[3] = {map->low, (map->low + map->high) / 2, map->high};
+    const double middle = ends[1] * pow(10, axis.decimals - axis.exponent);
+    axis.decimals += fabs(middle - round(middle)) > 1e-6 * (1 + fabs(middle));
     char text[TICK_TEXT_MAX], scale[TICK_TEXT_MAX];
-    axis_label(&axis, low, text);
-    int x = 1 + area_text(area, 1, y, text, STYLE_NORMAL) + 1;
-    for (int i = 0; i < RAMP_STEPS; i++)
-        area_put(area, x++, y, has_colours(screen, area) ? 0x2588 : letter_of(i), (Style)(STYLE_RAMP_0 + i));
-    axis_label(&axis, high, text);
-    x += 1 + area_text(area, x + 1, y, text, STYLE_NORMAL) + 1;
-    axis_scale_text(&axis, strcmp(unit, "1") == 0 ? "" : unit, scale);
-    area_text(area, x, y, scale, STYLE_NORMAL);
+    int x = 1;
+    for (int i = 0; i < 3; i++) {
+        axis_label(&axis, ends[i], text);
+        x += area_text(area, x, y, text, STYLE_NORMAL) + 1;
+        if (i < 2)
+            x = draw_half_ramp(map, area, x, y, i * HALF_RAMP) + 1;
+    }
+    axis_scale_text(&axis, map->colouring->unit, scale);
+    x += area_text(area, x, y, scale, STYLE_NORMAL) + 2;
+    if (x + text_columns(note) < area.rect.width)
+        area_text_right(area, area.rect.width - 1, y, note, STYLE_FAINT);
+}
+
+static const char *note_of(const Map *map)
+{
+    if (map->colouring == NULL)
+        return "";
+    if (map->nodes_seen)
+        return "lines: whole bonds to neighbours";
+    return strcmp(map->colouring->field, "damage") == 0 ? "a through crack reads 0.4 to 0.5, not 1" : "";
+}
+
+/* --- the view -------------------------------------------------------------------------------------- */
+
+static Area map_part(Area area)
+{
+    return area_part(area, 1, 1, area.rect.width - 2, area.rect.height - 2);
 }
 
 void view_beam(const Screen *screen, Area area, Style heading, int variant)
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
-    if (sim->dimensions != 2) {
+    if (experiment_simulation(screen->experiment)->dimensions != 2) {
         pane_mesh(screen, area);
         return;
     }
-    const char *name = colourings[variant % COLOURINGS].field;
-    const int field = simulation_find_field(sim, 0, name);
-    Cloud cloud;
-    Picture picture = {.width = area.rect.width - 2, .height = 2 * (area.rect.height - 2)};
-    const size_t size =
-        picture.width > 0 && picture.height > 0 ? (size_t)picture.width * (size_t)picture.height : 0;
-    const bool sound = cloud_open(&cloud, sim, field);
-    picture.pixels = size ? calloc(size, sizeof *picture.pixels) : NULL;
-    if (!sound || !picture.pixels || field < 0) {
+    Map map;
+    if (!map_open(&map, screen, map_part(area)) || !map_colour(&map, (MapVariant)variant)) {
         area_rule(area, 0, "the beam", heading);
-        free(picture.pixels);
-        cloud_close(&cloud);
+        map_close(&map);
         return;
     }
-    /* a beam on its way out of its channel moves across the picture, which stays */
-    const Settings *settings = experiment_settings(screen->experiment);
-    if (settings->problem == PROBLEM_MOVING_CANTILEVER)
-        cloud.high[0] = fmax(cloud.high[0], cloud.x[cloud.count - 1] + settings->beam.speed * settings->end);
-    double stretch, enlarged;
-    double reach = field_reach(screen, sim->displacement[1], cloud.uy, cloud.count);
-    reach = reach > 0 ? step_round_up(reach) : 0;
-    choose_scales(&cloud, reach, &picture, &stretch, &enlarged);
-    const bool damage = strcmp(name, "damage") == 0;
-    fill(&cloud, &picture, !damage);
+    if (map.nodes_seen)
+        map_draw_bonds(&map);
+    else
+        map_draw_heat(&map);
+    map_draw_lines(&map);
+    if (map.nodes_seen)
+        map_draw_nodes(&map);
+    map_draw_signs(&map);
+    draw_title(&map, area, heading);
+    draw_scale(&map, area, area.rect.height - 1, note_of(&map));
+    map_close(&map);
+}
 
-    /* a crack right through leaves half of the family at best */
-    double most = damage ? 0.5 : field_reach(screen, field, cloud.value, cloud.count);
-    most = most > 0 ? axis_round_up(most) : 1;
-    const double low = colourings[variant % COLOURINGS].is_signed ? -most : 0;
-    Area map = area_part(area, 1, 1, picture.width, area.rect.height - 2);
-    for (int y = 0; y < map.rect.height; y++)
-        for (int x = 0; x < picture.width; x++)
-            draw_cell(screen, map, x, y, step_of(pixel_at(&picture, x, 2 * y), low, most),
-                      step_of(pixel_at(&picture, x, 2 * y + 1), low, most));
-    draw_marks(&cloud, &picture, map);
+/* --- for keys and the mouse ------------------------------------------------------------------------- */
 
-    char title[128], number[NUMBER_TEXT_MAX];
-    snprintf(title, sizeof title, "%s", sim->fields[field].quantity.meaning);
-    char factors[96] = "";
-    append(factors, sizeof factors, "  moved x %.0f", enlarged);
-    if (stretch != 1) {
-        text_rounded(number, stretch, 2);
-        append(factors, sizeof factors, "  height x %s", number);
+/* The map in the pane that shows it. False: none does. */
+static bool open_shown(Map *map, const Screen *screen, int width, int height)
+{
+    const PaneId pane = screen->upper == 8 ? PANE_UPPER : PANE_LOWER;
+    const Rect rect = screen_pane(screen, width, height, pane);
+    *map = (Map){.block = NULL};
+    if (rect.width < 4 || rect.height < 4 || (screen->upper != 8 && screen->lower != 8))
+        return false;
+    return map_open(map, screen, map_part((Area){NULL, rect, screen->glyphs}));
+}
+
+long screen_map_node(const Screen *screen, int width, int height, int x, int y)
+{
+    Map map;
+    long node = -1;
+    if (open_shown(&map, screen, width, height)) {
+        const Rect *rect = &map.area.rect;
+        x -= rect->x;
+        y -= rect->y;
+        if (x >= 0 && y >= 0 && x < rect->width && y < rect->height)
+            node = map_node_at(&map, x, y);
     }
-    if (text_columns(title) + text_columns(factors) + 8 > area.rect.width)
-        snprintf(title, sizeof title, "%s", sim->fields[field].quantity.label);
-    append(title, sizeof title, "%s", factors);
-    area_rule(area, 0, title, heading);
-    const char *note = damage ? "a through crack reads 0.4 to 0.5" : "";
-    draw_scale(screen, area, area.rect.height - 1, low, most, sim->fields[field].quantity.unit);
-    if (area.rect.width > 34 + text_columns(note))
-        area_text_right(area, area.rect.width - 1, area.rect.height - 1, note, STYLE_FAINT);
-    free(picture.pixels);
-    cloud_close(&cloud);
+    map_close(&map);
+    return node;
+}
+
+double screen_map_enlargement(const Screen *screen, int width, int height)
+{
+    Map map;
+    const double factor = open_shown(&map, screen, width, height) ? map.enlarged : 0;
+    map_close(&map);
+    return factor;
 }

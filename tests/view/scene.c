@@ -39,6 +39,10 @@ static bool simple_word(Scene *scene, const char *word)
         screen->node_chosen = true;
     else if (strcmp(word, "styles") == 0)
         scene->styles = true;
+    else if (strcmp(word, "eight") == 0)
+        screen->colours = 8;
+    else if (strcmp(word, "plain") == 0)
+        screen->colours = 0;
     else if (strcmp(word, "edit") == 0) {
         screen->editing = true;
         strcpy(screen->edit_text, "12.5");
@@ -76,6 +80,10 @@ static bool number_word(Scene *scene, Plan *plan, const char *word, const char *
         screen->window = atof(number);
     else if (strcmp(word, "cursor") == 0)
         screen->cursor_time = atof(number);
+    else if (strcmp(word, "magnified") == 0)
+        screen->magnified = atof(number);
+    else if (strcmp(word, "at") == 0)
+        sscanf(number, "%lf,%lf", &screen->looked_at[0], &screen->looked_at[1]);
     else if (strcmp(word, "ghost") == 0)
         snprintf(plan->ghost, sizeof plan->ghost, "%s", number);
     else
@@ -132,7 +140,7 @@ static bool play(Scene *scene, Plan *plan, Status *status)
     if (!experiment)
         return false;
     const Simulation *sim = experiment_simulation(experiment);
-    screen->particle = plan->particle >= 0 ? (size_t)plan->particle : sim->counts[0] / 2;
+    screen->particle = plan->particle >= 0 ? (size_t)plan->particle : screen_middle_particle(sim);
     screen->node = sim->n_sets > 1 ? sim->counts[1] / 2 : 0;
     if (!experiment_advance(experiment, plan->steps, status))
         screen->state = STATE_FAILED;

@@ -2,8 +2,9 @@
  *
  *     SCENARIO WxH STEPS [key=value]... [word]...
  *
- * words: running, ended, computing, ascii, block, zoom, none, exact, node, inspect, edit, ghost (an edit behind), and
- * with a number: help, scroll, upper, lower, variant, focus, select, stage, back, window, cursor, particle.
+ * words: running, ended, computing, ascii, block, eight and plain (colours), zoom, none, exact, node, inspect,
+ * edit, ghost (an edit behind), and with a number: help, scroll, upper, lower, variant, focus, select, stage,
+ * back, window, cursor, particle, magnified, at (x,y in shares of a beam).
  */
 #ifndef TESTS_VIEW_SCENE_H
 #define TESTS_VIEW_SCENE_H

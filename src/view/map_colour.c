@@ -1,0 +1,74 @@
+/* What the nodes of a beam can be coloured by, and the range of the ramp for it. */
+#include "view/map.h"
+
+#include <math.h>
+
+static const Colouring colourings[MAP_COLOURINGS] = {
+    [MAP_UY] = {"uy", "uy", "displacement across the beam", "m", true},
+    [MAP_UX] = {"ux", "ux", "displacement along the beam", "m", true},
+    [MAP_VELOCITY] = {"vy", "vy", "velocity across the beam", "m/s", true},
+    [MAP_ENERGY] = {"strain_energy", "energy density", "strain energy density", "J/m³", false},
+    [MAP_DAMAGE] = {"damage", "damage", "damage: broken share of the family", "", false},
+    [MAP_FAMILY] = {"family", "family", "share of a whole family that is left", "", false},
+    [MAP_SURFACE] = {"surface_factor", "surface factor", "surface factor: the soft skin stiffened", "",
+                     false},
+};
+
+/* The range that values have, with round ends. */
+static void round_range(Map *map, double least, double most)
+{
+    if (most - least < 1e-9 * fabs(most))
+        least = 0;
+    const Axis axis = axis_make(least, most, 5);
+    map->low = floor(least / axis.step + 1e-9) * axis.step;
+    map->high = ceil(most / axis.step - 1e-9) * axis.step;
+}
+
+/* The share of a whole family that a node has: it lacks what lies beyond a surface, and what is broken. */
+static void share_of_family(Map *map)
+{
+    const size_t count = map->body.count;
+    double whole = 1;
+    for (size_t i = 0; i < count; i++)
+        whole = fmax(whole, map->value[i]);
+    for (size_t i = 0; i < count; i++)
+        map->value[i] *= (1 - map->damage[i]) / whole;
+    map->low = 0;
+    map->high = 1;
+}
+
+bool map_colour(Map *map, MapVariant variant)
+{
+    const Colouring *colouring = map->colouring = &colourings[variant < MAP_COLOURINGS ? variant : MAP_UY];
+    const int field = simulation_find_field(map->sim, 0, colouring->field);
+    const size_t count = map->body.count;
+    if (field < 0)
+        return false;
+    map->sim->method->field(map->sim, field, 0, count, map->value);
+    double least = INFINITY, most = -INFINITY;
+    for (size_t i = 0; i < count; i++) {
+        least = fmin(least, map->value[i]);
+        most = fmax(most, map->value[i]);
+    }
+    if (!isfinite(least) || !isfinite(most))
+        return false;
+    if (variant == MAP_FAMILY) {
+        share_of_family(map);
+    } else if (variant == MAP_SURFACE) {
+        round_range(map, least, most);
+    } else if (variant == MAP_DAMAGE) {
+        /* a crack right through leaves half of the family at best */
+        map->low = 0;
+        map->high = 0.5;
+    } else {
+        double reach = field_reach(map->screen, field, map->value, count), scale = 1;
+        if (variant == MAP_ENERGY)
+            scale = 1 / (map->body.spacing * map->body.spacing * map->settings->beam.thickness);
+        for (size_t i = 0; i < count && variant == MAP_ENERGY; i++)
+            map->value[i] *= scale;
+        reach *= scale;
+        map->high = reach > 0 ? axis_round_up(reach) : 1;
+        map->low = colouring->is_signed ? -map->high : 0;
+    }
+    return true;
+}
