@@ -189,7 +189,7 @@ static bool take(const Option *option, const char *value, Options *options, Stat
         if (options->n_axes == AXES_MAX)
             return status_fail(status, STATUS_USAGE, "%s: too many keys to vary (at most %d)", option->name,
                                AXES_MAX);
-        options->axes[options->n_axes++] = (Axis){option->name, value};
+        options->axes[options->n_axes++] = (SweepAxis){option->name, value};
         return true;
     }
     return false;

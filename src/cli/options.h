@@ -39,10 +39,10 @@ extern const int n_options;
 enum { WORDS_MAX = 64, OVERRIDES_MAX = 128, AXES_MAX = 16 };
 
 /* What a sweep varies, as it was said. */
-typedef struct Axis {
+typedef struct SweepAxis {
     const char *origin; /* "--vary" or "--with" */
     const char *text;   /* KEY=A,B,C or KEY=LO:HI:N */
-} Axis;
+} SweepAxis;
 
 /* What a command line came to; what was not said is 0. */
 typedef struct Options {
@@ -61,7 +61,7 @@ typedef struct Options {
     const char *dialect;
     bool force, quiet;
 
-    Axis axes[AXES_MAX]; /* --vary and --with, in their order */
+    SweepAxis axes[AXES_MAX]; /* --vary and --with, in their order */
     int n_axes;
     long jobs;
     const char *output;

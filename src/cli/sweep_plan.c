@@ -122,7 +122,7 @@ static bool join_axis(SweepPlan *plan, SweepKey *key, Status *status)
     return true;
 }
 
-static bool read_key(SweepPlan *plan, const Axis *axis, const Options *options, Status *status)
+static bool read_key(SweepPlan *plan, const SweepAxis *axis, const Options *options, Status *status)
 {
     SweepKey *key = &plan->keys[plan->n_keys];
     const char *equals = strchr(axis->text, '=');

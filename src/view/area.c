@@ -1,4 +1,4 @@
-#include "view/area.h"
+#include "view/sketch.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -26,13 +26,15 @@ static bool has_row(Area area, int y)
 
 void area_put(Area area, int x, int y, uint32_t glyph, Style style)
 {
-    if (x >= 0 && x < area.rect.width && has_row(area, y))
+    if (x >= 0 && x < area.rect.width && has_row(area, y) && !area.canvas->sketch)
         canvas_put(area.canvas, area.rect.x + x, area.rect.y + y, glyph, style);
 }
 
 void area_put_back(Area area, int x, int y, uint32_t glyph, Style style, Style back)
 {
     area_put(area, x, y, glyph, style);
+    if (area.canvas->sketch)
+        return;
     if (x >= 0 && x < area.rect.width && has_row(area, y) && area.rect.x + x < area.canvas->width &&
         area.rect.y + y < area.canvas->height)
         area.canvas->cells[(size_t)(area.rect.y + y) * (size_t)area.canvas->width + (size_t)(area.rect.x + x)]
@@ -41,6 +43,10 @@ void area_put_back(Area area, int x, int y, uint32_t glyph, Style style, Style b
 
 int area_text(Area area, int x, int y, const char *text, Style style)
 {
+    if (area.canvas->sketch) {
+        sketch_note(area.canvas->sketch, text, style == STYLE_FAINT);
+        return text_columns(text);
+    }
     if (x < 0 || x >= area.rect.width || !has_row(area, y))
         return 0;
     return canvas_text(area.canvas, area.rect.x + x, area.rect.y + y, area.rect.width - x, text, style);
@@ -115,6 +121,8 @@ static int paragraph(const Area *area, int x, int y, int width, int rows, const 
 
 int area_paragraph(Area area, int x, int y, int width, int rows, const char *text, Style style)
 {
+    if (area.canvas->sketch)
+        return area_text(area, x, y, text, style) > 0;
     return paragraph(&area, x, y, width, rows, text, style);
 }
 
@@ -125,6 +133,8 @@ int paragraph_lines(int width, const char *text)
 
 int area_phrases(Area area, int x, int y, int width, int rows, const char *text, Style style)
 {
+    if (area.canvas->sketch)
+        return area_text(area, x, y, text, style) > 0;
     int line = 0, used = 0;
     while (*text != '\0' && line < rows) {
         const char *end = strstr(text, "  ");
@@ -149,6 +159,10 @@ int area_phrases(Area area, int x, int y, int width, int rows, const char *text,
 
 void area_rule(Area area, int y, const char *heading, Style heading_style)
 {
+    if (area.canvas->sketch) {
+        sketch_heading(area.canvas->sketch, heading);
+        return;
+    }
     for (int x = 0; x < area.rect.width; x++)
         area_put(area, x, y, 0x2500, STYLE_FRAME);
     if (heading[0] != '\0' && area.rect.width > 4) {

@@ -1,4 +1,4 @@
-#include "view/axes.h"
+#include "view/sketch.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -282,6 +282,10 @@ Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int 
     if (rows < 1 || columns < 4)
         return area_part(area, 0, 0, 0, 0);
     Area inner = area_part(area, gutter + 1, 0, columns, rows);
+    if (area.canvas->sketch) {
+        sketch_axes(area.canvas->sketch, x, y, x_name);
+        return inner;
+    }
 
     double ticks[TICKS_MAX];
     char text[TICK_TEXT_MAX];
@@ -316,4 +320,23 @@ Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int 
     }
     area_text_right(area, area.rect.width, rows, x_name, STYLE_FAINT);
     return inner;
+}
+
+void axes_mark(Area inner, const Axis *x, const Axis *y, double at_x, double at_y, uint32_t glyph,
+               Style style)
+{
+    if (inner.canvas->sketch)
+        sketch_mark(inner.canvas->sketch, at_x, at_y, glyph, style);
+    else
+        area_put(inner, axis_column(x, at_x, inner.rect.width), axis_row(y, at_y, inner.rect.height), glyph,
+                 style);
+}
+
+void axes_rule(Area inner, const Axis *x, double at_x, Style style)
+{
+    if (inner.canvas->sketch)
+        sketch_rule(inner.canvas->sketch, at_x, style);
+    const int column = axis_column(x, at_x, inner.rect.width);
+    for (int row = 0; column >= 0 && row < inner.rect.height; row++)
+        area_put(inner, column, row, 0x2502, style);
 }

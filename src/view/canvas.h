@@ -38,7 +38,8 @@ typedef enum Glyphs {
     GLYPHS_BRAILLE, /* 2x4 dots a cell */
     GLYPHS_BLOCK,   /* half blocks: what the Linux console has too */
     GLYPHS_ASCII,   /* one letter a curve; nothing else on the screen is beyond ASCII either */
-    GLYPHS_COUNT
+    GLYPHS_COUNT,
+    GLYPHS_NONE = GLYPHS_COUNT /* no cells: what is drawn goes into a sketch, as finely as it can be told */
 } Glyphs;
 
 typedef struct Cell {
@@ -55,6 +56,7 @@ typedef struct Canvas {
     int width, height;
     Cell *cells;            /* height x width */
     int cursor_x, cursor_y; /* where the hardware cursor stands; -1: hidden */
+    struct Sketch *sketch;  /* not NULL: there are no cells, all goes in there (sketch.h) */
 } Canvas;
 
 bool canvas_open(Canvas *, int width, int height, Status *); /* all spaces; also resizes an open one */

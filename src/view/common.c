@@ -1,5 +1,6 @@
 /* What several panes share: headings with legends, texts of numbers and times. */
 #include "view/panes.h"
+#include "view/sketch.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -21,8 +22,29 @@ bool is_focused(const Screen *screen, PaneId pane)
     return screen->focus == pane;
 }
 
+/* A sketch takes the whole legend. */
+static int sketch_legend(Sketch *sketch, const Legend *legend, int n_legend)
+{
+    for (int i = 0; i < n_legend; i++) {
+        SketchKey key = {.line = legend[i].line, .style = legend[i].style};
+        snprintf(key.name, sizeof key.name, "%s", legend[i].name);
+        if (legend[i].key && legend[i].key[0] && legend[i].key[1] == ':')
+            key.letter = legend[i].key[0];
+        sketch_key(sketch, &key);
+    }
+    return n_legend;
+}
+
+int legend_room(Area area)
+{
+    enum { NO_LIMIT = 10000 };
+    return area.canvas->sketch ? NO_LIMIT : area.rect.width;
+}
+
 int draw_legend(Area area, int x, int y, const Legend *legend, int n_legend)
 {
+    if (area.canvas->sketch)
+        return sketch_legend(area.canvas->sketch, legend, n_legend);
     for (int i = 0; i < n_legend; i++) {
         const int columns = 3 + text_columns(legend[i].name);
         if (x + columns + 1 > area.rect.width)
@@ -60,7 +82,7 @@ void shorten_legend(Area area, const char *name, const char *scale, Legend *lege
         whole += text_columns(legend[i].name) + 5;
         brief += text_columns(short_word(legend[i].name)) + 5;
     }
-    const int most = area.rect.width + 1; /* after the last one there is no gap */
+    const int most = legend_room(area) + 1; /* after the last one there is no gap */
     for (int i = 0; i < n_legend && whole > most && brief <= most; i++)
         legend[i].name = short_word(legend[i].name);
 }

@@ -93,6 +93,9 @@ typedef struct Legend {
 /* Draws entries of a legend from column x on as far as there is room; returns how many. */
 int draw_legend(Area, int x, int y, const Legend *, int n_legend);
 
+/* The columns that a heading and its legend may take: on paper as many as they need. */
+int legend_room(Area);
+
 /* Draws the heading line of a plot: name, scale, legend as far as there is room. Returns how many entries of
  * the legend that were. */
 int draw_heading(Area, Style heading, const char *name, const char *scale, const Legend *, int n_legend);

@@ -1,4 +1,4 @@
-#include "view/plot.h"
+#include "view/sketch.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -122,7 +122,7 @@ typedef struct Raster {
 
 int plot_dots_across(Glyphs glyphs)
 {
-    return glyphs == GLYPHS_BRAILLE ? 2 : 1;
+    return glyphs == GLYPHS_NONE ? 16 : glyphs == GLYPHS_BRAILLE ? 2 : 1;
 }
 
 int plot_dots_down(Glyphs glyphs)
@@ -339,6 +339,10 @@ static uint32_t glyph_of(const Raster *raster, const Spot *spot)
 
 void plot_draw(const Plot *plot, Area area)
 {
+    if (area.canvas->sketch) {
+        sketch_plot(area.canvas->sketch, plot);
+        return;
+    }
     Raster raster = {
         .columns = area.rect.width,
         .rows = area.rect.height,

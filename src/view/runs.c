@@ -88,10 +88,8 @@ Legend run_legend(const Run *run)
 
 void run_letter(const Run *run, const Plot *plot, Area inner, double x, double y)
 {
-    const int column = axis_column(&plot->x, x, inner.rect.width);
-    const int row = axis_row(&plot->y, y, inner.rect.height);
-    if (run->letter && column >= 0 && row >= 0)
-        area_put(inner, column, row, (uint32_t)(unsigned char)run->letter, run->style);
+    if (run->letter)
+        axes_mark(inner, &plot->x, &plot->y, x, y, (uint32_t)(unsigned char)run->letter, run->style);
 }
 
 void add_ghosts(Plot *plot, const Run *runs, int n_runs, const char *column, int dots)

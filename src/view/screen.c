@@ -149,6 +149,13 @@ void screen_draw(const Screen *screen, Canvas *canvas)
         canvas_to_ascii(canvas);
 }
 
+void screen_sketch(const Screen *screen, int view, int columns, int rows, Sketch *sketch)
+{
+    Canvas canvas = {.width = columns, .height = rows, .sketch = sketch};
+    sketch_open(sketch);
+    view_draw(screen, view, (Area){&canvas, {0, 0, columns, rows}, GLYPHS_NONE}, false);
+}
+
 CommandId screen_bar_command(const Screen *screen, int width, int x)
 {
     return bar_command_at(screen, width, x);

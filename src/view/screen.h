@@ -9,6 +9,7 @@
 #include "lab/parameters.h"
 #include "view/canvas.h"
 #include "view/commands.h"
+#include "view/sketch.h"
 
 enum { FRAMES_PER_SECOND = 30 };
 
@@ -116,6 +117,10 @@ void screen_default(Screen *);
 
 /* Draws everything. Below 40x12 a message. Never fails: what has no room is left out by a fixed order. */
 void screen_draw(const Screen *, Canvas *);
+
+/* What a view shows at present as strokes and words in place of cells, for a picture as large as so many
+ * columns and rows of text. */
+void screen_sketch(const Screen *, int view, int columns, int rows, Sketch *);
 
 /* The rows of the parameter pane, for drawing and for moving in it. Returns how many. */
 int screen_parameter_rows(const Screen *, ParameterRow rows[PARAMETER_ROWS_MAX]);

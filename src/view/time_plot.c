@@ -112,16 +112,10 @@ void time_plot_reach_to_come(const Screen *screen, double reach[COLUMNS_MAX])
 void time_plot_now(const Screen *screen, Area inner, const Axis *x)
 {
     const double present = experiment_time(screen->experiment);
-    if (experiment_newest(screen->experiment) > experiment_step(screen->experiment)) {
-        int column = axis_column(x, present, inner.rect.width);
-        for (int y = 0; column >= 0 && y < inner.rect.height; y++)
-            area_put(inner, column, y, 0x2502, STYLE_FOCUS);
-    }
-    if (isfinite(screen->cursor_time)) {
-        int column = axis_column(x, screen->cursor_time, inner.rect.width);
-        for (int y = 0; column >= 0 && y < inner.rect.height; y++)
-            area_put(inner, column, y, 0x2502, STYLE_SELECTED);
-    }
+    if (experiment_newest(screen->experiment) > experiment_step(screen->experiment))
+        axes_rule(inner, x, present, STYLE_FOCUS);
+    if (isfinite(screen->cursor_time))
+        axes_rule(inner, x, screen->cursor_time, STYLE_SELECTED);
 }
 
 const char *time_plot_name(const Screen *screen, const Axis *x, char *out, size_t size)

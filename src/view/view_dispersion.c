@@ -30,9 +30,14 @@ static void draw_run_dots(Area inner, const Axis *x, const Axis *y, const Dot *d
         const int row = axis_row(y, dots[i].y, inner.rect.height);
         if (column < 0 || row < 0)
             continue;
-        area_put(inner, column, row, dots[i].filled ? 0x25cf : 0x25cb, dots[i].style);
+        axes_mark(inner, x, y, dots[i].x, dots[i].y, dots[i].filled ? 0x25cf : 0x25cb, dots[i].style);
         if (!dots[i].letter)
             continue;
+        if (inner.canvas->sketch) { /* a letter on paper stands beside its place anyhow */
+            axes_mark(inner, x, y, dots[i].x, dots[i].y, (uint32_t)(unsigned char)dots[i].letter,
+                      dots[i].style);
+            continue;
+        }
         int before = 0; /* dots on the same place have their letters in a row */
         for (int k = 0; k < i; k++)
             before += axis_column(x, dots[k].x, inner.rect.width) == column &&

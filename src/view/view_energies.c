@@ -126,7 +126,7 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
     Axis x = time_plot_axis(screen, width);
 
     /* bands are told apart by how densely they are filled: the legend shows a piece of each */
-    static const char *const keys[GLYPHS_COUNT][4] = {
+    static const char *const keys[GLYPHS_NONE + 1][4] = {
         [GLYPHS_BRAILLE] = {"⣿⣿", "⢕⢕", "⠅⠅", "⠁⠁"},
         [GLYPHS_BLOCK] = {"▓▓", "▒▒", "░░", "··"},
         [GLYPHS_ASCII] = {"##", "++", "..", "::"},

@@ -225,7 +225,7 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
         entries[i] = legend[i];
         used += text_columns(legend[i].name) + 5;
     }
-    const int n_ghosts = ghost_legends(runs, n_runs, area.rect.width - used, entries + n_legend);
+    const int n_ghosts = ghost_legends(runs, n_runs, legend_room(area) - used, entries + n_legend);
     shorten_legend(area, quantity->label, scale, entries, n_legend + n_ghosts);
     draw_heading(area, heading, quantity->label, scale, entries, n_legend + n_ghosts);
     Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);

@@ -100,9 +100,8 @@ static void draw_particles(const Plot *plot, Area inner, const Curve *curve)
     if (!curve->run->experiment || (size_t)inner.rect.width < 2 * profile->count)
         return;
     for (size_t i = 0; i < profile->count; i++)
-        area_put(inner, axis_column(&plot->x, profile->x[i], inner.rect.width),
-                 axis_row(&plot->y, curve->values[i], inner.rect.height),
-                 inner.glyphs == GLYPHS_ASCII ? 'o' : 0x25cf, curve->run->style);
+        axes_mark(inner, &plot->x, &plot->y, profile->x[i], curve->values[i],
+                  inner.glyphs == GLYPHS_ASCII ? 'o' : 0x25cf, curve->run->style);
 }
 
 /* What a ghost's letter stands for: its moment, where it is another one than the present, and what differs.
@@ -139,7 +138,7 @@ static void draw_legends(const Screen *screen, Area area, Style heading, const c
         legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL};
     for (int i = 0; i < n_legend; i++)
         used += text_columns(legend[i].name) + 5;
-    n_legend += ghost_legends(runs, n_curves, area.rect.width - used, legend + n_legend);
+    n_legend += ghost_legends(runs, n_curves, legend_room(area) - used, legend + n_legend);
     shorten_legend(area, label, scale, legend, n_legend);
     draw_heading(area, heading, label, scale, legend, n_legend);
 }

@@ -117,12 +117,8 @@ void view_shapes(const Screen *screen, Area area, Style heading, int variant)
             continue;
         Link seen[LINKS_MAX];
         size_t count = sim->method->shapes(sim, at, seen, LINKS_MAX);
-        for (size_t i = 0; i < count && i < LINKS_MAX; i++) {
-            int column = axis_column(&x, at, inner.rect.width);
-            int row = axis_row(&y, pick(&seen[i], slope), inner.rect.height);
-            if (column >= 0 && row >= 0)
-                area_put(inner, column, row, p == chosen ? 0x25cf : 'o',
-                         p == chosen ? STYLE_CHANGED : STYLE_NORMAL);
-        }
+        for (size_t i = 0; i < count && i < LINKS_MAX; i++)
+            axes_mark(inner, &x, &y, at, pick(&seen[i], slope), p == chosen ? 0x25cf : 'o',
+                      p == chosen ? STYLE_CHANGED : STYLE_NORMAL);
     }
 }

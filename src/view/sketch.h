@@ -1,0 +1,59 @@
+/* What a view has drawn, kept as strokes, axes, marks and words in place of cells: the display list that
+ * figures on paper are made of. A canvas with a sketch has no cells; everything that a view draws on it in
+ * the usual way (axes_draw, plot_draw, axes_mark, draw_heading, area_text, ...) goes into the sketch in the
+ * coordinates of the plot. What is drawn cell by cell (area_put) is of the screen alone and leaves nothing.
+ */
+#ifndef VIEW_SKETCH_H
+#define VIEW_SKETCH_H
+
+#include "view/plot.h"
+
+enum { SKETCH_KEYS_MAX = 16, SKETCH_NOTES_MAX = 8, SKETCH_TEXT_MAX = 256 };
+
+/* An entry of the legend. */
+typedef struct SketchKey {
+    LineStyle line;
+    Style style;
+    char letter; /* of an earlier run; 0: none */
+    char name[SKETCH_TEXT_MAX];
+} SketchKey;
+
+/* A dot, ring or letter at a place of the plot. */
+typedef struct SketchMark {
+    double x, y;
+    uint32_t glyph;
+    Style style;
+} SketchMark;
+
+/* A line of words beside the picture. */
+typedef struct SketchNote {
+    bool faint; /* an explanation, not a result */
+    char text[SKETCH_TEXT_MAX];
+} SketchNote;
+
+typedef struct Sketch {
+    char heading[SKETCH_TEXT_MAX]; /* what is drawn: the name of the vertical axis where there are axes */
+    char x_name[SKETCH_TEXT_MAX];
+    bool has_axes; /* if not, the view had nothing to draw and the notes say why */
+    Plot plot;     /* its axes, and the strokes of all that was plotted */
+    SketchMark *marks;
+    size_t n_marks, marks_room;
+    SketchKey keys[SKETCH_KEYS_MAX];
+    int n_keys;
+    SketchNote notes[SKETCH_NOTES_MAX];
+    int n_notes;
+} Sketch;
+
+void sketch_open(Sketch *);
+void sketch_close(Sketch *);
+
+/* What the drawing functions add. Without memory something is left out. */
+void sketch_heading(Sketch *, const char *text);
+void sketch_axes(Sketch *, const Axis *x, const Axis *y, const char *x_name);
+void sketch_plot(Sketch *, const Plot *);
+void sketch_mark(Sketch *, double x, double y, uint32_t glyph, Style);
+void sketch_rule(Sketch *, double x, Style); /* a vertical line across the plot */
+void sketch_key(Sketch *, const SketchKey *);
+void sketch_note(Sketch *, const char *text, bool faint);
+
+#endif
