@@ -61,6 +61,7 @@ void experiment_destroy(Experiment *experiment)
     for (int i = 0; i < SPECTRUM_SPANS; i++)
         spectrum_close(&experiment->spectra[i]);
     free(experiment->before.bytes);
+    free(experiment->part.bytes);
     free(experiment);
 }
 
@@ -220,6 +221,7 @@ const double *experiment_row(Experiment *experiment)
 
 bool experiment_advance(Experiment *experiment, long steps, Status *status)
 {
+    experiment_drop_part(experiment);
     experiment->pending = false;
     experiment->flowing = true;
     experiment->before.known = false;
@@ -231,22 +233,27 @@ void experiment_rest(Experiment *experiment)
     experiment->flowing = false;
 }
 
+/* A snapshot in a buffer that grows. False: not enough memory. */
+static bool keep_state(const Simulation *sim, unsigned char **bytes, size_t *room)
+{
+    size_t size = simulation_snapshot_size(sim);
+    if (size > *room) {
+        unsigned char *more = realloc(*bytes, size);
+        if (!more)
+            return false;
+        *bytes = more;
+        *room = size;
+    }
+    simulation_snapshot(sim, *bytes);
+    return true;
+}
+
 static void note_before(Experiment *experiment)
 {
     const Simulation *sim = experiment->trial.sim;
     Before *before = &experiment->before;
-    size_t size = simulation_snapshot_size(sim);
-    before->known = false;
-    if (size > before->room) {
-        unsigned char *bytes = realloc(before->bytes, size);
-        if (!bytes)
-            return;
-        before->bytes = bytes;
-        before->room = size;
-    }
-    before->head = size - sim->method->state_size(sim);
-    simulation_snapshot(sim, before->bytes);
-    before->known = true;
+    before->known = keep_state(sim, &before->bytes, &before->room);
+    before->head = simulation_snapshot_size(sim) - sim->method->state_size(sim);
 }
 
 static bool next_stage(Experiment *experiment, Status *status)
@@ -263,6 +270,7 @@ static bool next_stage(Experiment *experiment, Status *status)
 
 bool experiment_next_stage(Experiment *experiment, Status *status)
 {
+    experiment_drop_part(experiment);
     experiment->pending = false;
     return next_stage(experiment, status);
 }
@@ -294,6 +302,7 @@ bool experiment_field_before(Experiment *experiment, int field, size_t first, si
 void experiment_seek(Experiment *experiment, long step, int stage)
 {
     const Trial *trial = &experiment->trial;
+    experiment_drop_part(experiment);
     if (step < 0)
         step = 0, stage = 0;
     if (step >= trial->last)
@@ -322,6 +331,7 @@ bool experiment_work(Experiment *experiment, long steps, Status *status)
 {
     Trial *trial = &experiment->trial;
     Simulation *sim = trial->sim;
+    experiment_drop_part(experiment);
     if (!experiment->pending)
         return true;
     trial_approach(trial, experiment->goal_step, experiment->goal_stage);
@@ -349,5 +359,55 @@ bool experiment_work(Experiment *experiment, long steps, Status *status)
 
 void experiment_cancel(Experiment *experiment)
 {
+    experiment_drop_part(experiment);
     experiment->pending = false;
+}
+
+/* --- steps in parts ------------------------------------------------------------------------------- */
+
+static bool do_part(Experiment *experiment, size_t items, bool *whole, Status *status)
+{
+    Trial *trial = &experiment->trial;
+    Part *part = &experiment->part;
+    experiment->before.known = false;
+    if (!part->begun) {
+        if (!keep_state(trial->sim, &part->bytes, &part->room)) {
+            *whole = true; /* there is no way back from the middle, so there must be no stop in it */
+            return trial_steps(trial, trial->sim->stage == 0 ? 1 : 0, status);
+        }
+        part->begun = true;
+    }
+    bool sound = trial_slice(trial, items, whole, status);
+    part->begun = sound && !*whole;
+    return sound;
+}
+
+bool experiment_advance_part(Experiment *experiment, size_t items, bool *whole, Status *status)
+{
+    if (experiment->pending)
+        experiment_drop_part(experiment);
+    experiment->pending = false;
+    experiment->flowing = true;
+    return do_part(experiment, items, whole, status);
+}
+
+bool experiment_work_part(Experiment *experiment, size_t items, bool *whole, Status *status)
+{
+    Trial *trial = &experiment->trial;
+    *whole = true;
+    if (!experiment->pending)
+        return true;
+    if (!experiment->part.begun)
+        trial_approach(trial, experiment->goal_step, experiment->goal_stage);
+    if (trial->sim->step >= experiment->goal_step)
+        return experiment_work(experiment, 0, status);
+    experiment->pending = do_part(experiment, items, whole, status);
+    return experiment->pending;
+}
+
+void experiment_drop_part(Experiment *experiment)
+{
+    if (experiment->part.begun)
+        simulation_restore(experiment->trial.sim, experiment->part.bytes);
+    experiment->part.begun = false;
 }

@@ -76,6 +76,14 @@ bool experiment_failed(const Experiment *, Status *);
  * stands at the last sound whole step. */
 bool experiment_advance(Experiment *, long steps, Status *);
 
+/* For steps that take longer than a frame: at most so many items of the step at hand (Simulation.stage_items to
+ * each of its stages) or, of a seek that is pending, of the way to its goal. *whole: a step came to its end, or
+ * there was none to do. Until then the state is no moment of the run, not to be looked at: whoever wants to, and
+ * whatever else is done to the experiment, goes back to where the step began by experiment_drop_part(). */
+bool experiment_advance_part(Experiment *, size_t items, bool *whole, Status *);
+bool experiment_work_part(Experiment *, size_t items, bool *whole, Status *);
+void experiment_drop_part(Experiment *);
+
 /* No rows come for the time being: what is worked out now and then only while the run goes on, the readout,
  * is worked out exactly. */
 void experiment_rest(Experiment *);

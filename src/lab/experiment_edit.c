@@ -198,6 +198,7 @@ static void rewind_trial(Experiment *experiment, bool keep_ghost)
 bool experiment_restart(Experiment *experiment, bool keep_ghost, Status *status)
 {
     Trial *trial = &experiment->trial;
+    experiment_drop_part(experiment);
     Settings settings = trial->now;
     memcpy(settings.changes, experiment->given, sizeof settings.changes);
     settings.n_changes = experiment->n_given;
@@ -288,6 +289,7 @@ static bool edit_from_start(Experiment *experiment, const Settings *wanted, bool
 {
     const Trial *trial = &experiment->trial;
     Settings settings = *wanted;
+    experiment_drop_part(experiment);
     if (experiment->adopted)
         return status_fail(status, STATUS_USAGE, "this run has no parameters");
     double dt = trial->sim->dt, new_dt = dt;
@@ -363,6 +365,7 @@ bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *sta
     Trial *trial = &experiment->trial;
     if (!experiment->adopted && !settings_check(wanted, status))
         return false;
+    experiment_drop_part(experiment);
     Difference difference = compare(&trial->now, wanted);
     /* what is on screen, or will be as soon as the work is done */
     long step = experiment->pending ? experiment->goal_step : trial->sim->step;

@@ -12,6 +12,13 @@ typedef struct Before {
     bool known;
 } Before;
 
+/* The state before a step that is done in parts. */
+typedef struct Part {
+    unsigned char *bytes;
+    size_t room;
+    bool begun;
+} Part;
+
 struct Experiment {
     Trial trial;
     bool adopted; /* the simulation came from outside: no other can be made from the settings */
@@ -24,6 +31,7 @@ struct Experiment {
     long goal_step;
     int goal_stage;
     Before before;
+    Part part;
     double row[COLUMNS_MAX];
     long row_step; /* the step that `row` belongs to; -1: none */
     Readout readout;

@@ -238,6 +238,22 @@ bool trial_stage(Trial *trial, Status *status)
     return sim->stage != 0 || finish_step(trial, &why) || fail(trial, &why, status);
 }
 
+bool trial_slice(Trial *trial, size_t items, bool *whole, Status *status)
+{
+    Status why = {0};
+    Simulation *sim = trial->sim;
+    bool stage_done = false, begun = sim->stage != 0 || sim->item != 0;
+    *whole = !begun && sim->step >= trial->last;
+    if (*whole)
+        return true;
+    if (!begun && !may_go_on(trial, status))
+        return false;
+    if (!simulation_slice(sim, items, &stage_done, &why))
+        return fail(trial, &why, status);
+    *whole = stage_done && sim->stage == 0;
+    return !*whole || finish_step(trial, &why) || fail(trial, &why, status);
+}
+
 /* --- backwards ------------------------------------------------------------------------------------ */
 
 void trial_approach(Trial *trial, long step, int stage)

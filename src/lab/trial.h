@@ -44,6 +44,10 @@ bool trial_steps(Trial *, long steps, Status *);
 /* The next stage; nothing at the end of the run. */
 bool trial_stage(Trial *, Status *);
 
+/* At most so many items of the step's stages (Simulation.stage_items). *whole: the step came to its end, or there
+ * is none to do. In the middle the state is no moment of the run. */
+bool trial_slice(Trial *, size_t items, bool *whole, Status *);
+
 /* Goes to the last keyframe at or before a step, if that is a way to get there from here: it is where the
  * present is beyond the step, or before the keyframe. */
 void trial_approach(Trial *, long step, int stage);

@@ -18,6 +18,7 @@
          */
 
 #define CHUNK_SECONDS 0.004 /* the engine is let go for about that long before the clock is read again */
+#define STEP_SHARE    0.5   /* of a frame: a step that takes longer is done in parts */
 #define ROUND_FRAMES  15    /* frames in time before "max" goes from the title */
 
 static const double tau = 6.283185307179586;
@@ -279,24 +280,76 @@ static bool work(Laboratory *lab, bool (*verb)(Experiment *, long, Status *), lo
     return sound;
 }
 
-static void run_frame(Laboratory *lab, double deadline)
+/* What the next step will take. */
+static double step_seconds(const Laboratory *lab)
+{
+    return lab->rate > 0 ? 1 / lab->rate : 0;
+}
+
+/* Whether steps may be done whole: not the first one, of which nothing is known, nor those that leave no room
+ * in a frame. */
+static bool steps_are_short(const Laboratory *lab)
+{
+    return lab->rate > 0 && step_seconds(lab) < STEP_SHARE * FRAME_SECONDS;
+}
+
+/* A step, or the next part of it, by `verb`, up to the deadline. Returns how many steps were completed. */
+static long work_in_parts(Laboratory *lab, bool (*verb)(Experiment *, size_t, bool *, Status *),
+                          double deadline, bool *sound, Status *status)
+{
+    size_t all = experiment_simulation(lab->screen.experiment)->stage_items;
+    /* all of a step may be in one stage */
+    double share = lab->rate > 0 ? CHUNK_SECONDS * lab->rate : 1.0 / 64;
+    size_t items = share < 1 ? (size_t)(share * (double)all) : all;
+    bool whole = false;
+    double last = lab->host.now(lab->host.context);
+    lab->in_parts = true;
+    do {
+        *sound = verb(lab->screen.experiment, items > 0 ? items : 1, &whole, status);
+        if (whole)
+            lab->host.worked(lab->host.context, 1);
+        double now = lab->host.now(lab->host.context);
+        lab->part_seconds += now - last;
+        last = now;
+    } while (*sound && !whole && last < deadline);
+    if (*sound && !whole)
+        return 0;
+    learn_rate(lab, 1, lab->part_seconds);
+    lab->in_parts = false;
+    lab->part_seconds = 0;
+    return 1;
+}
+
+void drop_part(Laboratory *lab)
+{
+    experiment_drop_part(lab->screen.experiment);
+    lab->in_parts = false;
+    lab->part_seconds = 0;
+}
+
+static bool run_frame(Laboratory *lab, double deadline)
 {
     Screen *screen = &lab->screen;
     Status status = {STATUS_DONE, ""};
     double begin = lab->host.now(lab->host.context);
-    lab->owed += screen->pace;
-    long wanted = (long)lab->owed, done = 0;
-    lab->owed -= (double)wanted;
+    if (!lab->in_parts)
+        lab->owed += screen->pace;
+    long wanted = lab->in_parts ? 1 : (long)lab->owed, done = 0;
+    if (!lab->in_parts)
+        lab->owed -= (double)wanted;
     bool sound = true, in_time = true;
-    while (sound && done < wanted && !experiment_at_end(screen->experiment)) {
+    while (sound && in_time && done < wanted && !experiment_at_end(screen->experiment)) {
         double left = deadline - lab->host.now(lab->host.context);
-        if (left <= 0 && done > 0) {
+        if (done > 0 && left < step_seconds(lab)) {
             in_time = false;
-            break;
+        } else if (lab->in_parts || !steps_are_short(lab)) {
+            done += work_in_parts(lab, experiment_advance_part, deadline, &sound, &status);
+            in_time = !lab->in_parts;
+        } else {
+            long piece = chunk(lab, wanted - done, left);
+            sound = work(lab, experiment_advance, piece, &status);
+            done += piece;
         }
-        long piece = chunk(lab, wanted - done, left);
-        sound = work(lab, experiment_advance, piece, &status);
-        done += piece;
     }
     lab->frames_in_time = in_time ? lab->frames_in_time + 1 : 0;
     if (!in_time)
@@ -306,11 +359,12 @@ static void run_frame(Laboratory *lab, double deadline)
     double took = lab->host.now(lab->host.context) - begin;
     double rate = (double)done / (took > FRAME_SECONDS ? took / FRAME_SECONDS : 1);
     screen->rate = screen->rate > 0 ? 0.8 * screen->rate + 0.2 * rate : rate;
-    if (!sound || experiment_at_end(screen->experiment))
+    if (!lab->in_parts && (!sound || experiment_at_end(screen->experiment)))
         settle(lab);
+    return !lab->in_parts || done > 0;
 }
 
-static void compute_frame(Laboratory *lab, double deadline)
+static bool compute_frame(Laboratory *lab, double deadline)
 {
     Experiment *experiment = lab->screen.experiment;
     Status status = {STATUS_DONE, ""};
@@ -318,16 +372,21 @@ static void compute_frame(Laboratory *lab, double deadline)
     bool sound = true;
     for (bool first = true; sound && experiment_pending(experiment, &left); first = false) {
         double time_left = deadline - lab->host.now(lab->host.context);
-        if (time_left <= 0 && !first)
+        if (time_left < step_seconds(lab) && !first)
             break;
         if (left > most)
             most = left;
-        sound = work(lab, experiment_work, chunk(lab, left > 0 ? left : 1, time_left), &status);
+        if (left > 0 && (lab->in_parts || !steps_are_short(lab))) {
+            work_in_parts(lab, experiment_work_part, deadline, &sound, &status);
+            if (lab->in_parts)
+                return false;
+        } else
+            sound = work(lab, experiment_work, chunk(lab, left > 0 ? left : 1, time_left), &status);
     }
     if (!sound || !experiment_pending(experiment, &left)) {
         lab->screen.work_share = 0;
         settle(lab);
-        return;
+        return true;
     }
     /* the first frame of a work is where its length is known */
     if (lab->screen.work_share <= 0 || left > lab->work_total)
@@ -335,21 +394,24 @@ static void compute_frame(Laboratory *lab, double deadline)
     lab->screen.work_share = 1 - (double)left / (double)lab->work_total;
     if (lab->screen.work_share < 1e-6)
         lab->screen.work_share = 1e-6;
+    return true;
 }
 
-void laboratory_frame(Laboratory *lab, double deadline)
+bool laboratory_frame(Laboratory *lab, double deadline)
 {
     if (lab->screen.message_kind == MESSAGE_INFO &&
         lab->host.now(lab->host.context) > lab->said_at + MESSAGE_SECONDS)
         say(lab, MESSAGE_NONE, "%s", "");
     if (lab->screen.state == STATE_COMPUTING)
-        compute_frame(lab, deadline);
-    else if (lab->screen.state == STATE_RUNNING)
-        run_frame(lab, deadline);
+        return compute_frame(lab, deadline);
+    if (lab->screen.state == STATE_RUNNING)
+        return run_frame(lab, deadline);
+    return true;
 }
 
 bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)
 {
+    drop_part(lab);
     /* where not all panes have room, the plot is what a run is looked at for: Tab reaches the others */
     const bool was_whole = lab->width == 0 || screen_is_whole(lab->width, lab->height);
     if (was_whole && !screen_is_whole(width, height) && lab->screen.focus == PANE_PARAMETERS &&

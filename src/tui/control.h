@@ -58,6 +58,8 @@ struct Laboratory {
     double owed;         /* steps not yet done for the pace; less than one */
     bool pace_automatic; /* + and - were not used */
     double rate;         /* steps per second of the engine alone; 0: not known */
+    bool in_parts;       /* a step that takes long is under way, in parts: nothing new to look at as yet */
+    double part_seconds; /* what it has taken so far */
     int frames_in_time;  /* since the engine was last the limit */
     long bookmark_step;  /* -1: none */
     int bookmark_stage;
@@ -85,8 +87,10 @@ bool laboratory_can(CommandId);
 /* Whether there is work for frames; if not, the host may sleep until a key. */
 bool laboratory_active(const Laboratory *);
 
-/* One frame's share of the engine's work, until `deadline` at the latest (by the host's clock). */
-void laboratory_frame(Laboratory *, double deadline);
+/* One frame's share of the engine's work, until `deadline` at the latest (by the host's clock). False: there is
+ * nothing new to be drawn, for a step that takes longer than the frame goes on; to draw now would throw away what
+ * has been done of it. */
+bool laboratory_frame(Laboratory *, double deadline);
 
 /* Draws on a canvas of this size. */
 bool laboratory_draw(Laboratory *, Canvas *, int width, int height);
@@ -98,6 +102,9 @@ void say(Laboratory *, MessageKind, const char *format, ...) __attribute__((form
 /* The state after a change: at the end, failed, computing, ... */
 void settle(Laboratory *);
 void pause_run(Laboratory *);
+
+/* Back to where the step that is done in parts began, for whoever wants to look or to do something else. */
+void drop_part(Laboratory *);
 void seek(Laboratory *, long step, int stage);
 
 /* experiment_edit() or experiment_rerun(). */

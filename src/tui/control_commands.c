@@ -1,4 +1,5 @@
 /* What each command does: one function each, found by its id. */
+#include "base/text.h"
 #include "tui/control.h"
 
 #include <math.h>
@@ -6,6 +7,8 @@
 #include <string.h>
 
 typedef void (*Carry)(Laboratory *);
+
+#define AGAIN_SECONDS 2.0 /* of computing; a finished run that took longer is not given up unasked */
 
 /* --- time ------------------------------------------------------------------------------------------- */
 
@@ -24,11 +27,31 @@ static void begin_again(Laboratory *lab, bool running)
     settle(lab);
 }
 
+static bool answer_again(Laboratory *lab, const char *text)
+{
+    (void)text;
+    begin_again(lab, true);
+    return true;
+}
+
+/* A run that is soon computed again begins anew at once; one that took long is not thrown away by a slip. */
+static void run_again(Laboratory *lab)
+{
+    double seconds = lab->rate > 0 ? (double)experiment_last_step(lab->screen.experiment) / lab->rate : 0;
+    char takes[NUMBER_TEXT_MAX];
+    if (seconds < AGAIN_SECONDS) {
+        begin_again(lab, true);
+        return;
+    }
+    text_rounded(takes, seconds, 2);
+    ask(lab, answer_again, true, "", "run again from t = 0? it takes about %s s", takes);
+}
+
 static void run_or_pause(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
     if (screen->state == STATE_ENDED)
-        begin_again(lab, true);
+        run_again(lab);
     else if (screen->state == STATE_FAILED)
         say(lab, MESSAGE_INFO, "the run cannot go on: change a parameter, step back, or r to begin again");
     else if (screen->state == STATE_COMPUTING)

@@ -132,6 +132,7 @@ static bool is_for_everywhere(CommandId id)
 void laboratory_key(Laboratory *lab, const Key *key)
 {
     const Command *command = command_by_key(key->name);
+    drop_part(lab);
     say(lab, MESSAGE_NONE, "%s", "");
     if (command && is_for_everywhere(command->id))
         laboratory_command(lab, command->id);

@@ -48,6 +48,7 @@ void settings_changed(Laboratory *lab)
 {
     lab->changed = true;
     lab->screen.summary_known = false;
+    lab->rate = 0; /* a step may take longer now */
     if (lab->pace_automatic)
         choose_pace(lab);
     settle(lab);

@@ -125,9 +125,12 @@ static void one_round(Loop *loop)
     double begin = now(NULL);
     /* a key between two frames is shown at once, but does not make the run go faster */
     if (laboratory_active(lab) && (begin >= loop->due || lab->screen.state == STATE_COMPUTING)) {
-        laboratory_frame(lab, begin + FRAME_SECONDS - loop->draw_time);
+        if (laboratory_frame(lab, begin + FRAME_SECONDS - loop->draw_time))
+            loop->stale = true;
         loop->due = loop->due + FRAME_SECONDS > begin ? loop->due + FRAME_SECONDS : begin + FRAME_SECONDS;
-        loop->stale = true;
+        /* where the engine is the limit it does not wait for a frame that has room for another step */
+        if (lab->frames_in_time == 0)
+            loop->due = now(NULL);
     }
     if (loop->stale) {
         draw(loop);

@@ -28,13 +28,39 @@ static void expect_straight(Experiment *experiment, const char *what)
     simulation_destroy(fresh);
 }
 
+/* One step in slices of any size; sometimes it is given up on its way, then the present is where it began. */
+static void step_in_parts(Experiment *experiment, unsigned long *state)
+{
+    bool whole = false, at_end = experiment_at_end(experiment);
+    long step = experiment_step(experiment);
+    int stage = experiment_stage(experiment);
+    size_t all = experiment_simulation(experiment)->stage_items;
+    while (!whole && draw(state, 40) > 0)
+        ck_assert(experiment_advance_part(experiment, 1 + draw(state, all), &whole, NULL));
+    experiment_drop_part(experiment);
+    ck_assert_int_eq(experiment_step(experiment), whole && !at_end ? step + 1 : step);
+    ck_assert_int_eq(experiment_stage(experiment), whole ? 0 : stage);
+}
+
+static void seek_in_parts(Experiment *experiment, long step, int stage, unsigned long *state)
+{
+    bool whole;
+    size_t all = experiment_simulation(experiment)->stage_items;
+    experiment_seek(experiment, step, stage);
+    while (experiment_pending(experiment, NULL)) {
+        ck_assert(experiment_work_part(experiment, 1 + draw(state, 2 * all), &whole, NULL));
+        if (draw(state, 300) == 0)
+            experiment_drop_part(experiment);
+    }
+}
+
 /* The keys of the laboratory: . , < > s S g and Space. */
 static void walk(Experiment *experiment, unsigned long *state)
 {
     Status status = {0};
     long step = experiment_step(experiment), last = experiment_last_step(experiment);
     int stage = experiment_stage(experiment), stages = experiment_simulation(experiment)->n_stages;
-    switch (draw(state, 9)) {
+    switch (draw(state, 12)) {
     case 0:
         ck_assert(experiment_advance(experiment, 1, &status));
         break;
@@ -60,6 +86,14 @@ static void walk(Experiment *experiment, unsigned long *state)
     case 7:
         experiment_seek(experiment, (long)draw(state, (unsigned long)last + 1),
                         (int)draw(state, (unsigned long)stages));
+        break;
+    case 8:
+    case 9:
+        step_in_parts(experiment, state);
+        break;
+    case 10:
+        seek_in_parts(experiment, step + 3 - (long)draw(state, 7), (int)draw(state, (unsigned long)stages),
+                      state);
         break;
     default:
         ck_assert(experiment_advance(experiment, (long)draw(state, 80), &status));
@@ -103,7 +137,14 @@ START_TEST(keyframes_are_given_up_under_a_small_budget)
 {
     Settings settings = bar_settings(1, 5);
     walk_randomly(&settings, 12000, 200, 4); /* two or three keyframes */
-    walk_randomly(&settings, 0, 100, 5);     /* none but that of t = 0 */
+    Experiment *experiment = open_experiment(&settings, 12000);
+    ck_assert(experiment_advance(experiment, 500, NULL));
+    experiment_seek(experiment, 383, 0);
+    long left;
+    ck_assert(experiment_pending(experiment, &left));
+    ck_assert_int_gt(left, 2 * 32); /* frames were given up: those left lie further apart than at first */
+    experiment_destroy(experiment);
+    walk_randomly(&settings, 0, 100, 5); /* none but that of t = 0 */
 }
 END_TEST
 

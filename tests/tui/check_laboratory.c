@@ -31,6 +31,21 @@ static long step_of(const Bench *bench)
     return experiment_step(bench->lab.screen.experiment);
 }
 
+/* The whole record of what is on screen equals that of a run that never was anything else. */
+static void check_like_fresh(const Bench *bench)
+{
+    Status status = {STATUS_DONE, ""};
+    const Experiment *edited = bench->lab.screen.experiment;
+    Experiment *fresh = experiment_create(experiment_settings(edited), 1 << 20, 1, &status);
+    ck_assert_msg(fresh != NULL, "%s", status.text);
+    ck_assert(experiment_advance(fresh, experiment_step(edited), &status));
+    const Record *one = experiment_record(edited), *other = experiment_record(fresh);
+    ck_assert_uint_eq(one->count, other->count);
+    ck_assert_int_eq(one->n_columns, other->n_columns);
+    ck_assert_int_eq(memcmp(one->rows, other->rows, one->count * (size_t)one->n_columns * sizeof(double)), 0);
+    experiment_destroy(fresh);
+}
+
 /* --- the table -------------------------------------------------------------------------------------- */
 
 START_TEST(every_row_of_the_table_is_carried_out)
@@ -176,22 +191,74 @@ START_TEST(a_long_seek_is_cut_into_frames)
 }
 END_TEST
 
-/* --- parameters ------------------------------------------------------------------------------------- */
-
-/* The whole record of what is on screen equals that of a run that never was anything else. */
-static void check_like_fresh(const Bench *bench)
+/* A step that takes longer than a frame is done in parts: no frame waits for it, and whoever looks in the
+ * middle sees the step before. */
+START_TEST(a_long_step_is_cut_into_frames)
 {
-    Status status = {STATUS_DONE, ""};
-    const Experiment *edited = bench->lab.screen.experiment;
-    Experiment *fresh = experiment_create(experiment_settings(edited), 1 << 20, 1, &status);
-    ck_assert_msg(fresh != NULL, "%s", status.text);
-    ck_assert(experiment_advance(fresh, experiment_step(edited), &status));
-    const Record *one = experiment_record(edited), *other = experiment_record(fresh);
-    ck_assert_uint_eq(one->count, other->count);
-    ck_assert_int_eq(one->n_columns, other->n_columns);
-    ck_assert_int_eq(memcmp(one->rows, other->rows, one->count * (size_t)one->n_columns * sizeof(double)), 0);
-    experiment_destroy(fresh);
+    Bench *bench = open_bench("notched-beam-coarse", false);
+    const Experiment *experiment = bench->lab.screen.experiment;
+    bench->tick = 0.002;
+    long steps = 0, quiet = 0;
+    for (int i = 0; i < 200; i++) {
+        double begin = bench->time;
+        bool news = laboratory_frame(&bench->lab, begin + FRAME_SECONDS);
+        ck_assert_double_le(bench->time - begin, FRAME_SECONDS + 8 * bench->tick);
+        quiet += !news;
+        if (!news)
+            continue;
+        ck_assert(laboratory_draw(&bench->lab, &bench->canvas, 80, 24));
+        ck_assert_int_eq(step_of(bench), ++steps);
+    }
+    ck_assert_int_gt(steps, 2);
+    ck_assert_int_gt(quiet, 20 * steps);
+    /* a key in the middle */
+    ck_assert(bench->lab.in_parts);
+    ck_assert_int_gt(experiment_stage(experiment) + (int)experiment_simulation(experiment)->item, 0);
+    press(bench, "1");
+    ck_assert_int_eq(step_of(bench), steps);
+    ck_assert_int_eq(experiment_stage(experiment), 0);
+    check_like_fresh(bench);
+    /* and a seek */
+    press_all(bench, "g # 5 0 0 Enter");
+    for (int i = 0; i < 100; i++)
+        laboratory_frame(&bench->lab, bench->time + FRAME_SECONDS);
+    press(bench, "Esc");
+    ck_assert_int_eq(bench->lab.screen.state, STATE_PAUSED);
+    ck_assert_int_gt(step_of(bench), steps);
+    ck_assert_int_eq(experiment_stage(experiment), 0);
+    bench->tick = 0;
+    check_like_fresh(bench);
+    close_bench(bench);
 }
+END_TEST
+
+START_TEST(a_run_that_took_long_is_not_given_up_unasked)
+{
+    Bench *bench = open_bench("mode1", true);
+    bench->rate = 1000;
+    press_all(bench, ": t i m e . e n d = 5 Enter g 5 Enter");
+    while (bench->lab.screen.state == STATE_COMPUTING)
+        frame(bench);
+    ck_assert_int_eq(bench->lab.screen.state, STATE_ENDED);
+    press(bench, "Space"); /* half a second: at once */
+    ck_assert_int_eq(bench->lab.screen.state, STATE_RUNNING);
+    bench->rate = 100;
+    while (bench->lab.screen.state == STATE_RUNNING)
+        frame(bench);
+    press(bench, "Space");
+    ck_assert(bench->lab.screen.prompt.open && bench->lab.screen.prompt.yes_no);
+    ck_assert_msg(shows(bench, "takes about 5 s"), "%s", bench->lab.screen.prompt.question);
+    press(bench, "n");
+    ck_assert_int_eq(bench->lab.screen.state, STATE_ENDED);
+    ck_assert_int_eq(step_of(bench), 500);
+    press_all(bench, "Space y");
+    ck_assert_int_eq(bench->lab.screen.state, STATE_RUNNING);
+    ck_assert_int_lt(step_of(bench), 10);
+    close_bench(bench);
+}
+END_TEST
+
+/* --- parameters ------------------------------------------------------------------------------------- */
 
 START_TEST(ten_nudges_redraw_ten_times)
 {
@@ -439,6 +506,8 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, steps_and_stages_go_both_ways);
     tcase_add_test(tcase, the_end_pauses_with_a_summary);
     tcase_add_test(tcase, a_long_seek_is_cut_into_frames);
+    tcase_add_test(tcase, a_long_step_is_cut_into_frames);
+    tcase_add_test(tcase, a_run_that_took_long_is_not_given_up_unasked);
     tcase_add_test(tcase, ten_nudges_redraw_ten_times);
     tcase_add_test(tcase, nudges_of_the_cell_keep_the_time);
     tcase_add_test(tcase, a_field_is_edited_in_place);

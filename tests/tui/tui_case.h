@@ -9,6 +9,7 @@ typedef struct Bench {
     Settings settings;
     Canvas canvas;
     double time, rate; /* rate: steps in a second, 0: without limit */
+    double tick;       /* seconds that pass whenever the clock is read */
     int width, height;
 } Bench;
 
