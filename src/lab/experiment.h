@@ -54,7 +54,11 @@ const char *experiment_advice(const Experiment *);                           /* 
 const Readout *experiment_readout(Experiment *);                             /* see experiment_rest() */
 const Spectrum *experiment_spectrum(Experiment *, int column, SpectrumSpan); /* NULL: too few rows as yet */
 const Spectrum *experiment_ghost_spectrum(Experiment *, int ghost, int column, SpectrumSpan);
-const double *experiment_row(Experiment *);                     /* all columns at the present whole step */
+const double *experiment_row(Experiment *); /* all columns at the present whole step */
+/* The energy without the ripple of staggered velocities and stresses (E* of paper M's method: sum of m v^n
+ * v^{n+1}/2 and the strain energy between), at the present step and at t = 0. False: not known; it is for
+ * bars without load, FLIP alone, between steps. */
+bool experiment_invariant(Experiment *, double *now, double *start);
 const Event *experiment_events(const Experiment *, int *count); /* up to the newest step, even when rewound */
 
 /* The settings whose run from t = 0 gives what has been computed: to the newest step, or only to the present

@@ -19,6 +19,13 @@ typedef struct Part {
     bool begun;
 } Part;
 
+/* What is known of E*: at t = 0, and at one step. */
+typedef struct Invariant {
+    bool any;
+    double start, now;
+    long step; /* that `now` belongs to; -1: none */
+} Invariant;
+
 struct Experiment {
     Trial trial;
     bool adopted; /* the simulation came from outside: no other can be made from the settings */
@@ -38,6 +45,7 @@ struct Experiment {
     size_t readout_rows; /* how many rows it was worked out from */
     bool flowing;        /* rows come in: it is worked out now and then only */
     Spectrum spectra[SPECTRUM_SPANS];
+    Invariant invariant;
     Derived derived[DERIVED_MAX];
     int n_derived; /* 0: not known */
     Settings derived_for;

@@ -121,10 +121,11 @@ static void write_curves(Sheet *sheet, int width, bool bar)
          "it then sits in particle velocities that cancel within a cell."},
         {"hidden",
          "the part of the kinetic energy that the grid cannot see: what is left when the particles are "
-         "mapped to the nodes and back."},
+         "mapped to the nodes and back. The share below the energies is the mean over what the plot shows."},
         {"ripple",
          "velocities and stresses are known half a step apart, so their sum ripples by about half of "
-         "w times the time step. It is no loss."},
+         "w times the time step. It is no loss: E* takes velocity and stress where they belong together, and "
+         "does not ripple. What E* loses is lost."},
         {"K and F",
          "view 5, the two reasons for the error of w. K: the masses are lumped on the nodes. F: what is left "
          "of a wave that goes from the particles to the nodes and back. Its axis goes by square roots, so "

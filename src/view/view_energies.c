@@ -81,26 +81,49 @@ static void add_stack(Plot *plot, const Stack *stack, int dots)
     }
 }
 
-static void energy_line(const Screen *screen, const Stack *stack, int width, char out[160])
+/* The share of the kinetic energy that the grid does not see, over what the plot shows; NAN: not known. */
+static double hidden_share(const Screen *screen, const Record *record, const Axis *x)
+{
+    const int kinetic = find_column(screen, "kinetic"), grid = find_column(screen, "kinetic_grid");
+    double all = 0, seen = 0;
+    if (kinetic < 0 || grid < 0 || record->count == 0)
+        return NAN;
+    for (size_t i = record_find(record, x->low); i < record->count && record_row(record, i)[1] <= x->high;
+         i++) {
+        all += record_row(record, i)[kinetic];
+        seen += record_row(record, i)[grid];
+    }
+    return all > 0 ? 1 - seen / all : NAN;
+}
+
+/* Phrases parted by two spaces: total, E*, hidden share, and what the ripple is. */
+static void energy_phrases(const Screen *screen, const Stack *stack, const Axis *x, bool wide, char out[320])
 {
     const Record *record = stack->record;
-    out[0] = '\0';
-    if (record->count == 0)
-        return;
     const double *now = experiment_row(screen->experiment), *start = record_row(record, 0);
-    const int total = find_column(screen, "total"), kinetic = find_column(screen, "kinetic");
-    const int grid = find_column(screen, "kinetic_grid");
-    if (!now || total < 0)
+    const int total = find_column(screen, "total");
+    out[0] = '\0';
+    if (record->count == 0 || !now || total < 0)
         return;
-    char number[NUMBER_TEXT_MAX], hidden[48] = "";
-    number_text(now[total], 5, 10, number);
-    append(out, 160, "total %s", number);
+    char number[NUMBER_TEXT_MAX];
+    double sharp, first;
+    number_text(now[total], 4, 10, number);
+    append(out, 320, "total %s", number);
     if (start[total] != 0)
-        append(out, 160, " = %.2f %% of the start", 100 * now[total] / start[total]);
-    if (grid >= 0 && kinetic >= 0 && now[kinetic] > 0)
-        append(hidden, sizeof hidden, ", %.1f %% of kinetic hidden", 100 * (1 - now[grid] / now[kinetic]));
-    if (text_columns(out) + text_columns(hidden) <= width)
-        append(out, 160, "%s", hidden);
+        append(out, 320, " = %.2f %%%s", 100 * now[total] / start[total], wide ? " of the start" : "");
+    if (experiment_invariant(screen->experiment, &sharp, &first) && first > 0) {
+        const double loss = 100 * (1 - sharp / first);
+        number_text(sharp, 4, 10, number);
+        append(out, 320, "  E* %s, %s %.3f %%", number, loss < -5e-4 ? "gain" : "loss", fabs(loss));
+    }
+    const double hidden = hidden_share(screen, record, x);
+    if (isfinite(hidden))
+        append(out, 320, wide ? "  hidden %.2f %% of kinetic in this window" : "  hidden %.2f %%",
+               100 * hidden);
+    if (isfinite(hidden))
+        append(out, 320,
+               wide ? "  the ripple is staggering (v and stress half a step apart), not loss"
+                    : "  the ripple is staggering, not loss");
 }
 
 void view_energies(const Screen *screen, Area area, Style heading, int variant)
@@ -116,15 +139,6 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
             most_work = fmax(most_work, fabs(record_row(record, i)[work]));
     }
     overlay_widen(screen, "total", false, &(double){0}, &most);
-    /* the ripple comes of velocities and stresses half a step apart; velocity Verlet has none */
-    const bool staggered = find_column(screen, "kinetic_grid") >= 0;
-    const int under = area.rect.height >= 8 && staggered ? 2 : area.rect.height >= 6 ? 1 : 0;
-    Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
-    const int width = plot_area.rect.width - GUTTER - 1, dots = width * plot_dots_across(area.glyphs);
-    const int rows = plot_area.rect.height - 1;
-    Axis y = axis_make(0, axis_round_up(fmax(most, most_work) * 1.02), rows < 4 ? 2 : rows < 12 ? 4 : 6);
-    Axis x = time_plot_axis(screen, width);
-
     /* bands are told apart by how densely they are filled: the legend shows a piece of each */
     static const char *const keys[GLYPHS_NONE + 1][4] = {
         [GLYPHS_BRAILLE] = {"⣿⣿", "⢕⢕", "⠅⠅", "⠁⠁"},
@@ -138,11 +152,22 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
                                       keys[area.glyphs][stack.layers[i].fill & 3]};
     if (most_work > 0)
         legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "work", NULL};
+    const int height = area.rect.height;
+    Axis y = axis_make(0, axis_round_up(fmax(most, most_work) * 1.02), height < 7 ? 2 : height < 15 ? 4 : 6);
+    char scale[TICK_TEXT_MAX], name[32], phrases[320];
+    axis_scale_text(&y, experiment_settings(screen->experiment)->problem == PROBLEM_BAR ? "" : "J", scale);
+    /* a band without a name says nothing: what the heading has no room for stands below it */
+    const int named = draw_heading(area, heading, "energy", scale, legend, n_legend),
+              top = 1 + (named < n_legend);
+    draw_legend(area, 2, 1, legend + named, n_legend - named);
+    /* of velocities and stresses half a step apart there is more to say; velocity Verlet has none */
+    const int lines = find_column(screen, "kinetic_grid") < 0 ? 1 : height - top >= 10 ? 3 : 2;
+    const int under = height - top >= 7 ? lines : height - top >= 5 ? 1 : 0;
+    Area plot_area = area_part(area, 0, top, area.rect.width, height - top - under);
+    const int width = plot_area.rect.width - GUTTER - 1, dots = width * plot_dots_across(area.glyphs);
+    Axis x = time_plot_axis(screen, width);
     Run runs[RUNS_MAX];
     const int n_runs = runs_with(runs, runs_of(screen, runs), "total");
-    char scale[TICK_TEXT_MAX], name[32], line[160];
-    axis_scale_text(&y, experiment_settings(screen->experiment)->problem == PROBLEM_BAR ? "" : "J", scale);
-    const int named = draw_heading(area, heading, "energy", scale, legend, n_legend);
     Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
     Plot plot;
     plot_open(&plot, x, y);
@@ -159,18 +184,7 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
     draw_run_letters(&plot, inner, runs, n_runs, "total");
     plot_close(&plot);
 
-    if (under > 0) {
-        energy_line(screen, &stack, area.rect.width - 2, line);
-        area_text(area, 1, area.rect.height - under, line, STYLE_NORMAL);
-    }
-    /* a band without a name says nothing: what the heading has no room for comes before the remark */
-    if (under > 1 && named < n_legend)
-        draw_legend(area, 1, area.rect.height - 1, legend + named, n_legend - named);
-    else if (under > 1)
-        area_text(area, 1, area.rect.height - 1,
-                  text_columns("the ripple is staggering (v and stress half a step apart), not loss") <
-                          area.rect.width - 1
-                      ? "the ripple is staggering (v and stress half a step apart), not loss"
-                      : "the ripple is staggering, not loss",
-                  STYLE_FAINT);
+    const bool wide = area.rect.width > 90;
+    energy_phrases(screen, &stack, &x, wide, phrases);
+    area_phrases(area, 1, height - under, area.rect.width - 2, under, phrases, STYLE_NORMAL);
 }
