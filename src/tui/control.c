@@ -128,6 +128,27 @@ static size_t history_size(const Laboratory *lab)
     return lab->options.history ? lab->options.history : (size_t)256 << 20;
 }
 
+/* What takes no longer is not worth a picture. */
+#define BUILDING_SECONDS 0.15
+
+static bool show_building(double share, void *context)
+{
+    Laboratory *lab = context;
+    double now = lab->host.now(lab->host.context);
+    if (share <= 0)
+        lab->built_at = now;
+    if (now < lab->built_at + BUILDING_SECONDS)
+        return true;
+    say(lab, MESSAGE_INFO, "building the beam: %d %%   ^C gives up", (int)(100 * share));
+    return lab->host.go_on(lab->host.context);
+}
+
+void show_building_of(Laboratory *lab, Settings *settings)
+{
+    settings->beam.go_on = show_building;
+    settings->beam.go_on_context = lab;
+}
+
 static Experiment *make_experiment(const Laboratory *lab, const Settings *settings, Status *status)
 {
     return experiment_create(settings, history_size(lab), lab->options.threads > 0 ? lab->options.threads : 1,
@@ -145,7 +166,9 @@ bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Ho
         return status_fail(status, STATUS_FAILED, "out of memory");
     }
     screen_default(&lab->screen);
-    lab->screen.experiment = make_experiment(lab, options->settings, status);
+    Settings settings = *options->settings;
+    show_building_of(lab, &settings);
+    lab->screen.experiment = make_experiment(lab, &settings, status);
     if (!lab->screen.experiment) {
         laboratory_close(lab);
         return false;
@@ -173,8 +196,11 @@ bool open_scenario(Laboratory *lab, const char *name, Status *status)
     if (!settings)
         return status_fail(status, STATUS_FAILED, "out of memory");
     Experiment *experiment = NULL;
-    if (scenario_load(name, settings, status) && settings_check(settings, status))
+    if (scenario_load(name, settings, status) && settings_check(settings, status)) {
+        show_building_of(lab, settings);
         experiment = make_experiment(lab, settings, status);
+        say(lab, MESSAGE_NONE, "%s", "");
+    }
     if (experiment) {
         experiment_destroy(lab->screen.experiment);
         lab->screen.experiment = experiment;

@@ -26,7 +26,8 @@ typedef struct Host {
     double (*now)(void *context); /* seconds, only ever growing */
     /* `steps` time steps were done: lets a virtual clock go on. */
     void (*worked)(void *context, long steps);
-    /* In the middle of work that cannot be cut into frames: draw, look for ^C; false: give up. */
+    /* In the middle of work that cannot be cut into frames, screen.message says what: draw, look for ^C;
+     * false: give up. While the laboratory is being opened there is nothing to draw. */
     bool (*go_on)(void *context);
     void (*redraw)(void *context);  /* everything anew */
     void (*suspend)(void *context); /* ^Z */
@@ -48,6 +49,7 @@ struct Laboratory {
     int n_undo, n_redo;
     bool changed;    /* parameters were edited since the last export: quitting asks */
     double said_at;  /* when the message came */
+    double built_at; /* when the building of a simulation began */
     bool fresh;      /* the text under edit is the old value: a first character replaces it */
     RunState resume; /* after computing: running or paused */
     long goal_step;  /* where computing goes */
@@ -87,9 +89,9 @@ bool laboratory_can(CommandId);
 /* Whether there is work for frames; if not, the host may sleep until a key. */
 bool laboratory_active(const Laboratory *);
 
-/* One frame's share of the engine's work, until `deadline` at the latest (by the host's clock). False: there is
- * nothing new to be drawn, for a step that takes longer than the frame goes on; to draw now would throw away what
- * has been done of it. */
+/* One frame's share of the engine's work, until `deadline` at the latest (by the host's clock). False: there
+ * is nothing new to be drawn, for a step that takes longer than the frame goes on; to draw now would throw
+ * away what has been done of it. */
 bool laboratory_frame(Laboratory *, double deadline);
 
 /* Draws on a canvas of this size. */
@@ -114,6 +116,9 @@ typedef bool (*ChangeVerb)(Experiment *, const Settings *, Status *);
 bool change_settings(Laboratory *, const Settings *, ChangeVerb, Status *);
 void settings_changed(Laboratory *); /* what follows from it */
 bool open_scenario(Laboratory *, const char *name, Status *);
+
+/* Settings whose simulation shows on the screen how far its building has come; copies of them do too. */
+void show_building_of(Laboratory *, Settings *);
 void choose_pace(Laboratory *);
 
 /* Where the steps of a key begin: the place on screen, or where the work on the way will end. */

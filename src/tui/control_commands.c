@@ -20,6 +20,7 @@ static void begin_again(Laboratory *lab, bool running)
         say(lab, MESSAGE_ERROR, "%s", status.text);
         return;
     }
+    say(lab, MESSAGE_NONE, "%s", "");
     lab->resume = running ? STATE_RUNNING : STATE_PAUSED;
     lab->owed = 0;
     lab->screen.summary_known = false;

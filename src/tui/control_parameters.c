@@ -49,6 +49,7 @@ void settings_changed(Laboratory *lab)
     lab->changed = true;
     lab->screen.summary_known = false;
     lab->rate = 0; /* a step may take longer now */
+    say(lab, MESSAGE_NONE, "%s", "");
     if (lab->pace_automatic)
         choose_pace(lab);
     settle(lab);
@@ -67,7 +68,9 @@ bool change_settings(Laboratory *lab, const Settings *settings, ChangeVerb verb,
     /* a time on screen is a multiple of the time step, which changes: without this, it would wander */
     if (step != lab->anchor_step)
         lab->anchor_time = (double)step * experiment_simulation(lab->screen.experiment)->dt;
-    if (!verb(lab->screen.experiment, settings, status))
+    bool taken = verb(lab->screen.experiment, settings, status);
+    say(lab, MESSAGE_NONE, "%s", ""); /* how far it has been built */
+    if (!taken)
         return false;
     if (same)
         return true;

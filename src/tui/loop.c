@@ -20,6 +20,7 @@ typedef struct Loop {
     double drawn_at;
     long frames;
     int frame_fd; /* -1: nobody listens */
+    int told;     /* characters on the shell's last line that tell how far the opening has come */
     bool stale;   /* what is shown is not what is */
 } Loop;
 
@@ -61,11 +62,31 @@ static void draw(Loop *loop)
     loop->draw_time = 0.8 * loop->draw_time + 0.2 * (loop->drawn_at - begin);
 }
 
+/* Before the screen is taken over the shell's last line tells, and ^C is the shell's. */
+static void tell_opening(Loop *loop)
+{
+    if (!isatty(STDERR_FILENO) || now(NULL) - loop->drawn_at < PROGRESS_SECONDS)
+        return;
+    loop->drawn_at = now(NULL);
+    loop->told = fprintf(stderr, "\r%s", loop->lab.screen.message);
+}
+
+static void forget_opening(Loop *loop)
+{
+    if (loop->told > 0)
+        fprintf(stderr, "\r%*s\r", loop->told, "");
+    loop->told = 0;
+}
+
 static bool go_on(void *context)
 {
     Loop *loop = context;
     Key key;
     bool stop = false;
+    if (!loop->terminal) {
+        tell_opening(loop);
+        return true;
+    }
     terminal_wait(loop->terminal, 0);
     while (terminal_key(loop->terminal, &key))
         stop |= strcmp(key.name, "^C") == 0 || strcmp(key.name, "Esc") == 0;
@@ -93,7 +114,9 @@ static bool open_loop(Loop *loop, const LaboratoryOptions *options, Status *stat
     TerminalOptions how = {.glyphs = options->glyphs, .theme = options->theme, .mouse = !options->no_mouse};
     Host host = {now, worked, go_on, redraw, suspend, loop};
     /* the laboratory first: what is wrong with a scenario is said where the shell can show it */
-    if (!laboratory_open(&loop->lab, options, &host, status))
+    bool open = laboratory_open(&loop->lab, options, &host, status);
+    forget_opening(loop);
+    if (!open)
         return false;
     loop->terminal = terminal_open(&how, status);
     if (!loop->terminal) {

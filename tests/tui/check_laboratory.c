@@ -232,6 +232,37 @@ START_TEST(a_long_step_is_cut_into_frames)
 }
 END_TEST
 
+/* The building of a large beam says how far it is and can be given up; what was there stays. */
+START_TEST(a_beam_that_is_built_can_be_given_up)
+{
+    Bench *bench = open_bench("notched-beam-coarse", true);
+    const Simulation *before = experiment_simulation(bench->lab.screen.experiment);
+    press_all(bench, "> >");
+    bench->tick = 0.01;
+    bench->gives_up = true;
+    press_all(bench, ": p d . s p a c i n g = 8 e - 4 Enter");
+    ck_assert(bench->lab.screen.prompt.open);
+    ck_assert_msg(strstr(bench->lab.screen.prompt.problem, "given up") != NULL, "%s",
+                  bench->lab.screen.prompt.problem);
+    ck_assert_msg(strncmp(bench->progress, "building the beam: ", 19) == 0, "%s", bench->progress);
+    ck_assert_ptr_eq(experiment_simulation(bench->lab.screen.experiment), before);
+    ck_assert_int_eq(step_of(bench), 20);
+    press(bench, "Esc");
+    ck_assert(!shows(bench, "building"));
+    press_all(bench, "o n o t c h e d - b e a m - c o a r s e Enter");
+    ck_assert(bench->lab.screen.prompt.open);
+    ck_assert_ptr_eq(experiment_simulation(bench->lab.screen.experiment), before);
+    bench->gives_up = false;
+    press(bench, "Enter");
+    ck_assert(!bench->lab.screen.prompt.open);
+    ck_assert_int_eq(step_of(bench), 0);
+    int share = atoi(bench->progress + strcspn(bench->progress, "0123456789"));
+    ck_assert_msg(share > 60 && share < 100, "%s", bench->progress);
+    ck_assert(!shows(bench, "building"));
+    close_bench(bench);
+}
+END_TEST
+
 START_TEST(a_run_that_took_long_is_not_given_up_unasked)
 {
     Bench *bench = open_bench("mode1", true);
@@ -507,6 +538,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, the_end_pauses_with_a_summary);
     tcase_add_test(tcase, a_long_seek_is_cut_into_frames);
     tcase_add_test(tcase, a_long_step_is_cut_into_frames);
+    tcase_add_test(tcase, a_beam_that_is_built_can_be_given_up);
     tcase_add_test(tcase, a_run_that_took_long_is_not_given_up_unasked);
     tcase_add_test(tcase, ten_nudges_redraw_ten_times);
     tcase_add_test(tcase, nudges_of_the_cell_keep_the_time);

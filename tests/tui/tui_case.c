@@ -24,8 +24,9 @@ static void worked(void *context, long steps)
 
 static bool go_on(void *context)
 {
-    (void)context;
-    return true;
+    Bench *bench = context;
+    snprintf(bench->progress, sizeof bench->progress, "%.79s", bench->lab.screen.message);
+    return !bench->gives_up;
 }
 
 static void nothing(void *context)

@@ -10,6 +10,8 @@ typedef struct Bench {
     Canvas canvas;
     double time, rate; /* rate: steps in a second, 0: without limit */
     double tick;       /* seconds that pass whenever the clock is read */
+    bool gives_up;     /* ^C in the middle of long work */
+    char progress[80]; /* what that work last said */
     int width, height;
 } Bench;
 

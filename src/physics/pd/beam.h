@@ -37,6 +37,11 @@ typedef struct BeamDef {
     double dt;   /* s; 0: half the critical time step */
     double end;  /* s: the channel must hold the beam until then; moving cantilever */
     int threads; /* at least 1 */
+
+    /* Asked while the beam is being built, with the share that is done, 0 first; false: give up. NULL:
+     * nobody. */
+    bool (*go_on)(double share, void *context);
+    void *go_on_context;
 } BeamDef;
 
 /* The defaults of the problem, as in the manual page on scenario files. */

@@ -209,9 +209,8 @@ static const Method beam_method = {
 static bool build(Beam *beam, const BeamOptions *options, Status *status)
 {
     if (!beam_check(&beam->def, status) || !lattice_init(&beam->lattice, &beam->def, status) ||
-        !allocate(beam, status))
+        !allocate(beam, status) || !beam_set_bonds(beam, status))
         return false;
-    beam_set_bonds(beam);
     if (!beam_set_problem(beam, status) || !set_time_step(beam, status))
         return false;
     beam_set_motion(beam, options);

@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEPS_MAX = 200, STEPS_MIN = 20, CHECK_EVERY = 5 };
+enum { STEPS_MAX = 200, STEPS_MIN = 20, STEPS_USUAL = 40, CHECK_EVERY = 5 };
 
 /* A rough start: neighbours of opposite sign, with strengths that repeat nowhere. */
 static void fill(const Beam *beam, double *x, double *y)
@@ -59,7 +59,8 @@ static double largest(const double *diagonal, const double *beside, int n)
     return high;
 }
 
-static double iterate(Beam *beam, double *v, double *previous)
+/* -1: given up. */
+static double iterate(Beam *beam, double *v, double *previous, Status *status)
 {
     const size_t count = 2 * beam->array;
     const double tiny = 1e-9 * beam->lattice.spacing;
@@ -74,6 +75,9 @@ static double iterate(Beam *beam, double *v, double *previous)
     double last_beside = 0;
     /* displacements are bounded by `tiny` whatever their number: one unit vector's largest part is below 1 */
     for (int k = 0; k < STEPS_MAX; k++) {
+        double share = 1 - exp(-(double)k / STEPS_USUAL); /* how many it will be is not known */
+        if (!lattice_go_on(&beam->def, BUILDING_CRITICAL + (1 - BUILDING_CRITICAL) * share, status))
+            return -1;
         for (size_t i = 0; i < count; i++)
             u[i] = tiny * v[i];
         beam_all_forces(beam);
@@ -106,7 +110,9 @@ bool beam_critical_step(Beam *beam, double *step, Status *status)
     bool enough = v && previous;
     if (enough) {
         memset(v, 0, bytes);
-        *step = 2 / sqrt(iterate(beam, v, previous));
+        double value = iterate(beam, v, previous, status);
+        enough = !(value < 0);
+        *step = 2 / sqrt(value);
         memset(beam->nodes.ux, 0, 2 * beam->array * sizeof(double));
         memset(beam->nodes.fx, 0, 2 * beam->array * sizeof(double));
     } else {

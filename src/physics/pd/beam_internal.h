@@ -103,7 +103,7 @@ typedef struct Beam {
     /* bands of rows: what a thread takes at once. Forces on rows above the band go to the band's own halo and
      * are added in the order of bands, so that the number of threads leaves no trace. */
     int n_bands;
-    int *band_first;  /* first row of each band; one more: ny */
+    int *band_first; /* first row of each band; one more: ny */
     int *band_of_row;
     double *halo; /* per band: reach rows of fx, then of fy */
     double *row_energy;
@@ -129,7 +129,7 @@ Simulation *beam_create_with(const BeamDef *definition, const BeamOptions *optio
 bool beam_critical_step(Beam *beam, double *step, Status *status);
 
 /* beam_problem.c */
-void beam_set_bonds(Beam *beam); /* coefficients, and the notch */
+bool beam_set_bonds(Beam *beam, Status *); /* coefficients, and the notch */
 bool beam_set_problem(Beam *beam, Status *status);
 void beam_set_motion(Beam *beam, const BeamOptions *options);
 

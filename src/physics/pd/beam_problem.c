@@ -20,12 +20,20 @@ static bool is_cut(const Beam *beam, BondPlace place)
     return height <= beam->def.notch_depth + tolerance;
 }
 
-void beam_set_bonds(Beam *beam)
+bool beam_set_bonds(Beam *beam, Status *status)
 {
     const Lattice *lattice = &beam->lattice;
     bool has_notch = beam->def.problem == BEAM_NOTCHED && beam->def.notch_depth > 0 && !beam->free_body;
+    int row = 0;
     for (BondPlace bond = lattice_next_bond(lattice, (BondPlace){0, 0, -1}); bond.j < lattice->ny;
          bond = lattice_next_bond(lattice, bond)) {
+        if (bond.j > row) {
+            double share = (double)bond.j / lattice->ny;
+            if (!lattice_go_on(&beam->def, BUILDING_BONDS + (BUILDING_CRITICAL - BUILDING_BONDS) * share,
+                               status))
+                return false;
+            row = bond.j;
+        }
         size_t slot = lattice_slot(lattice, bond);
         if (has_notch && is_cut(beam, bond)) {
             uint8_t bit = (uint8_t)(1u << slot % 8);
@@ -46,6 +54,7 @@ void beam_set_bonds(Beam *beam)
         .energy_scale = beam_volume(beam) / 2 * beam->def.thickness,
     };
     bonds_set_limits(&beam->system, beam->def.critical_stretch);
+    return true;
 }
 
 static bool support(Beam *beam, int i, int j, bool x, bool y, Status *status)

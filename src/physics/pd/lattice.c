@@ -76,10 +76,18 @@ static double family_area(const Lattice *lattice, int i, int j)
     return area;
 }
 
-static void set_factors(Lattice *lattice)
+bool lattice_go_on(const BeamDef *def, double share, Status *status)
+{
+    return !def->go_on || def->go_on(share, def->go_on_context) ||
+           status_fail(status, STATUS_FAILED, "the building of the beam was given up");
+}
+
+static bool set_factors(Lattice *lattice, const BeamDef *def, Status *status)
 {
     size_t node = 0;
-    for (int j = 0; j < lattice->ny; j++)
+    for (int j = 0; j < lattice->ny; j++) {
+        if (!lattice_go_on(def, BUILDING_BONDS * j / lattice->ny, status))
+            return false;
         for (int i = 0; i < lattice->nx; i++, node++) {
             lattice->factor_x[node] = lattice->factor_y[node] = 1;
             if (lattice->correction == SURFACE_ENERGY)
@@ -88,6 +96,8 @@ static void set_factors(Lattice *lattice)
                 lattice->factor_x[node] = lattice->factor_y[node] =
                     M_PI * lattice->horizon * lattice->horizon / family_area(lattice, i, j);
         }
+    }
+    return true;
 }
 
 static void number_bonds(Lattice *lattice)
@@ -226,9 +236,11 @@ bool lattice_init(Lattice *lattice, const BeamDef *def, Status *status)
         lattice_free(lattice);
         return status_fail(status, STATUS_FAILED, "not enough memory for %zu nodes", nodes);
     }
-    set_factors(lattice);
     number_bonds(lattice);
-    return true;
+    if (set_factors(lattice, def, status))
+        return true;
+    lattice_free(lattice);
+    return false;
 }
 
 void lattice_free(Lattice *lattice)
