@@ -49,6 +49,21 @@ static BeamTheory real_theory_of(const Settings *settings, const Simulation *sim
     return real;
 }
 
+/* What rings through the height beside the bending; left out where the lattice is so high that it would take
+ * long to find. */
+static void find_thickness_lines(BeamAnswers *beam, const Settings *settings, const Simulation *sim)
+{
+    enum { ROWS_MAX = 200 };
+    BeamFacts facts;
+    beam_facts(sim, &facts);
+    const size_t rows = (size_t)facts.ny;
+    double *stiffness = facts.ny <= ROWS_MAX ? malloc(rows * rows * sizeof *stiffness) : NULL;
+    if (stiffness && beam_row_stiffness(sim, stiffness))
+        beam->n_thickness = thickness_modes(stiffness, facts.ny, settings->beam.density, sim->dt,
+                                            beam->thickness, THICKNESS_LINES_MAX);
+    free(stiffness);
+}
+
 static double no_profile(const References *refs, const char *field, double x, double time)
 {
     (void)refs, (void)field, (void)x, (void)time;
@@ -114,6 +129,7 @@ static bool prepare_supported(References *refs, const Settings *settings, const 
     BeamAnswers *beam = &refs->beam;
     beam->theory = theory_of(settings);
     beam->real = real_theory_of(settings, sim);
+    find_thickness_lines(beam, settings, sim);
     beam->euler = beam_period_euler(&beam->theory);
     beam->timoshenko = beam_period_timoshenko(&beam->theory);
     beam->timoshenko_real = beam_period_timoshenko(&beam->real);
@@ -216,6 +232,7 @@ static bool prepare_moving(References *refs, const Settings *settings, const Sim
     if (!beam->moving)
         return false;
     beam->speed = settings->beam.speed;
+    find_thickness_lines(beam, settings, sim);
     beam->v_probe = simulation_find_series(sim, "v_probe");
     beam->window.size = lround(window / sim->dt) + 1;
     if (beam->window.size > 1000000)

@@ -324,6 +324,12 @@ double references_standing_frequency(const References *refs, double time)
                              : NAN;
 }
 
+int references_thickness_lines(const References *refs, double out[THICKNESS_LINES_MAX])
+{
+    memcpy(out, refs->beam.thickness, sizeof refs->beam.thickness);
+    return refs->beam.n_thickness;
+}
+
 /* --- the readout ---------------------------------------------------------------------------------- */
 
 bool readout_fit(const double *rows, size_t n_rows, int n_columns, int column, double start,

@@ -72,6 +72,12 @@ double references_profile(const References *, const char *field, double x, doubl
  * action is kept): displacement as L^(1/2), velocity as L^(-3/2). NAN: not such a column. */
 double references_envelope(const References *, const char *column, double time);
 
+enum { THICKNESS_LINES_MAX = 6 };
+
+/* The predicted frequencies (radians per s) with which a beam's lattice rings through its height, ascending;
+ * the least of them. Returns how many; 0: no such beam. */
+int references_thickness_lines(const References *, double out[THICKNESS_LINES_MAX]);
+
 /* The frequency in Hz that a beam which comes out of its channel would have if it stopped at a time; NAN: it
  * is none. */
 double references_standing_frequency(const References *, double time);

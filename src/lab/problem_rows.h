@@ -49,6 +49,8 @@ typedef struct BeamAnswers {
     double speed; /* of the same */
     Window window;
     int v_probe; /* in the method's row */
+    double thickness[THICKNESS_LINES_MAX]; /* frequencies of the lattice through the beam's height */
+    int n_thickness;
 } BeamAnswers;
 
 typedef struct ProblemRow {

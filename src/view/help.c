@@ -140,7 +140,26 @@ static void write_curves(Sheet *sheet, int width, bool bar)
         {"T",
          "the period, by least squares. The lattice makes the beam a little thinner and shorter than asked "
          "for: predicted is Timoshenko's period of the beam as it lies."},
-        {"modal", "the moving cantilever by its first bending modes on the growing length."},
+        {"zeros",
+         "the same period from the zeros of the swing alone: where the two differ the record is short "
+         "or no pure sine."},
+        {"modal",
+         "the moving cantilever by its first bending modes on the growing length. Filtered: the end of "
+         "the straight line through the last 0.1 ms, which has no thickness modes."},
+        {"~L^1/2", "how far a swing reaches as the beam grows slowly: the displacement as the root of its "
+                   "length, the velocity as L^-3/2, for energy over frequency is kept."},
+        {"section", "view 1, the last: the displacement along the beam through its height at the chosen "
+                    "particle. On the line -y duy/dx sections stay plane and upright."},
+        {"force",
+         "view 4: what a bond answers to its stretch s, and s0 where it breaks. Nodes stand where their "
+         "most stretched bond is; heights are logarithms of how many."},
+        {"G0",
+         "the energy that a crack should cost for its area, and s0 follow from each other: edit either. "
+         "View 3, again: what the crack has cost so far."},
+        {"residual",
+         "kinetic + strain + dissipated energy less the work of the load: 0 but for the time step."},
+        {"height", "view 6: the predicted lines are rows of the lattice that ring against each other through "
+                   "the beam's height."},
         {"damage",
          "the share of a node's bonds that is broken. A crack right through reads 0.4 to 0.5, not 1."},
         {"horizon",

@@ -38,11 +38,19 @@ void view_draw(const Screen *, int number, Area, bool focused);
 
 void view_profile(const Screen *, Area, Style heading, int variant);
 int view_profile_variants(const Screen *);
+void view_section(const Screen *, Area, Style heading); /* a beam's last profile */
 void view_probe(const Screen *, Area, Style heading, int variant);
 int view_probe_variants(const Screen *);
 void view_energies(const Screen *, Area, Style heading, int variant);
+int view_energies_variants(const Screen *);
+void view_crack(const Screen *, Area, Style heading, int variant); /* of the probe's view */
+int view_crack_variants(const Screen *);                           /* 0: it does not break */
+void view_fracture(const Screen *, Area, Style heading);           /* of the energies' view */
+int view_fracture_variants(const Screen *);
 void view_shapes(const Screen *, Area, Style heading, int variant);
 int view_shapes_variants(const Screen *);
+void view_bond_law(const Screen *, Area, Style heading); /* in its place where there is no mesh */
+bool bond_law_fits(const Simulation *);                  /* its nodes tell their largest stretch */
 void view_dispersion(const Screen *, Area, Style heading, int variant);
 int view_dispersion_variants(const Screen *);
 void view_spectrum(const Screen *, Area, Style heading, int variant);

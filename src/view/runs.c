@@ -98,7 +98,11 @@ void add_ghosts(Plot *plot, const Run *runs, int n_runs, const char *column, int
         if (runs[i].ghost < 0 || !runs[i].shown)
             continue;
         run_begin(plot, &runs[i]);
-        time_plot_curve(plot, &(Curve){runs[i].record, run_column(&runs[i], column), -1, -1}, dots);
+        time_plot_curve(
+            plot,
+            &(Curve){
+                .record = runs[i].record, .column = run_column(&runs[i], column), .minus = -1, .plus = -1},
+            dots);
     }
 }
 

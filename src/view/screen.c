@@ -33,7 +33,7 @@ static int one_variant(const Screen *screen)
 static const View views[] = {
     {1, "profile", view_profile, view_profile_variants},
     {2, "probe", view_probe, view_probe_variants},
-    {3, "energies", view_energies, one_variant},
+    {3, "energies", view_energies, view_energies_variants},
     {4, "shape functions", view_shapes, view_shapes_variants},
     {5, "dispersion", view_dispersion, view_dispersion_variants},
     {6, "spectrum", view_spectrum, view_spectrum_variants},
@@ -55,7 +55,7 @@ const char *screen_view_missing(const Screen *screen, int view)
     const Simulation *sim = experiment_simulation(screen->experiment);
     if (!view_find(view))
         return "there is no such view for this problem";
-    if (view == 4 && (!sim->method->shapes || sim->n_sets < 2))
+    if (view == 4 && !bond_law_fits(sim) && (!sim->method->shapes || sim->n_sets < 2))
         return "this method has no mesh, so no shape functions";
     return NULL;
 }

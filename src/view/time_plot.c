@@ -51,12 +51,14 @@ static double curve_sample(const void *context, size_t index, double *x)
 {
     const Curve *curve = context;
     const double *row = record_row(curve->record, index);
+    *x = row[1];
+    if (curve->value)
+        return curve->value(row, curve->context);
     double value = row[curve->column];
     if (curve->minus >= 0)
         value -= row[curve->minus];
     if (curve->plus >= 0)
         value += row[curve->plus];
-    *x = row[1];
     return value;
 }
 
@@ -106,6 +108,21 @@ void time_plot_reach_to_come(const Screen *screen, double reach[COLUMNS_MAX])
         for (int k = 0; k < n; k++)
             if (isfinite(row[k]) && fabs(row[k]) > reach[k])
                 reach[k] = fabs(row[k]);
+    }
+}
+
+void time_plot_breaks(const Screen *screen, Area inner, const Axis *x)
+{
+    const double dt = experiment_simulation(screen->experiment)->dt;
+    int count;
+    const Event *events = experiment_events(screen->experiment, &count);
+    for (int i = 0; i < count; i++) {
+        const int column = axis_column(x, dt * (double)events[i].step, inner.rect.width);
+        if (events[i].kind != EVENT_BREAK || column < 0)
+            continue;
+        for (int y = 0; y < inner.rect.height; y++)
+            area_put(inner, column, y, 0x2502, STYLE_FAINT);
+        area_put(inner, column, 0, 'b', STYLE_NORMAL);
     }
 }
 

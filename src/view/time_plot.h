@@ -8,6 +8,8 @@ typedef struct Curve {
     const Record *record;
     int column;
     int minus, plus; /* the value is column - minus + plus; -1: none */
+    double (*value)(const double *row, const void *context); /* NULL, or the value is this of the row */
+    const void *context;
 } Curve;
 
 /* The time window as an axis of a plot of so many columns: it begins at a whole cell, so that curves shift by
@@ -27,6 +29,9 @@ double time_plot_reach(const Record *, int column);
 /* What the references among the columns will reach: asked for times to come, so that the axis is right from the
  * start. */
 void time_plot_reach_to_come(const Screen *, double reach[COLUMNS_MAX]);
+
+/* Marks with thin lines when bonds broke that were told of. */
+void time_plot_breaks(const Screen *, Area inner, const Axis *x);
 
 /* Marks the present, if it is not the newest time, and the cursor. */
 void time_plot_now(const Screen *, Area inner, const Axis *x);

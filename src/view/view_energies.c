@@ -40,6 +40,11 @@ static void add_layer(Stack *stack, const char *name, int column, int minus, Sty
     }
 }
 
+static bool breaks(const Screen *screen)
+{
+    return experiment_settings(screen->experiment)->beam.critical_stretch > 0;
+}
+
 static Stack stack_of(const Screen *screen)
 {
     Stack stack = {.record = experiment_record(screen->experiment)};
@@ -51,7 +56,8 @@ static Stack stack_of(const Screen *screen)
         add_layer(&stack, "kinetic", kinetic, -1, STYLE_MEASURED);
     }
     add_layer(&stack, "strain", find_column(screen, "strain"), -1, STYLE_EXACT);
-    add_layer(&stack, "dissipated", find_column(screen, "dissipated"), -1, STYLE_THIRD);
+    if (find_column(screen, "kinetic_grid") >= 0 || breaks(screen))
+        add_layer(&stack, "dissipated", find_column(screen, "dissipated"), -1, STYLE_THIRD);
     return stack;
 }
 
@@ -126,9 +132,34 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
                     : "  the ripple is staggering, not loss");
 }
 
+/* What the balance lacks: kinetic + strain + dissipated less the start and the work of the load, against the
+ * largest work so far. */
+static void residual_phrases(const Screen *screen, double most_work, char out[320])
+{
+    const double *now = experiment_row(screen->experiment);
+    const int total = find_column(screen, "total"), work = find_column(screen, "work");
+    const Record *record = experiment_record(screen->experiment);
+    if (!now || !(most_work > 0) || work < 0 || total < 0 || record->count == 0)
+        return;
+    const double residual = now[total] - record_row(record, 0)[total] - now[work];
+    char sum[NUMBER_TEXT_MAX], load[NUMBER_TEXT_MAX];
+    number_text(now[total], 4, 9, sum);
+    number_text(now[work], 4, 9, load);
+    snprintf(out, 320, "residual %+.2f %% of the work  total %s J  work %s J", 100 * residual / most_work,
+             sum, load);
+}
+
+int view_energies_variants(const Screen *screen)
+{
+    return 1 + view_fracture_variants(screen);
+}
+
 void view_energies(const Screen *screen, Area area, Style heading, int variant)
 {
-    (void)variant;
+    if (variant > 0) {
+        view_fracture(screen, area, heading);
+        return;
+    }
     const Stack stack = stack_of(screen);
     const Record *record = stack.record;
     const int work = find_column(screen, "work");
@@ -161,7 +192,9 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
               top = 1 + (named < n_legend);
     draw_legend(area, 2, 1, legend + named, n_legend - named);
     /* of velocities and stresses half a step apart there is more to say; velocity Verlet has none */
-    const int lines = find_column(screen, "kinetic_grid") < 0 ? 1 : height - top >= 10 ? 3 : 2;
+    const int lines = find_column(screen, "kinetic_grid") < 0 ? 1 + (most_work > 0)
+                      : height - top >= 10                    ? 3
+                                                              : 2;
     const int under = height - top >= 7 ? lines : height - top >= 5 ? 1 : 0;
     Area plot_area = area_part(area, 0, top, area.rect.width, height - top - under);
     const int width = plot_area.rect.width - GUTTER - 1, dots = width * plot_dots_across(area.glyphs);
@@ -174,10 +207,11 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
     add_stack(&plot, &stack, dots);
     if (most_work > 0) {
         plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-');
-        time_plot_curve(&plot, &(Curve){record, work, -1, -1}, dots);
+        time_plot_curve(&plot, &(Curve){.record = record, .column = work, .minus = -1, .plus = -1}, dots);
     }
     add_ghosts(&plot, runs, n_runs, "total", dots);
     overlay_stroke(screen, &plot, "total", false, dots);
+    time_plot_breaks(screen, inner, &x);
     time_plot_now(screen, inner, &x);
     plot_draw(&plot, inner);
     overlay_marks(screen, inner, &plot, "total", false);
@@ -186,5 +220,7 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
 
     const bool wide = area.rect.width > 90;
     energy_phrases(screen, &stack, &x, wide, phrases);
+    if (most_work > 0 && find_column(screen, "kinetic_grid") < 0)
+        residual_phrases(screen, most_work, phrases);
     area_phrases(area, 1, height - under, area.rect.width - 2, under, phrases, STYLE_NORMAL);
 }

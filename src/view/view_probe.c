@@ -19,34 +19,49 @@ static bool is_energy(const char *name)
     return false;
 }
 
-static int probe_column(const Screen *screen, int variant, int *count)
+/* What a beam that breaks is looked at for comes first; where bonds never break there is nothing to count. */
+static int probe_columns(const Screen *screen, int out[COLUMNS_MAX])
 {
-    int n, found = -1;
+    int n, count = 0;
     const Column *columns = experiment_columns(screen->experiment, &n);
-    *count = 0;
+    const bool cracks = view_crack_variants(screen) > 0;
+    const bool breaks = experiment_settings(screen->experiment)->beam.critical_stretch > 0;
+    const int broken = find_column(screen, "broken_bonds");
+    if (cracks && broken >= 0)
+        out[count++] = broken;
     for (int i = 2; i < n; i++)
-        if (columns[i].kind == COLUMN_MEASURED && columns[i].of < 0 && !is_energy(columns[i].quantity.name)) {
-            if (*count == variant)
-                found = i;
-            (*count)++;
-        }
-    return found;
+        if (columns[i].kind == COLUMN_MEASURED && columns[i].of < 0 && !is_energy(columns[i].quantity.name) &&
+            (i != broken || (breaks && !cracks)))
+            out[count++] = i;
+    return count;
+}
+
+/* The column of a variant; after the first one stand the pictures of a crack, *picture tells which (-1: it is
+ * a column). */
+static int probe_column(const Screen *screen, int variant, int *picture)
+{
+    int columns[COLUMNS_MAX];
+    const int count = probe_columns(screen, columns), pictures = view_crack_variants(screen);
+    *picture = variant > 0 && variant <= pictures ? variant - 1 : -1;
+    if (variant > pictures)
+        variant -= pictures;
+    return variant < count ? columns[variant] : -1;
 }
 
 int view_probe_variants(const Screen *screen)
 {
-    int count;
-    probe_column(screen, 0, &count);
+    int columns[COLUMNS_MAX];
+    const int count = probe_columns(screen, columns) + view_crack_variants(screen);
     return count > 0 ? count : 1;
 }
 
 const char *screen_time_curve(const Screen *screen)
 {
-    int n, count;
+    int n, picture;
     const Column *columns = experiment_columns(screen->experiment, &n);
     const int view = screen->focus == PANE_UPPER ? screen->upper : screen->lower;
     const int variants = view_probe_variants(screen);
-    const int column = probe_column(screen, screen->variant[2] % variants, &count);
+    const int column = probe_column(screen, screen->variant[2] % variants, &picture);
     return view == 3 ? "total" : column >= 0 ? columns[column].quantity.name : "";
 }
 
@@ -67,6 +82,28 @@ static bool legend_of(const Screen *screen, const Column *column, int exact_befo
         return true;
     }
     return false;
+}
+
+static bool has_envelope(const Screen *screen, const char *name)
+{
+    return shows_exact(screen) &&
+           isfinite(references_envelope(experiment_references(screen->experiment), name, 0));
+}
+
+/* How far a beam that grows would swing by its lengthening alone. */
+static void add_envelope(const Screen *screen, Plot *plot, const char *name)
+{
+    enum { PIECES = 60 };
+    const References *refs = experiment_references(screen->experiment);
+    if (!has_envelope(screen, name))
+        return;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        plot_begin(plot, STROKE_LINE, LINE_DASHED, STYLE_FAINT, RANK_GHOST, ',');
+        for (int i = 0; i <= PIECES; i++) {
+            const double t = plot->x.low + (plot->x.high - plot->x.low) * i / PIECES;
+            plot_point(plot, t, sign * references_envelope(refs, name, t));
+        }
+    }
 }
 
 /* Lines under the plot: what the run is judged by. In a narrow pane the words are shorter; a number is never
@@ -166,10 +203,14 @@ static void draw_readout(const Screen *screen, Area area, int column)
 
 void view_probe(const Screen *screen, Area area, Style heading, int variant)
 {
-    int n, count;
+    int n, picture;
     const Column *columns = experiment_columns(screen->experiment, &n);
     const Record *record = experiment_record(screen->experiment);
-    const int column = probe_column(screen, variant, &count);
+    const int column = probe_column(screen, variant, &picture);
+    if (picture >= 0) {
+        view_crack(screen, area, heading, picture);
+        return;
+    }
     if (column < 0) {
         area_rule(area, 0, "over time", heading);
         return;
@@ -211,6 +252,12 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
     }
     overlay_widen(screen, quantity->name, false, &least, &most);
     reach = fmax(reach, overlay_reach(screen, quantity->name, false));
+    if (has_envelope(screen, quantity->name)) {
+        const double end = experiment_settings(screen->experiment)->end;
+        const References *refs = experiment_references(screen->experiment);
+        reach = fmax(reach, fmax(references_envelope(refs, quantity->name, 0),
+                                 references_envelope(refs, quantity->name, end)));
+    }
     const int rows = plot_area.rect.height - 1, most_ticks = rows < 5 ? 3 : rows < 12 ? 5 : 7;
     Axis y = swings || least < 0 ? axis_symmetric(reach, most_ticks) : axis_around(least, most, most_ticks);
     Axis x = time_plot_axis(screen, width);
@@ -219,14 +266,17 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
     axis_scale_text(&y, quantity->unit, scale);
     Run runs[RUNS_MAX];
     const int n_runs = runs_with(runs, runs_of(screen, runs), quantity->name);
-    Legend entries[6 + RUNS_MAX];
+    Legend entries[6 + RUNS_MAX + 1];
     int used = 9 + text_columns(quantity->label) + text_columns(scale);
     for (int i = 0; i < n_legend; i++) {
         entries[i] = legend[i];
         used += text_columns(legend[i].name) + 5;
     }
-    const int n_ghosts = ghost_legends(runs, n_runs, legend_room(area) - used, entries + n_legend);
+    int n_ghosts = ghost_legends(runs, n_runs, legend_room(area) - used, entries + n_legend);
     shorten_legend(area, quantity->label, scale, entries, n_legend + n_ghosts);
+    if (has_envelope(screen, quantity->name))
+        entries[n_legend + n_ghosts++] =
+            (Legend){LINE_DASHED, ',', STYLE_FAINT, quantity->name[0] == 'u' ? "~L^1/2" : "~L^-3/2", NULL};
     draw_heading(area, heading, quantity->label, scale, entries, n_legend + n_ghosts);
     Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
     Plot plot;
@@ -239,9 +289,11 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
                          : smoothed                                   ? RANK_BAND /* the raw one lies below */
                                                                       : RANK_MEASURED;
         plot_begin(&plot, STROKE_LINE, legend[i].line, legend[i].style, rank, legend[i].letter);
-        time_plot_curve(&plot, &(Curve){record, shown[i], -1, -1}, dots);
+        time_plot_curve(&plot, &(Curve){.record = record, .column = shown[i], .minus = -1, .plus = -1}, dots);
     }
     overlay_stroke(screen, &plot, quantity->name, false, dots);
+    add_envelope(screen, &plot, quantity->name);
+    time_plot_breaks(screen, inner, &x);
     time_plot_now(screen, inner, &x);
     plot_draw(&plot, inner);
     overlay_marks(screen, inner, &plot, quantity->name, false);

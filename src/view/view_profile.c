@@ -13,6 +13,8 @@ int view_profile_variants(const Screen *screen)
     int count = 0;
     while (profile_field(sim, count))
         count++;
+    /* a beam has a thickness too */
+    count += sim->dimensions == 2;
     return count ? count : 1;
 }
 
@@ -172,6 +174,10 @@ void view_profile(const Screen *screen, Area area, Style heading, int variant)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     const char *name = profile_field(sim, variant_shown(screen, variant));
+    if (!name && sim->dimensions == 2) {
+        view_section(screen, area, heading);
+        return;
+    }
     Run runs[RUNS_MAX];
     Curve curves[RUNS_MAX];
     int n_runs = runs_of(screen, runs), n_curves = 0;

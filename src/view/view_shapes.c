@@ -9,8 +9,7 @@ enum { LINKS_MAX = 8, NEIGHBOURS = 3 };
 
 int view_shapes_variants(const Screen *screen)
 {
-    (void)screen;
-    return 2; /* N and N' */
+    return bond_law_fits(experiment_simulation(screen->experiment)) ? 1 : 2; /* N and N' */
 }
 
 static double field_at(const Simulation *sim, int field, size_t index)
@@ -52,6 +51,10 @@ static void say_no_mesh(Area area, Style heading)
 void view_shapes(const Screen *screen, Area area, Style heading, int variant)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
+    if (bond_law_fits(sim)) {
+        view_bond_law(screen, area, heading);
+        return;
+    }
     if (!sim->method->shapes || sim->n_sets < 2) {
         say_no_mesh(area, heading);
         return;

@@ -51,8 +51,9 @@ int view_spectrum_variants(const Screen *screen)
     return is_bar(screen) ? 2 : 3;
 }
 
-/* The lines that theory knows: of the watched mode, and of the bar's other modes where v_cm is watched. */
-static int marks_of(const Screen *screen, Mark marks[MARKS_MAX])
+/* The lines that theory knows: of the watched mode, of the bar's other modes where v_cm is watched, and, in
+ * the picture of all that a mesh does (`fast`), of a beam's height. */
+static int marks_of(const Screen *screen, bool fast, Mark marks[MARKS_MAX])
 {
     const Settings *settings = experiment_settings(screen->experiment);
     const Readout *readout = experiment_readout(screen->experiment);
@@ -66,6 +67,11 @@ static int marks_of(const Screen *screen, Mark marks[MARKS_MAX])
     if (readout->predicted_known)
         marks[count++] =
             (Mark){readout->is_period ? turn / readout->predicted : turn * readout->predicted, false};
+    double thickness[THICKNESS_LINES_MAX];
+    const int n_thickness =
+        fast ? references_thickness_lines(experiment_references(screen->experiment), thickness) : 0;
+    for (int i = 0; i < n_thickness && count < MARKS_MAX; i++)
+        marks[count++] = (Mark){thickness[i], false};
     if (is_bar(screen) && readout->times < 1.5)
         n_overtones = overtones_read(settings->overtones, overtones, NULL);
     for (int i = 0; i < n_overtones && count + 2 <= MARKS_MAX; i++) {
@@ -228,6 +234,18 @@ static bool wants_time(const Screen *screen, const Spectrum *spectrum, Choice ch
     return true;
 }
 
+/* "through the height, predicted: 1098, 2038 kHz"; false: there is nothing to predict. */
+static bool thickness_line(const Screen *screen, char out[160])
+{
+    double thickness[THICKNESS_LINES_MAX];
+    const int count = references_thickness_lines(experiment_references(screen->experiment), thickness);
+    snprintf(out, 160, "through the height");
+    for (int i = 0; i < count && i < PEAKS_MAX; i++)
+        append(out, 160, "%s %.0f", i > 0 ? "," : "", thickness[i] / (2e3 * M_PI));
+    append(out, 160, " kHz predicted");
+    return count > 0;
+}
+
 static void add_marks(const Screen *screen, Plot *plot, const Picture *picture, const Mark *marks,
                       int n_marks)
 {
@@ -271,13 +289,13 @@ void view_spectrum(const Screen *screen, Area area, Style heading, int variant)
     }
     const Quantity *quantity = &columns[choice.column].quantity;
     Mark marks[MARKS_MAX];
-    const int n_marks = marks_of(screen, marks);
+    const int n_marks = marks_of(screen, choice.fast, marks);
     /* what breaks has no line of its own: all that the mesh does is shown */
     choice.fast |= !is_bar(screen) && !experiment_readout(screen->experiment)->moving;
     Picture picture = {.unit = is_bar(screen) ? 1 : 2e3 * M_PI};
     picture.spectrum =
         experiment_spectrum(screen->experiment, choice.column, choice.fast ? SPECTRUM_FAST : SPECTRUM_SLOW);
-    char name[64], text[160];
+    char name[64], text[160], lines[160];
     if (wants_time(screen, picture.spectrum, choice, marks, n_marks, text)) {
         snprintf(name, sizeof name, "spectrum of %s", quantity->label);
         area_rule(area, 0, name, heading);
@@ -285,7 +303,11 @@ void view_spectrum(const Screen *screen, Area area, Style heading, int variant)
         return;
     }
 
-    const int under = area.rect.height < 8 ? 0 : 1, rows = area.rect.height - 2 - under;
+    const bool rings = choice.fast && shows_predicted(screen) && thickness_line(screen, lines);
+    const int under = area.rect.height < 8             ? 0
+                      : area.rect.height < 9 || !rings ? 1
+                                                       : 2,
+              rows = area.rect.height - 2 - under;
     const double range =
         choice.fast ? highest_of(screen) : slow_range(screen, picture.spectrum, marks, n_marks);
     picture.x = axis_make(0, axis_round_up(range / picture.unit), area.rect.width / 9);
@@ -345,6 +367,8 @@ void view_spectrum(const Screen *screen, Area area, Style heading, int variant)
     plot_close(&plot);
     if (under > 0) {
         peak_line(screen, &picture, choice.fast, text);
-        area_text(area, 1, area.rect.height - 1, text, STYLE_NORMAL);
+        area_text(area, 1, area.rect.height - under, text, STYLE_NORMAL);
     }
+    if (under > 1)
+        area_text(area, 1, area.rect.height - 1, lines, STYLE_FAINT);
 }

@@ -278,6 +278,33 @@ START_TEST(a_supported_beam_s_period_is_read)
 }
 END_TEST
 
+/* The fastest line of the velocity is where the rows of the lattice ring against each other. */
+START_TEST(a_beam_rings_through_its_height)
+{
+    Settings settings;
+    settings_default(&settings, PROBLEM_SUPPORTED_BEAM);
+    set(&settings, "pd.horizon", "2e-3");
+    set(&settings, "pd.spacing", "0.5e-3");
+    Experiment *experiment = open_experiment(&settings, 1 << 20);
+    ck_assert(experiment_advance(experiment, 4000, NULL));
+    int n, column = 0;
+    const Column *columns = experiment_columns(experiment, &n);
+    while (column < n && strcmp(columns[column].quantity.name, "v_probe") != 0)
+        column++;
+    const Spectrum *spectrum = experiment_spectrum(experiment, column, SPECTRUM_FAST);
+    double lines[THICKNESS_LINES_MAX];
+    ck_assert_ptr_nonnull(spectrum);
+    ck_assert_int_gt(references_thickness_lines(experiment_references(experiment), lines), 2);
+    size_t from = (size_t)(0.6 * lines[0] / spectrum->step), end = (size_t)(1.2 * lines[0] / spectrum->step);
+    size_t peak = from;
+    for (size_t k = from; k < end; k++)
+        if (spectrum->amplitudes[k] > spectrum->amplitudes[peak])
+            peak = k;
+    ck_assert_double_le(fabs((double)peak * spectrum->step - lines[0]), spectrum->step);
+    experiment_destroy(experiment);
+}
+END_TEST
+
 /* A tip that does what the modal solution does, a little later. */
 START_TEST(a_moving_cantilever_is_read_at_its_zeros)
 {
@@ -531,6 +558,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, loads_from_rest_swing_with_the_lowest_mode);
     tcase_add_test(tcase, a_thinned_record_reads_the_same);
     tcase_add_test(tcase, a_supported_beam_s_period_is_read);
+    tcase_add_test(tcase, a_beam_rings_through_its_height);
     tcase_add_test(tcase, a_moving_cantilever_is_read_at_its_zeros);
     tcase_add_test(tcase, the_filter_takes_thickness_modes_away_and_does_not_lag);
     tcase_add_test(tcase, courant_numbers_are_warned_of_and_refused);

@@ -30,6 +30,27 @@ START_TEST(a_cantilever_slows_down_as_it_grows)
 }
 END_TEST
 
+/* Five rows on a chain of springs, free at both ends: omega_m = 2 sqrt(k / rho) sin(m pi / 10), even for even
+ * m. */
+START_TEST(rows_ring_through_the_height)
+{
+    enum { ROWS = 5 };
+    const double k = 3e15, density = 2700, dt = 2e-7;
+    double matrix[ROWS * ROWS] = {0}, found[ROWS];
+    for (int j = 0; j + 1 < ROWS; j++) {
+        matrix[j * ROWS + j] += k, matrix[(j + 1) * ROWS + j + 1] += k;
+        matrix[j * ROWS + j + 1] -= k, matrix[(j + 1) * ROWS + j] -= k;
+    }
+    ck_assert_int_eq(thickness_modes(matrix, ROWS, density, dt, found, ROWS), 2);
+    for (int i = 0; i < 2; i++) {
+        const double omega = 2 * sqrt(k / density) * sin((2 * i + 2) * M_PI / 10);
+        ck_assert_double_eq_tol(sin(found[i] * dt / 2) / (omega * dt / 2), 1, 1e-12);
+    }
+    ck_assert_int_eq(thickness_modes(matrix, ROWS, density, dt, found, 1), 1);
+    ck_assert_int_eq(thickness_modes(matrix, 2, density, dt, found, ROWS), 0);
+}
+END_TEST
+
 START_TEST(midpoint_swings)
 {
     double period = beam_period_euler(&paper);
@@ -150,6 +171,7 @@ void add_cases(Suite *suite)
 {
     TCase *pins = tcase_create("pins");
     tcase_add_test(pins, periods);
+    tcase_add_test(pins, rows_ring_through_the_height);
     tcase_add_test(pins, a_cantilever_slows_down_as_it_grows);
     tcase_add_test(pins, midpoint_swings);
     suite_add_tcase(suite, pins);

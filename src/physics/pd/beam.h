@@ -80,4 +80,9 @@ typedef struct BeamFacts {
 
 void beam_facts(const Simulation *beam, BeamFacts *facts);
 
+/* How the rows hold each other where all columns move alike across the beam, whole bonds and small motion:
+ * the force density on row j is minus the sum of matrix[j ny + k] times the displacement of row k, N/m^4. The
+ * caller has ny x ny numbers. False: the simulation is no beam. */
+bool beam_row_stiffness(const Simulation *beam, double *matrix);
+
 #endif

@@ -1,0 +1,56 @@
+/* Vibration through the thickness of a beam: rows u_j with rho u_j'' = -sum K_jk u_k, stepped by velocity
+ * Verlet, which raises every frequency: sin(Omega dt / 2) = omega dt / 2. */
+#include "theory/beam.h"
+#include "theory/quiet.h"
+
+#include <gsl/gsl_eigen.h>
+#include <math.h>
+
+/* Whether a mode is the same seen from above and from below. */
+static bool is_even(const gsl_matrix *modes, size_t mode)
+{
+    double product = 0;
+    for (size_t j = 0; j < modes->size1; j++)
+        product += gsl_matrix_get(modes, j, mode) * gsl_matrix_get(modes, modes->size1 - 1 - j, mode);
+    return product > 0;
+}
+
+static int take_modes(const gsl_vector *squares, const gsl_matrix *modes, double density, double dt,
+                      double *frequencies, int most)
+{
+    int count = 0;
+    /* the first is rigid motion */
+    for (size_t mode = 1; mode < squares->size && count < most; mode++) {
+        const double omega = sqrt(fmax(0, gsl_vector_get(squares, mode)) / density);
+        if (is_even(modes, mode) && omega * dt / 2 < 1)
+            frequencies[count++] = 2 / dt * asin(omega * dt / 2);
+    }
+    return count;
+}
+
+int thickness_modes(const double *stiffness, int rows, double density, double dt, double *frequencies,
+                    int most)
+{
+    if (rows < 3 || !(density > 0) || !(dt > 0))
+        return 0;
+    const size_t n = (size_t)rows;
+    quiet_begin();
+    gsl_matrix *matrix = gsl_matrix_alloc(n, n), *modes = gsl_matrix_alloc(n, n);
+    gsl_vector *squares = gsl_vector_alloc(n);
+    gsl_eigen_symmv_workspace *work = gsl_eigen_symmv_alloc(n);
+    int count = 0;
+    if (matrix && modes && squares && work) {
+        for (size_t j = 0; j < n; j++)
+            for (size_t k = 0; k < n; k++)
+                gsl_matrix_set(matrix, j, k, (stiffness[j * n + k] + stiffness[k * n + j]) / 2);
+        gsl_eigen_symmv(matrix, squares, modes, work);
+        gsl_eigen_symmv_sort(squares, modes, GSL_EIGEN_SORT_VAL_ASC);
+        count = take_modes(squares, modes, density, dt, frequencies, most);
+    }
+    gsl_eigen_symmv_free(work);
+    gsl_vector_free(squares);
+    gsl_matrix_free(modes);
+    gsl_matrix_free(matrix);
+    quiet_end();
+    return count;
+}

@@ -1,0 +1,161 @@
+/* View 4 of peridynamics: what a bond answers to its stretch, where it breaks, and where on that line the
+ * nodes stand: each by its most stretched whole bond. */
+#include "view/panes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* The largest stretch of every node, and who may not break. */
+typedef struct Stretches {
+    double *values, *safe;
+    size_t count;
+    double least, most; /* of all */
+    size_t foremost;    /* the node with the largest that may break; count: there is none */
+    bool safe_ahead;    /* a bond that never breaks is stretched more */
+} Stretches;
+
+bool bond_law_fits(const Simulation *sim)
+{
+    return simulation_find_field(sim, 0, "stretch") >= 0 && simulation_find_field(sim, 0, "protected") >= 0;
+}
+
+static void free_stretches(Stretches *all)
+{
+    free(all->values);
+    free(all->safe);
+}
+
+static bool take_stretches(const Simulation *sim, Stretches *all)
+{
+    const size_t count = sim->counts[0];
+    const int stretch = simulation_find_field(sim, 0, "stretch");
+    const int safe = simulation_find_field(sim, 0, "protected");
+    *all = (Stretches){.count = count, .foremost = count};
+    if (!bond_law_fits(sim) || count == 0)
+        return false;
+    all->values = malloc(count * sizeof *all->values);
+    all->safe = malloc(count * sizeof *all->safe);
+    if (!all->values || !all->safe)
+        return false;
+    sim->method->field(sim, stretch, 0, count, all->values);
+    sim->method->field(sim, safe, 0, count, all->safe);
+    all->least = all->most = all->values[0];
+    for (size_t i = 0; i < count; i++) {
+        const double value = all->values[i];
+        all->least = fmin(all->least, value);
+        all->most = fmax(all->most, value);
+        if (all->safe[i] == 0 && (all->foremost == count || value > all->values[all->foremost]))
+            all->foremost = i;
+    }
+    all->safe_ahead = all->foremost < count && all->most > all->values[all->foremost];
+    return true;
+}
+
+/* How many nodes lie over each column of dots, as a logarithm: one alone is seen beside thousands. */
+static void add_counts(Plot *plot, const Stretches *all, int dots)
+{
+    int *bins = calloc((size_t)dots, sizeof *bins), most = 0;
+    if (!bins)
+        return;
+    for (size_t i = 0; i < all->count; i++) {
+        const int bin = axis_column(&plot->x, all->values[i], dots);
+        if (bin >= 0 && ++bins[bin] > most)
+            most = bins[bin];
+    }
+    const double floor_y = plot->y.low, room = (plot->y.high - plot->y.low) / 2;
+    plot_begin(plot, STROKE_BAND, LINE_SOLID, STYLE_SECOND, RANK_BAND, '+');
+    plot->strokes[plot->n_strokes - 1].fill = 1;
+    for (int i = 0; i < dots; i++) {
+        const double x = plot->x.low + (plot->x.high - plot->x.low) * (i + 0.25) / dots;
+        plot_point(plot, x, floor_y);
+        plot_point(plot, x, floor_y + room * log1p(bins[i]) / log1p(most));
+    }
+    free(bins);
+}
+
+static void law_lines(const Screen *screen, const Stretches *all, double s0, char first[160],
+                      char second[160])
+{
+    char number[NUMBER_TEXT_MAX], limit[NUMBER_TEXT_MAX];
+    first[0] = second[0] = '\0';
+    if (all->foremost < all->count) {
+        number_text(all->values[all->foremost], 4, 10, number);
+        snprintf(first, 160, "largest s %s", number);
+        if (s0 > 0)
+            append(first, 160, " = %.1f %% of s0", 100 * all->values[all->foremost] / s0);
+        append(first, 160, "  particle %zu", all->foremost);
+    }
+    if (s0 > 0) {
+        number_text(s0, 4, 10, limit);
+        number_text(derived_value(screen, "critical_energy"), 4, 9, number);
+        snprintf(second, 160, "s0 %s: G0 %s J/m^2", limit, number);
+        if (all->safe_ahead)
+            append(second, 160, "  protected bonds reach %.0f %%", 100 * all->most / s0);
+    } else {
+        snprintf(second, 160, "s0 is 0: bonds never break here");
+    }
+}
+
+void view_bond_law(const Screen *screen, Area area, Style heading)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const double s0 = derived_value(screen, "critical_stretch");
+    const double stiffness = derived_value(screen, "micromodulus");
+    Stretches all;
+    if (!take_stretches(sim, &all) || !(stiffness > 0)) {
+        area_rule(area, 0, "a bond's force", heading);
+        free_stretches(&all);
+        return;
+    }
+    const int under = area.rect.height < 8 ? 0 : 2;
+    Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
+    /* the law breaks off at s0: it stands at three quarters, unless a protected bond goes further */
+    double reach = fmax(fmax(all.most, -all.least), s0 > 0 ? s0 : 0);
+    reach = reach > 0 ? axis_round_up(1.15 * reach) : 1e-6;
+    Axis x = axis_make(-reach / 4, reach, area.rect.width / 11);
+    Axis y = axis_make(-stiffness * reach / 4, stiffness * reach, plot_area.rect.height < 8 ? 3 : 5);
+    static const char *const band[GLYPHS_COUNT] = {"⢕⢕", "▒▒", "++"};
+    const Legend legend[] = {{LINE_SOLID, '*', STYLE_MEASURED, "f = c s", NULL},
+                             {LINE_DASHED, '-', STYLE_EXACT, "s0", NULL},
+                             {LINE_SOLID, '+', STYLE_SECOND, "nodes", band[area.glyphs]}};
+    const Legend unbroken[] = {legend[0], legend[2]};
+    char scale[TICK_TEXT_MAX], x_scale[TICK_TEXT_MAX], name[TICK_TEXT_MAX + 8];
+    axis_scale_text(&y, "", scale);
+    axis_scale_text(&x, "", x_scale);
+    snprintf(name, sizeof name, x_scale[0] ? "s, %s" : "s", x_scale);
+    draw_heading(area, heading, "force, N/m^6", scale, s0 > 0 ? legend : unbroken, s0 > 0 ? 3 : 2);
+    Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
+
+    Plot plot;
+    plot_open(&plot, x, y);
+    const int dots = inner.rect.width * plot_dots_across(area.glyphs);
+    if (dots > 0)
+        add_counts(&plot, &all, dots);
+    const double end = s0 > 0 ? s0 : x.high;
+    plot_begin(&plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
+    plot_point(&plot, x.low, stiffness * x.low);
+    plot_point(&plot, end, stiffness * end);
+    if (s0 > 0) {
+        plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_EXACT, RANK_EXACT, '-');
+        plot_point(&plot, s0, stiffness * s0);
+        plot_point(&plot, s0, 0);
+        plot_begin(&plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
+        plot_point(&plot, s0, 0);
+        plot_point(&plot, x.high, 0);
+    }
+    plot_draw(&plot, inner);
+    plot_close(&plot);
+    if (all.foremost < all.count) {
+        const double value = all.values[all.foremost];
+        const int column = axis_column(&x, value, inner.rect.width);
+        const int row = axis_row(&y, stiffness * value, inner.rect.height);
+        if (column >= 0 && row >= 0)
+            area_put(inner, column, row, 0x25cf, STYLE_CHANGED);
+    }
+    char lines[2][160];
+    law_lines(screen, &all, s0, lines[0], lines[1]);
+    for (int i = 0; i < under; i++)
+        area_phrases(area, 1, area.rect.height - under + i, area.rect.width - 2, 1, lines[i], STYLE_NORMAL);
+    free_stretches(&all);
+}

@@ -1,0 +1,204 @@
+/* More pictures of a beam that breaks: the crack's path with its angle, the angle over time, and what a piece
+ * of crack has cost beside the fracture energy that it should cost. */
+#include "view/time_plot.h"
+
+#include "physics/pd/crack.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* Paper P, section 3.3: the crack leaves the notch at about this angle. */
+#define PAPER_ANGLE 30.0
+
+typedef struct Notch {
+    double x, y; /* its end, m */
+} Notch;
+
+static Notch notch_of(const Screen *screen)
+{
+    const BeamDef *def = &experiment_settings(screen->experiment)->beam;
+    return (Notch){def->notch_position, def->notch_depth};
+}
+
+static bool has_crack(const Screen *screen)
+{
+    return experiment_settings(screen->experiment)->problem == PROBLEM_NOTCHED_BEAM;
+}
+
+/* Under a plot of the crack: the same two lines as under the others. */
+static int lines_under(Area area)
+{
+    return area.rect.height < 7 ? 0 : area.rect.width >= 100 ? 1 : 2;
+}
+
+static void draw_lines(const Screen *screen, Area area, int under)
+{
+    char lines[2][160];
+    beam_lines(screen, area.rect.width - 2, lines[0], lines[1]);
+    if (under == 1)
+        append(lines[0], sizeof lines[0], "  %s", lines[1]);
+    for (int i = 0; i < under; i++)
+        area_phrases(area, 1, area.rect.height - under + i, area.rect.width - 2, 1, lines[i], STYLE_NORMAL);
+}
+
+/* --- the path ------------------------------------------------------------------------------------- */
+
+static void draw_path(const Screen *screen, Area area, Style heading)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const BeamDef *def = &experiment_settings(screen->experiment)->beam;
+    const Notch notch = notch_of(screen);
+    const int under = lines_under(area);
+    Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
+    const double left = fmin(notch.x, def->load_position) - 0.02;
+    const double right = fmax(notch.x, def->load_position) + 0.02;
+    Axis x = axis_make(fmax(0, left), fmin(def->length, right), area.rect.width / 9);
+    Axis y = axis_make(0, def->height, plot_area.rect.height < 8 ? 3 : 6);
+    const Legend legend[] = {{LINE_SOLID, '*', STYLE_MEASURED, "measured", NULL},
+                             {LINE_DOTTED, '.', STYLE_EXACT, "30 deg", NULL},
+                             {LINE_DASHED, '-', STYLE_FAINT, "notch, load", NULL}};
+    char scale[TICK_TEXT_MAX], x_scale[TICK_TEXT_MAX], name[TICK_TEXT_MAX + 4];
+    axis_scale_text(&y, "m", scale);
+    axis_scale_text(&x, "m", x_scale);
+    snprintf(name, sizeof name, "x, %s", x_scale);
+    draw_heading(area, heading, "crack's path, y", scale, legend, 3);
+    Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
+
+    Plot plot;
+    plot_open(&plot, x, y);
+    plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_FAINT, RANK_PREDICTED, '-');
+    plot_point(&plot, notch.x, 0);
+    plot_point(&plot, notch.x, notch.y);
+    plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_FAINT, RANK_PREDICTED, '-');
+    plot_point(&plot, def->load_position, def->height);
+    plot_point(&plot, def->load_position, def->height - def->protected_depth);
+    if (shows_exact(screen)) {
+        const double towards = def->load_position < notch.x ? -1 : 1, rise = def->height - notch.y;
+        plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
+        plot_point(&plot, notch.x, notch.y);
+        plot_point(&plot, notch.x + towards * rise * tan(PAPER_ANGLE * M_PI / 180), def->height);
+    }
+    const size_t most = (size_t)ceil(def->height / def->spacing) + 1;
+    double *path = malloc(2 * most * sizeof *path);
+    const size_t count = path ? crack_path(sim, path, path + most, most) : 0;
+    plot_begin(&plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
+    plot_point(&plot, notch.x, notch.y);
+    for (size_t i = 0; i < count; i++)
+        plot_point(&plot, path[i], path[most + i]);
+    free(path);
+    plot_draw(&plot, inner);
+    plot_close(&plot);
+    Crack crack;
+    if (crack_measure(sim, &crack)) {
+        const int column = axis_column(&x, crack.x, inner.rect.width);
+        const int row = axis_row(&y, crack.y, inner.rect.height);
+        if (column >= 0 && row >= 0)
+            area_put(inner, column, row, 0x25cf, STYLE_CHANGED);
+    }
+    draw_lines(screen, area, under);
+}
+
+/* --- curves over time ------------------------------------------------------------------------------ */
+
+typedef struct CrackColumns {
+    int x, y, length, dissipated;
+    Notch notch;
+    double thickness;
+} CrackColumns;
+
+/* Degrees between the notch and the line from its end to the tip. */
+static double tip_angle(const double *row, const void *context)
+{
+    const CrackColumns *columns = context;
+    const double rise = row[columns->y] - columns->notch.y, aside = row[columns->x] - columns->notch.x;
+    return rise > 0 ? atan(aside / rise) * 180 / M_PI : NAN;
+}
+
+/* What the crack has cost per area, J/m^2. Its first few millimetres say little: bonds break around them. */
+static double energy_of_crack(const double *row, const void *context)
+{
+    const CrackColumns *columns = context;
+    const double area = row[columns->length] * columns->thickness;
+    return row[columns->length] > 2e-3 ? row[columns->dissipated] / area : NAN;
+}
+
+static CrackColumns crack_columns(const Screen *screen)
+{
+    return (CrackColumns){find_column(screen, "crack_x"),
+                          find_column(screen, "crack_y"),
+                          find_column(screen, "crack_length"),
+                          find_column(screen, "dissipated"),
+                          notch_of(screen),
+                          experiment_settings(screen->experiment)->beam.thickness};
+}
+
+typedef struct Told {
+    const char *name, *target_name;
+    double (*value)(const double *row, const void *context);
+    double target; /* what it should be */
+} Told;
+
+static void draw_over_time(const Screen *screen, Area area, Style heading, const Told *told)
+{
+    const CrackColumns columns = crack_columns(screen);
+    const Record *record = experiment_record(screen->experiment);
+    const int under = lines_under(area);
+    Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
+    const int width = plot_area.rect.width - GUTTER - 1, dots = width * plot_dots_across(area.glyphs);
+    const int rows = plot_area.rect.height - 1;
+    double least = 0, most = told->target;
+    for (size_t i = 0; i < record->count; i += time_plot_stride(record)) {
+        const double value = told->value(record_row(record, i), &columns);
+        least = value < least ? value : least;
+        most = value > most ? value : most;
+    }
+    Axis y = axis_around(least, axis_round_up(most * 1.02), rows < 5 ? 3 : 5);
+    Axis x = time_plot_axis(screen, width);
+    const Legend legend[] = {{LINE_SOLID, '*', STYLE_MEASURED, "measured", NULL},
+                             {LINE_DOTTED, '.', STYLE_EXACT, told->target_name, NULL}};
+    char scale[TICK_TEXT_MAX], name[32];
+    axis_scale_text(&y, "", scale);
+    draw_heading(area, heading, told->name, scale, legend, shows_exact(screen) ? 2 : 1);
+    Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
+    Plot plot;
+    plot_open(&plot, x, y);
+    if (shows_exact(screen)) {
+        plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
+        plot_point(&plot, x.low, told->target);
+        plot_point(&plot, x.high, told->target);
+    }
+    plot_begin(&plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
+    time_plot_curve(&plot, &(Curve){record, -1, -1, -1, told->value, &columns}, dots);
+    time_plot_breaks(screen, inner, &x);
+    time_plot_now(screen, inner, &x);
+    plot_draw(&plot, inner);
+    plot_close(&plot);
+    draw_lines(screen, area, under);
+}
+
+int view_crack_variants(const Screen *screen)
+{
+    return has_crack(screen) ? 2 : 0;
+}
+
+void view_crack(const Screen *screen, Area area, Style heading, int variant)
+{
+    static const Told angle = {"tip from the notch, deg", "30 deg", tip_angle, PAPER_ANGLE};
+    if (variant == 0)
+        draw_path(screen, area, heading);
+    else
+        draw_over_time(screen, area, heading, &angle);
+}
+
+int view_fracture_variants(const Screen *screen)
+{
+    return has_crack(screen) ? 1 : 0;
+}
+
+void view_fracture(const Screen *screen, Area area, Style heading)
+{
+    const Told cost = {"crack's cost, J/m^2", "G0", energy_of_crack,
+                       derived_value(screen, "critical_energy")};
+    draw_over_time(screen, area, heading, &cost);
+}
