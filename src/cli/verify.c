@@ -45,6 +45,11 @@ static const Check checks[] = {
 
 enum { CHECKS = sizeof checks / sizeof *checks };
 
+const char *verify_name(int index)
+{
+    return index < CHECKS ? checks[index].name : NULL;
+}
+
 /* --- the command line ---------------------------------------------------------------------------- */
 
 typedef struct Request {

@@ -12,6 +12,9 @@
 
 #include <stdio.h>
 
+/* The names, in the order of --list; NULL behind the last. */
+const char *verify_name(int index);
+
 /* `arguments` are those after the word "verify". Tables go to `out`. Returns the exit status: 0 all holds;
  * 1 a miss (the status says how many); 2 bad usage (the status says what is allowed). */
 int verify_main(int count, char **arguments, FILE *out, Status *status);

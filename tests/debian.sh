@@ -1,0 +1,40 @@
+#!/bin/sh
+# The Debian package, made of the tarball: it builds, lintian finds no error, and its program runs.
+for tool in dpkg-buildpackage dh lintian; do
+	command -v $tool >/dev/null 2>&1 || {
+		echo "1..0 # SKIP $tool is not installed"
+		exit 0
+	}
+done
+number=0
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+
+result() {
+	number=$((number + 1))
+	name=$1
+	shift
+	if "$@" >"$scratch/out" 2>&1; then echo "ok $number - $name"; else
+		echo "not ok $number - $name"
+		tail -n 30 "$scratch/out" | sed 's/^/# /'
+	fi
+}
+version=$("$MATVIB" --version | awk '{ print $2 }')
+tarball() {
+	env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS make -s -C "$MATVIB_BUILDDIR" dist-gzip distdir="$1" >/dev/null
+}
+package() {
+	cd "$scratch/matvib-$version" && DEB_BUILD_OPTIONS="nocheck parallel=2" dpkg-buildpackage -us -uc -b
+}
+judged() {
+	lintian --fail-on error "$scratch"/matvib_*.changes
+}
+unpacked() {
+	dpkg-deb -x "$scratch"/matvib_*_*.deb "$scratch/root" && "$scratch/root/usr/bin/matvib" run mode1 --steps 10
+}
+(cd "$MATVIB_BUILDDIR" && tarball "matvib-$version") && mv "$MATVIB_BUILDDIR/matvib-$version.tar.gz" "$scratch" &&
+	tar -xzf "$scratch/matvib-$version.tar.gz" -C "$scratch" && cp -r "$MATVIB_SRCDIR/debian" "$scratch/matvib-$version"
+result "the package builds" package
+result "lintian finds no error" judged
+result "its program runs" unpacked
+echo "1..$number"

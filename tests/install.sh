@@ -1,0 +1,42 @@
+#!/bin/sh
+# make install into a folder: all there, nothing else, and it works from anywhere.
+number=0
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+
+result() {
+	number=$((number + 1))
+	name=$1
+	shift
+	if "$@" >"$scratch/out" 2>&1; then echo "ok $number - $name"; else
+		echo "not ok $number - $name"
+		sed 's/^/# /' "$scratch/out"
+	fi
+}
+# its own make: not the flags of the one that runs the tests
+install() {
+	env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS make -s -C "$MATVIB_BUILDDIR" "$1" DESTDIR="$scratch/root" prefix=/usr
+}
+result "make install" install install
+cd "$scratch/root/usr" || exit 1
+cat >"$scratch/wanted" <<'END'
+./bin/matvib
+./share/bash-completion/completions/matvib
+./share/doc/matvib/CONTRIBUTING.md
+./share/doc/matvib/COPYING
+./share/doc/matvib/NEWS
+./share/doc/matvib/README.md
+./share/man/man1/matvib.1
+./share/man/man5/matvib.5
+./share/zsh/site-functions/_matvib
+END
+find . -type f | LC_ALL=C sort >"$scratch/found"
+result "these files and no others" diff "$scratch/wanted" "$scratch/found"
+cd / && result "the program runs from anywhere" "$scratch/root/usr/bin/matvib" run mode1 --steps 10 --quiet
+version=$("$scratch/root/usr/bin/matvib" --version | awk '{ print $2 }')
+result "the manual is of this version" grep -q "$version" "$scratch/root/usr/share/man/man1/matvib.1"
+result "NEWS begins with it" grep -q -x "matvib $version" "$scratch/root/usr/share/doc/matvib/NEWS"
+result "so does the Debian package" grep -q "^matvib ($version-" "$MATVIB_SRCDIR/debian/changelog"
+result "make uninstall" install uninstall
+result "leaves nothing" test -z "$(find "$scratch/root" -type f)"
+echo "1..$number"

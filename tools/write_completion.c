@@ -1,0 +1,222 @@
+/* Completion of the command line: write_completion bash | zsh > FILE. What can be completed comes from the
+ * program's own tables, so that no shell knows an option that the program does not.
+ *
+ * Both files begin with the same functions, which answer from the tables; the rest is each shell's own way of
+ * asking them. */
+#include "cli/cli.h"
+#include "cli/options.h"
+#include "cli/verify.h"
+#include "lab/parameters.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* --- the tables as functions that both shells read ------------------------------------------------ */
+
+static const char *command_name(int i) /* the laboratory is "open"; NULL: there are no more */
+{
+    return i == 0 ? "open" : cli_commands[i - 1].name;
+}
+
+static bool takes(const Option *option, const char *command)
+{
+    char word[32];
+    snprintf(word, sizeof word, " %s ", command);
+    return strstr(option->commands, word) != NULL;
+}
+
+static void write_options(void)
+{
+    puts("_matvib_options() { # COMMAND\n    case $1 in");
+    for (int c = 0; command_name(c); c++) {
+        printf("    %s) echo '", command_name(c));
+        for (int i = 0; i < n_options; i++)
+            if (takes(&options_table[i], command_name(c)))
+                printf("%s ", options_table[i].name);
+        puts("--help' ;;");
+    }
+    puts("    esac\n}\n");
+}
+
+/* What stands behind an option: a list of words, or one of @file, @folder, @key, @none. */
+static void write_argument(const Option *option)
+{
+    if (option->words)
+        for (int i = 0; option->words[i]; i++)
+            printf("%s%s", i ? " " : "", option->words[i]);
+    else if (strncmp(option->argument, "KEY=", 4) == 0)
+        fputs("@key", stdout);
+    else if (strcmp(option->argument, "FILE") == 0)
+        fputs("@file", stdout);
+    else if (strcmp(option->argument, "DIR") == 0)
+        fputs("@folder", stdout);
+    else
+        fputs("@none", stdout);
+}
+
+static void write_arguments(void)
+{
+    puts("_matvib_argument() { # COMMAND OPTION: nothing where the option has no argument\n"
+         "    case \"$1 $2\" in");
+    for (int c = 0; command_name(c); c++)
+        for (int i = 0; i < n_options; i++)
+            if (takes(&options_table[i], command_name(c)) && options_table[i].argument) {
+                printf("    '%s %s') echo '", command_name(c), options_table[i].name);
+                write_argument(&options_table[i]);
+                puts("' ;;");
+            }
+    puts("    esac\n}\n");
+}
+
+/* The words of a command that are no options. */
+static void write_words(void)
+{
+    puts("_matvib_words() { # COMMAND\n    case $1 in");
+    for (int c = 0; command_name(c); c++) {
+        const char *synopsis = c ? cli_commands[c - 1].synopsis : "SCENARIO";
+        printf("    %s) echo '", command_name(c));
+        if (strcmp(synopsis, "SCENARIO") == 0) {
+            fputs("@file", stdout);
+            for (const BuiltinScenario *builtin = builtin_scenarios; builtin->name; builtin++)
+                printf(" %s", builtin->name);
+        } else if (strcmp(synopsis, "[PROBLEM]") == 0) {
+            for (int i = 0; problem_words[i]; i++)
+                printf("%s%s", i ? " " : "", problem_words[i]);
+        } else if (strcmp(command_name(c), "verify") == 0) {
+            for (int i = 0; verify_name(i); i++)
+                printf("%s%s", i ? " " : "", verify_name(i));
+        }
+        puts("' ;;");
+    }
+    puts("    esac\n}\n");
+}
+
+static void write_keys(void)
+{
+    fputs("_matvib_keys() { echo '", stdout);
+    for (int i = 0; i < n_parameters; i++)
+        printf("%s%s", i ? " " : "", parameters[i].key);
+    puts("'; }\n");
+    puts("_matvib_values() { # KEY\n    case $1 in");
+    for (int i = 0; i < n_parameters; i++) {
+        const Parameter *parameter = &parameters[i];
+        if (parameter->type != PARAMETER_CHOICE && parameter->type != PARAMETER_FLAG && !parameter->automatic)
+            continue;
+        printf("    %s) echo '", parameter->key);
+        for (int k = 0; parameter->type == PARAMETER_CHOICE && parameter->choices[k]; k++)
+            printf("%s%s", k ? " " : "", parameter->choices[k]);
+        if (parameter->type == PARAMETER_FLAG)
+            fputs("yes no", stdout);
+        if (parameter->automatic)
+            fputs(parameter->automatic, stdout);
+        puts("' ;;");
+    }
+    puts("    esac\n}\n");
+}
+
+static void write_commands(void)
+{
+    fputs("_matvib_commands() { echo '", stdout);
+    for (const CliCommand *command = cli_commands; command->name; command++)
+        printf("%s ", command->name);
+    puts("--version'; }\n");
+}
+
+/* --- each shell's own ----------------------------------------------------------------------------- */
+
+static const char bash_part[] =
+    "_matvib() {\n"
+    "    # The line as typed: COMP_WORDS cuts KEY=VALUE at the sign.\n"
+    "    local words current= previous= command=open kind strip=\n"
+    "    read -ra words <<<\"${COMP_LINE:0:COMP_POINT}\"\n"
+    "    [[ ${COMP_LINE:0:COMP_POINT} == *' ' ]] && words+=('')\n"
+    "    local last=$((${#words[@]} - 1))\n"
+    "    current=${words[last]} previous=${words[last - 1]}\n"
+    "    [[ $last -gt 1 && \" $(_matvib_commands) \" == *\" ${words[1]} \"* ]] && command=${words[1]}\n"
+    "    if [[ $current == --*=* ]]; then\n"
+    "        previous=${current%%=*} strip=$previous= current=${current#*=}\n"
+    "    fi\n"
+    "    kind=$(_matvib_argument \"$command\" \"$previous\")\n"
+    "    if [[ -z $kind && $current == -* ]]; then\n"
+    "        kind=$(_matvib_options \"$command\")\n"
+    "    elif [[ -z $kind ]]; then\n"
+    "        kind=$(_matvib_words \"$command\")\n"
+    "        [[ $last -eq 1 ]] && kind=\"$kind $(_matvib_commands)\"\n"
+    "    fi\n"
+    "    COMPREPLY=()\n"
+    "    if [[ $kind == @key && $current == *=* ]]; then\n"
+    "        strip=$strip${current%%=*}=\n"
+    "        COMPREPLY=($(compgen -W \"$(_matvib_values \"${current%%=*}\")\" -- \"${current#*=}\"))\n"
+    "    elif [[ $kind == @key ]]; then\n"
+    "        compopt -o nospace 2>/dev/null\n"
+    "        COMPREPLY=($(compgen -S = -W \"$(_matvib_keys)\" -- \"$current\"))\n"
+    "    elif [[ $kind == @folder ]]; then\n"
+    "        compopt -o filenames 2>/dev/null\n"
+    "        mapfile -t COMPREPLY < <(compgen -d -- \"$current\")\n"
+    "    elif [[ $kind != @none ]]; then\n"
+    "        COMPREPLY=($(compgen -W \"${kind#@file}\" -- \"$current\"))\n"
+    "        if [[ $kind == @file* ]]; then\n"
+    "            local files\n"
+    "            compopt -o filenames 2>/dev/null\n"
+    "            mapfile -t files < <(compgen -f -- \"$current\")\n"
+    "            COMPREPLY+=(\"${files[@]}\")\n"
+    "        fi\n"
+    "    fi\n"
+    "    # where the sign parts words, bash replaces what follows it alone\n"
+    "    if [[ -n $strip && $COMP_WORDBREAKS != *=* ]]; then\n"
+    "        COMPREPLY=(\"${COMPREPLY[@]/#/$strip}\")\n"
+    "    fi\n"
+    "}\n"
+    "complete -F _matvib matvib\n";
+
+static const char zsh_part[] =
+    "_matvib() {\n"
+    "    local current=${words[CURRENT]} previous=${words[CURRENT-1]} command=open kind\n"
+    "    if (( CURRENT > 2 )) && [[ \" $(_matvib_commands) \" == *\" ${words[2]} \"* ]]; then\n"
+    "        command=${words[2]}\n"
+    "    fi\n"
+    "    if [[ $current == --*=* ]]; then\n"
+    "        previous=${current%%=*}\n"
+    "        current=${current#*=}\n"
+    "        compset -P 1 '*='\n"
+    "    fi\n"
+    "    kind=$(_matvib_argument \"$command\" \"$previous\")\n"
+    "    if [[ -z $kind && $current == -* ]]; then\n"
+    "        kind=$(_matvib_options \"$command\")\n"
+    "    elif [[ -z $kind ]]; then\n"
+    "        kind=$(_matvib_words \"$command\")\n"
+    "        (( CURRENT == 2 )) && kind=\"$kind $(_matvib_commands)\"\n"
+    "    fi\n"
+    "    if [[ $kind == @key && $current == *=* ]]; then\n"
+    "        local key=${current%%=*}\n"
+    "        compset -P 1 '*='\n"
+    "        compadd -- ${=$(_matvib_values \"$key\")}\n"
+    "    elif [[ $kind == @key ]]; then\n"
+    "        compadd -S = -- ${=$(_matvib_keys)}\n"
+    "    elif [[ $kind == @folder ]]; then\n"
+    "        _files -/\n"
+    "    elif [[ $kind != @none ]]; then\n"
+    "        compadd -- ${=${kind#@file}}\n"
+    "        [[ $kind == @file* ]] && _files\n"
+    "    fi\n"
+    "    return 0\n"
+    "}\n"
+    "_matvib \"$@\"\n";
+
+int main(int count, char **arguments)
+{
+    bool zsh = count == 2 && strcmp(arguments[1], "zsh") == 0;
+    if (count != 2 || (!zsh && strcmp(arguments[1], "bash") != 0)) {
+        fputs("usage: write_completion bash | zsh\n", stderr);
+        return 2;
+    }
+    printf("%s# Completion of matvib for %s, made from the program's tables.\n\n",
+           zsh ? "#compdef matvib\n" : "", arguments[1]);
+    write_commands();
+    write_options();
+    write_arguments();
+    write_words();
+    write_keys();
+    fputs(zsh ? zsh_part : bash_part, stdout);
+    return ferror(stdout) || fflush(stdout) != 0;
+}
