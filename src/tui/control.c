@@ -319,6 +319,11 @@ static bool steps_are_short(const Laboratory *lab)
     return lab->rate > 0 && step_seconds(lab) < STEP_SHARE * FRAME_SECONDS;
 }
 
+static bool key_waits(const Laboratory *lab)
+{
+    return lab->host.key_waits && lab->host.key_waits(lab->host.context);
+}
+
 /* A step, or the next part of it, by `verb`, up to the deadline. Returns how many steps were completed. */
 static long work_in_parts(Laboratory *lab, bool (*verb)(Experiment *, size_t, bool *, Status *),
                           double deadline, bool *sound, Status *status)
@@ -337,7 +342,7 @@ static long work_in_parts(Laboratory *lab, bool (*verb)(Experiment *, size_t, bo
         double now = lab->host.now(lab->host.context);
         lab->part_seconds += now - last;
         last = now;
-    } while (*sound && !whole && last < deadline);
+    } while (*sound && !whole && last < deadline && !key_waits(lab));
     if (*sound && !whole)
         return 0;
     learn_rate(lab, 1, lab->part_seconds);
@@ -365,6 +370,10 @@ static bool run_frame(Laboratory *lab, double deadline)
         lab->owed -= (double)wanted;
     bool sound = true, in_time = true;
     while (sound && in_time && done < wanted && !experiment_at_end(screen->experiment)) {
+        if (done > 0 && key_waits(lab)) {
+            lab->owed += fmin((double)(wanted - done), screen->pace);
+            break;
+        }
         double left = deadline - lab->host.now(lab->host.context);
         if (done > 0 && left < step_seconds(lab)) {
             in_time = false;
@@ -398,7 +407,7 @@ static bool compute_frame(Laboratory *lab, double deadline)
     bool sound = true;
     for (bool first = true; sound && experiment_pending(experiment, &left); first = false) {
         double time_left = deadline - lab->host.now(lab->host.context);
-        if (time_left < step_seconds(lab) && !first)
+        if (!first && (time_left < step_seconds(lab) || key_waits(lab)))
             break;
         if (left > most)
             most = left;

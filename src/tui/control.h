@@ -32,6 +32,8 @@ typedef struct Host {
     void (*redraw)(void *context);  /* everything anew */
     void (*suspend)(void *context); /* ^Z */
     void *context;
+    bool (*key_waits)(
+        void *context); /* the engine makes room for it at once; NULL: keys come between frames */
 } Host;
 
 /* Takes an answer to a prompt. False: refused, prompt.problem says why, the prompt stays. */

@@ -96,6 +96,12 @@ static bool go_on(void *context)
     return !stop && terminal_signal(loop->terminal) == 0;
 }
 
+static bool key_waits(void *context)
+{
+    const Loop *loop = context;
+    return terminal_has_input(loop->terminal);
+}
+
 static void redraw(void *context)
 {
     Loop *loop = context;
@@ -112,7 +118,7 @@ static void suspend(void *context)
 static bool open_loop(Loop *loop, const LaboratoryOptions *options, Status *status)
 {
     TerminalOptions how = {.glyphs = options->glyphs, .theme = options->theme, .mouse = !options->no_mouse};
-    Host host = {now, worked, go_on, redraw, suspend, loop};
+    Host host = {now, worked, go_on, redraw, suspend, loop, key_waits};
     /* the laboratory first: what is wrong with a scenario is said where the shell can show it */
     bool open = laboratory_open(&loop->lab, options, &host, status);
     forget_opening(loop);

@@ -255,7 +255,7 @@ static bool play(Player *player, FILE *file, Status *status)
 
 static bool open_player(Player *player, const LaboratoryOptions *options, Status *status)
 {
-    Host host = {now, worked, go_on, nothing, nothing, player};
+    Host host = {now, worked, go_on, nothing, nothing, player, NULL};
     const char *codeset = nl_langinfo(CODESET);
     Glyphs glyphs;
     if (!terminal_choose_glyphs(options->glyphs, codeset, NULL, &glyphs))

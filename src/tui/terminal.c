@@ -397,6 +397,12 @@ void terminal_wait(Terminal *terminal, double seconds)
     }
 }
 
+bool terminal_has_input(const Terminal *terminal)
+{
+    struct pollfd keyboard = {.fd = STDIN_FILENO, .events = POLLIN};
+    return terminal->input_first < terminal->input_end || poll(&keyboard, 1, 0) > 0;
+}
+
 bool terminal_key(Terminal *terminal, Key *key)
 {
     if (terminal->expired) {

@@ -38,6 +38,9 @@ void terminal_redraw(Terminal *);
 /* Sleeps until a key, a signal or the time is there; seconds < 0: without an end, 0: only looks. */
 void terminal_wait(Terminal *, double seconds);
 
+/* Whether terminal_wait() would find something to read at once. */
+bool terminal_has_input(const Terminal *);
+
 /* The next key that has come in. False: none. */
 bool terminal_key(Terminal *, Key *);
 

@@ -32,7 +32,7 @@ static void method_words_of(const Screen *screen, char *out, size_t size)
 
 static void pace_text(double pace, char *out, size_t size)
 {
-    if (pace >= 1 || pace <= 0)
+    if (pace > 2.0 / 3 || pace <= 0) /* from here on the other form would say x1/1 */
         snprintf(out, size, "x%.0f", pace);
     else
         snprintf(out, size, "x1/%.0f", 1 / pace);

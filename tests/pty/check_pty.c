@@ -85,6 +85,34 @@ START_TEST(idle_costs_nothing)
 }
 END_TEST
 
+static double seconds(void)
+{
+    struct timespec time;
+    ck_assert_int_eq(clock_gettime(CLOCK_MONOTONIC, &time), 0);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+/* The aim is 50 ms, which make bench measures; here even a busy machine must be far from a second. */
+START_TEST(a_key_is_answered_while_a_crack_runs)
+{
+    Session session;
+    double answers = 0;
+    session_open(&session, 80, 24, NULL, (const char *const[]){matvib(), "notched-beam", NULL});
+    for (int i = 0; i < 8; i++) {
+        session_frame(&session);
+        ck_assert(!session_shows(&session, "PAUSED"));
+        double begin = seconds();
+        session_keys(&session, " "); /* to the picture after which it waits */
+        answers += seconds() - begin;
+        ck_assert(session_shows(&session, "PAUSED"));
+        session_send(&session, " ");
+        session_wait_for(&session, "RUNNING");
+    }
+    ck_assert_msg(answers / 8 < 0.4, "%.3f s for a key", answers / 8);
+    session_close(&session);
+}
+END_TEST
+
 START_TEST(resizes)
 {
     Session session;
@@ -296,6 +324,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, opens_running);
     tcase_add_test(tcase, a_still_picture_writes_nothing);
     tcase_add_test(tcase, idle_costs_nothing);
+    tcase_add_test(tcase, a_key_is_answered_while_a_crack_runs);
     tcase_add_test(tcase, resizes);
     tcase_add_test(tcase, resizes_while_running);
     tcase_add_loop_test(tcase, signals_end_it_and_restore_the_terminal, 0, 4);

@@ -43,7 +43,7 @@ Bench *open_bench(const char *scenario, bool paused)
     bench->height = 24;
     ck_assert_msg(scenario_load(scenario, &bench->settings, &status), "%s", status.text);
     LaboratoryOptions options = {.settings = &bench->settings, .scenario = scenario, .paused = paused};
-    Host host = {now, worked, go_on, nothing, nothing, bench};
+    Host host = {now, worked, go_on, nothing, nothing, bench, NULL};
     ck_assert_msg(laboratory_open(&bench->lab, &options, &host, &status), "%s", status.text);
     ck_assert(laboratory_draw(&bench->lab, &bench->canvas, bench->width, bench->height));
     return bench;
