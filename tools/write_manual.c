@@ -10,6 +10,7 @@
 #include "tui/script.h"
 #include "view/commands.h"
 
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -222,7 +223,7 @@ static void write_parameter(const Parameter *parameter, Problem first, Problem l
 {
     char range[160];
     const char *unit = first == PROBLEM_BAR ? parameter->unit_bar : parameter->unit_beam;
-    parameter_range(parameter, range, sizeof range);
+    parameter_range(parameter, first, range, sizeof range);
     puts(".TP");
     say_in("B", parameter->key);
     fputs("  ", stdout);
@@ -236,6 +237,8 @@ static void write_parameter(const Parameter *parameter, Problem first, Problem l
     say(parameter->help);
     putchar('.');
     write_of_problems(parameter, first, last);
+    if (first == PROBLEM_BAR && parameter->only != OF_EVERY_METHOD)
+        printf(" Of method %s only.", parameter->only == OF_MPM ? "mpm" : "pd");
     write_defaults(parameter, first, last);
     if (parameter->live)
         fputs(" May change in mid\\-run.", stdout);
@@ -249,6 +252,8 @@ static bool write_parameters(const char *which)
     Problem last = bar ? PROBLEM_BAR : PROBLEM_NOTCHED_BEAM;
     for (int i = 0; i < n_parameters; i++) {
         bool of_any = false;
+        if (parameters[i].offset == offsetof(Settings, method))
+            continue; /* the page has it among the first two keys */
         for (Problem p = first; p <= last; p++)
             of_any = of_any || parameter_applies(&parameters[i], p);
         if (of_any)

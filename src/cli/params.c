@@ -18,13 +18,18 @@ static void print_parameter(const Settings *settings, const Parameter *parameter
     char value[LIST_MAX], assignment[96], range[160];
     const char *unit = unit_of(parameter, settings->problem);
     settings_show(settings, parameter, value);
-    parameter_range(parameter, range, sizeof range);
+    const char *automatic = parameter_automatic(parameter, settings->problem);
+    parameter_range(parameter, settings->problem, range, sizeof range);
     /* neither a word nor nothing at all has a unit */
-    if (!*value || (parameter->automatic && strcmp(value, parameter->automatic) == 0))
+    if (!*value || (automatic && strcmp(value, automatic) == 0))
         unit = "";
     snprintf(assignment, sizeof assignment, "%s =%s%.60s%s%s", parameter->key, *value ? " " : "", value,
              *unit ? " " : "", unit);
-    printf("  %-42s %s%s\n      %s\n", assignment, range, parameter->live ? "  [live]" : "", parameter->help);
+    static const char *const methods[] = {[OF_EVERY_METHOD] = "", [OF_MPM] = "  [mpm]", [OF_PD] = "  [pd]"};
+    const bool choice =
+        problem_allows(settings->problem, METHOD_MPM) && problem_allows(settings->problem, METHOD_PD);
+    printf("  %-42s %s%s%s\n      %s\n", assignment, range, parameter->live ? "  [live]" : "",
+           choice ? methods[parameter->only] : "", parameter->help);
 }
 
 static void print_indented(const char *text)
@@ -36,11 +41,27 @@ static void print_indented(const char *text)
     }
 }
 
+static bool print_derived(Settings *settings, MethodKind method, Status *status)
+{
+    char derived[DERIVED_TEXT_MAX];
+    settings->method = method;
+    if (!derived_text(settings, derived, sizeof derived, status))
+        return false;
+    printf("\nFrom these (%s)\n", method_words[method]);
+    print_indented(derived);
+    return true;
+}
+
 static bool print_problem(Problem problem, Status *status)
 {
     Settings settings;
+    char methods[32] = "";
     settings_default(&settings, problem);
-    printf("%s (%s): %s\n", problem_words[problem], method_words[settings.method], problem_title(problem));
+    for (int method = 0; method_words[method]; method++)
+        if (problem_allows(problem, (MethodKind)method))
+            snprintf(methods + strlen(methods), sizeof methods - strlen(methods), "%s%s",
+                     *methods ? " | " : "", method_words[method]);
+    printf("%s (%s): %s\n", problem_words[problem], methods, problem_title(problem));
     const char *group = "";
     for (int i = 0; i < n_parameters; i++) {
         if (!parameter_applies(&parameters[i], problem))
@@ -49,11 +70,10 @@ static bool print_problem(Problem problem, Status *status)
             printf("\n%s\n", group = parameters[i].group);
         print_parameter(&settings, &parameters[i]);
     }
-    char derived[DERIVED_TEXT_MAX];
-    if (!derived_text(&settings, derived, sizeof derived, status))
-        return false;
-    printf("\nFrom these\n");
-    print_indented(derived);
+    for (int method = 0; method_words[method]; method++)
+        if (problem_allows(problem, (MethodKind)method) &&
+            !print_derived(&settings, (MethodKind)method, status))
+            return false;
     putchar('\n');
     return true;
 }
@@ -82,6 +102,7 @@ int cli_params(int count, char **arguments, Status *status)
     for (int problem = first; problem <= last; problem++)
         if (!print_problem((Problem)problem, status))
             return (int)status->code;
-    printf("[live] may change in mid-run. Each value is set by --set KEY=VALUE or in a scenario file.\n");
+    printf("[live] may change in mid-run; [mpm], [pd] only by that method. Each value is set by --set "
+           "KEY=VALUE or in a scenario file.\n");
     return STATUS_DONE;
 }

@@ -61,20 +61,21 @@ void table_write_csv(const SweepTable *table, Dialect dialect, FILE *stream)
 
 /* --- for people ----------------------------------------------------------------------------------- */
 
-static const char *word_of(const Parameter *parameter, double value)
+static const char *word_of(const Parameter *parameter, Problem problem, double value)
 {
     static const char *const flags[] = {"no", "yes"};
     if (parameter->type == PARAMETER_CHOICE)
         return parameter->choices[(int)value];
     if (parameter->type == PARAMETER_FLAG)
         return flags[value != 0];
-    return value == 0 ? parameter->automatic : NULL;
+    return value == 0 ? parameter_automatic(parameter, problem) : NULL;
 }
 
 static void cell_text(const SweepTable *table, int column, double value, char out[VALUE_MAX])
 {
     const SweepPlan *plan = table->plan;
-    const char *word = column < plan->n_keys ? word_of(plan->keys[column].parameter, value) : NULL;
+    const char *word =
+        column < plan->n_keys ? word_of(plan->keys[column].parameter, table->problem, value) : NULL;
     if (word)
         snprintf(out, VALUE_MAX, "%s", word);
     else
@@ -117,8 +118,8 @@ static void describe_key(const SweepTable *table, const SweepKey *key, FILE *str
     fprintf(stream, "%s [%s]: %s", key->key, unit && *unit ? unit : "1", parameter->help);
     if (parameter->type == PARAMETER_FLAG)
         fputs(" (0 = no, 1 = yes)", stream);
-    else if (parameter->automatic)
-        fprintf(stream, " (0 = %s)", parameter->automatic);
+    else if (parameter_automatic(parameter, table->problem))
+        fprintf(stream, " (0 = %s)", parameter_automatic(parameter, table->problem));
     for (int i = 0; parameter->type == PARAMETER_CHOICE && parameter->choices[i]; i++)
         fprintf(stream, "%s%d = %s%s", i ? ", " : " (", i, parameter->choices[i],
                 parameter->choices[i + 1] ? "" : ")");

@@ -1,42 +1,8 @@
 /* The bar by the material point method: settings to simulation, exact and predicted answers beside. */
-#include "lab/bar_problem.h"
-#include "lab/parameters.h"
-#include "lab/problem_rows.h"
+#include "lab/bar_answers.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-_Static_assert(OVERTONES_MAX + 1 <= BAR_MODES_MAX, "the theory has room for every overtone");
-
-/* --- settings to theory --------------------------------------------------------------------------- */
-
-bool bar_theory_of(const Settings *settings, BarTheory *theory, Status *status)
-{
-    const BarDef *def = &settings->bar;
-    *theory = (BarTheory){
-        .length = def->length,
-        .youngs_modulus = def->youngs_modulus,
-        .density = def->density,
-        .left_fixed = def->supports == BAR_FIXED_FREE || def->supports == BAR_FIXED_FIXED,
-        .right_fixed = def->supports == BAR_FREE_FIXED || def->supports == BAR_FIXED_FIXED,
-        .body_force = def->body_force,
-        .traction = def->traction,
-    };
-    theory->modes[0].number = settings->mode;
-    theory->modes[0].velocity = settings->velocity;
-    Overtone overtones[OVERTONES_MAX];
-    int count = overtones_read(settings->overtones, overtones, status);
-    if (count < 0)
-        return false;
-    for (int i = 0; i < count; i++) {
-        theory->modes[1 + i].number = overtones[i].mode;
-        theory->modes[1 + i].velocity = overtones[i].velocity;
-    }
-    theory->n_modes = 1 + count;
-    return true;
-}
 
 BarMesh bar_mesh_of(const Settings *settings, double dt)
 {
@@ -56,17 +22,6 @@ BarMesh bar_mesh_of(const Settings *settings, double dt)
                      .dt = dt};
 }
 
-double bar_time_step(const Settings *settings)
-{
-    const BarDef *def = &settings->bar;
-    return def->courant * def->cell_size / sqrt(def->youngs_modulus / def->density);
-}
-
-static double initial_velocity(double x, const void *context)
-{
-    return bar_initial_velocity(context, x);
-}
-
 static Simulation *simulate(const Settings *settings, int threads, Status *status)
 {
     (void)threads; /* a bar is too small to be shared */
@@ -74,81 +29,19 @@ static Simulation *simulate(const Settings *settings, int threads, Status *statu
     if (!bar_theory_of(settings, &theory, status))
         return NULL;
     BarDef def = settings->bar;
-    def.initial_velocity = initial_velocity;
+    def.initial_velocity = bar_start;
     def.initial_context = &theory;
     return bar_create(&def, status);
 }
 
-/* --- what to watch -------------------------------------------------------------------------------- */
-
-static bool is_loaded(const BarTheory *theory)
+/* The frequency that the mesh gives the watched mode; NAN: no formula. */
+static double predicted_frequency(const BarTheory *theory, const BarMesh *mesh)
 {
-    return theory->body_force != 0 || theory->traction != 0;
-}
-
-/* Whether the loads make the bar vibrate, and whether its centre of mass shows it. */
-static bool load_vibrates(const BarTheory *theory, bool *centre)
-{
-    bool free_free = !theory->left_fixed && !theory->right_fixed;
-    bool fixed_fixed = theory->left_fixed && theory->right_fixed;
-    *centre = !free_free;
-    if (free_free)
-        return theory->traction != 0; /* a body force moves the bar as a whole */
-    return theory->body_force != 0 || (theory->traction != 0 && !fixed_fixed);
-}
-
-/* The mode that is watched: the first that moves and is no rigid motion; else 0. */
-static int watched_mode(const BarTheory *theory)
-{
-    for (int i = 0; i < theory->n_modes; i++)
-        if (theory->modes[i].velocity != 0 && theory->modes[i].number > 0)
-            return theory->modes[i].number;
-    return 0;
-}
-
-/* By symmetry the centre of mass may stand still, or move evenly: then the strain energy is watched. It
- * swings twice in a period of a mode; under a load that pulls from rest it never turns its sign, and swings
- * once. */
-static BarWatch choose_watch(const BarTheory *theory, const BarMesh *mesh)
-{
-    BarWatch watch = {.column = "v_cm", .times = 1};
-    int mode = watched_mode(theory);
-    bool centre = true, by_load = mode == 0;
-    if (by_load) {
-        if (!load_vibrates(theory, &centre))
-            return watch;
-        mode = 1;
-    } else {
-        BarTheory alone = *theory;
-        alone.body_force = alone.traction = 0;
-        alone.n_modes = 1;
-        alone.modes[0].number = mode;
-        alone.modes[0].velocity = 1;
-        centre = fabs(bar_centre_velocity(&alone, 0)) > 1e-9;
-    }
-    watch.moving = true;
-    watch.mode = mode;
-    if (!centre) {
-        watch.column = "strain";
-        watch.times = by_load ? 1 : 2;
-    }
-    int in_motion = 0;
-    for (int i = 0; i < theory->n_modes; i++)
-        in_motion += theory->modes[i].velocity != 0 && theory->modes[i].number > 0;
-    watch.whole_periods = is_loaded(theory) || in_motion > 1;
-    watch.exact = bar_frequency(theory, mode);
-    Dispersion wave = bar_dispersion(theory, mesh, bar_wave_number(theory, mode));
-    watch.predicted_known = wave.known && wave.frequency > 0;
-    watch.predicted = wave.frequency;
-    return watch;
-}
-
-/* --- columns -------------------------------------------------------------------------------------- */
-
-static double exact_v_cm(References *refs, long step, double time, const double *row)
-{
-    (void)step, (void)row;
-    return bar_centre_velocity(&refs->bar.theory, time);
+    const BarWatch watch = bar_watch(theory);
+    if (!watch.moving)
+        return NAN;
+    Dispersion wave = bar_dispersion(theory, mesh, bar_wave_number(theory, watch.mode));
+    return wave.known ? wave.frequency : NAN;
 }
 
 static double predicted_v_cm(References *refs, long step, double time, const double *row)
@@ -157,87 +50,16 @@ static double predicted_v_cm(References *refs, long step, double time, const dou
     return bar_predicted_centre_velocity(&refs->bar.theory, &refs->bar.mesh, step);
 }
 
-static bool changes_key(const Settings *settings, const char *section)
-{
-    for (int i = 0; i < settings->n_changes; i++)
-        if (strncmp(settings->changes[i].to.key, section, strlen(section)) == 0)
-            return true;
-    return false;
-}
-
 static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
 {
-    BarAnswers *bar = &refs->bar;
-    if (!bar_theory_of(settings, &bar->theory, status))
+    BarTheory theory;
+    if (!bar_theory_of(settings, &theory, status))
         return false;
-    bar->mesh = bar_mesh_of(settings, sim->dt);
-    bar->exact_known = !changes_key(settings, "load.");
-    bar->watch = choose_watch(&bar->theory, &bar->mesh);
-    if (settings->n_changes > 0)
-        bar->watch.predicted_known = false;
-
-    static const Quantity exact = {"v_cm_exact", "exact", "length/time",
-                                   "velocity of the centre of mass of the continuum (eq. 20)"};
-    static const Quantity predicted = {"v_cm_predicted", "predicted", "length/time",
-                                       "velocity of the centre of mass predicted for this mesh"};
-    plan_method(refs, sim, "v_cm");
-    if (bar->exact_known)
-        plan_answer(refs, &exact, COLUMN_EXACT, "v_cm", exact_v_cm);
-    if (settings->n_changes == 0 && bar_centre_velocity_is_predicted(&bar->theory, &bar->mesh))
-        plan_answer(refs, &predicted, COLUMN_PREDICTED, "v_cm", predicted_v_cm);
-    return true;
-}
-
-static double profile(const References *refs, const char *field, double x, double time)
-{
-    const BarTheory *theory = &refs->bar.theory;
-    if (!refs->bar.exact_known || !(x >= 0 && x <= theory->length))
-        return NAN;
-    if (strcmp(field, "u") == 0)
-        return bar_displacement(theory, x, time);
-    if (strcmp(field, "x") == 0)
-        return x + bar_displacement(theory, x, time);
-    if (strcmp(field, "v") == 0)
-        return bar_velocity(theory, x, time);
-    if (strcmp(field, "stress") == 0)
-        return bar_stress(theory, x, time);
-    double strain = bar_stress(theory, x, time) / theory->youngs_modulus;
-    if (strcmp(field, "strain") == 0)
-        return strain;
-    if (strcmp(field, "density") == 0)
-        return theory->density / (1 + strain);
-    return NAN;
-}
-
-/* --- readout -------------------------------------------------------------------------------------- */
-
-static void read_out(const References *refs, const double *rows, size_t n_rows, int n_columns, Readout *out)
-{
-    const BarWatch *watch = &refs->bar.watch;
-    out->moving = watch->moving;
-    out->column = watch->column;
-    out->times = watch->times;
-    out->mode = watch->mode;
-    if (!watch->moving)
-        return;
-    out->exact_known = true;
-    out->exact = watch->exact;
-    out->predicted_known = watch->predicted_known;
-    out->predicted = watch->predicted_known ? watch->predicted : NAN;
-    int column = plan_find(refs, watch->column);
-    double expected = watch->times * (watch->predicted_known ? watch->predicted : watch->exact);
-    size_t used = n_rows;
-    if (watch->whole_periods && n_rows > 1) {
-        /* harmonics do not shift the fit of whole periods */
-        double dt = (rows[(n_rows - 1) * (size_t)n_columns + 1] - rows[1]) / (double)(n_rows - 1);
-        double in_period = 2 * M_PI / expected / dt;
-        double whole = floor((double)(n_rows - 1) / in_period + 1e-9);
-        used = whole < 1 ? 0 : (size_t)fmin(round(whole * in_period), (double)n_rows);
-    }
-    if (readout_fit(rows, used, n_columns, column, expected, &out->measured)) {
-        out->measured /= watch->times;
-        out->measured_known = true;
-    }
+    refs->bar.mesh = bar_mesh_of(settings, sim->dt);
+    const bool whole = bar_centre_velocity_is_predicted(&theory, &refs->bar.mesh);
+    return bar_prepare(refs, settings, sim, predicted_frequency(&theory, &refs->bar.mesh),
+                       whole ? predicted_v_cm : NULL,
+                       "velocity of the centre of mass predicted for this mesh", status);
 }
 
 /* --- derived numbers and advice ------------------------------------------------------------------- */
@@ -252,20 +74,13 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     if (!bar_theory_of(settings, &theory, NULL))
         return 0;
     BarMesh mesh = bar_mesh_of(settings, dt);
-    BarWatch watch = choose_watch(&theory, &mesh);
-    int mode = watched_mode(&theory);
     derived_add(out, &n, "wave_speed", "wave speed c", "length/time", bar_wave_speed(&theory), false);
     derived_add(out, &n, "dt", "time step dt", "time", dt, false);
-    if (watch.moving) {
-        double beta = bar_wave_number(&theory, mode > 0 ? mode : 1);
-        derived_add(out, &n, "beta", "wave number", "1/length", beta, false);
-        derived_add(out, &n, "omega", "frequency w", "1/time", watch.exact, false);
-        if (watch.predicted_known && settings->n_changes == 0)
-            derived_add(out, &n, "omega_predicted", "w of this mesh", "1/time", watch.predicted, false);
-        derived_add(out, &n, "period", "period", "time", 2 * M_PI / watch.exact, false);
-        derived_add(out, &n, "steps_per_period", "steps/period", "1", 2 * M_PI / watch.exact / dt, false);
-        derived_add(out, &n, "cells_per_wave", "cells/wave", "1", 2 * M_PI / beta / def->cell_size, false);
-    }
+    bar_derived_wave(out, &n, settings, &theory, predicted_frequency(&theory, &mesh), dt);
+    int mode = bar_watched_mode(&theory);
+    if (bar_watch(&theory).moving)
+        derived_add(out, &n, "cells_per_wave", "cells/wave", "1",
+                    2 * M_PI / bar_wave_number(&theory, mode > 0 ? mode : 1) / def->cell_size, false);
     derived_add(out, &n, "cells", "cells", "1", cells, true);
     derived_add(out, &n, "particles", "particles", "1", cells * def->particles_per_cell, true);
     double largest = bar_largest_courant(&mesh);
@@ -297,8 +112,8 @@ const ProblemRow bar_mpm_row = {
     .method = METHOD_MPM,
     .simulate = simulate,
     .prepare = prepare,
-    .profile = profile,
-    .readout = read_out,
+    .profile = bar_profile,
+    .readout = bar_read_out,
     .derived = derived,
     .advice = advice,
 };

@@ -4,13 +4,19 @@
 #define LAB_BAR_PROBLEM_H
 
 #include "lab/settings.h"
+#include "physics/pd/rod.h"
 #include "theory/bar.h"
+#include "theory/rod.h"
 
 /* The bar with its modes and loads. False: its overtones cannot be read. */
 bool bar_theory_of(const Settings *, BarTheory *, Status *);
 
 /* The mesh on which it is predicted; `dt` as the simulation has it. */
 BarMesh bar_mesh_of(const Settings *, double dt);
+
+/* The same bar on a lattice of bonded nodes: for the engine (at rest) and for its theory. */
+RodDef rod_definition(const Settings *);
+RodLatticeTheory rod_lattice_of(const Settings *);
 
 /* dt = courant * dx / c, eq. 21. */
 double bar_time_step(const Settings *);

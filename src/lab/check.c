@@ -2,6 +2,7 @@
 #include "lab/parameters.h"
 
 #include "base/text.h"
+#include "lab/bar_problem.h"
 #include "lab/problem.h"
 
 #include <math.h>
@@ -130,7 +131,9 @@ int times_read(const char *text, double out[TIMES_MAX], Status *status)
 static bool check_modes(const Settings *settings, Status *status)
 {
     const BarDef *bar = &settings->bar;
-    double particles = round(bar->length / bar->cell_size) * bar->particles_per_cell;
+    double particles = settings->method == METHOD_PD
+                           ? round(bar->length / lattice_spacing(settings))
+                           : round(bar->length / bar->cell_size) * bar->particles_per_cell;
     if (settings->mode == 0 && settings->velocity != 0 && bar->supports != BAR_FREE_FREE)
         return status_fail(status, STATUS_USAGE,
                            "initial.mode: 0 is rigid motion, which a held bar has not (1 or more, or "
@@ -168,7 +171,9 @@ static bool check_steps(double end, double dt, Status *status)
 static bool check_bar(const Settings *settings, Status *status)
 {
     const BarDef *bar = &settings->bar;
-    if (!bar_check(bar, status) || !check_modes(settings, status))
+    const RodDef rod = rod_definition(settings);
+    if (!bar_check(bar, status) || (settings->method == METHOD_PD && !rod_check(&rod, status)) ||
+        !check_modes(settings, status))
         return false;
     double wave_speed = sqrt(bar->youngs_modulus / bar->density);
     return check_steps(settings->end, bar->courant * bar->cell_size / wave_speed, status);
@@ -201,9 +206,18 @@ static bool check_duel(const Settings *settings, Status *status)
 {
     Settings other = *settings;
     other.n_duel = other.n_changes = 0;
-    for (int i = 0; i < settings->n_duel; i++)
+    for (int i = 0; i < settings->n_duel; i++) /* the method first: which keys there are depends on it */
+        if (strcmp(settings->duel[i].key, "scenario.method") == 0 &&
+            !settings_set(&other, settings->duel[i].key, settings->duel[i].value, status))
+            return status_prefix(status, "duel");
+    for (int i = 0; i < settings->n_duel; i++) {
+        const Parameter *parameter = parameter_find(settings->duel[i].key);
+        /* a file whose method was set from outside may speak of the other one */
+        if (parameter && parameter_applies(parameter, other.problem) && !settings_have(&other, parameter))
+            continue;
         if (!settings_set(&other, settings->duel[i].key, settings->duel[i].value, status))
             return status_prefix(status, "duel");
+    }
     if (settings->n_duel > 0 && !settings_check(&other, status))
         return status_prefix(status, "duel");
     return true;
@@ -234,7 +248,7 @@ bool settings_check(const Settings *settings, Status *status)
     if (!problem_allows(settings->problem, settings->method))
         return status_fail(status, STATUS_USAGE, "scenario.method: %s cannot solve problem %s (%s)",
                            method_words[settings->method], problem_words[settings->problem],
-                           method_words[settings->problem == PROBLEM_BAR ? METHOD_MPM : METHOD_PD]);
+                           method_words[METHOD_PD]);
     bool sound = (settings->problem == PROBLEM_BAR ? check_bar : check_beam)(settings, status);
     if (!sound)
         return false;

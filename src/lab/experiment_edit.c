@@ -232,7 +232,7 @@ static bool recomputes(const Settings *settings, const Parameter *parameter)
 static bool differs(const Settings *a, const Settings *b, const Parameter *parameter)
 {
     char one[LIST_MAX], other[LIST_MAX];
-    if (!parameter_applies(parameter, a->problem))
+    if (!settings_have(a, parameter))
         return false;
     settings_get(a, parameter, one);
     settings_get(b, parameter, other);

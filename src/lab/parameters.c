@@ -87,36 +87,43 @@ const Parameter parameters[] = {
      AT(bar.particles_per_cell), .least = 1, .most = 8, .nudge = NUDGE_ONE,
      .help = "particles in each cell at t = 0", .defaults = {2, NO, NO, NO}},
     {"mesh.padding", "Mesh", "padding", "cells", "", PARAMETER_INTEGER, AT(bar.padding), .least = 0,
-     .most = 1000000, .nudge = NUDGE_ONE, .help = "empty cells beyond each free end",
+     .most = 1000000, .nudge = NUDGE_ONE, .only = OF_MPM, .help = "empty cells beyond each free end",
      .defaults = {4, NO, NO, NO}},
 
     {"mpm.algorithm", "Method", "algorithm", "", "", CHOICE(algorithms), AT(bar.algorithm), .live = true,
+     .only = OF_MPM,
      .help = "when the stress is updated: first, last, or last with the velocity mapped again",
      .defaults = {MPM_USF, NO, NO, NO}},
-    {"mpm.shape", "Method", "shape", "", "", CHOICE(shapes), AT(bar.shape),
+    {"mpm.shape", "Method", "shape", "", "", CHOICE(shapes), AT(bar.shape), .only = OF_MPM,
      .help = "shape functions between particles and nodes", .defaults = {MPM_HAT, NO, NO, NO}},
     {"mpm.transfer", "Method", "transfer", "", "", CHOICE(transfers), AT(bar.transfer), .live = true,
-     .help = "how velocities come back from the grid: increments (blended), or affine",
+     .only = OF_MPM, .help = "how velocities come back from the grid: increments (blended), or affine",
      .defaults = {MPM_FLIP, NO, NO, NO}},
     {"mpm.flip_fraction", "Method", "FLIP fraction", "", "", PARAMETER_REAL, AT(bar.flip_fraction),
-     .least = 0, .most = 1, .nudge = NUDGE_1_2_5, .live = true,
+     .least = 0, .most = 1, .nudge = NUDGE_1_2_5, .live = true, .only = OF_MPM,
      .help = "1: velocity increments from the grid (FLIP), 0: grid velocities (PIC), between: blended",
      .defaults = {1, NO, NO, NO}},
 
-    {"pd.spacing", "Lattice", "spacing", "", "m", PARAMETER_REAL, AT(beam.spacing), ABOVE_ZERO,
-     .nudge = NUDGE_DOUBLE, .help = "distance dx of neighbouring lattice nodes",
-     .defaults = {NO, 0.25e-3, 0.25e-3, 0.5e-3}},
-    {"pd.horizon", "Lattice", "horizon", "", "m", PARAMETER_REAL, AT(beam.horizon), ABOVE_ZERO,
-     .nudge = NUDGE_SPACING, .help = "reach delta of the bonds; usually 3 to 4 spacings",
-     .defaults = {NO, 1e-3, 1e-3, 2e-3}},
+    {"scenario.method", "Method", "method", "", "", CHOICE(method_words), AT(method),
+     .help = "the material point method, or bond-based peridynamics on the same points",
+     .defaults = {METHOD_MPM, NO, NO, NO}},
+
+    {"pd.spacing", "Lattice", "spacing", "length", "m", PARAMETER_REAL, AT(beam.spacing), ABOVE_ZERO,
+     .automatic = "auto", .automatic_on_bar = true, .nudge = NUDGE_DOUBLE, .only = OF_PD,
+     .help = "distance dx of neighbouring lattice nodes; on a bar, auto: one node for each particle",
+     .defaults = {0, 0.25e-3, 0.25e-3, 0.5e-3}},
+    {"pd.horizon", "Lattice", "horizon", "length", "m", PARAMETER_REAL, AT(beam.horizon), ABOVE_ZERO,
+     .automatic = "auto", .automatic_on_bar = true, .nudge = NUDGE_SPACING, .only = OF_PD,
+     .help = "reach delta of the bonds; usually 3 to 4 spacings; on a bar, auto: 3",
+     .defaults = {0, 1e-3, 1e-3, 2e-3}},
     {"pd.surface_correction", "Lattice", "surface corr.", "", "", CHOICE(surface_corrections),
      AT(beam.surface_correction),
-     .help = "how bonds near a surface, where partners are missing, are stiffened",
-     .defaults = {NO, SURFACE_ENERGY, SURFACE_ENERGY, SURFACE_ENERGY}},
+     .help = "how bonds near a surface, where partners are missing, are stiffened", .only = OF_PD,
+     .defaults = {SURFACE_ENERGY, SURFACE_ENERGY, SURFACE_ENERGY, SURFACE_ENERGY}},
     {"pd.volume_correction", "Lattice", "volume corr.", "", "", CHOICE(volume_corrections),
      AT(beam.volume_correction),
-     .help = "whether nodes at the horizon's edge count with a part of their area",
-     .defaults = {NO, VOLUME_PARTIAL, VOLUME_PARTIAL, VOLUME_PARTIAL}},
+     .help = "whether nodes at the horizon's edge count with a part of their cell", .only = OF_PD,
+     .defaults = {VOLUME_PARTIAL, VOLUME_PARTIAL, VOLUME_PARTIAL, VOLUME_PARTIAL}},
     {"pd.critical_stretch", "Bonds", "crit. stretch", "", "", PARAMETER_REAL, AT(beam.critical_stretch),
      .least = 0, .most = 0.499, .nudge = NUDGE_1_2_5, .live = true,
      .help = "stretch s0 at which a bond breaks; 0: bonds never break", .defaults = {NO, 0, 0, 0.00085}},
@@ -224,6 +231,13 @@ bool parameter_applies(const Parameter *parameter, Problem problem)
     return !isnan(parameter->defaults[problem]);
 }
 
+bool settings_have(const Settings *settings, const Parameter *parameter)
+{
+    const MethodKind other = parameter->only == OF_MPM ? METHOD_PD : METHOD_MPM;
+    return parameter_applies(parameter, settings->problem) &&
+           (parameter->only == OF_EVERY_METHOD || settings->method != other);
+}
+
 /* The distance of a wrong word from a right one; the right name in a wrong section, or in none, is one slip.
  */
 static size_t slip(const char *right, const char *wrong)
@@ -268,13 +282,19 @@ const char *parameter_nearest(Problem problem, const char *key)
     return nearest;
 }
 
-void parameter_range(const Parameter *parameter, char *out, size_t size)
+const char *parameter_automatic(const Parameter *parameter, Problem problem)
+{
+    return parameter->automatic_on_bar && problem != PROBLEM_BAR ? NULL : parameter->automatic;
+}
+
+void parameter_range(const Parameter *parameter, Problem problem, char *out, size_t size)
 {
     char least[NUMBER_TEXT_MAX], most[NUMBER_TEXT_MAX];
     text_shortest(least, parameter->least);
     text_shortest(most, parameter->most);
-    const char *or_word = parameter->automatic ? *parameter->automatic ? parameter->automatic : "empty" : "";
-    const char *or_bar = parameter->automatic ? " | " : "";
+    const char *automatic = parameter_automatic(parameter, problem);
+    const char *or_word = automatic ? *automatic ? automatic : "empty" : "";
+    const char *or_bar = automatic ? " | " : "";
     if (parameter->choices) {
         size_t used = 0;
         for (int i = 0; parameter->choices[i] && used < size; i++)
@@ -285,10 +305,10 @@ void parameter_range(const Parameter *parameter, char *out, size_t size)
     } else if (isinf(parameter->least)) {
         snprintf(out, size, "any number");
     } else if (isinf(parameter->most)) {
-        const char *sign = parameter->above_least || parameter->automatic ? ">" : ">=";
+        const char *sign = parameter->above_least || automatic ? ">" : ">=";
         snprintf(out, size, "%s%s%s %s", or_word, or_bar, sign, least);
     } else {
-        snprintf(out, size, "%s%s%s to %s", or_word, or_bar,
-                 parameter->automatic && parameter->least == 0 ? "1" : least, most);
+        snprintf(out, size, "%s%s%s to %s", or_word, or_bar, automatic && parameter->least == 0 ? "1" : least,
+                 most);
     }
 }

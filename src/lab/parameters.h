@@ -26,6 +26,8 @@ typedef enum Nudge {
     NUDGE_NEXT     /* next choice */
 } Nudge;
 
+typedef enum ParameterMethod { OF_EVERY_METHOD, OF_MPM, OF_PD } ParameterMethod;
+
 typedef struct Parameter {
     const char *key;       /* "bar.youngs_modulus": section.key of the scenario file */
     const char *group;     /* heading on screen: "Bar", "Start", "Mesh", "Method", "Time", ... */
@@ -38,8 +40,10 @@ typedef struct Parameter {
     bool above_least;           /* the least itself is not allowed */
     const char *const *choices; /* ended by NULL */
     const char *automatic;      /* a word that stands for 0, "auto"; NULL: none */
+    bool automatic_on_bar;      /* and only there: a beam wants a number */
     Nudge nudge;
     bool live;                      /* may change in mid-run */
+    ParameterMethod only;           /* the bar has two methods, and some parameters one */
     const char *help;               /* one line */
     double defaults[PROBLEM_COUNT]; /* NAN: not a parameter of that problem */
 } Parameter;
@@ -88,14 +92,22 @@ const char *parameter_nearest(Problem problem, const char *key);
 /* The nearest of some words (ended by NULL) to a wrong one; NULL: nothing is near. */
 const char *nearest_word(const char *const *words, const char *wrong);
 
-bool parameter_applies(const Parameter *, Problem); /* has a default for that problem */
+bool parameter_applies(const Parameter *, Problem); /* has a default for that problem, by any method */
+
+/* Whether a run of these settings reads it: of their problem and of their method. */
+bool settings_have(const Settings *, const Parameter *);
 
 /* All values at the defaults of a problem, method as usual for it, texts empty. */
 void settings_default(Settings *, Problem);
 
+/* Spacing and horizon of the lattice, with what stands for "auto" on the bar: one node where each particle
+ * of the cells would be, and three spacings. */
+double lattice_spacing(const Settings *);
+double lattice_horizon(const Settings *);
+
 /* Sets one value from text as it stands in a scenario file or after --set; parameters and text keys. False:
- * unknown key (with the nearest one), not used by this problem, not a number, out of range: the status's
- * text is "KEY: what is wrong (what is allowed)", and nothing is changed. */
+ * unknown key (with the nearest one), not used by this problem or its method, not a number, out of range: the
+ * status's text is "KEY: what is wrong (what is allowed)", and nothing is changed. */
 bool settings_set(Settings *, const char *key, const char *text, Status *);
 
 /* The value as text that settings_set() reads back to the same value. */
@@ -111,8 +123,11 @@ double settings_number(const Settings *, const Parameter *);
  * settings_check() allows it. False: there is none, nothing is changed. */
 bool settings_nudge(Settings *, const Parameter *, int direction);
 
+/* The word that stands for 0 in this problem; NULL: none. */
+const char *parameter_automatic(const Parameter *, Problem);
+
 /* What is allowed, in words: "> 0", "1 to 8", "usf | usl | musl". */
-void parameter_range(const Parameter *, char *out, size_t size);
+void parameter_range(const Parameter *, Problem, char *out, size_t size);
 
 /* What no single value shows: both handles given, notch outside the beam, load off the beam, overtones that
  * cannot be read, mode 0 with a fixed end, ... The status names the key. */

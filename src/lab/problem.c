@@ -18,10 +18,7 @@ static const char *const titles[PROBLEM_COUNT] = {
 };
 
 static const ProblemRow *const rows_of_problems[] = {
-    &bar_mpm_row,
-    &supported_pd_row,
-    &moving_pd_row,
-    &notched_pd_row,
+    &bar_mpm_row, &bar_pd_row, &supported_pd_row, &moving_pd_row, &notched_pd_row,
 };
 enum { N_ROWS = sizeof rows_of_problems / sizeof *rows_of_problems };
 
@@ -236,6 +233,7 @@ void references_destroy(References *refs)
     if (refs->beam.moving)
         moving_cantilever_free(refs->beam.moving);
     free(refs->beam.window.values);
+    rod_modes_free(refs->bar.modes);
     free(refs);
 }
 

@@ -6,6 +6,7 @@
 #include "lab/problem.h"
 #include "theory/bar.h"
 #include "theory/beam.h"
+#include "theory/rod.h"
 
 /* A column of the series: a number of the method's row, or an answer worked out beside it. */
 typedef double Answer(References *, long step, double time, const double *row);
@@ -30,7 +31,8 @@ typedef struct BarWatch {
 
 typedef struct BarAnswers {
     BarTheory theory;
-    BarMesh mesh;
+    BarMesh mesh;     /* by the material point method */
+    RodModes *modes;  /* by peridynamics; NULL: v_cm is not predicted */
     bool exact_known; /* false: the load changes in mid-run */
     BarWatch watch;
 } BarAnswers;
@@ -89,7 +91,7 @@ bool readout_fit(const double *rows, size_t n_rows, int n_columns, int column, d
 void derived_add(Derived out[DERIVED_MAX], int *count, const char *name, const char *label, const char *unit,
                  double value, bool integer);
 
-extern const ProblemRow bar_mpm_row;
+extern const ProblemRow bar_mpm_row, bar_pd_row;
 extern const ProblemRow supported_pd_row, moving_pd_row, notched_pd_row;
 
 #endif

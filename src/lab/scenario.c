@@ -163,6 +163,11 @@ static bool take_entry(const Entry *entry, Settings *settings, Status *status)
 static bool take_overrides(const Source *source, Settings *settings, Status *status)
 {
     bool stretch = false, energy = false;
+    /* the method first: which keys there are depends on it */
+    for (int i = 0; i < source->n_overrides; i++)
+        if (strcmp(source->overrides[i].key, "scenario.method") == 0 &&
+            !settings_set(settings, source->overrides[i].key, source->overrides[i].value, status))
+            return status_prefix(status, "%s", source->overrides[i].origin);
     for (int i = 0; i < source->n_overrides; i++) {
         const Override *override = &source->overrides[i];
         stretch |= strcmp(override->key, "pd.critical_stretch") == 0;

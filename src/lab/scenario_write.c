@@ -141,7 +141,8 @@ static bool write_section(FILE *stream, const Settings *settings, const char *se
                 method_words[settings->method]);
     for (int i = 0; i < n_parameters; i++) {
         const char *name = name_in(parameters[i].key, section);
-        if (name && parameter_applies(&parameters[i], settings->problem) &&
+        if (name && settings_have(settings, &parameters[i]) &&
+            parameters[i].offset != offsetof(Settings, method) && /* stands above, for beams too */
             !write_parameter(stream, settings, &parameters[i], section, name, status))
             return false;
     }
@@ -164,7 +165,7 @@ static bool has_section(const Settings *settings, const char *section)
         if (name_in(text_keys[i].key, section) && *((const char *)settings + text_keys[i].offset))
             return true;
     for (int i = 0; i < n_parameters; i++)
-        if (name_in(parameters[i].key, section) && parameter_applies(&parameters[i], settings->problem))
+        if (name_in(parameters[i].key, section) && settings_have(settings, &parameters[i]))
             return true;
     return false;
 }

@@ -19,10 +19,10 @@ typedef enum MethodKind { METHOD_MPM, METHOD_PD } MethodKind;
 enum {
     TITLE_MAX = 80, /* bytes, with the final zero; so the others */
     ABOUT_MAX = 1024,
-    LIST_MAX = 256, /* overtones, times of frames */
-    KEY_MAX = 40,   /* "pd.surface_correction" */
-    VALUE_MAX = 64, /* the text of a value */
-    DUEL_MAX = 8,   /* keys in which the second run of a duel differs */
+    LIST_MAX = 256,  /* overtones, times of frames */
+    KEY_MAX = 40,    /* "pd.surface_correction" */
+    VALUE_MAX = 64,  /* the text of a value */
+    DUEL_MAX = 8,    /* keys in which the second run of a duel differs */
     CHANGES_MAX = 64 /* changes of live parameters in mid-run */
 };
 
@@ -54,7 +54,7 @@ typedef struct Settings {
     double velocity;
     char overtones[LIST_MAX]; /* "3:0.03,7:0.01" */
 
-    BeamDef beam;           /* its problem, end and threads likewise */
+    BeamDef beam;           /* its problem, end and threads likewise; its lattice is also the bar's by pd */
     double critical_energy; /* G0, J/m^2: the other handle on beam.critical_stretch, always its equal */
     bool energy_given;      /* G0 was said and the stretch follows from it; else the other way round */
 

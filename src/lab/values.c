@@ -88,6 +88,18 @@ double settings_number(const Settings *settings, const Parameter *parameter)
     return NAN;
 }
 
+double lattice_spacing(const Settings *settings)
+{
+    const double said = settings->beam.spacing;
+    return said > 0 ? said : settings->bar.cell_size / settings->bar.particles_per_cell;
+}
+
+double lattice_horizon(const Settings *settings)
+{
+    const double said = settings->beam.horizon;
+    return said > 0 ? said : 3 * lattice_spacing(settings);
+}
+
 void settings_default(Settings *settings, Problem problem)
 {
     static const BeamProblem beams[PROBLEM_COUNT] = {
@@ -107,49 +119,53 @@ void settings_default(Settings *settings, Problem problem)
 
 /* --- text in -------------------------------------------------------------------------------------- */
 
-static bool in_range(const Parameter *parameter, double value)
+static bool in_range(const Parameter *parameter, Problem problem, double value)
 {
-    if (parameter->choices || (parameter->automatic && value == 0))
+    if (parameter->choices || (parameter_automatic(parameter, problem) && value == 0))
         return true;
     if (parameter->above_least && value <= parameter->least)
         return false;
     return value >= parameter->least && value <= parameter->most;
 }
 
-static bool refuse(const Parameter *parameter, const char *text, const char *what, Status *status)
+static bool refuse(const Parameter *parameter, Problem problem, const char *text, const char *what,
+                   Status *status)
 {
     char range[160];
-    parameter_range(parameter, range, sizeof range);
+    parameter_range(parameter, problem, range, sizeof range);
     if (!*text)
         return status_fail(status, STATUS_USAGE, "%s: has no value (%s)", parameter->key, range);
     return status_fail(status, STATUS_USAGE, "%s: %s %s (%s)", parameter->key, text, what, range);
 }
 
-static bool read_number(const Parameter *parameter, const char *text, double *value, Status *status)
+static bool read_number(const Parameter *parameter, Problem problem, const char *text, double *value,
+                        Status *status)
 {
-    if (parameter->automatic && strcmp(text, parameter->automatic) == 0) {
+    const char *automatic = parameter_automatic(parameter, problem);
+    if (automatic && strcmp(text, automatic) == 0) {
         *value = 0;
         return true;
     }
     if (!text_to_double(text, value))
-        return refuse(parameter, text, "is not a number", status);
+        return refuse(parameter, problem, text, "is not a number", status);
     if (parameter->type == PARAMETER_INTEGER && *value != floor(*value))
-        return refuse(parameter, text, "is not a whole number", status);
+        return refuse(parameter, problem, text, "is not a whole number", status);
     /* where nothing at all stands for 0, a 0 that was typed is a slip */
-    bool silent_zero = parameter->automatic && !*parameter->automatic && *value == 0;
-    if (silent_zero || !in_range(parameter, *value))
-        return refuse(parameter, text, "is out of range", status);
+    bool silent_zero = automatic && !*automatic && *value == 0;
+    if (silent_zero || !in_range(parameter, problem, *value))
+        return refuse(parameter, problem, text, "is out of range", status);
     return true;
 }
 
-static bool read_choice(const Parameter *parameter, const char *text, double *value, Status *status)
+static bool read_choice(const Parameter *parameter, Problem problem, const char *text, double *value,
+                        Status *status)
 {
     for (int i = 0; parameter->choices[i]; i++)
         if (strcmp(parameter->choices[i], text) == 0) {
             *value = i;
             return true;
         }
-    return refuse(parameter, text, "is not a choice", status);
+    return refuse(parameter, problem, text, "is not a choice", status);
 }
 
 static bool put_text(Settings *settings, const char *key, size_t offset, size_t size, const char *text,
@@ -169,7 +185,7 @@ static bool put_text(Settings *settings, const char *key, size_t offset, size_t 
 
 static bool unknown(Problem problem, const char *key, Status *status)
 {
-    if (strcmp(key, "scenario.problem") == 0 || strcmp(key, "scenario.method") == 0)
+    if (strcmp(key, "scenario.problem") == 0)
         return status_fail(status, STATUS_USAGE, "%s: cannot be changed (choose another scenario)", key);
     const char *nearest = parameter_nearest(problem, key);
     if (nearest)
@@ -178,8 +194,13 @@ static bool unknown(Problem problem, const char *key, Status *status)
                        problem_words[problem]);
 }
 
-static bool not_of_problem(const Parameter *parameter, Problem problem, Status *status)
+static bool not_of_settings(const Parameter *parameter, const Settings *settings, Status *status)
 {
+    const Problem problem = settings->problem;
+    if (parameter_applies(parameter, problem))
+        return status_fail(status, STATUS_USAGE, "%s: is no parameter of method %s (only of %s)",
+                           parameter->key, method_words[settings->method],
+                           method_words[parameter->only == OF_MPM ? METHOD_MPM : METHOD_PD]);
     char problems[128];
     size_t used = 0;
     for (int p = 0; p < PROBLEM_COUNT; p++)
@@ -223,12 +244,12 @@ bool settings_set(Settings *settings, const char *key, const char *text, Status 
     const Parameter *parameter = parameter_find(key);
     if (!parameter)
         return unknown(settings->problem, key, status);
-    if (!parameter_applies(parameter, settings->problem))
-        return not_of_problem(parameter, settings->problem, status);
+    if (!settings_have(settings, parameter))
+        return not_of_settings(parameter, settings, status);
     if (parameter->type == PARAMETER_TEXT)
         return put_text(settings, key, parameter->offset, LIST_MAX, text, status);
     double value;
-    if (!(parameter->choices ? read_choice : read_number)(parameter, text, &value, status))
+    if (!(parameter->choices ? read_choice : read_number)(parameter, settings->problem, text, &value, status))
         return false;
     put_number(settings, parameter, value);
     return true;
@@ -246,7 +267,7 @@ static void write_value(const Settings *settings, const Parameter *parameter, in
     double value = settings_number(settings, parameter);
     if (parameter->choices)
         strcpy(out, parameter->choices[(int)value]);
-    else if (parameter->automatic && value == 0)
+    else if (parameter_automatic(parameter, settings->problem) && value == 0)
         strcpy(out, parameter->automatic);
     else if (digits == 0 || parameter->type == PARAMETER_INTEGER)
         text_shortest(out, value);
@@ -315,7 +336,7 @@ static double nudged(const Settings *settings, const Parameter *parameter, doubl
         return next_on_ladder(value, direction, usual, parameter->type == PARAMETER_INTEGER);
     case NUDGE_SPACING: {
         /* rounded to six digits of a spacing, so that 0.003 + 0.0005 is 0.0035 and nothing piles up */
-        double dx = settings->beam.spacing;
+        double dx = lattice_spacing(settings);
         char text[NUMBER_TEXT_MAX];
         snprintf(text, sizeof text, "%.12g", (value / dx + direction) * dx);
         return strtod(text, NULL);
@@ -330,15 +351,25 @@ static double nudged(const Settings *settings, const Parameter *parameter, doubl
     return value;
 }
 
+/* A length of the bar's lattice that was left to itself is nudged from what it comes to. */
+static double nudge_start(const Settings *settings, const Parameter *parameter)
+{
+    if (parameter->offset == offsetof(Settings, beam.spacing))
+        return lattice_spacing(settings);
+    if (parameter->offset == offsetof(Settings, beam.horizon))
+        return lattice_horizon(settings);
+    return settings_number(settings, parameter);
+}
+
 bool settings_nudge(Settings *settings, const Parameter *parameter, int direction)
 {
     enum { TRIES = 60 }; /* a rung that the other values do not allow is passed over */
-    if (!parameter_applies(parameter, settings->problem) || parameter->type == PARAMETER_TEXT)
+    if (!settings_have(settings, parameter) || parameter->type == PARAMETER_TEXT)
         return false;
-    double start = settings_number(settings, parameter), value = start;
+    double start = nudge_start(settings, parameter), value = start;
     for (int i = 0; i < TRIES; i++) {
         double next = nudged(settings, parameter, value, direction);
-        if (next == value || next == start || !in_range(parameter, next))
+        if (next == value || next == start || !in_range(parameter, settings->problem, next))
             return false;
         Settings candidate = *settings;
         put_number(&candidate, parameter, next);
@@ -375,7 +406,8 @@ static void add_difference(Differences *list, const char *what, const char *from
  */
 static bool matters(const Settings *a, const Settings *b, const Parameter *parameter)
 {
-    if (strncmp(parameter->key, "output.", 7) == 0 || !parameter_applies(parameter, a->problem))
+    if (strncmp(parameter->key, "output.", 7) == 0 || !settings_have(a, parameter) ||
+        !settings_have(b, parameter))
         return false;
     bool by_energy = a->energy_given && b->energy_given;
     return is_energy(parameter->key) ? by_energy : is_stretch(parameter->key) ? !by_energy : true;
@@ -403,8 +435,6 @@ bool settings_same(const Settings *a, const Settings *b, char *out, size_t size)
         add_difference(&list, "problem", problem_words[a->problem], problem_words[b->problem]);
         return false;
     }
-    if (a->method != b->method)
-        add_difference(&list, "method", method_words[a->method], method_words[b->method]);
     for (int i = 0; i < n_parameters; i++) {
         const Parameter *parameter = &parameters[i];
         char from[LIST_MAX], to[LIST_MAX];

@@ -536,7 +536,8 @@ static void question(Laboratory *lab)
 {
     Settings settings = *experiment_settings(lab->screen.experiment);
     const char *key = settings.question;
-    if (!*key)
+    const Parameter *asked = parameter_find(key);
+    if (!asked || !settings_have(&settings, asked)) /* or it asks about the bar's other method */
         key = settings.method == METHOD_MPM ? "mpm.algorithm" : "pd.surface_correction";
     const Parameter *parameter = parameter_find(key);
     Status status = {STATUS_DONE, ""};

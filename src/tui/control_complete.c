@@ -41,12 +41,12 @@ static void offer(Completion *completion, const char *candidate, const char *tai
 static void offer_keys(Completion *completion, const Laboratory *lab, const char *tail)
 {
     for (int i = 0; i < n_parameters; i++)
-        if (parameter_applies(&parameters[i], experiment_settings(lab->screen.experiment)->problem))
+        if (settings_have(experiment_settings(lab->screen.experiment), &parameters[i]))
             offer(completion, parameters[i].key, tail);
 }
 
 /* The words that a parameter may be; of a number, in the hint, what is allowed. */
-static void offer_values(Completion *completion, const char *key, size_t length)
+static void offer_values(Completion *completion, Problem problem, const char *key, size_t length)
 {
     char name[KEY_MAX];
     snprintf(name, sizeof name, "%.*s", (int)length, key);
@@ -59,11 +59,12 @@ static void offer_values(Completion *completion, const char *key, size_t length)
         offer(completion, "yes", "");
         offer(completion, "no", "");
     }
-    if (parameter->automatic && *completion->start)
-        offer(completion, parameter->automatic, "");
+    const char *automatic = parameter_automatic(parameter, problem);
+    if (automatic && *completion->start)
+        offer(completion, automatic, "");
     if (completion->found == 0) {
         char range[96];
-        parameter_range(parameter, range, sizeof range);
+        parameter_range(parameter, problem, range, sizeof range);
         snprintf(completion->list, sizeof completion->list, "%s: %s", range, parameter->help);
     }
 }
@@ -109,7 +110,7 @@ static void offer_arguments(Completion *completion, const Laboratory *lab, LineA
             break;
         }
         completion->start = words + key + strspn(words + key, " =");
-        offer_values(completion, words, key);
+        offer_values(completion, experiment_settings(lab->screen.experiment)->problem, words, key);
         break;
     case ARGUMENT_SCENARIO:
         offer_scenarios(completion);

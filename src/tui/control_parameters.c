@@ -92,7 +92,7 @@ void nudge_selected(Laboratory *lab, int direction)
     Status status = {STATUS_DONE, ""};
     if (!settings_nudge(&settings, parameter, direction)) {
         char range[96];
-        parameter_range(parameter, range, sizeof range);
+        parameter_range(parameter, settings.problem, range, sizeof range);
         if (parameter->nudge == NUDGE_NONE)
             say(lab, MESSAGE_INFO, "%s: Enter edits it", parameter->label);
         else

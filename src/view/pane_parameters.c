@@ -33,8 +33,7 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
     int count = 0;
     for (int i = 0; i < n_parameters && count + 2 < PARAMETER_ROWS_MAX; i++) {
         const Parameter *parameter = &parameters[i];
-        if (!parameter_applies(parameter, settings->problem) ||
-            !passes(screen, parameter->label, parameter->key))
+        if (!settings_have(settings, parameter) || !passes(screen, parameter->label, parameter->key))
             continue;
         if (strcmp(parameter->group, group) != 0)
             rows[count++] = (ParameterRow){.heading = group = parameter->group, .derived = -1};
@@ -141,7 +140,8 @@ static void draw_hint(const Screen *screen, Area area, const ParameterRow *row, 
     char unit[96] = "", range[96] = "";
     if (row->parameter) {
         snprintf(unit, sizeof unit, "%s", parameter_unit(screen, row->parameter));
-        parameter_range(row->parameter, range, sizeof range);
+        parameter_range(row->parameter, experiment_settings(screen->experiment)->problem, range,
+                        sizeof range);
     } else if (row->derived >= 0) {
         snprintf(unit, sizeof unit, "%s", derived[row->derived].unit);
         snprintf(range, sizeof range, "read only");

@@ -18,7 +18,7 @@ static void method_words_of(const Screen *screen, char *out, size_t size)
     snprintf(out, size, "%s", settings->method == METHOD_MPM ? "MPM" : "PD");
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
         const Parameter *parameter = parameter_find(keys[i]);
-        if (!parameter || !parameter_applies(parameter, settings->problem))
+        if (!parameter || !settings_have(settings, parameter))
             continue;
         char value[LIST_MAX];
         settings_get(settings, parameter, value);
@@ -357,7 +357,7 @@ static void draw_keys(const Screen *screen, Area area)
         return;
     const Parameter *parameter = rows[screen->selected].parameter;
     char range[96], text[256];
-    parameter_range(parameter, range, sizeof range);
+    parameter_range(parameter, experiment_settings(screen->experiment)->problem, range, sizeof range);
     snprintf(text, sizeof text, "%s: %s", range, parameter->help);
     area_text(area, EDIT_HINT_COLUMN, 0, text, STYLE_TITLE);
 }

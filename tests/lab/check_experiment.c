@@ -133,6 +133,16 @@ START_TEST(any_way_to_a_moment_of_a_bar_is_the_same)
 }
 END_TEST
 
+START_TEST(any_way_to_a_moment_of_a_bar_by_peridynamics_is_the_same)
+{
+    Settings settings = bar_settings(5, 5);
+    set(&settings, "scenario.method", "pd");
+    walk_randomly(&settings, 16 * MEGABYTE, 200, 11);
+    set(&settings, "load.traction", "1e-3");
+    walk_randomly(&settings, 20000, 100, 12);
+}
+END_TEST
+
 START_TEST(keyframes_are_given_up_under_a_small_budget)
 {
     Settings settings = bar_settings(1, 5);
@@ -629,6 +639,7 @@ void add_cases(Suite *suite)
     tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, any_way_to_a_moment_of_a_bar_is_the_same);
     tcase_add_test(tcase, keyframes_are_given_up_under_a_small_budget);
+    tcase_add_test(tcase, any_way_to_a_moment_of_a_bar_by_peridynamics_is_the_same);
     tcase_add_test(tcase, any_way_to_a_moment_of_a_beam_is_the_same);
     tcase_add_test(tcase, a_run_stops_at_its_end);
     tcase_add_test(tcase, an_edit_recomputes_to_the_time_on_screen);

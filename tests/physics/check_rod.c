@@ -209,7 +209,7 @@ START_TEST(uniform_strain)
             Simulation *sim = create(&def);
             advance(sim, 1);
             RodFacts facts;
-            ck_assert(rod_facts(&def, &facts, NULL));
+            rod_facts(sim, &facts);
             double e = 1e-3 * def.dt, modulus = volume ? 100 : 100 * (1 + 1.0 / 3);
             ck_assert_double_eq_tol(facts.bulk_modulus, modulus, 1e-10);
             /* the energy correction also repairs the sum over the family */
@@ -223,8 +223,8 @@ START_TEST(uniform_strain)
             ck_assert_double_eq(of_particle(sim, "mass", 7), 0.5);
             ck_assert_double_eq(of_particle(sim, "family", 0), 6);
             ck_assert_double_eq(of_particle(sim, "family", 49), 3);
-            ck_assert_double_eq_tol(of_particle(sim, "surface_factor", 20),
-                                    correction ? 100 / modulus : 1, 1e-14);
+            ck_assert_double_eq_tol(of_particle(sim, "surface_factor", 20), correction ? 100 / modulus : 1,
+                                    1e-14);
             /* half a family is gone: the last node has twice the factor */
             ck_assert_double_eq_tol(of_particle(sim, "surface_factor", 49),
                                     correction ? 2 * 100 / modulus : 1, 1e-12);
@@ -320,19 +320,29 @@ static bool survives(double dt, char *why)
 START_TEST(critical_step)
 {
     RodDef def = standard(true, false);
-    RodFacts facts;
+    double critical;
     char why[sizeof((Status *)NULL)->text] = "";
-    ck_assert(rod_facts(&def, &facts, NULL));
-    ck_assert_double_eq_tol(facts.critical_step, 0.08802, 1e-5); /* by a dense eigenvalue solver */
-    ck_assert_int_eq((int)facts.family, 6);
-    ck_assert(survives(0.999 * facts.critical_step, why));
-    ck_assert(!survives(1.01 * facts.critical_step, why));
+    ck_assert(rod_critical(&def, &critical, NULL));
+    ck_assert_double_eq_tol(critical, 0.08802, 1e-5); /* by a dense eigenvalue solver */
+    ck_assert(survives(0.999 * critical, why));
+    ck_assert(!survives(1.01 * critical, why));
     ck_assert_msg(strstr(why, "particle ") && strstr(why, "step ") && strstr(why, "t = "), "%s", why);
     /* without free ends: the largest frequency of the endless lattice, here at theta = pi */
     def = standard(true, true);
-    ck_assert(rod_facts(&def, &facts, NULL));
-    double largest = sqrt(8 * 100 / (1.5 * 1.5) * (1 + 0.5 / 3));
-    ck_assert_double_eq_tol(facts.critical_step, 2 / largest, 1e-9);
+    const double largest = sqrt(8 * 100 / (1.5 * 1.5) * (1 + 0.5 / 3));
+    ck_assert(rod_critical(&def, &critical, NULL));
+    ck_assert_double_eq_tol(critical, 2 / largest, 1e-9);
+    /* a long bar is judged by a part of it */
+    Simulation *sim = create(&def);
+    RodFacts facts;
+    rod_facts(sim, &facts);
+    ck_assert_double_eq(facts.critical_step, critical);
+    ck_assert_uint_eq(facts.nodes, 50);
+    ck_assert_uint_eq(facts.family, 6);
+    simulation_destroy(sim);
+    def.spacing = 0.005, def.horizon = 0.015;
+    ck_assert(rod_critical(&def, &critical, NULL));
+    ck_assert_double_eq_tol(critical * 100, 2 / largest, 1e-6);
 }
 END_TEST
 

@@ -79,14 +79,15 @@ Simulation *rod_create(const RodDef *definition, Status *status);
 typedef struct RodFacts {
     double micromodulus; /* c for a unit cross-section */
     size_t nodes;
-    int reach;            /* nodes within the horizon on either side */
     size_t family;        /* bonds of a node in the bulk */
     double bulk_modulus;  /* E that a uniform strain finds far from the ends */
     double end_factor;    /* g of the last node at a free end; 1: no correction, or no free end */
-    double critical_step; /* 2 / omega_max, by the eigenvalue of the lattice with its ends */
+    double critical_step; /* 2 / omega_max, by the largest eigenvalue of the lattice with its ends */
 } RodFacts;
 
-/* False: the definition is wrong or memory is short. */
-bool rod_facts(const RodDef *definition, RodFacts *facts, Status *status);
+void rod_facts(const Simulation *rod, RodFacts *facts);
+
+/* The critical step before there is a simulation. False: the definition is wrong or memory is short. */
+bool rod_critical(const RodDef *definition, double *step, Status *status);
 
 #endif

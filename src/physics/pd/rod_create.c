@@ -158,7 +158,8 @@ static bool begin(Rod *rod, Status *status)
 
 Simulation *rod_create(const RodDef *def, Status *status)
 {
-    if (!rod_check(def, status))
+    double critical;
+    if (!rod_critical(def, &critical, status))
         return NULL;
     Rod *rod = calloc(1, sizeof *rod);
     if (!rod) {
@@ -166,6 +167,7 @@ Simulation *rod_create(const RodDef *def, Status *status)
         return NULL;
     }
     rod->def = *def;
+    rod->critical_step = critical;
     Simulation *sim = &rod->sim;
     sim->method = &method;
     sim->stages = rod_stage_table;

@@ -36,6 +36,7 @@ typedef struct Rod {
     Simulation sim; /* first: a simulation is cast to its rod */
     RodDef def;
     RodLattice lattice;
+    double critical_step;
     void *memory;  /* factors and stiffnesses */
     RodHead *head; /* the state: head, then u (padded), v, f */
     double *u, *v, *f;
@@ -45,7 +46,6 @@ typedef struct Rod {
 
 /* rod_lattice.c; `lattice` is freed by free() of the returned memory. NULL: not enough. */
 void *rod_lattice(const RodDef *def, RodLattice *lattice);
-double rod_critical_step(const RodDef *def, const RodLattice *lattice); /* NAN: not enough memory */
 
 /* A partner of a node: itself or the node whose mirror image it is. */
 static inline int rod_partner(const RodLattice *lattice, int k)

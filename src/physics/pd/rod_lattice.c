@@ -96,7 +96,7 @@ void *rod_lattice(const RodDef *def, RodLattice *lattice)
 
 /* omega_max^2 is the largest eigenvalue of the stiffness over the density. A mirrored node is minus its
  * partner, which lies nearer to the end than the horizon: the matrix stays a band. */
-double rod_critical_step(const RodDef *def, const RodLattice *lattice)
+static double critical_step(const RodDef *def, const RodLattice *lattice)
 {
     const size_t n = (size_t)lattice->n, width = (size_t)lattice->reach;
     double *rows = calloc(n * (width + 1), sizeof *rows);
@@ -119,29 +119,43 @@ double rod_critical_step(const RodDef *def, const RodLattice *lattice)
     return 2 / sqrt(largest);
 }
 
-bool rod_facts(const RodDef *def, RodFacts *facts, Status *status)
+/* A long bar has the ends of a shorter one, and to 1e-6 its largest frequency. */
+static RodDef shorter(const RodDef *def)
+{
+    enum { NODES = 2000 };
+    RodDef part = *def;
+    if (part.length > NODES * part.spacing)
+        part.length = NODES * part.spacing, part.traction_layer = 0;
+    return part;
+}
+
+bool rod_critical(const RodDef *def, double *step, Status *status)
 {
     RodLattice lattice;
     if (!rod_check(def, status))
         return false;
-    void *memory = rod_lattice(def, &lattice);
-    double step = memory ? rod_critical_step(def, &lattice) : NAN;
-    if (isnan(step)) {
-        free(memory);
-        return status_fail(status, STATUS_FAILED, "not enough memory for the lattice of the bar");
-    }
-    double moment = 0;
-    for (int m = 1; m <= lattice.reach; m++)
-        moment += lattice.weight[m - 1] * m;
-    int last = !def->right_fixed ? lattice.n - 1 : 0;
-    double ratio = def->horizon / lattice.h;
-    *facts = (RodFacts){.micromodulus = micromodulus(def),
-                        .nodes = (size_t)lattice.n,
-                        .reach = lattice.reach,
-                        .family = 2 * (size_t)lattice.reach,
-                        .bulk_modulus = def->youngs_modulus * 2 * moment / (ratio * ratio),
-                        .end_factor = lattice.factor[rod_at(&lattice, last)],
-                        .critical_step = step};
+    const RodDef part = shorter(def);
+    void *memory = rod_lattice(&part, &lattice);
+    *step = memory ? critical_step(&part, &lattice) : NAN;
     free(memory);
-    return true;
+    return isfinite(*step) ||
+           status_fail(status, STATUS_FAILED, "not enough memory for the lattice of the bar");
+}
+
+void rod_facts(const Simulation *sim, RodFacts *facts)
+{
+    const Rod *rod = (const Rod *)sim;
+    const RodDef *def = &rod->def;
+    const RodLattice *lattice = &rod->lattice;
+    double moment = 0;
+    for (int m = 1; m <= lattice->reach; m++)
+        moment += lattice->weight[m - 1] * m;
+    const int last = def->right_fixed ? 0 : lattice->n - 1;
+    const double ratio = def->horizon / lattice->h;
+    *facts = (RodFacts){.micromodulus = micromodulus(def),
+                        .nodes = (size_t)lattice->n,
+                        .family = 2 * (size_t)lattice->reach,
+                        .bulk_modulus = def->youngs_modulus * 2 * moment / (ratio * ratio),
+                        .end_factor = lattice->factor[rod_at(lattice, last)],
+                        .critical_step = rod->critical_step};
 }

@@ -1,0 +1,222 @@
+/* What is asked of the bar whatever its method: its theory, which column shows its frequency, exact answers
+ * beside the run. */
+#include "lab/bar_answers.h"
+#include "lab/parameters.h"
+
+#include <math.h>
+#include <string.h>
+
+_Static_assert(OVERTONES_MAX + 1 <= BAR_MODES_MAX, "the theory has room for every overtone");
+
+/* --- settings to theory --------------------------------------------------------------------------- */
+
+bool bar_theory_of(const Settings *settings, BarTheory *theory, Status *status)
+{
+    const BarDef *def = &settings->bar;
+    *theory = (BarTheory){
+        .length = def->length,
+        .youngs_modulus = def->youngs_modulus,
+        .density = def->density,
+        .left_fixed = def->supports == BAR_FIXED_FREE || def->supports == BAR_FIXED_FIXED,
+        .right_fixed = def->supports == BAR_FREE_FIXED || def->supports == BAR_FIXED_FIXED,
+        .body_force = def->body_force,
+        .traction = def->traction,
+    };
+    theory->modes[0].number = settings->mode;
+    theory->modes[0].velocity = settings->velocity;
+    Overtone overtones[OVERTONES_MAX];
+    int count = overtones_read(settings->overtones, overtones, status);
+    if (count < 0)
+        return false;
+    for (int i = 0; i < count; i++) {
+        theory->modes[1 + i].number = overtones[i].mode;
+        theory->modes[1 + i].velocity = overtones[i].velocity;
+    }
+    theory->n_modes = 1 + count;
+    return true;
+}
+
+double bar_time_step(const Settings *settings)
+{
+    const BarDef *def = &settings->bar;
+    return def->courant * def->cell_size / sqrt(def->youngs_modulus / def->density);
+}
+
+double bar_start(double x, const void *theory)
+{
+    return bar_initial_velocity(theory, x);
+}
+
+/* --- what to watch -------------------------------------------------------------------------------- */
+
+static bool is_loaded(const BarTheory *theory)
+{
+    return theory->body_force != 0 || theory->traction != 0;
+}
+
+/* Whether the loads make the bar vibrate, and whether its centre of mass shows it. */
+static bool load_vibrates(const BarTheory *theory, bool *centre)
+{
+    bool free_free = !theory->left_fixed && !theory->right_fixed;
+    bool fixed_fixed = theory->left_fixed && theory->right_fixed;
+    *centre = !free_free;
+    if (free_free)
+        return theory->traction != 0; /* a body force moves the bar as a whole */
+    return theory->body_force != 0 || (theory->traction != 0 && !fixed_fixed);
+}
+
+int bar_watched_mode(const BarTheory *theory)
+{
+    for (int i = 0; i < theory->n_modes; i++)
+        if (theory->modes[i].velocity != 0 && theory->modes[i].number > 0)
+            return theory->modes[i].number;
+    return 0;
+}
+
+/* By symmetry the centre of mass may stand still, or move evenly: then the strain energy is watched. It
+ * swings twice in a period of a mode; under a load that pulls from rest it never turns its sign, and swings
+ * once. */
+BarWatch bar_watch(const BarTheory *theory)
+{
+    BarWatch watch = {.column = "v_cm", .times = 1};
+    int mode = bar_watched_mode(theory);
+    bool centre = true, by_load = mode == 0;
+    if (by_load) {
+        if (!load_vibrates(theory, &centre))
+            return watch;
+        mode = 1;
+    } else {
+        BarTheory alone = *theory;
+        alone.body_force = alone.traction = 0;
+        alone.n_modes = 1;
+        alone.modes[0].number = mode;
+        alone.modes[0].velocity = 1;
+        centre = fabs(bar_centre_velocity(&alone, 0)) > 1e-9;
+    }
+    watch.moving = true;
+    watch.mode = mode;
+    if (!centre) {
+        watch.column = "strain";
+        watch.times = by_load ? 1 : 2;
+    }
+    int in_motion = 0;
+    for (int i = 0; i < theory->n_modes; i++)
+        in_motion += theory->modes[i].velocity != 0 && theory->modes[i].number > 0;
+    watch.whole_periods = is_loaded(theory) || in_motion > 1;
+    watch.exact = bar_frequency(theory, mode);
+    return watch;
+}
+
+void bar_watch_predicted(BarWatch *watch, double frequency)
+{
+    watch->predicted_known = watch->moving && frequency > 0;
+    watch->predicted = frequency;
+}
+
+/* --- columns -------------------------------------------------------------------------------------- */
+
+static double exact_v_cm(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)row;
+    return bar_centre_velocity(&refs->bar.theory, time);
+}
+
+static bool changes_key(const Settings *settings, const char *section)
+{
+    for (int i = 0; i < settings->n_changes; i++)
+        if (strncmp(settings->changes[i].to.key, section, strlen(section)) == 0)
+            return true;
+    return false;
+}
+
+bool bar_prepare(References *refs, const Settings *settings, const Simulation *sim, double frequency,
+                 Answer *predicted, const char *meaning, Status *status)
+{
+    BarAnswers *bar = &refs->bar;
+    if (!bar_theory_of(settings, &bar->theory, status))
+        return false;
+    bar->exact_known = !changes_key(settings, "load.");
+    bar->watch = bar_watch(&bar->theory);
+    bar_watch_predicted(&bar->watch, settings->n_changes > 0 ? NAN : frequency);
+
+    static const Quantity exact = {"v_cm_exact", "exact", "length/time",
+                                   "velocity of the centre of mass of the continuum (eq. 20)"};
+    const Quantity of_mesh = {"v_cm_predicted", "predicted", "length/time", meaning};
+    plan_method(refs, sim, "v_cm");
+    if (bar->exact_known)
+        plan_answer(refs, &exact, COLUMN_EXACT, "v_cm", exact_v_cm);
+    if (settings->n_changes == 0 && predicted)
+        plan_answer(refs, &of_mesh, COLUMN_PREDICTED, "v_cm", predicted);
+    return true;
+}
+
+double bar_profile(const References *refs, const char *field, double x, double time)
+{
+    const BarTheory *theory = &refs->bar.theory;
+    if (!refs->bar.exact_known || !(x >= 0 && x <= theory->length))
+        return NAN;
+    if (strcmp(field, "u") == 0)
+        return bar_displacement(theory, x, time);
+    if (strcmp(field, "x") == 0)
+        return x + bar_displacement(theory, x, time);
+    if (strcmp(field, "v") == 0)
+        return bar_velocity(theory, x, time);
+    if (strcmp(field, "stress") == 0)
+        return bar_stress(theory, x, time);
+    double strain = bar_stress(theory, x, time) / theory->youngs_modulus;
+    if (strcmp(field, "strain") == 0)
+        return strain;
+    if (strcmp(field, "density") == 0)
+        return theory->density / (1 + strain);
+    return NAN;
+}
+
+/* --- readout -------------------------------------------------------------------------------------- */
+
+void bar_read_out(const References *refs, const double *rows, size_t n_rows, int n_columns, Readout *out)
+{
+    const BarWatch *watch = &refs->bar.watch;
+    out->moving = watch->moving;
+    out->column = watch->column;
+    out->times = watch->times;
+    out->mode = watch->mode;
+    if (!watch->moving)
+        return;
+    out->exact_known = true;
+    out->exact = watch->exact;
+    out->predicted_known = watch->predicted_known;
+    out->predicted = watch->predicted_known ? watch->predicted : NAN;
+    int column = plan_find(refs, watch->column);
+    double expected = watch->times * (watch->predicted_known ? watch->predicted : watch->exact);
+    size_t used = n_rows;
+    if (watch->whole_periods && n_rows > 1) {
+        /* harmonics do not shift the fit of whole periods */
+        double dt = (rows[(n_rows - 1) * (size_t)n_columns + 1] - rows[1]) / (double)(n_rows - 1);
+        double in_period = 2 * M_PI / expected / dt;
+        double whole = floor((double)(n_rows - 1) / in_period + 1e-9);
+        used = whole < 1 ? 0 : (size_t)fmin(round(whole * in_period), (double)n_rows);
+    }
+    if (readout_fit(rows, used, n_columns, column, expected, &out->measured)) {
+        out->measured /= watch->times;
+        out->measured_known = true;
+    }
+}
+
+/* --- derived numbers ------------------------------------------------------------------------------ */
+
+void bar_derived_wave(Derived out[DERIVED_MAX], int *n, const Settings *settings, const BarTheory *theory,
+                      double frequency, double dt)
+{
+    BarWatch watch = bar_watch(theory);
+    if (!watch.moving)
+        return;
+    bar_watch_predicted(&watch, settings->n_changes > 0 ? NAN : frequency);
+    int mode = bar_watched_mode(theory);
+    derived_add(out, n, "beta", "wave number", "1/length", bar_wave_number(theory, mode > 0 ? mode : 1),
+                false);
+    derived_add(out, n, "omega", "frequency w", "1/time", watch.exact, false);
+    if (watch.predicted_known)
+        derived_add(out, n, "omega_predicted", "w of this mesh", "1/time", watch.predicted, false);
+    derived_add(out, n, "period", "period", "time", 2 * M_PI / watch.exact, false);
+    derived_add(out, n, "steps_per_period", "steps/period", "1", 2 * M_PI / watch.exact / dt, false);
+}
