@@ -10,7 +10,6 @@
 #include "tui/script.h"
 #include "view/commands.h"
 
-#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -252,8 +251,6 @@ static bool write_parameters(const char *which)
     Problem last = bar ? PROBLEM_BAR : PROBLEM_NOTCHED_BEAM;
     for (int i = 0; i < n_parameters; i++) {
         bool of_any = false;
-        if (parameters[i].offset == offsetof(Settings, method))
-            continue; /* the page has it among the first two keys */
         for (Problem p = first; p <= last; p++)
             of_any = of_any || parameter_applies(&parameters[i], p);
         if (of_any)

@@ -102,7 +102,7 @@ int cli_params(int count, char **arguments, Status *status)
     for (int problem = first; problem <= last; problem++)
         if (!print_problem((Problem)problem, status))
             return (int)status->code;
-    printf("[live] may change in mid-run; [mpm], [pd] only by that method. Each value is set by --set "
+    printf("[live] may change in mid-run; [mpm], [pd] only by that method.\nEach value is set by --set "
            "KEY=VALUE or in a scenario file.\n");
     return STATUS_DONE;
 }
