@@ -37,6 +37,12 @@ static int open_laboratory(int count, char **arguments, Status *status)
         cli_print_help(NULL);
         return STATUS_DONE;
     }
+    bool again = options.replay || options.last;
+    if (again && (options.n_words > 0 || options.n_overrides > 0 || options.steps > 0 || options.paused)) {
+        status_fail(status, STATUS_USAGE, "%s: a session has its own scenario and parameters",
+                    options.last ? "--last" : "--replay");
+        return (int)status->code;
+    }
     const char *scenario = options.n_words > 0 ? options.words[0] : "mode1";
     if (is_slip(scenario, status) || !options_words(&options, 0, 1, "[SCENARIO]", status) ||
         !options_load(&options, scenario, &settings, status))
@@ -52,6 +58,11 @@ static int open_laboratory(int count, char **arguments, Status *status)
             .history = options.history,
             .threads = (int)options.threads,
             .script = options.script,
+            .record = options.record,
+            .replay = options.replay,
+            .last = options.last,
+            .fast = options.fast,
+            .force = options.force,
             .width = options.size[0],
             .height = options.size[1],
         },

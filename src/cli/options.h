@@ -67,7 +67,8 @@ typedef struct Options {
     const char *output;
     bool plan;
 
-    bool paused, no_mouse;
+    bool paused, no_mouse, last, fast;
+    const char *record, *replay;
     const char *glyphs, *theme, *script;
     size_t history;
     int size[2];

@@ -157,7 +157,7 @@ static Experiment *make_experiment(const Laboratory *lab, const Settings *settin
 
 bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Host *host, Status *status)
 {
-    *lab = (Laboratory){.host = *host, .options = *options, .overlay = {.y = -1}};
+    *lab = (Laboratory){.host = *host, .options = *options, .overlay = {.y = -1}, .run_limit = -1};
     lab->utf8 = true;
     lab->undo = calloc(UNDO_MAX, sizeof *lab->undo);
     lab->redo = calloc(UNDO_MAX, sizeof *lab->redo);
@@ -368,6 +368,8 @@ static bool run_frame(Laboratory *lab, double deadline)
     long wanted = lab->in_parts ? 1 : (long)lab->owed, done = 0;
     if (!lab->in_parts)
         lab->owed -= (double)wanted;
+    if (lab->run_limit >= 0 && wanted > lab->run_limit - experiment_step(screen->experiment))
+        wanted = lab->run_limit - experiment_step(screen->experiment);
     bool sound = true, in_time = true;
     while (sound && in_time && done < wanted && !experiment_at_end(screen->experiment)) {
         if (done > 0 && key_waits(lab)) {

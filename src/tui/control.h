@@ -20,6 +20,7 @@ typedef struct LineHistory {
 } LineHistory;
 
 typedef struct Laboratory Laboratory;
+typedef struct Session Session;
 
 /* What the laboratory asks of its host. */
 typedef struct Host {
@@ -59,6 +60,9 @@ struct Laboratory {
     double anchor_time;  /* the time that edits in a row come back to, */
     long anchor_step;    /* and the step that it was at the last of them; -1: none */
     long work_total;     /* steps of the work under way when it began */
+    long run_limit;      /* running does not go beyond this step; -1: none */
+    bool replaying;      /* a key of an earlier session: nothing is written to files again */
+    Session *recording;  /* notes every key; NULL: none */
     double owed;         /* steps not yet done for the pace; less than one */
     bool pace_automatic; /* + and - were not used */
     double rate;         /* steps per second of the engine alone; 0: not known */
@@ -149,6 +153,9 @@ void prompt_key(Laboratory *, const Key *);
 void complete_prompt(Laboratory *);
 void ask_line(Laboratory *);
 void recall_line(Laboratory *, int direction);
+
+/* Whether a file may be written now: not when an earlier session is done again, which is said. */
+bool may_write(Laboratory *, const char *name);
 
 /* Says in the question that is open why its answer is not taken; returns false. */
 bool refuse(Laboratory *, const char *why);

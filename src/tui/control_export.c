@@ -74,6 +74,8 @@ static bool show_progress(double share, void *context)
 static void write_export(Laboratory *lab, bool force)
 {
     char paths[EXPORTS][PATH_BYTES];
+    if (!may_write(lab, lab->export_name))
+        return;
     Settings *settings = malloc(sizeof *settings);
     if (!settings) {
         say(lab, MESSAGE_ERROR, "out of memory");

@@ -1,6 +1,7 @@
 /* Where a key goes: to the question that is open, the field under edit, the help, or the table of commands.
  */
 #include "tui/control.h"
+#include "tui/session.h"
 
 #include <math.h>
 #include <string.h>
@@ -133,6 +134,8 @@ void laboratory_key(Laboratory *lab, const Key *key)
 {
     const Command *command = command_by_key(key->name);
     drop_part(lab);
+    if (lab->recording)
+        session_note(lab->recording, lab, key);
     say(lab, MESSAGE_NONE, "%s", "");
     if (command && is_for_everywhere(command->id))
         laboratory_command(lab, command->id);

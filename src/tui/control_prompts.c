@@ -2,6 +2,7 @@
 #include "tui/control.h"
 
 #include "base/text.h"
+#include "lab/output_file.h"
 #include "lab/scenario.h"
 #include "tui/line_edit.h"
 
@@ -111,6 +112,13 @@ bool answer_open(Laboratory *lab, const char *text)
     return open_scenario(lab, text, &status) || refuse(lab, status.text);
 }
 
+bool may_write(Laboratory *lab, const char *name)
+{
+    if (lab->replaying)
+        say(lab, MESSAGE_INFO, "a session is done again: %s is not written", name);
+    return !lab->replaying;
+}
+
 /* The scenario as it was opened and edited, to its own end; not only what has been computed of it. */
 static bool write_scenario(Laboratory *lab, const char *name)
 {
@@ -120,12 +128,15 @@ static bool write_scenario(Laboratory *lab, const char *name)
     experiment_scenario(experiment, true, &settings);
     settings.end = experiment_settings(experiment)->end;
     settings.beam.dt = experiment_settings(experiment)->beam.dt;
-    FILE *file = fopen(name, "w");
-    bool sound = file && scenario_write(file, &settings, NULL, &status);
-    if (file && fclose(file) != 0)
-        sound = false;
+    OutputFile file = {0};
+    if (!may_write(lab, name))
+        return true;
+    bool sound = output_open(&file, name, true, &status) &&
+                 scenario_write(file.stream, &settings, NULL, &status) && output_finish(&file, &status) &&
+                 output_commit(&file, &status);
+    output_close(&file);
     if (!sound)
-        say(lab, MESSAGE_ERROR, "%s", status.text[0] ? status.text : "the scenario could not be written");
+        say(lab, MESSAGE_ERROR, "%s", status.text);
     else
         say(lab, MESSAGE_INFO, "wrote %s; open it with: matvib %s", name, name);
     return true;

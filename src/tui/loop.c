@@ -19,9 +19,12 @@ typedef struct Loop {
     double draw_time; /* what a picture takes, so that the engine leaves room for it */
     double drawn_at;
     long frames;
-    int frame_fd; /* -1: nobody listens */
-    int told;     /* characters on the shell's last line that tell how far the opening has come */
-    bool stale;   /* what is shown is not what is */
+    int frame_fd;       /* -1: nobody listens */
+    Session *replay;    /* NULL: none */
+    bool fast;          /* replay as fast as it can */
+    double replayed_at; /* when its last key was done again */
+    int told;           /* characters on the shell's last line that tell how far the opening has come */
+    bool stale;         /* what is shown is not what is */
 } Loop;
 
 static double now(void *context)
@@ -137,10 +140,52 @@ static bool open_loop(Loop *loop, const LaboratoryOptions *options, Status *stat
     return true;
 }
 
+static bool is_replaying(const Loop *loop)
+{
+    return loop->replay && session_next(loop->replay);
+}
+
+/* When the next key of the replay is due; only while there is one. */
+static double replay_due(const Loop *loop)
+{
+    return loop->fast ? 0 : loop->replayed_at + session_next(loop->replay)->seconds;
+}
+
+static void end_replay(Loop *loop, const char *how)
+{
+    session_stop(loop->replay);
+    loop->lab.run_limit = -1;
+    say(&loop->lab, MESSAGE_INFO, "%s: the laboratory is yours", how);
+    loop->stale = true;
+}
+
+/* Keys of the replay that are due. Until then a run goes on as it does, but not beyond where the key came. */
+static void replay_round(Loop *loop)
+{
+    Laboratory *lab = &loop->lab;
+    double deadline = now(NULL) + FRAME_SECONDS - loop->draw_time;
+    while (is_replaying(loop) && !lab->closed && now(NULL) >= replay_due(loop)) {
+        loop->stale = true;
+        if (!session_replay(loop->replay, lab, deadline))
+            return;
+        loop->replayed_at = now(NULL);
+        if (!is_replaying(loop))
+            end_replay(loop, "the session has been done again");
+        if (!loop->fast || lab->screen.state == STATE_COMPUTING || now(NULL) >= deadline)
+            return;
+    }
+    if (is_replaying(loop))
+        lab->run_limit = session_next(loop->replay)->on_the_way ? -1 : session_next(loop->replay)->step;
+}
+
 static void one_round(Loop *loop)
 {
     Laboratory *lab = &loop->lab;
     Key key;
+    while (is_replaying(loop) && terminal_key(loop->terminal, &key))
+        end_replay(loop, "the replay ends here");
+    if (is_replaying(loop))
+        replay_round(loop);
     while (!lab->closed && terminal_key(loop->terminal, &key)) {
         /* a terminal may send reports that nobody asked for */
         if (key.x < 0 || !loop->lab.options.no_mouse)
@@ -165,7 +210,12 @@ static void one_round(Loop *loop)
         draw(loop);
         announce(loop);
     }
-    if (!laboratory_active(lab)) {
+    if (is_replaying(loop)) {
+        double left = replay_due(loop) - now(NULL), frame_left = loop->due - now(NULL);
+        if (laboratory_active(lab) && left > frame_left)
+            left = frame_left;
+        terminal_wait(loop->terminal, left > 0 ? left : 0);
+    } else if (!laboratory_active(lab)) {
         terminal_wait(loop->terminal, -1);
         loop->due = now(NULL);
     } else {
@@ -174,7 +224,7 @@ static void one_round(Loop *loop)
     }
 }
 
-int loop_run(const LaboratoryOptions *options, Status *status)
+int loop_run(const LaboratoryOptions *options, Session *replay, Session *recording, Status *status)
 {
     Loop *loop = calloc(1, sizeof *loop);
     if (!loop) {
@@ -188,6 +238,13 @@ int loop_run(const LaboratoryOptions *options, Status *status)
         return (int)status->code;
     }
     int signal_number = 0;
+    loop->lab.recording = recording;
+    session_note_start(recording, &loop->lab);
+    loop->replay = replay;
+    loop->fast = options->fast;
+    loop->replayed_at = now(NULL);
+    if (replay)
+        say(&loop->lab, MESSAGE_INFO, "a session is done again: any key takes over");
     loop->stale = true;
     loop->due = now(NULL);
     while (!loop->lab.closed && signal_number == 0) {
@@ -195,6 +252,7 @@ int loop_run(const LaboratoryOptions *options, Status *status)
         signal_number = terminal_signal(loop->terminal);
     }
     terminal_close(loop->terminal);
+    session_note_end(recording, &loop->lab);
     laboratory_close(&loop->lab);
     canvas_close(&loop->canvas);
     free(loop);

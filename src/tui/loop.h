@@ -3,11 +3,12 @@
 #define TUI_LOOP_H
 
 #include "tui/laboratory.h"
+#include "tui/session.h"
 
 /* Returns the exit status: 0, 128 + n after signal n, or the status's code.
  *
  * For tests: when the environment names a file descriptor in MATVIB_FRAME_FD, a line "frame N" is written to
  * it after each picture, with " idle" behind when the loop now sleeps until something comes. */
-int loop_run(const LaboratoryOptions *, Status *);
+int loop_run(const LaboratoryOptions *, Session *replay, Session *recording, Status *);
 
 #endif

@@ -1,6 +1,7 @@
 #include "tui/script.h"
 
 #include "tui/control.h"
+#include "tui/session.h"
 #include "tui/terminal.h"
 #include "tui/theme.h"
 
@@ -59,6 +60,12 @@ static void frame(Player *player)
         player->time = begin + FRAME_SECONDS;
 }
 
+static void frame_of_work(Player *player)
+{
+    if (player->lab.screen.state == STATE_COMPUTING)
+        frame(player);
+}
+
 /* As the event loop does it: work that a key asks for begins in the same frame, and the screen is drawn. */
 static bool press_at(Player *player, const char *name, int x, int y, Status *status)
 {
@@ -67,8 +74,7 @@ static bool press_at(Player *player, const char *name, int x, int y, Status *sta
         return status_fail(status, STATUS_FAILED, "key %s: the laboratory has been left", name);
     snprintf(key.name, sizeof key.name, "%s", name);
     laboratory_key(&player->lab, &key);
-    if (player->lab.screen.state == STATE_COMPUTING)
-        frame(player);
+    frame_of_work(player);
     return draw(player, status);
 }
 
@@ -272,7 +278,24 @@ static bool open_player(Player *player, const LaboratoryOptions *options, Status
     return true;
 }
 
-int script_run(const LaboratoryOptions *options, Status *status)
+/* The session first, as fast as it can; the script goes on where it was left. */
+static bool replay_all(Player *player, Session *replay, Status *status)
+{
+    bool sound = true;
+    for (const SessionEvent *event; sound && replay && (event = session_next(replay));) {
+        if (event->width > 0 && event->height > 0 && event->width <= SIZE_MAX_CELLS &&
+            event->height <= SIZE_MAX_CELLS) {
+            player->width = event->width;
+            player->height = event->height;
+        }
+        sound = draw(player, status);
+        if (sound && session_replay(replay, &player->lab, player->time + FRAME_SECONDS))
+            frame_of_work(player);
+    }
+    return sound && draw(player, status);
+}
+
+int script_run(const LaboratoryOptions *options, Session *replay, Session *recording, Status *status)
 {
     bool standard = strcmp(options->script, "-") == 0;
     FILE *file = standard ? stdin : fopen(options->script, "r");
@@ -284,7 +307,11 @@ int script_run(const LaboratoryOptions *options, Status *status)
         status_fail(status, STATUS_USAGE, "%s: cannot be read", options->script);
     else if (open_player(player, options, status)) {
         player->name = standard ? "standard input" : options->script;
-        sound = play(player, file, status);
+        player->lab.recording = recording;
+        session_note_start(recording, &player->lab);
+        sound = replay_all(player, replay, status);
+        sound = sound && play(player, file, status);
+        session_note_end(recording, &player->lab);
         laboratory_close(&player->lab);
         canvas_close(&player->canvas);
     }

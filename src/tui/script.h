@@ -7,6 +7,7 @@
 #define TUI_SCRIPT_H
 
 #include "tui/laboratory.h"
+#include "tui/session.h"
 
 typedef struct Player Player; /* a script that is being played */
 
@@ -18,6 +19,6 @@ typedef struct ScriptInstruction {
 
 extern const ScriptInstruction script_instructions[];
 
-int script_run(const LaboratoryOptions *, Status *);
+int script_run(const LaboratoryOptions *, Session *replay, Session *recording, Status *);
 
 #endif

@@ -1,0 +1,79 @@
+#!/bin/sh
+# --record and --replay: the same bits again; --last; what is no session is refused.
+number=0
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+export XDG_STATE_HOME="$scratch/state"
+
+result() {
+	number=$((number + 1))
+	name=$1
+	shift
+	if "$@" >out 2>err; then echo "ok $number - $name"; else
+		echo "not ok $number - $name"
+		sed 's/^/# /' out err
+	fi
+}
+refuse() { # LINE ARGUMENTS...
+	wanted="matvib: $1"
+	shift
+	"$MATVIB" "$@" --script empty 2>&1 | grep -q -x -F -e "$wanted" || { "$MATVIB" "$@" --script empty && false; }
+}
+: >empty
+printf 'key Esc x\ntype again\nkey Enter\nexpect wrote\n' >export.script
+
+# session NAME SCENARIO: plays a lesson with runs, stages, changes in mid-run, a rewind and a text
+session() {
+	"$MATVIB" "$2" --paused --script play.script --record "$1.session" --size 100x30
+}
+for scenario in mode5 crossing notched-beam-coarse; do
+	key=mpm.algorithm value=musl
+	[ $scenario = notched-beam-coarse ] && key=pd.critical_stretch value=0.0007
+	cat >play.script <<END
+rate 3000
+key Space
+wait 1.5
+key Space ] ] ] , Space
+wait 0.5
+key + Space :
+type set $key $value
+key Enter Space
+wait 0.4
+click 60 20
+key < Space
+wait 0.2
+key Space x
+type first
+key Enter
+expect wrote
+END
+	rm -f again-* first-*
+	result "$scenario: a session is recorded" session $scenario $scenario
+	result "$scenario: it is done again" "$MATVIB" --replay $scenario.session --script export.script
+	result "$scenario: nothing of it was written again" test "$(ls first-*.csv again-*.csv | wc -l)" -ge 4
+	for file in first-*; do
+		result "$scenario: ${file#first-} is the same" cmp "$file" "again-${file#first-}"
+	done
+	[ $scenario = mode5 ] && sed 's/^at [^ ]* [^ ]*/at/' mode5.session >keys
+	[ $scenario = mode5 ] && "$MATVIB" --replay mode5.session --script empty --record second.session &&
+		sed 's/^at [^ ]* [^ ]*/at/' second.session >keys.again
+done
+grep '^at' keys >a && grep '^at' keys.again >b
+result "a replay can be recorded: the same keys" cmp a b
+
+result "a session is not overwritten" refuse 'mode5.session: exists (--force replaces it)' mode1 --record mode5.session
+"$MATVIB" show mode1 2>/dev/null | sed -n '/^\[scenario\]/,$p' >first.ini
+result "a scenario is no session, again" refuse \
+	'first.ini:1: unknown line: [scenario] (scenario NAME | paused | "| ..." | at ... | end ...)' --replay first.ini
+result "nor is nothing" refuse 'empty: is no session (its scenario is missing)' --replay empty
+sed 's/^at .*Space$/at x 1 80x24 Space/' mode5.session >broken.session
+line=$(grep -n '^at x' broken.session | head -n 1 | cut -d: -f1)
+result "a place that is none" refuse \
+	"broken.session:$line: not a place of a session (at STEP[/STAGE] SECONDS WIDTHxHEIGHT KEY [X Y])" --replay broken.session
+sed 's/^| cell_size.*/| cell_size = -1/' mode5.session >wrong.session
+"$MATVIB" --replay wrong.session --script empty 2>message
+result "its scenario is judged" grep -q 'wrong.session (scenario):[0-9]*: mesh.cell_size:' message
+result "a session has its own parameters" refuse '--replay: a session has its own scenario and parameters' --replay mode5.session --set mesh.cell_size=2
+result "no last session as yet" refuse "--last: no session has been kept ($scratch/state/matvib/last.session)" --last
+echo "1..$number"
