@@ -65,11 +65,22 @@ void experiment_destroy(Experiment *experiment)
     free(experiment);
 }
 
+void experiment_set_history(Experiment *experiment, size_t history)
+{
+    experiment->history = history;
+    history_set_budget(&experiment->trial.history, history);
+}
+
 /* --- what there is -------------------------------------------------------------------------------- */
 
 const Settings *experiment_settings(const Experiment *experiment)
 {
     return &experiment->trial.now;
+}
+
+const Settings *experiment_base(const Experiment *experiment)
+{
+    return &experiment->trial.base;
 }
 
 const Simulation *experiment_simulation(const Experiment *experiment)
@@ -228,6 +239,11 @@ bool experiment_advance(Experiment *experiment, long steps, Status *status)
     return trial_steps(&experiment->trial, steps, status);
 }
 
+void experiment_flow(Experiment *experiment)
+{
+    experiment->flowing = true;
+}
+
 void experiment_rest(Experiment *experiment)
 {
     experiment->flowing = false;
@@ -325,6 +341,13 @@ bool experiment_pending(const Experiment *experiment, long *steps_left)
     if (steps_left)
         *steps_left = experiment->goal_step - from;
     return true;
+}
+
+void experiment_goal(const Experiment *experiment, long *step, int *stage)
+{
+    const Simulation *sim = experiment->trial.sim;
+    *step = experiment->pending ? experiment->goal_step : sim->step;
+    *stage = experiment->pending ? experiment->goal_stage : sim->stage;
 }
 
 bool experiment_work(Experiment *experiment, long steps, Status *status)

@@ -45,6 +45,7 @@ Experiment *experiment_adopt(const Settings *, Simulation *, size_t history, Sta
 
 /* The state of affairs; read only, valid until the next call that changes the experiment. */
 const Settings *experiment_settings(const Experiment *); /* in force at the present step */
+const Settings *experiment_base(const Experiment *);     /* at t = 0, with the changes in mid-run */
 const Simulation *experiment_simulation(const Experiment *);
 References *experiment_references(const Experiment *);
 const Record *experiment_record(const Experiment *);
@@ -88,6 +89,9 @@ bool experiment_advance_part(Experiment *, size_t items, bool *whole, Status *);
 bool experiment_work_part(Experiment *, size_t items, bool *whole, Status *);
 void experiment_drop_part(Experiment *);
 
+/* Rows come, by experiment_work(), as by experiment_advance(). */
+void experiment_flow(Experiment *);
+
 /* No rows come for the time being: what is worked out now and then only while the run goes on, the readout,
  * is worked out exactly. */
 void experiment_rest(Experiment *);
@@ -106,6 +110,8 @@ bool experiment_field_before(Experiment *, int field, size_t first, size_t count
 void experiment_seek(Experiment *, long step, int stage);
 bool experiment_pending(const Experiment *, long *steps_left);
 bool experiment_work(Experiment *, long steps, Status *);
+void experiment_goal(const Experiment *, long *step,
+                     int *stage);     /* of work that is pending, or the present */
 void experiment_cancel(Experiment *); /* stay where the work has come to */
 
 /* Back to t = 0, parameters kept as they are on screen (a live one that was changed in mid-run by hand holds
@@ -123,11 +129,20 @@ bool experiment_edit(Experiment *, const Settings *, Status *);
 /* The same, but live parameters hold from t = 0 on as all others do: another run to compare with. */
 bool experiment_rerun(Experiment *, const Settings *, Status *);
 
+/* Whether these settings make a run that is another one from some step on. */
+bool experiment_recomputes(const Experiment *, const Settings *);
+
 /* Settings as they once were, with the changes in mid-run that they had then: for undo. */
 bool experiment_replace(Experiment *, const Settings *, Status *);
 
 /* Pins the present curves as a ghost (with the unpinned one's place at most GHOSTS_MAX - 1 of them), or
  * unpins the one of the same settings. False: all places are taken, or no memory. */
 bool experiment_pin(Experiment *, Status *);
+
+/* The run is over, its curves stay with `heir` as the unpinned ghost. */
+void experiment_become_ghost(Experiment *, Experiment *heir);
+
+/* Other memory for keyframes, in bytes: some are given up where it is less. */
+void experiment_set_history(Experiment *, size_t history);
 
 #endif

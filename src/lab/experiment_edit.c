@@ -121,6 +121,17 @@ bool experiment_pin(Experiment *experiment, Status *status)
     return true;
 }
 
+void experiment_become_ghost(Experiment *experiment, Experiment *heir)
+{
+    if (has_curve(experiment)) {
+        Remains remains = remains_of(&experiment->trial);
+        make_ghost(heir, find_place(heir, false), false, &experiment->trial, &experiment->trial.record,
+                   &remains);
+        write_legends(heir);
+    }
+    experiment_destroy(experiment);
+}
+
 /* --- edits ---------------------------------------------------------------------------------------- */
 
 void experiment_forget_answers(Experiment *experiment)
@@ -264,6 +275,12 @@ static Difference compare(const Settings *now, const Settings *wanted)
                 difference.restart = true;
         }
     return difference;
+}
+
+bool experiment_recomputes(const Experiment *experiment, const Settings *wanted)
+{
+    const Difference difference = compare(&experiment->trial.now, wanted);
+    return difference.restart || difference.live;
 }
 
 /* Changes are known by their step; with another time step they keep their time. */

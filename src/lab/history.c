@@ -37,6 +37,13 @@ static void thin(History *history)
     history->count = kept;
 }
 
+void history_set_budget(History *history, size_t budget)
+{
+    history->budget = budget;
+    while (history->count > 1 && history->used > budget)
+        thin(history);
+}
+
 static bool make_room(History *history)
 {
     if (history->count < history->room)

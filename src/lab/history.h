@@ -23,6 +23,9 @@ typedef struct History {
 void history_open(History *, size_t budget);
 void history_close(History *);
 
+/* Another budget; where it is less, keyframes are given up as if there never had been more. */
+void history_set_budget(History *, size_t budget);
+
 /* Takes a keyframe if one is due at this whole step and not there. Where memory is short there is none, and
  * a seek takes longer. False only if there is none at all. */
 bool history_keep(History *, const Simulation *);

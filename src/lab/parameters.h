@@ -126,6 +126,9 @@ bool settings_nudge(Settings *, const Parameter *, int direction);
 /* The word that stands for 0 in this problem; NULL: none. */
 const char *parameter_automatic(const Parameter *, Problem);
 
+/* What a scenario asks about: its question.key, or what its method leaves open. NULL: nothing. */
+const Parameter *settings_question(const Settings *);
+
 /* What is allowed, in words: "> 0", "1 to 8", "usf | usl | musl". */
 void parameter_range(const Parameter *, Problem, char *out, size_t size);
 

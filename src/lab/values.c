@@ -456,3 +456,11 @@ bool settings_same(const Settings *a, const Settings *b, char *out, size_t size)
     }
     return list.count == 0;
 }
+
+const Parameter *settings_question(const Settings *settings)
+{
+    const Parameter *asked = parameter_find(settings->question);
+    if (!asked || !settings_have(settings, asked)) /* or it asks about the bar's other method */
+        asked = parameter_find(settings->method == METHOD_MPM ? "mpm.algorithm" : "pd.surface_correction");
+    return asked && settings_have(settings, asked) ? asked : NULL;
+}

@@ -89,6 +89,16 @@ static int first_parameter(const Screen *screen)
     return 0;
 }
 
+static size_t history_size(const Laboratory *lab)
+{
+    return lab->options.history ? lab->options.history : (size_t)256 << 20;
+}
+
+static int threads_of(const Laboratory *lab)
+{
+    return lab->options.threads > 0 ? lab->options.threads : 1;
+}
+
 /* What belongs to a run and not to the way it is looked at; for a run that takes the place of another. */
 static void begin_run(Laboratory *lab)
 {
@@ -97,7 +107,8 @@ static void begin_run(Laboratory *lab)
     lab->n_undo = lab->n_redo = 0;
     lab->changed = false;
     lab->bookmark_step = lab->anchor_step = -1;
-    lab->owed = lab->rate = 0;
+    lab->owed = 0;
+    memset(lab->rates, 0, sizeof lab->rates);
     lab->frames_in_time = 0;
     screen->at_limit = false;
     screen->summary_known = false;
@@ -110,22 +121,21 @@ static void begin_run(Laboratory *lab)
     screen->node = simulation->n_sets > 1 ? simulation->counts[1] / 2 : 0;
     choose_pace(lab);
     read_view(lab);
+    screen->duel = &lab->duel;
+    duel_open(&lab->duel, screen->experiment, history_size(lab), threads_of(lab));
+    lab->second_ended = false;
     screen->selected = first_parameter(screen);
     screen->parameter_scroll = 0;
     lab->resume = screen->state = STATE_RUNNING;
     const char *advice = experiment_advice(screen->experiment);
     say(lab, MESSAGE_WARNING, "%s", advice ? advice : "");
+    open_duel(lab);
 }
 
 static void name_scenario(Laboratory *lab, const char *name)
 {
     snprintf(lab->scenario, sizeof lab->scenario, "%s", name ? name : "");
     lab->screen.scenario = lab->scenario;
-}
-
-static size_t history_size(const Laboratory *lab)
-{
-    return lab->options.history ? lab->options.history : (size_t)256 << 20;
 }
 
 /* What takes no longer is not worth a picture. */
@@ -151,8 +161,7 @@ void show_building_of(Laboratory *lab, Settings *settings)
 
 static Experiment *make_experiment(const Laboratory *lab, const Settings *settings, Status *status)
 {
-    return experiment_create(settings, history_size(lab), lab->options.threads > 0 ? lab->options.threads : 1,
-                             status);
+    return experiment_create(settings, history_size(lab), threads_of(lab), status);
 }
 
 bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Host *host, Status *status)
@@ -182,6 +191,7 @@ bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Ho
 
 void laboratory_close(Laboratory *lab)
 {
+    duel_close(&lab->duel);
     experiment_destroy(lab->screen.experiment);
     overlay_close(&lab->overlay);
     free(lab->undo);
@@ -226,7 +236,7 @@ void settle(Laboratory *lab)
     Experiment *experiment = screen->experiment;
     long left;
     Status failure;
-    if (experiment_pending(experiment, &left))
+    if (duel_pending(&lab->duel, &left))
         screen->state = STATE_COMPUTING;
     else if (experiment_failed(experiment, &failure) &&
              experiment_step(experiment) >= experiment_newest(experiment)) {
@@ -240,8 +250,12 @@ void settle(Laboratory *lab)
         screen->summary_known = true;
     } else
         screen->state = lab->resume;
-    if (screen->state != STATE_RUNNING)
+    if (screen->state != STATE_RUNNING) {
         experiment_rest(experiment);
+        if (lab->duel.b)
+            experiment_rest(lab->duel.b);
+    }
+    tell_second(lab);
 }
 
 void pause_run(Laboratory *lab)
@@ -268,7 +282,7 @@ void seek(Laboratory *lab, long step, int stage)
         step = last, stage = 0;
     lab->goal_step = step;
     lab->goal_stage = stage;
-    experiment_seek(lab->screen.experiment, step, stage);
+    duel_seek(&lab->duel, step, stage);
     settle(lab);
 }
 
@@ -278,45 +292,46 @@ bool laboratory_active(const Laboratory *lab)
 }
 
 /* Steps for the next piece of work: about CHUNK_SECONDS of it, judged by the last piece. */
-static long chunk(const Laboratory *lab, long wanted, double time_left)
+static long chunk(double rate, long wanted, double time_left)
 {
     double seconds = time_left < CHUNK_SECONDS ? time_left : CHUNK_SECONDS;
-    double steps = lab->rate > 0 ? lab->rate * seconds : 1;
+    double steps = rate > 0 ? rate * seconds : 1;
     return steps < 1 ? 1 : steps > (double)wanted ? wanted : (long)steps;
 }
 
 /* How fast the engine is: a running mean over pieces, so that one hiccup does not count. */
-static void learn_rate(Laboratory *lab, long steps, double seconds)
+static void learn_rate(double *known, long steps, double seconds)
 {
     /* a piece too short for the clock says no more than "more than that" */
     double rate = seconds > 0 ? (double)steps / seconds : 8 * (double)steps / CHUNK_SECONDS;
-    if (lab->rate <= 0 || seconds <= 0)
-        lab->rate = rate > lab->rate ? rate : lab->rate;
+    if (*known <= 0 || seconds <= 0)
+        *known = rate > *known ? rate : *known;
     else
-        lab->rate = 0.7 * lab->rate + 0.3 * rate;
+        *known = 0.7 * *known + 0.3 * rate;
 }
 
 /* Does a piece of work by `verb` and tells the clock. */
-static bool work(Laboratory *lab, bool (*verb)(Experiment *, long, Status *), long steps, Status *status)
+static bool work(Laboratory *lab, bool (*verb)(Duel *, long, Status *), double *rate, long steps,
+                 Status *status)
 {
     double before = lab->host.now(lab->host.context);
-    bool sound = verb(lab->screen.experiment, steps, status);
+    bool sound = verb(&lab->duel, steps, status);
     lab->host.worked(lab->host.context, steps);
-    learn_rate(lab, steps, lab->host.now(lab->host.context) - before);
+    learn_rate(rate, steps, lab->host.now(lab->host.context) - before);
     return sound;
 }
 
 /* What the next step will take. */
-static double step_seconds(const Laboratory *lab)
+static double step_seconds(double rate)
 {
-    return lab->rate > 0 ? 1 / lab->rate : 0;
+    return rate > 0 ? 1 / rate : 0;
 }
 
 /* Whether steps may be done whole: not the first one, of which nothing is known, nor those that leave no room
  * in a frame. */
-static bool steps_are_short(const Laboratory *lab)
+static bool steps_are_short(double rate)
 {
-    return lab->rate > 0 && step_seconds(lab) < STEP_SHARE * FRAME_SECONDS;
+    return rate > 0 && step_seconds(rate) < STEP_SHARE * FRAME_SECONDS;
 }
 
 static bool key_waits(const Laboratory *lab)
@@ -325,18 +340,16 @@ static bool key_waits(const Laboratory *lab)
 }
 
 /* A step, or the next part of it, by `verb`, up to the deadline. Returns how many steps were completed. */
-static long work_in_parts(Laboratory *lab, bool (*verb)(Experiment *, size_t, bool *, Status *),
+static long work_in_parts(Laboratory *lab, bool (*verb)(Duel *, double, bool *, Status *), double *rate,
                           double deadline, bool *sound, Status *status)
 {
-    size_t all = experiment_simulation(lab->screen.experiment)->stage_items;
     /* all of a step may be in one stage */
-    double share = lab->rate > 0 ? CHUNK_SECONDS * lab->rate : 1.0 / 64;
-    size_t items = share < 1 ? (size_t)(share * (double)all) : all;
+    const double share = *rate > 0 ? CHUNK_SECONDS * *rate : 1.0 / 64;
     bool whole = false;
     double last = lab->host.now(lab->host.context);
     lab->in_parts = true;
     do {
-        *sound = verb(lab->screen.experiment, items > 0 ? items : 1, &whole, status);
+        *sound = verb(&lab->duel, share, &whole, status);
         if (whole)
             lab->host.worked(lab->host.context, 1);
         double now = lab->host.now(lab->host.context);
@@ -345,7 +358,7 @@ static long work_in_parts(Laboratory *lab, bool (*verb)(Experiment *, size_t, bo
     } while (*sound && !whole && last < deadline && !key_waits(lab));
     if (*sound && !whole)
         return 0;
-    learn_rate(lab, 1, lab->part_seconds);
+    learn_rate(rate, 1, lab->part_seconds);
     lab->in_parts = false;
     lab->part_seconds = 0;
     return 1;
@@ -353,7 +366,7 @@ static long work_in_parts(Laboratory *lab, bool (*verb)(Experiment *, size_t, bo
 
 void drop_part(Laboratory *lab)
 {
-    experiment_drop_part(lab->screen.experiment);
+    duel_drop_part(&lab->duel);
     lab->in_parts = false;
     lab->part_seconds = 0;
 }
@@ -371,20 +384,21 @@ static bool run_frame(Laboratory *lab, double deadline)
     if (lab->run_limit >= 0 && wanted > lab->run_limit - experiment_step(screen->experiment))
         wanted = lab->run_limit - experiment_step(screen->experiment);
     bool sound = true, in_time = true;
+    double *rate = &lab->rates[RATE_RUN];
     while (sound && in_time && done < wanted && !experiment_at_end(screen->experiment)) {
         if (done > 0 && key_waits(lab)) {
             lab->owed += fmin((double)(wanted - done), screen->pace);
             break;
         }
         double left = deadline - lab->host.now(lab->host.context);
-        if (done > 0 && left < step_seconds(lab)) {
+        if (done > 0 && left < step_seconds(*rate)) {
             in_time = false;
-        } else if (lab->in_parts || !steps_are_short(lab)) {
-            done += work_in_parts(lab, experiment_advance_part, deadline, &sound, &status);
+        } else if (lab->in_parts || !steps_are_short(*rate)) {
+            done += work_in_parts(lab, duel_advance_part, rate, deadline, &sound, &status);
             in_time = !lab->in_parts;
         } else {
-            long piece = chunk(lab, wanted - done, left);
-            sound = work(lab, experiment_advance, piece, &status);
+            long piece = chunk(*rate, wanted - done, left);
+            sound = work(lab, duel_advance, rate, piece, &status);
             done += piece;
         }
     }
@@ -394,33 +408,35 @@ static bool run_frame(Laboratory *lab, double deadline)
     else if (lab->frames_in_time >= ROUND_FRAMES)
         screen->at_limit = false;
     double took = lab->host.now(lab->host.context) - begin;
-    double rate = (double)done / (took > FRAME_SECONDS ? took / FRAME_SECONDS : 1);
-    screen->rate = screen->rate > 0 ? 0.8 * screen->rate + 0.2 * rate : rate;
+    double reached = (double)done / (took > FRAME_SECONDS ? took / FRAME_SECONDS : 1);
+    screen->rate = screen->rate > 0 ? 0.8 * screen->rate + 0.2 * reached : reached;
     if (!lab->in_parts && (!sound || experiment_at_end(screen->experiment)))
         settle(lab);
+    tell_second(lab);
     return !lab->in_parts || done > 0;
 }
 
 static bool compute_frame(Laboratory *lab, double deadline)
 {
-    Experiment *experiment = lab->screen.experiment;
+    Duel *duel = &lab->duel;
     Status status = {STATUS_DONE, ""};
     long left, most = 0;
     bool sound = true;
-    for (bool first = true; sound && experiment_pending(experiment, &left); first = false) {
+    for (bool first = true; sound && duel_pending(duel, &left); first = false) {
         double time_left = deadline - lab->host.now(lab->host.context);
-        if (!first && (time_left < step_seconds(lab) || key_waits(lab)))
+        double *rate = &lab->rates[duel_turn(duel) == duel->b ? RATE_SECOND : RATE_FIRST];
+        if (!first && (time_left < step_seconds(*rate) || key_waits(lab)))
             break;
         if (left > most)
             most = left;
-        if (left > 0 && (lab->in_parts || !steps_are_short(lab))) {
-            work_in_parts(lab, experiment_work_part, deadline, &sound, &status);
+        if (left > 0 && (lab->in_parts || !steps_are_short(*rate))) {
+            work_in_parts(lab, duel_work_part, rate, deadline, &sound, &status);
             if (lab->in_parts)
                 return false;
         } else
-            sound = work(lab, experiment_work, chunk(lab, left > 0 ? left : 1, time_left), &status);
+            sound = work(lab, duel_work, rate, chunk(*rate, left > 0 ? left : 1, time_left), &status);
     }
-    if (!sound || !experiment_pending(experiment, &left)) {
+    if (!sound || !duel_pending(duel, &left)) {
         lab->screen.work_share = 0;
         settle(lab);
         return true;

@@ -22,6 +22,9 @@ typedef struct LineHistory {
 typedef struct Laboratory Laboratory;
 typedef struct Session Session;
 
+/* Work whose speed is known apart: a run that goes on (of a duel: both), each run on its way to a time. */
+enum { RATE_RUN, RATE_FIRST, RATE_SECOND, RATES };
+
 /* What the laboratory asks of its host. */
 typedef struct Host {
     double (*now)(void *context); /* seconds, only ever growing */
@@ -42,6 +45,8 @@ typedef bool (*Answer)(Laboratory *, const char *text);
 
 struct Laboratory {
     Screen screen;
+    Duel duel;         /* behind screen.duel */
+    bool second_ended; /* that the second run stopped has been said */
     Host host;
     LaboratoryOptions options;
     int width, height; /* of the picture, for focus and mouse */
@@ -65,7 +70,7 @@ struct Laboratory {
     Session *recording;  /* notes every key; NULL: none */
     double owed;         /* steps not yet done for the pace; less than one */
     bool pace_automatic; /* + and - were not used */
-    double rate;         /* steps per second of the engine alone; 0: not known */
+    double rates[RATES]; /* steps per second of the engine alone; 0: not known */
     bool in_parts;       /* a step that takes long is under way, in parts: nothing new to look at as yet */
     double part_seconds; /* what it has taken so far */
     int frames_in_time;  /* since the engine was last the limit */
@@ -115,11 +120,8 @@ void pause_run(Laboratory *);
 void drop_part(Laboratory *);
 void seek(Laboratory *, long step, int stage);
 
-/* experiment_edit() or experiment_rerun(). */
-typedef bool (*ChangeVerb)(Experiment *, const Settings *, Status *);
-
 /* New parameters, undoable. False: refused, the status says why. */
-bool change_settings(Laboratory *, const Settings *, ChangeVerb, Status *);
+bool change_settings(Laboratory *, const Settings *, DuelChange, Status *);
 void settings_changed(Laboratory *); /* what follows from it */
 bool open_scenario(Laboratory *, const char *name, Status *);
 
@@ -152,6 +154,14 @@ void close_prompt(Laboratory *);
 void prompt_key(Laboratory *, const Key *);
 void complete_prompt(Laboratory *);
 void ask_line(Laboratory *);
+
+/* A second run beside the first: begins with the scenario's keys, or ends it; asks where there are no keys.
+ */
+void toggle_duel(Laboratory *);
+void open_duel(Laboratory *);                      /* of a scenario that has keys for one */
+bool answer_duel(Laboratory *, const char *words); /* "KEY=VALUE ..." */
+void tell_second(Laboratory *);                    /* says once that the second run stopped */
+void duel_over(Laboratory *, const Status *);      /* says so if a change ended it, and why */
 void recall_line(Laboratory *, int direction);
 
 /* Whether a file may be written now: not when an earlier session is done again, which is said. */

@@ -16,7 +16,7 @@ typedef void (*Carry)(Laboratory *);
 static void begin_again(Laboratory *lab, bool running)
 {
     Status status = {STATUS_DONE, ""};
-    if (!experiment_restart(lab->screen.experiment, false, &status)) {
+    if (!duel_restart(&lab->duel, false, &status)) {
         say(lab, MESSAGE_ERROR, "%s", status.text);
         return;
     }
@@ -26,6 +26,7 @@ static void begin_again(Laboratory *lab, bool running)
     lab->screen.summary_known = false;
     lab->screen.cursor_time = NAN;
     settle(lab);
+    duel_over(lab, &status);
 }
 
 static bool answer_again(Laboratory *lab, const char *text)
@@ -38,7 +39,8 @@ static bool answer_again(Laboratory *lab, const char *text)
 /* A run that is soon computed again begins anew at once; one that took long is not thrown away by a slip. */
 static void run_again(Laboratory *lab)
 {
-    double seconds = lab->rate > 0 ? (double)experiment_last_step(lab->screen.experiment) / lab->rate : 0;
+    const double rate = lab->rates[RATE_RUN];
+    double seconds = rate > 0 ? (double)experiment_last_step(lab->screen.experiment) / rate : 0;
     char takes[NUMBER_TEXT_MAX];
     if (seconds < AGAIN_SECONDS) {
         begin_again(lab, true);
@@ -121,10 +123,13 @@ static void stage_forward(Laboratory *lab)
         return;
     }
     Status status = {STATUS_DONE, ""};
-    experiment_next_stage(experiment, &status);
+    duel_next_stage(&lab->duel, &status);
     settle(lab);
     if (status.text[0])
         say(lab, MESSAGE_ERROR, "%s", status.text);
+    else if (lab->duel.b && experiment_stage(experiment) == 1)
+        say(lab, MESSAGE_INFO, "A goes by stages; B waits at its step %ld, before A's step ends",
+            experiment_step(lab->duel.b));
 }
 
 static void stage_back(Laboratory *lab)
@@ -420,7 +425,7 @@ static bool close_top(Laboratory *lab)
 static void cancel(Laboratory *lab)
 {
     if (lab->screen.state == STATE_COMPUTING) {
-        experiment_cancel(lab->screen.experiment);
+        duel_cancel(&lab->duel);
         pause_run(lab);
     } else
         close_top(lab);
@@ -531,18 +536,26 @@ static void cycle_glyphs(Laboratory *lab)
 
 /* --- comparing -------------------------------------------------------------------------------------- */
 
+/* In a duel the other answer is on screen already: on to one that is not. */
+static bool is_second(const Laboratory *lab, const Settings *settings, const Parameter *parameter)
+{
+    const Experiment *second = lab->duel.b;
+    return second &&
+           settings_number(settings, parameter) == settings_number(experiment_settings(second), parameter);
+}
+
 /* Another run beside this one: what the scenario asks about holds from t = 0 on. */
 static void question(Laboratory *lab)
 {
     Settings settings = *experiment_settings(lab->screen.experiment);
-    const char *key = settings.question;
-    const Parameter *asked = parameter_find(key);
-    if (!asked || !settings_have(&settings, asked)) /* or it asks about the bar's other method */
-        key = settings.method == METHOD_MPM ? "mpm.algorithm" : "pd.surface_correction";
-    const Parameter *parameter = parameter_find(key);
+    const Settings before = settings;
+    const Parameter *parameter = settings_question(&settings);
     Status status = {STATUS_DONE, ""};
     if (!parameter || !settings_nudge(&settings, parameter, 1))
         say(lab, MESSAGE_INFO, "this scenario asks no question");
+    else if (is_second(lab, &settings, parameter) &&
+             (!settings_nudge(&settings, parameter, 1) || settings_same(&before, &settings, NULL, 0)))
+        say(lab, MESSAGE_INFO, "both answers are on screen already; d ends the duel");
     else if (!change_settings(lab, &settings, experiment_rerun, &status))
         say(lab, MESSAGE_ERROR, "%s", status.text);
 }
@@ -577,13 +590,14 @@ static void swap_settings(Laboratory *lab, Settings *from, int *n_from, Settings
         return;
     }
     Settings old = *experiment_settings(lab->screen.experiment);
-    if (!experiment_replace(lab->screen.experiment, &from[*n_from - 1], &status)) {
+    if (!duel_change(&lab->duel, &from[*n_from - 1], experiment_replace, &status)) {
         say(lab, MESSAGE_ERROR, "%s", status.text);
         return;
     }
     to[(*n_to)++] = old;
     --*n_from;
     settings_changed(lab);
+    duel_over(lab, &status);
 }
 
 static void undo(Laboratory *lab)
@@ -642,7 +656,7 @@ static void quit(Laboratory *lab)
 static void interrupt(Laboratory *lab)
 {
     if (lab->screen.state == STATE_COMPUTING) {
-        experiment_cancel(lab->screen.experiment);
+        duel_cancel(&lab->duel);
         pause_run(lab);
         say(lab, MESSAGE_INFO, "cancelled");
     } else if (lab->screen.prompt.open && lab->answer == answer_quit)
@@ -696,6 +710,7 @@ static const Carry carries[COMMAND_COUNT] = {
     [COMMAND_REFERENCES] = cycle_references,
     [COMMAND_QUESTION] = question,
     [COMMAND_PIN] = pin,
+    [COMMAND_DUEL] = toggle_duel,
     [COMMAND_BOOKMARK] = bookmark,
     [COMMAND_JUMP] = jump,
     [COMMAND_EXPORT] = export_run_as_files,

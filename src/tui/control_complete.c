@@ -98,6 +98,21 @@ static void offer_scenarios(Completion *completion)
         offer_files(completion);
 }
 
+/* KEY=VALUE ...: the last of them. */
+static void offer_assignments(Completion *completion, const Laboratory *lab)
+{
+    const char *space = strrchr(completion->start, ' ');
+    const char *word = space ? space + 1 : completion->start;
+    const size_t key = strcspn(word, "=");
+    completion->start = word;
+    if (!word[key]) {
+        offer_keys(completion, lab, "=");
+        return;
+    }
+    completion->start = word + key + 1;
+    offer_values(completion, word, key);
+}
+
 /* The words after a verb; `start` is what stands behind it. */
 static void offer_arguments(Completion *completion, const Laboratory *lab, LineArgument kind)
 {
@@ -111,6 +126,9 @@ static void offer_arguments(Completion *completion, const Laboratory *lab, LineA
         }
         completion->start = words + key + strspn(words + key, " =");
         offer_values(completion, experiment_settings(lab->screen.experiment)->problem, words, key);
+        break;
+    case ARGUMENT_KEYS:
+        offer_assignments(completion, lab);
         break;
     case ARGUMENT_SCENARIO:
         offer_scenarios(completion);
@@ -149,6 +167,8 @@ void complete_prompt(Laboratory *lab)
     Completion completion = {.start = prompt->text};
     if (lab->answer == answer_line)
         offer_line(&completion, lab);
+    else if (lab->answer == answer_duel)
+        offer_assignments(&completion, lab);
     else if (lab->answer == answer_open)
         offer_scenarios(&completion);
     else if (lab->answer == answer_write)

@@ -134,6 +134,7 @@ static bool overlay(Laboratory *lab, const char *words)
 static bool (*const verbs[LINE_COUNT])(Laboratory *, const char *words) = {
     [LINE_SET] = set,          [LINE_OPEN] = answer_open,   [LINE_WRITE] = answer_write,
     [LINE_EXPORT] = export_as, [LINE_GO_TO] = answer_go_to, [LINE_OVERLAY] = overlay,
+    [LINE_DUEL] = answer_duel,
 };
 
 /* --- the line --------------------------------------------------------------------------------------- */

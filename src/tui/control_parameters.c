@@ -38,7 +38,7 @@ static void return_to_time(Laboratory *lab)
     if (experiment_pending(experiment, NULL)) {
         lab->goal_step = lround(lab->anchor_time / experiment_simulation(experiment)->dt);
         lab->goal_stage = 0;
-        experiment_seek(experiment, lab->goal_step, 0);
+        duel_seek(&lab->duel, lab->goal_step, 0);
         lab->anchor_step = lab->goal_step;
     } else
         lab->anchor_step = experiment_step(experiment);
@@ -48,7 +48,7 @@ void settings_changed(Laboratory *lab)
 {
     lab->changed = true;
     lab->screen.summary_known = false;
-    lab->rate = 0; /* a step may take longer now */
+    memset(lab->rates, 0, sizeof lab->rates); /* a step may take longer now */
     say(lab, MESSAGE_NONE, "%s", "");
     if (lab->pace_automatic)
         choose_pace(lab);
@@ -58,7 +58,7 @@ void settings_changed(Laboratory *lab)
         say(lab, MESSAGE_WARNING, "%s", advice);
 }
 
-bool change_settings(Laboratory *lab, const Settings *settings, ChangeVerb verb, Status *status)
+bool change_settings(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
 {
     Settings old = *experiment_settings(lab->screen.experiment);
     bool same = settings_same(&old, settings, NULL, 0);
@@ -68,10 +68,13 @@ bool change_settings(Laboratory *lab, const Settings *settings, ChangeVerb verb,
     /* a time on screen is a multiple of the time step, which changes: without this, it would wander */
     if (step != lab->anchor_step)
         lab->anchor_time = (double)step * experiment_simulation(lab->screen.experiment)->dt;
-    bool taken = verb(lab->screen.experiment, settings, status);
+    Status said = {STATUS_DONE, ""};
+    bool taken = duel_change(&lab->duel, settings, verb, &said);
     say(lab, MESSAGE_NONE, "%s", ""); /* how far it has been built */
-    if (!taken)
+    if (!taken) {
+        *status = said;
         return false;
+    }
     if (same)
         return true;
     return_to_time(lab);
@@ -80,6 +83,7 @@ bool change_settings(Laboratory *lab, const Settings *settings, ChangeVerb verb,
     lab->undo[lab->n_undo++] = old;
     lab->n_redo = 0;
     settings_changed(lab);
+    duel_over(lab, &said);
     return true;
 }
 

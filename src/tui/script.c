@@ -149,7 +149,8 @@ static bool do_rate(Player *player, char *rest, Status *status)
     char end;
     if (sscanf(rest, "%lf%c", &player->rate, &end) != 1 || player->rate < 0)
         return status_fail(status, STATUS_USAGE, "rate: not a number of steps: %s", rest);
-    player->lab.rate = player->rate;
+    for (int i = 0; i < RATES; i++)
+        player->lab.rates[i] = player->rate;
     return true;
 }
 

@@ -63,6 +63,8 @@ const Command commands[] = {
     {COMMAND_REFERENCES, "references", "e", "Views", "curves",
      "reference curves and numbers: all, exact, predicted, none"},
     {COMMAND_PIN, "pin", "c", "Views", "pin", "keep these curves behind the next run; again: let them go"},
+    {COMMAND_DUEL, "duel", "d", "Views", "duel",
+     "a second run beside, with what the scenario changes; again: it ends, its curve stays"},
     {COMMAND_NARROWER, "narrower", "n", "Views", "narrow",
      "a shorter time window; in the map of a beam: displacements drawn smaller"},
     {COMMAND_WIDER, "wider", "N", "Views", "wide",
@@ -91,6 +93,8 @@ const LineVerb line_verbs[] = {
     {LINE_WRITE, "write", "FILE", ARGUMENT_FILE, "write these parameters as a scenario file"},
     {LINE_EXPORT, "export", "NAME", ARGUMENT_OTHER, "write the run as NAME-series.csv and its tables"},
     {LINE_GO_TO, "goto", "TIME or #STEP", ARGUMENT_OTHER, "to a time, as the number alone does, or a step"},
+    {LINE_DUEL, "duel", "KEY=VALUE ...", ARGUMENT_KEYS,
+     "a second run beside that differs in these keys, in place of one that there is"},
     {LINE_OVERLAY, "overlay", "FILE.csv [X Y]", ARGUMENT_FILE,
      "draw a foreign series over the plots, columns by name or number; alone: take it away"},
 };

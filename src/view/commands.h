@@ -81,7 +81,13 @@ typedef struct Command {
 } Command;
 
 /* What an argument of a line verb is, for completion. */
-typedef enum LineArgument { ARGUMENT_OTHER, ARGUMENT_KEY, ARGUMENT_SCENARIO, ARGUMENT_FILE } LineArgument;
+typedef enum LineArgument {
+    ARGUMENT_OTHER,
+    ARGUMENT_KEY,
+    ARGUMENT_KEYS, /* KEY=VALUE, several of them */
+    ARGUMENT_SCENARIO,
+    ARGUMENT_FILE
+} LineArgument;
 
 typedef enum LineVerbId {
     LINE_SET,
@@ -89,6 +95,7 @@ typedef enum LineVerbId {
     LINE_WRITE,
     LINE_EXPORT,
     LINE_GO_TO,
+    LINE_DUEL,
     LINE_OVERLAY,
     LINE_COUNT
 } LineVerbId;

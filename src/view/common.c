@@ -7,6 +7,29 @@
 #include <stdio.h>
 #include <string.h>
 
+Experiment *second_run(const Screen *screen)
+{
+    return screen->duel ? screen->duel->b : NULL;
+}
+
+bool is_shared(const Screen *screen)
+{
+    return second_run(screen) && screen->side == SIDE_BOTH;
+}
+
+Screen screen_of_side(const Screen *screen, DuelSide side)
+{
+    Screen one = *screen;
+    one.side = side;
+    one.experiment = side == SIDE_B ? screen->duel->b : screen->duel->a;
+    return one;
+}
+
+Experiment *clock_run(const Screen *screen)
+{
+    return second_run(screen) ? screen->duel->a : screen->experiment;
+}
+
 bool shows_exact(const Screen *screen)
 {
     return screen->references == SHOW_ALL || screen->references == SHOW_EXACT;

@@ -114,6 +114,19 @@ const char *short_word(const char *name);
 /* Short words for a legend that else would not stand in the heading as a whole. */
 void shorten_legend(Area, const char *name, const char *scale, Legend *, int n_legend);
 
+/* The second run of a duel; NULL: there is none. */
+Experiment *second_run(const Screen *);
+
+/* Both runs of a duel share the picture: what only one of them can have is left to the pictures of one run.
+ */
+bool is_shared(const Screen *);
+
+/* The screen of one run of a duel, for a picture of its own. */
+Screen screen_of_side(const Screen *, DuelSide);
+
+/* The run whose times the axes of time go by: A, in a picture of B as well. */
+Experiment *clock_run(const Screen *);
+
 bool shows_exact(const Screen *);
 bool shows_predicted(const Screen *);
 bool is_focused(const Screen *, PaneId);

@@ -41,21 +41,50 @@ static Run run_of_experiment(Experiment *experiment)
     return run;
 }
 
+static Run present_run(Experiment *experiment)
+{
+    Run run = run_of_experiment(experiment);
+    run.line = LINE_SOLID;
+    run.style = STYLE_MEASURED;
+    run.rank = RANK_MEASURED;
+    run.mark = '*';
+    run.shown = true;
+    strcpy(run.word, "measured");
+    return run;
+}
+
+/* Of a duel: B dashed over A's solid line; where it has a picture of its own it is solid there. */
+static Run duel_run(const Screen *screen, int which)
+{
+    const Duel *duel = screen->duel;
+    Run run = present_run(which == 0 ? duel->a : duel->b);
+    run.letter = "AB"[which];
+    run.shown = screen->side == SIDE_BOTH || (screen->side == SIDE_B) == (which == 1);
+    snprintf(run.word, sizeof run.word, "%c %s", run.letter, duel->names[which]);
+    snprintf(run.brief, sizeof run.brief, "%c", run.letter);
+    if (which == 1) {
+        run.style = STYLE_SECOND;
+        run.mark = 'x';
+    }
+    if (which == 1 && screen->side == SIDE_BOTH) {
+        run.line = LINE_DASHED;
+        run.rank = RANK_SECOND;
+    }
+    return run;
+}
+
 int runs_of(const Screen *screen, Run runs[RUNS_MAX])
 {
-    const Ghost *ghosts = experiment_ghosts(screen->experiment);
+    const Ghost *ghosts = experiment_ghosts(clock_run(screen));
     int count = 0;
-    for (int i = 0; i < GHOSTS_MAX; i++)
+    for (int i = 0; i < GHOSTS_MAX && screen->side != SIDE_B; i++)
         if (ghosts[i].used)
             runs[count++] = run_of_ghost(&ghosts[i], i);
-    Run *present = &runs[count++];
-    *present = run_of_experiment(screen->experiment);
-    present->line = LINE_SOLID;
-    present->style = STYLE_MEASURED;
-    present->rank = RANK_MEASURED;
-    present->mark = '*';
-    present->shown = true;
-    strcpy(present->word, "measured");
+    if (second_run(screen)) {
+        runs[count++] = duel_run(screen, screen->side == SIDE_B ? 0 : 1);
+        runs[count++] = duel_run(screen, screen->side == SIDE_B ? 1 : 0);
+    } else
+        runs[count++] = present_run(screen->experiment);
     return count;
 }
 
@@ -106,14 +135,20 @@ void add_ghosts(Plot *plot, const Run *runs, int n_runs, const char *column, int
     }
 }
 
+void time_plot_letter(const Plot *plot, Area inner, const Run *run, int column)
+{
+    const Record *record = run->record;
+    if (record->count == 0)
+        return;
+    const double *row = record_row(record, record_find(record, plot->x.high));
+    run_letter(run, plot, inner, row[1], row[column]);
+}
+
 void draw_run_letters(const Plot *plot, Area inner, const Run *runs, int n_runs, const char *column)
 {
     for (int i = 0; i < n_runs; i++) {
-        const Record *record = runs[i].record;
-        if (!runs[i].shown || record->count == 0)
-            continue;
-        const double *row = record_row(record, record_find(record, plot->x.high));
-        run_letter(&runs[i], plot, inner, row[1], row[run_column(&runs[i], column)]);
+        if (runs[i].shown)
+            time_plot_letter(plot, inner, &runs[i], run_column(&runs[i], column));
     }
 }
 

@@ -29,7 +29,8 @@ typedef struct Run {
     const Profile *profile; /* of a ghost: as it was last on screen */
 } Run;
 
-/* From the back to the front: ghosts, the second run, the present one, which is always there. */
+/* From the back to the front: ghosts, the second run, the present one, which is always there. In a picture of
+ * one run of a duel that one is the present. */
 int runs_of(const Screen *, Run runs[RUNS_MAX]);
 
 /* Leaves only the runs that have a column; returns how many. */
@@ -49,6 +50,9 @@ void run_letter(const Run *, const Plot *, Area inner, double x, double y);
 
 /* Adds the column's curves over time of all ghosts that are shown. */
 void add_ghosts(Plot *, const Run *, int n_runs, const char *column, int dots);
+
+/* The run's letter at the end of its curve over time. */
+void time_plot_letter(const Plot *, Area inner, const Run *, int column);
 
 /* A letter at the end of the column's curve of every run that has one: a ghost is told by more than its faint
  * colour. */

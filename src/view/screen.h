@@ -3,6 +3,7 @@
 #ifndef VIEW_SCREEN_H
 #define VIEW_SCREEN_H
 
+#include "lab/duel.h"
 #include "lab/experiment.h"
 #include "lab/export.h"
 #include "lab/overlay.h"
@@ -35,6 +36,9 @@ typedef enum ReferencesShown { SHOW_ALL, SHOW_EXACT, SHOW_PREDICTED, SHOW_NONE, 
 
 typedef enum MessageKind { MESSAGE_NONE, MESSAGE_INFO, MESSAGE_WARNING, MESSAGE_ERROR } MessageKind;
 
+/* Two runs share a picture, or each has its own. */
+typedef enum DuelSide { SIDE_BOTH, SIDE_A, SIDE_B } DuelSide;
+
 /* A line that asks for text, or for yes or no. */
 typedef struct Prompt {
     bool open;
@@ -57,6 +61,8 @@ enum { PARAMETER_ROWS_MAX = 96 };
 
 typedef struct Screen {
     Experiment *experiment;
+    const Duel *duel;     /* whose A is the experiment; its second run is drawn beside. NULL: there is none */
+    DuelSide side;        /* a picture of one run of it only */
     const char *scenario; /* name shown in the title line */
 
     Glyphs glyphs;

@@ -9,7 +9,7 @@
 static double automatic_window(const Screen *screen, double end)
 {
     enum { PERIODS = 4 };
-    const Readout *readout = experiment_readout(screen->experiment);
+    const Readout *readout = experiment_readout(clock_run(screen));
     double window = end;
     if (readout->moving && readout->exact_known && readout->exact > 0 && !readout->drifting)
         window = step_round_up(PERIODS * (readout->is_period ? readout->exact : 2 * M_PI / readout->exact));
@@ -18,10 +18,11 @@ static double automatic_window(const Screen *screen, double end)
 
 void screen_time_window(const Screen *screen, double *from, double *to)
 {
-    const double present = experiment_time(screen->experiment);
-    const double dt = experiment_simulation(screen->experiment)->dt;
-    const double newest = dt * (double)experiment_newest(screen->experiment);
-    const double last = dt * (double)experiment_last_step(screen->experiment);
+    const Experiment *clock = clock_run(screen);
+    const double present = experiment_time(clock);
+    const double dt = experiment_simulation(clock)->dt;
+    const double newest = dt * (double)experiment_newest(clock);
+    const double last = dt * (double)experiment_last_step(clock);
     double window = screen->window > 0 ? screen->window : automatic_window(screen, last);
     if (!(window > 0))
         window = last > 0 ? last : 1;
@@ -128,9 +129,9 @@ void time_plot_breaks(const Screen *screen, Area inner, const Axis *x)
 
 void time_plot_now(const Screen *screen, Area inner, const Axis *x)
 {
-    const double present = experiment_time(screen->experiment);
-    if (experiment_newest(screen->experiment) > experiment_step(screen->experiment))
-        axes_rule(inner, x, present, STYLE_FOCUS);
+    const Experiment *clock = clock_run(screen);
+    if (experiment_newest(clock) > experiment_step(clock))
+        axes_rule(inner, x, experiment_time(clock), STYLE_FOCUS);
     if (isfinite(screen->cursor_time))
         axes_rule(inner, x, screen->cursor_time, STYLE_SELECTED);
 }

@@ -106,7 +106,82 @@ static void add_envelope(const Screen *screen, Plot *plot, const char *name)
     }
 }
 
-/* Lines under the plot: what the run is judged by. In a narrow pane the words are shorter; a number is never
+/* --- the curves of the picture -------------------------------------------------------------------- */
+
+/* What a run measures, or a reference for it. */
+typedef struct Line {
+    const Run *run;
+    int column;
+    Legend legend;
+    int rank;
+    bool own; /* measured: the run's letter stands at its end */
+} Line;
+
+enum { REFERENCES_MAX = 6, LINES_MAX = 2 * (REFERENCES_MAX + 1) };
+
+/* Adds those of a run that goes on. Two runs share a picture without the curves that only tell of one: each
+ * has its smoothed curve, where there is one, and the exact one stands for both where it is the same. */
+static int add_lines(const Screen *screen, const Run *run, const char *name, Line *lines, int count)
+{
+    const bool shared = is_shared(screen);
+    const bool doubled = shared && run->experiment != screen->experiment && screen->duel->same_exact;
+    const int column = run_column(run, name), most = count + 1 + REFERENCES_MAX;
+    Line *own = &lines[count++];
+    int exact = 0;
+    *own = (Line){run, column, run_legend(run), run->rank, true};
+    for (int i = 2; i < run->n_columns && count < most; i++) {
+        const ColumnKind kind = run->columns[i].kind;
+        Line line = {run, i, {0}, kind == COLUMN_EXACT ? RANK_EXACT : RANK_PREDICTED, false};
+        if (run->columns[i].of != column)
+            continue;
+        const bool shown = legend_of(screen, &run->columns[i], exact, &line.legend);
+        exact += kind == COLUMN_EXACT;
+        if (kind == COLUMN_MEASURED) {
+            line.rank = RANK_SECOND;
+            own->rank = RANK_BAND; /* the raw one lies below */
+        }
+        if (shared && kind == COLUMN_MEASURED)
+            *own = (Line){run, i, own->legend, run->rank, true};
+        else if (shown && !(shared && kind == COLUMN_PREDICTED) && !(doubled && kind == COLUMN_EXACT))
+            lines[count++] = line;
+    }
+    return count;
+}
+
+/* What the axis of the values has to hold. */
+typedef struct Range {
+    double reach, least, most;
+    bool swings; /* around zero; what only grows has its own range */
+} Range;
+
+static void widen_range(const Screen *screen, const Run *run, const char *name, Range *range)
+{
+    const int column = run_column(run, name);
+    const Record *record = run->record;
+    Screen one = *screen;
+    double to_come[COLUMNS_MAX];
+    bool asked = false;
+    one.experiment = run->experiment;
+    range->reach = fmax(range->reach, time_plot_reach(record, column));
+    for (int i = 2; i < run->n_columns; i++) {
+        if (run->columns[i].of != column)
+            continue;
+        if (!asked)
+            time_plot_reach_to_come(&one, to_come);
+        asked = range->swings = true;
+        if (run->columns[i].kind != COLUMN_MEASURED)
+            range->reach = fmax(range->reach, to_come[i]);
+    }
+    for (size_t i = 0; i < record->count; i += time_plot_stride(record)) {
+        const double value = record_row(record, i)[column];
+        range->least = value < range->least ? value : range->least;
+        range->most = value > range->most ? value : range->most;
+    }
+}
+
+/* --- lines under the plot ------------------------------------------------------------------------- */
+
+/* What the run is judged by. In a narrow pane the words are shorter; a number is never
  * cut. */
 static void frequency_lines(const Screen *screen, int width, char first[160], char second[160])
 {
@@ -136,59 +211,77 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
 }
 
 /* The values of every curve at the cursor: with so many digits, and in short words if wanted. */
-static void cursor_line(const Screen *screen, int column, int digits, bool brief, char out[160])
+static void cursor_line(const Screen *screen, const Line *lines, int n_lines, const char *curve, int digits,
+                        bool brief, char out[160])
 {
-    int n;
-    const Column *columns = experiment_columns(screen->experiment, &n);
-    const Record *record = experiment_record(screen->experiment);
-    if (record->count == 0)
-        return;
-    const double *row = record_row(record, record_find(record, screen->cursor_time));
-    char time[48], number[NUMBER_TEXT_MAX];
-    time_text(screen, row[1], time, sizeof time);
-    number_text(row[column], digits, 12, number);
-    snprintf(out, 160, brief ? "%s  meas %s" : "%s  measured %s", time, number);
-    int exact = 0;
-    for (int i = 2; i < n; i++) {
-        Legend legend;
-        if (columns[i].of != column)
+    char time[48], number[NUMBER_TEXT_MAX], letter[2] = "";
+    out[0] = '\0';
+    for (int i = 0; i < n_lines; i++) {
+        const Record *record = lines[i].run->record;
+        if (record->count == 0)
+            return;
+        const double *row = record_row(record, record_find(record, screen->cursor_time));
+        if (i == 0) {
+            time_text(screen, row[1], time, sizeof time);
+            snprintf(out, 160, "%s", time);
+        }
+        if (i > 0 && !isfinite(row[lines[i].column]))
             continue;
-        bool shown = legend_of(screen, &columns[i], exact, &legend);
-        exact += columns[i].kind == COLUMN_EXACT;
-        if (!shown || !isfinite(row[i]))
-            continue;
-        number_text(row[i], digits, 12, number);
-        append(out, 160, "  %s %s", brief ? short_word(legend.name) : legend.name, number);
+        number_text(row[lines[i].column], digits, 12, number);
+        letter[0] = lines[i].run->letter;
+        const char *name = lines[i].own && letter[0] ? letter : lines[i].legend.name;
+        append(out, 160, "  %s %s", brief ? short_word(name) : name, number);
     }
-    const double foreign = overlay_value(screen, columns[column].quantity.name, false, row[1]);
+    const double foreign = overlay_value(screen, curve, false, screen->cursor_time);
     if (isfinite(foreign)) {
         number_text(foreign, digits, 12, number);
         append(out, 160, "  %s %s", brief ? "file" : screen->overlay->file, number);
     }
 }
 
-static void draw_readout(const Screen *screen, Area area, int column)
+/* One line for each run of a duel: what matters most first. */
+static void draw_both(const Screen *screen, Area area, const char *cursor)
+{
+    const int width = area.rect.width - 2, rows = area.rect.height;
+    if (cursor[0]) {
+        area_phrases(area, 1, 0, width, rows, cursor, STYLE_SELECTED);
+        return;
+    }
+    for (int run = 0; run < 2 && run < rows; run++) {
+        const Screen one = screen_of_side(screen, run == 0 ? SIDE_A : SIDE_B);
+        char first[160], second[160], text[336];
+        frequency_lines(&one, width < 80 ? 40 : width, first, second);
+        snprintf(text, sizeof text, "%c %s%s%s", "AB"[run], first, second[0] ? "  " : "", second);
+        area_phrases(area, 1, run, width, 1, text, STYLE_NORMAL);
+    }
+}
+
+static void draw_readout(const Screen *screen, Area area, const Line *lines, int n_lines, const char *curve)
 {
     char first[160], second[160], cursor[160] = "";
     const int width = area.rect.width - 2, rows = area.rect.height;
+    /* every value is seen: with fewer digits and shorter words, else on both lines */
+    static const struct {
+        int digits;
+        bool brief;
+    } forms[] = {{5, false}, {5, true}, {4, true}, {3, true}};
+    const size_t n_forms = rows > 1 ? 3 : 4;
+    for (size_t i = 0; isfinite(screen->cursor_time) && i < n_forms; i++) {
+        cursor_line(screen, lines, n_lines, curve, forms[i].digits, forms[i].brief, cursor);
+        if (text_columns(cursor) <= width)
+            break;
+    }
+    if (is_shared(screen)) {
+        draw_both(screen, area, cursor);
+        return;
+    }
     frequency_lines(screen, width, first, second);
-    if (isfinite(screen->cursor_time)) {
-        /* every value is seen: with fewer digits and shorter words, else on both lines */
-        static const struct {
-            int digits;
-            bool brief;
-        } forms[] = {{5, false}, {5, true}, {4, true}, {3, true}};
-        const size_t n_forms = rows > 1 ? 3 : 4;
-        for (size_t i = 0; i < n_forms; i++) {
-            cursor_line(screen, column, forms[i].digits, forms[i].brief, cursor);
-            if (text_columns(cursor) <= width)
-                break;
-        }
-        if (rows > 1 && text_columns(cursor) > width) {
-            cursor_line(screen, column, 5, false, cursor);
-            area_phrases(area, 1, 0, width, rows, cursor, STYLE_SELECTED);
-            return;
-        }
+    if (cursor[0] && rows > 1 && text_columns(cursor) > width) {
+        cursor_line(screen, lines, n_lines, curve, 5, false, cursor);
+        area_phrases(area, 1, 0, width, rows, cursor, STYLE_SELECTED);
+        return;
+    }
+    if (cursor[0]) {
         area_phrases(area, 1, rows - 1, width, 1, cursor, STYLE_SELECTED);
         if (rows > 1)
             area_phrases(area, 1, 0, width, 1, first, STYLE_NORMAL);
@@ -201,11 +294,22 @@ static void draw_readout(const Screen *screen, Area area, int column)
         area_phrases(area, 1, 1, width, 1, second, STYLE_NORMAL);
 }
 
+static int lines_under(const Screen *screen, Area area, const char *curve)
+{
+    const bool cursor = isfinite(screen->cursor_time);
+    const bool judged = strcmp(experiment_readout(screen->experiment)->column, curve) == 0 || cursor ||
+                        experiment_settings(screen->experiment)->problem != PROBLEM_BAR;
+    if (!judged || area.rect.height < 6)
+        return 0;
+    if (is_shared(screen))
+        return area.rect.height >= 8 ? 2 : cursor;
+    return area.rect.width >= 100 || area.rect.height < 8 ? 1 : 2;
+}
+
 void view_probe(const Screen *screen, Area area, Style heading, int variant)
 {
     int n, picture;
     const Column *columns = experiment_columns(screen->experiment, &n);
-    const Record *record = experiment_record(screen->experiment);
     const int column = probe_column(screen, variant, &picture);
     if (picture >= 0) {
         view_crack(screen, area, heading, picture);
@@ -216,80 +320,62 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
         return;
     }
     const Quantity *quantity = &columns[column].quantity;
-    const Readout *readout = experiment_readout(screen->experiment);
-    const bool judged = strcmp(readout->column, quantity->name) == 0 || isfinite(screen->cursor_time) ||
-                        experiment_settings(screen->experiment)->problem != PROBLEM_BAR;
-    const int under = !judged || area.rect.height < 6                  ? 0
-                      : area.rect.width >= 100 || area.rect.height < 8 ? 1
-                                                                       : 2;
+    const int under = lines_under(screen, area, quantity->name);
     Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
     const int width = plot_area.rect.width - GUTTER - 1, dots = width * plot_dots_across(area.glyphs);
 
-    /* around zero for what swings; what only grows has its own range */
-    double reach = time_plot_reach(record, column), least = 0, most = 0, to_come[COLUMNS_MAX];
-    Legend legend[6];
-    int n_legend = 0, exact = 0, shown[COLUMNS_MAX];
-    legend[n_legend++] = (Legend){LINE_SOLID, '*', STYLE_MEASURED, "measured", NULL};
-    shown[0] = column;
-    bool swings = false, smoothed = false;
-    for (int i = 2; i < n && n_legend < 6; i++) {
-        if (columns[i].of != column)
-            continue;
-        if (!swings)
-            time_plot_reach_to_come(screen, to_come);
-        swings = true;
-        if (legend_of(screen, &columns[i], exact, &legend[n_legend]))
-            shown[n_legend++] = i;
-        smoothed |= columns[i].kind == COLUMN_MEASURED;
-        if (columns[i].kind != COLUMN_MEASURED)
-            reach = fmax(reach, to_come[i]);
-        exact += columns[i].kind == COLUMN_EXACT;
+    Run runs[RUNS_MAX];
+    const int n_runs = runs_with(runs, runs_of(screen, runs), quantity->name);
+    Line lines[LINES_MAX];
+    int n_lines = 0, n_ghosts = 0;
+    Range range = {.least = INFINITY, .most = -INFINITY};
+    for (int i = n_runs - 1; i >= 0; i--) {
+        n_ghosts += runs[i].ghost >= 0;
+        if (runs[i].experiment)
+            widen_range(screen, &runs[i], quantity->name, &range);
+        if (runs[i].experiment && runs[i].shown)
+            n_lines = add_lines(screen, &runs[i], quantity->name, lines, n_lines);
     }
-    for (size_t i = 0; i < record->count; i += time_plot_stride(record)) {
-        double value = record_row(record, i)[column];
-        least = i == 0 || value < least ? value : least;
-        most = i == 0 || value > most ? value : most;
-    }
-    overlay_widen(screen, quantity->name, false, &least, &most);
-    reach = fmax(reach, overlay_reach(screen, quantity->name, false));
+    overlay_widen(screen, quantity->name, false, &range.least, &range.most);
+    range.reach = fmax(range.reach, overlay_reach(screen, quantity->name, false));
     if (has_envelope(screen, quantity->name)) {
         const double end = experiment_settings(screen->experiment)->end;
         const References *refs = experiment_references(screen->experiment);
-        reach = fmax(reach, fmax(references_envelope(refs, quantity->name, 0),
-                                 references_envelope(refs, quantity->name, end)));
+        range.reach = fmax(range.reach, fmax(references_envelope(refs, quantity->name, 0),
+                                             references_envelope(refs, quantity->name, end)));
     }
     const int rows = plot_area.rect.height - 1, most_ticks = rows < 5 ? 3 : rows < 12 ? 5 : 7;
-    Axis y = swings || least < 0 ? axis_symmetric(reach, most_ticks) : axis_around(least, most, most_ticks);
+    Axis y = range.swings || range.least < 0 ? axis_symmetric(range.reach, most_ticks)
+                                             : axis_around(range.least, range.most, most_ticks);
     Axis x = time_plot_axis(screen, width);
 
     char scale[TICK_TEXT_MAX], name[32];
     axis_scale_text(&y, quantity->unit, scale);
-    Run runs[RUNS_MAX];
-    const int n_runs = runs_with(runs, runs_of(screen, runs), quantity->name);
-    Legend entries[6 + RUNS_MAX + 1];
-    int used = 9 + text_columns(quantity->label) + text_columns(scale);
-    for (int i = 0; i < n_legend; i++) {
-        entries[i] = legend[i];
-        used += text_columns(legend[i].name) + 5;
-    }
-    int n_ghosts = ghost_legends(runs, n_runs, legend_room(area) - used, entries + n_legend);
-    shorten_legend(area, quantity->label, scale, entries, n_legend + n_ghosts);
+    Legend entries[LINES_MAX + RUNS_MAX + 1];
+    int used = 9 + text_columns(quantity->label) + text_columns(scale), n_entries = 0;
+    for (int own = 1; own >= 0; own--)
+        for (int i = 0; i < n_lines; i++)
+            if (lines[i].own == own) {
+                entries[n_entries++] = lines[i].legend;
+                used += text_columns(lines[i].legend.name) + 5;
+            }
+    n_entries += ghost_legends(runs, n_runs, legend_room(area) - used, entries + n_entries);
+    shorten_legend(area, quantity->label, scale, entries, n_entries);
     if (has_envelope(screen, quantity->name))
-        entries[n_legend + n_ghosts++] =
+        entries[n_entries++] =
             (Legend){LINE_DASHED, ',', STYLE_FAINT, quantity->name[0] == 'u' ? "~L^1/2" : "~L^-3/2", NULL};
-    draw_heading(area, heading, quantity->label, scale, entries, n_legend + n_ghosts);
+    draw_heading(area, heading, quantity->label, scale, entries, n_entries);
     Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
     Plot plot;
     plot_open(&plot, x, y);
     add_ghosts(&plot, runs, n_runs, quantity->name, dots);
-    for (int i = 0; i < n_legend; i++) {
-        const int rank = columns[shown[i]].kind == COLUMN_EXACT       ? RANK_EXACT
-                         : columns[shown[i]].kind == COLUMN_PREDICTED ? RANK_PREDICTED
-                         : i > 0                                      ? RANK_SECOND
-                         : smoothed                                   ? RANK_BAND /* the raw one lies below */
-                                                                      : RANK_MEASURED;
-        plot_begin(&plot, STROKE_LINE, legend[i].line, legend[i].style, rank, legend[i].letter);
-        time_plot_curve(&plot, &(Curve){.record = record, .column = shown[i], .minus = -1, .plus = -1}, dots);
+    for (int i = 0; i < n_lines; i++) {
+        const Line *line = &lines[i];
+        plot_begin(&plot, STROKE_LINE, line->legend.line, line->legend.style, line->rank,
+                   line->legend.letter);
+        time_plot_curve(
+            &plot, &(Curve){.record = line->run->record, .column = line->column, .minus = -1, .plus = -1},
+            dots);
     }
     overlay_stroke(screen, &plot, quantity->name, false, dots);
     add_envelope(screen, &plot, quantity->name);
@@ -297,8 +383,12 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
     time_plot_now(screen, inner, &x);
     plot_draw(&plot, inner);
     overlay_marks(screen, inner, &plot, quantity->name, false);
-    draw_run_letters(&plot, inner, runs, n_runs, quantity->name);
+    draw_run_letters(&plot, inner, runs, n_ghosts, quantity->name); /* they come first */
+    for (int i = 0; i < n_lines; i++)
+        if (lines[i].own)
+            time_plot_letter(&plot, inner, lines[i].run, lines[i].column);
     plot_close(&plot);
     if (under > 0)
-        draw_readout(screen, area_part(area, 0, area.rect.height - under, area.rect.width, under), column);
+        draw_readout(screen, area_part(area, 0, area.rect.height - under, area.rect.width, under), lines,
+                     n_lines, quantity->name);
 }

@@ -39,12 +39,12 @@ static bool open_curve(Curve *curve, const Run *run, const char *field)
 }
 
 /* How far the exact answer reaches over the run, so that the axis keeps still; 0: not known. */
-static double exact_reach(const Screen *screen, const char *field, const double *x, size_t count, double base)
+static double exact_reach(const Run *run, const char *field, const double *x, size_t count, double base)
 {
     enum { TIMES = 24, PLACES = 12 };
-    const References *refs = experiment_references(screen->experiment);
-    const Readout *readout = experiment_readout(screen->experiment);
-    double span = experiment_settings(screen->experiment)->end, reach = 0;
+    const References *refs = experiment_references(run->experiment);
+    const Readout *readout = run->readout;
+    double span = run->settings->end, reach = 0;
     if (readout->exact_known && readout->moving && !readout->drifting)
         span = readout->is_period ? readout->exact : 2 * M_PI / readout->exact;
     for (int i = 0; count > 0 && i <= TIMES; i++)
@@ -67,15 +67,16 @@ static Axis value_axis(const Screen *screen, const Simulation *sim, const char *
         base = experiment_settings(screen->experiment)->bar.density;
     for (int k = 0; k < n_curves; k++) {
         const Profile *profile = curves[k].profile;
-        for (size_t i = 0; i < profile->count && curves[k].run->experiment; i++)
+        if (!curves[k].run->experiment)
+            continue;
+        reach = fmax(reach, exact_reach(curves[k].run, field, profile->x, profile->count, base));
+        for (size_t i = 0; i < profile->count; i++)
             if (isfinite(curves[k].values[i]) && fabs(curves[k].values[i] - base) > reach)
                 reach = fabs(curves[k].values[i] - base);
     }
-    const Profile *present = curves[n_curves - 1].profile;
     double least = base, highest = base;
     overlay_widen(screen, field, true, &least, &highest);
     reach = fmax(reach, fmax(base - least, highest - base));
-    reach = fmax(reach, exact_reach(screen, field, present->x, present->count, base));
     if (base != 0) {
         double end = reach > 0 ? axis_round_up(reach * 1.02) : 0.01 * base;
         return axis_make(base - end, base + end, most);
@@ -83,10 +84,32 @@ static Axis value_axis(const Screen *screen, const Simulation *sim, const char *
     return axis_symmetric(reach, most);
 }
 
-static void draw_exact(const Screen *screen, Plot *plot, const char *field, const Profile *row, int dots)
+/* All particles of the runs that go on, with half a distance at their end. */
+static Axis place_axis(const Curve *curves, int n_curves, int most)
 {
-    const References *refs = experiment_references(screen->experiment);
-    const double time = experiment_time(screen->experiment);
+    double from = INFINITY, to = -INFINITY, margin = 0;
+    for (int k = 0; k < n_curves; k++) {
+        const Profile *profile = curves[k].profile;
+        double low = INFINITY, high = -INFINITY;
+        if (!curves[k].run->experiment)
+            continue;
+        for (size_t i = 0; i < profile->count; i++) {
+            low = fmin(low, profile->x[i]);
+            high = fmax(high, profile->x[i]);
+        }
+        margin = fmax(margin, (high - low) / (double)profile->count);
+        from = fmin(from, low);
+        to = fmax(to, high);
+    }
+    if (from > 0 && from < 2 * margin)
+        from = 0;
+    return axis_make(from, to + margin, most);
+}
+
+static void draw_exact(Experiment *experiment, Plot *plot, const char *field, const Profile *row, int dots)
+{
+    const References *refs = experiment_references(experiment);
+    const double time = experiment_time(experiment);
     const double from = row->x[0], to = row->x[row->count - 1], margin = (to - from) / (double)row->count / 2;
     plot_begin(plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
     for (int i = 0; i <= dots; i++) {
@@ -103,7 +126,10 @@ static void draw_particles(const Plot *plot, Area inner, const Curve *curve)
         return;
     for (size_t i = 0; i < profile->count; i++)
         axes_mark(inner, &plot->x, &plot->y, profile->x[i], curve->values[i],
-                  inner.glyphs == GLYPHS_ASCII ? 'o' : 0x25cf, curve->run->style);
+                  inner.glyphs == GLYPHS_ASCII      ? (curve->run->letter == 'B' ? 'x' : 'o')
+                  : curve->run->line == LINE_DASHED ? 0x25cb
+                                                    : 0x25cf,
+                  curve->run->style);
 }
 
 /* What a ghost's letter stands for: its moment, where it is another one than the present, and what differs.
@@ -126,7 +152,7 @@ static void draw_legends(const Screen *screen, Area area, Style heading, const c
     Legend legend[RUNS_MAX + 1];
     Run runs[RUNS_MAX];
     int n_legend = 0, used = 9 + text_columns(label) + text_columns(scale);
-    for (int i = 0; i < n_curves; i++) {
+    for (int i = n_curves - 1; i >= 0; i--) { /* the present run first */
         runs[i] = *curves[i].run;
         if (runs[i].ghost >= 0)
             tell_moment(screen, &runs[i]);
@@ -154,8 +180,8 @@ static void close_curves(Curve *curves, int n_curves)
 /* At t = 0 nothing has moved yet: what there is to see of a bar is the velocity. */
 static int variant_shown(const Screen *screen, int variant)
 {
-    const bool at_start =
-        experiment_step(screen->experiment) == 0 && experiment_stage(screen->experiment) == 0;
+    const Experiment *clock = clock_run(screen);
+    const bool at_start = experiment_step(clock) == 0 && experiment_stage(clock) == 0;
     return variant == 0 && at_start && screen->state != STATE_RUNNING &&
                    experiment_simulation(screen->experiment)->dimensions == 1
                ? 1
@@ -193,15 +219,7 @@ void view_profile(const Screen *screen, Area area, Style heading, int variant)
     const Quantity *quantity = &sim->fields[simulation_find_field(sim, 0, name)].quantity;
     const int rows = area.rect.height - 2;
     Axis y = value_axis(screen, sim, name, curves, n_curves, rows);
-    double from = present->x[0], to = present->x[present->count - 1];
-    for (size_t i = 0; i < present->count; i++) {
-        from = present->x[i] < from ? present->x[i] : from;
-        to = present->x[i] > to ? present->x[i] : to;
-    }
-    const double margin = (to - from) / (double)present->count;
-    if (from > 0 && from < 2 * margin)
-        from = 0;
-    Axis x = axis_make(from, to + margin, area.rect.width / 9);
+    Axis x = place_axis(curves, n_curves, area.rect.width / 9);
 
     const bool exact =
         shows_exact(screen) &&
@@ -220,7 +238,9 @@ void view_profile(const Screen *screen, Area area, Style heading, int variant)
     plot_open(&plot, x, y);
     const int dots = inner.rect.width * plot_dots_across(area.glyphs);
     if (exact && inner.rect.width > 0)
-        draw_exact(screen, &plot, name, present, dots);
+        draw_exact(screen->experiment, &plot, name, present, dots);
+    if (exact && inner.rect.width > 0 && is_shared(screen) && !screen->duel->same_exact && n_curves > 1)
+        draw_exact(screen->duel->b, &plot, name, curves[n_curves - 2].profile, dots);
     for (int k = 0; k < n_curves; k++) {
         if (!curves[k].run->shown)
             continue;

@@ -11,6 +11,8 @@ typedef struct Plan {
     int width, height;
     long steps, stages, back, particle;
     char ghost[VALUE_MAX]; /* key=value of an edit after the steps */
+    char duel[VALUE_MAX];  /* key=value of the second run; "": those of the scenario */
+    bool duels;
 } Plan;
 
 /* A word that takes no number; false: it is none. */
@@ -113,6 +115,14 @@ static bool read_words(Scene *scene, Plan *plan, const char *words, Status *stat
     for (char *word; (word = strtok_r(rest, " ", &rest));) {
         if (simple_word(scene, word))
             continue;
+        if (strcmp(word, "duel") == 0) {
+            plan->duels = true;
+            continue;
+        }
+        if (strchr(word, '=') && plan->duels && !plan->duel[0]) {
+            snprintf(plan->duel, sizeof plan->duel, "%s", word);
+            continue;
+        }
         if (strchr(word, '=')) {
             if (!assign(&plan->settings, word, status))
                 return false;
@@ -125,12 +135,22 @@ static bool read_words(Scene *scene, Plan *plan, const char *words, Status *stat
     return true;
 }
 
-static bool work_off(Experiment *experiment, Status *status)
+static bool work_off(Duel *duel, Status *status)
 {
-    while (experiment_pending(experiment, NULL))
-        if (!experiment_work(experiment, 100000, status))
+    while (duel_pending(duel, NULL))
+        if (!duel_work(duel, 100000, status))
             return false;
     return true;
+}
+
+static bool begin_duel(Scene *scene, const Plan *plan, Status *status)
+{
+    Assignment keys[DUEL_MAX];
+    int n_keys = plan->settings.n_duel;
+    memcpy(keys, plan->settings.duel, sizeof keys);
+    if (plan->duel[0])
+        n_keys = duel_read_keys(plan->duel, keys, status);
+    return n_keys > 0 && duel_start(&scene->duel, keys, n_keys, status) && work_off(&scene->duel, status);
 }
 
 static bool play(Scene *scene, Plan *plan, Status *status)
@@ -142,21 +162,29 @@ static bool play(Scene *scene, Plan *plan, Status *status)
     const Simulation *sim = experiment_simulation(experiment);
     screen->particle = plan->particle >= 0 ? (size_t)plan->particle : screen_middle_particle(sim);
     screen->node = sim->n_sets > 1 ? sim->counts[1] / 2 : 0;
-    if (!experiment_advance(experiment, plan->steps, status))
+    Duel *duel = &scene->duel;
+    duel_open(duel, experiment, 64 << 20, 1);
+    screen->duel = duel;
+    if (plan->duels && !begin_duel(scene, plan, status))
+        return false;
+    if (!duel_advance(duel, plan->steps, status))
         screen->state = STATE_FAILED;
+    experiment_rest(experiment);
+    if (duel->b)
+        experiment_rest(duel->b);
     if (plan->ghost[0]) {
         Settings edited = *experiment_settings(experiment);
-        if (!assign(&edited, plan->ghost, status) || !experiment_edit(experiment, &edited, status) ||
-            !work_off(experiment, status))
+        if (!assign(&edited, plan->ghost, status) || !duel_change(duel, &edited, experiment_edit, status) ||
+            !work_off(duel, status))
             return false;
     }
     if (plan->back > 0) {
-        experiment_seek(experiment, experiment_step(experiment) - plan->back, 0);
-        if (!work_off(experiment, status))
+        duel_seek(duel, experiment_step(experiment) - plan->back, 0);
+        if (!work_off(duel, status))
             return false;
     }
     for (long i = 0; i < plan->stages; i++)
-        if (!experiment_next_stage(experiment, status))
+        if (!duel_next_stage(duel, status))
             return false;
     return true;
 }
@@ -177,6 +205,7 @@ bool scene_open(Scene *scene, const char *words, Status *status)
 
 void scene_close(Scene *scene)
 {
+    duel_close(&scene->duel);
     experiment_destroy(scene->screen.experiment);
     scene->screen.experiment = NULL;
     canvas_close(&scene->canvas);
