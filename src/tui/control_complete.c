@@ -110,7 +110,7 @@ static void offer_assignments(Completion *completion, const Laboratory *lab)
         return;
     }
     completion->start = word + key + 1;
-    offer_values(completion, word, key);
+    offer_values(completion, experiment_settings(lab->screen.experiment)->problem, word, key);
 }
 
 /* The words after a verb; `start` is what stands behind it. */
