@@ -145,10 +145,10 @@ static size_t links(const Simulation *sim, int set, size_t index, Link *out, siz
     return count;
 }
 
-static void explain(const Simulation *sim, int which, int set, size_t index, const void *before, char *out,
-                    size_t size)
+static void explain(const Simulation *sim, int which, int set, size_t index, const void *before, int terms,
+                    char *out, size_t size)
 {
-    (void)set, (void)before;
+    (void)set, (void)before, (void)terms;
     snprintf(out, size, "node %zu after %s", index, sim->stages[which].name);
 }
 

@@ -133,11 +133,13 @@ typedef struct Method {
     int (*exchange)(const Simulation *, int exchange, size_t from, size_t to,
                     double factors[EXCHANGE_FACTORS_MAX]);
 
-    /* The sum behind the stage just done, for one thing, written out with its numbers: "p15 0.25 x 0.5 +
-     * p16 0.75 x 0.5 = 0.5". UTF-8, lines parted by '\n', at most `size` bytes. `before` is the state before
-     * the stage as save() wrote it (NULL: not known). May be NULL: nothing to say. */
-    void (*explain)(const Simulation *, int stage, int set, size_t index, const void *before, char *out,
-                    size_t size);
+    /* The sums behind the stage just done, for one thing, written out with their numbers, which add up as they
+     * stand: "p15 = 0.5 × (0.25 × 0.5 + 0.75 × 0.5) = 0.25". UTF-8, one sum a line, each line ended by '\n', of
+     * any length: it may be broken at spaces (no-break spaces hold terms together). At most `size` bytes. A sum
+     * of more than `terms` terms sums the last of them up (0: never). `before` is the state before the stage as
+     * save() wrote it (NULL: not known). May be NULL: nothing to say. */
+    void (*explain)(const Simulation *, int stage, int set, size_t index, const void *before, int terms,
+                    char *out, size_t size);
 
     /* The state as bytes. Between steps the size may be smaller than in the middle of one. load() sees what
      * save() wrote at the same stage of the same simulation. */

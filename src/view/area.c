@@ -76,8 +76,7 @@ int area_text_whole(Area area, int x, int y, int width, const char *text, Style 
     return area_text(area, x, y, text, style);
 }
 
-/* The bytes of the next line of a paragraph, at most `width` columns, broken at a space or a '\n'. */
-static size_t next_line(const char *text, int width, const char **rest)
+size_t paragraph_line(const char *text, int width, const char **rest)
 {
     const char *here = text, *space = NULL;
     for (int columns = 0; *here != '\0' && *here != '\n'; columns++) {
@@ -101,11 +100,11 @@ static int paragraph(const Area *area, int x, int y, int width, int rows, const 
         return 0;
     while (*text != '\0' && lines < rows) {
         const char *rest;
-        size_t length = next_line(text, width, &rest);
+        size_t length = paragraph_line(text, width, &rest);
         /* what does not fit is not silently gone, and no word is cut for the ellipsis */
         const bool cut = lines == rows - 1 && *rest != '\0';
         if (cut && width > 2)
-            length = next_line(text, width - 2, &rest);
+            length = paragraph_line(text, width - 2, &rest);
         if (area) {
             char line[1024];
             length = length < sizeof line - 8 ? length : sizeof line - 8;

@@ -251,3 +251,39 @@ double field_reach(const Screen *screen, int field, const double *now, size_t co
         }
     return isfinite(reach) ? reach : 0;
 }
+
+void plain_text(const Screen *screen, const char *text, char *out, size_t size)
+{
+    static const char *const spellings[][2] = {
+        {"→", "->"},  {"←", "<-"},  {"Δ", "d"},  {"ε", "e"}, {"σ", "s"},   {"ρ", "rho"}, {"φ", "phi"},
+        {"ξ", "xi"},  {"η", "eta"}, {"μ", "mu"}, {"α", "a"}, {"Σ", "sum"}, {"×", "x"},   {"′", "'"},
+        {"½", "1/2"}, {"²", "^2"},  {"³", "^3"}, {"−", "-"}, {"≥", ">="},  {"…", "..."},
+    };
+    enum { SPELLINGS = sizeof spellings / sizeof *spellings };
+    size_t used = 0;
+    while (*text != '\0') {
+        const char *word = NULL;
+        size_t taken = 1;
+        for (int i = 0; !word && screen->glyphs == GLYPHS_ASCII && i < SPELLINGS; i++)
+            if (strncmp(text, spellings[i][0], strlen(spellings[i][0])) == 0) {
+                word = spellings[i][1];
+                taken = strlen(spellings[i][0]);
+            }
+        const char *from = word ? word : text;
+        const size_t length = word ? strlen(word) : 1;
+        if (used + length >= size)
+            break;
+        memcpy(out + used, from, length);
+        used += length;
+        text += taken;
+    }
+    out[used] = '\0';
+}
+
+void unit_text(const Screen *screen, const Field *field, char *out, size_t size)
+{
+    const char *unit = field->quantity.unit;
+    const bool none =
+        experiment_settings(screen->experiment)->problem == PROBLEM_BAR || strcmp(unit, "1") == 0;
+    snprintf(out, size, "%s%s", none ? "" : " ", none ? "" : unit);
+}

@@ -1,6 +1,7 @@
 /* The inspector of methods with particles and a grid: the chosen particle or node, the shape functions that
  * link it to the others, and what they give each other, stage by stage, with sums that a pencil can check. */
 #include "view/panes.h"
+#include "view/sum_column.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -12,7 +13,7 @@ enum {
     INDEX_WIDTH = 9,
     FACTOR_WIDTH_MAX = 12,
     PRODUCT_WIDTH = 12,
-    HEAD_ROWS = 3 /* of a block: what it is, fields, formulas */
+    HEAD_ROWS = 3 /* of a block: what it is, fields, formulas; and a row of scales where there are any */
 };
 
 /* The thing that is inspected. */
@@ -38,7 +39,7 @@ typedef struct Block {
     BlockColumn columns[BLOCK_COLUMNS_MAX];
     int n_columns;
     int factor_width;
-    const char *note;
+    char notes[100]; /* what factors stand for */
 } Block;
 
 static Subject subject_of(const Screen *screen)
@@ -125,7 +126,8 @@ static bool make_block(Block *block, const Subject *subject, int stage, bool tak
                 exchange_factors(subject, e, 0, factors) == 0)
                 continue;
             add_exchange(block, subject, e, ascii ? exchange->ascii : exchange->factors, pass == 1);
-            block->note = exchange->note ? exchange->note : block->note;
+            if (exchange->note && !strstr(block->notes, exchange->note))
+                append(block->notes, sizeof block->notes, "%s%s", *block->notes ? ", " : "", exchange->note);
             any = true;
         }
     int products = 0;
@@ -137,93 +139,6 @@ static bool make_block(Block *block, const Subject *subject, int stage, bool tak
     if (block->factor_width > FACTOR_WIDTH_MAX)
         block->factor_width = FACTOR_WIDTH_MAX;
     return any;
-}
-
-/* --- a column that adds up ------------------------------------------------------------------------ */
-
-/* How a column of products is written: times 10^exponent, with so many decimals, that the printed terms give
- * the printed sum. */
-typedef struct Writing {
-    int exponent;
-    int decimals, sum_decimals;
-} Writing;
-
-static double rounded(double value, int decimals)
-{
-    char text[64];
-    snprintf(text, sizeof text, "%.*f", decimals, value);
-    double back = 0;
-    sscanf(text, "%lf", &back);
-    return back == 0 ? 0 : back;
-}
-
-/* Whether the terms as printed are the gain as printed, and base and gain the sum. */
-static bool adds_up(const double *terms, size_t n, double base, double gain, double scale, Writing writing)
-{
-    const double half = 0.5 * pow(10, -writing.sum_decimals) * (1 + 1e-9);
-    const double said = rounded(gain * scale, writing.sum_decimals);
-    double total = 0;
-    for (size_t i = 0; i < n; i++)
-        total += rounded(terms[i] * scale, writing.decimals);
-    return fabs(total - said) < half && fabs(rounded(base * scale, writing.sum_decimals) + said -
-                                             rounded((base + gain) * scale, writing.sum_decimals)) < half;
-}
-
-enum { NUMBER_COLUMNS = PRODUCT_WIDTH - 1, DIGITS = 5 };
-
-/* The columns that a number takes before its decimals: sign, digits, point. */
-static int columns_before(double value)
-{
-    const double size = fabs(value);
-    return (value < 0) + (size < 10 ? 1 : (int)floor(log10(size)) + 1) + 1;
-}
-
-static int larger(int a, int b)
-{
-    return a > b ? a : b;
-}
-
-/* `gain` is the sum of the terms; with a base it is the gain that must be readable. */
-static Writing writing_of(const double *terms, size_t n, double base, double gain)
-{
-    const double sum = base + gain;
-    double most = fmax(fabs(base), fabs(sum));
-    for (size_t i = 0; i < n; i++)
-        most = fmax(most, fabs(terms[i]));
-    Writing writing = {0, DIGITS, DIGITS};
-    if (!(most > 0))
-        return (Writing){0, 0, 0};
-    const int magnitude = (int)floor(log10(most));
-    if (magnitude < -3 || magnitude > 3)
-        writing.exponent = 3 * (int)floor(magnitude / 3.0);
-    const double scale = pow(10, -writing.exponent);
-    int before = larger(columns_before(base * scale), columns_before(sum * scale));
-    before = larger(before, columns_before(gain * scale));
-    for (size_t i = 0; i < n; i++)
-        before = larger(before, columns_before(terms[i] * scale));
-    const int room = NUMBER_COLUMNS - before;
-    const double least = fabs(gain) > 0 ? fabs(gain) : most;
-    int wanted = DIGITS - 1 - (int)floor(log10(least * scale));
-    wanted = wanted < room ? wanted : room;
-    for (int sum_decimals = wanted; sum_decimals >= 0; sum_decimals--)
-        for (int decimals = sum_decimals; decimals <= room; decimals++) {
-            writing.decimals = decimals;
-            writing.sum_decimals = sum_decimals;
-            if (adds_up(terms, n, base, gain, scale, writing))
-                return writing;
-        }
-    return writing;
-}
-
-static void write_number(Area area, int end, int y, double value, Writing writing, int decimals, Style style)
-{
-    char text[64];
-    const double scaled = value * pow(10, -writing.exponent);
-    snprintf(text, sizeof text, "%.*f", decimals, rounded(scaled, decimals));
-    /* the points stand under each other */
-    int shift = writing.decimals - decimals;
-    shift += decimals == 0 && writing.decimals > 0;
-    area_text_right(area, end - shift, y, text, style);
 }
 
 /* --- drawing -------------------------------------------------------------------------------------- */
@@ -252,125 +167,174 @@ static int column_end(const Block *block, int column)
     return end - 1;
 }
 
-static void draw_block_head(const Subject *subject, Area area, const Block *block, int *y)
+static const Exchange *exchange_of(const Subject *subject, const BlockColumn *column)
+{
+    return &subject->sim->exchanges[column->exchange];
+}
+
+static bool just_done(const Subject *subject, const Block *block)
+{
+    return subject->sim->stage == block->stage + 1;
+}
+
+/* What the field of a product column was before the stage; 0 where the products make it anew. False: not
+ * known. */
+static bool base_of(const Screen *screen, const Subject *subject, const Block *block,
+                    const BlockColumn *column, double *base)
+{
+    const Exchange *exchange = exchange_of(subject, column);
+    *base = 0;
+    if (!block->takes || !just_done(subject, block))
+        return false;
+    return !exchange->adds ||
+           experiment_field_before(screen->experiment,
+                                   stage_field(subject->sim, exchange->to, exchange->field), subject->index,
+                                   1, base);
+}
+
+/* The rows of a block: the links that are written one by one, then one for the others, then the sums. */
+typedef struct Plan {
+    size_t shown, all;
+    bool scaled; /* a product column has a power of ten in its head */
+    bool adds;   /* a product is added to what was there: "it had" */
+    int totals;
+    Writing writings[BLOCK_COLUMNS_MAX];
+    double bases[BLOCK_COLUMNS_MAX];
+    bool known[BLOCK_COLUMNS_MAX];
+} Plan;
+
+static double terms_of(const BlockColumn *column, const Plan *plan, double terms[LINKS_MAX + 1],
+                       size_t *count)
+{
+    memcpy(terms, column->values, sizeof column->values);
+    *count = plan->shown;
+    if (plan->shown < plan->all)
+        terms[(*count)++] = sum_of(column, plan->shown, plan->all);
+    return sum_of(column, 0, plan->all);
+}
+
+static Plan plan_of(const Screen *screen, const Subject *subject, const Block *block, int rows)
+{
+    Plan plan = {.all = subject->n_links, .shown = subject->n_links};
+    double terms[LINKS_MAX + 1];
+    size_t count;
+    for (int pass = 0; pass < 2; pass++) {
+        for (int c = 0; c < block->n_columns; c++) {
+            const BlockColumn *column = &block->columns[c];
+            if (column->exchange < 0)
+                continue;
+            plan.known[c] = base_of(screen, subject, block, column, &plan.bases[c]);
+            plan.adds |= plan.known[c] && exchange_of(subject, column)->adds;
+            const double sum = terms_of(column, &plan, terms, &count);
+            plan.writings[c] = writing_of(terms, count, plan.bases[c], sum, PRODUCT_WIDTH - 1);
+            plan.scaled |= plan.writings[c].exponent != 0;
+        }
+        plan.totals = block->takes ? 1 + just_done(subject, block) + plan.adds : subject->set == 0;
+        const int room = rows - HEAD_ROWS - plan.scaled - plan.totals;
+        if ((int)plan.all <= room)
+            break;
+        plan.shown = room > 1 ? (size_t)room - 1 : 0;
+    }
+    return plan;
+}
+
+static int block_rows(const Plan *plan)
+{
+    return HEAD_ROWS + plan->scaled + (int)plan->shown + (plan->shown < plan->all) + plan->totals;
+}
+
+static void draw_head(const Subject *subject, Area area, const Block *block, const Plan *plan, int y)
 {
     const Simulation *sim = subject->sim;
     const Set *other = &sim->sets[1 - subject->set], *own = &sim->sets[subject->set];
-    const bool to_come = sim->stage <= block->stage && sim->stage == 0;
+    const int formulas = y + 2 + plan->scaled;
     char text[200];
-    snprintf(text, sizeof text, "%sstage %d, %s: what ", to_come ? "next, " : "", block->stage + 1,
+    snprintf(text, sizeof text, "%sstage %d, %s: what ", sim->stage == 0 ? "next, " : "", block->stage + 1,
              sim->stages[block->stage].name);
     if (block->takes)
         append(text, sizeof text, "its %s give to this %s", other->plural, own->name);
     else
         append(text, sizeof text, "this %s gives to its %s", own->name, other->plural);
-    if (block->note)
-        append(text, sizeof text, "  (%s)", block->note);
-    area_phrases(area, 1, *y, area.rect.width - 2, 1, text, STYLE_HEADING);
-    area_text_right(area, INDEX_WIDTH - 1, *y + 2, other->name, STYLE_HEADING);
+    area_text(area, 1, y, text, STYLE_HEADING);
+    area_text(area, 1, y + 1, block->notes, STYLE_FAINT);
+    area_text_right(area, INDEX_WIDTH - 1, formulas, other->name, STYLE_HEADING);
+    bool beside_factors = true; /* where a long label has room */
     for (int c = 0; c < block->n_columns; c++) {
         const BlockColumn *column = &block->columns[c];
-        area_text_right(area, column_end(block, c), *y + 2, column->name, STYLE_HEADING);
+        const int end = column_end(block, c);
+        area_text_right(area, end, formulas, column->name, STYLE_HEADING);
         if (column->exchange < 0)
             continue;
-        const Exchange *exchange = &sim->exchanges[column->exchange];
-        const int field = stage_field(sim, exchange->to, exchange->field);
-        const char *label = sim->fields[field].quantity.label;
-        const int end = column_end(block, c), columns = text_columns(label);
-        /* over the factors there is room */
-        area_text_right(area_part(area, end - larger(columns, PRODUCT_WIDTH - 1), *y + 1, area.rect.width, 1),
-                        larger(columns, PRODUCT_WIDTH - 1), 0, label, STYLE_HEADING);
+        const Exchange *exchange = exchange_of(subject, column);
+        const char *label = sim->fields[stage_field(sim, exchange->to, exchange->field)].quantity.label;
+        if (!beside_factors && text_columns(label) >= PRODUCT_WIDTH)
+            label = exchange->field;
+        area_text_right(area, end, y + 1, label, STYLE_HEADING);
+        beside_factors = false;
+        snprintf(text, sizeof text, "x10^%d", plan->writings[c].exponent);
+        if (plan->writings[c].exponent != 0)
+            area_text_right(area, end, y + 2, text, STYLE_HEADING);
     }
-    *y += HEAD_ROWS;
 }
 
-/* The rows under a product column: its sum, and the field that it makes. */
-static void draw_total(const Subject *subject, Area area, const Block *block, int c, int y, Writing writing,
-                       double base, bool known)
+/* The rows under a product column: its sum and, right after the stage, the field that it makes. */
+static void draw_totals(const Subject *subject, Area area, const Block *block, const Plan *plan, int c, int y)
 {
-    const Simulation *sim = subject->sim;
     const BlockColumn *column = &block->columns[c];
-    const Exchange *exchange = &sim->exchanges[column->exchange];
-    const int end = column_end(block, c), field = stage_field(sim, exchange->to, exchange->field);
-    const double sum = sum_of(column, 0, subject->n_links);
-    write_number(area, end, y, sum, writing, writing.sum_decimals, STYLE_CHANGED);
-    if (!block->takes || !known)
+    const Exchange *exchange = exchange_of(subject, column);
+    const Writing writing = plan->writings[c];
+    const int end = column_end(block, c), field = stage_field(subject->sim, exchange->to, exchange->field);
+    const bool based = plan->bases[c] != 0;
+    write_number(area, end, y++, sum_of(column, 0, plan->all), writing,
+                 based ? writing.decimals : writing.sum_decimals, STYLE_CHANGED);
+    if (!plan->known[c])
         return;
-    const double now = field_value(sim, field, subject->index);
     if (exchange->adds)
-        write_number(area, end, y + 1, base, writing, writing.sum_decimals, STYLE_NORMAL);
-    write_number(area, end, y + 1 + exchange->adds, now, writing, writing.sum_decimals, STYLE_CHANGED);
+        write_number(area, end, y, plan->bases[c], writing, based ? writing.decimals : writing.sum_decimals,
+                     STYLE_NORMAL);
+    y += plan->adds;
+    write_number(area, end, y, field_value(subject->sim, field, subject->index), writing,
+                 writing.sum_decimals, STYLE_CHANGED);
 }
 
-static int draw_block(const Screen *screen, const Subject *subject, Area area, const Block *block, int y)
+static void draw_block(const Subject *subject, Area area, const Block *block, const Plan *plan, int y)
 {
-    const Simulation *sim = subject->sim;
-    const bool sums = block->takes || subject->set == 0;
-    const bool just_done = sim->stage == block->stage + 1;
-    bool adds = false;
-    for (int c = 0; c < block->n_columns; c++)
-        if (block->columns[c].exchange >= 0)
-            adds |= sim->exchanges[block->columns[c].exchange].adds && block->takes;
-    const int totals = sums + (block->takes && just_done ? 1 + adds : 0);
-    draw_block_head(subject, area, block, &y);
-    int room = area.rect.height - y - totals;
-    const size_t all = subject->n_links;
-    const size_t shown = all <= (size_t)(room > 0 ? room : 0) ? all : room > 1 ? (size_t)room - 1 : 0;
-    for (size_t i = 0; i < shown; i++) {
+    draw_head(subject, area, block, plan, y);
+    y += HEAD_ROWS + plan->scaled;
+    const int totals = y + (int)plan->shown + (plan->shown < plan->all);
+    for (size_t i = 0; i < plan->shown; i++) {
         char text[NUMBER_TEXT_MAX];
         snprintf(text, sizeof text, "%zu", subject->links[i].index);
         area_text_right(area, INDEX_WIDTH - 1, y + (int)i, text, STYLE_NORMAL);
     }
-    int row = y + (int)shown;
-    if (shown < all)
-        area_print(area, 1, row++, STYLE_FAINT, "%zu more", all - shown);
-    if (sums)
-        area_text_right(area, INDEX_WIDTH - 1, row, "sum", STYLE_HEADING);
-    if (totals > 1) {
-        char text[32];
-        snprintf(text, sizeof text, "%s %zu", sim->sets[subject->set].name, subject->index);
-        if (adds)
-            area_text(area, 1, row + 1, "it had", STYLE_HEADING);
-        area_text(area, 1, row + 1 + adds, "it has", STYLE_HEADING);
-    }
+    if (plan->shown < plan->all)
+        area_print(area, 1, totals - 1, STYLE_FAINT, "%zu more", plan->all - plan->shown);
+    if (plan->totals > 0)
+        area_text_right(area, INDEX_WIDTH - 1, totals, "sum", STYLE_HEADING);
+    if (plan->totals > 1 && plan->adds)
+        area_text_right(area, INDEX_WIDTH - 1, totals + 1, "it had", STYLE_HEADING);
+    if (plan->totals > 1)
+        area_text_right(area, INDEX_WIDTH - 1, totals + 1 + plan->adds, "it has", STYLE_HEADING);
     for (int c = 0; c < block->n_columns; c++) {
         const BlockColumn *column = &block->columns[c];
         const int end = column_end(block, c);
         if (column->exchange < 0) {
             char text[NUMBER_TEXT_MAX];
-            for (size_t i = 0; i < shown; i++) {
+            for (size_t i = 0; i < plan->shown; i++) {
                 number_text(column->values[i], 6, block->factor_width - 1, text);
                 area_text_right(area, end, y + (int)i, text, STYLE_NORMAL);
             }
             continue;
         }
-        const Exchange *exchange = &sim->exchanges[column->exchange];
-        double terms[LINKS_MAX + 1], base = 0;
-        memcpy(terms, column->values, sizeof column->values);
-        size_t n_terms = shown;
-        if (shown < all)
-            terms[n_terms++] = sum_of(column, shown, all);
-        const int field = stage_field(sim, exchange->to, exchange->field);
-        bool known = totals > 1;
-        if (known && exchange->adds)
-            known = experiment_field_before(screen->experiment, field, subject->index, 1, &base);
-        const double sum = sum_of(column, 0, all);
-        const Writing writing = writing_of(terms, n_terms, base, sum);
-        for (size_t i = 0; i < n_terms; i++)
-            write_number(area, end, y + (int)i, terms[i], writing, writing.decimals,
-                         i < shown ? STYLE_NORMAL : STYLE_FAINT);
-        if (sums)
-            draw_total(subject, area, block, c, row, writing, base, known);
-        if (writing.exponent != 0)
-            area_print(area, end + 1, row, STYLE_FAINT, "x10^%d", writing.exponent);
+        double terms[LINKS_MAX + 1];
+        size_t count;
+        terms_of(column, plan, terms, &count);
+        for (size_t i = 0; i < count; i++)
+            write_number(area, end, y + (int)i, terms[i], plan->writings[c], plan->writings[c].decimals,
+                         i < plan->shown ? STYLE_NORMAL : STYLE_FAINT);
+        if (plan->totals > 0)
+            draw_totals(subject, area, block, plan, c, totals);
     }
-    return row + totals;
-}
-
-static int block_rows(const Subject *subject, const Block *block)
-{
-    return HEAD_ROWS + (int)subject->n_links + 1 +
-           (block->takes && subject->sim->stage == block->stage + 1 ? 2 : 0);
 }
 
 /* "particle 25 in cell 12", "node 13, held by a support". */
@@ -413,9 +377,11 @@ void pane_mesh_inspector(const Screen *screen, Area area)
                 if (first != (pass == 0) || !make_block(&block, &subject, stage, takes,
                                                         screen->glyphs == GLYPHS_ASCII, area.rect.width))
                     continue;
-                if (y == 1)
-                    y = draw_block(screen, &subject, area, &block, y);
-                else if (y + 1 + block_rows(&subject, &block) <= area.rect.height)
-                    y = draw_block(screen, &subject, area, &block, y + 1);
+                const int begin = y > 1 ? y + 1 : y;
+                const Plan plan = plan_of(screen, &subject, &block, area.rect.height - begin);
+                if (begin > 1 && (plan.shown < plan.all || begin + block_rows(&plan) > area.rect.height))
+                    continue;
+                draw_block(&subject, area, &block, &plan, begin);
+                y = begin + block_rows(&plan);
             }
 }

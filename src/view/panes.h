@@ -69,6 +69,7 @@ void pane_parameters(const Screen *, Area);
 void pane_timeline(const Screen *, Area);
 void pane_mesh(const Screen *, Area);
 void pane_box(const Screen *, Area);
+void pane_stage(const Screen *, Area);
 void pane_help(const Screen *, Area);
 void pane_mesh_inspector(const Screen *, Area); /* of methods with particles and a grid */
 
@@ -161,6 +162,13 @@ bool has_mesh(const Simulation *);                   /* its second set are nodes
 int stage_target(const Simulation *, const Stage *); /* the set that a stage writes to */
 Flow stage_flow(const Simulation *, const Stage *);
 int stage_field(const Simulation *, int set, const char *name); /* -1: the set has none of that name */
+
+/* Text as the glyphs of the screen have it: with ASCII "→" becomes "->", "Δε" "de", and so on. */
+void plain_text(const Screen *, const char *text, char *out, size_t size);
+
+/* " m/s" after a value of a field; "" where it has none, and for the bar, whose units are whatever one likes so
+ * long as they fit together. */
+void unit_text(const Screen *, const Field *, char *out, size_t size);
 
 /* Names of fields, separated by spaces, one after the other. */
 bool next_word(const char **text, char *out, size_t size);

@@ -514,7 +514,8 @@ START_TEST(the_state_before_a_stage_is_known)
         sim->method->field(sim, stress, 0, 50, told);
         ck_assert_mem_eq(told, now, sizeof now);
         char text[2048];
-        sim->method->explain(sim, stage, 0, 7, experiment_before(experiment), text, sizeof text);
+        sim->method->explain(sim, stage, 0, 7, experiment_before(experiment), 0, text,
+                             sizeof text);
         ck_assert_uint_gt(strlen(text), 0);
     }
     expect_straight(experiment, "after looking back");

@@ -337,12 +337,11 @@ START_TEST(the_table_of_nodes_holds_kinetic_grid)
 }
 END_TEST
 
-/* What is said of a stage fits its box, and links are a partition of unity. */
+/* Equations fit their box, and links are a partition of unity. */
 START_TEST(words_fit)
 {
     BarCase bar = variant(_i);
     Simulation *sim = bar_case_create(&bar);
-    Status status;
     advance(sim, 20);
     for (int stage = 0; stage < sim->n_stages; stage++) {
         for (const char *text = sim->stages[stage].ascii;;) {
@@ -352,27 +351,6 @@ START_TEST(words_fit)
                 break;
             text += length + 1;
         }
-        unsigned char *before = malloc(sim->method->state_size(sim));
-        sim->method->save(sim, before);
-        ck_assert(simulation_stage(sim, &status));
-        for (int set = 0; set < 2; set++)
-            for (size_t i = 0; i < sim->counts[set]; i++)
-                for (int known = 0; known < 2; known++) {
-                    char said[3 * 77 + 1];
-                    sim->method->explain(sim, stage, set, i, known ? before : NULL, said, sizeof said);
-                    ck_assert_uint_gt(strlen(said), 0);
-                    int lines = 1;
-                    const char *line = said;
-                    for (;; lines++) {
-                        size_t length = strcspn(line, "\n");
-                        ck_assert_msg(length <= 76, "%zu columns: %s", length, said);
-                        if (line[length] == '\0')
-                            break;
-                        line += length + 1;
-                    }
-                    ck_assert_int_le(lines, 3);
-                }
-        free(before);
     }
     for (size_t p = 0; p < sim->counts[0]; p++) {
         Link links[8], back[64];

@@ -438,10 +438,10 @@ START_TEST(every_stage_explains_itself)
         ck_assert(simulation_stage(sim, &status));
         for (size_t node = 31 + 10 * 100; node < sim->counts[SET_PARTICLE]; node += 367) {
             char text[1024], little[12];
-            sim->method->explain(sim, stage, SET_PARTICLE, node, before, text, sizeof text);
+            sim->method->explain(sim, stage, SET_PARTICLE, node, before, 4, text, sizeof text);
             ck_assert_uint_gt(strlen(text), 10);
             ck_assert_uint_lt(strlen(text), sizeof text - 1);
-            sim->method->explain(sim, stage, SET_PARTICLE, node, NULL, little, sizeof little);
+            sim->method->explain(sim, stage, SET_PARTICLE, node, NULL, 4, little, sizeof little);
             ck_assert_uint_lt(strlen(little), sizeof little);
         }
         free(before);

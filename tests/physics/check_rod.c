@@ -1,6 +1,7 @@
 /* The bar by peridynamics against plain double loops over all pairs of points, and what must hold of it. */
 #include "physics/pd/rod.h"
 #include "suite.h"
+#include "sums.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -454,6 +455,17 @@ START_TEST(links_and_bonds)
 }
 END_TEST
 
+/* What is printed adds up as it is printed. */
+static void expect_sums(const char *text)
+{
+    for (const char *line = text; *line != '\0'; line = strchr(line, '\n') + 1) {
+        PrintedSum sum;
+        if (read_sum(line, &sum))
+            ck_assert_msg(fabs(sum.value - sum.result) <= sum.last * (1 + 1e-5), "%sit comes to %.9g", line,
+                          sum.value);
+    }
+}
+
 START_TEST(stages_explain_themselves)
 {
     RodDef def = standard(true, false);
@@ -467,10 +479,11 @@ START_TEST(stages_explain_themselves)
         sim->method->save(sim, before);
         ck_assert(simulation_stage(sim, &status));
         for (size_t i = 0; i < 50; i += 49) {
-            sim->method->explain(sim, stage, 0, i, before, text, sizeof text);
+            sim->method->explain(sim, stage, 0, i, before, 0, text, sizeof text);
+            expect_sums(text);
             ck_assert_uint_gt(strlen(text), 10);
         }
-        sim->method->explain(sim, stage, 0, 0, before, text, 8);
+        sim->method->explain(sim, stage, 0, 0, before, 0, text, 8);
         ck_assert_uint_lt(strlen(text), 8);
         for (const char *word = sim->stages[stage].reads; *word; word += strcspn(word, " ")) {
             char name[32];
@@ -479,8 +492,8 @@ START_TEST(stages_explain_themselves)
             ck_assert_msg(simulation_find_field(sim, 0, name) >= 0, "no field %s", name);
         }
     }
-    sim->method->explain(sim, 3, 0, 0, NULL, text, sizeof text);
-    ck_assert_msg(strstr(text, "mirror of p0") && strstr(text, "to p1"), "%s", text);
+    sim->method->explain(sim, 3, 0, 0, NULL, 0, text, sizeof text);
+    ck_assert_msg(strstr(text, "to the mirror of p0, to p1"), "%s", text);
     free(before);
     simulation_destroy(sim);
 }

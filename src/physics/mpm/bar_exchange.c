@@ -5,18 +5,6 @@
 
 enum { PARTICLES, NODES };
 
-typedef enum ExchangeIndex {
-    GIVE_MASS,
-    GIVE_MOMENTUM,
-    GIVE_F_INT,
-    GIVE_F_EXT,
-    GIVE_MOMENTUM_AGAIN,
-    TAKE_STRAIN,
-    TAKE_VELOCITY,
-    TAKE_PLACE,
-    EXCHANGES
-} ExchangeIndex;
-
 #define TABLE(momentum, momentum_ascii, momentum_note, taken, taken_ascii, taken_note, taken_adds)           \
     {                                                                                                        \
         [GIVE_MASS] = {"map", PARTICLES, NODES, "mass", false, "m N", "m N", NULL},                          \
@@ -32,17 +20,17 @@ typedef enum ExchangeIndex {
         [TAKE_PLACE] = {"update", NODES, PARTICLES, "x", true, "Δt N v", "dt N v", NULL},                    \
     }
 
-static const Exchange flip_exchanges[EXCHANGES] =
+static const Exchange flip_exchanges[BAR_EXCHANGES] =
     TABLE("m v N", "m v N", NULL, "Δt N a", "dt N a", "a = f/m", true);
-static const Exchange blend_exchanges[EXCHANGES] =
+static const Exchange blend_exchanges[BAR_EXCHANGES] =
     TABLE("m v N", "m v N", NULL, "N gain", "N gain", "gain = alpha dt f/m + (1 - alpha)(v_i - v_p)", true);
-static const Exchange pic_exchanges[EXCHANGES] = TABLE("m v N", "m v N", NULL, "N v", "N v", NULL, false);
-static const Exchange apic_exchanges[EXCHANGES] =
+static const Exchange pic_exchanges[BAR_EXCHANGES] = TABLE("m v N", "m v N", NULL, "N v", "N v", NULL, false);
+static const Exchange apic_exchanges[BAR_EXCHANGES] =
     TABLE("m w N", "m w N", "w = v + C (x_i - x_p)", "N v", "N v", NULL, false);
 
 const Exchange *bar_exchanges(const BarHead *head, int *count)
 {
-    *count = EXCHANGES;
+    *count = BAR_EXCHANGES;
     return head->transfer == MPM_APIC   ? apic_exchanges
            : head->flip_fraction == 1.0 ? flip_exchanges
            : head->flip_fraction == 0.0 ? pic_exchanges
@@ -50,7 +38,7 @@ const Exchange *bar_exchanges(const BarHead *head, int *count)
 }
 
 /* Whether the numbers of an exchange are still (or already) those that it was, or will be, made of. */
-static bool at_hand(const Bar *bar, ExchangeIndex exchange)
+static bool at_hand(const Bar *bar, BarExchange exchange)
 {
     const bool updated = bar_has_done(bar, OP_UPDATE), strained = bar_has_done(bar, OP_STRAIN);
     const bool forced = bar_has_done(bar, OP_FORCE);
@@ -70,7 +58,7 @@ static bool at_hand(const Bar *bar, ExchangeIndex exchange)
     case TAKE_VELOCITY:
     case TAKE_PLACE:
         return updated;
-    case EXCHANGES:
+    case BAR_EXCHANGES:
         break;
     }
     return false;
@@ -123,7 +111,7 @@ int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
                  double factors[EXCHANGE_FACTORS_MAX])
 {
     const Bar *bar = bar_of_const(sim);
-    if (!at_hand(bar, (ExchangeIndex)exchange))
+    if (!at_hand(bar, (BarExchange)exchange))
         return 0;
     const bool gives = bar->sim.exchanges[exchange].from == PARTICLES;
     const int particle = (int)(gives ? from : to), node = (int)(gives ? to : from);
@@ -141,7 +129,7 @@ int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
             factors[i] = list[i];                                                                            \
         return count;                                                                                        \
     } while (0)
-    switch ((ExchangeIndex)exchange) {
+    switch ((BarExchange)exchange) {
     case GIVE_MASS:
         FACTORS(2, bar->mass, n[a]);
     case GIVE_MOMENTUM:
@@ -161,7 +149,7 @@ int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
         FACTORS(3, bar->dt, n[a], bar->node_kick[node] / bar->dt);
     case TAKE_PLACE:
         FACTORS(3, bar->dt, n[a], bar->node_drift[node] * (bar->dx / bar->dt));
-    case EXCHANGES:
+    case BAR_EXCHANGES:
         break;
     }
 #undef FACTORS

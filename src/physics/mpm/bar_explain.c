@@ -1,157 +1,22 @@
-/* The sum behind a stage with its numbers, for one particle or one node: what a teacher would write on the
- * board. ASCII, at most three lines of 76 columns; a sum of many terms ends in "...". */
+/* The sums behind a stage with their numbers, for one particle or one node: what a teacher would write on the
+ * board. The terms are those of bar_exchange.c. */
 #include "physics/mpm/bar_state.h"
 #include "physics/mpm/shape.h"
+#include "physics/working.h"
 
-#include "base/text.h"
-
-#include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
-enum { COLUMNS = 76, LINES = 3, ROOM_FOR_RESULT = 16, TERMS_MAX = 16, DIGITS = 4, FINE_DIGITS = 6 };
+enum { PARTICLES, NODES, LINKS_MAX = 64 };
 
-typedef struct Lines {
-    char text[3 * (COLUMNS + 1) + 1];
-    char line[256]; /* the line being written, not yet cut */
-    int count;      /* whole lines written */
-} Lines;
-
-__attribute__((format(printf, 2, 3))) static void put(Lines *lines, const char *format, ...)
-{
-    size_t used = strlen(lines->line);
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(lines->line + used, sizeof lines->line - used, format, arguments);
-    va_end(arguments);
-}
-
-static void put_digits(Lines *lines, const char *words, double value, int digits)
-{
-    char number[NUMBER_TEXT_MAX];
-    text_rounded(number, value, digits);
-    put(lines, "%s%s", words, number);
-}
-
-static void put_number(Lines *lines, const char *words, double value)
-{
-    put_digits(lines, words, value, DIGITS);
-}
-
-static void end_line(Lines *lines)
-{
-    if (lines->count == LINES)
-        return;
-    size_t used = strlen(lines->text);
-    lines->line[COLUMNS] = '\0';
-    snprintf(lines->text + used, sizeof lines->text - used, "%s%s", used ? "\n" : "", lines->line);
-    lines->line[0] = '\0';
-    lines->count++;
-}
-
-/* A sum of products of up to two factors. */
-typedef struct Sum {
-    int count;
-    struct {
-        double factor[2];
-        int factors;
-    } terms[TERMS_MAX];
-} Sum;
-
-static void add_term(Sum *sum, int factors, double a, double b)
-{
-    if (sum->count == TERMS_MAX)
-        return;
-    sum->terms[sum->count].factors = factors;
-    sum->terms[sum->count].factor[0] = a;
-    sum->terms[sum->count++].factor[1] = b;
-}
-
-/* "0.5 x 0.75 + 0.5 x 0.25", as many terms as leave room for the result, on one line or the next ones up to
- * line number `last`. */
-static void put_sum(Lines *lines, const Sum *sum, int last)
-{
-    for (int i = 0; i < sum->count; i++) {
-        char term[4 * NUMBER_TEXT_MAX] = "", number[NUMBER_TEXT_MAX];
-        for (int f = 0; f < sum->terms[i].factors; f++) {
-            size_t used = strlen(term);
-            double factor = sum->terms[i].factor[f];
-            const char *joint = f ? " x " : "";
-            if (f == 0 && i > 0) { /* "a - b", not "a + -b" */
-                joint = factor < 0.0 ? " - " : " + ";
-                factor = fabs(factor);
-            }
-            text_rounded(number, factor, DIGITS);
-            snprintf(term + used, sizeof term - used, "%s%s", joint, number);
-        }
-        size_t room = lines->count < last ? COLUMNS : COLUMNS - ROOM_FOR_RESULT;
-        if (strlen(lines->line) + strlen(term) > room) {
-            if (lines->count == last) {
-                put(lines, i ? " + ..." : "...");
-                return;
-            }
-            end_line(lines);
-            put(lines, "    ");
-        }
-        put(lines, "%s", term);
-    }
-    if (sum->count == 0)
-        put(lines, "0");
-}
-
-/* --- what is asked about -------------------------------------------------------------------------- */
-
+/* What is asked about. */
 typedef struct Subject {
     const Bar *bar;
-    const unsigned char *before; /* NULL: not known */
-    int index;
+    const unsigned char *before; /* the state before the stage; NULL: not known */
+    int set, index;
+    Link links[LINKS_MAX];
+    size_t n_links;
+    Working *working;
 } Subject;
-
-/* A particle with its nodes, at the beginning of the step. */
-typedef struct View {
-    int cell, slot, k;
-    double s, v, stress, volume;
-    double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX]; /* dn by x */
-} View;
-
-static View view_particle(const Bar *bar, int particle, int cell)
-{
-    View view = {.cell = cell, .slot = particle % bar->slots, .k = particle / bar->slots};
-    view.s = bar->s[view.slot][view.k];
-    view.v = bar->v[view.slot][view.k];
-    view.stress = bar->stress[view.slot][view.k];
-    view.volume = bar->volume[view.slot][view.k];
-    shape_at(bar->def.shape, bar->gimp_half, bar->n_cells, cell, view.s, view.n, view.dn);
-    for (int a = 0; a < bar->support; a++)
-        view.dn[a] /= bar->dx;
-    return view;
-}
-
-/* Calls `visit` for each particle that has a part in a node. */
-static void each_particle(const Bar *bar, int node, void (*visit)(const Bar *, const View *, int a, Sum *),
-                          Sum *sum)
-{
-    for (int cell = node - bar->support + 1; cell <= node; cell++) {
-        if (cell < 0 || cell >= bar->n_cells)
-            continue;
-        for (int p = bar->first[cell]; p < bar->first[cell + 1]; p++) {
-            View view = view_particle(bar, p, cell);
-            if (view.n[node - cell] != 0.0 || view.dn[node - cell] != 0.0)
-                visit(bar, &view, node - cell, sum);
-        }
-    }
-}
-
-static double velocity_of(const Bar *bar, int node)
-{
-    return bar->node_momentum[node] * bar->node_inverse[node];
-}
-
-static double integrated_velocity(const Bar *bar, int node)
-{
-    return bar->node_drift[node] * (bar->dx / bar->dt);
-}
 
 /* A number of the state before the stage. */
 static double number_before(const Subject *subject, const double *now)
@@ -163,192 +28,204 @@ static double number_before(const Subject *subject, const double *now)
     return value;
 }
 
+/* A label of a node: "p13 = " from "p%d = ". */
+typedef struct Label {
+    char text[48];
+} Label;
+
+static Label label_of(const char *before, int node, const char *after)
+{
+    Label label;
+    Working words;
+    working_open(&words, label.text, sizeof label.text, 0);
+    working_say(&words, "%s%d%s", before, node, after);
+    return label;
+}
+
+/* --- the terms ------------------------------------------------------------------------------------ */
+
+static bool uses_slope(BarExchange exchange)
+{
+    return exchange == GIVE_F_INT || exchange == TAKE_STRAIN;
+}
+
+/* Mass and time step stand before the bracket. */
+static bool leads(BarExchange exchange, int n_factors)
+{
+    return exchange == GIVE_MASS || (n_factors == 3 && exchange != GIVE_F_INT);
+}
+
+/* What the subject's links give to it: sum->terms and sum->scale. Returns the sum. */
+static double add_gifts(const Subject *subject, BarExchange exchange, WorkingSum *sum)
+{
+    const Simulation *sim = &subject->bar->sim;
+    double total = 0;
+    for (size_t i = 0; i < subject->n_links; i++) {
+        const Link *link = &subject->links[i];
+        double f[EXCHANGE_FACTORS_MAX] = {0};
+        const int n = bar_exchange(sim, (int)exchange, link->index, (size_t)subject->index, f);
+        if (n == 0 || (uses_slope(exchange) ? link->gradient : link->weight) == 0.0)
+            continue;
+        total += f[0] * f[1] * (n == 3 ? f[2] : 1);
+        if (exchange == GIVE_F_INT)
+            working_add(sum, 2, f[0], f[1] * f[2], 0);
+        else if (leads(exchange, n)) {
+            sum->scale = f[0];
+            working_add(sum, n - 1, f[1], f[2], 0);
+        } else
+            working_add(sum, n, f[0], f[1], 0);
+    }
+    return total;
+}
+
+/* "m v N: 0.1 to 12 + 0.3 to 13 = 0.4": how the chosen particle deals out. */
+static void say_shares(const Subject *subject, BarExchange exchange, const char *label, double whole)
+{
+    WorkingSum sum = {.label = label, .result = whole};
+    for (size_t i = 0; i < subject->n_links; i++) {
+        double f[EXCHANGE_FACTORS_MAX] = {0};
+        const size_t node = subject->links[i].index;
+        const int n = bar_exchange(&subject->bar->sim, (int)exchange, (size_t)subject->index, node, f);
+        if (n > 0)
+            working_add(&sum, 1, f[0] * f[1] * (n == 3 ? f[2] : 1), 0, 0)->to = (long)node;
+    }
+    working_sum(subject->working, &sum);
+}
+
+static double *velocity_of_particle(const Bar *bar, int particle)
+{
+    return &bar->v[particle % bar->slots][particle / bar->slots];
+}
+
+static double node_velocity(const Bar *bar, int node)
+{
+    return bar->node_momentum[node] * bar->node_inverse[node];
+}
+
+static double integrated_velocity(const Bar *bar, int node)
+{
+    return bar->node_drift[node] * (bar->dx / bar->dt);
+}
+
+/* "v13 = p/m = 0.2 / 0.5 = 0.4" */
+static void say_ratio(const Subject *subject, const char *label, double above, double result)
+{
+    const double mass = subject->bar->node_mass[subject->index];
+    WorkingSum sum = {.label = label, .result = result};
+    if (subject->bar->node_inverse[subject->index] == 0.0) {
+        working_say(subject->working, "%s0: too little mass is here, the node is inactive\n", label);
+        return;
+    }
+    working_add(&sum, 1, above, 0, 0)->divisor = mass;
+    working_sum(subject->working, &sum);
+}
+
 /* --- map ------------------------------------------------------------------------------------------ */
 
-static void mass_term(const Bar *bar, const View *view, int a, Sum *sum)
+static void say_momentum(const Subject *subject, BarExchange exchange)
 {
-    (void)bar;
-    add_term(sum, 1, view->n[a], 0);
+    const Label label = label_of("p", subject->index, " = ");
+    WorkingSum sum = {.label = label.text};
+    sum.result = add_gifts(subject, exchange, &sum);
+    working_sum(subject->working, &sum);
 }
 
-static double given_velocity(const Bar *bar, const View *view, int a)
+static void map_node(const Subject *subject)
 {
-    if (bar->head->transfer != MPM_APIC)
-        return view->v;
-    double arm = shape_node_offset(bar->def.shape, bar->n_cells, view->cell, a) - view->s;
-    return view->v + bar->affine[view->slot][view->k] * (bar->dx * arm);
+    const Label label = label_of("m", subject->index, " = ");
+    WorkingSum sum = {.label = label.text, .result = subject->bar->node_mass[subject->index]};
+    add_gifts(subject, GIVE_MASS, &sum);
+    working_sum(subject->working, &sum);
+    say_momentum(subject, GIVE_MOMENTUM);
 }
 
-static void momentum_term(const Bar *bar, const View *view, int a, Sum *sum)
-{
-    add_term(sum, 2, given_velocity(bar, view, a), view->n[a]);
-}
-
-static void say_mapped_momentum(const Bar *bar, int node, Lines *lines)
-{
-    Sum sum = {0};
-    each_particle(bar, node, momentum_term, &sum);
-    put(lines, "p%d = m sum v N = ", node);
-    put_number(lines, "", bar->mass);
-    put(lines, " (");
-    put_sum(lines, &sum, lines->count + 1);
-    /* the boundary conditions may have taken the momentum at hand away already */
-    double total = 0;
-    for (int i = 0; i < sum.count; i++)
-        total += sum.terms[i].factor[0] * sum.terms[i].factor[1];
-    put_number(lines, ") = ", bar->mass * total);
-    end_line(lines);
-}
-
-static void map_node(const Subject *subject, Lines *lines)
+static void map_particle(const Subject *subject)
 {
     const Bar *bar = subject->bar;
-    Sum sum = {0};
-    each_particle(bar, subject->index, mass_term, &sum);
-    put(lines, "m%d = m sum N = ", subject->index);
-    put_number(lines, "", bar->mass);
-    put(lines, " (");
-    put_sum(lines, &sum, 0);
-    put_number(lines, ") = ", bar->node_mass[subject->index]);
-    end_line(lines);
-    say_mapped_momentum(bar, subject->index, lines);
-    if (bar->node_inverse[subject->index] == 0.0) {
-        put(lines, "no mass to speak of: the node is inactive");
-        end_line(lines);
-    }
+    WorkingSum sum = {.label = "N: ", .result = 1};
+    for (size_t i = 0; i < subject->n_links; i++)
+        working_add(&sum, 1, subject->links[i].weight, 0, 0)->to = (long)subject->links[i].index;
+    working_sum(subject->working, &sum);
+    say_shares(subject, GIVE_MASS, "m N: ", bar->mass);
+    say_shares(subject, GIVE_MOMENTUM, "m v N: ", bar->mass * *velocity_of_particle(bar, subject->index));
 }
 
-/* "0.375 to node 8, 0.125 to node 9" */
-static void put_shares(const Bar *bar, const View *view, const double *share, Lines *lines)
+static void map_again_node(const Subject *subject)
 {
-    const char *comma = "";
-    for (int a = 0; a < bar->support; a++) {
-        if (view->n[a] == 0.0 && view->dn[a] == 0.0)
-            continue;
-        put_digits(lines, comma, share[a], bar->support > 3 ? 3 : DIGITS);
-        put(lines, " to %d", view->cell + a);
-        comma = ", ";
-    }
-    end_line(lines);
+    say_momentum(subject, GIVE_MOMENTUM_AGAIN);
+    if (bar_node_is_fixed(subject->bar, subject->index))
+        working_say(subject->working, "the node is fixed: p%d = 0\n", subject->index);
 }
 
-static void map_particle(const Subject *subject, Lines *lines)
+static void map_again_particle(const Subject *subject)
 {
-    const Bar *bar = subject->bar;
-    View view = view_particle(bar, subject->index, bar_cell_of(bar, subject->index));
-    double share[BAR_SUPPORT_MAX];
-    put(lines, "N = ");
-    put_shares(bar, &view, view.n, lines);
-    for (int a = 0; a < bar->support; a++)
-        share[a] = bar->mass * view.n[a];
-    put_number(lines, "m = ", bar->mass);
-    put(lines, ": ");
-    put_shares(bar, &view, share, lines);
-    for (int a = 0; a < bar->support; a++)
-        share[a] *= given_velocity(bar, &view, a);
-    put_digits(lines, "m v = ", bar->mass * view.v, 3);
-    put(lines, ": ");
-    put_shares(bar, &view, share, lines);
-}
-
-static void map_again_node(const Subject *subject, Lines *lines)
-{
-    say_mapped_momentum(subject->bar, subject->index, lines);
-    if (bar_node_is_fixed(subject->bar, subject->index)) {
-        put(lines, "node %d is fixed: p%d = 0", subject->index, subject->index);
-        end_line(lines);
-    }
-}
-
-static void map_again_particle(const Subject *subject, Lines *lines)
-{
-    const Bar *bar = subject->bar;
-    View view = view_particle(bar, subject->index, bar_cell_of(bar, subject->index));
-    double share[BAR_SUPPORT_MAX];
-    for (int a = 0; a < bar->support; a++)
-        share[a] = bar->mass * given_velocity(bar, &view, a) * view.n[a];
-    put_digits(lines, "new m v = ", bar->mass * view.v, 3);
-    put(lines, ": ");
-    put_shares(bar, &view, share, lines);
+    say_shares(subject, GIVE_MOMENTUM_AGAIN,
+               "new m v N: ", subject->bar->mass * *velocity_of_particle(subject->bar, subject->index));
 }
 
 /* --- boundary conditions -------------------------------------------------------------------------- */
 
-static void fix_node(const Subject *subject, Lines *lines)
+static void fix_node(const Subject *subject)
 {
     const Bar *bar = subject->bar;
-    int i = subject->index;
-    if (bar_node_is_fixed(bar, i)) {
-        put(lines, "node %d is fixed: p%d = ", i, i);
-        if (subject->before) {
-            put_number(lines, "", number_before(subject, &bar->node_momentum[i]));
-            put(lines, " -> ");
-        }
-        put_number(lines, "0, its mass ", bar->node_mass[i]);
-        put(lines, " stays");
-    } else {
-        put_number(lines, "a free node: its momentum ", bar->node_momentum[i]);
-        put(lines, " stays");
+    Working *working = subject->working;
+    const int i = subject->index;
+    working_say(working, "p%d", i);
+    if (!bar_node_is_fixed(bar, i)) {
+        working_number(working, " = ", bar->node_momentum[i]);
+        working_say(working, " stays: no support holds the node\n");
+        return;
     }
-    end_line(lines);
+    if (subject->before)
+        working_number(working, ": ", number_before(subject, &bar->node_momentum[i]));
+    working_say(working, " → 0: a support holds the node\n");
+    working_number(working, "its mass ", bar->node_mass[i]);
+    working_say(working, " stays\n");
 }
 
-static void fix_particle(const Subject *subject, Lines *lines)
+static void fix_particle(const Subject *subject)
 {
-    const Bar *bar = subject->bar;
-    int cell = bar_cell_of(bar, subject->index);
-    int fixed = -1;
-    for (int node = cell; node < cell + bar->support; node++)
-        if (bar_node_is_fixed(bar, node))
-            fixed = node;
-    if (fixed >= 0)
-        put(lines, "its node %d is fixed and cannot move", fixed);
-    else
-        put(lines, "none of its nodes is fixed: nothing changes here");
-    end_line(lines);
+    for (size_t i = 0; i < subject->n_links; i++)
+        if (bar_node_is_fixed(subject->bar, (int)subject->links[i].index)) {
+            working_say(subject->working, "its node %zu is fixed and cannot move\n", subject->links[i].index);
+            return;
+        }
+    working_say(subject->working, "none of its nodes is fixed: nothing changes here\n");
 }
 
 /* --- strain and stress ---------------------------------------------------------------------------- */
 
-static void strain_node(const Subject *subject, Lines *lines)
+static void strain_node(const Subject *subject)
 {
-    const Bar *bar = subject->bar;
-    int i = subject->index;
-    put(lines, "v%d = p%d/m%d = ", i, i, i);
-    put_number(lines, "", bar->node_momentum[i]);
-    put_number(lines, " / ", bar->node_mass[i]);
-    put_number(lines, " = ", velocity_of(bar, i));
-    end_line(lines);
+    const int i = subject->index;
+    say_ratio(subject, label_of("v", i, " = p/m = ").text, subject->bar->node_momentum[i],
+              node_velocity(subject->bar, i));
 }
 
-static void strain_particle(const Subject *subject, Lines *lines)
+static void strain_particle(const Subject *subject)
 {
     const Bar *bar = subject->bar;
-    View view = view_particle(bar, subject->index, bar_cell_of(bar, subject->index));
-    Sum sum = {0};
-    double velocity[BAR_SUPPORT_MAX], gradient = 0;
-    for (int a = 0; a < bar->support; a++)
-        velocity[a] = velocity_of(bar, view.cell + a);
-    if (bar->def.shape == MPM_HAT)
-        bar_lend_velocity(bar, view.cell, velocity);
-    for (int a = 0; a < bar->support; a++) {
-        gradient += view.dn[a] * velocity[a];
-        if (view.dn[a] != 0.0)
-            add_term(&sum, 2, view.dn[a], velocity[a]);
-    }
-    double de = bar->dt * gradient;
-    put_number(lines, "de = dt sum N' v = ", bar->dt);
-    put(lines, " (");
-    put_sum(lines, &sum, 1);
-    put_number(lines, ") = ", de);
-    end_line(lines);
-    double density = bar->mass / view.volume;
-    put_digits(lines, "stress ", view.stress - bar->def.youngs_modulus * de, FINE_DIGITS);
-    put_digits(lines, " -> ", view.stress, FINE_DIGITS);
-    put_digits(lines, "   density ", density * (1.0 + de), FINE_DIGITS);
-    put_digits(lines, " -> ", density, FINE_DIGITS);
-    end_line(lines);
+    const int slot = subject->index % bar->slots, k = subject->index / bar->slots;
+    const double stress = bar->stress[slot][k], density = bar->mass / bar->volume[slot][k];
+    WorkingSum strain = {.label = "Δε = "};
+    const double increment = strain.result = add_gifts(subject, TAKE_STRAIN, &strain);
+    working_sum(subject->working, &strain);
+
+    const double modulus = bar->def.youngs_modulus;
+    WorkingSum pull = {.label = "σ = σ + E Δε = ",
+                       .has_base = true,
+                       .base = stress - modulus * increment,
+                       .scale = modulus,
+                       .result = stress};
+    working_add(&pull, 1, increment, 0, 0);
+    working_sum(subject->working, &pull);
+
+    WorkingSum thin = {.label = "ρ = ρ/(1 + Δε) = ", .result = density};
+    working_add(&thin, 1, density * (1 + increment), 0, 0)->divisor = 1 + increment;
+    working_sum(subject->working, &thin);
 }
+
+/* --- nodal forces --------------------------------------------------------------------------------- */
 
 /* The whole force on a node: eq. 12, none at a support. */
 static double node_force(const Bar *bar, int i)
@@ -358,177 +235,184 @@ static double node_force(const Bar *bar, int i)
     return bar_is_loaded(bar) ? bar->node_f_int[i] + bar->node_f_ext[i] : bar->node_f_int[i];
 }
 
-/* --- nodal forces --------------------------------------------------------------------------------- */
-
-static void force_term(const Bar *bar, const View *view, int a, Sum *sum)
-{
-    (void)bar;
-    add_term(sum, 2, -view->dn[a], view->stress * view->volume);
-}
-
-static void force_node(const Subject *subject, Lines *lines)
+static void force_node(const Subject *subject)
 {
     const Bar *bar = subject->bar;
-    int i = subject->index;
-    Sum sum = {0};
-    each_particle(bar, i, force_term, &sum);
-    put(lines, "f_int = -sum N' (stress V) = ");
-    put_sum(lines, &sum, 1);
-    put_number(lines, " = ", bar->node_f_int[i]);
-    end_line(lines);
-    if (bar_node_is_fixed(bar, i))
-        put(lines, "node %d is fixed: f%d = 0, the support bears the rest", i, i);
-    else {
-        put_number(lines, "f = f_int + f_ext = ", bar->node_f_int[i]);
-        put_number(lines, " + ", node_force(bar, i) - bar->node_f_int[i]);
-        put_number(lines, " = ", node_force(bar, i));
+    const int i = subject->index;
+    WorkingSum internal = {.label = "f_int = Σ -N′ (σ V) = ", .result = bar->node_f_int[i]};
+    add_gifts(subject, GIVE_F_INT, &internal);
+    working_sum(subject->working, &internal);
+    if (bar_is_loaded(bar)) {
+        WorkingSum external = {.label = "f_ext = ", .result = bar->node_f_ext[i]};
+        add_gifts(subject, GIVE_F_EXT, &external);
+        working_sum(subject->working, &external);
     }
-    end_line(lines);
+    if (bar_node_is_fixed(bar, i)) {
+        working_say(subject->working, "the node is fixed: f = 0, the support bears the rest\n");
+    } else if (bar_is_loaded(bar)) {
+        WorkingSum whole = {.label = "f = f_int + f_ext = ", .result = node_force(bar, i)};
+        working_add(&whole, 1, bar->node_f_int[i], 0, 0);
+        working_add(&whole, 1, bar->node_f_ext[i], 0, 0);
+        working_sum(subject->working, &whole);
+    } else {
+        working_say(subject->working, "no load acts: f = f_int\n");
+    }
 }
 
-static void force_particle(const Subject *subject, Lines *lines)
+static void force_particle(const Subject *subject)
 {
     const Bar *bar = subject->bar;
-    View view = view_particle(bar, subject->index, bar_cell_of(bar, subject->index));
-    double share[BAR_SUPPORT_MAX], pull = view.stress * view.volume;
-    put_number(lines, "stress x V = ", view.stress);
-    put_number(lines, " x ", view.volume);
-    put_number(lines, " = ", pull);
-    put(lines, "   (V = m/rho)");
-    end_line(lines);
-    for (int a = 0; a < bar->support; a++)
-        share[a] = -view.dn[a] * pull;
-    put(lines, "-N' stress V: ");
-    put_shares(bar, &view, share, lines);
+    const int slot = subject->index % bar->slots, k = subject->index / bar->slots;
+    const double stress = bar->stress[slot][k], volume = bar->volume[slot][k];
+    WorkingSum pull = {.label = "σ V = ", .result = stress * volume};
+    working_add(&pull, 2, stress, volume, 0);
+    working_sum(subject->working, &pull);
+    say_shares(subject, GIVE_F_INT, "-N′ σ V: ", 0);
+    if (bar_is_loaded(bar)) {
+        double f[EXCHANGE_FACTORS_MAX] = {0};
+        bar_exchange(&bar->sim, GIVE_F_EXT, (size_t)subject->index, subject->links[0].index, f);
+        say_shares(subject, GIVE_F_EXT, "N load: ", f[1]);
+    }
 }
 
 /* --- integrate momentum --------------------------------------------------------------------------- */
 
-static void integrate_node(const Subject *subject, Lines *lines)
+static void say_integrated(const Subject *subject, int node)
 {
     const Bar *bar = subject->bar;
-    int i = subject->index;
-    double force = node_force(bar, i);
-    put(lines, "p%d = p + dt f = ", i);
-    put_number(lines, "", bar->node_momentum[i] - bar->dt * force);
-    put_number(lines, " + ", bar->dt);
-    put_number(lines, " x ", force);
-    put_number(lines, " = ", bar->node_momentum[i]);
-    end_line(lines);
-    put(lines, "v%d = p%d/m%d = ", i, i, i);
-    put_number(lines, "", velocity_of(bar, i));
-    end_line(lines);
+    const double force = node_force(bar, node);
+    const Label label = label_of("p", node, " = p + Δt f = ");
+    WorkingSum sum = {.label = label.text,
+                      .has_base = true,
+                      .base = bar->node_momentum[node] - bar->dt * force,
+                      .scale = bar->dt,
+                      .result = bar->node_momentum[node]};
+    working_add(&sum, 1, force, 0, 0);
+    working_sum(subject->working, &sum);
 }
 
-static void integrate_particle(const Subject *subject, Lines *lines)
+static void integrate_node(const Subject *subject)
 {
-    const Bar *bar = subject->bar;
-    View view = view_particle(bar, subject->index, bar_cell_of(bar, subject->index));
-    int said = 0;
-    for (int a = 0; a < bar->support && said < 3; a++) {
-        int i = view.cell + a;
-        if (view.n[a] == 0.0)
-            continue;
-        put(lines, "its node %d: p ", i);
-        put_number(lines, "", bar->node_momentum[i] - bar->dt * node_force(bar, i));
-        put_number(lines, " -> ", bar->node_momentum[i]);
-        end_line(lines);
-        said++;
-    }
+    say_integrated(subject, subject->index);
+    strain_node(subject);
+}
+
+static void integrate_particle(const Subject *subject)
+{
+    for (size_t i = 0; i < subject->n_links; i++)
+        if (subject->links[i].weight != 0.0)
+            say_integrated(subject, (int)subject->links[i].index);
 }
 
 /* --- update particles ----------------------------------------------------------------------------- */
 
-static void update_node(const Subject *subject, Lines *lines)
+static void update_node(const Subject *subject)
 {
     const Bar *bar = subject->bar;
-    int i = subject->index;
-    put(lines, "node %d gives its acceleration f/m = ", i);
-    put_number(lines, "", bar->node_kick[i] / bar->dt);
-    put_number(lines, " and its velocity p/m = ", integrated_velocity(bar, i));
-    end_line(lines);
+    const int i = subject->index;
+    /* the momentum at hand may be mapped anew already; the drift is of the one that was integrated */
+    const double speed = integrated_velocity(bar, i);
+    say_ratio(subject, "it gives a = f/m = ", node_force(bar, i), bar->node_kick[i] / bar->dt);
+    say_ratio(subject, "and v = p/m = ", speed * bar->node_mass[i], speed);
 }
 
-static void update_particle(const Subject *subject, Lines *lines)
+/* The slope of the velocity that APIC carries: of a hat the gradient, else from the nodes' distances. */
+static void say_slope(const Subject *subject)
 {
     const Bar *bar = subject->bar;
-    const BarHead *head = bar->head;
-    View view = view_particle(bar, subject->index, bar_cell_of(bar, subject->index));
-    Sum kicks = {0}, drifts = {0};
-    double kick = 0, speed = 0;
-    for (int a = 0; a < bar->support; a++) {
-        if (view.n[a] == 0.0)
+    const int cell = bar_cell_of(bar, subject->index);
+    const int slot = subject->index % bar->slots, k = subject->index / bar->slots;
+    const bool hat = bar->def.shape == MPM_HAT;
+    WorkingSum sum = {.label = hat ? "C = Σ N′ v = " : "C = Σ N v d / Σ N d² = ",
+                      .result = bar->affine[slot][k]};
+    for (size_t i = 0; i < subject->n_links; i++) {
+        const Link *link = &subject->links[i];
+        const double speed = integrated_velocity(bar, (int)link->index);
+        const double offset = shape_node_offset(bar->def.shape, bar->n_cells, cell, (int)link->index - cell);
+        const double arm = bar->dx * (offset - bar->s[slot][k]);
+        if (hat)
+            working_add(&sum, 2, link->gradient, speed, 0);
+        else
+            working_add(&sum, 3, link->weight, speed, arm);
+        sum.divisor += hat ? 0 : link->weight * arm * arm;
+    }
+    working_sum(subject->working, &sum);
+}
+
+static void say_velocity(const Subject *subject)
+{
+    const Bar *bar = subject->bar;
+    const double alpha = bar->head->flip_fraction, now = *velocity_of_particle(bar, subject->index);
+    if (bar->head->transfer == MPM_APIC || alpha == 0.0) {
+        WorkingSum mean = {.label = "v = Σ N v_i = ", .result = now};
+        add_gifts(subject, TAKE_VELOCITY, &mean);
+        working_sum(subject->working, &mean);
+        return;
+    }
+    WorkingSum flip = {.label = alpha == 1.0 ? "v = " : "FLIP: ", .has_base = true, .scale = bar->dt};
+    WorkingSum mean = {.label = "PIC: "};
+    double kick = 0;
+    for (size_t i = 0; i < subject->n_links; i++) {
+        const Link *link = &subject->links[i];
+        const int node = (int)link->index;
+        if (link->weight == 0.0)
             continue;
-        int i = view.cell + a;
-        add_term(&kicks, 2, view.n[a], bar->node_kick[i] / bar->dt);
-        add_term(&drifts, 2, view.n[a], integrated_velocity(bar, i));
-        kick += view.n[a] * bar->node_kick[i];
-        speed += view.n[a] * integrated_velocity(bar, i);
+        kick += link->weight * bar->node_kick[node];
+        mean.result += link->weight * integrated_velocity(bar, node);
+        working_add(&flip, 2, link->weight, bar->node_kick[node] / bar->dt, 0);
+        working_add(&mean, 2, link->weight, integrated_velocity(bar, node), 0);
     }
-    const double *v = &bar->v[view.slot][view.k];
-    if (head->transfer == MPM_APIC) {
-        put(lines, "v = sum N v_i = ");
-        put_sum(lines, &drifts, 0);
-        put_number(lines, " = ", *v);
-        end_line(lines);
-        put_number(lines, "C = ", bar->affine[view.slot][view.k]);
-        end_line(lines);
-    } else if (head->flip_fraction == 1.0) {
-        put_number(lines, "v = ", *v - kick);
-        put_number(lines, " + ", bar->dt);
-        put(lines, " (");
-        put_sum(lines, &kicks, 0);
-        put_number(lines, ") = ", *v);
-        end_line(lines);
-    } else {
-        const double alpha = head->flip_fraction;
-        if (alpha > 0.0) {
-            double old = (*v - (1.0 - alpha) * speed) / alpha - kick;
-            put_number(lines, "FLIP: ", old);
-            put_number(lines, " + ", bar->dt);
-            put(lines, " (");
-            put_sum(lines, &kicks, 0);
-            put_number(lines, ") = ", old + kick);
-            end_line(lines);
-        }
-        put_number(lines, "PIC: ", speed);
-        put_number(lines, "   v = ", alpha);
-        put_number(lines, " FLIP + ", 1.0 - alpha);
-        put_number(lines, " PIC = ", *v);
-        end_line(lines);
-    }
-    put_digits(lines, "x = ", ((view.cell - bar->origin) + view.s) * bar->dx, FINE_DIGITS);
-    put_number(lines, " + ", bar->dt);
-    put(lines, " (");
-    put_sum(lines, &drifts, lines->count);
-    put_digits(lines, ") = ", ((view.cell - bar->origin) + bar->moved[view.slot][view.k]) * bar->dx,
-               FINE_DIGITS);
-    end_line(lines);
+    flip.result = alpha == 1.0 ? now : (now - (1.0 - alpha) * mean.result) / alpha;
+    flip.base = flip.result - kick;
+    working_sum(subject->working, &flip);
+    if (alpha == 1.0)
+        return;
+    working_sum(subject->working, &mean);
+    WorkingSum blend = {.label = "v = ", .result = now};
+    working_add(&blend, 2, alpha, flip.result, 0);
+    working_add(&blend, 2, 1.0 - alpha, mean.result, 0);
+    working_sum(subject->working, &blend);
+}
+
+static void update_particle(const Subject *subject)
+{
+    const Bar *bar = subject->bar;
+    const int slot = subject->index % bar->slots, k = subject->index / bar->slots;
+    const int from_origin = bar_cell_of(bar, subject->index) - bar->origin;
+    say_velocity(subject);
+    WorkingSum place = {.label = "x = ",
+                        .has_base = true,
+                        .base = (from_origin + bar->s[slot][k]) * bar->dx,
+                        .result = (from_origin + bar->moved[slot][k]) * bar->dx};
+    add_gifts(subject, TAKE_PLACE, &place);
+    working_sum(subject->working, &place);
+    if (bar->head->transfer == MPM_APIC)
+        say_slope(subject);
 }
 
 /* --- forget the grid ------------------------------------------------------------------------------ */
 
-static void forget_node(const Subject *subject, Lines *lines)
+static void forget_node(const Subject *subject)
 {
-    put(lines, "node %d is empty again, at x = ", subject->index);
-    put_number(lines, "", bar_node_position(subject->bar, subject->index));
-    end_line(lines);
+    working_number(subject->working, "the node is empty again, and where it was: x = ",
+                   bar_node_position(subject->bar, subject->index));
+    working_end_line(subject->working);
 }
 
-static void forget_particle(const Subject *subject, Lines *lines)
+static void forget_particle(const Subject *subject)
 {
     const Bar *bar = subject->bar;
-    int cell = bar_cell_of(bar, subject->index);
-    double left = (cell - bar->origin) * bar->dx;
-    double s = bar->s[subject->index % bar->slots][subject->index / bar->slots];
-    put_digits(lines, "x = ", left + s * bar->dx, FINE_DIGITS);
-    put(lines, " lies in cell %d, from ", cell);
-    put_number(lines, "", left);
-    put_number(lines, " to ", left + bar->dx);
-    end_line(lines);
+    const int cell = bar_cell_of(bar, subject->index);
+    const double left = (cell - bar->origin) * bar->dx;
+    const double s = bar->s[subject->index % bar->slots][subject->index / bar->slots];
+    working_number(subject->working, "x = ", left + s * bar->dx);
+    working_say(subject->working, " lies in cell %d, from", cell);
+    working_number(subject->working, " ", left);
+    working_number(subject->working, " to ", left + bar->dx);
+    working_end_line(subject->working);
 }
 
-typedef void Saying(const Subject *subject, Lines *lines);
+typedef void Saying(const Subject *subject);
 
 static const struct {
     Saying *particle, *node;
@@ -543,21 +427,19 @@ static const struct {
     [OP_FORGET] = {forget_particle, forget_node},
 };
 
-void bar_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, char *out,
-                 size_t size)
+void bar_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
+                 char *out, size_t size)
 {
     const Bar *bar = bar_of_const(sim);
     const BarSchedule *schedule = bar_schedule(bar->head, bar->def.shape);
-    if (size == 0)
-        return;
-    out[0] = '\0';
+    Working working;
+    working_open(&working, out, size, terms);
     /* the sum can be written while its numbers are there: right after the stage */
     int just_done = sim->stage > 0 ? sim->stage - 1 : schedule->count - 1;
     if (stage != just_done || index >= sim->counts[set])
         return;
-    Subject subject = {.bar = bar, .before = before, .index = (int)index};
-    Lines lines = {.text = ""};
-    (set == 0 ? sayings[schedule->ops[stage]].particle : sayings[schedule->ops[stage]].node)(&subject,
-                                                                                             &lines);
-    snprintf(out, size, "%s", lines.text);
+    Subject subject = {.bar = bar, .before = before, .set = set, .index = (int)index, .working = &working};
+    subject.n_links = bar_links(sim, set, index, subject.links, LINKS_MAX);
+    (set == PARTICLES ? sayings[schedule->ops[stage]].particle
+                      : sayings[schedule->ops[stage]].node)(&subject);
 }

@@ -206,12 +206,23 @@ extern const Quantity bar_series[BAR_SERIES];
 void bar_field(const Simulation *sim, int field, size_t first, size_t count, double *out);
 size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t max);
 size_t bar_shapes(const Simulation *sim, double x, Link *out, size_t max);
+typedef enum BarExchange {
+    GIVE_MASS,
+    GIVE_MOMENTUM,
+    GIVE_F_INT,
+    GIVE_F_EXT,
+    GIVE_MOMENTUM_AGAIN,
+    TAKE_STRAIN,
+    TAKE_VELOCITY,
+    TAKE_PLACE,
+    BAR_EXCHANGES
+} BarExchange;
 int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
                  double factors[EXCHANGE_FACTORS_MAX]);
 const Exchange *bar_exchanges(const BarHead *head, int *count);
 double bar_strain_velocity(const Bar *bar, int node); /* that the strain of this step was made of */
-void bar_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, char *out,
-                 size_t size);
+void bar_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
+                 char *out, size_t size);
 
 /* bar_steps.c: stages, whole steps, rows. */
 bool bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status);

@@ -1,9 +1,9 @@
 /* The stages as people read them, and the sum of the stage just done with its numbers. */
 #include "physics/pd/beam_internal.h"
+#include "physics/working.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 const Stage beam_stage_table[N_STAGES] = {
@@ -40,26 +40,6 @@ const Stage beam_stage_table[N_STAGES] = {
                       "damage"},
 };
 
-/* Text that grows to its limit and no further. */
-typedef struct Text {
-    char *out;
-    size_t size, used;
-} Text;
-
-static void say(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
-static void say(Text *text, const char *format, ...)
-{
-    if (text->used + 1 >= text->size)
-        return;
-    va_list arguments;
-    va_start(arguments, format);
-    int n = vsnprintf(text->out + text->used, text->size - text->used, format, arguments);
-    va_end(arguments);
-    if (n > 0)
-        text->used += (size_t)n < text->size - text->used ? (size_t)n : text->size - text->used - 1;
-}
-
 /* A node, now and before the stage. */
 typedef struct NodeNow {
     size_t at; /* in padded arrays */
@@ -86,59 +66,86 @@ static NodeNow node_before(const Beam *beam, size_t at, const void *before)
     return (NodeNow){at, value[0], value[1], value[2], value[3], value[4], value[5]};
 }
 
-static void explain_kick(const Beam *beam, Text *text, const NodeNow *now, const NodeNow *was)
+/* "vx = 0.1 + 2e-11 × 5 = 0.2 m/s" */
+static void say_change(Working *working, const char *label, double was, double factor, double rate,
+                       double now, const char *unit)
 {
-    double factor = beam->sim.dt / (2 * beam->def.density);
-    say(text, "a = f/ρ = %.4g, %.4g m/s²\n", now->fx / beam->def.density, now->fy / beam->def.density);
+    if (fabs(was + factor * rate - now) > 1e-9 * fmax(fabs(was), fabs(factor * rate))) {
+        working_number(working, label, now);
+        working_say(working, " %s: a support or the channel holds it\n", unit);
+        return;
+    }
+    WorkingSum sum = {
+        .label = label, .has_base = true, .base = was, .scale = factor, .result = now, .unit = unit};
+    working_add(&sum, 1, rate, 0, 0);
+    working_sum(working, &sum);
+}
+
+static void say_pair(Working *working, const char *words, double x, double y, const char *unit)
+{
+    working_number(working, words, x);
+    working_number(working, ", ", y);
+    working_say(working, " %s\n", unit);
+}
+
+static void explain_kick(const Beam *beam, Working *working, const NodeNow *now, const NodeNow *was)
+{
+    const double factor = beam->sim.dt / (2 * beam->def.density);
     if (was) {
-        say(text, "vx: %.6g + %.3g × %.4g = %.6g\n", was->vx, factor, was->fx, now->vx);
-        say(text, "vy: %.6g + %.3g × %.4g = %.6g", was->vy, factor, was->fy, now->vy);
+        say_change(working, "vx = vx + Δt/(2ρ) fx = ", was->vx, factor, was->fx, now->vx, "m/s");
+        say_change(working, "vy = vy + Δt/(2ρ) fy = ", was->vy, factor, was->fy, now->vy, "m/s");
     } else {
-        say(text, "v = %.6g, %.6g m/s", now->vx, now->vy);
+        say_pair(working, "vx, vy = ", now->vx, now->vy, "m/s");
     }
 }
 
-static void explain_drift(const Beam *beam, Text *text, const NodeNow *now, const NodeNow *was)
+static void explain_drift(const Beam *beam, Working *working, const NodeNow *now, const NodeNow *was)
 {
     if (was) {
-        say(text, "ux: %.6g + %.3g × %.4g = %.6g\n", was->ux, beam->sim.dt, now->vx, now->ux);
-        say(text, "uy: %.6g + %.3g × %.4g = %.6g", was->uy, beam->sim.dt, now->vy, now->uy);
+        say_change(working, "ux = ux + Δt vx = ", was->ux, beam->sim.dt, was->vx, now->ux, "m");
+        say_change(working, "uy = uy + Δt vy = ", was->uy, beam->sim.dt, was->vy, now->uy, "m");
     } else {
-        say(text, "u = %.6g, %.6g m", now->ux, now->uy);
+        say_pair(working, "ux, uy = ", now->ux, now->uy, "m");
     }
 }
 
-static void explain_constraints(const Beam *beam, Text *text, size_t index, const NodeNow *now)
+static void explain_constraints(const Beam *beam, Working *working, size_t index, const NodeNow *now)
 {
     size_t nx = (size_t)beam->lattice.nx;
     double time = (double)(beam->sim.step + 1) * beam->sim.dt;
     if ((int)(index % nx) < beam_held_columns(beam, time)) {
         if (beam->def.clamp == CLAMP_FULL)
-            say(text, "in the channel: ux = v0t = %.6g, uy = 0", now->ux);
+            working_number(working, "in the channel: uy = 0, ux = v0 t = ", now->ux);
         else
-            say(text, "in the channel: uy = 0, ux = %.6g stays free", now->ux);
+            working_number(working, "in the channel: uy = 0, free to slide: ux = ", now->ux);
+        working_say(working, " m\n");
         return;
     }
     for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
         if ((size_t)s->j * nx + (size_t)s->i == index) {
-            say(text, "support: %s", s->x && s->y ? "ux = uy = 0" : s->x ? "ux = 0" : "uy = 0");
+            working_say(working, "at a support: %s\n",
+                        s->x && s->y ? "ux = uy = 0"
+                        : s->x       ? "ux = 0"
+                                     : "uy = 0");
             return;
         }
-    say(text, "free: nothing holds this node");
+    working_say(working, "free: nothing holds this node\n");
 }
 
-enum { BONDS_SAID = 3 };
+static int by_pull(const void *a, const void *b)
+{
+    const double one = fabs(((const BondNow *)a)->pull), other = fabs(((const BondNow *)b)->pull);
+    return (one < other) - (one > other);
+}
 
-/* The strongest bonds by name, the rest as one sum. */
-static void explain_bonds(const Beam *beam, Text *text, size_t index)
+/* The strongest bonds first, the rest as one number. */
+static void explain_bonds(const Beam *beam, Working *working, size_t index)
 {
     size_t nx = (size_t)beam->lattice.nx;
     BondPlace family[FAMILY_MAX];
-    size_t n = beam_family(beam, (int)(index % nx), (int)(index / nx), family), n_broken = 0;
-    size_t strongest[BONDS_SAID];
-    size_t n_said = 0;
-    double sum_x = 0, sum_y = 0, said_x = 0, said_y = 0;
     BondNow bonds[FAMILY_MAX];
+    size_t n = beam_family(beam, (int)(index % nx), (int)(index / nx), family), n_broken = 0;
+    WorkingSum sums[2] = {{.label = "fx = ", .unit = "N/m³"}, {.label = "fy = ", .unit = "N/m³"}};
     for (size_t k = 0; k < n; k++) {
         bonds[k] = beam_bond(beam, family[k]);
         if (bonds[k].a != index) { /* seen from this end */
@@ -147,45 +154,49 @@ static void explain_bonds(const Beam *beam, Text *text, size_t index)
             bonds[k].b = bonds[k].a;
         }
         n_broken += bonds[k].broken;
-        sum_x += bonds[k].pull * bonds[k].direction_x;
-        sum_y += bonds[k].pull * bonds[k].direction_y;
-        size_t rank = n_said;
-        while (rank > 0 && fabs(bonds[k].pull) > fabs(bonds[strongest[rank - 1]].pull))
-            rank--;
-        if (rank == BONDS_SAID)
-            continue;
-        if (n_said < BONDS_SAID)
-            n_said++;
-        for (size_t r = n_said - 1; r > rank; r--)
-            strongest[r] = strongest[r - 1];
-        strongest[rank] = k;
     }
-    for (size_t r = 0; r < n_said; r++) {
-        const BondNow *bond = &bonds[strongest[r]];
-        said_x += bond->pull * bond->direction_x;
-        said_y += bond->pull * bond->direction_y;
-        say(text, "to %zu: c G w V s = %.4g × %.4g = %.4g along (%.3g, %.3g)\n", bond->b,
-            bond->stretch != 0 ? bond->pull / bond->stretch : 0, bond->stretch, bond->pull, bond->direction_x,
-            bond->direction_y);
+    qsort(bonds, n, sizeof *bonds, by_pull);
+    if (n > 0 && bonds[0].stretch != 0) {
+        const BondNow *first = &bonds[0];
+        working_say(working, "%zu of %zu bonds broken; to %zu: ", n_broken, n, first->b);
+        WorkingSum pull = {.label = "c G w V s = ", .result = first->pull};
+        working_add(&pull, 2, first->pull / first->stretch, first->stretch, 0);
+        working_sum(working, &pull);
+    } else {
+        working_say(working, "%zu of %zu bonds broken, none is stretched\n", n_broken, n);
     }
-    say(text, "and %zu more, %zu of %zu broken: (%.4g, %.4g)\n", n - n_said, n_broken, n, sum_x - said_x,
-        sum_y - said_y);
-    say(text, "f = (%.5g, %.5g) N/m³", sum_x, sum_y);
+    for (size_t k = 0; k < n; k++) {
+        const double parts[2] = {bonds[k].direction_x, bonds[k].direction_y};
+        for (int d = 0; d < 2; d++) {
+            if (bonds[k].pull == 0)
+                continue;
+            sums[d].result += bonds[k].pull * parts[d];
+            working_add(&sums[d], 2, bonds[k].pull, parts[d], 0);
+        }
+    }
+    working_sum(working, &sums[0]);
+    working_sum(working, &sums[1]);
 }
 
-static void explain_body_force(const Beam *beam, Text *text, size_t index, const NodeNow *now)
+static void explain_body_force(const Beam *beam, Working *working, size_t index, const NodeNow *now)
 {
     size_t nx = (size_t)beam->lattice.nx;
     int i = (int)(index % nx);
     if ((int)(index / nx) != beam->lattice.ny - 1 || i < beam->load_first || i >= beam->load_end) {
-        say(text, "no load on this node: f = (%.5g, %.5g) stays", now->fx, now->fy);
+        say_pair(working, "no load on this node: f stays ", now->fx, now->fy, "N/m³");
         return;
     }
-    double force = beam_body_force(beam, (double)(beam->sim.step + 1) * beam->sim.dt);
-    say(text, "fy: %.5g + (%.5g) = %.5g N/m³", now->fy - force, force, now->fy);
+    const double force = beam_body_force(beam, (double)(beam->sim.step + 1) * beam->sim.dt);
+    WorkingSum sum = {.label = "fy = fy + b = ",
+                      .has_base = true,
+                      .base = now->fy - force,
+                      .result = now->fy,
+                      .unit = "N/m³"};
+    working_add(&sum, 1, force, 0, 0);
+    working_sum(working, &sum);
 }
 
-static void explain_damage(const Beam *beam, Text *text, size_t index)
+static void explain_damage(const Beam *beam, Working *working, size_t index)
 {
     size_t nx = (size_t)beam->lattice.nx;
     BondPlace family[FAMILY_MAX];
@@ -198,28 +209,37 @@ static void explain_damage(const Beam *beam, Text *text, size_t index)
         broken += gone ? weight : 0;
         n_broken += gone;
     }
-    say(text, "%zu of %zu bonds broken, weights %.5g of %.5g\nφ = 1 − %.5g/%.5g = %.5g", n_broken, n, broken,
-        all, all - broken, all, beam->damage[index]);
+    working_say(working, "%zu of %zu bonds broken", n_broken, n);
+    working_number(working, "; in weights ", broken);
+    working_number(working, " of ", all);
+    working_end_line(working);
+    WorkingSum sum = {.label = "φ = ", .result = beam->damage[index]};
+    working_add(&sum, 1, broken, 0, 0)->divisor = all;
+    working_sum(working, &sum);
 }
 
-static void explain_bond(const Beam *beam, Text *text, size_t index)
+static void explain_bond(const Beam *beam, Working *working, size_t index)
 {
     BondNow bond = beam_bond(beam, lattice_bond_place(&beam->lattice, index));
-    say(text, "bond %zu to %zu: s = %.4g", bond.a, bond.b, bond.stretch);
+    working_say(working, "bond %zu to %zu: ", bond.a, bond.b);
+    working_number(working, "s = ", bond.stretch);
     if (beam->head->critical_stretch > 0)
-        say(text, " of s0 = %.4g", beam->head->critical_stretch);
-    say(text, bond.broken ? "\nbroken: it carries nothing" : "\npull %.4g N/m³, energy %.4g J", bond.pull,
-        bond.energy);
+        working_number(working, " of s0 = ", beam->head->critical_stretch);
+    if (bond.broken) {
+        working_say(working, "; broken: it carries nothing\n");
+        return;
+    }
+    working_number(working, ", pull ", bond.pull);
+    working_number(working, " N/m³, energy ", bond.energy);
+    working_say(working, " J\n");
 }
 
-void beam_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, char *out,
-                  size_t size)
+void beam_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
+                  char *out, size_t size)
 {
     const Beam *beam = (const Beam *)sim;
-    Text text = {out, size, 0};
-    if (size == 0)
-        return;
-    out[0] = '\0';
+    Working text;
+    working_open(&text, out, size, terms);
     if (set == SET_BOND) {
         explain_bond(beam, &text, index);
         return;

@@ -191,8 +191,8 @@ size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_
 
 /* beam_explain.c */
 extern const Stage beam_stage_table[N_STAGES];
-void beam_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, char *out,
-                  size_t size);
+void beam_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
+                  char *out, size_t size);
 
 static inline double beam_volume(const Beam *beam)
 {

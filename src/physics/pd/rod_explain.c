@@ -1,9 +1,7 @@
 /* The stages as people read them, and the sum of the stage just done with its numbers. */
 #include "physics/pd/rod_internal.h"
+#include "physics/working.h"
 
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 const Stage rod_stage_table[ROD_STAGES] = {
@@ -35,26 +33,6 @@ const Stage rod_stage_table[ROD_STAGES] = {
                          "The new force completes the step's velocity.", "v force acceleration", "v"},
 };
 
-/* Text that grows to its limit and no further. */
-typedef struct Text {
-    char *out;
-    size_t size, used;
-} Text;
-
-static void say(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
-static void say(Text *text, const char *format, ...)
-{
-    if (text->used + 1 >= text->size)
-        return;
-    va_list arguments;
-    va_start(arguments, format);
-    int n = vsnprintf(text->out + text->used, text->size - text->used, format, arguments);
-    va_end(arguments);
-    if (n > 0)
-        text->used += (size_t)n < text->size - text->used ? (size_t)n : text->size - text->used - 1;
-}
-
 /* The same number in the saved block, which is laid out as the state is. */
 static double before_of(const Rod *rod, const double *now, const void *before)
 {
@@ -63,92 +41,115 @@ static double before_of(const Rod *rod, const double *now, const void *before)
     return value;
 }
 
-static void explain_kick(const Rod *rod, Text *text, int i, const void *before)
+/* "v = 0.1 + 0.005 × 2 = 0.11" */
+static void say_change(Working *working, const char *label, double was, double factor, double rate,
+                       double now)
 {
-    const double half = rod->sim.dt / 2, acceleration = rod->f[i] / rod->def.density;
-    say(text, "a = f/ρ = %.5g/%.4g = %.5g\n", rod->f[i], rod->def.density, acceleration);
-    if (before)
-        say(text, "v: %.7g + %.4g × %.5g = %.7g", before_of(rod, &rod->v[i], before), half, acceleration,
-            rod->v[i]);
-    else
-        say(text, "v = %.7g", rod->v[i]);
+    WorkingSum sum = {.label = label, .has_base = true, .base = was, .scale = factor, .result = now};
+    working_add(&sum, 1, rate, 0, 0);
+    working_sum(working, &sum);
 }
 
-static void explain_drift(const Rod *rod, Text *text, int i, const void *before)
+static void say_value(Working *working, const char *label, double value)
+{
+    working_number(working, label, value);
+    working_end_line(working);
+}
+
+static void explain_kick(const Rod *rod, Working *working, int i, const void *before)
+{
+    WorkingSum sum = {.label = "a = f/ρ = ", .result = rod->f[i] / rod->def.density};
+    working_add(&sum, 1, rod->f[i], 0, 0)->divisor = rod->def.density;
+    working_sum(working, &sum);
+    if (before)
+        say_change(working, "v = v + Δt/2 a = ", before_of(rod, &rod->v[i], before), rod->sim.dt / 2,
+                   sum.result, rod->v[i]);
+    else
+        say_value(working, "v = ", rod->v[i]);
+}
+
+static void explain_drift(const Rod *rod, Working *working, int i, const void *before)
 {
     const double *u = &rod->u[rod_at(&rod->lattice, i)];
     if (before)
-        say(text, "u: %.7g + %.4g × %.6g = %.7g", before_of(rod, u, before), rod->sim.dt, rod->v[i], *u);
+        say_change(working, "u = u + Δt v = ", before_of(rod, u, before), rod->sim.dt, rod->v[i], *u);
     else
-        say(text, "u = %.7g", *u);
+        say_value(working, "u = ", *u);
 }
 
-static void explain_mirror(const Rod *rod, Text *text, int i)
+static void say_image(Working *working, double place, double u)
+{
+    working_number(working, "the mirror image at X = ", place);
+    working_number(working, " moves by ", -u);
+    working_end_line(working);
+}
+
+static void explain_mirror(const Rod *rod, Working *working, int i)
 {
     const RodLattice *lattice = &rod->lattice;
     const double u = rod->u[rod_at(lattice, i)];
     const bool left = rod->def.left_fixed && i < lattice->reach;
     const bool right = rod->def.right_fixed && i >= lattice->n - lattice->reach;
     if (left)
-        say(text, "mirror image at X = %.5g: u = −(%.6g) = %.6g", -rod_position(lattice, i), u, -u);
+        say_image(working, -rod_position(lattice, i), u);
     if (right)
-        say(text, "%smirror image at X = %.5g: u = −(%.6g) = %.6g", left ? "\n" : "",
-            2 * rod->def.length - rod_position(lattice, i), u, -u);
+        say_image(working, 2 * rod->def.length - rod_position(lattice, i), u);
     if (!left && !right)
-        say(text, "no fixed end within the horizon: this node has no mirror image that matters");
+        working_say(working, "no fixed end within the horizon: this node has no mirror image that matters\n");
 }
 
-/* The pull of one bond on node i: "to p17 +13.3 × 1.2e-4 = ...". */
-static void explain_bonds(const Rod *rod, Text *text, int i)
+/* f = Σ c G w V s, bond by bond; c G w V and s of the nearest neighbours. */
+static void explain_bonds(const Rod *rod, Working *working, int i)
 {
     const RodLattice *lattice = &rod->lattice;
-    double sum = 0;
-    int said = 0;
+    WorkingSum sum = {.label = "f = Σ (c G w V) s = "};
     for (int m = 1; m <= lattice->reach; m++)
         for (int side = -1; side <= 1; side += 2) {
             const int other = i + side * m, k = side < 0 ? other : i;
             const double stiffness = rod_stiffness(rod, k, m), elongation = rod_elongation(rod, k, m);
             if (!(stiffness > 0))
                 continue;
-            const double pull = side * stiffness * elongation;
-            const bool mirrored = other < 0 || other >= lattice->n;
-            sum += pull;
-            if (said++ < 4)
-                say(text, "%s%d%s: c G w V s = %.5g × %.5g = %.5g\n", mirrored ? "mirror of p" : "to p",
-                    rod_partner(lattice, other), side < 0 ? ", on the left" : "",
-                    side * stiffness * m * lattice->h, elongation / (m * lattice->h), pull);
+            const double length = m * lattice->h;
+            working_add(&sum, 2, side * stiffness * length, elongation / length, 0);
+            sum.result += side * stiffness * elongation;
         }
-    if (said > 4)
-        say(text, "and %d more\n", said - 4);
-    say(text, "f = %.6g", sum);
+    working_say(working, "nearest bonds first: %s%d, %s%d, and so on\n",
+                i > 0 ? "to p" : "to the mirror of p", rod_partner(lattice, i - 1),
+                i + 1 < lattice->n ? "to p" : "to the mirror of p", rod_partner(lattice, i + 1));
+    working_sum(working, &sum);
 }
 
-static void explain_load(const Rod *rod, Text *text, int i)
+static void explain_load(const Rod *rod, Working *working, int i)
 {
     const double load = rod_load(rod, i);
-    if (load == 0)
-        say(text, "no load on this node: f = %.6g stays", rod->f[i]);
-    else
-        say(text, "f: %.6g + (%.6g) = %.6g", rod->f[i] - load, load, rod->f[i]);
+    if (load == 0) {
+        working_number(working, "no load on this node: f stays ", rod->f[i]);
+        working_end_line(working);
+        return;
+    }
+    WorkingSum sum = {
+        .label = "f = f + b = ", .has_base = true, .base = rod->f[i] - load, .result = rod->f[i]};
+    working_add(&sum, 1, load, 0, 0);
+    working_sum(working, &sum);
 }
 
-static void explain_bond(const Rod *rod, Text *text, size_t index)
+static void explain_bond(const Rod *rod, Working *working, size_t index)
 {
     Link ends[2];
     rod_links(&rod->sim, ROD_BOND, index, ends, 2);
-    say(text, "bond p%zu to p%zu: s = %.5g, pull %.5g per unit cross-section", ends[0].index, ends[1].index,
-        ends[0].weight, ends[0].gradient);
+    working_say(working, "bond p%zu to p%zu: ", ends[0].index, ends[1].index);
+    working_number(working, "s = ", ends[0].weight);
+    working_number(working, ", pull ", ends[0].gradient);
+    working_say(working, " per unit cross-section\n");
 }
 
-void rod_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, char *out,
-                 size_t size)
+void rod_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
+                 char *out, size_t size)
 {
     const Rod *rod = (const Rod *)sim;
-    Text text = {out, size, 0};
+    Working text;
+    working_open(&text, out, size, terms);
     const int i = (int)index;
-    if (size == 0)
-        return;
-    out[0] = '\0';
     if (set == ROD_BOND) {
         explain_bond(rod, &text, index);
         return;

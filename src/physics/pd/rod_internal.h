@@ -88,7 +88,7 @@ size_t rod_links(const Simulation *sim, int set, size_t index, Link *out, size_t
 
 /* rod_explain.c */
 extern const Stage rod_stage_table[ROD_STAGES];
-void rod_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, char *out,
-                 size_t size);
+void rod_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
+                 char *out, size_t size);
 
 #endif

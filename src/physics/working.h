@@ -1,0 +1,55 @@
+/* Arithmetic written out with its numbers, as a teacher would on the board: "p13 = 0.5 × (0.2 × 0.3 + 0.4 ×
+ * 0.1) = 0.05". The digits are chosen so that what is printed adds up: whoever works the printed numbers out
+ * gets the printed result, to its last digit.
+ *
+ * UTF-8. No-break spaces (U+00A0) hold a term together; a line may be broken at every other space. */
+#ifndef PHYSICS_WORKING_H
+#define PHYSICS_WORKING_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#define WORKING_SPACE "\u00a0" /* that no line is broken at */
+
+enum { WORKING_FACTORS_MAX = 3, WORKING_TERMS_MAX = 64 };
+
+/* Text that grows to its limit and no further. */
+typedef struct Working {
+    char *out;
+    size_t size, used;
+    int terms; /* a sum of more terms ends with "+ 0.3 (5 more)"; 0: any number is written out */
+} Working;
+
+typedef struct WorkingTerm {
+    int factors;
+    double factor[WORKING_FACTORS_MAX];
+    double divisor; /* 0: none */
+    long to;        /* "0.3 to 12"; -1: nothing */
+} WorkingTerm;
+
+/* label [base +] [scale ×] (terms) [/ divisor] = result unit */
+typedef struct WorkingSum {
+    const char *label;
+    bool has_base;
+    double base;
+    double scale, divisor; /* 0: none */
+    int count;
+    WorkingTerm terms[WORKING_TERMS_MAX];
+    double result;
+    const char *unit; /* NULL: none */
+} WorkingSum;
+
+void working_open(Working *, char *out, size_t size, int terms);
+
+/* Words; a number of a few digits after words. */
+void working_say(Working *, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void working_number(Working *, const char *words, double value);
+void working_end_line(Working *);
+
+/* Adds a term of one, two or three factors; what goes beyond WORKING_TERMS_MAX is put into the last one. */
+WorkingTerm *working_add(WorkingSum *, int factors, double a, double b, double c);
+
+/* Writes the sum and ends the line. */
+void working_sum(Working *, const WorkingSum *);
+
+#endif
