@@ -1,6 +1,8 @@
-/* Every mode of a bar on its mesh: what a dispersion plot shows, with the reasons for its error apart.
+/* Every mode of a bar on its mesh or lattice: what a dispersion plot shows, with the reasons for its error
+ * apart.
  *
- * Source: the discrete dispersion relation of theory/bar.h. Units: any consistent system. */
+ * Source: the discrete dispersion relations of theory/bar.h and theory/rod.h. Units: any consistent system.
+ */
 #ifndef LAB_DISPERSION_H
 #define LAB_DISPERSION_H
 
@@ -8,16 +10,25 @@
 
 #include <stdbool.h>
 
-/* One mode. predicted/exact is the product of the three factors. */
+enum { MODE_FACTORS_MAX = 3 };
+
+/* One of the reasons for which predicted/exact is not 1. */
+typedef struct ModeFactor {
+    const char *name;    /* "mesh K" */
+    const char *meaning; /* NULL: the name says it */
+    double value;
+} ModeFactor;
+
+/* One mode. predicted/exact is the product of the factors. */
 typedef struct ModeOnMesh {
     double exact;     /* omega_n of the continuum, radians per unit time */
-    double predicted; /* of this mesh and time step; NAN: no formula, or such a wave does not swing */
-    double by_mesh;   /* the lumped mesh alone: sqrt(K)/theta */
-    double by_filter; /* particle -> node -> particle: sqrt(F) */
-    double by_time;   /* the time step */
+    double predicted; /* of this mesh and time step, away from free ends; NAN: no formula, or such a wave does
+                       * not swing */
+    int n_factors;
+    ModeFactor factors[MODE_FACTORS_MAX];
 } ModeOnMesh;
 
-/* How many modes the mesh can carry, one for each cell; 0: there is no mesh. */
+/* How many modes the mesh can carry, one for each cell or for each node of a lattice; 0: there is neither. */
 int dispersion_modes(const Settings *);
 
 /* Mode number 1 to dispersion_modes(). False: no such mode. */

@@ -28,9 +28,7 @@ static double *field_of(const Simulation *sim, int field, size_t count)
     return values;
 }
 
-/* A factor of 1, 2 or 5 times a power of ten by which a displacement of at most `reach` becomes at most
- * `room`. Taken from what the whole run reaches, so that it does not change while it goes on. */
-static double exaggeration(double reach, double room)
+double exaggeration(double reach, double room)
 {
     if (!(reach > 0))
         return 1;
@@ -278,8 +276,9 @@ static void draw_beam(const Screen *screen, Area area)
 
 void pane_mesh(const Screen *screen, Area area)
 {
-    if (experiment_simulation(screen->experiment)->dimensions == 1)
-        draw_bar(screen, area);
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    if (sim->dimensions == 1)
+        (has_mesh(sim) ? draw_bar : pane_lattice)(screen, area);
     else
         draw_beam(screen, area);
 }

@@ -68,6 +68,7 @@ void pane_bar(const Screen *, Area);
 void pane_parameters(const Screen *, Area);
 void pane_timeline(const Screen *, Area);
 void pane_mesh(const Screen *, Area);
+void pane_lattice(const Screen *, Area); /* the same for a bar without a mesh */
 void pane_box(const Screen *, Area);
 void pane_stage(const Screen *, Area);
 void pane_help(const Screen *, Area);
@@ -158,6 +159,10 @@ void append(char *out, size_t size, const char *format, ...) __attribute__((form
 /* Between which things a stage hands on: a name that particles and nodes share (mass, x) counts as the one
  * that the other names of the stage tell. */
 typedef enum Flow { FLOW_NONE, FLOW_TO_NODES, FLOW_TO_PARTICLES, FLOW_FORGET } Flow;
+/* A factor of 1, 2 or 5 times a power of ten by which a displacement of at most `reach` becomes at most
+ * `room`. Taken from what the whole run reaches, so that it does not change while it goes on. */
+double exaggeration(double reach, double room);
+
 bool has_mesh(const Simulation *);                   /* its second set are nodes */
 int stage_target(const Simulation *, const Stage *); /* the set that a stage writes to */
 Flow stage_flow(const Simulation *, const Stage *);

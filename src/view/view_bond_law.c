@@ -17,7 +17,7 @@ typedef struct Stretches {
 
 bool bond_law_fits(const Simulation *sim)
 {
-    return simulation_find_field(sim, 0, "stretch") >= 0 && simulation_find_field(sim, 0, "protected") >= 0;
+    return simulation_find_field(sim, 0, "stretch") >= 0;
 }
 
 static void free_stretches(Stretches *all)
@@ -35,11 +35,12 @@ static bool take_stretches(const Simulation *sim, Stretches *all)
     if (!bond_law_fits(sim) || count == 0)
         return false;
     all->values = malloc(count * sizeof *all->values);
-    all->safe = malloc(count * sizeof *all->safe);
+    all->safe = calloc(count, sizeof *all->safe);
     if (!all->values || !all->safe)
         return false;
     sim->method->field(sim, stretch, 0, count, all->values);
-    sim->method->field(sim, safe, 0, count, all->safe);
+    if (safe >= 0)
+        sim->method->field(sim, safe, 0, count, all->safe);
     all->least = all->most = all->values[0];
     for (size_t i = 0; i < count; i++) {
         const double value = all->values[i];
@@ -93,7 +94,7 @@ static void law_lines(const Screen *screen, const Stretches *all, double s0, cha
         if (all->safe_ahead)
             append(second, 160, "  protected bonds reach %.0f %%", 100 * all->most / s0);
     } else {
-        snprintf(second, 160, "s0 is 0: bonds never break here");
+        snprintf(second, 160, s0 == 0 ? "s0 is 0: bonds never break here" : "the bonds of a bar never break");
     }
 }
 
@@ -124,7 +125,9 @@ void view_bond_law(const Screen *screen, Area area, Style heading)
     axis_scale_text(&y, "", scale);
     axis_scale_text(&x, "", x_scale);
     snprintf(name, sizeof name, x_scale[0] ? "s, %s" : "s", x_scale);
-    draw_heading(area, heading, "force, N/m^6", scale, s0 > 0 ? legend : unbroken, s0 > 0 ? 3 : 2);
+    const bool bar = experiment_settings(screen->experiment)->problem == PROBLEM_BAR;
+    draw_heading(area, heading, bar ? "force of a bond" : "force, N/m^6", scale, s0 > 0 ? legend : unbroken,
+                 s0 > 0 ? 3 : 2);
     Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
 
     Plot plot;

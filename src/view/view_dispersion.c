@@ -105,9 +105,41 @@ static void mode_lines(const Screen *screen, char first[160], char second[160])
                  found ? "no formula predicts this shape of the mesh" : "too short a wave for this mesh");
         return;
     }
-    append(first, 160, ", predicted %+.2f %%", percent(mode.predicted / mode.exact));
-    snprintf(second, 160, "= mesh K %+.2f %%, filter F %+.2f %%, dt %+.2f %%", percent(mode.by_mesh),
-             percent(mode.by_filter), percent(mode.by_time));
+    /* the readout's prediction knows of free ends, the curve does not */
+    const double predicted = readout->predicted_known ? readout->predicted : mode.predicted;
+    append(first, 160, ", predicted %+.2f %%", percent(predicted / mode.exact));
+    for (int i = 0; i < mode.n_factors; i++)
+        append(second, 160, "%s %s %+.2f %%", i ? "," : "=", mode.factors[i].name,
+               percent(mode.factors[i].value));
+    if (fabs(predicted / mode.predicted - 1) > 1e-9)
+        append(second, 160, ", free end %+.2f %%", percent(predicted / mode.predicted));
+}
+
+/* What the factors' names mean; where room is short, the last of them. */
+static void factor_line(const Screen *screen, int width, char out[160])
+{
+    ModeOnMesh mode;
+    int named = 0;
+    out[0] = '\0';
+    if (!dispersion_mode(experiment_settings(screen->experiment), 1, &mode))
+        return;
+    for (int i = 0; i < mode.n_factors; i++) {
+        if (!mode.factors[i].meaning)
+            continue;
+        if (width <= 78)
+            out[named = 0] = '\0';
+        append(out, 160, "%s%s: %s", named++ ? "; " : "", mode.factors[i].name, mode.factors[i].meaning);
+    }
+}
+
+/* The curve of each run that can go on: of both in a duel. */
+static void add_predicted(Plot *plot, const Run *run, int last, int every)
+{
+    ModeOnMesh mode;
+    plot_begin(plot, STROKE_LINE, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-');
+    for (int n = 1; n <= last; n += every)
+        if (dispersion_mode(run->settings, n, &mode))
+            plot_point(plot, n, percent(mode.predicted / mode.exact));
 }
 
 static int bar_dots(const Screen *screen, Dot dots[RUNS_MAX])
@@ -135,7 +167,6 @@ static int last_mode(const Screen *screen, int variant)
 
 static void draw_bar(const Screen *screen, Area area, Style heading, int variant)
 {
-    const Settings *settings = experiment_settings(screen->experiment);
     const int last = last_mode(screen, variant), under = lines_under(area, 3);
     Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
     const int width = plot_area.rect.width - GUTTER - 1, rows = plot_area.rect.height - 1;
@@ -146,12 +177,15 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
     const int n_dots = bar_dots(screen, dots);
     double least = 0, most = 0;
     ModeOnMesh mode;
+    Run runs[RUNS_MAX];
+    const int n_runs = runs_of(screen, runs);
     bool predicted = false;
-    for (int n = 1; n <= last && shows_predicted(screen); n += every)
-        if (dispersion_mode(settings, n, &mode)) {
-            widen(percent(mode.predicted / mode.exact), &least, &most);
-            predicted |= isfinite(mode.predicted);
-        }
+    for (int i = 0; i < n_runs && shows_predicted(screen); i++)
+        for (int n = 1; n <= last && runs[i].experiment; n += every)
+            if (dispersion_mode(runs[i].settings, n, &mode)) {
+                widen(percent(mode.predicted / mode.exact), &least, &most);
+                predicted |= isfinite(mode.predicted);
+            }
     for (int i = 0; i < n_dots; i++)
         if (dots[i].x <= last)
             widen(dots[i].y, &least, &most);
@@ -176,30 +210,23 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
         plot_point(&plot, 0, 0);
         plot_point(&plot, last, 0);
     }
-    if (predicted) {
-        plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-');
-        for (int n = 1; n <= last; n += every)
-            if (dispersion_mode(settings, n, &mode))
-                plot_point(&plot, n, percent(mode.predicted / mode.exact));
-    }
+    for (int i = 0; i < n_runs && predicted; i++)
+        if (runs[i].experiment)
+            add_predicted(&plot, &runs[i], last, every);
     plot_draw(&plot, inner);
     plot_close(&plot);
     draw_run_dots(inner, &x, &y, dots, n_dots);
 
-    char first[160], second[160];
+    char first[160], second[160], factors[160];
     mode_lines(screen, first, second);
+    factor_line(screen, area.rect.width, factors);
     const int at = area.rect.height - under;
     if (under > 0)
         area_text(area, 1, at, first, STYLE_NORMAL);
     if (under > 1)
         area_text(area, 1, at + 1, second, STYLE_NORMAL);
     if (under > 2)
-        area_text(area, 1, at + 2,
-                  area.rect.width > 78
-                      ? "mesh K: lumped masses on linear springs; filter F: what particle to "
-                        "node to particle leaves"
-                      : "filter F: what particle to node to particle leaves",
-                  STYLE_FAINT);
+        area_text(area, 1, at + 2, factors, STYLE_FAINT);
 }
 
 /* --- a beam --------------------------------------------------------------------------------------- */

@@ -14,8 +14,8 @@ const Stage rod_stage_table[ROD_STAGES] = {
     [ROD_MIRROR] =
         {"mirror", "mirrored ends", "fixed end at 0:  u(−X) = −u(X),   so u(0) = 0",
          "fixed end at 0:  u(-X) = -u(X),   so u(0) = 0", "odd reflection",
-         "Beyond a fixed end the bar goes on as its own mirror image; a free end has nothing there.", "x0 u",
-         ""},
+         "Beyond a fixed end the bar goes on as its own mirror image; a free end has nothing there.", "u",
+         "u"},
     [ROD_BONDS] = {"bonds", "bond forces",
                    "s = (|ξ+η| − |ξ|)/|ξ|,   c = 2E/(A δ²)\n"
                    "f(i) = Σ c G w s V sign(ξ+η)",
@@ -113,9 +113,18 @@ static void explain_bonds(const Rod *rod, Working *working, int i)
             working_add(&sum, 2, side * stiffness * length, elongation / length, 0);
             sum.result += side * stiffness * elongation;
         }
-    working_say(working, "nearest bonds first: %s%d, %s%d, and so on\n",
-                i > 0 ? "to p" : "to the mirror of p", rod_partner(lattice, i - 1),
-                i + 1 < lattice->n ? "to p" : "to the mirror of p", rod_partner(lattice, i + 1));
+    working_say(working, "nearest bonds first: ");
+    const char *comma = "";
+    for (int side = -1; side <= 1; side += 2) {
+        const int other = i + side;
+        if (!(rod_stiffness(rod, side < 0 ? other : i, 1) > 0))
+            continue; /* a free end */
+        working_say(working, "%s%s%d", comma,
+                    other < 0 || other >= lattice->n ? "to the mirror of p" : "to p",
+                    rod_partner(lattice, other));
+        comma = ", ";
+    }
+    working_say(working, ", and so on\n");
     working_sum(working, &sum);
 }
 

@@ -64,6 +64,19 @@ static double section_force(const Rod *rod, int i)
     return sum * rod->lattice.h;
 }
 
+static double largest_stretch(const Rod *rod, int i)
+{
+    double most = -HUGE_VAL;
+    for (int m = -rod->lattice.reach; m <= rod->lattice.reach; m++) {
+        if (m == 0)
+            continue;
+        BondAt bond = bond_at(rod, i, m);
+        if (bond.stiffness > 0)
+            most = fmax(most, bond.elongation / (bond.m * rod->lattice.h));
+    }
+    return most > -HUGE_VAL ? most : 0;
+}
+
 static double family_size(const Rod *rod, int i)
 {
     int count = 0;
@@ -195,6 +208,7 @@ enum FieldIndex {
     P_FACTOR,
     P_FORCE,
     P_LOAD,
+    P_STRETCH,
     P_FAMILY,
     P_ACCELERATION,
     B_I,
@@ -243,6 +257,10 @@ static const Field fields[N_FIELDS] = {
                 ROD_PARTICLE,
                 false,
                 false},
+    [P_STRETCH] = {{"stretch", "stretch", "1", "largest stretch of the node's bonds"},
+                   ROD_PARTICLE,
+                   false,
+                   false},
     [P_FAMILY] = {{"family", "family", "1", "number of bonds, those to mirrored nodes included"},
                   ROD_PARTICLE,
                   false,
@@ -275,6 +293,7 @@ static NodeValue *const node_values[N_FIELDS] = {
     [P_FACTOR] = p_factor,
     [P_FORCE] = p_force,
     [P_LOAD] = rod_load,
+    [P_STRETCH] = largest_stretch,
     [P_FAMILY] = family_size,
     [P_STRAIN_ENERGY] = strain_energy,
     [P_ACCELERATION] = p_acceleration,
