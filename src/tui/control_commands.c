@@ -317,10 +317,13 @@ static void move(Laboratory *lab, int x, int y, int page)
         else
             move_selection(lab, y * page);
     } else if (view == TABLE_VIEW) {
+        /* the rows are those of the set that the table shows */
+        const int sets = experiment_simulation(screen->experiment)->n_sets;
+        screen->node_chosen = screen->variant[TABLE_VIEW] % sets == 1;
         if (y)
             choose_particle(lab, y, (size_t)page);
-        else if (screen->table_column + x >= 0)
-            screen->table_column += x;
+        else
+            screen_scroll_table(screen, lab->width, lab->height, x);
     } else if (is_time_plot(view)) {
         move_cursor(lab, x ? x : y * page);
     } else if (x || page > 1) {

@@ -67,7 +67,7 @@ static bool holds(Rect rect, int x, int y)
 }
 
 /* A key in the bottom bar is pressed, a place of the timeline is gone to, a field is chosen (and, once
- * chosen, edited), a pane takes the focus. */
+ * chosen, edited), a row of a table is chosen, a pane takes the focus. */
 static void click(Laboratory *lab, int x, int y)
 {
     Screen *screen = &lab->screen;
@@ -93,6 +93,8 @@ static void click(Laboratory *lab, int x, int y)
             screen->focus = (PaneId)pane;
             screen->cursor_time = NAN;
         }
+    if (screen_choose_row(screen, lab->width, lab->height, x, y))
+        return;
     int row = screen_parameter_at(screen, lab->width, lab->height, x, y);
     if (row < 0)
         return;

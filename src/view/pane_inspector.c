@@ -351,9 +351,13 @@ static void draw_subject(const Screen *screen, const Subject *subject, Area area
     if (fixed >= 0 && field_value(sim, fixed, subject->index) > 0)
         append(text, sizeof text, ", held by a support");
     area_rule(area, 0, text, is_focused(screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING);
-    static const char hint[] = " ← → next  ↑ ↓ node or particle  i closes ";
-    if (5 + text_columns(text) + text_columns(hint) + 2 <= area.rect.width)
-        area_text_right(area, area.rect.width - 1, 0, hint, STYLE_FAINT);
+    static const char *const hints[] = {" ← → next  ↑ ↓ node or particle  i closes ",
+                                        " ← → next  ↑ node  i closes "};
+    for (size_t i = 0; i < sizeof hints / sizeof *hints; i++)
+        if (5 + text_columns(text) + text_columns(hints[i]) + 2 <= area.rect.width) {
+            area_text_right(area, area.rect.width - 1, 0, hints[i], STYLE_FAINT);
+            return;
+        }
 }
 
 void pane_mesh_inspector(const Screen *screen, Area area)

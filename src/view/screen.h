@@ -92,7 +92,7 @@ typedef struct Screen {
     size_t particle;  /* the chosen one */
     size_t node;      /* the chosen node, for tables */
     bool node_chosen; /* the stage box follows the node, not the particle */
-    int table_scroll, table_column;
+    int table_scroll, table_column; /* rows of the log; the first column of a table */
 
     bool inspecting;         /* the inspector is open, see screen_inspector() */
     PaneId before_inspector; /* the pane that had the focus before it was opened */
@@ -139,6 +139,11 @@ bool screen_is_whole(int width, int height);
 
 /* The command under column x of the bottom bar, for the mouse; COMMAND_NONE: none. */
 CommandId screen_bar_command(const Screen *, int width, int x);
+
+/* Tables: so many columns to the right in the one that has the focus; the thing whose row lies at a place of the
+ * screen becomes the chosen one, false: no row lies there. */
+void screen_scroll_table(Screen *, int width, int height, int columns);
+bool screen_choose_row(Screen *, int width, int height, int x, int y);
 
 /* The row of the parameter pane at a place of the screen, for the mouse; -1: none. */
 int screen_parameter_at(const Screen *, int width, int height, int x, int y);

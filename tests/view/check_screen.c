@@ -33,6 +33,9 @@ static const Picture pictures[] = {
     {"strain", "mode5 80x24 1234 stage 3"},
     {"forces-ascii", "mode5 80x24 1234 stage 4 ascii"},
     {"update-node", "mode5 80x24 1234 stage 6 node"},
+    {"inspect-node", "mode5 80x24 1234 inspect node stage 4"},
+    {"inspect-gravity", "gravity 132x43 600 mpm.shape=gimp inspect node stage 4 ascii"},
+    {"stage-list", "mode5 80x24 1234 focus 4 zoom stage 6 mpm.algorithm=usl"},
     {"musl-gimp", "mode5 80x24 400 mpm.algorithm=musl mpm.shape=gimp stage 6"},
     {"rewound", "mode5 80x24 1234 back 40"},
     {"ghost", "mode5 80x24 600 ghost mesh.cell_size=0.5"},
@@ -359,6 +362,7 @@ START_TEST(any_state_can_be_drawn)
         screen->particle = (size_t)DRAW(3000);
         screen->node = (size_t)DRAW(100);
         screen->node_chosen = DRAW(2);
+        screen->inspecting = screen_has_inspector(screen) && DRAW(3) == 0;
         screen->table_scroll = DRAW(100);
         screen->table_column = DRAW(40);
         screen->window = DRAW(2) ? 0 : DRAW(100) / 7.0;

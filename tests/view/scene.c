@@ -1,6 +1,7 @@
 #include "view/scene.h"
 
 #include "lab/scenario.h"
+#include "lab/summary.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -199,6 +200,10 @@ bool scene_open(Scene *scene, const char *words, Status *status)
     if (!read_words(scene, &plan, words, status) || !play(scene, &plan, status) ||
         !canvas_open(&scene->canvas, plan.width, plan.height, status))
         return false;
+    if (scene->screen.state == STATE_ENDED) {
+        summary_of(scene->screen.experiment, &scene->screen.summary);
+        scene->screen.summary_known = true;
+    }
     screen_draw(&scene->screen, &scene->canvas);
     return true;
 }

@@ -1,171 +1,60 @@
 /* The sums behind a stage with their numbers, for one particle or one node: what a teacher would write on the
- * board. The terms are those of bar_exchange.c. */
-#include "physics/mpm/bar_state.h"
+ * board. The terms are those of bar_exchange.c, put together by
+ * bar_sums.c. */
+#include "physics/mpm/bar_sums.h"
 #include "physics/mpm/shape.h"
-#include "physics/working.h"
-
-#include <string.h>
-
-enum { PARTICLES, NODES, LINKS_MAX = 64 };
-
-/* What is asked about. */
-typedef struct Subject {
-    const Bar *bar;
-    const unsigned char *before; /* the state before the stage; NULL: not known */
-    int set, index;
-    Link links[LINKS_MAX];
-    size_t n_links;
-    Working *working;
-} Subject;
-
-/* A number of the state before the stage. */
-static double number_before(const Subject *subject, const double *now)
-{
-    double value;
-    memcpy(&value,
-           subject->before + ((const unsigned char *)now - (const unsigned char *)subject->bar->block),
-           sizeof value);
-    return value;
-}
-
-/* A label of a node: "p13 = " from "p%d = ". */
-typedef struct Label {
-    char text[48];
-} Label;
-
-static Label label_of(const char *before, int node, const char *after)
-{
-    Label label;
-    Working words;
-    working_open(&words, label.text, sizeof label.text, 0);
-    working_say(&words, "%s%d%s", before, node, after);
-    return label;
-}
-
-/* --- the terms ------------------------------------------------------------------------------------ */
-
-static bool uses_slope(BarExchange exchange)
-{
-    return exchange == GIVE_F_INT || exchange == TAKE_STRAIN;
-}
-
-/* Mass and time step stand before the bracket. */
-static bool leads(BarExchange exchange, int n_factors)
-{
-    return exchange == GIVE_MASS || (n_factors == 3 && exchange != GIVE_F_INT);
-}
-
-/* What the subject's links give to it: sum->terms and sum->scale. Returns the sum. */
-static double add_gifts(const Subject *subject, BarExchange exchange, WorkingSum *sum)
-{
-    const Simulation *sim = &subject->bar->sim;
-    double total = 0;
-    for (size_t i = 0; i < subject->n_links; i++) {
-        const Link *link = &subject->links[i];
-        double f[EXCHANGE_FACTORS_MAX] = {0};
-        const int n = bar_exchange(sim, (int)exchange, link->index, (size_t)subject->index, f);
-        if (n == 0 || (uses_slope(exchange) ? link->gradient : link->weight) == 0.0)
-            continue;
-        total += f[0] * f[1] * (n == 3 ? f[2] : 1);
-        if (exchange == GIVE_F_INT)
-            working_add(sum, 2, f[0], f[1] * f[2], 0);
-        else if (leads(exchange, n)) {
-            sum->scale = f[0];
-            working_add(sum, n - 1, f[1], f[2], 0);
-        } else
-            working_add(sum, n, f[0], f[1], 0);
-    }
-    return total;
-}
-
-/* "m v N: 0.1 to 12 + 0.3 to 13 = 0.4": how the chosen particle deals out. */
-static void say_shares(const Subject *subject, BarExchange exchange, const char *label, double whole)
-{
-    WorkingSum sum = {.label = label, .result = whole};
-    for (size_t i = 0; i < subject->n_links; i++) {
-        double f[EXCHANGE_FACTORS_MAX] = {0};
-        const size_t node = subject->links[i].index;
-        const int n = bar_exchange(&subject->bar->sim, (int)exchange, (size_t)subject->index, node, f);
-        if (n > 0)
-            working_add(&sum, 1, f[0] * f[1] * (n == 3 ? f[2] : 1), 0, 0)->to = (long)node;
-    }
-    working_sum(subject->working, &sum);
-}
 
 static double *velocity_of_particle(const Bar *bar, int particle)
 {
     return &bar->v[particle % bar->slots][particle / bar->slots];
 }
 
-static double node_velocity(const Bar *bar, int node)
-{
-    return bar->node_momentum[node] * bar->node_inverse[node];
-}
-
-static double integrated_velocity(const Bar *bar, int node)
-{
-    return bar->node_drift[node] * (bar->dx / bar->dt);
-}
-
-/* "v13 = p/m = 0.2 / 0.5 = 0.4" */
-static void say_ratio(const Subject *subject, const char *label, double above, double result)
-{
-    const double mass = subject->bar->node_mass[subject->index];
-    WorkingSum sum = {.label = label, .result = result};
-    if (subject->bar->node_inverse[subject->index] == 0.0) {
-        working_say(subject->working, "%s0: too little mass is here, the node is inactive\n", label);
-        return;
-    }
-    working_add(&sum, 1, above, 0, 0)->divisor = mass;
-    working_sum(subject->working, &sum);
-}
-
 /* --- map ------------------------------------------------------------------------------------------ */
 
-static void say_momentum(const Subject *subject, BarExchange exchange)
+static void say_momentum(const BarSubject *subject, BarExchange exchange)
 {
-    const Label label = label_of("p", subject->index, " = ");
+    const BarLabel label = bar_label("p", subject->index, " = ");
     WorkingSum sum = {.label = label.text};
-    sum.result = add_gifts(subject, exchange, &sum);
+    sum.result = bar_add_gifts(subject, exchange, &sum);
     working_sum(subject->working, &sum);
 }
 
-static void map_node(const Subject *subject)
+static void map_node(const BarSubject *subject)
 {
-    const Label label = label_of("m", subject->index, " = ");
+    const BarLabel label = bar_label("m", subject->index, " = ");
     WorkingSum sum = {.label = label.text, .result = subject->bar->node_mass[subject->index]};
-    add_gifts(subject, GIVE_MASS, &sum);
+    bar_add_gifts(subject, GIVE_MASS, &sum);
     working_sum(subject->working, &sum);
     say_momentum(subject, GIVE_MOMENTUM);
 }
 
-static void map_particle(const Subject *subject)
+static void map_particle(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
     WorkingSum sum = {.label = "N: ", .result = 1};
     for (size_t i = 0; i < subject->n_links; i++)
         working_add(&sum, 1, subject->links[i].weight, 0, 0)->to = (long)subject->links[i].index;
     working_sum(subject->working, &sum);
-    say_shares(subject, GIVE_MASS, "m N: ", bar->mass);
-    say_shares(subject, GIVE_MOMENTUM, "m v N: ", bar->mass * *velocity_of_particle(bar, subject->index));
+    bar_say_shares(subject, GIVE_MASS, "m N: ", bar->mass);
+    bar_say_shares(subject, GIVE_MOMENTUM, "m v N: ", bar->mass * *velocity_of_particle(bar, subject->index));
 }
 
-static void map_again_node(const Subject *subject)
+static void map_again_node(const BarSubject *subject)
 {
     say_momentum(subject, GIVE_MOMENTUM_AGAIN);
     if (bar_node_is_fixed(subject->bar, subject->index))
         working_say(subject->working, "the node is fixed: p%d = 0\n", subject->index);
 }
 
-static void map_again_particle(const Subject *subject)
+static void map_again_particle(const BarSubject *subject)
 {
-    say_shares(subject, GIVE_MOMENTUM_AGAIN,
-               "new m v N: ", subject->bar->mass * *velocity_of_particle(subject->bar, subject->index));
+    bar_say_shares(subject, GIVE_MOMENTUM_AGAIN,
+                   "new m v N: ", subject->bar->mass * *velocity_of_particle(subject->bar, subject->index));
 }
 
 /* --- boundary conditions -------------------------------------------------------------------------- */
 
-static void fix_node(const Subject *subject)
+static void fix_node(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
     Working *working = subject->working;
@@ -177,13 +66,13 @@ static void fix_node(const Subject *subject)
         return;
     }
     if (subject->before)
-        working_number(working, ": ", number_before(subject, &bar->node_momentum[i]));
+        working_number(working, ": ", bar_number_before(subject, &bar->node_momentum[i]));
     working_say(working, " → 0: a support holds the node\n");
     working_number(working, "its mass ", bar->node_mass[i]);
     working_say(working, " stays\n");
 }
 
-static void fix_particle(const Subject *subject)
+static void fix_particle(const BarSubject *subject)
 {
     for (size_t i = 0; i < subject->n_links; i++)
         if (bar_node_is_fixed(subject->bar, (int)subject->links[i].index)) {
@@ -195,20 +84,20 @@ static void fix_particle(const Subject *subject)
 
 /* --- strain and stress ---------------------------------------------------------------------------- */
 
-static void strain_node(const Subject *subject)
+static void strain_node(const BarSubject *subject)
 {
     const int i = subject->index;
-    say_ratio(subject, label_of("v", i, " = p/m = ").text, subject->bar->node_momentum[i],
-              node_velocity(subject->bar, i));
+    bar_say_ratio(subject, bar_label("v", i, " = p/m = ").text, subject->bar->node_momentum[i],
+                  bar_node_velocity(subject->bar, i));
 }
 
-static void strain_particle(const Subject *subject)
+static void strain_particle(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
     const int slot = subject->index % bar->slots, k = subject->index / bar->slots;
     const double stress = bar->stress[slot][k], density = bar->mass / bar->volume[slot][k];
     WorkingSum strain = {.label = "Δε = "};
-    const double increment = strain.result = add_gifts(subject, TAKE_STRAIN, &strain);
+    const double increment = strain.result = bar_add_gifts(subject, TAKE_STRAIN, &strain);
     working_sum(subject->working, &strain);
 
     const double modulus = bar->def.youngs_modulus;
@@ -235,16 +124,16 @@ static double node_force(const Bar *bar, int i)
     return bar_is_loaded(bar) ? bar->node_f_int[i] + bar->node_f_ext[i] : bar->node_f_int[i];
 }
 
-static void force_node(const Subject *subject)
+static void force_node(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
     const int i = subject->index;
     WorkingSum internal = {.label = "f_int = Σ -N′ (σ V) = ", .result = bar->node_f_int[i]};
-    add_gifts(subject, GIVE_F_INT, &internal);
+    bar_add_gifts(subject, GIVE_F_INT, &internal);
     working_sum(subject->working, &internal);
     if (bar_is_loaded(bar)) {
         WorkingSum external = {.label = "f_ext = ", .result = bar->node_f_ext[i]};
-        add_gifts(subject, GIVE_F_EXT, &external);
+        bar_add_gifts(subject, GIVE_F_EXT, &external);
         working_sum(subject->working, &external);
     }
     if (bar_node_is_fixed(bar, i)) {
@@ -259,7 +148,7 @@ static void force_node(const Subject *subject)
     }
 }
 
-static void force_particle(const Subject *subject)
+static void force_particle(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
     const int slot = subject->index % bar->slots, k = subject->index / bar->slots;
@@ -267,21 +156,21 @@ static void force_particle(const Subject *subject)
     WorkingSum pull = {.label = "σ V = ", .result = stress * volume};
     working_add(&pull, 2, stress, volume, 0);
     working_sum(subject->working, &pull);
-    say_shares(subject, GIVE_F_INT, "-N′ σ V: ", 0);
+    bar_say_shares(subject, GIVE_F_INT, "-N′ σ V: ", 0);
     if (bar_is_loaded(bar)) {
         double f[EXCHANGE_FACTORS_MAX] = {0};
         bar_exchange(&bar->sim, GIVE_F_EXT, (size_t)subject->index, subject->links[0].index, f);
-        say_shares(subject, GIVE_F_EXT, "N load: ", f[1]);
+        bar_say_shares(subject, GIVE_F_EXT, "N load: ", f[1]);
     }
 }
 
 /* --- integrate momentum --------------------------------------------------------------------------- */
 
-static void say_integrated(const Subject *subject, int node)
+static void say_integrated(const BarSubject *subject, int node)
 {
     const Bar *bar = subject->bar;
     const double force = node_force(bar, node);
-    const Label label = label_of("p", node, " = p + Δt f = ");
+    const BarLabel label = bar_label("p", node, " = p + Δt f = ");
     WorkingSum sum = {.label = label.text,
                       .has_base = true,
                       .base = bar->node_momentum[node] - bar->dt * force,
@@ -291,13 +180,13 @@ static void say_integrated(const Subject *subject, int node)
     working_sum(subject->working, &sum);
 }
 
-static void integrate_node(const Subject *subject)
+static void integrate_node(const BarSubject *subject)
 {
     say_integrated(subject, subject->index);
     strain_node(subject);
 }
 
-static void integrate_particle(const Subject *subject)
+static void integrate_particle(const BarSubject *subject)
 {
     for (size_t i = 0; i < subject->n_links; i++)
         if (subject->links[i].weight != 0.0)
@@ -306,18 +195,18 @@ static void integrate_particle(const Subject *subject)
 
 /* --- update particles ----------------------------------------------------------------------------- */
 
-static void update_node(const Subject *subject)
+static void update_node(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
     const int i = subject->index;
     /* the momentum at hand may be mapped anew already; the drift is of the one that was integrated */
-    const double speed = integrated_velocity(bar, i);
-    say_ratio(subject, "it gives a = f/m = ", node_force(bar, i), bar->node_kick[i] / bar->dt);
-    say_ratio(subject, "and v = p/m = ", speed * bar->node_mass[i], speed);
+    const double speed = bar_integrated_velocity(bar, i);
+    bar_say_ratio(subject, "it gives a = f/m = ", node_force(bar, i), bar->node_kick[i] / bar->dt);
+    bar_say_ratio(subject, "and v = p/m = ", speed * bar->node_mass[i], speed);
 }
 
 /* The slope of the velocity that APIC carries: of a hat the gradient, else from the nodes' distances. */
-static void say_slope(const Subject *subject)
+static void say_slope(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
     const int cell = bar_cell_of(bar, subject->index);
@@ -327,7 +216,7 @@ static void say_slope(const Subject *subject)
                       .result = bar->affine[slot][k]};
     for (size_t i = 0; i < subject->n_links; i++) {
         const Link *link = &subject->links[i];
-        const double speed = integrated_velocity(bar, (int)link->index);
+        const double speed = bar_integrated_velocity(bar, (int)link->index);
         const double offset = shape_node_offset(bar->def.shape, bar->n_cells, cell, (int)link->index - cell);
         const double arm = bar->dx * (offset - bar->s[slot][k]);
         if (hat)
@@ -339,13 +228,13 @@ static void say_slope(const Subject *subject)
     working_sum(subject->working, &sum);
 }
 
-static void say_velocity(const Subject *subject)
+static void say_velocity(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
     const double alpha = bar->head->flip_fraction, now = *velocity_of_particle(bar, subject->index);
     if (bar->head->transfer == MPM_APIC || alpha == 0.0) {
         WorkingSum mean = {.label = "v = Σ N v_i = ", .result = now};
-        add_gifts(subject, TAKE_VELOCITY, &mean);
+        bar_add_gifts(subject, TAKE_VELOCITY, &mean);
         working_sum(subject->working, &mean);
         return;
     }
@@ -358,9 +247,9 @@ static void say_velocity(const Subject *subject)
         if (link->weight == 0.0)
             continue;
         kick += link->weight * bar->node_kick[node];
-        mean.result += link->weight * integrated_velocity(bar, node);
+        mean.result += link->weight * bar_integrated_velocity(bar, node);
         working_add(&flip, 2, link->weight, bar->node_kick[node] / bar->dt, 0);
-        working_add(&mean, 2, link->weight, integrated_velocity(bar, node), 0);
+        working_add(&mean, 2, link->weight, bar_integrated_velocity(bar, node), 0);
     }
     flip.result = alpha == 1.0 ? now : (now - (1.0 - alpha) * mean.result) / alpha;
     flip.base = flip.result - kick;
@@ -374,7 +263,7 @@ static void say_velocity(const Subject *subject)
     working_sum(subject->working, &blend);
 }
 
-static void update_particle(const Subject *subject)
+static void update_particle(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
     const int slot = subject->index % bar->slots, k = subject->index / bar->slots;
@@ -384,7 +273,7 @@ static void update_particle(const Subject *subject)
                         .has_base = true,
                         .base = (from_origin + bar->s[slot][k]) * bar->dx,
                         .result = (from_origin + bar->moved[slot][k]) * bar->dx};
-    add_gifts(subject, TAKE_PLACE, &place);
+    bar_add_gifts(subject, TAKE_PLACE, &place);
     working_sum(subject->working, &place);
     if (bar->head->transfer == MPM_APIC)
         say_slope(subject);
@@ -392,14 +281,14 @@ static void update_particle(const Subject *subject)
 
 /* --- forget the grid ------------------------------------------------------------------------------ */
 
-static void forget_node(const Subject *subject)
+static void forget_node(const BarSubject *subject)
 {
     working_number(subject->working, "the node is empty again, and where it was: x = ",
                    bar_node_position(subject->bar, subject->index));
     working_end_line(subject->working);
 }
 
-static void forget_particle(const Subject *subject)
+static void forget_particle(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
     const int cell = bar_cell_of(bar, subject->index);
@@ -412,7 +301,7 @@ static void forget_particle(const Subject *subject)
     working_end_line(subject->working);
 }
 
-typedef void Saying(const Subject *subject);
+typedef void Saying(const BarSubject *subject);
 
 static const struct {
     Saying *particle, *node;
@@ -438,7 +327,7 @@ void bar_explain(const Simulation *sim, int stage, int set, size_t index, const 
     int just_done = sim->stage > 0 ? sim->stage - 1 : schedule->count - 1;
     if (stage != just_done || index >= sim->counts[set])
         return;
-    Subject subject = {.bar = bar, .before = before, .set = set, .index = (int)index, .working = &working};
+    BarSubject subject = {.bar = bar, .before = before, .set = set, .index = (int)index, .working = &working};
     subject.n_links = bar_links(sim, set, index, subject.links, LINKS_MAX);
     (set == PARTICLES ? sayings[schedule->ops[stage]].particle
                       : sayings[schedule->ops[stage]].node)(&subject);
