@@ -114,10 +114,11 @@ const char *experiment_advice(const Experiment *experiment)
     return experiment->trial.advice;
 }
 
-const Event *experiment_events(const Experiment *experiment, int *count)
+const Event *experiment_events(Experiment *experiment, int *count)
 {
-    *count = experiment->trial.n_events;
-    return experiment->trial.events;
+    story_tell(&experiment->story, &experiment->trial, experiment_readout(experiment));
+    *count = experiment->story.count;
+    return experiment->story.events;
 }
 
 /* They say nothing of the state, and the largest stable courant number takes a search: once for all pictures

@@ -60,7 +60,9 @@ const double *experiment_row(Experiment *); /* all columns at the present whole 
  * v^{n+1}/2 and the strain energy between), at the present step and at t = 0. False: not known; it is for
  * bars without load, FLIP alone, between steps. */
 bool experiment_invariant(Experiment *, double *now, double *start);
-const Event *experiment_events(const Experiment *, int *count); /* up to the newest step, even when rewound */
+
+/* What happened, in plain words, up to the newest step even when rewound; ascending in step. */
+const Event *experiment_events(Experiment *, int *count);
 
 /* The settings whose run from t = 0 gives what has been computed: to the newest step, or only to the present
  * one. For export_run() and scenario_write(): its time.end is the actual last time, its time.step the number
@@ -81,10 +83,11 @@ bool experiment_failed(const Experiment *, Status *);
  * stands at the last sound whole step. */
 bool experiment_advance(Experiment *, long steps, Status *);
 
-/* For steps that take longer than a frame: at most so many items of the step at hand (Simulation.stage_items to
- * each of its stages) or, of a seek that is pending, of the way to its goal. *whole: a step came to its end, or
- * there was none to do. Until then the state is no moment of the run, not to be looked at: whoever wants to, and
- * whatever else is done to the experiment, goes back to where the step began by experiment_drop_part(). */
+/* For steps that take longer than a frame: at most so many items of the step at hand (Simulation.stage_items
+ * to each of its stages) or, of a seek that is pending, of the way to its goal. *whole: a step came to its
+ * end, or there was none to do. Until then the state is no moment of the run, not to be looked at: whoever
+ * wants to, and whatever else is done to the experiment, goes back to where the step began by
+ * experiment_drop_part(). */
 bool experiment_advance_part(Experiment *, size_t items, bool *whole, Status *);
 bool experiment_work_part(Experiment *, size_t items, bool *whole, Status *);
 void experiment_drop_part(Experiment *);

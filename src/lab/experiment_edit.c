@@ -139,6 +139,7 @@ void experiment_forget_answers(Experiment *experiment)
     experiment->before.known = false;
     experiment->row_step = -1;
     experiment->invariant.any = false;
+    story_forget(&experiment->story);
     experiment->readout_rows = 0;
     experiment->n_derived = 0;
     for (int i = 0; i < SPECTRUM_SPANS; i++)

@@ -3,6 +3,7 @@
 #define LAB_EXPERIMENT_INTERNAL_H
 
 #include "lab/experiment.h"
+#include "lab/story.h"
 #include "lab/trial.h"
 
 /* The state before the last stage. */
@@ -46,6 +47,7 @@ struct Experiment {
     bool flowing;        /* rows come in: it is worked out now and then only */
     Spectrum spectra[SPECTRUM_SPANS];
     Invariant invariant;
+    Story story;
     Derived derived[DERIVED_MAX];
     int n_derived; /* 0: not known */
     Settings derived_for;

@@ -85,7 +85,9 @@ typedef enum EventKind {
     EVENT_BREAK,    /* a bond broke (the first, the twentieth, ... : not every one) */
     EVENT_ENERGY,   /* the energy left the range that the method promises */
     EVENT_CHANGE,   /* a live parameter was changed */
-    EVENT_FAILURE   /* the run stopped: the text is the failure's */
+    EVENT_FAILURE,  /* the run stopped: the text is the failure's */
+    EVENT_ADVICE,   /* not of a method: a limit is near, known beforehand */
+    EVENT_LATE      /* not of a method: the run lags behind the exact answer */
 } EventKind;
 
 typedef struct Event {

@@ -106,7 +106,8 @@ static void begin_run(Laboratory *lab)
     lab->pace_automatic = true;
     lab->n_undo = lab->n_redo = 0;
     lab->changed = false;
-    lab->bookmark_step = lab->anchor_step = -1;
+    lab->anchor_step = screen->log_event = -1;
+    screen->n_bookmarks = 0;
     lab->owed = 0;
     memset(lab->rates, 0, sizeof lab->rates);
     lab->frames_in_time = 0;

@@ -74,8 +74,6 @@ struct Laboratory {
     bool in_parts;       /* a step that takes long is under way, in parts: nothing new to look at as yet */
     double part_seconds; /* what it has taken so far */
     int frames_in_time;  /* since the engine was last the limit */
-    long bookmark_step;  /* -1: none */
-    int bookmark_stage;
     Answer answer;
     LineHistory past;
     Overlay overlay; /* behind screen.overlay */

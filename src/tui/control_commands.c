@@ -214,20 +214,68 @@ static void restart(Laboratory *lab)
     begin_again(lab, (computing ? lab->resume : lab->screen.state) == STATE_RUNNING);
 }
 
-static void bookmark(Laboratory *lab)
+/* The first bookmark that is not before a place. */
+static int bookmark_from(const Screen *screen, long step, int stage)
 {
-    present(lab, &lab->bookmark_step, &lab->bookmark_stage);
-    say(lab, MESSAGE_INFO, "bookmark at step %ld: ' comes back here", lab->bookmark_step);
+    int at = 0;
+    while (at < screen->n_bookmarks &&
+           (screen_bookmark_step(screen, at) < step ||
+            (screen_bookmark_step(screen, at) == step && screen->bookmarks[at].stage < stage)))
+        at++;
+    return at;
 }
 
+static bool is_bookmark(const Screen *screen, int at, long step, int stage)
+{
+    return at < screen->n_bookmarks && screen_bookmark_step(screen, at) == step &&
+           screen->bookmarks[at].stage == stage;
+}
+
+/* Where there is one already it is taken away. */
+static void bookmark(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    long step;
+    int stage;
+    present(lab, &step, &stage);
+    const int at = bookmark_from(screen, step, stage);
+    Bookmark *place = &screen->bookmarks[at];
+    const size_t after = (size_t)(screen->n_bookmarks - at);
+    if (is_bookmark(screen, at, step, stage)) {
+        memmove(place, place + 1, (after - 1) * sizeof *place);
+        screen->n_bookmarks--;
+        say(lab, MESSAGE_INFO, "the bookmark at step %ld is gone", step);
+    } else if (screen->n_bookmarks == BOOKMARKS_MAX) {
+        say(lab, MESSAGE_INFO, "there is room for %d bookmarks: m on one of them takes it away",
+            BOOKMARKS_MAX);
+    } else {
+        memmove(place + 1, place, after * sizeof *place);
+        *place = (Bookmark){(double)step * experiment_simulation(screen->experiment)->dt, stage};
+        screen->n_bookmarks++;
+        say(lab, MESSAGE_INFO, "bookmark at step %ld: ' comes back here, m again takes it away", step);
+    }
+}
+
+/* To the next one in the run, from the last one to the first. */
 static void jump(Laboratory *lab)
 {
-    if (lab->bookmark_step < 0) {
+    const Screen *screen = &lab->screen;
+    const int n_stages = experiment_simulation(screen->experiment)->n_stages;
+    long step;
+    int stage;
+    if (screen->n_bookmarks == 0) {
         say(lab, MESSAGE_INFO, "no bookmark yet: m sets one");
         return;
     }
+    present(lab, &step, &stage);
+    int at = bookmark_from(screen, step, stage);
+    at += is_bookmark(screen, at, step, stage);
+    at %= screen->n_bookmarks;
+    stage = screen->bookmarks[at].stage;
     pause_run(lab);
-    seek(lab, lab->bookmark_step, lab->bookmark_stage);
+    seek(lab, screen_bookmark_step(screen, at), stage < n_stages ? stage : 0);
+    if (screen->n_bookmarks > 1)
+        say(lab, MESSAGE_INFO, "bookmark %d of %d", at + 1, screen->n_bookmarks);
 }
 
 /* --- moving about ----------------------------------------------------------------------------------- */
@@ -301,7 +349,15 @@ static void move_cursor(Laboratory *lab, int columns)
         screen->cursor_time = to;
 }
 
-enum { TABLE_VIEW = 7 };
+enum { TABLE_VIEW = 7, LOG_VIEW = 9 };
+
+static void choose_event(Laboratory *lab, int by)
+{
+    Screen *screen = &lab->screen;
+    int count, to = screen_log_chosen(screen) + by;
+    experiment_events(screen->experiment, &count);
+    screen->log_event = to < 0 ? 0 : to >= count - 1 ? -1 : to; /* at the end it follows the newest */
+}
 
 static void move(Laboratory *lab, int x, int y, int page)
 {
@@ -324,6 +380,9 @@ static void move(Laboratory *lab, int x, int y, int page)
             choose_particle(lab, y, (size_t)page);
         else
             screen_scroll_table(screen, lab->width, lab->height, x);
+    } else if (view == LOG_VIEW) {
+        if (y)
+            choose_event(lab, y * page);
     } else if (is_time_plot(view)) {
         move_cursor(lab, x ? x : y * page);
     } else if (x || page > 1) {
@@ -373,6 +432,10 @@ static void enter(Laboratory *lab)
         pause_run(lab);
         seek(lab, lround(screen->cursor_time / experiment_simulation(screen->experiment)->dt), 0);
         screen->cursor_time = NAN;
+    } else if (view_in(screen, screen->focus) == LOG_VIEW && screen_log_chosen(screen) >= 0) {
+        int count;
+        pause_run(lab);
+        seek(lab, experiment_events(screen->experiment, &count)[screen_log_chosen(screen)].step, 0);
     }
 }
 
@@ -470,7 +533,7 @@ static void show_view(Laboratory *lab, int view)
         screen->lower = view;
     if (screen->zoomed)
         screen->focus = pane;
-    screen->table_scroll = screen->table_column = 0;
+    screen->table_column = 0;
     screen->cursor_time = NAN;
 }
 

@@ -17,7 +17,8 @@ enum {
     SIDE_HEIGHT = 30,
     INSPECTOR_WIDTH = 79,
     TIMELINE_WIDTH = 100,
-    TIMELINE_HEIGHT = 30
+    TIMELINE_HEIGHT = 30,
+    LEGEND_HEIGHT = 40
 };
 
 #define TALL_SHARE 0.2 /* height over length */
@@ -38,7 +39,9 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     const BeamDef *beam = &experiment_settings(screen->experiment)->beam;
     const bool tall = drawn && screen->upper == 8 && beam->height > TALL_SHARE * beam->length;
     const int lower = tall ? middle * 4 / 9 + 1 : (middle + 3) / 2, upper = middle - lower;
-    const int timeline = (width >= TIMELINE_WIDTH && height >= TIMELINE_HEIGHT) || is_rewound(screen);
+    /* on a large screen with a row for what its marks are */
+    const bool own = width >= TIMELINE_WIDTH && height >= TIMELINE_HEIGHT;
+    const int timeline = own && height >= LEGEND_HEIGHT ? 2 : own || is_rewound(screen);
 
     layout->kind = LAYOUT_FULL;
     layout->panes[PANE_MESH] = (Rect){0, 1, mesh ? width : 0, mesh};
@@ -46,7 +49,7 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     layout->panes[PANE_UPPER] = (Rect){left, top, plots, upper};
     layout->panes[PANE_LOWER] = (Rect){left, top + upper, plots, lower - timeline};
     if (timeline)
-        layout->timeline = (Rect){left, top + middle - 1, plots, 1};
+        layout->timeline = (Rect){left, top + middle - timeline, plots, timeline};
     layout->panes[PANE_BOX] = (Rect){0, top + middle, width, box};
     if (screen->inspecting) {
         /* over the plots, and where its columns need the room over the fields too */
@@ -57,7 +60,7 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
         if (!beside) {
             layout->panes[PANE_PARAMETERS] = (Rect){0};
             if (timeline)
-                layout->timeline = (Rect){0, top + middle - 1, width, 1};
+                layout->timeline = (Rect){0, top + middle - timeline, width, timeline};
         }
         return;
     }

@@ -105,6 +105,8 @@ static void draw_caption(const Screen *screen, Area area)
         area_text(area, 1, last--, hint, STYLE_FAINT);
     int count;
     const Event *events = experiment_events(screen->experiment, &count);
+    while (count > 0 && events[count - 1].step > experiment_step(screen->experiment))
+        count--; /* what is still to come, or to come again */
     if (count > 0 && last > y) {
         char time[48];
         time_text(screen, sim->dt * (double)events[count - 1].step, time, sizeof time);

@@ -10,11 +10,13 @@ static const struct {
     EventKind kind;
     char letter;
     Style style;
+    const char *word; /* for the legend */
 } marks[] = {
-    {EVENT_CROSSING, 'x', STYLE_NORMAL}, {EVENT_BREAK, 'b', STYLE_NORMAL},
-    {EVENT_ENERGY, 'E', STYLE_WARNING},  {EVENT_CHANGE, 'c', STYLE_CHANGED},
-    {EVENT_FAILURE, '!', STYLE_ERROR},
+    {EVENT_CROSSING, 'x', STYLE_NORMAL, "crossing"}, {EVENT_BREAK, 'b', STYLE_NORMAL, "break"},
+    {EVENT_LATE, 'L', STYLE_NORMAL, "late"},         {EVENT_ENERGY, 'E', STYLE_WARNING, "energy"},
+    {EVENT_CHANGE, 'c', STYLE_CHANGED, "change"},    {EVENT_FAILURE, '!', STYLE_ERROR, "stopped"},
 };
+enum { MARKS = sizeof marks / sizeof *marks };
 
 bool is_rewound(const Screen *screen)
 {
@@ -47,6 +49,31 @@ static int cell_of(const Screen *screen, const Line *line, long step)
     return line->first + (cell < line->cells ? cell : line->cells - 1);
 }
 
+long screen_bookmark_step(const Screen *screen, int index)
+{
+    const double dt = experiment_simulation(screen->experiment)->dt;
+    const long step = lround(screen->bookmarks[index].time / dt),
+               last = experiment_last_step(screen->experiment);
+    return step < last ? step : last;
+}
+
+/* What the marks are that there are. */
+static void draw_marks(const Screen *screen, Area area, int x, const bool seen[MARKS])
+{
+    Legend legend[MARKS + 2];
+    char keys[MARKS][3];
+    int n = 0;
+    legend[n++] = (Legend){.style = STYLE_FOCUS, .name = "here", .key = "● "};
+    if (screen->n_bookmarks > 0)
+        legend[n++] = (Legend){.style = STYLE_KEY, .name = "bookmark", .key = "m "};
+    for (size_t m = 0; m < MARKS; m++)
+        if (seen[m]) {
+            snprintf(keys[m], sizeof keys[m], "%c ", marks[m].letter);
+            legend[n++] = (Legend){.style = marks[m].style, .name = marks[m].word, .key = keys[m]};
+        }
+    draw_legend(area, x, 1, legend, n);
+}
+
 void pane_timeline(const Screen *screen, Area area)
 {
     const Line line = line_of(screen, area.rect.width);
@@ -61,13 +88,20 @@ void pane_timeline(const Screen *screen, Area area)
     area_put(area, newest, 0, 0x2524, STYLE_NORMAL);
 
     int count;
+    bool seen[MARKS] = {false};
     const Event *events = experiment_events(screen->experiment, &count);
-    for (size_t m = 0; m < sizeof marks / sizeof *marks; m++)
+    for (size_t m = 0; m < MARKS; m++)
         for (int i = 0; i < count; i++)
-            if (events[i].kind == marks[m].kind)
+            if (events[i].kind == marks[m].kind) {
+                seen[m] = true;
                 area_put(area, cell_of(screen, &line, events[i].step), 0,
                          (uint32_t)(unsigned char)marks[m].letter, marks[m].style);
+            }
+    for (int i = 0; i < screen->n_bookmarks; i++)
+        area_put(area, cell_of(screen, &line, screen_bookmark_step(screen, i)), 0, 'm', STYLE_KEY);
     area_put(area, cell_of(screen, &line, experiment_step(screen->experiment)), 0, 0x25cf, STYLE_FOCUS);
+    if (area.rect.height > 1)
+        draw_marks(screen, area, line.first, seen);
 }
 
 long screen_timeline_step(const Screen *screen, int width, int height, int x, int y)

@@ -19,6 +19,7 @@ void screen_default(Screen *screen)
         .magnified = 1,
         .looked_at = {0.5, 0.5},
         .cursor_time = NAN,
+        .log_event = -1,
     };
 }
 

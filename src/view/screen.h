@@ -59,6 +59,14 @@ typedef struct ParameterRow {
 
 enum { PARAMETER_ROWS_MAX = 96 };
 
+/* A place in the run: by time, for another mesh has other steps. */
+typedef struct Bookmark {
+    double time; /* of the whole step before it */
+    int stage;
+} Bookmark;
+
+enum { BOOKMARKS_MAX = 9 };
+
 typedef struct Screen {
     Experiment *experiment;
     const Duel *duel;     /* whose A is the experiment; its second run is drawn beside. NULL: there is none */
@@ -92,17 +100,20 @@ typedef struct Screen {
     size_t particle;  /* the chosen one */
     size_t node;      /* the chosen node, for tables */
     bool node_chosen; /* the stage box follows the node, not the particle */
-    int table_scroll, table_column; /* rows of the log; the first column of a table */
+    int table_column; /* the first one that a table shows */
+    int log_event;    /* the chosen event of the log; -1: the newest */
 
     bool inspecting;         /* the inspector is open, see screen_inspector() */
     PaneId before_inspector; /* the pane that had the focus before it was opened */
-    bool zooming;        /* arrows, + and - move the eye over the map of a beam */
-    double magnified;    /* of the map: 1 is the whole beam */
-    double looked_at[2]; /* in the middle of the magnified map: share of the beam's length and height */
+    bool zooming;            /* arrows, + and - move the eye over the map of a beam */
+    double magnified;        /* of the map: 1 is the whole beam */
+    double looked_at[2];     /* in the middle of the magnified map: share of the beam's length and height */
 
     double window;      /* length of the time window; 0: automatic */
     double cursor_time; /* of the time plot's cursor; NAN: none */
 
+    Bookmark bookmarks[BOOKMARKS_MAX]; /* ascending */
+    int n_bookmarks;
     const Overlay *overlay; /* a foreign series over the plots; NULL: none */
 
     Prompt prompt;
@@ -152,6 +163,9 @@ int screen_parameter_at(const Screen *, int width, int height, int x, int y);
 int screen_help_pages(void);
 int screen_help_most(const Screen *, int width, int height);
 
+/* The step of a bookmark in the run as it is now. */
+long screen_bookmark_step(const Screen *, int index);
+
 /* The step that lies under a cell of the timeline, for the mouse; -1: the cell is not on it. */
 long screen_timeline_step(const Screen *, int width, int height, int x, int y);
 
@@ -171,6 +185,9 @@ double screen_map_enlargement(const Screen *, int width, int height);
 
 /* The variant of the beam view that a word of view.colour names; -1: none. */
 int screen_beam_variant(const char *colour);
+
+/* The event of the log that is chosen; -1: there is none. */
+int screen_log_chosen(const Screen *);
 
 /* Why this view has nothing to show for the problem at hand; NULL: it has. */
 const char *screen_view_missing(const Screen *, int view);

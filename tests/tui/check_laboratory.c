@@ -417,6 +417,70 @@ START_TEST(a_filter_shortens_the_list)
 }
 END_TEST
 
+/* --- places in the run ------------------------------------------------------------------------------ */
+
+START_TEST(enter_in_the_log_goes_to_the_event)
+{
+    Bench *bench = open_bench("crossing", true);
+    press_all(bench, "g # 2 0 0 0 Enter");
+    while (bench->lab.screen.state == STATE_COMPUTING)
+        frame(bench);
+    int count;
+    bench->lab.screen.focus = PANE_LOWER;
+    press(bench, "9");
+    const Event *events = experiment_events(bench->lab.screen.experiment, &count);
+    const long newest = events[count - 1].step, before = events[count - 2].step, first = events[0].step;
+    ck_assert_int_gt(count, 10);
+    press(bench, "Enter");
+    ck_assert_int_eq(step_of(bench), newest);
+    press_all(bench, "Up Enter");
+    ck_assert_int_eq(step_of(bench), before);
+    for (int i = 0; i < 20; i++)
+        press(bench, "PageUp");
+    press(bench, "Enter");
+    ck_assert_int_eq(step_of(bench), first);
+    ck_assert(shows(bench, "crossed into cell"));
+    ck_assert_int_eq(experiment_newest(bench->lab.screen.experiment), 2000);
+    for (int i = 0; i < 20; i++)
+        press(bench, "PageDown");
+    ck_assert_int_eq(bench->lab.screen.log_event, -1); /* follows the newest again */
+    close_bench(bench);
+}
+END_TEST
+
+START_TEST(bookmarks_are_kept_in_the_order_of_the_run)
+{
+    Bench *bench = open_bench("mode1", true);
+    press(bench, "'");
+    ck_assert(shows(bench, "no bookmark yet"));
+    press_all(bench, "> > m 0 > ] ] m $ >");
+    ck_assert_int_eq(bench->lab.screen.n_bookmarks, 2);
+    press(bench, "'"); /* behind the last one: the first */
+    ck_assert_int_eq(step_of(bench), 10);
+    ck_assert_int_eq(experiment_stage(bench->lab.screen.experiment), 2);
+    ck_assert(shows(bench, "bookmark 1 of 2"));
+    press(bench, "'");
+    ck_assert_int_eq(step_of(bench), 20);
+    press(bench, "'");
+    ck_assert_int_eq(step_of(bench), 10);
+    press(bench, "m"); /* on one: away with it */
+    ck_assert_int_eq(bench->lab.screen.n_bookmarks, 1);
+    press_all(bench, "$ '");
+    ck_assert_int_eq(step_of(bench), 20);
+    /* with half the time step it stays at its time */
+    select_parameter(bench, "mesh.cell_size");
+    press_all(bench, "Left Left 0 '");
+    const double dt = experiment_simulation(bench->lab.screen.experiment)->dt;
+    ck_assert_double_eq_tol((double)step_of(bench) * dt, 0.2, 1e-9);
+    for (int i = 0; i < 2 * BOOKMARKS_MAX; i++)
+        press_all(bench, ". m");
+    ck_assert_int_eq(bench->lab.screen.n_bookmarks, BOOKMARKS_MAX);
+    press_all(bench, "o m o d e 5 Enter '");
+    ck_assert_int_eq(bench->lab.screen.n_bookmarks, 0);
+    close_bench(bench);
+}
+END_TEST
+
 /* --- leaving ---------------------------------------------------------------------------------------- */
 
 START_TEST(quitting_asks_once_after_a_change)
@@ -547,6 +611,8 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, edits_are_undone_and_done_again);
     tcase_add_test(tcase, the_question_makes_another_run);
     tcase_add_test(tcase, a_filter_shortens_the_list);
+    tcase_add_test(tcase, enter_in_the_log_goes_to_the_event);
+    tcase_add_test(tcase, bookmarks_are_kept_in_the_order_of_the_run);
     tcase_add_test(tcase, quitting_asks_once_after_a_change);
     tcase_add_test(tcase, quitting_closes_what_is_open_first);
     tcase_add_test(tcase, export_writes_and_does_not_overwrite);

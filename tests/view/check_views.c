@@ -369,6 +369,17 @@ START_TEST(timeline_marks_places)
             crossings++;
         }
     ck_assert_int_gt(crossings, 0);
+    char legend[256];
+    row_text(&show, y + 1, legend);
+    ck_assert_ptr_nonnull(strstr(legend, "here"));
+    ck_assert_ptr_nonnull(strstr(legend, "crossing"));
+    ck_assert_ptr_nonnull(strstr(legend, "energy"));
+    ck_assert_ptr_null(strstr(legend, "bookmark"));
+    show.screen.bookmarks[show.screen.n_bookmarks++] = (Bookmark){.time = experiment_time(experiment) / 2};
+    draw(&show, 132, 43);
+    row_text(&show, y + 1, legend);
+    ck_assert_ptr_nonnull(strstr(legend, "bookmark"));
+    ck_assert_int_eq(cell(&show, first + (int)floor(1250 / end * cells + 0.5), y)->glyph, 'm');
     ck_assert_int_eq(screen_timeline_step(&show.screen, 132, 43, first, y), 0);
     ck_assert_int_eq(screen_timeline_step(&show.screen, 132, 43, last, y), (long)end);
     ck_assert_int_eq(screen_timeline_step(&show.screen, 132, 43, first, y + 1), -1);

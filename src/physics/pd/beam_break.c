@@ -3,7 +3,6 @@
 #include "physics/pd/crack.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 bool beam_bit(const uint8_t *bits, size_t slot)
@@ -85,24 +84,19 @@ static void report_break(Beam *beam, long step, const char *text)
 static void report_crack(Beam *beam, long step)
 {
     StateHead *head = beam->head;
-    char text[120];
-    double time = (double)step * beam->sim.dt * 1e6;
     if (head->first_break < 0 && head->near_tip >= 1) {
         head->first_break = step;
-        snprintf(text, sizeof text, "first bond broke near the notch's end, t = %.4g us", time);
-        report_break(beam, step, text);
+        report_break(beam, step, "first bond broke near the notch's end");
     }
     if (head->twentieth_break < 0 && head->near_tip >= 20) {
         head->twentieth_break = step;
-        snprintf(text, sizeof text, "the crack has started: twentieth bond broken, t = %.4g us", time);
-        report_break(beam, step, text);
+        report_break(beam, step, "the crack has started: twentieth bond broken");
     }
     Crack crack;
     if (head->arrival < 0 && crack_measure(&beam->sim, &crack) && beam->def.protected_depth > 0 &&
         crack.y >= beam->def.height - beam->def.protected_depth - beam->def.horizon / 2) {
         head->arrival = step;
-        snprintf(text, sizeof text, "the crack reached the protected zone of the load, t = %.4g us", time);
-        report_break(beam, step, text);
+        report_break(beam, step, "the crack reached the protected zone of the load");
     }
 }
 
@@ -120,10 +114,8 @@ void beam_update_damage(Beam *beam, long step)
     if (beam->def.problem == BEAM_NOTCHED)
         report_crack(beam, step);
     else if (beam->head->first_break < 0 && beam->head->broken > 0) {
-        char text[120];
         beam->head->first_break = step;
-        snprintf(text, sizeof text, "first bond broke, t = %.4g us", (double)step * beam->sim.dt * 1e6);
-        report_break(beam, step, text);
+        report_break(beam, step, "first bond broke");
     }
 }
 
