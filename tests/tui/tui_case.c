@@ -34,6 +34,14 @@ static void nothing(void *context)
     (void)context;
 }
 
+bool bench_open(Bench *bench, const char *scenario, bool paused, Status *status)
+{
+    LaboratoryOptions options = {.settings = &bench->settings, .scenario = scenario, .paused = paused};
+    Host host = {now, worked, go_on, nothing, nothing, bench, NULL};
+    return scenario_load(scenario, &bench->settings, status) &&
+           laboratory_open(&bench->lab, &options, &host, status);
+}
+
 Bench *open_bench(const char *scenario, bool paused)
 {
     Status status = {STATUS_DONE, ""};
@@ -41,10 +49,7 @@ Bench *open_bench(const char *scenario, bool paused)
     ck_assert_ptr_nonnull(bench);
     bench->width = 80;
     bench->height = 24;
-    ck_assert_msg(scenario_load(scenario, &bench->settings, &status), "%s", status.text);
-    LaboratoryOptions options = {.settings = &bench->settings, .scenario = scenario, .paused = paused};
-    Host host = {now, worked, go_on, nothing, nothing, bench, NULL};
-    ck_assert_msg(laboratory_open(&bench->lab, &options, &host, &status), "%s", status.text);
+    ck_assert_msg(bench_open(bench, scenario, paused, &status), "%s", status.text);
     ck_assert(laboratory_draw(&bench->lab, &bench->canvas, bench->width, bench->height));
     return bench;
 }

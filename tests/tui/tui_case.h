@@ -15,6 +15,9 @@ typedef struct Bench {
     int width, height;
 } Bench;
 
+/* The laboratory in a bench that is zero but for the size and the clock. False: the status says why. */
+bool bench_open(Bench *, const char *scenario, bool paused, Status *);
+
 /* At 80x24, drawn once. */
 Bench *open_bench(const char *scenario, bool paused);
 void close_bench(Bench *);

@@ -1,0 +1,77 @@
+/* Any bytes as what a terminal sends to the laboratory; a zero byte and the two after it resize it. */
+#include "fuzz/fuzz.h"
+
+#include "lab/scenario.h"
+#include "tui/control.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { BYTES_MAX = 400, STEPS_A_SECOND = 500 };
+
+static double time_now;
+
+static double now(void *context)
+{
+    (void)context;
+    return time_now;
+}
+
+static void worked(void *context, long steps)
+{
+    (void)context;
+    time_now += (double)steps / STEPS_A_SECOND;
+}
+
+static bool go_on(void *context)
+{
+    (void)context;
+    return true;
+}
+
+static void nothing(void *context)
+{
+    (void)context;
+}
+
+/* No file is written or opened: what bytes come to name is nobody's business here. */
+static bool is_harmless(const Laboratory *lab, const Key *key)
+{
+    return !(lab->screen.prompt.open && strcmp(key->name, "Enter") == 0 &&
+             (lab->answer == answer_open || lab->answer == answer_write ||
+              strpbrk(lab->screen.prompt.text, "/.") || strstr(lab->screen.prompt.question, "export")));
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static Laboratory lab;
+    Settings settings;
+    Status status = {STATUS_DONE, ""};
+    Canvas canvas = {0};
+    KeyDecoder decoder;
+    Key key;
+    int width = 80, height = 24;
+    FUZZ_ASSERT(scenario_load("mode1", &settings, &status));
+    LaboratoryOptions options = {
+        .settings = &settings, .scenario = "mode1", .paused = true, .history = 1 << 20};
+    Host host = {now, worked, go_on, nothing, nothing, NULL, NULL};
+    time_now = 0;
+    FUZZ_ASSERT(laboratory_open(&lab, &options, &host, &status));
+    keys_reset(&decoder);
+    for (size_t i = 0; i < size && i < BYTES_MAX && !lab.closed; i++) {
+        if (data[i] == 0 && i + 2 < size) {
+            width = 1 + data[i + 1] % 200;
+            height = 1 + data[i + 2] % 60;
+            i += 2;
+        } else if (keys_feed(&decoder, data[i], &key) && is_harmless(&lab, &key)) {
+            laboratory_key(&lab, &key);
+            laboratory_frame(&lab, time_now + FRAME_SECONDS);
+            time_now += FRAME_SECONDS;
+        }
+        FUZZ_ASSERT(laboratory_draw(&lab, &canvas, width, height));
+    }
+    laboratory_close(&lab);
+    canvas_close(&canvas);
+    return 0;
+}
