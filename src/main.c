@@ -97,6 +97,7 @@ int main(int count, char **arguments)
 {
     Status status = {0};
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a failed write, said in one line */
+    signal(SIGXFSZ, SIG_IGN); /* so is a file that grows beyond ulimit -f */
     int result = run(count - 1, arguments + 1, &status);
     if (result != STATUS_DONE && *status.text)
         fprintf(stderr, "matvib: %s\n", status.text);

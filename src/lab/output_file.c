@@ -98,7 +98,7 @@ static bool open_temporary(OutputFile *file, Status *status)
 
 bool output_open(OutputFile *file, const char *name, bool force, Status *status)
 {
-    *file = (OutputFile){0};
+    *file = (OutputFile){.replaces = force};
     if (!output_may_begin(name, force, status))
         return false;
     file->name = strdup(name);
@@ -140,11 +140,28 @@ bool output_finish(OutputFile *file, Status *status)
     return arrived || cannot_write(file->name, status);
 }
 
+/* A name that another program has taken since is refused: link() never replaces. Where there are no links
+ * (some file systems of sticks and servers) the second comer wins. */
+static bool take_free_name(const OutputFile *file, Status *status)
+{
+    if (link(file->temporary, file->target) == 0) {
+        unlink(file->temporary);
+        return true;
+    }
+    if (errno == EEXIST)
+        return status_fail(status, STATUS_FAILED, "%s: another program has written it (--force replaces it)",
+                           file->name);
+    return rename(file->temporary, file->target) == 0 || cannot_write(file->name, status);
+}
+
 bool output_commit(OutputFile *file, Status *status)
 {
     if (!file->temporary)
         return true;
-    if (rename(file->temporary, file->target) != 0)
+    if (!file->replaces) {
+        if (!take_free_name(file, status))
+            return false;
+    } else if (rename(file->temporary, file->target) != 0)
         return cannot_write(file->name, status);
     free(file->temporary);
     file->temporary = NULL;

@@ -14,6 +14,7 @@ typedef struct OutputFile {
     char *target;    /* the file that it will be; NULL: written directly */
     char *temporary; /* until it is committed */
     bool standard;
+    bool replaces; /* what has the name by the time it is committed; else that is an error */
 } OutputFile;
 
 bool output_is_standard(const char *name); /* "-" */
@@ -33,7 +34,7 @@ bool output_sound(const OutputFile *, Status *);
 /* Brings it to the disk, still under its temporary name, and closes its stream. */
 bool output_finish(OutputFile *, Status *);
 
-/* Gives it its name; after output_finish(). */
+/* Gives it its name; after output_finish(). False: it cannot be had, or another program was faster. */
 bool output_commit(OutputFile *, Status *);
 
 /* Takes back what was not committed, and frees. */

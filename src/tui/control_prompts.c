@@ -150,7 +150,7 @@ static bool answer_replace_scenario(Laboratory *lab, const char *text)
 
 bool answer_write(Laboratory *lab, const char *text)
 {
-    if (!text[0])
+    if (!text[0] || output_is_standard(text))
         return refuse(lab, "a file name is wanted");
     if (access(text, F_OK) != 0)
         return write_scenario(lab, text);

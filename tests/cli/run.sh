@@ -126,6 +126,23 @@ expect "a folder that is not there" 1 mode1 --series none/x.csv
 expect "a full device" 1 mode1 --series /dev/full
 result "says so" says err '^matvib: /dev/full: cannot be written: No space left on device$'
 result "nothing is left behind" nothing_else
+(ulimit -f 8 && exec "$MATVIB" run mode1 --quiet --series x.csv) >out 2>err
+result "a disk that is full on the way" test $? -eq 1
+result "says so" says err '^matvib: x.csv: cannot be written: File too large$'
+result "nothing is left behind" nothing_else
+
+# two programs that find a name free: the slower one is refused, and what stands there is of one piece
+slow() { "$MATVIB" run mode1 --quiet --set "initial.mode=$1" --series one.csv 2>"err$1"; echo $? >"status$1"; }
+slow 1 &
+slow 2 &
+wait
+result "one of two programs gets the name" sh -c 'sort status1 status2 | tr -d "\n" | grep -qx "0[12]"'
+result "the other is told" sh -c 'cat err1 err2 | grep -q "^matvib: one.csv: .*--force replaces it"'
+mode=$(sed -n 's/^mode = //p' one.csv.ini)
+"$MATVIB" run mode1 --quiet --set "initial.mode=$mode" --series other.csv
+result "both files are of the same run" cmp -s one.csv other.csv
+rm -f one.csv* other.csv* err1 err2 status1 status2
+result "and nothing else is left" nothing_else
 if test "$(id -u)" -ne 0; then
 	mkdir closed && chmod a-w closed
 	expect "a folder that cannot be written" 1 mode1 --series closed/x.csv

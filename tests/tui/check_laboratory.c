@@ -2,10 +2,13 @@
 #include "suite.h"
 #include "tui/tui_case.h"
 
+#include <dirent.h>
 #include <math.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 static void select_parameter(Bench *bench, const char *key)
@@ -553,6 +556,46 @@ START_TEST(export_writes_and_does_not_overwrite)
 }
 END_TEST
 
+static int count_files(void)
+{
+    DIR *folder = opendir(".");
+    int count = 0;
+    ck_assert_ptr_nonnull(folder);
+    for (struct dirent *entry; (entry = readdir(folder));)
+        count += entry->d_name[0] != '.';
+    closedir(folder);
+    return count;
+}
+
+/* A disk that is full on the way, as the system tells it: a file must not grow. */
+START_TEST(a_full_disk_costs_nothing_that_was_there)
+{
+    char folder[64];
+    struct rlimit room, before;
+    enter_folder(folder);
+    Bench *bench = open_bench("mode1", true);
+    press_all(bench, "> w a . i n i Enter");
+    ck_assert_int_eq(count_files(), 1);
+    signal(SIGXFSZ, SIG_IGN);
+    ck_assert_int_eq(getrlimit(RLIMIT_FSIZE, &before), 0);
+    room = (struct rlimit){300, before.rlim_max};
+    ck_assert_int_eq(setrlimit(RLIMIT_FSIZE, &room), 0);
+    press_all(bench, "x b Enter");
+    ck_assert_int_eq(bench->lab.screen.message_kind, MESSAGE_ERROR);
+    ck_assert_msg(shows(bench, "File too large"), "%s", bench->lab.screen.message);
+    press_all(bench, "w a . i n i Enter y");
+    ck_assert_int_eq(bench->lab.screen.message_kind, MESSAGE_ERROR);
+    ck_assert_msg(shows(bench, "File too large"), "%s", bench->lab.screen.message);
+    ck_assert_int_eq(setrlimit(RLIMIT_FSIZE, &before), 0);
+    ck_assert_int_eq(count_files(), 1);
+    /* what was there is still whole */
+    press_all(bench, "o a . i n i Enter");
+    ck_assert(!bench->lab.screen.prompt.open);
+    close_bench(bench);
+    leave_folder(folder);
+}
+END_TEST
+
 START_TEST(scenarios_are_written_and_opened)
 {
     char folder[64];
@@ -616,6 +659,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, quitting_asks_once_after_a_change);
     tcase_add_test(tcase, quitting_closes_what_is_open_first);
     tcase_add_test(tcase, export_writes_and_does_not_overwrite);
+    tcase_add_test(tcase, a_full_disk_costs_nothing_that_was_there);
     tcase_add_test(tcase, scenarios_are_written_and_opened);
     tcase_add_test(tcase, the_command_line_takes_commands_values_and_times);
     suite_add_tcase(suite, tcase);
