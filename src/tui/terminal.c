@@ -4,6 +4,7 @@
 #include "tui/theme.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <langinfo.h>
 #include <poll.h>
 #include <signal.h>
@@ -31,6 +32,7 @@ enum { N_ENDS = sizeof ends / sizeof *ends, N_CRASHES = sizeof crashes / sizeof 
 struct Terminal {
     Painter painter;
     int width, height;
+    int output; /* what is written to */
     bool mouse;
     Glyphs glyphs;
     char enter[128], leave[160]; /* what takes the screen over and gives it back */
@@ -215,19 +217,34 @@ static void compose_enter_and_leave(Terminal *terminal)
     memcpy(farewell, terminal->leave, farewell_length);
 }
 
-static void write_all(const char *bytes, size_t length)
+/* A terminal that takes nothing any more (a connection that hangs) must not keep the program: so writes do
+ * not block, and signals come through while it waits. False: not all was written. */
+static bool write_all(const Terminal *terminal, const char *bytes, size_t length)
 {
+    struct timespec patience = {.tv_nsec = 300000000}; /* with a farewell, once a signal has ended it */
     while (length > 0) {
-        ssize_t written = write(STDOUT_FILENO, bytes, length);
+        ssize_t written = write(terminal->output, bytes, length);
         if (written > 0) {
             bytes += written;
             length -= (size_t)written;
-        } else if (errno == EAGAIN) {
-            struct pollfd screen = {.fd = STDOUT_FILENO, .events = POLLOUT};
-            poll(&screen, 1, 100);
+        } else if (written < 0 && errno == EAGAIN) {
+            struct pollfd screen = {.fd = terminal->output, .events = POLLOUT};
+            bool ending = signal_end != 0;
+            if (ppoll(&screen, 1, ending ? &patience : NULL, &terminal->mask_outside) <= 0 && signal_end)
+                return false;
         } else if (errno != EINTR)
-            return; /* the terminal is gone; reading it will tell */
+            return false; /* the terminal is gone; reading it will tell */
     }
+    return true;
+}
+
+/* The terminal once more, for writing that does not block: on the descriptor that the shell has too, that
+ * would be its business. */
+static int open_output(void)
+{
+    const char *name = ttyname(STDOUT_FILENO);
+    int output = name ? open(name, O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC) : -1;
+    return output >= 0 ? output : STDOUT_FILENO;
 }
 
 /* Every key comes as it is, nothing is echoed, and output is not changed on its way. */
@@ -240,14 +257,14 @@ static void take_screen(Terminal *terminal)
     raw.c_cc[VMIN] = 1;
     raw.c_cc[VTIME] = 0;
     tcsetattr(STDIN_FILENO, TCSADRAIN, &raw);
-    write_all(terminal->enter, strlen(terminal->enter));
+    write_all(terminal, terminal->enter, strlen(terminal->enter));
     painter_forget(&terminal->painter);
 }
 
 static void give_screen_back(Terminal *terminal)
 {
-    write_all(terminal->leave, strlen(terminal->leave));
-    tcsetattr(STDIN_FILENO, TCSADRAIN, &before);
+    bool written = write_all(terminal, terminal->leave, strlen(terminal->leave));
+    tcsetattr(STDIN_FILENO, written ? TCSADRAIN : TCSANOW, &before);
 }
 
 static bool is_usable(const char *term, Status *status)
@@ -301,6 +318,7 @@ Terminal *terminal_open(const TerminalOptions *options, Status *status)
     compose_enter_and_leave(terminal);
     keys_reset(&terminal->decoder);
     tcgetattr(STDIN_FILENO, &before);
+    terminal->output = open_output();
     catch_signals(terminal);
     read_size(terminal);
     take_screen(terminal);
@@ -314,6 +332,8 @@ void terminal_close(Terminal *terminal)
     give_screen_back(terminal);
     release_signals(terminal);
     painter_close(&terminal->painter);
+    if (terminal->output != STDOUT_FILENO)
+        close(terminal->output);
     del_curterm(cur_term);
     free(terminal);
 }
@@ -348,7 +368,7 @@ void terminal_show(Terminal *terminal, const Canvas *canvas)
 {
     size_t length;
     const char *bytes = painter_paint(&terminal->painter, canvas, terminal->width, terminal->height, &length);
-    write_all(bytes, length);
+    write_all(terminal, bytes, length);
 }
 
 void terminal_redraw(Terminal *terminal)

@@ -171,6 +171,38 @@ START_TEST(a_running_one_ends_by_signal_too)
 }
 END_TEST
 
+START_TEST(a_terminal_that_goes_away_ends_it)
+{
+    Session session;
+    session_open(&session, 80, 24, NULL,
+                 (const char *const[]){matvib(), _i ? "notched-beam-coarse" : "mode1", NULL});
+    for (int i = 0; i < 3; i++)
+        session_frame(&session);
+    session_hang_up(&session); /* in the middle of a frame or between two */
+    ck_assert_int_eq(session_exit(&session), 128 + SIGHUP);
+    session_close(&session);
+}
+END_TEST
+
+/* Nobody reads what it writes, as when a connection hangs: it stops in the middle of a picture. */
+START_TEST(a_terminal_that_hangs_can_be_left)
+{
+    Session session;
+    session_open(&session, 200, 60, NULL, (const char *const[]){matvib(), "mode1", NULL});
+    session_frame(&session);
+    struct pollfd frames = {.fd = session.frames, .events = POLLIN};
+    char lines[4096];
+    for (int i = 0; i < 100; i++)
+        session_send(&session, "\014"); /* everything anew */
+    while (poll(&frames, 1, 500) > 0)
+        ck_assert_int_gt(read(session.frames, lines, sizeof lines), 0);
+    kill(session.child, SIGTERM);
+    session_ignore(&session);
+    ck_assert_int_eq(session_exit(&session), 128 + SIGTERM);
+    session_close(&session);
+}
+END_TEST
+
 START_TEST(a_crash_restores_the_terminal)
 {
     Session session;
@@ -329,6 +361,8 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, resizes_while_running);
     tcase_add_loop_test(tcase, signals_end_it_and_restore_the_terminal, 0, 4);
     tcase_add_test(tcase, a_running_one_ends_by_signal_too);
+    tcase_add_loop_test(tcase, a_terminal_that_goes_away_ends_it, 0, 2);
+    tcase_add_test(tcase, a_terminal_that_hangs_can_be_left);
     tcase_add_test(tcase, a_crash_restores_the_terminal);
     tcase_add_test(tcase, control_c_leaves);
     tcase_add_test(tcase, escape_is_told_from_a_sequence);

@@ -141,7 +141,7 @@ static void take(Session *session)
 /* Takes all that has been written already. */
 static void drain(Session *session)
 {
-    struct pollfd master = {.fd = session->master, .events = POLLIN};
+    struct pollfd master = {.fd = session->ignored ? -1 : session->master, .events = POLLIN};
     while (poll(&master, 1, 0) > 0 && (master.revents & POLLIN))
         take(session);
 }
@@ -235,10 +235,21 @@ void session_wait_for(Session *session, const char *text)
     }
 }
 
+void session_hang_up(Session *session)
+{
+    close(session->master);
+    session->master = -1;
+}
+
+void session_ignore(Session *session)
+{
+    session->ignored = true;
+}
+
 int session_exit(Session *session)
 {
     /* the frame pipe closes when the program is gone */
-    struct pollfd both[2] = {{.fd = session->master, .events = POLLIN},
+    struct pollfd both[2] = {{.fd = session->ignored ? -1 : session->master, .events = POLLIN},
                              {.fd = session->frames, .events = POLLIN}};
     char line[64];
     bool open = true;

@@ -17,6 +17,7 @@ typedef struct Session {
     int rows, columns;
     VTerm *vterm;
     VTermScreen *screen;
+    bool ignored; /* see session_ignore() */
     bool alternate, cursor_visible;
     char *bytes; /* all that the program wrote */
     size_t n_bytes, room;
@@ -47,6 +48,9 @@ void session_keys(Session *, const char *bytes);
 
 /* Reads until a text is on the screen; fails the test after ten seconds. */
 void session_wait_for(Session *, const char *text);
+
+void session_hang_up(Session *); /* the terminal goes away */
+void session_ignore(Session *);  /* nothing that the program writes is read from now on */
 
 /* Waits for the end; the exit status, or 128 + n after signal n as a shell would say. */
 int session_exit(Session *);
