@@ -321,6 +321,77 @@ START_TEST(a_live_parameter_changes_in_mid_run)
 }
 END_TEST
 
+/* Against a run of the same scenario with its changes that never went back. */
+static void expect_scenario(Experiment *experiment, const char *what)
+{
+    Settings scenario;
+    experiment_scenario(experiment, true, &scenario);
+    scenario.end = experiment_settings(experiment)->end;
+    Experiment *fresh = open_experiment(&scenario, MEGABYTE);
+    ck_assert(experiment_advance(fresh, experiment_step(experiment), NULL));
+    for (int stage = 0; stage < experiment_stage(experiment); stage++)
+        ck_assert(experiment_next_stage(fresh, NULL));
+    expect_same_states(experiment_simulation(experiment), experiment_simulation(fresh), what);
+    experiment_destroy(fresh);
+}
+
+typedef struct LiveEdit {
+    const char *key, *value;
+} LiveEdit;
+
+static void walk_with_changes(const Settings *settings, const LiveEdit *edits, unsigned long n_edits,
+                              size_t history, int moves, unsigned long seed)
+{
+    Experiment *experiment = open_experiment(settings, history);
+    int changed = 0, kept = 0;
+    for (int i = 0; i < moves; i++) {
+        walk(experiment, &seed);
+        const LiveEdit *edit = &edits[draw(&seed, n_edits)];
+        bool past = experiment_step(experiment) < experiment_newest(experiment) - 1;
+        if (draw(&seed, 5) == 0 && experiment_step(experiment) > 0 && !experiment_at_end(experiment) &&
+            experiment_settings(experiment)->n_changes < CHANGES_MAX / 2) {
+            size_t rows = experiment_record(experiment)->count;
+            int n_changes = experiment_settings(experiment)->n_changes;
+            edit_one(experiment, edit->key, edit->value);
+            finish_work(experiment);
+            if (past && experiment_settings(experiment)->n_changes != n_changes) {
+                /* the curve that was cut off stays, whole */
+                const Ghost *ghost = NULL;
+                for (int k = 0; k < GHOSTS_MAX; k++)
+                    if (experiment_ghosts(experiment)[k].used)
+                        ghost = &experiment_ghosts(experiment)[k];
+                ck_assert(ghost && ghost->record.count == rows);
+                kept++;
+            }
+            changed++;
+        }
+        expect_scenario(experiment, "walk with changes");
+    }
+    ck_assert_int_gt(changed, 5);
+    ck_assert_int_gt(kept, 1);
+    expect_repeats(experiment, "after a walk with changes");
+    experiment_destroy(experiment);
+}
+
+START_TEST(changes_in_mid_run_hold_on_any_way)
+{
+    static const LiveEdit bar[] = {{"mpm.algorithm", "usf"},  {"mpm.algorithm", "usl"},
+                                   {"mpm.algorithm", "musl"}, {"mpm.transfer", "apic"},
+                                   {"mpm.transfer", "flip"},  {"mpm.flip_fraction", "0.9"}};
+    static const LiveEdit beam[] = {{"load.stress", "1e8"},
+                                    {"load.stress", "4e8"},
+                                    {"pd.critical_stretch", "0.0005"},
+                                    {"pd.critical_stretch", "0.0002"}};
+    Settings settings = bar_settings(5, 5);
+    walk_with_changes(&settings, bar, sizeof bar / sizeof *bar, 16 * MEGABYTE, 100, 11);
+    set(&settings, "mpm.shape", "gimp");
+    walk_with_changes(&settings, bar, sizeof bar / sizeof *bar, 12000, 100, 12);
+    settings = beam_settings(PROBLEM_NOTCHED_BEAM, 6e-5);
+    settings.beam.load_stress = 2.4e8;
+    walk_with_changes(&settings, beam, sizeof beam / sizeof *beam, 4 * MEGABYTE, 30, 13);
+}
+END_TEST
+
 START_TEST(undo_brings_back_what_was)
 {
     Settings settings = bar_settings(5, 20);
@@ -637,7 +708,7 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("experiment");
-    tcase_set_timeout(tcase, 60);
+    tcase_set_timeout(tcase, 120);
     tcase_add_test(tcase, any_way_to_a_moment_of_a_bar_is_the_same);
     tcase_add_test(tcase, keyframes_are_given_up_under_a_small_budget);
     tcase_add_test(tcase, any_way_to_a_moment_of_a_bar_by_peridynamics_is_the_same);
@@ -646,6 +717,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, an_edit_recomputes_to_the_time_on_screen);
     tcase_add_test(tcase, a_refused_edit_changes_nothing);
     tcase_add_test(tcase, a_live_parameter_changes_in_mid_run);
+    tcase_add_test(tcase, changes_in_mid_run_hold_on_any_way);
     tcase_add_test(tcase, undo_brings_back_what_was);
     tcase_add_test(tcase, a_live_edit_at_either_end_holds_from_the_start);
     tcase_add_test(tcase, given_changes_stay_with_the_scenario);
