@@ -28,6 +28,7 @@ static const Check checks[] = {
     {"M-crossing", "particles that cross cells: energy left at t = 100", verify_crossing, false, NULL},
     {"M-load", "body force and traction (eq. 11), from rest", verify_loads, false, NULL},
     {"M-limits", "stability limits, by bisection", verify_limits, true, "all"},
+    {"P-bar", "the bar by peridynamics: the dispersion of its lattice", verify_rod, false, NULL},
     {"P-surface", "surface correction and bonds of the lattice", verify_surface, false, NULL},
     {"P-step", "the critical time step", verify_critical_step, false,
      "the four finer horizons, the notched beam"},

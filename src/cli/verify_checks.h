@@ -21,6 +21,9 @@ bool verify_crossing(Verify *verify, Status *status);
 bool verify_loads(Verify *verify, Status *status);
 bool verify_limits(Verify *verify, Status *status);
 
+/* The same bar by peridynamics: verify_rod.c. */
+bool verify_rod(Verify *verify, Status *status);
+
 /* Beams by peridynamics: verify_beam.c, verify_moving.c, verify_notch.c. */
 bool verify_surface(Verify *verify, Status *status);
 bool verify_critical_step(Verify *verify, Status *status);

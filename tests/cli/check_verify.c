@@ -133,7 +133,7 @@ START_TEST(the_list_names_what_the_papers_show)
 {
     static const char *const names[] = {"M-fig2", "M-fig3", "M-fig4", "M-cell",   "M-particles",
                                         "M-dt",   "M-usl",  "P-fig3", "P-table1", "P-fig4",
-                                        "P-fig6", "P-fig7", "P-fig9", "P-fig10"};
+                                        "P-fig6", "P-fig7", "P-fig9", "P-fig10",  "P-bar"};
     char *text;
     Status status;
     ck_assert_int_eq(verify_words("--list", &text, &status), 0);
@@ -174,6 +174,21 @@ START_TEST(the_bar_holds)
 }
 END_TEST
 
+START_TEST(the_bar_by_peridynamics_holds)
+{
+    char *text;
+    Status status;
+    ck_assert_int_eq(verify_words("P-bar", &text, &status), 0);
+    ck_assert_ptr_nonnull(strstr(text, "12 of 12 hold\n"));
+    ck_assert_ptr_null(strstr(text, "MISSED"));
+    /* measured, predicted, exact of mode 5 between fixed ends, and how far off */
+    ck_assert_ptr_nonnull(strstr(text, "6.28319"));
+    ck_assert_ptr_nonnull(strstr(text, "-2.016"));
+    expect_narrow(text);
+    free(text);
+}
+END_TEST
+
 /* A beam that is quick, and what was left out of it. */
 START_TEST(beams_hold)
 {
@@ -203,6 +218,7 @@ void add_cases(Suite *suite)
     TCase *runs = tcase_create("runs");
     tcase_set_timeout(runs, 60);
     tcase_add_test(runs, the_bar_holds);
+    tcase_add_test(runs, the_bar_by_peridynamics_holds);
     tcase_add_test(runs, beams_hold);
     suite_add_tcase(suite, runs);
 }
