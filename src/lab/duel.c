@@ -93,7 +93,8 @@ static void name_value(const Settings *settings, const Parameter *parameter, cha
     settings_show(settings, parameter, value);
     const bool choice = parameter->type == PARAMETER_CHOICE && strcmp(value, "none") != 0;
     snprintf(out, DUEL_NAME_MAX, "%.16s%s%.28s", choice ? "" : parameter->label, choice ? "" : " ", value);
-    if (strcmp(parameter->key, "mpm.algorithm") == 0 || strcmp(parameter->key, "mpm.transfer") == 0)
+    if (strcmp(parameter->key, "mpm.algorithm") == 0 || strcmp(parameter->key, "mpm.transfer") == 0 ||
+        strcmp(parameter->key, "scenario.method") == 0)
         for (char *c = out; *c; c++)
             *c = (char)toupper((unsigned char)*c);
 }

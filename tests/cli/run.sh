@@ -86,6 +86,26 @@ expect "a summary beside a table" 0 mode1 --end 1 --series -
 result "goes to stderr" says err '^100 steps to t = 1  (dt 0.01)$'
 result "and leaves the table alone" lines out 102
 
+# --- the bar by peridynamics ---
+expect "the bar by the other method" 0 mode5 --set scenario.method=pd --end 20 --series p.csv --particles q.csv --bonds b.csv
+result "columns of its series" header p.csv \
+	step,time,v_cm,v_cm_exact,v_cm_predicted,x_cm,kinetic,strain,work,total
+result "columns of its particles" header q.csv \
+	step,time,particle,x0,x,u,v,stress,strain,density,mass,strain_energy,surface_factor
+result "columns of its bonds" header b.csv step,time,i,j,x_i,x_j,stretch
+result "144 of them" lines b.csv 145
+result "the summary tells its prediction" says out '^frequency  measured 5.5876[0-9]*  predicted 5.58684  exact 5.654867$'
+result "what it predicts is what it does" awk -F, 'NR > 1 { d = $3 - $5; if (d * d > 1e-24) exit 1 }' p.csv
+result "the scenario beside names the method" says p.csv.ini '^method = pd$'
+expect "it repeats" 0 p.csv.ini --series r.csv --quiet
+result "the same bytes" cmp -s p.csv r.csv
+expect "it has no nodes of a mesh" 2 mode5 --set scenario.method=pd --nodes n.csv
+expect "a key of the other method" 2 mode5 --set mpm.shape=gimp --set scenario.method=pd
+result "is refused by name" says err '^matvib: --set: mpm.shape: is no parameter of method pd (only of mpm)$'
+expect "too large a step" 2 mode5 --set scenario.method=pd --set time.courant=1
+result "both steps are named" says err 'the time step 0.1 is above the critical one, 0.0880243 (courant at most 0.88024)$'
+rm -f ./*.csv ./*.ini
+
 # --- beams ---
 expect "a beam" 0 supported-beam-coarse --steps 20 --series s.csv --bonds b.csv --vtk v --frames 2 --quiet
 result "columns of a supported beam" header s.csv \

@@ -61,6 +61,9 @@ without_wall out >three
 expect "the same with one job" 0 mode5 --vary time.courant=.1,.2,.3 --vary mpm.algorithm=usf,usl,musl --end 30
 without_wall out >one
 result "the same rows" cmp -s one three
+expect "both methods" 0 mode5 --vary scenario.method=mpm,pd --end 30
+result "each with its own prediction" holds out \
+	'v["error", 1] < -4.2 && v["error", 2] > -1.3 && (v["measured", 2] / v["predicted", 2] - 1) ^ 2 < 1e-8'
 expect "the number of steps" 0 mode5 --vary time.courant=.1,.2 --steps 700
 result "is the same for all" holds out 'v["steps", 1] == 700 && v["steps", 2] == 700'
 
