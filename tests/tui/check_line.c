@@ -149,7 +149,7 @@ START_TEST(tab_completes_words_keys_values_and_files)
         press(bench, "Esc");
     }
     press(bench, "o");
-    type(bench, "mode5-");
+    type(bench, "mode5-f");
     press(bench, "Tab");
     expect_line(bench, "mode5-fine");
     close_bench(bench);
