@@ -61,9 +61,9 @@ static void read_view(Laboratory *lab)
     /* of a beam there is more to see than its middle row */
     if (experiment_simulation(screen->experiment)->dimensions == 2)
         screen->upper = 8;
-    if (sscanf(view->upper, "%d", &number) == 1 && number >= 1 && number <= 9)
+    if (sscanf(view->upper, "%d", &number) == 1 && !screen_view_missing(screen, number))
         screen->upper = number;
-    if (sscanf(view->lower, "%d", &number) == 1 && number >= 1 && number <= 9)
+    if (sscanf(view->lower, "%d", &number) == 1 && !screen_view_missing(screen, number))
         screen->lower = number;
     if (sscanf(view->window, "%lf", &value) == 1 && value > 0)
         screen->window = value;
@@ -221,6 +221,7 @@ bool open_scenario(Laboratory *lab, const char *name, Status *status)
         lab->screen.lower = fresh.lower;
         memcpy(lab->screen.variant, fresh.variant, sizeof fresh.variant);
         lab->screen.window = fresh.window;
+        lab->screen.references = fresh.references;
         map_whole(lab);
         name_scenario(lab, name);
         begin_run(lab);

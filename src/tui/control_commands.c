@@ -552,14 +552,23 @@ static void change_window(Laboratory *lab, int direction)
     }
     screen_time_window(screen, &from, &to);
     double length = screen->window > 0 ? screen->window : to - from;
-    double least = 10 * experiment_simulation(screen->experiment)->dt;
+    const double dt = experiment_simulation(screen->experiment)->dt, least = 10 * dt;
+    const double end = dt * (double)experiment_last_step(screen->experiment);
     double window = next_125(length, direction);
     /* the table of 1, 2, 5 does not reach into the microseconds of a crack */
     if (length < 1e-2)
         window = 1e-6 * next_125(1e6 * length, direction);
-    if (window >= least)
-        screen->window = window;
-    say(lab, MESSAGE_INFO, "time window %g", screen->window);
+    if (window < least || (direction > 0 && length >= end)) {
+        say(lab, MESSAGE_INFO,
+            direction < 0 ? "the time window has ten steps, no fewer"
+                          : "the time window holds the whole run");
+        return;
+    }
+    screen->window = window;
+    if (experiment_settings(screen->experiment)->problem == PROBLEM_BAR)
+        say(lab, MESSAGE_INFO, "time window %g", window);
+    else
+        say(lab, MESSAGE_INFO, "time window %g ms", window / 1e-3);
 }
 
 static void narrower(Laboratory *lab)

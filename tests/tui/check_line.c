@@ -193,6 +193,95 @@ START_TEST(up_and_down_fetch_earlier_lines)
 }
 END_TEST
 
+/* --- how a scenario opens, and the time window ------------------------------------------------------ */
+
+START_TEST(a_scenario_opens_as_its_view_says)
+{
+    char folder[64];
+    enter_folder(folder);
+    write_text("seen.ini", "[scenario]\nproblem = bar\n[view]\nupper = 3\nlower = 6\nwindow = 7.5\npace = 3\n"
+                           "references = exact\n");
+    write_text("plain.ini", "[scenario]\nproblem = bar\n");
+    write_text("beam.ini",
+               "[scenario]\nproblem = simply-supported-beam\n[pd]\nspacing = 1e-3\nhorizon = 4e-3\n"
+               "[view]\nlower = 9\n");
+    Bench *bench = open_bench("seen.ini", true);
+    const Screen *screen = &bench->lab.screen;
+    double from, to;
+    ck_assert_int_eq(screen->upper, 3);
+    ck_assert_int_eq(screen->lower, 6);
+    screen_time_window(screen, &from, &to);
+    ck_assert_double_eq(to - from, 7.5);
+    ck_assert_double_eq(screen->pace, 3);
+    ck_assert_int_eq(screen->references, SHOW_EXACT);
+    ck_assert(shows(bench, "energy"));
+    enter_line(bench, "open plain.ini"); /* nothing of it stays */
+    ck_assert_int_eq(screen->upper, 1);
+    ck_assert_int_eq(screen->lower, 2);
+    ck_assert_double_eq(screen->window, 0);
+    ck_assert_double_ne(screen->pace, 3);
+    ck_assert_int_eq(screen->references, SHOW_ALL);
+    enter_line(bench, "open beam.ini"); /* of a beam the whole is seen */
+    ck_assert_int_eq(screen->upper, 8);
+    ck_assert_int_eq(screen->lower, 9);
+    close_bench(bench);
+    leave_folder(folder);
+}
+END_TEST
+
+START_TEST(the_time_window_narrows_widens_and_finds_itself)
+{
+    static const char *const names[] = {"mode1", "mode10", "supported-beam-coarse"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        Bench *bench = open_bench(names[i], true);
+        Screen *screen = &bench->lab.screen;
+        screen->focus = PANE_LOWER;
+        double from, to, length, end = experiment_settings(screen->experiment)->end;
+        const double dt = experiment_simulation(screen->experiment)->dt;
+        screen_time_window(screen, &from, &to);
+        const double automatic = length = to - from;
+        for (int k = 0; k < 60; k++, length = to - from) {
+            press(bench, "n");
+            screen_time_window(screen, &from, &to);
+            ck_assert_double_le(to - from, length * (1 + 1e-9));
+            ck_assert_double_ge(to - from, 10 * dt * (1 - 1e-9));
+        }
+        ck_assert(shows(bench, "ten steps, no fewer"));
+        ck_assert_double_lt(length, 25 * dt);
+        for (int k = 0; k < 60; k++, length = to - from) {
+            press(bench, "N");
+            screen_time_window(screen, &from, &to);
+            ck_assert_double_ge(to - from, length * (1 - 1e-9));
+        }
+        ck_assert(shows(bench, "holds the whole run"));
+        ck_assert_double_ge(length, end);
+        ck_assert_double_lt(length, 2.6 * end);
+        press(bench, "a");
+        screen_time_window(screen, &from, &to);
+        ck_assert_double_eq_tol(to - from, automatic, 1e-9 * automatic);
+        close_bench(bench);
+    }
+}
+END_TEST
+
+START_TEST(the_cursor_reads_and_enter_goes_there)
+{
+    Bench *bench = open_bench("mode5", true);
+    Screen *screen = &bench->lab.screen;
+    enter_line(bench, "goto 4");
+    screen->focus = PANE_LOWER;
+    press_all(bench, "Left Left Left Left Left Left Left");
+    const double time = screen->cursor_time;
+    ck_assert(isfinite(time) && time < 4);
+    ck_assert(shows(bench, "measured") && shows(bench, "exact") && shows(bench, "predicted"));
+    press(bench, "Enter");
+    ck_assert_int_eq(experiment_step(screen->experiment), lround(100 * time));
+    ck_assert(isnan(screen->cursor_time));
+    ck_assert_int_eq(experiment_newest(screen->experiment), 400); /* nothing is lost */
+    close_bench(bench);
+}
+END_TEST
+
 /* --- a foreign series ------------------------------------------------------------------------------ */
 
 START_TEST(a_series_lies_over_the_plot_and_goes_again)
@@ -299,6 +388,9 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(tcase, bad_lines_say_why, 0, (int)(sizeof bad_lines / sizeof *bad_lines));
     tcase_add_test(tcase, tab_completes_words_keys_values_and_files);
     tcase_add_test(tcase, up_and_down_fetch_earlier_lines);
+    tcase_add_test(tcase, a_scenario_opens_as_its_view_says);
+    tcase_add_test(tcase, the_time_window_narrows_widens_and_finds_itself);
+    tcase_add_test(tcase, the_cursor_reads_and_enter_goes_there);
     tcase_add_test(tcase, a_series_lies_over_the_plot_and_goes_again);
     tcase_add_test(tcase, an_export_says_its_size_first_and_its_place_afterwards);
     tcase_add_test(tcase, more_rows_than_a_spreadsheet_takes_are_announced);
