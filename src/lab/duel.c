@@ -44,7 +44,7 @@ int duel_suggest(const Settings *settings, Assignment keys[DUEL_MAX])
     Settings other = *settings;
     const Parameter *parameter = settings_question(settings);
     char value[LIST_MAX];
-    if (!parameter || !settings_nudge(&other, parameter, 1))
+    if (!parameter || !settings_answer_otherwise(&other, parameter))
         return 0;
     settings_get(&other, parameter, value);
     snprintf(keys[0].key, sizeof keys[0].key, "%s", parameter->key);

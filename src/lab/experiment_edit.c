@@ -146,18 +146,41 @@ void experiment_forget_answers(Experiment *experiment)
         spectrum_close(&experiment->spectra[i]);
 }
 
-/* Another run takes the place of this one, and seeks the time that was on screen. */
+/* Whether a pinned ghost shows all that this run would leave behind. */
+static bool is_pinned(const Experiment *experiment)
+{
+    const Trial *trial = &experiment->trial;
+    for (int i = 0; i < GHOSTS_MAX; i++) {
+        const Ghost *ghost = &experiment->ghosts[i];
+        if (ghost->used && ghost->pinned && leads_to_the_same(&ghost->settings, &trial->base) &&
+            ghost->record.count >= trial->record.count)
+            return true;
+    }
+    return false;
+}
+
+static void drop_unpinned(Experiment *experiment)
+{
+    for (int i = 0; i < GHOSTS_MAX; i++)
+        if (!experiment->ghosts[i].pinned)
+            experiment_drop_ghost(&experiment->ghosts[i]);
+}
+
+/* Another run takes the place of this one, and seeks the time that was on screen; the end, where that was the
+ * end. */
 static bool replace_trial(Experiment *experiment, const Settings *settings, bool keep_ghost, bool seek,
                           Status *status)
 {
     Trial *trial = &experiment->trial;
-    double time = simulation_time(trial->sim);
-    if (experiment->pending)
-        time = (double)experiment->goal_step * trial->sim->dt;
+    const long step = experiment->pending ? experiment->goal_step : trial->sim->step;
+    const double time = (double)step * trial->sim->dt;
+    const bool ended = step >= experiment_last_step(experiment) && settings->end == trial->base.end;
     Trial fresh;
     if (!trial_open(&fresh, settings, experiment->history, experiment->threads, status))
         return false;
-    if (keep_ghost && has_curve(experiment)) {
+    if (keep_ghost && is_pinned(experiment)) {
+        drop_unpinned(experiment);
+    } else if (keep_ghost && has_curve(experiment)) {
         Remains remains = remains_of(trial);
         make_ghost(experiment, find_place(experiment, false), false, trial, &trial->record, &remains);
     }
@@ -167,7 +190,8 @@ static bool replace_trial(Experiment *experiment, const Settings *settings, bool
     experiment_forget_answers(experiment);
     write_legends(experiment);
     if (seek)
-        experiment_seek(experiment, lround(time / trial->sim->dt), 0);
+        experiment_seek(experiment, ended ? experiment_last_step(experiment) : lround(time / trial->sim->dt),
+                        0);
     return true;
 }
 
@@ -220,9 +244,8 @@ bool experiment_restart(Experiment *experiment, bool keep_ghost, Status *status)
         rewind_trial(experiment, keep_ghost);
     else if (!replace_trial(experiment, &settings, keep_ghost, false, status))
         return false;
-    for (int i = 0; i < GHOSTS_MAX && !keep_ghost; i++)
-        if (!experiment->ghosts[i].pinned)
-            experiment_drop_ghost(&experiment->ghosts[i]);
+    if (!keep_ghost)
+        drop_unpinned(experiment);
     return true;
 }
 

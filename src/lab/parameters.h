@@ -129,6 +129,10 @@ const char *parameter_automatic(const Parameter *, Problem);
 /* What a scenario asks about: its question.key, or what its method leaves open. NULL: nothing. */
 const Parameter *settings_question(const Settings *);
 
+/* To the other answer to a question: what can be left out ("none") is taken away and put back, of other
+ * things the next value is taken. False: there is none. */
+bool settings_answer_otherwise(Settings *, const Parameter *);
+
 /* What is allowed, in words: "> 0", "1 to 8", "usf | usl | musl". */
 void parameter_range(const Parameter *, Problem, char *out, size_t size);
 

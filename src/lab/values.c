@@ -464,3 +464,16 @@ const Parameter *settings_question(const Settings *settings)
         asked = parameter_find(settings->method == METHOD_MPM ? "mpm.algorithm" : "pd.surface_correction");
     return asked && settings_have(settings, asked) ? asked : NULL;
 }
+
+bool settings_answer_otherwise(Settings *settings, const Parameter *parameter)
+{
+    char now[LIST_MAX];
+    for (int i = 0; parameter->choices && parameter->choices[i]; i++) {
+        const char *usual = parameter->choices[(int)parameter->defaults[settings->problem]];
+        if (strcmp(parameter->choices[i], "none") != 0 || strcmp(usual, "none") == 0)
+            continue;
+        settings_get(settings, parameter, now);
+        return settings_set(settings, parameter->key, strcmp(now, "none") == 0 ? usual : "none", NULL);
+    }
+    return settings_nudge(settings, parameter, 1);
+}

@@ -626,7 +626,7 @@ static void question(Laboratory *lab)
     const Settings before = settings;
     const Parameter *parameter = settings_question(&settings);
     Status status = {STATUS_DONE, ""};
-    if (!parameter || !settings_nudge(&settings, parameter, 1))
+    if (!parameter || !settings_answer_otherwise(&settings, parameter))
         say(lab, MESSAGE_INFO, "this scenario asks no question");
     else if (is_second(lab, &settings, parameter) &&
              (!settings_nudge(&settings, parameter, 1) || settings_same(&before, &settings, NULL, 0)))

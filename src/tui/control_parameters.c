@@ -36,7 +36,9 @@ static void return_to_time(Laboratory *lab)
 {
     Experiment *experiment = lab->screen.experiment;
     if (experiment_pending(experiment, NULL)) {
-        lab->goal_step = lround(lab->anchor_time / experiment_simulation(experiment)->dt);
+        const double step = round(lab->anchor_time / experiment_simulation(experiment)->dt);
+        const long last = experiment_last_step(experiment);
+        lab->goal_step = step < (double)last ? (long)step : last;
         lab->goal_stage = 0;
         duel_seek(&lab->duel, lab->goal_step, 0);
         lab->anchor_step = lab->goal_step;
@@ -68,6 +70,9 @@ bool change_settings(Laboratory *lab, const Settings *settings, DuelChange verb,
     /* a time on screen is a multiple of the time step, which changes: without this, it would wander */
     if (step != lab->anchor_step)
         lab->anchor_time = (double)step * experiment_simulation(lab->screen.experiment)->dt;
+    /* what was at its end comes back to its end, which may lie a part of a step later */
+    if (step >= experiment_last_step(lab->screen.experiment) && settings->end == old.end)
+        lab->anchor_time = 2 * old.end;
     Status said = {STATUS_DONE, ""};
     bool taken = duel_change(&lab->duel, settings, verb, &said);
     say(lab, MESSAGE_NONE, "%s", ""); /* how far it has been built */

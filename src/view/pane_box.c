@@ -1,5 +1,4 @@
 /* The box at the bottom. Running: a caption. At the end: the summary. Paused: the stage box, pane_stage.c. */
-#include "base/text.h"
 #include "view/panes.h"
 #include "lab/summary.h"
 
@@ -65,25 +64,22 @@ static void keep_sentences(char *text, int width, int rows)
     }
 }
 
-/* " 4200 steps/s, about 9 s to the end ": known after the first frames, for pace and machine as they are. */
+/* " 4200 steps/s, about 9 s left ": known after the first frames, for pace and machine as they are. */
 static void rate_text(const Screen *screen, char *out, size_t size)
 {
     const Experiment *experiment = screen->experiment;
     const double rate = screen->rate * FRAMES_PER_SECOND;
     const long left = experiment_last_step(experiment) - experiment_step(experiment);
-    char number[NUMBER_TEXT_MAX];
     out[0] = '\0';
     if (screen->state != STATE_RUNNING || !(rate > 0) || left < 1)
         return;
     const double seconds = (double)left / rate;
-    text_rounded(number, rate, rate < 1000 ? 2 : 3);
-    snprintf(out, size, " %s steps/s, ", number);
-    if (seconds < 1)
-        append(out, size, "less than 1 s to the end ");
-    else if (seconds < 100)
-        append(out, size, "about %.0f s to the end ", seconds);
+    const double grain = pow(10, floor(log10(rate)) - 1); /* two digits: the third would dance */
+    snprintf(out, size, rate < 10 ? " %.1f steps/s, " : " %.0f steps/s, ", round(rate / grain) * grain);
+    if (seconds < 100)
+        append(out, size, "about %.0f s left ", fmax(1, seconds));
     else
-        append(out, size, "about %.0f min to the end ", ceil(seconds / 60));
+        append(out, size, "about %.0f min left ", ceil(seconds / 60));
 }
 
 static void draw_caption(const Screen *screen, Area area)

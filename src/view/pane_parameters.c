@@ -5,6 +5,7 @@
 #include "base/text.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -26,6 +27,17 @@ static bool passes(const Screen *screen, const char *label, const char *key)
     return holds(label, screen->filter) || holds(key, screen->filter);
 }
 
+/* Whether a derived number is one of the fields too. */
+static bool is_field(const Derived *derived, Problem problem)
+{
+    for (int i = 0; i < n_parameters; i++) {
+        const char *point = strchr(parameters[i].key, '.');
+        if (point && strcmp(point + 1, derived->name) == 0 && parameter_applies(&parameters[i], problem))
+            return true;
+    }
+    return false;
+}
+
 int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS_MAX])
 {
     const Settings *settings = experiment_settings(screen->experiment);
@@ -43,7 +55,7 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
     int n_derived = experiment_derived(screen->experiment, derived);
     bool begun = false;
     for (int i = 0; i < n_derived && count + 1 < PARAMETER_ROWS_MAX; i++) {
-        if (!passes(screen, derived[i].label, derived[i].name))
+        if (is_field(&derived[i], settings->problem) || !passes(screen, derived[i].label, derived[i].name))
             continue;
         if (!begun)
             rows[count++] = (ParameterRow){.heading = "Follows from these", .derived = -1};
@@ -51,6 +63,23 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
         rows[count++] = (ParameterRow){.derived = i};
     }
     return count;
+}
+
+/* A size of a beam as the lattice has it, where that is another one than asked for; "" where it is not. */
+static void real_text(const Screen *screen, const Parameter *parameter, char out[NUMBER_TEXT_MAX])
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    out[0] = '\0';
+    if (parameter->type != PARAMETER_REAL)
+        return;
+    const double nominal = settings_number(settings, parameter);
+    double real = NAN;
+    if (strcmp(parameter->key, "beam.height") == 0)
+        real = derived_value(screen, "real_height");
+    else if (strcmp(parameter->key, "beam.length") == 0 && settings->problem == PROBLEM_SUPPORTED_BEAM)
+        real = derived_value(screen, "real_span");
+    if (fabs(real - nominal) > 1e-6 * nominal)
+        number_text(real, 4, 8, out);
 }
 
 /* The first row shown, so that the chosen one stands near the middle. */
@@ -103,7 +132,12 @@ static void draw_field(const Screen *screen, Area area, int y, const Parameter *
         snprintf(marked, sizeof marked, "‹%s›", value);
         area_text_right(area, width, y, marked, style);
     } else if (columns <= room) {
+        char real[NUMBER_TEXT_MAX], brackets[NUMBER_TEXT_MAX + 4];
+        real_text(screen, parameter, real);
+        snprintf(brackets, sizeof brackets, "(%s) ", real);
         area_text_right(area, width, y, value, style);
+        if (real[0] && text_columns(brackets) + columns + 1 <= room)
+            area_text_right(area, width - columns, y, brackets, focused ? style : STYLE_FAINT);
     } else {
         area_text(area_part(area, label + 1, y, room, 1), 0, 0, value, style);
     }
@@ -137,17 +171,19 @@ static int room_of(int height)
 
 static void draw_hint(const Screen *screen, Area area, const ParameterRow *row, const Derived *derived)
 {
-    char unit[96] = "", range[96] = "";
+    char unit[96] = "", range[96] = "", real[NUMBER_TEXT_MAX] = "";
     if (row->parameter) {
         snprintf(unit, sizeof unit, "%s", parameter_unit(screen, row->parameter));
         parameter_range(row->parameter, experiment_settings(screen->experiment)->problem, range,
                         sizeof range);
+        real_text(screen, row->parameter, real);
     } else if (row->derived >= 0) {
         snprintf(unit, sizeof unit, "%s", derived[row->derived].unit);
         snprintf(range, sizeof range, "read only");
     }
     if (unit[0] && strcmp(unit, "1") != 0)
-        area_print(area, 2, area.rect.height - 2, STYLE_FAINT, "in %s", unit);
+        area_print(area, 2, area.rect.height - 2, STYLE_FAINT, real[0] ? "in %s, lattice %s" : "in %s", unit,
+                   real);
     area_text(area, 2, area.rect.height - 1, range, STYLE_FAINT);
 }
 

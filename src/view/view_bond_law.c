@@ -11,8 +11,8 @@ typedef struct Stretches {
     double *values, *safe;
     size_t count;
     double least, most; /* of all */
-    size_t foremost;    /* the node with the largest that may break; count: there is none */
-    bool safe_ahead;    /* a bond that never breaks is stretched more */
+    size_t foremost;    /* the node with the largest of a bond that may break; count: there is none */
+    double largest;     /* that stretch */
 } Stretches;
 
 bool bond_law_fits(const Simulation *sim)
@@ -26,12 +26,27 @@ static void free_stretches(Stretches *all)
     free(all->safe);
 }
 
-static bool take_stretches(const Simulation *sim, Stretches *all)
+/* The largest stretch among the whole bonds of a node that may break: neither end is protected. */
+static double breakable(const Simulation *sim, const Stretches *all, size_t node)
+{
+    enum { LINKS_MAX = 256 };
+    Link links[LINKS_MAX];
+    size_t count = sim->method->links(sim, 0, node, links, LINKS_MAX);
+    double largest = -HUGE_VAL;
+    for (size_t i = 0; i < count && i < LINKS_MAX; i++)
+        if (!links[i].broken && all->safe[links[i].index] == 0)
+            largest = fmax(largest, links[i].weight);
+    return largest;
+}
+
+/* Where bonds break at s0, only bonds that never do are stretched more: their nodes are looked at bond by
+ * bond. */
+static bool take_stretches(const Simulation *sim, double s0, Stretches *all)
 {
     const size_t count = sim->counts[0];
     const int stretch = simulation_find_field(sim, 0, "stretch");
     const int safe = simulation_find_field(sim, 0, "protected");
-    *all = (Stretches){.count = count, .foremost = count};
+    *all = (Stretches){.count = count, .foremost = count, .largest = -HUGE_VAL};
     if (!bond_law_fits(sim) || count == 0)
         return false;
     all->values = malloc(count * sizeof *all->values);
@@ -46,10 +61,14 @@ static bool take_stretches(const Simulation *sim, Stretches *all)
         const double value = all->values[i];
         all->least = fmin(all->least, value);
         all->most = fmax(all->most, value);
-        if (all->safe[i] == 0 && (all->foremost == count || value > all->values[all->foremost]))
+        if (all->safe[i] != 0)
+            continue;
+        const double own = s0 > 0 && value >= s0 ? breakable(sim, all, i) : value;
+        if (own > all->largest) {
+            all->largest = own;
             all->foremost = i;
+        }
     }
-    all->safe_ahead = all->foremost < count && all->most > all->values[all->foremost];
     return true;
 }
 
@@ -81,17 +100,17 @@ static void law_lines(const Screen *screen, const Stretches *all, double s0, cha
     char number[NUMBER_TEXT_MAX], limit[NUMBER_TEXT_MAX];
     first[0] = second[0] = '\0';
     if (all->foremost < all->count) {
-        number_text(all->values[all->foremost], 4, 10, number);
+        number_text(all->largest, 4, 10, number);
         snprintf(first, 160, "largest s %s", number);
         if (s0 > 0)
-            append(first, 160, " = %.1f %% of s0", 100 * all->values[all->foremost] / s0);
+            append(first, 160, " = %.1f %% of s0", 100 * all->largest / s0);
         append(first, 160, "  particle %zu", all->foremost);
     }
     if (s0 > 0) {
         number_text(s0, 4, 10, limit);
         number_text(derived_value(screen, "critical_energy"), 4, 9, number);
         snprintf(second, 160, "s0 %s: G0 %s J/m^2", limit, number);
-        if (all->safe_ahead)
+        if (all->most > s0)
             append(second, 160, "  protected bonds reach %.0f %%", 100 * all->most / s0);
     } else {
         snprintf(second, 160, s0 == 0 ? "s0 is 0: bonds never break here" : "the bonds of a bar never break");
@@ -104,7 +123,7 @@ void view_bond_law(const Screen *screen, Area area, Style heading)
     const double s0 = derived_value(screen, "critical_stretch");
     const double stiffness = derived_value(screen, "micromodulus");
     Stretches all;
-    if (!take_stretches(sim, &all) || !(stiffness > 0)) {
+    if (!take_stretches(sim, s0, &all) || !(stiffness > 0)) {
         area_rule(area, 0, "a bond's force", heading);
         free_stretches(&all);
         return;
@@ -150,7 +169,7 @@ void view_bond_law(const Screen *screen, Area area, Style heading)
     plot_draw(&plot, inner);
     plot_close(&plot);
     if (all.foremost < all.count) {
-        const double value = all.values[all.foremost];
+        const double value = all.largest;
         const int column = axis_column(&x, value, inner.rect.width);
         const int row = axis_row(&y, stiffness * value, inner.rect.height);
         if (column >= 0 && row >= 0)

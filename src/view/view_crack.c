@@ -1,5 +1,6 @@
 /* More pictures of a beam that breaks: the crack's path with its angle, the angle over time, and what a piece
  * of crack has cost beside the fracture energy that it should cost. */
+#include "view/runs.h"
 #include "view/time_plot.h"
 
 #include "physics/pd/crack.h"
@@ -15,10 +16,9 @@ typedef struct Notch {
     double x, y; /* its end, m */
 } Notch;
 
-static Notch notch_of(const Screen *screen)
+static Notch notch_of(const Settings *settings)
 {
-    const BeamDef *def = &experiment_settings(screen->experiment)->beam;
-    return (Notch){def->notch_position, def->notch_depth};
+    return (Notch){settings->beam.notch_position, settings->beam.notch_depth};
 }
 
 static bool has_crack(const Screen *screen)
@@ -42,27 +42,63 @@ static void draw_lines(const Screen *screen, Area area, int under)
         area_phrases(area, 1, area.rect.height - under + i, area.rect.width - 2, 1, lines[i], STYLE_NORMAL);
 }
 
+/* The present run, what it should be, and the ghosts. */
+static void draw_runs_heading(const Screen *screen, Area area, Style heading, const char *name,
+                              const char *scale, const Run *runs, int n_runs, const Legend *target)
+{
+    Legend legend[RUNS_MAX + 1];
+    int count = 0, used = 9 + text_columns(name) + text_columns(scale);
+    for (int r = 0; r < n_runs; r++)
+        if (runs[r].ghost < 0 && runs[r].shown)
+            legend[count++] = run_legend(&runs[r]);
+    if (shows_exact(screen))
+        legend[count++] = *target;
+    for (int i = 0; i < count; i++)
+        used += text_columns(legend[i].name) + 5;
+    count += ghost_legends(runs, n_runs, legend_room(area) - used, legend + count);
+    shorten_legend(area, name, scale, legend, count);
+    draw_heading(area, heading, name, scale, legend, count);
+}
+
+/* The places of the tip of an earlier run, of which no more is kept. */
+static void add_tips(Plot *plot, const Run *run)
+{
+    if (run->ghost < 0 || !run->shown)
+        return;
+    const int x = run_column(run, "crack_x"), y = run_column(run, "crack_y");
+    const Notch notch = notch_of(run->settings);
+    double last_x = notch.x, last_y = notch.y;
+    run_begin(plot, run);
+    plot_point(plot, last_x, last_y);
+    for (size_t i = 0; i < run->record->count; i++) {
+        const double *row = record_row(run->record, i);
+        if (row[x] == last_x && row[y] == last_y)
+            continue;
+        plot_point(plot, last_x = row[x], last_y = row[y]);
+    }
+}
+
 /* --- the path ------------------------------------------------------------------------------------- */
 
 static void draw_path(const Screen *screen, Area area, Style heading)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     const BeamDef *def = &experiment_settings(screen->experiment)->beam;
-    const Notch notch = notch_of(screen);
+    const Notch notch = notch_of(experiment_settings(screen->experiment));
     const int under = lines_under(area);
     Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
     const double left = fmin(notch.x, def->load_position) - 0.02;
     const double right = fmax(notch.x, def->load_position) + 0.02;
     Axis x = axis_make(fmax(0, left), fmin(def->length, right), area.rect.width / 9);
     Axis y = axis_make(0, def->height, plot_area.rect.height < 8 ? 3 : 6);
-    const Legend legend[] = {{LINE_SOLID, '*', STYLE_MEASURED, "measured", NULL},
-                             {LINE_DOTTED, '.', STYLE_EXACT, "30 deg", NULL},
-                             {LINE_DASHED, '-', STYLE_FAINT, "notch, load", NULL}};
+    const Legend target = {LINE_DOTTED, '.', STYLE_EXACT, "30 deg", NULL};
+    Run runs[RUNS_MAX];
+    const int n_runs = runs_with(runs, runs_of(screen, runs), "crack_x");
     char scale[TICK_TEXT_MAX], x_scale[TICK_TEXT_MAX], name[TICK_TEXT_MAX + 4];
     axis_scale_text(&y, "m", scale);
     axis_scale_text(&x, "m", x_scale);
     snprintf(name, sizeof name, "x, %s", x_scale);
-    draw_heading(area, heading, "crack's path, y", scale, legend, 3);
+    draw_runs_heading(screen, area, heading, "crack's path, y", scale, runs, n_runs, &target);
     Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
 
     Plot plot;
@@ -79,6 +115,8 @@ static void draw_path(const Screen *screen, Area area, Style heading)
         plot_point(&plot, notch.x, notch.y);
         plot_point(&plot, notch.x + towards * rise * tan(PAPER_ANGLE * M_PI / 180), def->height);
     }
+    for (int r = 0; r < n_runs; r++)
+        add_tips(&plot, &runs[r]);
     const size_t most = (size_t)ceil(def->height / def->spacing) + 1;
     double *path = malloc(2 * most * sizeof *path);
     const size_t count = path ? crack_path(sim, path, path + most, most) : 0;
@@ -88,6 +126,14 @@ static void draw_path(const Screen *screen, Area area, Style heading)
         plot_point(&plot, path[i], path[most + i]);
     free(path);
     plot_draw(&plot, inner);
+    for (int r = 0; r < n_runs; r++) {
+        const Record *record = runs[r].record;
+        if (runs[r].ghost < 0 || !runs[r].shown || record->count == 0)
+            continue;
+        const double *row = record_row(record, record->count - 1);
+        run_letter(&runs[r], &plot, inner, row[run_column(&runs[r], "crack_x")],
+                   row[run_column(&runs[r], "crack_y")]);
+    }
     plot_close(&plot);
     Crack crack;
     if (crack_measure(sim, &crack)) {
@@ -123,14 +169,11 @@ static double energy_of_crack(const double *row, const void *context)
     return row[columns->length] > 2e-3 ? row[columns->dissipated] / area : NAN;
 }
 
-static CrackColumns crack_columns(const Screen *screen)
+static CrackColumns crack_columns(const Run *run)
 {
-    return (CrackColumns){find_column(screen, "crack_x"),
-                          find_column(screen, "crack_y"),
-                          find_column(screen, "crack_length"),
-                          find_column(screen, "dissipated"),
-                          notch_of(screen),
-                          experiment_settings(screen->experiment)->beam.thickness};
+    return (CrackColumns){run_column(run, "crack_x"),      run_column(run, "crack_y"),
+                          run_column(run, "crack_length"), run_column(run, "dissipated"),
+                          notch_of(run->settings),         run->settings->beam.thickness};
 }
 
 typedef struct Told {
@@ -141,25 +184,27 @@ typedef struct Told {
 
 static void draw_over_time(const Screen *screen, Area area, Style heading, const Told *told)
 {
-    const CrackColumns columns = crack_columns(screen);
-    const Record *record = experiment_record(screen->experiment);
-    const int under = lines_under(area);
+    Run runs[RUNS_MAX];
+    CrackColumns columns[RUNS_MAX];
+    const int n_runs = runs_with(runs, runs_of(screen, runs), "crack_x"), under = lines_under(area);
     Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
     const int width = plot_area.rect.width - GUTTER - 1, dots = width * plot_dots_across(area.glyphs);
     const int rows = plot_area.rect.height - 1;
     double least = 0, most = told->target;
-    for (size_t i = 0; i < record->count; i += time_plot_stride(record)) {
-        const double value = told->value(record_row(record, i), &columns);
-        least = value < least ? value : least;
-        most = value > most ? value : most;
+    for (int r = 0; r < n_runs; r++) {
+        columns[r] = crack_columns(&runs[r]);
+        for (size_t i = 0; i < runs[r].record->count; i += time_plot_stride(runs[r].record)) {
+            const double value = told->value(record_row(runs[r].record, i), &columns[r]);
+            least = value < least ? value : least;
+            most = value > most ? value : most;
+        }
     }
     Axis y = axis_around(least, axis_round_up(most * 1.02), rows < 5 ? 3 : 5);
     Axis x = time_plot_axis(screen, width);
-    const Legend legend[] = {{LINE_SOLID, '*', STYLE_MEASURED, "measured", NULL},
-                             {LINE_DOTTED, '.', STYLE_EXACT, told->target_name, NULL}};
+    const Legend target = {LINE_DOTTED, '.', STYLE_EXACT, told->target_name, NULL};
     char scale[TICK_TEXT_MAX], name[32];
     axis_scale_text(&y, "", scale);
-    draw_heading(area, heading, told->name, scale, legend, shows_exact(screen) ? 2 : 1);
+    draw_runs_heading(screen, area, heading, told->name, scale, runs, n_runs, &target);
     Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
     Plot plot;
     plot_open(&plot, x, y);
@@ -168,11 +213,22 @@ static void draw_over_time(const Screen *screen, Area area, Style heading, const
         plot_point(&plot, x.low, told->target);
         plot_point(&plot, x.high, told->target);
     }
-    plot_begin(&plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
-    time_plot_curve(&plot, &(Curve){record, -1, -1, -1, told->value, &columns}, dots);
+    for (int r = 0; r < n_runs; r++) {
+        if (!runs[r].shown)
+            continue;
+        run_begin(&plot, &runs[r]);
+        time_plot_curve(&plot, &(Curve){runs[r].record, -1, -1, -1, told->value, &columns[r]}, dots);
+    }
     time_plot_breaks(screen, inner, &x);
     time_plot_now(screen, inner, &x);
     plot_draw(&plot, inner);
+    for (int r = 0; r < n_runs; r++) {
+        const Record *record = runs[r].record;
+        if (!runs[r].shown || record->count == 0)
+            continue;
+        const double *row = record_row(record, record_find(record, x.high));
+        run_letter(&runs[r], &plot, inner, row[1], told->value(row, &columns[r]));
+    }
     plot_close(&plot);
     draw_lines(screen, area, under);
 }
@@ -184,7 +240,7 @@ int view_crack_variants(const Screen *screen)
 
 void view_crack(const Screen *screen, Area area, Style heading, int variant)
 {
-    static const Told angle = {"tip from the notch, deg", "30 deg", tip_angle, PAPER_ANGLE};
+    static const Told angle = {"tip's angle, deg", "30 deg", tip_angle, PAPER_ANGLE};
     if (variant == 0)
         draw_path(screen, area, heading);
     else

@@ -214,6 +214,11 @@ START_TEST(the_question_suggests_the_next_choice)
     ck_assert_int_eq(duel_suggest(&settings, keys), 1);
     duel_write_keys(keys, 1, text, sizeof text);
     ck_assert_str_eq(text, "mpm.algorithm=usl");
+    /* what can be left out is left out, not replaced by another kind of it */
+    settings = beam_settings(PROBLEM_SUPPORTED_BEAM, 1e-4);
+    ck_assert_int_eq(duel_suggest(&settings, keys), 1);
+    duel_write_keys(keys, 1, text, sizeof text);
+    ck_assert_str_eq(text, "pd.surface_correction=none");
 }
 END_TEST
 
