@@ -26,12 +26,13 @@ static bool is_slip(const char *word, Status *status)
     return true;
 }
 
-/* No command word: the laboratory. */
-static int open_laboratory(int count, char **arguments, Status *status)
+/* No command word, or `lesson`: the laboratory. */
+static int open_laboratory(bool for_lesson, int count, char **arguments, Status *status)
 {
     Options options;
     Settings settings;
-    if (!options_parse("open", count, arguments, &options, status))
+    if (!options_parse(for_lesson ? "lesson" : "open", count, arguments, &options, status) ||
+        (for_lesson && !options_words(&options, 0, 1, "[NAME]", status)))
         return (int)status->code;
     if (options.help) {
         cli_print_help(NULL);
@@ -43,7 +44,9 @@ static int open_laboratory(int count, char **arguments, Status *status)
                     options.last ? "--last" : "--replay");
         return (int)status->code;
     }
-    const char *scenario = options.n_words > 0 ? options.words[0] : "mode1";
+    const char *first = "mode1", *word = options.n_words > 0 ? options.words[0] : NULL;
+    const char *scenario = word && !for_lesson ? word : first;
+    const char *lesson = !for_lesson ? NULL : word ? word : all_lessons;
     if (is_slip(scenario, status) || !options_words(&options, 0, 1, "[SCENARIO]", status) ||
         !options_load(&options, scenario, &settings, status))
         return (int)status->code;
@@ -51,7 +54,8 @@ static int open_laboratory(int count, char **arguments, Status *status)
         &(LaboratoryOptions){
             .settings = &settings,
             .scenario = scenario,
-            .paused = options.paused,
+            .lesson = lesson,
+            .paused = options.paused || for_lesson,
             .glyphs = options.glyphs,
             .theme = options.theme,
             .no_mouse = options.no_mouse,
@@ -85,11 +89,13 @@ static int run(int count, char **arguments, Status *status)
     }
     const CliCommand *command = count > 0 ? cli_find(arguments[0]) : NULL;
     if (!command)
-        return open_laboratory(count, arguments, status);
+        return open_laboratory(false, count, arguments, status);
     if (asks_for_help(count - 1, arguments + 1)) {
         cli_print_help(command);
         return STATUS_DONE;
     }
+    if (!command->run)
+        return open_laboratory(true, count - 1, arguments + 1, status);
     return command->run(count - 1, arguments + 1, status);
 }
 

@@ -6,6 +6,7 @@
 #include "cli/cli.h"
 #include "cli/options.h"
 #include "cli/verify.h"
+#include "lab/lesson.h"
 #include "lab/parameters.h"
 
 #include <stdio.h>
@@ -85,6 +86,10 @@ static void write_words(void)
         } else if (strcmp(command_name(c), "verify") == 0) {
             for (int i = 0; verify_name(i); i++)
                 printf("%s%s", i ? " " : "", verify_name(i));
+        } else if (strcmp(command_name(c), "lesson") == 0) {
+            fputs("@file", stdout);
+            for (int i = 0; builtin_lessons[i].name; i++)
+                printf(" %s", builtin_lessons[i].name);
         }
         puts("' ;;");
     }

@@ -5,6 +5,7 @@
 #include "cli/cli.h"
 #include "cli/options.h"
 #include "cli/sweep_result.h"
+#include "lab/lesson.h"
 #include "lab/parameters.h"
 #include "lab/problem.h"
 #include "tui/script.h"
@@ -109,6 +110,24 @@ static bool write_scenarios(const char *unused)
         say_in("B", builtin->name);
         putchar('\n');
         say_line(title);
+    }
+    return true;
+}
+
+static bool write_lessons(const char *unused)
+{
+    (void)unused;
+    for (const BuiltinLesson *builtin = builtin_lessons; builtin->name; builtin++) {
+        Lesson lesson;
+        if (!lesson_load(builtin->name, &lesson, NULL))
+            return false;
+        puts(".TP");
+        say_in("B", builtin->name);
+        putchar('\n');
+        say(lesson.title);
+        fputs(": ", stdout);
+        say_line(lesson.about ? lesson.about : "");
+        lesson_free(&lesson);
     }
     return true;
 }
@@ -330,7 +349,7 @@ static const struct {
     bool (*write)(const char *argument);
 } tables[] = {
     {"commands", write_commands},     {"keys", write_keys},       {"options", write_options},
-    {"parameters", write_parameters}, {"results", write_results}, {"scenarios", write_scenarios},
+    {"parameters", write_parameters}, {"results", write_results}, {"scenarios", write_scenarios}, {"lessons", write_lessons},
     {"script", write_script},         {"series", write_series},   {"tables", write_tables},
     {"texts", write_texts},
 };

@@ -16,6 +16,7 @@ const CliCommand cli_commands[] = {
     {"run", "SCENARIO", "runs a scenario to its end and writes tables of it", cli_run},
     {"sweep", "SCENARIO", "many runs that differ in some parameters, a row for each", cli_sweep},
     {"verify", "[NAME]...", "what the papers say, what theory predicts, what was measured", verify},
+    {"lesson", "[NAME]", "a lesson beside the live laboratory; without a name: all of them", NULL},
     {"export-lammps", "SCENARIO", "a beam as input for LAMMPS, for runs on many machines", cli_export_lammps},
     {"list", "", "the built-in scenarios", cli_list},
     {"show", "SCENARIO", "the resolved scenario as a file, derived values as comments", cli_show},

@@ -12,7 +12,7 @@ typedef struct CliCommand {
     const char *name;     /* "show" */
     const char *synopsis; /* what follows the name, options left out: "SCENARIO" */
     const char *help;     /* one line */
-    /* `arguments` are those behind the name. Returns the exit status; if that is not 0 the status says why.
+    /* NULL: the laboratory does it. Else `arguments` are those behind the name. Returns the exit status; if that is not 0 the status says why.
      */
     int (*run)(int count, char **arguments, Status *);
 } CliCommand;

@@ -187,11 +187,18 @@ bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Ho
     begin_run(lab);
     if (options->paused)
         lab->resume = lab->screen.state = STATE_PAUSED;
+    if (options->reached)
+        memcpy(lab->screen.lesson.reached, options->reached, sizeof lab->screen.lesson.reached);
+    if (options->lesson && !open_lesson(lab, options->lesson, status)) {
+        laboratory_close(lab);
+        return false;
+    }
     return true;
 }
 
 void laboratory_close(Laboratory *lab)
 {
+    close_lesson(lab);
     duel_close(&lab->duel);
     experiment_destroy(lab->screen.experiment);
     overlay_close(&lab->overlay);
@@ -452,7 +459,7 @@ static bool compute_frame(Laboratory *lab, double deadline)
     return true;
 }
 
-bool laboratory_frame(Laboratory *lab, double deadline)
+static bool do_frame(Laboratory *lab, double deadline)
 {
     if (lab->screen.message_kind == MESSAGE_INFO &&
         lab->host.now(lab->host.context) > lab->said_at + MESSAGE_SECONDS)
@@ -462,6 +469,13 @@ bool laboratory_frame(Laboratory *lab, double deadline)
     if (lab->screen.state == STATE_RUNNING)
         return run_frame(lab, deadline);
     return true;
+}
+
+bool laboratory_frame(Laboratory *lab, double deadline)
+{
+    const bool news = do_frame(lab, deadline);
+    continue_lesson(lab);
+    return news;
 }
 
 bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)

@@ -40,6 +40,19 @@ typedef struct Host {
         void *context); /* the engine makes room for it at once; NULL: keys come between frames */
 } Host;
 
+enum { LESSON_QUEUE_MAX = 256 };
+
+/* The lesson that is open, and what is still to be done for its page. */
+typedef struct LessonPlay {
+    Lesson lesson;
+    char name[NAME_MAX_BYTES];
+    const char *queue[LESSON_QUEUE_MAX];
+    int n_queue, next;
+    uint64_t used; /* bit i: command i has been used since the page was opened */
+    bool warned;   /* that the page still waits */
+    bool busy;
+} LessonPlay;
+
 /* Takes an answer to a prompt. False: refused, prompt.problem says why, the prompt stays. */
 typedef bool (*Answer)(Laboratory *, const char *text);
 
@@ -76,6 +89,7 @@ struct Laboratory {
     int frames_in_time;  /* since the engine was last the limit */
     Answer answer;
     LineHistory past;
+    LessonPlay play;
     Overlay overlay; /* behind screen.overlay */
     char export_name[NAME_MAX_BYTES];
     bool export_newest; /* the export that is being asked for goes to the newest step, not to here */
@@ -130,6 +144,7 @@ void choose_pace(Laboratory *);
 /* Where the steps of a key begin: the place on screen, or where the work on the way will end. */
 void present(const Laboratory *, long *step, int *stage);
 
+void show_view(Laboratory *, int view);
 const Parameter *selected_parameter(const Laboratory *);
 void move_selection(Laboratory *, int rows);
 void nudge_selected(Laboratory *, int direction);
@@ -165,6 +180,16 @@ void recall_line(Laboratory *, int direction);
 /* Whether a file may be written now: not when an earlier session is done again, which is said. */
 bool may_write(Laboratory *, const char *name);
 
+/* control_lesson.c */
+void read_progress(int reached[LESSONS_MAX]);
+bool open_lesson(Laboratory *, const char *name, Status *);
+bool answer_lesson(Laboratory *, const char *text);
+void close_lesson(Laboratory *);
+void toggle_lessons(Laboratory *);
+bool lesson_key(Laboratory *, const Key *); /* false: it is not for the lesson */
+void move_in_lesson(Laboratory *, int x, int y);
+void continue_lesson(Laboratory *); /* what is left to be done, once the run has come to where it should be */
+
 /* Says in the question that is open why its answer is not taken; returns false. */
 bool refuse(Laboratory *, const char *why);
 
@@ -175,6 +200,7 @@ bool answer_go_to(Laboratory *, const char *text);
 bool answer_open(Laboratory *, const char *text);
 bool answer_write(Laboratory *, const char *text);
 bool answer_line(Laboratory *, const char *text);
+bool run_line(Laboratory *, const char *line); /* the same without remembering it */
 bool answer_filter(Laboratory *, const char *text);
 bool answer_quit(Laboratory *, const char *text);
 

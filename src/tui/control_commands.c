@@ -367,6 +367,8 @@ static void move(Laboratory *lab, int x, int y, int page)
         return;
     if (screen->zooming && map_is_focused(lab)) {
         map_pan(lab, x, y);
+    } else if (screen->focus == PANE_PARAMETERS && screen->lesson.open) {
+        move_in_lesson(lab, x, y);
     } else if (screen->focus == PANE_PARAMETERS) {
         if (x)
             nudge_selected(lab, x);
@@ -427,7 +429,9 @@ static void enter(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
     if (screen->focus == PANE_PARAMETERS) {
-        begin_edit(lab);
+        if (!screen->lesson.open ||
+            (screen->lesson.lesson && screen->lesson.lesson->pages[screen->lesson.page].n_fields > 0))
+            begin_edit(lab);
     } else if (is_time_plot(view_in(screen, screen->focus)) && !isnan(screen->cursor_time)) {
         pause_run(lab);
         seek(lab, lround(screen->cursor_time / experiment_simulation(screen->experiment)->dt), 0);
@@ -505,7 +509,7 @@ static PaneId home_of(int view)
     return view == 1 || view == 4 || view == 7 || view == 8 ? PANE_UPPER : PANE_LOWER;
 }
 
-static void show_view(Laboratory *lab, int view)
+void show_view(Laboratory *lab, int view)
 {
     Screen *screen = &lab->screen;
     const char *missing = screen_view_missing(screen, view);
@@ -788,6 +792,7 @@ static const Carry carries[COMMAND_COUNT] = {
     [COMMAND_DUEL] = toggle_duel,
     [COMMAND_BOOKMARK] = bookmark,
     [COMMAND_JUMP] = jump,
+    [COMMAND_LESSONS] = toggle_lessons,
     [COMMAND_EXPORT] = export_run_as_files,
     [COMMAND_OPEN] = open_file,
     [COMMAND_WRITE] = write_file,
@@ -812,6 +817,7 @@ void laboratory_command(Laboratory *lab, CommandId id)
     if (!laboratory_can(id))
         return;
     lab->screen.used |= (uint64_t)1 << id;
+    lab->play.used |= (uint64_t)1 << id;
     if (id >= COMMAND_VIEW_1 && id <= COMMAND_VIEW_9)
         show_view(lab, (int)(id - COMMAND_VIEW_1) + 1);
     else

@@ -132,7 +132,7 @@ static bool is_for_everywhere(CommandId id)
     return id == COMMAND_INTERRUPT || id == COMMAND_REDRAW || id == COMMAND_SUSPEND;
 }
 
-void laboratory_key(Laboratory *lab, const Key *key)
+static void take_key(Laboratory *lab, const Key *key)
 {
     const Command *command = command_by_key(key->name);
     drop_part(lab);
@@ -149,8 +149,16 @@ void laboratory_key(Laboratory *lab, const Key *key)
         edit_key(lab, key);
     else if (lab->screen.help)
         help_command(lab, command ? command->id : COMMAND_NONE);
+    else if (lesson_key(lab, key))
+        return;
     else if (command)
         laboratory_command(lab, command->id);
     else if (strlen(key->name) == 1 && key->name[0] >= '1' && key->name[0] <= '9')
         laboratory_command(lab, (CommandId)(COMMAND_VIEW_1 + (key->name[0] - '1'))); /* says why not */
+}
+
+void laboratory_key(Laboratory *lab, const Key *key)
+{
+    take_key(lab, key);
+    continue_lesson(lab);
 }

@@ -131,9 +131,54 @@ static bool overlay(Laboratory *lab, const char *words)
     return true;
 }
 
+static bool show(Laboratory *lab, const char *words)
+{
+    int view, variant = 1;
+    char after;
+    const int count = sscanf(words, "%d %d %c", &view, &variant, &after);
+    if (count < 1 || count > 2 || view < 1 || view > 9 || variant < 1 || variant > 99)
+        return refuse(lab, "a view is wanted, 1 to 9, and its variant, as in show 3 or show 1 2");
+    if (screen_view_missing(&lab->screen, view))
+        return refuse(lab, screen_view_missing(&lab->screen, view));
+    show_view(lab, view);
+    lab->screen.variant[view] = variant - 1;
+    return true;
+}
+
+static bool references(Laboratory *lab, const char *words)
+{
+    for (int i = 0; i < SHOW_COUNT; i++)
+        if (strcmp(words, reference_words[i]) == 0) {
+            lab->screen.references = (ReferencesShown)i;
+            return true;
+        }
+    return refuse(lab, "which reference curves? (all | exact | predicted | none)");
+}
+
+static bool particle(Laboratory *lab, const char *words)
+{
+    const long count = (long)experiment_simulation(lab->screen.experiment)->counts[0];
+    long number;
+    char why[64];
+    snprintf(why, sizeof why, "which particle? (0 to %ld)", count - 1);
+    if (!text_to_long(words, &number) || number < 0 || number >= count)
+        return refuse(lab, why);
+    lab->screen.particle = (size_t)number;
+    lab->screen.node_chosen = false;
+    return true;
+}
+
 static bool (*const verbs[LINE_COUNT])(Laboratory *, const char *words) = {
-    [LINE_SET] = set,          [LINE_OPEN] = answer_open,   [LINE_WRITE] = answer_write,
-    [LINE_EXPORT] = export_as, [LINE_GO_TO] = answer_go_to, [LINE_OVERLAY] = overlay,
+    [LINE_SET] = set,
+    [LINE_OPEN] = answer_open,
+    [LINE_WRITE] = answer_write,
+    [LINE_EXPORT] = export_as,
+    [LINE_GO_TO] = answer_go_to,
+    [LINE_OVERLAY] = overlay,
+    [LINE_SHOW] = show,
+    [LINE_REFERENCES] = references,
+    [LINE_PARTICLE] = particle,
+    [LINE_LESSON] = answer_lesson,
     [LINE_DUEL] = answer_duel,
 };
 
@@ -149,6 +194,11 @@ bool answer_line(Laboratory *lab, const char *text)
     if (!*line)
         return true;
     remember(lab, line);
+    return run_line(lab, line);
+}
+
+bool run_line(Laboratory *lab, const char *line)
+{
     const char *words = line + strcspn(line, " ");
     const LineVerb *verb = line_verb_find(line, (size_t)(words - line));
     words += strspn(words, " ");

@@ -1,9 +1,11 @@
 #include "tui/laboratory.h"
 
 #include "lab/output_file.h"
+#include "tui/control.h"
 #include "tui/loop.h"
 #include "tui/script.h"
 #include "tui/session.h"
+#include "tui/state_file.h"
 
 #include <errno.h>
 #include <locale.h>
@@ -11,10 +13,12 @@
 #include <string.h>
 #include <unistd.h>
 
+static const char *const last_session = "last.session";
+
 /* The session that is to be done again, if one is; its scenario takes the place of that of the options. */
 static bool open_replay(LaboratoryOptions *options, Session **replay, Status *status)
 {
-    char *last = options->last ? session_last_file(false) : NULL;
+    char *last = options->last ? state_file(last_session, false) : NULL;
     const char *file = options->last ? last : options->replay;
     bool sound = true;
     if (options->last && (!last || access(last, F_OK) != 0))
@@ -25,9 +29,7 @@ static bool open_replay(LaboratoryOptions *options, Session **replay, Status *st
         sound = *replay != NULL;
     }
     if (sound && *replay) {
-        options->settings = session_settings(*replay);
-        options->scenario = session_scenario(*replay);
-        options->paused = session_paused(*replay);
+        session_options(*replay, options);
         options->fast |= options->last;
     }
     free(last);
@@ -38,7 +40,7 @@ static bool open_recording(const LaboratoryOptions *options, Session **recording
 {
     if (options->record && !output_may_begin(options->record, options->force, status))
         return false;
-    *recording = session_begin(options->settings, options->scenario, options->paused, status);
+    *recording = session_begin(options, status);
     return *recording != NULL;
 }
 
@@ -47,7 +49,7 @@ static bool keep(const LaboratoryOptions *options, const Session *recording, Sta
 {
     if (options->record)
         return session_write(recording, options->record, options->force, status);
-    char *last = options->script ? NULL : session_last_file(true);
+    char *last = options->script ? NULL : state_file(last_session, true);
     Status ignored = {0};
     if (last)
         session_write(recording, last, true, &ignored);
@@ -59,7 +61,9 @@ int laboratory_main(const LaboratoryOptions *given, Status *status)
 {
     LaboratoryOptions options = *given;
     Session *replay = NULL, *recording = NULL;
-    int result = STATUS_DONE;
+    int result = STATUS_DONE, reached[LESSONS_MAX] = {0};
+    read_progress(reached);
+    options.reached = reached;
     /* names, widths and the character set are the user's; numbers have a point everywhere */
     setlocale(LC_ALL, "");
     setlocale(LC_NUMERIC, "C");

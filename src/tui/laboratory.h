@@ -13,9 +13,11 @@
 typedef struct LaboratoryOptions {
     const Settings *settings; /* resolved: scenario and --set */
     const char *scenario;     /* name or path as the user gave it, for the title line */
-    bool paused;              /* open paused */
-    const char *glyphs;       /* "auto", "braille", "block", "ascii"; NULL: auto */
-    const char *theme;        /* "auto", "light", "dark"; NULL: auto */
+    const char *lesson;       /* opened at once, or all_lessons; NULL: none */
+    const int *reached; /* per lesson of the program (LESSONS_MAX), pages turned to so far; NULL: none */
+    bool paused;        /* open paused */
+    const char *glyphs; /* "auto", "braille", "block", "ascii"; NULL: auto */
+    const char *theme;  /* "auto", "light", "dark"; NULL: auto */
     bool no_mouse;
     const char *record; /* the session is kept in this file; NULL: only as the last one */
     const char
@@ -29,6 +31,9 @@ typedef struct LaboratoryOptions {
         *script; /* keys from this file ("-": standard input), screens to standard output; NULL: a terminal */
     int width, height; /* with a script; 0: 80x24 */
 } LaboratoryOptions;
+
+/* In place of a name: the list of lessons. */
+extern const char all_lessons[];
 
 /* Opens the laboratory and returns when the user leaves it. The result is the exit status: 0, 128 + n after
  * signal n, otherwise that of the status, whose text main prints. The terminal is restored in every case. */

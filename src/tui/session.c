@@ -9,13 +9,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 enum { EVENTS_MAX = 1000000, SIZE_MOST = 10000 };
 
 struct Session {
     Settings settings;
-    char scenario[SESSION_NAME_MAX];
+    char scenario[SESSION_NAME_MAX], lesson[SESSION_NAME_MAX];
+    int reached[LESSONS_MAX];
     bool paused;
     SessionEvent *events;
     size_t count, room, next;
@@ -41,16 +41,19 @@ static bool append_event(Session *session, const SessionEvent *event)
     return true;
 }
 
-Session *session_begin(const Settings *settings, const char *scenario, bool paused, Status *status)
+Session *session_begin(const LaboratoryOptions *options, Status *status)
 {
     Session *session = calloc(1, sizeof *session);
     if (!session) {
         status_fail(status, STATUS_FAILED, "not enough memory for a session");
         return NULL;
     }
-    session->settings = *settings;
-    session->paused = paused;
-    snprintf(session->scenario, sizeof session->scenario, "%s", scenario);
+    session->settings = *options->settings;
+    session->paused = options->paused;
+    snprintf(session->scenario, sizeof session->scenario, "%s", options->scenario);
+    snprintf(session->lesson, sizeof session->lesson, "%s", options->lesson ? options->lesson : "");
+    if (options->reached)
+        memcpy(session->reached, options->reached, sizeof session->reached);
     return session;
 }
 
@@ -134,6 +137,11 @@ bool session_write(const Session *session, const char *name, bool force, Status 
         return false;
     fprintf(file.stream, "# matvib session: matvib --replay FILE does it again\nscenario %s\n%s",
             session->scenario, session->paused ? "paused\n" : "");
+    if (*session->lesson)
+        fprintf(file.stream, "lesson %s\n", session->lesson);
+    for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
+        if (session->reached[i] > 0)
+            fprintf(file.stream, "reached %s %d\n", builtin_lessons[i].name, session->reached[i]);
     bool sound = write_scenario_lines(file.stream, session, status);
     for (size_t i = 0; i < session->count; i++)
         write_event(file.stream, &session->events[i]);
@@ -149,7 +157,8 @@ bool session_has_keys(const Session *session)
 
 /* --- reading ---------------------------------------------------------------------------------------- */
 
-static const char *const allowed = "scenario NAME | paused | \"| ...\" | at ... | end ...";
+static const char *const allowed =
+    "scenario NAME | paused | lesson NAME | reached NAME PAGE | \"| ...\" | at ... | end ...";
 
 static bool read_place(char *word, SessionEvent *event)
 {
@@ -194,6 +203,18 @@ static bool read_event(char *line, bool is_end, SessionEvent *event)
     return true;
 }
 
+static bool read_reached(Session *session, const char *text, Status *status)
+{
+    char name[64], after;
+    int page;
+    if (sscanf(text, "%63s %d %c", name, &page, &after) != 2 || page < 0 || page > LESSON_PAGES_MAX)
+        return status_fail(status, STATUS_USAGE, "not a page of a lesson (reached NAME PAGE)");
+    for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
+        if (strcmp(builtin_lessons[i].name, name) == 0)
+            session->reached[i] = page;
+    return true;
+}
+
 /* One line; those of the scenario go on to `scenario`. */
 static bool read_line(Session *session, char *line, FILE *scenario, Status *status)
 {
@@ -204,10 +225,12 @@ static bool read_line(Session *session, char *line, FILE *scenario, Status *stat
         fprintf(scenario, "%s\n", line + 1 + (line[1] == ' '));
         return true;
     }
-    if (strncmp(line, "scenario ", 9) == 0 && line[9] && strlen(line + 9) < sizeof session->scenario) {
-        strcpy(session->scenario, line + 9);
-        return true;
-    }
+    if (strncmp(line, "scenario ", 9) == 0 && line[9] && strlen(line + 9) < sizeof session->scenario)
+        return strcpy(session->scenario, line + 9);
+    if (strncmp(line, "lesson ", 7) == 0 && line[7] && strlen(line + 7) < sizeof session->lesson)
+        return strcpy(session->lesson, line + 7);
+    if (strncmp(line, "reached ", 8) == 0)
+        return read_reached(session, line + 8, status);
     if (strcmp(line, "paused") == 0)
         return session->paused = true;
     bool is_end = strncmp(line, "end ", 4) == 0;
@@ -282,19 +305,13 @@ Session *session_read(const char *name, Status *status)
     return NULL;
 }
 
-const Settings *session_settings(const Session *session)
+void session_options(const Session *session, LaboratoryOptions *options)
 {
-    return &session->settings;
-}
-
-const char *session_scenario(const Session *session)
-{
-    return session->scenario;
-}
-
-bool session_paused(const Session *session)
-{
-    return session->paused;
+    options->settings = &session->settings;
+    options->scenario = session->scenario;
+    options->paused = session->paused;
+    options->lesson = *session->lesson ? session->lesson : NULL;
+    options->reached = session->reached;
 }
 
 /* --- doing it again --------------------------------------------------------------------------------- */
@@ -372,33 +389,4 @@ void session_free(Session *session)
     if (session)
         free(session->events);
     free(session);
-}
-
-/* --- the last one ----------------------------------------------------------------------------------- */
-
-static void make_folders(const char *file)
-{
-    char *path = strdup(file);
-    for (char *slash = path ? strchr(path + 1, '/') : NULL; slash; slash = strchr(slash + 1, '/')) {
-        *slash = '\0';
-        mkdir(path, 0700); /* where that fails, so will the file */
-        *slash = '/';
-    }
-    free(path);
-}
-
-char *session_last_file(bool make)
-{
-    const char *state = getenv("XDG_STATE_HOME"), *home = getenv("HOME");
-    char *file;
-    int length = -1;
-    if (state && *state == '/')
-        length = asprintf(&file, "%s/matvib/last.session", state);
-    else if (home && *home)
-        length = asprintf(&file, "%s/.local/state/matvib/last.session", home);
-    if (length < 0)
-        return NULL;
-    if (make)
-        make_folders(file);
-    return file;
 }

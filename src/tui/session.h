@@ -2,7 +2,8 @@
  * run at which it came. Doing them again gives the same run to the last bit, however fast the machine is.
  *
  * The file is text. "scenario NAME" and lines "| ..." hold the resolved scenario; "paused" that it opened
- * paused; then one line a key,
+ * paused; "lesson NAME" that it opened with a lesson, "reached NAME PAGE" how far one had come in it; then
+ * one line a key,
  *
  *     at STEP[/STAGE] SECONDS WIDTHxHEIGHT NAME [X Y]
  *
@@ -15,6 +16,7 @@
 #include "base/status.h"
 #include "lab/settings.h"
 #include "tui/keys.h"
+#include "tui/laboratory.h"
 
 #include <stdbool.h>
 
@@ -35,7 +37,7 @@ typedef struct SessionEvent {
 } SessionEvent;
 
 /* Begins to record. NULL: the scenario cannot be written, or no memory. */
-Session *session_begin(const Settings *, const char *scenario, bool paused, Status *);
+Session *session_begin(const LaboratoryOptions *, Status *);
 
 /* The laboratory is open: from now on time counts. */
 void session_note_start(Session *, const Laboratory *);
@@ -53,9 +55,9 @@ bool session_has_keys(const Session *); /* something has been noted */
 
 /* Reads a session to do again. NULL: "FILE:LINE: what is wrong (what is allowed)". */
 Session *session_read(const char *file, Status *);
-const Settings *session_settings(const Session *);
-const char *session_scenario(const Session *);
-bool session_paused(const Session *);
+
+/* Makes the options those of the session: settings, scenario, paused, lesson, reached. */
+void session_options(const Session *, LaboratoryOptions *);
 
 /* The next event; NULL: all has been done. */
 const SessionEvent *session_next(const Session *);
@@ -68,9 +70,5 @@ bool session_replay(Session *, Laboratory *, double deadline);
 void session_stop(Session *);
 
 void session_free(Session *); /* NULL is allowed */
-
-/* Where the last session is kept: $XDG_STATE_HOME/matvib/last.session or ~/.local/state/...; with `make` its
- * folders are made. NULL: there is no home, or no memory; else free() it. */
-char *session_last_file(bool make);
 
 #endif

@@ -79,6 +79,8 @@ const Command commands[] = {
     {COMMAND_WRITE, "write", "w", "Files", "write", "write these parameters as a scenario file"},
 
     {COMMAND_LINE, "line", ":", "Program", "command", "a command by name, KEY=VALUE, a time; Tab completes"},
+    {COMMAND_LESSONS, "lessons", "T", "Program", "lessons",
+     "lessons beside the run; PageUp and PageDown turn their pages"},
     {COMMAND_HELP, "help", "? F1", "Program", "help", "this help; Left and Right turn its pages"},
     {COMMAND_REDRAW, "redraw", "^L", "Program", "redraw", "draw the screen anew"},
     {COMMAND_SUSPEND, "suspend", "^Z", "Program", "suspend", "back to the shell; fg returns"},
@@ -96,6 +98,10 @@ const LineVerb line_verbs[] = {
     {LINE_GO_TO, "goto", "TIME or #STEP", ARGUMENT_OTHER, "to a time, as the number alone does, or a step"},
     {LINE_DUEL, "duel", "KEY=VALUE ...", ARGUMENT_KEYS,
      "a second run beside that differs in these keys, in place of one that there is"},
+    {LINE_SHOW, "show", "VIEW [VARIANT]", ARGUMENT_OTHER, "a view by its number, and which of its variants"},
+    {LINE_REFERENCES, "references", "all|exact|predicted|none", ARGUMENT_OTHER, "which reference curves"},
+    {LINE_PARTICLE, "particle", "NUMBER", ARGUMENT_OTHER, "choose a particle"},
+    {LINE_LESSON, "lesson", "NAME", ARGUMENT_OTHER, "open a lesson"},
     {LINE_OVERLAY, "overlay", "FILE.csv [X Y]", ARGUMENT_FILE,
      "draw a foreign series over the plots, columns by name or number; alone: take it away"},
 };

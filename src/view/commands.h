@@ -97,6 +97,10 @@ typedef enum LineVerbId {
     LINE_GO_TO,
     LINE_DUEL,
     LINE_OVERLAY,
+    LINE_SHOW,
+    LINE_REFERENCES,
+    LINE_PARTICLE,
+    LINE_LESSON,
     LINE_COUNT
 } LineVerbId;
 

@@ -14,6 +14,8 @@ enum {
     WIDER = 130,
     PARAMETERS_WIDTH = 25,
     WIDE_PARAMETERS_WIDTH = 28,
+    LESSON_WIDTH = 37,
+    WIDE_LESSON_WIDTH = 46,
     SIDE_HEIGHT = 30,
     INSPECTOR_WIDTH = 79,
     TIMELINE_WIDTH = 100,
@@ -31,7 +33,9 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
                        (screen->upper == 8 || screen->lower == 8);
     const int mesh = drawn ? 0 : height < 28 ? 2 : height < 40 ? 3 : 4;
     const int top = 1 + mesh, middle = height - 2 - box - mesh;
-    const int fields = width < WIDER ? PARAMETERS_WIDTH : WIDE_PARAMETERS_WIDTH;
+    const int fields = screen->lesson.open ? width < WIDE ? LESSON_WIDTH : WIDE_LESSON_WIDTH
+                       : width < WIDER     ? PARAMETERS_WIDTH
+                                           : WIDE_PARAMETERS_WIDTH;
     const bool side = width >= WIDE && height >= SIDE_HEIGHT;
     const int side_width = side ? (width < WIDER ? 39 : width < 150 ? 45 : width * 3 / 10) : 0;
     const int left = fields + 1, plots = width - left - (side ? side_width + 1 : 0);

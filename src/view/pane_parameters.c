@@ -91,7 +91,7 @@ static int first_row(const Screen *screen, int count, int room)
     return first > 0 ? first : 0;
 }
 
-static void draw_field(const Screen *screen, Area area, int y, const Parameter *parameter, bool chosen)
+void draw_parameter(const Screen *screen, Area area, int y, const Parameter *parameter, bool chosen)
 {
     const Settings *settings = experiment_settings(screen->experiment);
     const bool focused = chosen && is_focused(screen, PANE_PARAMETERS);
@@ -202,7 +202,7 @@ void pane_parameters(const Screen *screen, Area area)
         if (row->heading)
             area_text(area, 1, y, row->heading, focused ? STYLE_FOCUS : STYLE_HEADING);
         else if (row->parameter)
-            draw_field(screen, area, y, row->parameter, chosen);
+            draw_parameter(screen, area, y, row->parameter, chosen);
         else
             draw_derived(area, y, &derived[row->derived], chosen && focused);
     }
@@ -223,6 +223,8 @@ int screen_parameter_at(const Screen *screen, int width, int height, int x, int 
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
     const Rect pane = screen_pane(screen, width, height, PANE_PARAMETERS);
+    if (screen->lesson.open)
+        return -1;
     const int count = screen_parameter_rows(screen, rows), room = pane.height - 1;
     if (x < pane.x || x >= pane.x + pane.width || y < pane.y || y >= pane.y + room)
         return -1;

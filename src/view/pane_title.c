@@ -226,6 +226,12 @@ static int offers_of(const Screen *screen, const Offer **offers)
         {COMMAND_ENTER, COMMAND_NONE, "take it"},
         {COMMAND_CANCEL, COMMAND_NONE, "leave it"},
     };
+    static const Offer lesson[] = {
+        {COMMAND_PAGE_UP, COMMAND_PAGE_DOWN, "page"}, {COMMAND_RUN_PAUSE, COMMAND_NONE, "run"},
+        {COMMAND_STEP_FORWARD, COMMAND_NONE, NULL},   {COMMAND_STAGE_FORWARD, COMMAND_NONE, NULL},
+        {COMMAND_LESSONS, COMMAND_NONE, "close"},     {COMMAND_HELP, COMMAND_NONE, NULL},
+        {COMMAND_QUIT, COMMAND_NONE, NULL},
+    };
     static const Offer magnified[] = {
         {COMMAND_LEFT, COMMAND_RIGHT, "move"},       {COMMAND_UP, COMMAND_DOWN, "move"},
         {COMMAND_FASTER, COMMAND_SLOWER, "size"},    {COMMAND_CANCEL, COMMAND_NONE, "whole"},
@@ -249,6 +255,8 @@ static int offers_of(const Screen *screen, const Offer **offers)
     }
     if (screen->state == STATE_ENDED || screen->state == STATE_FAILED)
         GIVE(ended);
+    if (in_fields && screen->lesson.open)
+        GIVE(lesson);
     if (in_fields)
         GIVE(paused_parameters);
     GIVE(paused);

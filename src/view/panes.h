@@ -66,6 +66,7 @@ void view_log(const Screen *, Area, Style heading, int variant);
 void pane_title(const Screen *, Area);
 void pane_bar(const Screen *, Area);
 void pane_parameters(const Screen *, Area);
+void pane_lesson(const Screen *, Area);
 void pane_timeline(const Screen *, Area);
 void pane_mesh(const Screen *, Area);
 void pane_lattice(const Screen *, Area); /* the same for a bar without a mesh */
@@ -88,6 +89,9 @@ bool beam_lines(const Screen *, int width, char first[160], char second[160]);
 
 /* The command under a column of the bottom bar; COMMAND_NONE: none. */
 CommandId bar_command_at(const Screen *, int width, int x);
+
+/* One parameter with its value, as a row of its own; `chosen`: the arrows change it. */
+void draw_parameter(const Screen *, Area, int y, const Parameter *, bool chosen);
 
 /* --- what several of them share --- */
 

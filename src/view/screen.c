@@ -96,7 +96,10 @@ static void draw_pane(const Screen *screen, PaneId pane, Area area)
         return;
     switch (pane) {
     case PANE_PARAMETERS:
-        pane_parameters(screen, area);
+        if (screen->lesson.open)
+            pane_lesson(screen, area);
+        else
+            pane_parameters(screen, area);
         break;
     case PANE_MESH:
         pane_mesh(screen, area);

@@ -7,6 +7,7 @@
 #include "lab/experiment.h"
 #include "lab/export.h"
 #include "lab/overlay.h"
+#include "lab/lesson.h"
 #include "lab/parameters.h"
 #include "view/canvas.h"
 #include "view/commands.h"
@@ -57,6 +58,8 @@ typedef struct ParameterRow {
     int derived;                /* index of a read-only row, or -1 */
 } ParameterRow;
 
+enum { LESSONS_MAX = 32 };
+
 enum { PARAMETER_ROWS_MAX = 96 };
 
 /* A place in the run: by time, for another mesh has other steps. */
@@ -66,6 +69,17 @@ typedef struct Bookmark {
 } Bookmark;
 
 enum { BOOKMARKS_MAX = 9 };
+
+/* The lesson beside the run, in place of the parameters. */
+typedef struct LessonShown {
+    bool open;
+    const Lesson *lesson; /* NULL: the list of lessons */
+    int page;
+    int answer; /* the choice that was taken; -1: none as yet */
+    bool met;   /* what the page waits for has happened */
+    int scroll;
+    int reached[LESSONS_MAX]; /* per lesson of the program: pages that were turned to */
+} LessonShown;
 
 typedef struct Screen {
     Experiment *experiment;
@@ -116,6 +130,8 @@ typedef struct Screen {
     int n_bookmarks;
     const Overlay *overlay; /* a foreign series over the plots; NULL: none */
 
+    LessonShown lesson;
+
     Prompt prompt;
     MessageKind message_kind;
     char message[512];
@@ -158,6 +174,9 @@ bool screen_choose_row(Screen *, int width, int height, int x, int y);
 
 /* The row of the parameter pane at a place of the screen, for the mouse; -1: none. */
 int screen_parameter_at(const Screen *, int width, int height, int x, int y);
+
+/* How far the text of a lesson can be scrolled at this size; 0: all is seen. */
+int screen_lesson_most(const Screen *, int width, int height);
 
 /* How many pages the help has, and how far the open one can be scrolled. */
 int screen_help_pages(void);

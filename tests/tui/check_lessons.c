@@ -1,0 +1,240 @@
+/* Lessons: their files are read, and every page of the program's own does what it says and fits the screen.
+ */
+#include "suite.h"
+#include "tui/tui_case.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- the format ------------------------------------------------------------------------------------- */
+
+static bool read_text(const char *text, Lesson *lesson, Status *status)
+{
+    FILE *stream = fmemopen((void *)text, strlen(text), "r");
+    ck_assert_ptr_nonnull(stream);
+    *status = (Status){STATUS_DONE, ""};
+    bool sound = lesson_read(stream, "my.lesson", lesson, status);
+    fclose(stream);
+    return sound;
+}
+
+START_TEST(a_lesson_is_read)
+{
+    Lesson lesson;
+    Status status;
+    ck_assert_msg(
+        read_text("# mine\n@title A title\n@about More of it\n\n@page One\n@do open mode5\n"
+                  "@field mesh.cell_size\nFirst\nline.\n\nSecond.\r\n@until value mesh.cell_size 0.5\n"
+                  "@page Two\n@ask Why?\n@choice so\n@right  thus \n@reveal\n@do pin\nBecause.\n",
+                  &lesson, &status),
+        "%s", status.text);
+    ck_assert_str_eq(lesson.title, "A title");
+    ck_assert_str_eq(lesson.about, "More of it");
+    ck_assert_int_eq(lesson.n_pages, 2);
+    const LessonPage *one = &lesson.pages[0], *two = &lesson.pages[1];
+    ck_assert_str_eq(one->title, "One");
+    ck_assert_str_eq(one->first.text, "First line.\nSecond.");
+    ck_assert_int_eq(one->first.n_actions, 1);
+    ck_assert_str_eq(one->first.actions[0], "open mode5");
+    ck_assert_int_eq(one->n_fields, 1);
+    ck_assert_int_eq(one->until.kind, UNTIL_VALUE);
+    ck_assert_str_eq(one->until.word, "mesh.cell_size");
+    ck_assert_str_eq(one->until.value, "0.5");
+    ck_assert_ptr_null(one->question);
+    ck_assert_str_eq(two->question, "Why?");
+    ck_assert_int_eq(two->n_choices, 2);
+    ck_assert_int_eq(two->right, 1);
+    ck_assert_str_eq(two->choices[1], "thus");
+    ck_assert_str_eq(two->revealed.text, "Because.");
+    ck_assert_str_eq(two->revealed.actions[0], "pin");
+    ck_assert_ptr_null(two->first.text);
+    lesson_free(&lesson);
+}
+END_TEST
+
+static const struct {
+    const char *text, *says;
+} wrong[] = {
+    {"", "my.lesson: is no lesson (@title and a @page are wanted)"},
+    {"@title x\n", "my.lesson: is no lesson (@title and a @page are wanted)"},
+    {"text\n", "my.lesson:1: text belongs to a page (@page TITLE)"},
+    {"@title\n", "my.lesson:1: @title: something is missing behind it"},
+    {"@do x\n", "my.lesson:1: @do belongs to a page (@page TITLE)"},
+    {"@title x\n@page y\n@title z\n", "my.lesson:3: @title belongs before the first page"},
+    {"@titel x\n",
+     "my.lesson:1: @titel is not known (@title | @about | @page | @do | @field | @ask | @choice | "
+     "@right | @reveal | @until)"},
+    {"@title x\n@page y\n@field mesh.size\n", "my.lesson:3: mesh.size is no parameter (see: matvib params)"},
+    {"@title x\n@page y\n@until then\n",
+     "my.lesson:3: until what? (step N | time T | stage N | end | command NAME "
+     "| value KEY VALUE)"},
+    {"@title x\n@page y\n@until step -1\n",
+     "my.lesson:3: until what? (step N | time T | stage N | end | command "
+     "NAME | value KEY VALUE)"},
+    {"@title x\n@page y\n@choice a\n", "my.lesson:3: a choice comes after its question (@ask)"},
+    {"@title x\n@page y\n@ask a\n@right b\n@right c\n", "my.lesson:5: one choice only is right"},
+    {"@title x\n@page y\n@ask a\n@right b\n@page z\n",
+     "my.lesson:5: the question of page \"y\" wants two choices at least, one of them @right"},
+    {"@title x\n@page y\n@ask a\n@choice b\n@choice c\n",
+     "my.lesson: the question of page \"y\" wants two choices at least, one of them @right"},
+    {"@title x\n@page y\n@reveal\n", "my.lesson: page \"y\" reveals, but asks nothing"},
+    {"@title x\n@page y\n@reveal now\n", "my.lesson:3: @reveal: takes nothing"},
+    {"@title x\n@page y\n\xff\n", "my.lesson:3: is not text in UTF-8"},
+};
+
+START_TEST(what_is_wrong_is_told_with_its_line)
+{
+    Lesson lesson;
+    Status status;
+    ck_assert(!read_text(*wrong[_i].text ? wrong[_i].text : "\n", &lesson, &status));
+    ck_assert_str_eq(status.text, wrong[_i].says);
+    ck_assert_int_eq(status.code, STATUS_USAGE);
+    ck_assert_int_eq(lesson.n_pages, 0);
+}
+END_TEST
+
+/* --- the program's own ------------------------------------------------------------------------------ */
+
+static const char *text_of(const Bench *bench)
+{
+    return bench->lab.screen.message;
+}
+
+static const LessonPage *page_of(const Bench *bench)
+{
+    const LessonShown *shown = &bench->lab.screen.lesson;
+    return &shown->lesson->pages[shown->page];
+}
+
+static void finish_work(Bench *bench)
+{
+    while (bench->lab.screen.state == STATE_COMPUTING)
+        frame(bench);
+}
+
+/* Does what the page waits for, as a reader would. */
+static void satisfy(Bench *bench, const LessonUntil *until)
+{
+    char line[160];
+    Laboratory *lab = &bench->lab;
+    switch (until->kind) {
+    case UNTIL_STEP:
+        snprintf(line, sizeof line, "goto #%.0f", until->number);
+        ck_assert(run_line(lab, line));
+        break;
+    case UNTIL_TIME:
+        snprintf(line, sizeof line, "goto %.17g", until->number * (1 + 1e-9));
+        ck_assert_msg(run_line(lab, line), "%s", lab->screen.prompt.problem);
+        break;
+    case UNTIL_END:
+        ck_assert(run_line(lab, "newest"));
+        seek(lab, experiment_last_step(lab->screen.experiment), 0);
+        break;
+    case UNTIL_STAGE:
+        while (experiment_stage(lab->screen.experiment) < (int)until->number) {
+            press(bench, "]");
+            finish_work(bench);
+        }
+        break;
+    case UNTIL_COMMAND:
+        ck_assert_msg(command_by_name(until->word) != NULL, "no command %s", until->word);
+        laboratory_command(lab, command_by_name(until->word)->id);
+        if (lab->screen.prompt.open)
+            press(bench, "Esc");
+        break;
+    case UNTIL_VALUE:
+        snprintf(line, sizeof line, "set %s %s", until->word, until->value);
+        ck_assert_msg(run_line(lab, line), "%s", lab->screen.prompt.problem);
+        break;
+    case UNTIL_NOTHING:
+        break;
+    }
+    finish_work(bench);
+    continue_lesson(lab);
+}
+
+/* On a screen of 80x24 nothing has to be scrolled, and nothing that a page did was refused. */
+static void check_page(Bench *bench, const char *name)
+{
+    const LessonShown *shown = &bench->lab.screen.lesson;
+    finish_work(bench);
+    continue_lesson(&bench->lab);
+    ck_assert_msg(bench->lab.screen.message_kind != MESSAGE_ERROR, "%s, page %d: %s", name, shown->page + 1,
+                  text_of(bench));
+    ck_assert_int_eq(bench->lab.play.next, bench->lab.play.n_queue);
+    const int most = screen_lesson_most(&bench->lab.screen, 80, 24);
+    ck_assert_msg(most == 0, "%s, page %d (%s) is %d rows too long", name, shown->page + 1,
+                  page_of(bench)->title, most);
+}
+
+START_TEST(every_page_works_and_fits)
+{
+    const char *name = builtin_lessons[_i].name;
+    Status status = {STATUS_DONE, ""};
+    Bench *bench = open_bench("mode1", true);
+    Laboratory *lab = &bench->lab;
+    ck_assert_msg(open_lesson(lab, name, &status), "%s", status.text);
+    const int pages = lab->screen.lesson.lesson->n_pages;
+    for (int page = 0; page < pages; page++) {
+        ck_assert_int_eq(lab->screen.lesson.page, page);
+        check_page(bench, name);
+        const LessonPage *now = page_of(bench);
+        const bool waits = now->until.kind != UNTIL_NOTHING;
+        ck_assert_msg(!waits || !lab->screen.lesson.met, "%s, page %d waits for what is so already", name,
+                      page + 1);
+        for (int i = 0; i < now->n_fields; i++)
+            ck_assert_msg(
+                settings_have(experiment_settings(lab->screen.experiment), parameter_find(now->fields[i])),
+                "%s, page %d: %s is not of this problem", name, page + 1, now->fields[i]);
+        if (now->question) {
+            char key[2] = {(char)('1' + now->right), '\0'};
+            press(bench, key);
+            ck_assert_int_eq(lab->screen.lesson.answer, now->right);
+            check_page(bench, name);
+        }
+        satisfy(bench, &now->until);
+        ck_assert_msg(lab->screen.lesson.met, "%s, page %d waits for ever", name, page + 1);
+        press(bench, "PageDown");
+    }
+    ck_assert_int_eq(lab->screen.lesson.page, pages - 1);
+    /* backwards each page stands where it stood */
+    for (int page = pages - 1; page > 0; page--) {
+        press(bench, "PageUp");
+        ck_assert_int_eq(lab->screen.lesson.page, page - 1);
+        check_page(bench, name);
+    }
+    close_bench(bench);
+}
+END_TEST
+
+START_TEST(a_page_can_be_left_out)
+{
+    Status status = {STATUS_DONE, ""};
+    Bench *bench = open_bench("mode1", true);
+    ck_assert(open_lesson(&bench->lab, "one-step", &status));
+    const int pages = bench->lab.screen.lesson.lesson->n_pages;
+    for (int i = 0; i < 2 * pages; i++)
+        press(bench, "PageDown");
+    ck_assert_int_eq(bench->lab.screen.lesson.page, pages - 1);
+    press(bench, "T");
+    ck_assert(!bench->lab.screen.lesson.open);
+    close_bench(bench);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    int count = 0;
+    while (builtin_lessons[count].name)
+        count++;
+    TCase *format = tcase_create("format"), *own = tcase_create("own");
+    tcase_add_test(format, a_lesson_is_read);
+    tcase_add_loop_test(format, what_is_wrong_is_told_with_its_line, 0, (int)(sizeof wrong / sizeof *wrong));
+    tcase_add_loop_test(own, every_page_works_and_fits, 0, count);
+    tcase_add_test(own, a_page_can_be_left_out);
+    tcase_set_timeout(own, 120);
+    suite_add_tcase(suite, format);
+    suite_add_tcase(suite, own);
+}
