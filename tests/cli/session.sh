@@ -64,8 +64,8 @@ result "a replay can be recorded: the same keys" cmp a b
 
 result "a session is not overwritten" refuse 'mode5.session: exists (--force replaces it)' mode1 --record mode5.session
 "$MATVIB" show mode1 2>/dev/null | sed -n '/^\[scenario\]/,$p' >first.ini
-result "a scenario is no session, again" refuse \
-	'first.ini:1: unknown line: [scenario] (scenario NAME | paused | "| ..." | at ... | end ...)' --replay first.ini
+result "a scenario is no session" refuse \
+	'first.ini:1: unknown line: [scenario] (scenario NAME | paused | lesson NAME | reached NAME PAGE | "| ..." | at ... | end ...)' --replay first.ini
 result "nor is nothing" refuse 'empty: is no session (its scenario is missing)' --replay empty
 sed 's/^at .*Space$/at x 1 80x24 Space/' mode5.session >broken.session
 line=$(grep -n '^at x' broken.session | head -n 1 | cut -d: -f1)
