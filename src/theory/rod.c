@@ -3,6 +3,7 @@
 #include "base/band.h"
 #include "theory/quiet.h"
 
+#include <float.h>
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_errno.h>
 #include <math.h>
@@ -116,6 +117,17 @@ static int nodes_of(const BarTheory *bar, const RodLatticeTheory *lattice)
     return (int)round(bar->length / lattice->spacing);
 }
 
+/* The squared frequencies are found to the rounding of the largest one: no use where that is far above. */
+static bool is_resolved(const BarTheory *bar, const RodLatticeTheory *lattice, int number)
+{
+    enum { LARGEST_FACTOR = 2 }; /* a bond at a free end may be so much stiffer */
+    const double scale = 2 * bar->youngs_modulus / (bar->density * lattice->horizon * lattice->horizon);
+    double row = 0;
+    for (int m = 1; m <= reach_of(lattice); m++)
+        row += 2 * scale * weight(lattice, m) / m;
+    return DBL_EPSILON * 2 * LARGEST_FACTOR * row <= 1e-8 * pow(bar_frequency(bar, number), 2);
+}
+
 double rod_frequency(const BarTheory *bar, const RodLatticeTheory *lattice, int number)
 {
     const int n = nodes_of(bar, lattice), width = reach_of(lattice);
@@ -123,6 +135,8 @@ double rod_frequency(const BarTheory *bar, const RodLatticeTheory *lattice, int 
         return NAN;
     if (bar->left_fixed && bar->right_fixed)
         return rod_dispersion(bar, lattice, bar_wave_number(bar, number)).frequency;
+    if (!is_resolved(bar, lattice, number))
+        return NAN;
     /* the free-free bar has its rigid motion first */
     const int place = bar->left_fixed || bar->right_fixed ? number - 1 : number;
     BandRows band = {calloc((size_t)n * (size_t)(width + 1), sizeof(double)), width};

@@ -9,10 +9,11 @@
  *     omega_h^2 = 8E/(rho delta^2) sum_m (w_m/m) sin^2(m theta/2)
  *
  * For long waves sin^2(m theta/2) ~ (m theta/2)^2 and omega_h^2 ~ (E/rho) k^2 2 sum_m w_m m / (delta/h)^2,
- * which is c^2 k^2 exactly where partial volumes make sum w_m m = M^2/2 (delta = M h). To the next order, with
- * sum w_m m^3 = M^2 (M^2 + 1)/4, the frequency is too low by k^2 (delta^2 + h^2)/48: the horizon, more than
- * the spacing, sets the dispersion. With the energy correction every bond of a whole family has the factor
- * g = (delta/h)^2 / (2 sum_m w_m m), which takes out what the sum over the family has too much or too little.
+ * which is c^2 k^2 exactly where partial volumes make sum w_m m = M^2/2 (delta = M h). To the next order,
+ * with sum w_m m^3 = M^2 (M^2 + 1)/4, the frequency is too low by k^2 (delta^2 + h^2)/48: the horizon, more
+ * than the spacing, sets the dispersion. With the energy correction every bond of a whole family has the
+ * factor g = (delta/h)^2 / (2 sum_m w_m m), which takes out what the sum over the family has too much or too
+ * little.
  *
  * Velocity Verlet turns u'' = -omega_h^2 u into u_{n+1} - 2 u_n + u_{n-1} = -(omega_h dt)^2 u_n, hence
  *
@@ -41,7 +42,9 @@ typedef struct RodLatticeTheory {
 /* A wave far from the ends. known: the step is within the stability limit of this wave; decay 0, filter 1. */
 Dispersion rod_dispersion(const BarTheory *bar, const RodLatticeTheory *lattice, double wave_number);
 
-/* Omega of mode `number` (1, 2, ...) with the ends as they are; NAN: no such mode, unstable, no memory. */
+/* Omega of mode `number` (1, 2, ...) with the ends as they are; NAN: no such mode, unstable, no memory, or
+ * with a free end a mode so low on a lattice so fine (n = 1 from some 7,000 nodes on) that rounding hides it.
+ */
 double rod_frequency(const BarTheory *bar, const RodLatticeTheory *lattice, int number);
 
 /* v_cm(t) predicted whole, all loads 0: the velocity at t = 0 resolved into the modes of the lattice. */
