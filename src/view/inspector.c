@@ -2,7 +2,7 @@
 #include "view/panes.h"
 
 static const Inspector inspectors[] = {
-    {has_mesh, pane_mesh_inspector, NULL},
+    {has_mesh, pane_mesh_inspector, move_mesh_inspector},
 };
 
 const Inspector *inspector_find(const Screen *screen)

@@ -17,6 +17,7 @@ static const char *hint_of(const Screen *screen)
     } hints[] = {
         {COMMAND_RUN_PAUSE, "Space pauses; then ] goes through the stages of one time step."},
         {COMMAND_RIGHT, "Left and Right change the marked parameter; the old curve stays behind, faint."},
+        {COMMAND_INSPECT, "i, when paused, shows what a particle and its nodes give each other."},
         {COMMAND_REFERENCES, "e takes the exact and the predicted curve away: let the class guess first."},
         {COMMAND_VIEW_3, "3 shows the energies, 1 the fields along it; again: the next one."},
         {COMMAND_QUESTION, "t toggles what this scenario asks about."},
@@ -25,7 +26,8 @@ static const char *hint_of(const Screen *screen)
     };
     for (size_t i = 0; i < sizeof hints / sizeof *hints; i++) {
         const bool right = hints[i].id == COMMAND_RIGHT && screen->used & (1ull << COMMAND_LEFT);
-        if (command_find(hints[i].id) && !(screen->used & (1ull << hints[i].id)) && !right)
+        const bool nothing = hints[i].id == COMMAND_INSPECT && !screen_has_inspector(screen);
+        if (command_find(hints[i].id) && !(screen->used & (1ull << hints[i].id)) && !right && !nothing)
             return hints[i].text;
     }
     return "";

@@ -389,3 +389,26 @@ void pane_mesh_inspector(const Screen *screen, Area area)
                 y = begin + block_rows(&plan);
             }
 }
+
+/* Left and right: the next thing; up: the node that the particle shares most with, down: the particle. */
+void move_mesh_inspector(Screen *screen, int x, int y, int page)
+{
+    const Subject subject = subject_of(screen);
+    const size_t count = subject.sim->counts[subject.set];
+    if (x != 0 || page > 1) {
+        const long to = (long)subject.index + (x != 0 ? x : y) * (long)page;
+        *(subject.set ? &screen->node : &screen->particle) = to < 0             ? 0
+                                                             : to < (long)count ? (size_t)to
+                                                                                : count - 1;
+        return;
+    }
+    if ((y < 0) == screen->node_chosen)
+        return;
+    size_t nearest = 0;
+    for (size_t i = 1; i < subject.n_links; i++)
+        if (subject.links[i].weight > subject.links[nearest].weight)
+            nearest = i;
+    if (subject.n_links > 0)
+        *(subject.set ? &screen->particle : &screen->node) = subject.links[nearest].index;
+    screen->node_chosen = y < 0;
+}

@@ -185,6 +185,7 @@ static int offers_of(const Screen *screen, const Offer **offers)
         {COMMAND_EXPORT, COMMAND_NONE, NULL},
         {COMMAND_HELP, COMMAND_NONE, NULL},
         {COMMAND_QUIT, COMMAND_NONE, NULL},
+        {COMMAND_INSPECT, COMMAND_NONE, NULL},
         {COMMAND_GO_TO, COMMAND_NONE, NULL},
         {COMMAND_ZOOM, COMMAND_NONE, NULL},
         {COMMAND_REFERENCES, COMMAND_NONE, NULL},

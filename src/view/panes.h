@@ -74,6 +74,7 @@ void pane_box(const Screen *, Area);
 void pane_stage(const Screen *, Area);
 void pane_help(const Screen *, Area);
 void pane_mesh_inspector(const Screen *, Area); /* of methods with particles and a grid */
+void move_mesh_inspector(Screen *, int x, int y, int page);
 
 /* What stands in the inspector; the seam is in inspector.c. */
 typedef struct Inspector {

@@ -176,8 +176,12 @@ static Lines lines_of(const Canvas *canvas)
 {
     Lines lines = {.text = canvas_dump(canvas)};
     ck_assert_ptr_nonnull(lines.text);
-    for (char *line = strtok(lines.text, "\n"); line && lines.count < 64; line = strtok(NULL, "\n"))
+    for (char *line = lines.text; *line != '\0' && lines.count < 64;) {
         lines.line[lines.count++] = line;
+        line += strcspn(line, "\n");
+        if (*line == '\n')
+            *line++ = '\0';
+    }
     return lines;
 }
 
@@ -281,6 +285,48 @@ START_TEST(columns_of_the_inspector_add_up)
 }
 END_TEST
 
+/* --- nothing is cut ---------------------------------------------------------------------------------- */
+
+static const char *const everything[] = {
+    "mode1",
+    "mode1 mpm.algorithm=usl",
+    "mode5 mpm.algorithm=musl mpm.shape=gimp",
+    "mode1 mpm.shape=bspline2",
+    "mode1 mpm.shape=bspline3 mpm.transfer=apic",
+    "gravity",
+    "pull mpm.flip_fraction=0.9",
+    "mode1 mesh.particles_per_cell=6",
+    "supported-beam-coarse",
+    "moving-cantilever-coarse",
+    "notched-beam-coarse",
+};
+
+/* No line of the box ends in an ellipsis, and in ASCII no arrow is left half. */
+START_TEST(no_box_is_cut)
+{
+    static const char *const sizes[] = {"80x24", "132x43"};
+    char name[64];
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(everything[_i], " "), everything[_i]);
+    const char *rest = everything[_i] + strlen(name);
+    for (int stage = 0; stage <= 7; stage++)
+        for (int kind = 0; kind < 8; kind++) {
+            char words[256];
+            snprintf(words, sizeof words, "%s %s 60 stage %d %s %s %s", name, sizes[kind / 4], stage, rest,
+                     kind & 1 ? "node" : "", kind & 2 ? "ascii" : "");
+            Scene scene;
+            Status status = {STATUS_DONE, ""};
+            ck_assert_msg(scene_open(&scene, words, &status), "%s", status.text);
+            const Rect box = screen_pane(&scene.screen, scene.canvas.width, scene.canvas.height, PANE_BOX);
+            Lines lines = lines_of(&scene.canvas);
+            for (int y = box.y; y < box.y + box.height && y < lines.count; y++)
+                ck_assert_msg(!strstr(lines.line[y], "…") && !strchr(lines.line[y], '~'), "%s:\n%s", words,
+                              lines.line[y]);
+            free(lines.text);
+            scene_close(&scene);
+        }
+}
+END_TEST
+
 /* --- the list of stages ------------------------------------------------------------------------------ */
 
 static int line_with(const char *words, const char *text)
@@ -324,6 +370,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(sums, sums_of_a_bar_add_up, 0, BAR_VARIANTS);
     tcase_add_loop_test(sums, sums_of_a_beam_add_up, 0, 3);
     tcase_add_loop_test(sums, columns_of_the_inspector_add_up, 0, 12);
+    tcase_add_loop_test(sums, no_box_is_cut, 0, sizeof everything / sizeof *everything);
     tcase_add_test(sums, strain_moves_in_the_list);
     tcase_set_timeout(sums, 60);
     suite_add_tcase(suite, sums);

@@ -131,20 +131,21 @@ static void force_node(const BarSubject *subject)
     WorkingSum internal = {.label = "f_int = Σ -N′ (σ V) = ", .result = bar->node_f_int[i]};
     bar_add_gifts(subject, GIVE_F_INT, &internal);
     working_sum(subject->working, &internal);
-    if (bar_is_loaded(bar)) {
+    const bool loaded = bar_is_loaded(bar) && bar->node_f_ext[i] != 0.0;
+    if (loaded) {
         WorkingSum external = {.label = "f_ext = ", .result = bar->node_f_ext[i]};
         bar_add_gifts(subject, GIVE_F_EXT, &external);
         working_sum(subject->working, &external);
     }
     if (bar_node_is_fixed(bar, i)) {
         working_say(subject->working, "the node is fixed: f = 0, the support bears the rest\n");
-    } else if (bar_is_loaded(bar)) {
+    } else if (loaded) {
         WorkingSum whole = {.label = "f = f_int + f_ext = ", .result = node_force(bar, i)};
         working_add(&whole, 1, bar->node_f_int[i], 0, 0);
         working_add(&whole, 1, bar->node_f_ext[i], 0, 0);
         working_sum(subject->working, &whole);
     } else {
-        working_say(subject->working, "no load acts: f = f_int\n");
+        working_say(subject->working, "no load acts here: f = f_int\n");
     }
 }
 
