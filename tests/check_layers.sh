@@ -39,20 +39,21 @@ below() { # LOWER HIGHER...: the lower library wants nothing that a higher one d
 	done
 }
 curses='initscr|newterm|endwin|wget_wch|wgetch|stdscr|w?add.*str|wrefresh|setupterm|tigetstr|tputs|putp'
-for library in libbase.a libphysics.a libtheory.a liblab.a libview.a libcli.a; do
+for library in libbase.a libphysics.a libtheory.a liblab.a libview.a libfigure.a libcli.a; do
 	lacks $library "$curses" "$library does not touch the terminal"
 done
 for library in libphysics.a $(ls libbar*.a libpd_*.a 2>/dev/null); do
 	lacks $library 'printf|fprintf|__printf_chk|__fprintf_chk|puts|putchar|exit|_exit|abort|time|clock|clock_gettime|gettimeofday|rand|random|drand48|fopen|open|getenv' \
 		"$library prints nothing, opens nothing, tells no time"
 done
-for library in libbase.a libphysics.a libtheory.a liblab.a libview.a libtui.a; do
+for library in libbase.a libphysics.a libtheory.a liblab.a libview.a libfigure.a libtui.a; do
 	lacks $library 'exit|_exit|quick_exit' "$library does not exit"
 done
-below libbase.a libphysics.a libtheory.a liblab.a libview.a libtui.a libcli.a
-below libphysics.a libtheory.a liblab.a libview.a libtui.a libcli.a
-below libtheory.a libphysics.a liblab.a libview.a libtui.a libcli.a
-below liblab.a libview.a libtui.a libcli.a
-below libview.a libtui.a libcli.a
+below libbase.a libphysics.a libtheory.a liblab.a libview.a libfigure.a libtui.a libcli.a
+below libphysics.a libtheory.a liblab.a libview.a libfigure.a libtui.a libcli.a
+below libtheory.a libphysics.a liblab.a libview.a libfigure.a libtui.a libcli.a
+below liblab.a libview.a libfigure.a libtui.a libcli.a
+below libview.a libfigure.a libtui.a libcli.a
+below libfigure.a libtui.a libcli.a
 below libtui.a libcli.a
 echo "1..$number"

@@ -30,6 +30,7 @@ void cli_print_help(const CliCommand *command);
 int cli_run(int count, char **arguments, Status *);
 int cli_sweep(int count, char **arguments, Status *);
 int cli_export_lammps(int count, char **arguments, Status *);
+int cli_figure(int count, char **arguments, Status *);
 int cli_list(int count, char **arguments, Status *);
 int cli_show(int count, char **arguments, Status *);
 int cli_params(int count, char **arguments, Status *);

@@ -65,6 +65,7 @@ typedef struct Options {
     int n_axes;
     long jobs;
     const char *output;
+    const char *view, *against;
     bool plan;
 
     bool paused, no_mouse, last, fast;

@@ -112,6 +112,11 @@ void map_draw_lines(Map *); /* notch, protected zones, channel, crack */
 void map_draw_nodes(Map *);
 void map_draw_signs(Map *); /* supports, load, chosen node */
 
+/* The picture on paper; and how lines and signs go into it, at places in columns and rows of the area. */
+void map_sketch(Map *);
+void map_sketch_line(Map *, double from_x, double from_y, double to_x, double to_y, Style, int every);
+void map_sketch_sign(Map *, double column, double row, uint32_t glyph);
+
 /* The glyph for a step of the ramp where colours are few, and beside colours: more ink for more; of a signed
  * field those below and above zero differ. */
 uint32_t map_letter(const Map *, int step);

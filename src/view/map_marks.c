@@ -46,6 +46,10 @@ void map_line(Map *map, double from_x, double from_y, double to_x, double to_y, 
     const uint32_t letter = pen.letter ? pen.letter : direction(dx, dy);
     if (!(length < 1e5))
         return;
+    if (map->area.canvas->sketch) {
+        map_sketch_line(map, from_x, from_y, to_x, to_y, pen.style, pen.every);
+        return;
+    }
     const int steps = (int)ceil(length), every = dots && pen.every > 1 ? pen.every : 1;
     for (int i = 0; i <= steps; i += every)
         mark_dot(map, from_x + dx * i / (steps ? steps : 1), from_y + dy * i / (steps ? steps : 1), &pen,
@@ -128,7 +132,9 @@ static void draw_notched(Map *map)
     body_line(map, end, (double[]){end[0] + side * rise * tan(30 * M_PI / 180), end[1] + rise},
               (Pen){STYLE_FAINT, RANK_ANGLE, 4, '\''});
     body_line(map, (double[]){end[0], 0}, end, (Pen){STYLE_HEADING, RANK_NOTCH, 1, '|'});
-    draw_crack(map);
+    /* on paper the damage itself is seen well enough, and the line would hide it */
+    if (!map->area.canvas->sketch || strcmp(map->colouring->field, "damage") != 0)
+        draw_crack(map);
 }
 
 /* What the lines are, beside the beam. */
@@ -174,7 +180,8 @@ void map_draw_lines(Map *map)
         draw_notched(map);
     else if (problem == PROBLEM_MOVING_CANTILEVER)
         draw_channel(map);
-    draw_marks(map);
+    if (!map->area.canvas->sketch)
+        draw_marks(map);
 }
 
 /* --- signs ---------------------------------------------------------------------------------------- */
@@ -202,6 +209,11 @@ static void draw_supports(Map *map, int row)
         if (held[i] <= 0)
             continue;
         map_node_place(map, (size_t)row * nx + i, &column, &y);
+        if (map->area.canvas->sketch) {
+            y += row == 0 ? map->body.spacing * map->scale_y / 2 : 0;
+            map_sketch_sign(map, column, y, pinned && i < nx / 2 ? SUPPORT_FIXED : SUPPORT_ROLLER);
+            continue;
+        }
         if (row == 0) /* just below the lowest row of nodes */
             y = fmin(floor(y + map->body.spacing * map->scale_y / 2 + 0.75), map->area.rect.height - 1);
         area_put(map->area, (int)floor(column), (int)floor(y),
@@ -231,6 +243,10 @@ static void draw_load(Map *map)
         if (loaded[i] <= 0)
             continue;
         map_node_place(map, (size_t)(map->body.ny - 1) * nx + i, &column, &y);
+        if (map->area.canvas->sketch) {
+            map_sketch_sign(map, column, y - map->body.spacing * map->scale_y / 2, LOAD);
+            continue;
+        }
         last = (int)floor(column);
         last_row = (int)fmax(floor(y - map->body.spacing * map->scale_y / 2 - 0.75), 0);
         area_put(map->area, last, last_row, LOAD, STYLE_HEADING);
@@ -264,7 +280,7 @@ static void draw_chosen(Map *map)
 void map_draw_signs(Map *map)
 {
     draw_load(map);
-    if (map->legend_at > 0)
+    if (map->legend_at > 0 && !map->area.canvas->sketch)
         name_lines(map);
     if (map->settings->problem != PROBLEM_MOVING_CANTILEVER) {
         draw_supports(map, 0);

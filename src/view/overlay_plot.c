@@ -1,6 +1,9 @@
 #include "view/overlay_plot.h"
 
+#include "view/sketch.h"
+
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum { MARK_EVERY = 6 }; /* cells between the marks of a curve that is dense */
@@ -68,6 +71,14 @@ static void put_mark(Area inner, const Plot *plot, double x, double y)
              STYLE_THIRD);
 }
 
+/* On paper its dots are all drawn and need no marks; the legend names it. */
+static void name_on_paper(Sketch *sketch, const char *name)
+{
+    SketchKey key = {.style = STYLE_THIRD};
+    snprintf(key.name, sizeof key.name, "%s", name);
+    sketch_key(sketch, &key);
+}
+
 static void draw_name(Area inner, const char *name)
 {
     const int columns = 2 + text_columns(name), room = inner.rect.width - columns - 1,
@@ -87,6 +98,10 @@ void overlay_marks(const Screen *screen, Area inner, const Plot *plot, const cha
     size_t first, end;
     if (!column || width < 4)
         return;
+    if (inner.canvas->sketch) {
+        name_on_paper(inner.canvas->sketch, screen->overlay->file);
+        return;
+    }
     const double *x = screen->overlay->columns[screen->overlay->x].values;
     rows_within(screen->overlay, &plot->x, &first, &end);
     if (end - first <= (size_t)width / 2)

@@ -31,6 +31,9 @@ typedef struct View {
     const char *name;
     void (*draw)(const Screen *, Area, Style heading, int variant);
     int (*variants)(const Screen *); /* how many there are, at least 1 */
+    const char *word;                /* names it in a command; NULL: it makes no figure */
+    const char *(*variant_word)(const Screen *, int variant); /* likewise a variant; NULL: there is one */
+    bool of_moment; /* shows one moment, not the time up to it */
 } View;
 
 const View *view_find(int number); /* NULL: there is none of that number */
@@ -39,10 +42,13 @@ void view_draw(const Screen *, int number, Area, bool focused);
 void view_profile(const Screen *, Area, Style heading, int variant);
 int view_profile_variants(const Screen *);
 void view_section(const Screen *, Area, Style heading); /* a beam's last profile */
+const char *view_profile_word(const Screen *, int variant);
 void view_probe(const Screen *, Area, Style heading, int variant);
 int view_probe_variants(const Screen *);
+const char *view_probe_word(const Screen *, int variant);
 void view_energies(const Screen *, Area, Style heading, int variant);
 int view_energies_variants(const Screen *);
+const char *view_energies_word(const Screen *, int variant);
 void view_crack(const Screen *, Area, Style heading, int variant); /* of the probe's view */
 int view_crack_variants(const Screen *);                           /* 0: it does not break */
 void view_fracture(const Screen *, Area, Style heading);           /* of the energies' view */
@@ -51,14 +57,18 @@ void view_shapes(const Screen *, Area, Style heading, int variant);
 int view_shapes_variants(const Screen *);
 void view_bond_law(const Screen *, Area, Style heading); /* in its place where there is no mesh */
 bool bond_law_fits(const Simulation *);                  /* its nodes tell their largest stretch */
+const char *view_shapes_word(const Screen *, int variant);
 void view_dispersion(const Screen *, Area, Style heading, int variant);
 int view_dispersion_variants(const Screen *);
+const char *view_dispersion_word(const Screen *, int variant);
 void view_spectrum(const Screen *, Area, Style heading, int variant);
 int view_spectrum_variants(const Screen *);
+const char *view_spectrum_word(const Screen *, int variant);
 void view_table(const Screen *, Area, Style heading, int set);
 int view_table_variants(const Screen *);
 void view_beam(const Screen *, Area, Style heading, int variant);
 int view_beam_variants(const Screen *);
+const char *view_beam_word(const Screen *, int variant);
 void view_log(const Screen *, Area, Style heading, int variant);
 
 /* --- the other panes --- */

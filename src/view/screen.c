@@ -32,15 +32,15 @@ static int one_variant(const Screen *screen)
 }
 
 static const View views[] = {
-    {1, "profile", view_profile, view_profile_variants},
-    {2, "probe", view_probe, view_probe_variants},
-    {3, "energies", view_energies, view_energies_variants},
-    {4, "shape functions", view_shapes, view_shapes_variants},
-    {5, "dispersion", view_dispersion, view_dispersion_variants},
-    {6, "spectrum", view_spectrum, view_spectrum_variants},
-    {7, "tables", view_table, view_table_variants},
-    {8, "beam", view_beam, view_beam_variants},
-    {9, "log", view_log, one_variant},
+    {1, "profile", view_profile, view_profile_variants, "profile", view_profile_word, true},
+    {2, "probe", view_probe, view_probe_variants, "probe", view_probe_word, false},
+    {3, "energies", view_energies, view_energies_variants, "energies", view_energies_word, false},
+    {4, "shape functions", view_shapes, view_shapes_variants, "shapes", view_shapes_word, true},
+    {5, "dispersion", view_dispersion, view_dispersion_variants, "dispersion", view_dispersion_word, false},
+    {6, "spectrum", view_spectrum, view_spectrum_variants, "spectrum", view_spectrum_word, false},
+    {7, "tables", view_table, view_table_variants, NULL, NULL, true},
+    {8, "beam", view_beam, view_beam_variants, "beam", view_beam_word, true},
+    {9, "log", view_log, one_variant, NULL, NULL, false},
 };
 
 const View *view_find(int number)
@@ -153,11 +153,31 @@ void screen_draw(const Screen *screen, Canvas *canvas)
         canvas_to_ascii(canvas);
 }
 
-void screen_sketch(const Screen *screen, int view, int columns, int rows, Sketch *sketch)
+/* --- on paper --------------------------------------------------------------------------------------- */
+
+const char *screen_view_word(const Screen *screen, int number)
+{
+    const View *view = view_find(number);
+    const bool drawn = view && (view->draw != view_beam ||
+                                experiment_simulation(screen->experiment)->dimensions == 2);
+    return drawn && !screen_view_missing(screen, number) ? view->word : NULL;
+}
+
+const char *screen_variant_word(const Screen *screen, int number, int variant)
+{
+    const View *view = view_find(number);
+    const bool known = view && view->variant_word && variant >= 0 && variant < view->variants(screen);
+    return known ? view->variant_word(screen, variant) : NULL;
+}
+
+void screen_sketch(const Screen *screen, int number, int columns, int rows, Sketch *sketch)
 {
     Canvas canvas = {.width = columns, .height = rows, .sketch = sketch};
+    const View *view = view_find(number);
     sketch_open(sketch);
-    view_draw(screen, view, (Area){&canvas, {0, 0, columns, rows}, GLYPHS_NONE}, false);
+    sketch->of_moment = view && view->of_moment;
+    time_text(screen, experiment_time(screen->experiment), sketch->time, sizeof sketch->time);
+    view_draw(screen, number, (Area){&canvas, {0, 0, columns, rows}, GLYPHS_NONE}, false);
 }
 
 CommandId screen_bar_command(const Screen *screen, int width, int x)

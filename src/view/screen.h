@@ -151,6 +151,11 @@ void screen_default(Screen *);
 /* Draws everything. Below 40x12 a message. Never fails: what has no room is left out by a fixed order. */
 void screen_draw(const Screen *, Canvas *);
 
+/* The word that names a view in a command, and that of one of its variants, counted from 0. NULL: it makes no
+ * figure here; there is no such variant, or only one. */
+const char *screen_view_word(const Screen *, int view);
+const char *screen_variant_word(const Screen *, int view, int variant);
+
 /* What a view shows at present as strokes and words in place of cells, for a picture as large as so many
  * columns and rows of text. */
 void screen_sketch(const Screen *, int view, int columns, int rows, Sketch *);

@@ -13,6 +13,7 @@ void sketch_close(Sketch *sketch)
 {
     plot_close(&sketch->plot);
     free(sketch->marks);
+    free(sketch->map);
     *sketch = (Sketch){0};
 }
 
@@ -43,6 +44,18 @@ void sketch_plot(Sketch *sketch, const Plot *plot)
     }
 }
 
+SketchMap *sketch_map(Sketch *sketch, int nx, int ny)
+{
+    const size_t count = (size_t)nx * (size_t)ny;
+    SketchMap *map = malloc(sizeof *map + 3 * count * sizeof(double));
+    if (!map)
+        return NULL;
+    double *numbers = (double *)(map + 1);
+    *map = (SketchMap){.nx = nx, .ny = ny, .x = numbers, .y = numbers + count, .value = numbers + 2 * count};
+    free(sketch->map);
+    return sketch->map = map;
+}
+
 void sketch_mark(Sketch *sketch, double x, double y, uint32_t glyph, Style style)
 {
     if (sketch->n_marks == sketch->marks_room) {
@@ -58,9 +71,7 @@ void sketch_mark(Sketch *sketch, double x, double y, uint32_t glyph, Style style
 
 void sketch_rule(Sketch *sketch, double x, Style style)
 {
-    plot_begin(&sketch->plot, STROKE_LINE, LINE_SOLID, style, RANK_BAND, '|');
-    plot_point(&sketch->plot, x, sketch->plot.y.low);
-    plot_point(&sketch->plot, x, sketch->plot.y.high);
+    sketch_mark(sketch, x, sketch->plot.y.low, SKETCH_RULE, style);
 }
 
 void sketch_key(Sketch *sketch, const SketchKey *key)

@@ -18,6 +18,8 @@ typedef struct SketchKey {
     char name[SKETCH_TEXT_MAX];
 } SketchKey;
 
+enum { SKETCH_RULE = '|' }; /* a mark that is a vertical line across the plot */
+
 /* A dot, ring or letter at a place of the plot. */
 typedef struct SketchMark {
     double x, y;
@@ -31,11 +33,27 @@ typedef struct SketchNote {
     char text[SKETCH_TEXT_MAX];
 } SketchNote;
 
+/* A body of coloured pieces on a lattice: piece k lies in column k % nx and row k / nx, row 0 below, and is
+ * centred at (x, y) as drawn, displacements enlarged, in the coordinates of the plot. */
+typedef struct SketchMap {
+    int nx, ny;
+    double *x, *y, *value; /* value NAN: not drawn */
+    double size;           /* of a piece, both ways */
+    double enlarged;       /* the factor of the displacements */
+    double stretch;        /* a length upwards is drawn so many times as long as one across */
+    double low, high;      /* range of the colours */
+    bool is_signed;        /* zero is in the middle */
+    char unit[16];         /* SI; "" for a number */
+} SketchMap;
+
 typedef struct Sketch {
+    char time[48];                 /* "t 12.34" */
+    bool of_moment;                /* of that time alone, not of all up to it */
     char heading[SKETCH_TEXT_MAX]; /* what is drawn: the name of the vertical axis where there are axes */
     char x_name[SKETCH_TEXT_MAX];
-    bool has_axes; /* if not, the view had nothing to draw and the notes say why */
-    Plot plot;     /* its axes, and the strokes of all that was plotted */
+    bool has_axes;  /* if not, the view had nothing to draw and the notes say why */
+    Plot plot;      /* its axes, and the strokes of all that was plotted */
+    SketchMap *map; /* NULL: it is a plot */
     SketchMark *marks;
     size_t n_marks, marks_room;
     SketchKey keys[SKETCH_KEYS_MAX];
@@ -51,6 +69,10 @@ void sketch_close(Sketch *);
 void sketch_heading(Sketch *, const char *text);
 void sketch_axes(Sketch *, const Axis *x, const Axis *y, const char *x_name);
 void sketch_plot(Sketch *, const Plot *);
+
+/* Room for a map of so many pieces, to be filled; NULL: no memory. */
+SketchMap *sketch_map(Sketch *, int nx, int ny);
+
 void sketch_mark(Sketch *, double x, double y, uint32_t glyph, Style);
 void sketch_rule(Sketch *, double x, Style); /* a vertical line across the plot */
 void sketch_key(Sketch *, const SketchKey *);

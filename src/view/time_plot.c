@@ -118,11 +118,11 @@ void time_plot_breaks(const Screen *screen, Area inner, const Axis *x)
     int count;
     const Event *events = experiment_events(screen->experiment, &count);
     for (int i = 0; i < count; i++) {
-        const int column = axis_column(x, dt * (double)events[i].step, inner.rect.width);
+        const double time = dt * (double)events[i].step;
+        const int column = axis_column(x, time, inner.rect.width);
         if (events[i].kind != EVENT_BREAK || column < 0)
             continue;
-        for (int y = 0; y < inner.rect.height; y++)
-            area_put(inner, column, y, 0x2502, STYLE_FAINT);
+        axes_rule(inner, x, time, STYLE_FAINT);
         area_put(inner, column, 0, 'b', STYLE_NORMAL);
     }
 }

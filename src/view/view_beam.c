@@ -12,6 +12,13 @@ int view_beam_variants(const Screen *screen)
     return experiment_simulation(screen->experiment)->dimensions == 2 ? MAP_VARIANTS : 1;
 }
 
+const char *view_beam_word(const Screen *screen, int variant)
+{
+    const bool coloured =
+        experiment_simulation(screen->experiment)->dimensions == 2 && variant < MAP_COLOURINGS;
+    return coloured ? colour_words[variant] : NULL;
+}
+
 size_t screen_middle_particle(const Simulation *sim)
 {
     Body body;
@@ -66,7 +73,8 @@ static void draw_title(const Map *map, Area area, Style heading)
 {
     const Colouring *colouring = map->colouring;
     const int room = area.rect.width - 6;
-    char title[192], parts[5][64] = {"", "", "", "", ""}, number[NUMBER_TEXT_MAX];
+    const char *times = area.canvas->sketch ? "×" : "x";
+    char title[192] = "", parts[5][64] = {"", "", "", "", ""}, number[NUMBER_TEXT_MAX];
     crack_texts(map, parts[0], parts[1], sizeof parts[0]);
     if (map->moves_on) {
         const double length =
@@ -75,15 +83,21 @@ static void draw_title(const Map *map, Area area, Style heading)
     }
     factor_text(map->enlarged, number);
     if (map->enlarged != 1)
-        snprintf(parts[2], sizeof parts[2], "%s x %s", map->moves_on ? "uy" : "u", number);
+        snprintf(parts[2], sizeof parts[2], "%s %s %s", map->moves_on ? "uy" : "u", times, number);
     factor_text(map->screen->magnified, number);
     if (map->screen->magnified > 1)
         snprintf(parts[3], sizeof parts[3], "zoom %s", number);
     factor_text(map->stretch, number);
     if (map->stretch != 1)
-        snprintf(parts[4], sizeof parts[4], "height x %s", number);
+        snprintf(parts[4], sizeof parts[4], "height %s %s", times, number);
     else
         snprintf(parts[4], sizeof parts[4], "to scale");
+    if (area.canvas->sketch) { /* on paper the field stands beside its colours */
+        for (int i = 0; i < 5; i++)
+            add_part(title, sizeof title, (int)sizeof title, parts[i]);
+        area_text(area, 0, 0, title, STYLE_NORMAL);
+        return;
+    }
     int columns = text_columns(colouring->meaning);
     for (int i = 0; i < 5; i++)
         columns += parts[i][0] ? 2 + text_columns(parts[i]) : 0;
@@ -153,6 +167,13 @@ void view_beam(const Screen *screen, Area area, Style heading, int variant)
     Map map;
     if (!map_open(&map, screen, map_part(area)) || !map_colour(&map, (MapVariant)variant)) {
         area_rule(area, 0, "the beam", heading);
+        map_close(&map);
+        return;
+    }
+    if (area.canvas->sketch) {
+        map_sketch(&map);
+        draw_title(&map, area, heading);
+        area_text(area, 0, 0, note_of(&map), STYLE_FAINT);
         map_close(&map);
         return;
     }

@@ -135,7 +135,7 @@ void view_bond_law(const Screen *screen, Area area, Style heading)
     reach = reach > 0 ? axis_round_up(1.15 * reach) : 1e-6;
     Axis x = axis_make(-reach / 4, reach, area.rect.width / 11);
     Axis y = axis_make(-stiffness * reach / 4, stiffness * reach, plot_area.rect.height < 8 ? 3 : 5);
-    static const char *const band[GLYPHS_COUNT] = {"⢕⢕", "▒▒", "++"};
+    static const char *const band[GLYPHS_NONE + 1] = {"⢕⢕", "▒▒", "++"};
     const Legend legend[] = {{LINE_SOLID, '*', STYLE_MEASURED, "f = c s", NULL},
                              {LINE_DASHED, '-', STYLE_EXACT, "s0", NULL},
                              {LINE_SOLID, '+', STYLE_SECOND, "nodes", band[area.glyphs]}};
@@ -151,7 +151,8 @@ void view_bond_law(const Screen *screen, Area area, Style heading)
 
     Plot plot;
     plot_open(&plot, x, y);
-    const int dots = inner.rect.width * plot_dots_across(area.glyphs);
+    /* on paper too a bin has enough nodes to be counted */
+    const int dots = inner.rect.width * (area.canvas->sketch ? 1 : plot_dots_across(area.glyphs));
     if (dots > 0)
         add_counts(&plot, &all, dots);
     const double end = s0 > 0 ? s0 : x.high;
@@ -168,13 +169,8 @@ void view_bond_law(const Screen *screen, Area area, Style heading)
     }
     plot_draw(&plot, inner);
     plot_close(&plot);
-    if (all.foremost < all.count) {
-        const double value = all.largest;
-        const int column = axis_column(&x, value, inner.rect.width);
-        const int row = axis_row(&y, stiffness * value, inner.rect.height);
-        if (column >= 0 && row >= 0)
-            area_put(inner, column, row, 0x25cf, STYLE_CHANGED);
-    }
+    if (all.foremost < all.count)
+        axes_mark(inner, &x, &y, all.largest, stiffness * all.largest, 0x25cf, STYLE_CHANGED);
     char lines[2][160];
     law_lines(screen, &all, s0, lines[0], lines[1]);
     for (int i = 0; i < under; i++)

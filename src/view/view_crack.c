@@ -136,12 +136,8 @@ static void draw_path(const Screen *screen, Area area, Style heading)
     }
     plot_close(&plot);
     Crack crack;
-    if (crack_measure(sim, &crack)) {
-        const int column = axis_column(&x, crack.x, inner.rect.width);
-        const int row = axis_row(&y, crack.y, inner.rect.height);
-        if (column >= 0 && row >= 0)
-            area_put(inner, column, row, 0x25cf, STYLE_CHANGED);
-    }
+    if (crack_measure(sim, &crack))
+        axes_mark(inner, &x, &y, crack.x, crack.y, 0x25cf, STYLE_CHANGED);
     draw_lines(screen, area, under);
 }
 

@@ -346,6 +346,12 @@ int view_dispersion_variants(const Screen *screen)
     return last_mode(screen, 1) < last_mode(screen, 0) ? 2 : 1;
 }
 
+const char *view_dispersion_word(const Screen *screen, int variant)
+{
+    (void)screen;
+    return variant == 1 ? "near" : "all";
+}
+
 void view_dispersion(const Screen *screen, Area area, Style heading, int variant)
 {
     const Settings *settings = experiment_settings(screen->experiment);

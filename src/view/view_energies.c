@@ -61,16 +61,24 @@ static Stack stack_of(const Screen *screen)
     return stack;
 }
 
+enum { PAPER_DOTS = 500 }; /* no screen is as fine */
+
 /* One point a column of dots: the row at its middle. Bands need no extremes: their edges are sums that hardly
  * change within a column when the curve's swing is wider than one; where it is narrower, the mean is told. */
 static void add_stack(Plot *plot, const Stack *stack, int dots)
 {
     const Record *record = stack->record;
     const double step = (plot->x.high - plot->x.low) / dots;
+    const size_t begin = record_find(record, plot->x.low), last = record_find(record, plot->x.high);
+    const bool every_row = last - begin < (size_t)dots && dots >= PAPER_DOTS;
     for (int layer = 0; layer < stack->count; layer++) {
         plot_begin(plot, STROKE_BAND, LINE_SOLID, stack->layers[layer].style, RANK_BAND, "#+.:"[layer & 3]);
         plot->strokes[plot->n_strokes - 1].fill = stack->layers[layer].fill;
-        const double newest = record->count ? record_row(record, record->count - 1)[1] : -1;
+        for (size_t k = begin; every_row && k <= last && k < record->count; k++) {
+            plot_point(plot, record_row(record, k)[1], stack_height(stack, k, layer));
+            plot_point(plot, record_row(record, k)[1], stack_height(stack, k, layer + 1));
+        }
+        const double newest = record->count && !every_row ? record_row(record, record->count - 1)[1] : -INFINITY;
         for (int i = 0; i < dots; i++) {
             double from = plot->x.low + i * step, low = 0, high = 0;
             if (from > newest)
@@ -152,6 +160,12 @@ static void residual_phrases(const Screen *screen, double most_work, char out[32
 int view_energies_variants(const Screen *screen)
 {
     return 1 + view_fracture_variants(screen);
+}
+
+const char *view_energies_word(const Screen *screen, int variant)
+{
+    (void)screen;
+    return variant == 1 ? "fracture" : "stack";
 }
 
 void view_energies(const Screen *screen, Area area, Style heading, int variant)

@@ -55,6 +55,15 @@ int view_probe_variants(const Screen *screen)
     return count > 0 ? count : 1;
 }
 
+const char *view_probe_word(const Screen *screen, int variant)
+{
+    int n, picture;
+    const int column = probe_column(screen, variant, &picture);
+    if (picture >= 0)
+        return picture == 0 ? "path" : "angle";
+    return column >= 0 ? experiment_columns(screen->experiment, &n)[column].quantity.name : NULL;
+}
+
 const char *screen_time_curve(const Screen *screen)
 {
     int n, picture;

@@ -18,6 +18,12 @@ int view_profile_variants(const Screen *screen)
     return count ? count : 1;
 }
 
+const char *view_profile_word(const Screen *screen, int variant)
+{
+    const char *field = profile_field(experiment_simulation(screen->experiment), variant);
+    return field ? field : "section";
+}
+
 /* A run's part of the picture: what is now, of a ghost what was last on screen. */
 typedef struct Curve {
     const Run *run;
@@ -122,7 +128,8 @@ static void draw_exact(Experiment *experiment, Plot *plot, const char *field, co
 static void draw_particles(const Plot *plot, Area inner, const Curve *curve)
 {
     const Profile *profile = curve->profile;
-    if (!curve->run->experiment || (size_t)inner.rect.width < 2 * profile->count)
+    const int places = inner.canvas->sketch ? 4 * inner.rect.width : inner.rect.width;
+    if (!curve->run->experiment || (size_t)places < 2 * profile->count)
         return;
     for (size_t i = 0; i < profile->count; i++)
         axes_mark(inner, &plot->x, &plot->y, profile->x[i], curve->values[i],

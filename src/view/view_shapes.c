@@ -12,6 +12,13 @@ int view_shapes_variants(const Screen *screen)
     return bond_law_fits(experiment_simulation(screen->experiment)) ? 1 : 2; /* N and N' */
 }
 
+const char *view_shapes_word(const Screen *screen, int variant)
+{
+    if (bond_law_fits(experiment_simulation(screen->experiment)))
+        return "law";
+    return variant == 1 ? "slopes" : "values";
+}
+
 static double field_at(const Simulation *sim, int field, size_t index)
 {
     double value = NAN;

@@ -51,6 +51,12 @@ int view_spectrum_variants(const Screen *screen)
     return is_bar(screen) ? 2 : 3;
 }
 
+const char *view_spectrum_word(const Screen *screen, int variant)
+{
+    static const char *const bar[] = {"slow", "fast"}, *const beam[] = {"fast", "slow", "displacement"};
+    return is_bar(screen) ? bar[variant % 2] : beam[variant % 3];
+}
+
 /* The lines that theory knows: of the watched mode, of the bar's other modes where v_cm is watched, and, in
  * the picture of all that a mesh does (`fast`), of a beam's height. */
 static int marks_of(const Screen *screen, bool fast, Mark marks[MARKS_MAX])

@@ -119,10 +119,6 @@ refuse "unknown problem" 2 \
 	'params: beam is not a problem (bar | simply-supported-beam | moving-cantilever | notched-beam)' params beam
 refuse "laboratory: unknown option" 2 '--pause: unknown option (did you mean --paused?)' --pause
 refuse "laboratory: unknown scenario" 2 'mode11: no such scenario or file (did you mean mode1?)' mode11
-for word in figure; do
-	refuse "no command of this version: $word" 2 \
-		"$word: no such command, scenario or file (see: matvib --help)" $word mode1
-done
 refuse "a lesson that there is not" 2 'one-stop: no such lesson or file (did you mean one-step?)' lesson one-stop --script /dev/null
 refuse "a slip in a command" 2 'rnu: no such command, scenario or file (did you mean run?)' rnu mode1
 refuse "laboratory: two scenarios" 2 'mode5: is one argument too many ([SCENARIO])' mode1 mode5

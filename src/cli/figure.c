@@ -1,0 +1,226 @@
+/* `matvib figure SCENARIO --view NAME --output FILE`: runs without a screen, then draws what a view of the
+ * laboratory shows, at the end or at several times, on one page. */
+#include "figure/figure.h"
+
+#include "cli/cli.h"
+#include "cli/options.h"
+#include "cli/progress.h"
+#include "lab/frames.h"
+#include "lab/output_file.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { HISTORY = 64 << 20, SLICE = 200 };
+
+static bool interrupted(Status *status)
+{
+    return status_fail(status, STATUS_FAILED, "interrupted");
+}
+
+/* Goes on to a step in slices; the bar goes from `behind` to `behind` + `part`. */
+static bool advance_to(Experiment *experiment, long step, double behind, double part, Progress *progress,
+                       Status *status)
+{
+    const long first = experiment_step(experiment);
+    while (experiment_step(experiment) < step && !experiment_at_end(experiment)) {
+        const long left = step - experiment_step(experiment);
+        if (!experiment_advance(experiment, left < SLICE ? left : SLICE, status))
+            return false;
+        const double share = (double)(experiment_step(experiment) - first) / (double)(step - first);
+        if (!progress_show(behind + part * share, progress))
+            return interrupted(status);
+    }
+    return true;
+}
+
+static bool work_off(Experiment *experiment, double behind, double part, Progress *progress, Status *status)
+{
+    long left, all = 0;
+    while (experiment_pending(experiment, &left)) {
+        all = left > all ? left : all;
+        if (!experiment_work(experiment, SLICE, status))
+            return false;
+        if (!progress_show(behind + part * (1 - (double)left / (double)(all > 0 ? all : 1)), progress))
+            return interrupted(status);
+    }
+    return true;
+}
+
+/* The other run first; its curves stay behind those of the run itself. */
+static bool run_against(Experiment *experiment, const Settings *settings, long step, Progress *progress,
+                        Status *status)
+{
+    return advance_to(experiment, step, 0, 0.5, progress, status) &&
+           experiment_rerun(experiment, settings, status) && work_off(experiment, 0.5, 0.5, progress, status);
+}
+
+/* Goes from one time to the next and takes each down. */
+static bool take_frames(Figure *figure, Screen *screen, int view, const Frames *frames, Progress *progress,
+                        Status *status)
+{
+    Experiment *experiment = screen->experiment;
+    const int count = (int)frames->count;
+    const double last = (double)(frames->steps[count - 1] > 0 ? frames->steps[count - 1] : 1);
+    bool sound = true;
+    for (int i = 0; i < count && sound; i++) {
+        const long step = frames->steps[i];
+        const double here = (double)(i > 0 ? frames->steps[i - 1] : 0) / last;
+        const double there = (double)step / last;
+        if (step > experiment_newest(experiment)) {
+            sound = advance_to(experiment, step, here, there - here, progress, status);
+        } else if (step != experiment_step(experiment)) {
+            experiment_seek(experiment, step, 0);
+            sound = work_off(experiment, here, there - here, progress, status);
+        }
+        experiment_rest(experiment);
+        sound = sound && figure_add(figure, screen, view, count, status);
+    }
+    return sound;
+}
+
+/* Pictures of one page are compared, so displacements are enlarged alike: once more with a factor that suits
+ * all, where each would have its own. */
+static bool take_alike(Figure *figure, Screen *screen, int view, const Frames *frames, Progress *progress,
+                       Status *status)
+{
+    bool differ;
+    const double least = figure_enlargement(figure, &differ);
+    if (!differ)
+        return true;
+    Settings settings = *experiment_settings(screen->experiment);
+    snprintf(settings.view.exaggeration, sizeof settings.view.exaggeration, "%.6g", least);
+    const double width = figure->width, height = figure->height;
+    figure_close(figure);
+    figure_open(figure, width, height);
+    return experiment_edit(screen->experiment, &settings, status) &&
+           take_frames(figure, screen, view, frames, progress, status);
+}
+
+static bool draw_frames(Screen *screen, int view, const Frames *frames, const Options *options,
+                        Progress *progress, Status *status)
+{
+    Figure figure;
+    figure_open(&figure, options->size[0], options->size[1]);
+    const bool sound = take_frames(&figure, screen, view, frames, progress, status) &&
+                       take_alike(&figure, screen, view, frames, progress, status) &&
+                       figure_write(&figure, options->output, options->force, status);
+    figure_close(&figure);
+    return sound;
+}
+
+/* What the scenario says of how it is shown. */
+static void read_view(Screen *screen, const Settings *settings, double end)
+{
+    screen->window = end;
+    screen->state = STATE_RUNNING; /* nothing is chosen by hand */
+    if (settings->view.window[0])
+        screen->window = atof(settings->view.window);
+    for (int i = 0; i < SHOW_COUNT; i++)
+        if (strcmp(settings->view.references, reference_words[i]) == 0)
+            screen->references = (ReferencesShown)i;
+}
+
+/* The settings of the run behind; false: nothing differs. */
+static bool other_settings(const Options *options, const Settings *settings, Settings *other, Status *status)
+{
+    char key[KEY_MAX], differs[LEGEND_MAX];
+    *other = *settings;
+    const char *equals = strchr(options->against, '=');
+    if (!equals || equals == options->against || equals - options->against >= KEY_MAX)
+        return status_fail(status, STATUS_USAGE, "--against: \"%.80s\" sets nothing (KEY=VALUE)",
+                           options->against);
+    snprintf(key, sizeof key, "%.*s", (int)(equals - options->against), options->against);
+    Status why = {STATUS_DONE, ""};
+    if (!settings_set(other, key, equals + 1, &why) || !settings_check(other, &why))
+        return status_fail(status, STATUS_USAGE, "--against: %s", why.text);
+    return !settings_same(settings, other, differs, sizeof differs) ||
+           status_fail(status, STATUS_USAGE, "--against: %.80s is what the run has already",
+                       options->against);
+}
+
+/* The steps of the pictures; their number depends on the time step, so those of another run are others. */
+static bool plan(Frames *frames, const Screen *screen, const Settings *settings, Status *status)
+{
+    const Experiment *experiment = screen->experiment;
+    frames_free(frames);
+    return frames_plan(frames, settings, experiment_simulation(experiment)->dt,
+                       experiment_last_step(experiment), status);
+}
+
+static bool draw(const Options *options, const Settings *settings, Screen *screen, Progress *progress,
+                 Status *status)
+{
+    Frames frames = {0};
+    int view = 0;
+    bool sound = figure_view(screen, options->view, &view, status) && plan(&frames, screen, settings, status);
+    if (sound && frames.count > FIGURE_PANELS_MAX)
+        sound = status_fail(status, STATUS_USAGE, "a page has room for %d pictures, not %zu",
+                            FIGURE_PANELS_MAX, frames.count);
+    if (sound && options->against && frames.count > 1)
+        sound = status_fail(status, STATUS_USAGE, "--against: is for one picture, not for several times");
+    if (sound && options->against)
+        sound = run_against(screen->experiment, settings, frames.steps[0], progress, status) &&
+                plan(&frames, screen, settings, status);
+    if (sound) {
+        const double dt = experiment_simulation(screen->experiment)->dt;
+        read_view(screen, settings, dt * (double)frames.steps[frames.count - 1]);
+        sound = draw_frames(screen, view, &frames, options, progress, status);
+    }
+    frames_free(&frames);
+    return sound;
+}
+
+int cli_figure(int count, char **arguments, Status *status)
+{
+    Options options;
+    Settings settings, first;
+    if (!options_parse("figure", count, arguments, &options, status) ||
+        !options_words(&options, 1, 1, "SCENARIO", status) ||
+        !options_load(&options, options.words[0], &settings, status))
+        return (int)status->code;
+    /* pictures of a crack are compared with each other, so displacements are as they are unless it is said */
+    if (settings.problem == PROBLEM_NOTCHED_BEAM && !settings.view.exaggeration[0])
+        strcpy(settings.view.exaggeration, "1");
+    first = settings;
+    bool sound = true;
+    if (!options.list) {
+        if (!options.view)
+            sound =
+                status_fail(status, STATUS_USAGE, "figure: --view NAME is missing (--list tells the names)");
+        else if (!options.output)
+            sound = status_fail(status, STATUS_USAGE,
+                                "figure: --output FILE is missing (FILE.svg, .pdf or .png)");
+        sound = sound && figure_allowed(options.output, status) &&
+                output_may_begin(options.output, options.force, status) &&
+                (!options.against || other_settings(&options, &settings, &first, status));
+    }
+    char *real = sound && !options.list ? output_real_name(options.output, status) : NULL;
+    sound = sound && (options.list || real); /* its folder is there, before the run begins */
+    free(real);
+    if (!sound)
+        return (int)status->code;
+    Screen screen;
+    screen_default(&screen);
+    screen.scenario = options.words[0];
+    screen.experiment = experiment_create(&first, HISTORY, progress_threads(options.threads), status);
+    if (!screen.experiment)
+        return (int)status->code;
+    screen.particle = screen_middle_particle(experiment_simulation(screen.experiment));
+    if (options.list) {
+        figure_names(&screen, stdout);
+    } else {
+        Progress progress;
+        progress_begin(&progress, options.quiet);
+        sound = draw(&options, &settings, &screen, &progress, status);
+        progress_end(&progress);
+    }
+    experiment_destroy(screen.experiment);
+    if (!sound)
+        return progress_signal() ? 128 + progress_signal() : (int)status->code;
+    if (!options.list && !options.quiet)
+        printf("wrote %s\n", options.output);
+    return STATUS_DONE;
+}

@@ -1,0 +1,85 @@
+#include "cli/progress.h"
+
+#include <math.h>
+#include <signal.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <time.h>
+#include <unistd.h>
+
+/* A signal asks the run to end; it takes back its temporary files, and the exit status tells which it was. */
+static volatile sig_atomic_t ended_by;
+
+static void end_run(int signal_number)
+{
+    ended_by = signal_number;
+}
+
+static void listen_to_signals(void)
+{
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    struct sigaction action = {.sa_handler = end_run}, old;
+    sigemptyset(&action.sa_mask);
+    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++)
+        if (sigaction(signals[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN)
+            sigaction(signals[i], &action, NULL);
+}
+
+static double seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static void draw_bar(const Progress *progress, double share, double now)
+{
+    enum { WIDTH = 40 };
+    int full = (int)(share * WIDTH);
+    char line[WIDTH + 1];
+    for (int i = 0; i < WIDTH; i++)
+        line[i] = i < full ? '#' : '.';
+    line[WIDTH] = '\0';
+    double left = share > 0 ? (now - progress->began) * (1 - share) / share : 0;
+    fprintf(stderr, "\r[%s] %3.0f %%  %.0f s left \033[K", line, floor(100 * share), ceil(left));
+}
+
+void progress_begin(Progress *progress, bool quiet)
+{
+    listen_to_signals();
+    *progress = (Progress){.visible = !quiet && isatty(STDERR_FILENO), .began = seconds()};
+}
+
+bool progress_show(double share, void *context)
+{
+    Progress *progress = context;
+    double now = progress->visible ? seconds() : 0;
+    /* a run that takes no time needs no bar */
+    if (progress->visible && now - progress->began > 0.5 && now - progress->shown > 0.1) {
+        draw_bar(progress, share, now);
+        progress->shown = now;
+    }
+    return ended_by == 0;
+}
+
+void progress_end(const Progress *progress)
+{
+    if (progress->shown > 0)
+        fputs("\r\033[K", stderr);
+}
+
+double progress_seconds(const Progress *progress)
+{
+    return seconds() - progress->began;
+}
+
+int progress_signal(void)
+{
+    return (int)ended_by;
+}
+
+int progress_threads(long asked)
+{
+    long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    return (int)(asked > 0 ? asked : cores > 0 ? cores : 1);
+}

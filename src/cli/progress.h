@@ -1,0 +1,27 @@
+/* What commands that run for a while share: a bar on standard error, and an end by signal that takes back
+ * temporary files. */
+#ifndef CLI_PROGRESS_H
+#define CLI_PROGRESS_H
+
+#include <stdbool.h>
+
+typedef struct Progress {
+    bool visible; /* standard error is a terminal */
+    double began, shown;
+} Progress;
+
+/* Also listens to SIGINT, SIGTERM and SIGHUP from here on. */
+void progress_begin(Progress *, bool quiet);
+void progress_end(const Progress *); /* wipes the bar */
+double progress_seconds(const Progress *);
+
+/* A RunProgress: draws the bar; false once a signal came. */
+bool progress_show(double share, void *progress);
+
+/* The signal that came; 0: none. */
+int progress_signal(void);
+
+/* As many as asked for, or as the machine has. */
+int progress_threads(long asked);
+
+#endif

@@ -1,0 +1,237 @@
+#include "figure/figure.h"
+
+#include "base/text.h"
+#include "figure/page.h"
+#include "lab/output_file.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#define WIDTH_DEFAULT 160.0 /* mm: the text of an A4 page */
+
+enum { VIEWS = 9, NAME_MAX_BYTES = 48 };
+
+/* --- kinds of files -------------------------------------------------------------------------------- */
+
+typedef enum Format { FORMAT_SVG, FORMAT_PDF, FORMAT_PNG, FORMAT_NONE } Format;
+
+static Format format_of(const char *file)
+{
+    static const char *const endings[] = {".svg", ".pdf", ".png"};
+    const char *dot = strrchr(file, '.');
+    for (int i = 0; dot && i < FORMAT_NONE; i++)
+        if (strcasecmp(dot, endings[i]) == 0)
+            return (Format)i;
+    return FORMAT_NONE;
+}
+
+bool figure_allowed(const char *file, Status *status)
+{
+    const Format format = format_of(file);
+    if (format == FORMAT_NONE)
+        return status_fail(status, STATUS_USAGE, "%.200s: is no figure (FILE.svg, FILE.pdf or FILE.png)",
+                           file);
+    return format == FORMAT_SVG || paper_has_cairo(status);
+}
+
+/* --- views by name --------------------------------------------------------------------------------- */
+
+/* "beam", or "beam:damage" for a variant; "": there is none of that number. */
+static void name_of(const Screen *screen, int view, int variant, char out[NAME_MAX_BYTES])
+{
+    const char *word = screen_view_word(screen, view), *part = screen_variant_word(screen, view, variant);
+    out[0] = '\0';
+    if (word && (part || variant == 0))
+        snprintf(out, NAME_MAX_BYTES, "%s%s%s", word, part ? ":" : "", part ? part : "");
+}
+
+static void list_names(const Screen *screen, char *out, size_t size)
+{
+    char name[NAME_MAX_BYTES];
+    size_t used = 0;
+    out[0] = '\0';
+    for (int view = 1; view <= VIEWS; view++)
+        for (int variant = 0; name_of(screen, view, variant, name), name[0]; variant++) {
+            /* the view is named once: profile:u|v|stress */
+            const char *part = variant > 0 ? strchr(name, ':') + 1 : name;
+            const char *gap = variant > 0 ? "|" : view > 1 ? " " : "";
+            if (used < size)
+                used += (size_t)snprintf(out + used, size - used, "%s%s", gap, part);
+            if (!strchr(name, ':'))
+                break;
+        }
+}
+
+bool figure_view(Screen *screen, const char *wanted, int *view, Status *status)
+{
+    char name[NAME_MAX_BYTES], all[400];
+    for (*view = 1; *view <= VIEWS; ++*view)
+        for (int variant = 0; name_of(screen, *view, variant, name), name[0]; variant++) {
+            const char *colon = strchr(name, ':');
+            const bool whole = strcmp(name, wanted) == 0;
+            const bool first = colon && variant == 0 && strlen(wanted) == (size_t)(colon - name) &&
+                               strncmp(name, wanted, (size_t)(colon - name)) == 0;
+            if (whole || first) {
+                screen->variant[*view] = variant;
+                return true;
+            }
+            if (!colon)
+                break;
+        }
+    list_names(screen, all, sizeof all);
+    return status_fail(status, STATUS_USAGE, "%.60s: no such view here (%s)", wanted, all);
+}
+
+void figure_names(const Screen *screen, FILE *stream)
+{
+    char name[NAME_MAX_BYTES];
+    for (int view = 1; view <= VIEWS; view++)
+        for (int variant = 0; name_of(screen, view, variant, name), name[0]; variant++) {
+            fprintf(stream, "%s\n", name);
+            if (!strchr(name, ':'))
+                break;
+        }
+}
+
+/* --- what stands around the panels ------------------------------------------------------------------ */
+
+/* All parameters of the run but where its files go: group by group, "Bar: length 25, density 1". */
+static void tell_parameters(const Settings *settings, char *out, size_t size)
+{
+    const char *group = "";
+    size_t used = 0;
+    for (int i = 0; i < n_parameters; i++) {
+        const Parameter *parameter = &parameters[i];
+        char value[LIST_MAX];
+        if (!parameter_applies(parameter, settings->problem) || strncmp(parameter->key, "output.", 7) == 0)
+            continue;
+        settings_show(settings, parameter, value);
+        const char *unit = settings->problem == PROBLEM_BAR ? "" : parameter->unit_beam;
+        if (!value[0] || strcmp(value, "-") == 0)
+            continue;
+        double number;
+        if (strcmp(unit, "1") == 0 || !text_to_double(value, &number))
+            unit = ""; /* of a word */
+        if (used < size)
+            used += (size_t)snprintf(out + used, size - used, "%s%s%s%s %s%s%s", used == 0 ? "" : ",  ",
+                                     strcmp(group, parameter->group) ? parameter->group : "",
+                                     strcmp(group, parameter->group) ? ": " : "", parameter->label, value,
+                                     unit[0] ? " " : "", unit);
+        group = parameter->group;
+    }
+    if (used < size)
+        snprintf(out + used, size - used, ".  matvib " PACKAGE_VERSION);
+}
+
+void figure_open(Figure *figure, double width, double height)
+{
+    *figure = (Figure){.width = width > 0 ? width : WIDTH_DEFAULT, .height = height};
+}
+
+void figure_close(Figure *figure)
+{
+    for (int i = 0; i < figure->count; i++) {
+        sketch_close(&figure->panels[i]->sketch);
+        free(figure->panels[i]);
+    }
+    figure->count = 0;
+}
+
+/* --- panels ----------------------------------------------------------------------------------------- */
+
+/* "t 0.1200 ms" as "t = 0.12 ms". */
+static void caption_of(const char *time, char *out, size_t size)
+{
+    const char *number = time + strcspn(time, "0123456789"), *point = strchr(number, '.');
+    const size_t whole = strspn(number, "0123456789");
+    size_t kept = whole;
+    for (size_t i = 1; point && point[i] >= '0' && point[i] <= '9'; i++)
+        if (point[i] != '0')
+            kept = whole + 1 + i;
+    snprintf(out, size, "t = %.*s%s", (int)kept, number, number + strspn(number, "0123456789."));
+}
+
+bool figure_add(Figure *figure, const Screen *screen, int view, int panels, Status *status)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    if (figure->count == FIGURE_PANELS_MAX)
+        return status_fail(status, STATUS_USAGE, "a page has room for %d pictures", FIGURE_PANELS_MAX);
+    FigurePanel *panel = calloc(1, sizeof *panel);
+    if (!panel)
+        return status_fail(status, STATUS_FAILED, "not enough memory for a figure");
+    /* as many ticks as a pane of the terminal of that size has */
+    int columns, rows;
+    page_panel_cells(figure, panels, &columns, &rows);
+    screen_sketch(screen, view, columns, rows, &panel->sketch);
+    const Sketch *sketch = &panel->sketch;
+    if (!sketch->has_axes) {
+        status_fail(status, STATUS_FAILED, "%s: nothing to draw%s%s", sketch->heading,
+                    sketch->n_notes > 0 ? ": " : "", sketch->n_notes > 0 ? sketch->notes[0].text : "");
+        sketch_close(&panel->sketch);
+        free(panel);
+        return false;
+    }
+    if (sketch->of_moment || panels > 1)
+        caption_of(sketch->time, panel->caption, sizeof panel->caption);
+    if (figure->count == 0) {
+        snprintf(figure->title, sizeof figure->title, "%s", settings->title);
+        tell_parameters(settings, figure->parameters, sizeof figure->parameters);
+    }
+    figure->panels[figure->count++] = panel;
+    return true;
+}
+
+/* --- the file --------------------------------------------------------------------------------------- */
+
+double figure_enlargement(const Figure *figure, bool *differ)
+{
+    double least = 0, most = 0;
+    for (int i = 0; i < figure->count; i++) {
+        const SketchMap *map = figure->panels[i]->sketch.map;
+        const double factor = map ? map->enlarged : 0;
+        least = i == 0 || factor < least ? factor : least;
+        most = factor > most ? factor : most;
+    }
+    *differ = least < most;
+    return least;
+}
+
+/* What is compared is drawn to one measure. */
+static void share_ranges(Figure *figure)
+{
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < figure->count; i++)
+        if (figure->panels[i]->sketch.map) {
+            low = fmin(low, figure->panels[i]->sketch.map->low);
+            high = fmax(high, figure->panels[i]->sketch.map->high);
+        }
+    for (int i = 0; i < figure->count; i++)
+        if (figure->panels[i]->sketch.map) {
+            figure->panels[i]->sketch.map->low = low;
+            figure->panels[i]->sketch.map->high = high;
+        }
+}
+
+bool figure_write(Figure *figure, const char *name, bool force, Status *status)
+{
+    OutputFile file;
+    if (!figure_allowed(name, status) || !output_open(&file, name, force, status))
+        return false;
+    share_ranges(figure);
+    const double width = page_width(figure), height = page_height(figure);
+    const Format format = format_of(name);
+    Paper *paper = format == FORMAT_SVG   ? paper_svg(file.stream, width, height, figure->title, status)
+                   : format == FORMAT_PDF ? paper_pdf(file.stream, width, height, figure->title, status)
+                                          : paper_png(file.stream, width, height, status);
+    bool sound = paper != NULL;
+    if (paper) {
+        page_draw(figure, paper);
+        sound = paper_finish(paper, status);
+    }
+    sound = sound && output_finish(&file, status) && output_commit(&file, status);
+    output_close(&file);
+    return sound;
+}

@@ -1,0 +1,189 @@
+/* SVG: words stay text, so that they can be searched, restyled and read aloud. */
+#include "figure/paper.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct SvgPaper {
+    Paper paper;
+    int clips; /* so far: each has a name */
+    bool clipped;
+} SvgPaper;
+
+#define FAMILY "DejaVu Sans, Verdana, Helvetica, Arial, sans-serif"
+
+/* A hundredth of a point is finer than any printer. Trailing zeros are left out. */
+static void put_number(FILE *stream, double value)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%.2f", value);
+    char *end = text + strlen(text);
+    while (end[-1] == '0')
+        *--end = '\0';
+    if (end[-1] == '.')
+        *--end = '\0';
+    fputs(strcmp(text, "-0") == 0 ? "0" : text, stream);
+}
+
+static void put_attribute(FILE *stream, const char *name, double value)
+{
+    fprintf(stream, " %s=\"", name);
+    put_number(stream, value);
+    fputc('"', stream);
+}
+
+static void put_text(FILE *stream, const char *text)
+{
+    for (; *text; text++)
+        switch (*text) {
+        case '<':
+            fputs("&lt;", stream);
+            break;
+        case '>':
+            fputs("&gt;", stream);
+            break;
+        case '&':
+            fputs("&amp;", stream);
+            break;
+        default:
+            fputc((unsigned char)*text < ' ' ? ' ' : *text, stream);
+        }
+}
+
+static void put_points(FILE *stream, const double *points, size_t count)
+{
+    fputs(" points=\"", stream);
+    for (size_t i = 0; i < count; i++) {
+        if (i > 0)
+            fputc(' ', stream);
+        put_number(stream, points[2 * i]);
+        fputc(',', stream);
+        put_number(stream, points[2 * i + 1]);
+    }
+    fputc('"', stream);
+}
+
+static void put_pencil(FILE *stream, const Pencil *pencil)
+{
+    fprintf(stream, " stroke=\"#%06x\"", pencil->colour);
+    put_attribute(stream, "stroke-width", pencil->width);
+    if (pencil->round)
+        fputs(" stroke-linecap=\"round\"", stream);
+    if (pencil->dashes[0] <= 0)
+        return;
+    fputs(" stroke-dasharray=\"", stream);
+    for (int i = 0; i < 4 && pencil->dashes[i] > 0; i++) {
+        if (i > 0)
+            fputc(' ', stream);
+        put_number(stream, pencil->dashes[i]);
+    }
+    fputc('"', stream);
+}
+
+static void svg_line(Paper *paper, const double *points, size_t count, const Pencil *pencil)
+{
+    fputs("<polyline fill=\"none\" stroke-linejoin=\"round\"", paper->stream);
+    put_pencil(paper->stream, pencil);
+    put_points(paper->stream, points, count);
+    fputs("/>\n", paper->stream);
+}
+
+static void svg_fill(Paper *paper, const double *points, size_t count, Colour colour)
+{
+    fprintf(paper->stream, "<polygon fill=\"#%06x\"", colour);
+    put_points(paper->stream, points, count);
+    fputs("/>\n", paper->stream);
+}
+
+static void svg_disc(Paper *paper, double x, double y, double radius, Colour colour, const Pencil *edge)
+{
+    fprintf(paper->stream, "<circle fill=\"#%06x\"", colour);
+    put_attribute(paper->stream, "cx", x);
+    put_attribute(paper->stream, "cy", y);
+    put_attribute(paper->stream, "r", radius);
+    if (edge)
+        put_pencil(paper->stream, edge);
+    fputs("/>\n", paper->stream);
+}
+
+static void svg_text(Paper *paper, double x, double y, const char *text, const Type *type)
+{
+    static const char *const anchors[] = {"start", "middle", "end"};
+    FILE *stream = paper->stream;
+    fputs("<text", stream);
+    if (type->upwards) {
+        fputs(" transform=\"translate(", stream);
+        put_number(stream, x);
+        fputc(',', stream);
+        put_number(stream, y);
+        fputs(") rotate(-90)\"", stream);
+    } else {
+        put_attribute(stream, "x", x);
+        put_attribute(stream, "y", y);
+    }
+    put_attribute(stream, "font-size", type->size);
+    fprintf(stream, " fill=\"#%06x\"", type->colour);
+    if (type->bold)
+        fputs(" font-weight=\"bold\"", stream);
+    if (type->align != ALIGN_LEFT)
+        fprintf(stream, " text-anchor=\"%s\"", anchors[type->align]);
+    fputc('>', stream);
+    put_text(stream, text);
+    fputs("</text>\n", stream);
+}
+
+static void svg_clip(Paper *paper, const Box *box)
+{
+    SvgPaper *svg = (SvgPaper *)paper;
+    if (svg->clipped)
+        fputs("</g>\n", paper->stream);
+    svg->clipped = box != NULL;
+    if (!box)
+        return;
+    fprintf(paper->stream, "<clipPath id=\"c%d\"><rect", ++svg->clips);
+    put_attribute(paper->stream, "x", box->x);
+    put_attribute(paper->stream, "y", box->y);
+    put_attribute(paper->stream, "width", box->width);
+    put_attribute(paper->stream, "height", box->height);
+    fprintf(paper->stream, "/></clipPath>\n<g clip-path=\"url(#c%d)\">\n", svg->clips);
+}
+
+static bool svg_finish(Paper *paper, Status *status)
+{
+    (void)status;
+    svg_clip(paper, NULL);
+    fputs("</svg>\n", paper->stream);
+    free(paper);
+    return true; /* whether it was written, its file knows */
+}
+
+static const PaperKind svg_kind = {svg_line, svg_fill, svg_disc, svg_text, svg_clip, svg_finish};
+
+Paper *paper_svg(FILE *stream, double width, double height, const char *title, Status *status)
+{
+    SvgPaper *svg = calloc(1, sizeof *svg);
+    if (!svg) {
+        status_fail(status, STATUS_FAILED, "not enough memory for a figure");
+        return NULL;
+    }
+    svg->paper = (Paper){&svg_kind, stream};
+    fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
+          "font-family=\"" FAMILY "\" width=\"",
+          stream);
+    put_number(stream, width * 25.4 / 72);
+    fputs("mm\" height=\"", stream);
+    put_number(stream, height * 25.4 / 72);
+    fputs("mm\" viewBox=\"0 0 ", stream);
+    put_number(stream, width);
+    fputc(' ', stream);
+    put_number(stream, height);
+    fputs("\">\n<title>", stream);
+    put_text(stream, title);
+    fputs("</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n", stream);
+    return &svg->paper;
+}
+
+bool paper_finish(Paper *paper, Status *status)
+{
+    return paper->kind->finish(paper, status);
+}

@@ -1,0 +1,150 @@
+#!/bin/sh
+# matvib figure as people type it: words and numbers of a page, kinds of files, bytes that repeat, refusals.
+number=0
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+
+result() { # NAME COMMAND...
+	number=$((number + 1))
+	name=$1
+	shift
+	if "$@"; then echo "ok $number - $name"; else
+		echo "not ok $number - $name"
+		sed 's/^/# /' out err
+	fi
+}
+# expect NAME STATUS ARGUMENTS...: draws, and keeps what it wrote in out and err
+expect() {
+	name=$1 wanted=$2
+	shift 2
+	"$MATVIB" figure "$@" >out 2>err
+	got=$?
+	result "$name" test "$got" -eq "$wanted"
+}
+skip() { # NAME WHY
+	number=$((number + 1))
+	echo "ok $number - $1 # SKIP $2"
+}
+says() { grep -q -e "$2" "$1"; }
+lines() { test "$(wc -l <"$1")" -eq "$2"; }
+# the words of an SVG, one text a line
+words() { sed -n 's/^<text[^>]*>\(.*\)<\/text>$/\1/p' "$1"; }
+has_word() { words "$1" | grep -q -F -x -e "$2"; }
+begins() { test "$(head -c "$2" "$1")" = "$3"; }
+larger() { test "$(wc -c <"$1")" -gt "$2"; }
+
+# --- a plot ---
+expect "the fifth mode over time" 0 mode5 --end 5 --view probe --output a.svg
+result "says what it wrote" says out '^wrote a.svg$'
+result "nothing on stderr" lines err 0
+if command -v xmllint >/dev/null 2>&1; then
+	result "it is well-formed" xmllint --noout a.svg
+else
+	skip "it is well-formed" "no xmllint"
+fi
+result "its title" has_word a.svg "Fifth mode: 4 % late"
+result "the name of its upright axis" has_word a.svg "v_cm ×10⁻³"
+result "that of the other" has_word a.svg "t"
+for key in measured exact predicted; do
+	result "the legend: $key" has_word a.svg $key
+done
+result "a number at a tick" has_word a.svg "−5"
+result "a parameter" says a.svg '>particles/cell 2,<'
+result "what is measured" says a.svg '>ω measured 5.415'
+
+# the curve is the record: two rows fix where the page has its axes, all others must lie there
+"$MATVIB" run mode5 --end 5 --series s.csv --quiet >out 2>err
+compare() {
+	sed -n 's/^<polyline.*stroke="#0072b2".* points="\([^"]*\)".*/\1/p' a.svg |
+		awk '{ n = split($0, p, " "); if (n > most) { most = n; best = $0 } } END { print best }' | tr ' ' '\n' >curve
+	tail -n +2 s.csv | cut -d , -f 2,3 >rows
+	test "$(wc -l <curve)" -eq "$(wc -l <rows)" || return 1
+	paste -d , curve rows | awk -F , '
+		{ X[NR] = $1; Y[NR] = $2; t[NR] = $3; v[NR] = $4 }
+		END {
+			low = 1; high = 1
+			for (i = 1; i <= NR; i++) { if (v[i] < v[low]) low = i; if (v[i] > v[high]) high = i }
+			a = (X[NR] - X[1]) / (t[NR] - t[1]); b = (Y[high] - Y[low]) / (v[high] - v[low])
+			for (i = 1; i <= NR; i++) {
+				dx = X[i] - X[1] - a * (t[i] - t[1]); dy = Y[i] - Y[low] - b * (v[i] - v[low])
+				if (dx * dx > .0009 || dy * dy > .0009) { print "row", i, dx, dy > "err"; bad = 1 }
+			}
+			exit bad || a <= 0 || b >= 0
+		}'
+}
+result "every row lies where it should, to a hundredth of a point" compare
+
+expect "it repeats" 0 mode5 --end 5 --view probe --output b.svg --quiet
+result "the same bytes" cmp -s a.svg b.svg
+result "quiet" lines out 0
+
+# --- several times, another run, a size ---
+expect "a profile at four times" 0 mode5 --view profile:stress --at 1,2,3,4 --output four.svg
+for time in 1 2 3 4; do
+	result "at $time" has_word four.svg "t = $time"
+done
+result "with one legend" test "$(words four.svg | grep -c -x measured)" -eq 1
+expect "a run behind" 0 mode5 --end 3 --view probe --against mesh.cell_size=0.5 --output behind.svg
+result "is named by what it was" has_word behind.svg "a: cell size 0.5"
+expect "a size in millimetres" 0 mode1 --end 5 --view energies --size 100x70 --output small.svg
+result "is kept" says small.svg '<svg.* width="100mm" height="70mm"'
+
+# --- maps ---
+expect "a cracked beam at three times" 0 notched-beam-coarse --view beam:damage --at 1e-4,1.8e-4,2.6e-4 --output crack.svg
+if command -v xmllint >/dev/null 2>&1; then
+	result "it is well-formed too" xmllint --noout crack.svg
+else
+	skip "it is well-formed too" "no xmllint"
+fi
+result "its colours are told once" test "$(words crack.svg | grep -c '^damage: ')" -eq 1
+for time in 0.1 0.18 0.26; do
+	result "at $time ms" has_word crack.svg "t = $time ms"
+done
+colours() { grep -o '<polygon fill="#[0-9a-f]*"' "$1" | sort -u | wc -l; }
+result "damage has many colours" test "$(colours crack.svg)" -gt 60
+
+# --- the other kinds ---
+if "$MATVIB" figure mode1 --end 1 --view profile --output p.pdf >out 2>err; then
+	result "a PDF" begins p.pdf 5 %PDF-
+	result "is not empty" larger p.pdf 3000
+	"$MATVIB" figure mode1 --end 1 --view profile --output q.pdf >out 2>err
+	result "and repeats" cmp -s p.pdf q.pdf
+	expect "a PNG" 0 mode1 --end 1 --view profile --output p.png
+	result "is one" sh -c 'test "$(od -An -N8 -tx1 p.png | tr -d " \n")" = 89504e470d0a1a0a'
+	result "1890 dots wide" sh -c 'test "$(od -An -j16 -N4 -tx1 p.png | tr -d " \n")" = 00000762'
+	result "and not one colour" larger p.png 20000
+	"$MATVIB" figure mode1 --end 1 --view profile --output q.png >out 2>err
+	result "and repeats too" cmp -s p.png q.png
+else
+	result "without cairo a PDF is refused in one line" lines err 1
+	result "which says what is missing" says err '^matvib: .*cairo'
+	for name in "is not empty" "and repeats" "a PNG" "is one" "1890 dots wide" "and not one colour" "and repeats too"; do
+		skip "$name" "built without cairo"
+	done
+fi
+
+# --- names and refusals ---
+expect "the names" 0 notched-beam-coarse --list
+result "of a map" says out '^beam:damage$'
+result "of what a bar has not" sh -c '! grep -q shapes:slopes out'
+expect "a view that is not there" 2 mode1 --view beam --output x.svg
+result "in one line with all names" says err '^matvib: beam: no such view here (profile:u|v|stress'
+expect "a kind that is none" 2 mode1 --view probe --output x.gif
+result "says what is one" says err '^matvib: x.gif: is no figure (FILE.svg, FILE.pdf or FILE.png)$'
+cp a.svg c.svg
+expect "an existing file is refused" 2 mode1 --view probe --output a.svg
+result "and left alone" cmp -s a.svg c.svg
+expect "unless it may be replaced" 0 mode1 --end 5 --view probe --output a.svg --force
+result "then it is another" sh -c '! cmp -s a.svg c.svg'
+expect "no view" 2 mode1 --output x.svg
+expect "no file" 2 mode1 --view probe
+expect "a folder that is not there" 1 notched-beam --view probe --output none/x.svg
+expect "nothing to draw" 1 mode1 --end 0.1 --view spectrum --output x.svg
+result "says why" says err 'needs more time'
+expect "another run that is the same" 2 mode1 --view probe --against initial.mode=1 --output x.svg
+expect "another run that cannot be" 2 mode1 --view probe --against initial.mode=-1 --output x.svg
+result "names option and key" says err '^matvib: --against: initial.mode: '
+expect "more times than a page has room for" 2 mode1 --view profile --frames 60 --output x.svg
+result "nothing was left behind" sh -c 'test -z "$(ls x.* *.part 2>/dev/null)"'
+echo "1..$number"
