@@ -5,10 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TICK    3.0 /* length of a tick */
-#define GAP     3.0 /* between a tick and its label */
-#define DENSE   3.0 /* points of a curve in one point of the page from which it is drawn thinner */
-#define BETWEEN 6.0 /* least distance of two labels beside each other */
+#define TICK    3.0   /* length of a tick */
+#define GAP     3.0   /* between a tick and its label */
+#define DENSE   3.0   /* points of a curve in one point of the page from which it is drawn thinner */
+#define NOISE   100.0 /* times that a curve goes up and down for its way across: then it fills an area */
+#define BETWEEN 6.0   /* least distance of two labels beside each other */
 
 #define SMALL 250.0 /* a plot narrower than this has smaller marks */
 #define NEAR  0.05  /* share of the axis within which nodes share a sign */
@@ -203,32 +204,52 @@ static void draw_rules(const Frame *frame)
                      ink_of(sketch->marks[i].style), 0.5);
 }
 
+/* A curve that swings so fast that it fills an area would hide all others: it lies behind them, and paler. */
+static bool is_noise(const Frame *frame, const Stroke *stroke)
+{
+    const double *points = frame->sketch->plot.points + 2 * stroke->first;
+    double way = 0;
+    for (size_t i = 1; i < stroke->count && stroke->kind == STROKE_LINE; i++) {
+        const double up = fabs(y_of(frame, points[2 * i + 1]) - y_of(frame, points[2 * i - 1]));
+        way += isfinite(up) ? fmin(up, frame->box.height) : 0;
+    }
+    return way > NOISE * frame->box.width;
+}
+
+static void draw_stroke(const Frame *frame, int index, bool noise, double *places)
+{
+    const Plot *plot = &frame->sketch->plot;
+    const Stroke *stroke = &plot->strokes[index];
+    Pencil pencil = ink_pencil(stroke->style, stroke->line, letter_of(frame->sketch, index));
+    if (noise)
+        pencil.colour = ink_pale(pencil.colour);
+    if ((double)stroke->count > DENSE * frame->box.width)
+        pencil.width *= noise ? 0.5 : 0.7;
+    if (stroke->kind == STROKE_LINE)
+        draw_line(frame, stroke, &pencil, places);
+    else if (stroke->kind == STROKE_BAND)
+        draw_band(frame, stroke, places);
+    for (size_t k = stroke->first; stroke->kind == STROKE_DOTS && k < stroke->first + stroke->count; k++)
+        frame->paper->kind->disc(frame->paper, x_of(frame, plot->points[2 * k]),
+                                 y_of(frame, plot->points[2 * k + 1]), 1.2, pencil.colour, NULL);
+}
+
+/* By rank, noise below all. */
 static void draw_strokes(const Frame *frame)
 {
     const Plot *plot = &frame->sketch->plot;
     double *places = malloc((plot->n_points + 1) * 2 * sizeof *places);
+    bool noise[STROKES_MAX];
     if (!places)
         return;
+    for (int i = 0; i < plot->n_strokes; i++)
+        noise[i] = is_noise(frame, &plot->strokes[i]);
     frame->paper->kind->clip(frame->paper, &frame->box);
     draw_rules(frame);
-    for (int rank = RANK_BAND; rank <= RANK_MARK; rank++)
-        for (int i = 0; i < plot->n_strokes; i++) {
-            const Stroke *stroke = &plot->strokes[i];
-            Pencil pencil = ink_pencil(stroke->style, stroke->line, letter_of(frame->sketch, i));
-            if ((double)stroke->count > DENSE * frame->box.width)
-                pencil.width *= 0.7;
-            if (stroke->rank != rank || stroke->count == 0)
-                continue;
-            if (stroke->kind == STROKE_LINE)
-                draw_line(frame, stroke, &pencil, places);
-            else if (stroke->kind == STROKE_BAND)
-                draw_band(frame, stroke, places);
-            else
-                for (size_t k = 0; k < stroke->count; k++)
-                    frame->paper->kind->disc(frame->paper, x_of(frame, plot->points[2 * (stroke->first + k)]),
-                                             y_of(frame, plot->points[2 * (stroke->first + k) + 1]), 1.2,
-                                             pencil.colour, NULL);
-        }
+    for (int rank = RANK_BAND - 1; rank <= RANK_MARK; rank++)
+        for (int i = 0; i < plot->n_strokes; i++)
+            if (plot->strokes[i].count > 0 && rank == (noise[i] ? RANK_BAND - 1 : plot->strokes[i].rank))
+                draw_stroke(frame, i, noise[i], places);
     frame->paper->kind->clip(frame->paper, NULL);
     free(places);
 }

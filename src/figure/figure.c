@@ -28,6 +28,11 @@ static Format format_of(const char *file)
     return FORMAT_NONE;
 }
 
+bool figure_is_name(const char *file)
+{
+    return format_of(file) != FORMAT_NONE;
+}
+
 bool figure_allowed(const char *file, Status *status)
 {
     const Format format = format_of(file);
@@ -106,7 +111,7 @@ static void tell_parameters(const Settings *settings, char *out, size_t size)
     for (int i = 0; i < n_parameters; i++) {
         const Parameter *parameter = &parameters[i];
         char value[LIST_MAX];
-        if (!parameter_applies(parameter, settings->problem) || strncmp(parameter->key, "output.", 7) == 0)
+        if (!settings_have(settings, parameter) || strncmp(parameter->key, "output.", 7) == 0)
             continue;
         settings_show(settings, parameter, value);
         const char *unit = settings->problem == PROBLEM_BAR ? "" : parameter->unit_beam;

@@ -23,6 +23,9 @@ typedef struct Figure {
     int count;
 } Figure;
 
+/* Whether a name ends in .svg, .pdf or .png. */
+bool figure_is_name(const char *file);
+
 /* Whether a file of that name can be written, by its ending .svg, .pdf or .png. Nothing is touched. */
 bool figure_allowed(const char *file, Status *);
 

@@ -51,6 +51,11 @@ static Colour mix(Colour a, Colour b, double share)
     return out;
 }
 
+Colour ink_pale(Colour colour)
+{
+    return mix(colour, WHITE, 0.5);
+}
+
 Colour ink_fill(Style style, int fill)
 {
     static const double white[] = {0.2, 0.5, 0.7, 0.85};

@@ -15,6 +15,8 @@ Colour ink_of(Style);
 /* The line of a stroke or of a legend's entry. Earlier runs have dashes of their own, by their letter. */
 Pencil ink_pencil(Style, LineStyle, char letter);
 
+Colour ink_pale(Colour); /* halfway to white */
+
 /* A band: the denser it is filled on screen, the darker. */
 Colour ink_fill(Style, int fill);
 

@@ -193,6 +193,9 @@ void continue_lesson(Laboratory *); /* what is left to be done, once the run has
 /* Says in the question that is open why its answer is not taken; returns false. */
 bool refuse(Laboratory *, const char *why);
 
+/* The focused view as a figure. False: refused, as an answer to a prompt. */
+bool draw_figure(Laboratory *, const char *file);
+
 /* Asks how far and under which name, as far as that is not known; `name` "": it is asked for. False: refused.
  */
 bool ask_export(Laboratory *, const char *name);

@@ -2,6 +2,7 @@
 #include "tui/control.h"
 
 #include "base/text.h"
+#include "figure/figure.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -112,6 +113,8 @@ static bool export_named(Laboratory *lab, const char *text)
 {
     char found[PATH_BYTES + 4], name[NAME_MAX_BYTES];
     size_t length = strlen(text);
+    if (figure_is_name(text))
+        return draw_figure(lab, text);
     if (length > 4 && strcmp(text + length - 4, ".csv") == 0)
         length -= 4;
     if (length == 0)
@@ -164,7 +167,7 @@ static void ask_name(Laboratory *lab)
                          : 0,
         megabytes);
     Prompt *prompt = &lab->screen.prompt;
-    snprintf(prompt->hint, sizeof prompt->hint, "writes NAME-series.csv and its tables, each with its .ini");
+    snprintf(prompt->hint, sizeof prompt->hint, "writes NAME-series.csv and its tables; NAME.svg, .pdf or .png: a figure of the view");
     const long every = 1 + (rows - 1) / (SPREADSHEET_ROWS - 1); /* one row is the heading */
     if (every > 1)
         snprintf(prompt->hint, sizeof prompt->hint,

@@ -74,7 +74,8 @@ const Command commands[] = {
      "the time window, or the size of displacements, as matvib likes"},
     {COMMAND_GLYPHS, "glyphs", "G", "Views", "glyphs", "draw with braille, blocks or ASCII"},
 
-    {COMMAND_EXPORT, "export", "x", "Files", "export", "write the run as CSV: series, particles, nodes"},
+    {COMMAND_EXPORT, "export", "x", "Files", "export",
+     "write the run as CSV, or the focused view as a figure"},
     {COMMAND_OPEN, "open", "o", "Files", "open", "open a scenario by name or path"},
     {COMMAND_WRITE, "write", "w", "Files", "write", "write these parameters as a scenario file"},
 
@@ -95,6 +96,7 @@ const LineVerb line_verbs[] = {
     {LINE_OPEN, "open", "SCENARIO", ARGUMENT_SCENARIO, "open a scenario by name or path"},
     {LINE_WRITE, "write", "FILE", ARGUMENT_FILE, "write these parameters as a scenario file"},
     {LINE_EXPORT, "export", "NAME", ARGUMENT_OTHER, "write the run as NAME-series.csv and its tables"},
+    {LINE_FIGURE, "figure", "FILE", ARGUMENT_FILE, "draw the focused view as FILE.svg, FILE.pdf or FILE.png"},
     {LINE_GO_TO, "goto", "TIME or #STEP", ARGUMENT_OTHER, "to a time, as the number alone does, or a step"},
     {LINE_DUEL, "duel", "KEY=VALUE ...", ARGUMENT_KEYS,
      "a second run beside that differs in these keys, in place of one that there is"},

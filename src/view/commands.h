@@ -94,6 +94,7 @@ typedef enum LineVerbId {
     LINE_OPEN,
     LINE_WRITE,
     LINE_EXPORT,
+    LINE_FIGURE,
     LINE_GO_TO,
     LINE_DUEL,
     LINE_OVERLAY,
