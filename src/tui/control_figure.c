@@ -50,7 +50,7 @@ bool draw_figure(Laboratory *lab, const char *file)
     pause_run(lab);
     if (lab->screen.state == STATE_COMPUTING)
         return refuse(lab, "wait until the run has come to its time, or cancel with Esc");
-    if (!screen_view_word(&lab->screen, view_in_focus(&lab->screen)))
+    if (!screen_makes_figure(&lab->screen, view_in_focus(&lab->screen)))
         return refuse(lab,
                       "this view makes no figure: put a plot or the beam into the pane and focus it (Tab)");
     char name[NAME_MAX_BYTES];

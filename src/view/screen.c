@@ -170,6 +170,15 @@ const char *screen_variant_word(const Screen *screen, int number, int variant)
     return known ? view->variant_word(screen, variant) : NULL;
 }
 
+bool screen_makes_figure(const Screen *screen, int number)
+{
+    const View *view = view_find(number);
+    if (!screen_view_word(screen, number))
+        return false;
+    const int variants = view->variants(screen), variant = screen->variant[number];
+    return !view->variant_word || view->variant_word(screen, variant > 0 ? variant % variants : 0);
+}
+
 void screen_sketch(const Screen *screen, int number, int columns, int rows, Sketch *sketch)
 {
     Canvas canvas = {.width = columns, .height = rows, .sketch = sketch};

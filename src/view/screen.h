@@ -156,6 +156,9 @@ void screen_draw(const Screen *, Canvas *);
 const char *screen_view_word(const Screen *, int view);
 const char *screen_variant_word(const Screen *, int view, int variant);
 
+/* Whether the view's present variant can be drawn on paper. */
+bool screen_makes_figure(const Screen *, int view);
+
 /* What a view shows at present as strokes and words in place of cells, for a picture as large as so many
  * columns and rows of text. */
 void screen_sketch(const Screen *, int view, int columns, int rows, Sketch *);

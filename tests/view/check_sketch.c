@@ -116,6 +116,30 @@ START_TEST(earlier_run_has_its_letter_and_its_words)
 }
 END_TEST
 
+START_TEST(map_is_the_nodes)
+{
+    Scene scene = open_scene("notched-beam-coarse 80x24 30 variant 4");
+    const Simulation *sim = experiment_simulation(scene.screen.experiment);
+    Sketch sketch;
+    screen_sketch(&scene.screen, 8, 84, 25, &sketch);
+    const SketchMap *map = sketch.map;
+    ck_assert_ptr_nonnull(map);
+    ck_assert_uint_eq((size_t)map->nx * (size_t)map->ny, sim->counts[0]);
+    const int damage = simulation_find_field(sim, 0, "damage");
+    for (size_t i = 0; i < sim->counts[0]; i++) {
+        double value, x, u;
+        sim->method->field(sim, damage, i, 1, &value);
+        sim->method->field(sim, sim->position[0], i, 1, &x);
+        sim->method->field(sim, sim->displacement[0], i, 1, &u);
+        ck_assert_double_eq(map->value[i], value);
+        ck_assert_double_eq_tol(map->x[i], 1e3 * (x + map->enlarged * u), 1e-9);
+    }
+    ck_assert_int_gt(sketch.plot.n_strokes, 0); /* the notch at least */
+    sketch_close(&sketch);
+    scene_close(&scene);
+}
+END_TEST
+
 START_TEST(view_without_a_picture_says_why)
 {
     Scene scene = open_scene("mode1 80x24 0");
@@ -136,6 +160,7 @@ void add_cases(Suite *suite)
     tcase_add_test(cases, profile_is_the_field);
     tcase_add_test(cases, particles_are_marks_in_coordinates);
     tcase_add_test(cases, earlier_run_has_its_letter_and_its_words);
+    tcase_add_test(cases, map_is_the_nodes);
     tcase_add_test(cases, view_without_a_picture_says_why);
     suite_add_tcase(suite, cases);
 }
