@@ -86,13 +86,12 @@ static bool second_settings(const Duel *duel, const Settings *first, Settings *o
     return settings_check(out, status) && problem_advice(out, advice, sizeof advice, status);
 }
 
-/* "USL", "hat", "cell size 0.5": a choice speaks for itself, but for "none" and the like. */
+/* "USL", "hat", "0.5": as the title line spells them. */
 static void name_value(const Settings *settings, const Parameter *parameter, char out[DUEL_NAME_MAX])
 {
     char value[LIST_MAX];
     settings_show(settings, parameter, value);
-    const bool choice = parameter->type == PARAMETER_CHOICE && strcmp(value, "none") != 0;
-    snprintf(out, DUEL_NAME_MAX, "%.16s%s%.28s", choice ? "" : parameter->label, choice ? "" : " ", value);
+    snprintf(out, DUEL_NAME_MAX, "%.*s", DUEL_NAME_MAX - 1, value);
     if (strcmp(parameter->key, "mpm.algorithm") == 0 || strcmp(parameter->key, "mpm.transfer") == 0 ||
         strcmp(parameter->key, "scenario.method") == 0)
         for (char *c = out; *c; c++)
@@ -204,24 +203,6 @@ static bool make_second(Duel *duel, Status *status)
     return true;
 }
 
-bool duel_start(Duel *duel, const Assignment *keys, int n_keys, Status *status)
-{
-    Settings *settings = malloc(sizeof *settings);
-    if (!settings)
-        return status_fail(status, STATUS_FAILED, "not enough memory");
-    memcpy(duel->keys, keys, (size_t)n_keys * sizeof *keys);
-    duel->n_keys = n_keys;
-    const Settings *base = experiment_base(duel->a);
-    bool sound = second_settings(duel, base, settings, status);
-    if (sound && settings_same(base, settings, NULL, 0))
-        sound = status_fail(status, STATUS_USAGE, "both runs would be the same: a key must differ");
-    free(settings);
-    if (!sound || !make_second(duel, status))
-        return false;
-    experiment_set_history(duel->a, duel->history / 2);
-    return true;
-}
-
 static void let_go(Duel *duel, bool keep_ghost)
 {
     Experiment *b = duel->b;
@@ -238,6 +219,29 @@ static void let_go(Duel *duel, bool keep_ghost)
 void duel_end(Duel *duel)
 {
     let_go(duel, true);
+}
+
+bool duel_start(Duel *duel, const Assignment *keys, int n_keys, Status *status)
+{
+    Settings *settings = malloc(sizeof *settings);
+    if (!settings)
+        return status_fail(status, STATUS_FAILED, "not enough memory");
+    Duel tried = {.n_keys = n_keys};
+    memcpy(tried.keys, keys, (size_t)n_keys * sizeof *keys);
+    const Settings *base = experiment_base(duel->a);
+    bool sound = second_settings(&tried, base, settings, status);
+    if (sound && settings_same(base, settings, NULL, 0))
+        sound = status_fail(status, STATUS_USAGE, "both runs would be the same: a key must differ");
+    free(settings);
+    if (!sound)
+        return false;
+    duel_end(duel);
+    memcpy(duel->keys, tried.keys, sizeof duel->keys);
+    duel->n_keys = n_keys;
+    if (!make_second(duel, status))
+        return false;
+    experiment_set_history(duel->a, duel->history / 2);
+    return true;
 }
 
 /* --- stepping -------------------------------------------------------------------------------------- */

@@ -19,7 +19,7 @@ typedef struct Duel {
     Experiment *b; /* NULL: there is no duel */
     Assignment keys[DUEL_MAX];
     int n_keys;
-    char names[2][DUEL_NAME_MAX]; /* by what differs: "USF", "USL" */
+    char names[2][DUEL_NAME_MAX]; /* by the values that differ: "USF", "USL" */
     bool same_exact;              /* both have the same exact answer */
     size_t history;               /* memory for keyframes of both */
     int threads;
@@ -40,8 +40,8 @@ void duel_write_keys(const Assignment *keys, int n_keys, char *out, size_t size)
 int duel_suggest(const Settings *, Assignment keys[DUEL_MAX]);
 
 /* Begins a duel; B has A's settings but for these keys, and seeks A's time: call duel_work() until nothing is
- * pending. Both share the memory for keyframes. False: refused (a key is wrong, nothing would differ), and
- * there is no duel. */
+ * pending. Both share the memory for keyframes. A duel that there is ends first. False: refused (a key is
+ * wrong, nothing would differ), and all is as before. */
 bool duel_start(Duel *, const Assignment *keys, int n_keys, Status *);
 
 /* Ends it; B's curves stay behind A's as the unpinned ghost. */

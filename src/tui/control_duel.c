@@ -7,8 +7,6 @@
 
 static bool begin(Laboratory *lab, const Assignment *keys, int n_keys, Status *status)
 {
-    if (lab->duel.b)
-        duel_end(&lab->duel);
     if (!duel_start(&lab->duel, keys, n_keys, status))
         return false;
     memset(lab->rates, 0, sizeof lab->rates);
@@ -18,12 +16,19 @@ static bool begin(Laboratory *lab, const Assignment *keys, int n_keys, Status *s
     return true;
 }
 
-void open_duel(Laboratory *lab)
+static void begin_given(Laboratory *lab)
 {
     const Settings *settings = experiment_settings(lab->screen.experiment);
     Status status = {STATUS_DONE, ""};
-    if (settings->n_duel > 0 && !begin(lab, settings->duel, settings->n_duel, &status))
+    if (!begin(lab, settings->duel, settings->n_duel, &status))
         say(lab, MESSAGE_WARNING, "no duel: %s", status.text);
+}
+
+void open_duel(Laboratory *lab)
+{
+    const Settings *settings = experiment_settings(lab->screen.experiment);
+    if (settings->n_duel > 0 && strcmp(settings->view.duel, "yes") == 0)
+        begin_given(lab);
 }
 
 bool answer_duel(Laboratory *lab, const char *words)
@@ -50,7 +55,7 @@ void toggle_duel(Laboratory *lab)
         return;
     }
     if (settings->n_duel > 0) {
-        open_duel(lab);
+        begin_given(lab);
         return;
     }
     /* what was the last one is asked for again, else what the scenario asks about */

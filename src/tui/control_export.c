@@ -13,21 +13,27 @@ enum { EXPORTS = 3, PATH_BYTES = NAME_MAX_BYTES + 32, SPREADSHEET_ROWS = 1048576
 
 static const char *const suffixes[EXPORTS] = {"-series.csv", "-particles.csv", "-nodes.csv"};
 
-static bool has_set(const Laboratory *lab, const char *name)
+/* The runs that are written: of a duel both. NULL: there are no more. */
+static const Experiment *run_of(const Laboratory *lab, int run)
 {
-    const Simulation *simulation = experiment_simulation(lab->screen.experiment);
+    return run == 0 ? lab->screen.experiment : run == 1 ? lab->duel.b : NULL;
+}
+
+static bool has_set(const Experiment *experiment, const char *name)
+{
+    const Simulation *simulation = experiment_simulation(experiment);
     for (int i = 0; i < simulation->n_sets; i++)
         if (strcmp(simulation->sets[i].name, name) == 0)
             return true;
     return false;
 }
 
-/* The files of an export; a table that this method has not is left empty. */
-static void file_names(const Laboratory *lab, const char *name, char paths[EXPORTS][PATH_BYTES])
+/* The files of a run of an export; a table that its method has not is left empty. */
+static void file_names(const Laboratory *lab, int run, const char *name, char paths[EXPORTS][PATH_BYTES])
 {
     for (int i = 0; i < EXPORTS; i++)
-        snprintf(paths[i], PATH_BYTES, "%.255s%s", name, suffixes[i]);
-    if (!has_set(lab, "node"))
+        snprintf(paths[i], PATH_BYTES, "%.255s%s%s", name, run == 0 ? "" : "-b", suffixes[i]);
+    if (!has_set(run_of(lab, run), "node"))
         paths[2][0] = '\0';
 }
 
@@ -35,13 +41,15 @@ static void file_names(const Laboratory *lab, const char *name, char paths[EXPOR
 static void find_existing(const Laboratory *lab, const char *name, char found[PATH_BYTES + 4])
 {
     char paths[EXPORTS][PATH_BYTES];
-    file_names(lab, name, paths);
-    for (int i = 0; i < EXPORTS; i++)
-        for (int beside = 0; beside < 2 && paths[i][0]; beside++) {
-            snprintf(found, PATH_BYTES + 4, "%.*s%s", PATH_BYTES - 1, paths[i], beside ? ".ini" : "");
-            if (access(found, F_OK) == 0)
-                return;
-        }
+    for (int run = 0; run_of(lab, run); run++) {
+        file_names(lab, run, name, paths);
+        for (int i = 0; i < EXPORTS; i++)
+            for (int beside = 0; beside < 2 && paths[i][0]; beside++) {
+                snprintf(found, PATH_BYTES + 4, "%.*s%s", PATH_BYTES - 1, paths[i], beside ? ".ini" : "");
+                if (access(found, F_OK) == 0)
+                    return;
+            }
+    }
     found[0] = '\0';
 }
 
@@ -72,33 +80,52 @@ static bool show_progress(double share, void *context)
     return lab->host.go_on(lab->host.context);
 }
 
-static void write_export(Laboratory *lab, bool force)
+/* One run. False: it could not be written, which has been said. */
+static bool write_run(Laboratory *lab, int run, bool force, RunSummary *summary)
 {
     char paths[EXPORTS][PATH_BYTES];
-    if (!may_write(lab, lab->export_name))
-        return;
     Settings *settings = malloc(sizeof *settings);
     if (!settings) {
         say(lab, MESSAGE_ERROR, "out of memory");
-        return;
+        return false;
     }
-    file_names(lab, lab->export_name, paths);
-    experiment_scenario(lab->screen.experiment, lab->export_newest, settings);
+    file_names(lab, run, lab->export_name, paths);
+    experiment_scenario(run_of(lab, run), lab->export_newest, settings);
     Outputs outputs = {
         .series = paths[0], .particles = paths[1], .nodes = paths[2][0] ? paths[2] : NULL, .force = force};
-    RunSummary summary;
     Status status = {STATUS_DONE, ""};
     bool sound = export_run(settings, &outputs, lab->options.threads > 0 ? lab->options.threads : 1,
-                            show_progress, lab, &summary, &status);
+                            show_progress, lab, summary, &status);
     free(settings);
-    if (!sound && !summary.failed) {
+    if (!sound && !summary->failed)
         say(lab, MESSAGE_ERROR, "%s", status.text);
+    return sound || summary->failed;
+}
+
+/* Steps of a run that the export reaches to. */
+static long steps_of(const Laboratory *lab, int run)
+{
+    const Experiment *experiment = run_of(lab, run);
+    if (!experiment)
+        return 0;
+    return lab->export_newest ? experiment_newest(experiment) : experiment_step(experiment);
+}
+
+static void write_export(Laboratory *lab, bool force)
+{
+    char paths[EXPORTS][PATH_BYTES];
+    RunSummary first, second = {0};
+    if (!may_write(lab, lab->export_name))
         return;
-    }
+    const bool both = steps_of(lab, 1) > 0;
+    if (!write_run(lab, 0, force, &first) || (both && !write_run(lab, 1, force, &second)))
+        return;
     lab->changed = false;
+    file_names(lab, 0, lab->export_name, paths);
     char *whole = realpath(paths[0], NULL);
-    say(lab, sound ? MESSAGE_INFO : MESSAGE_WARNING, "wrote %s (%ld rows), particles%s, each with its .ini",
-        whole ? whole : paths[0], summary.rows, outputs.nodes ? ", nodes" : "");
+    say(lab, first.failed || second.failed ? MESSAGE_WARNING : MESSAGE_INFO,
+        "wrote %s (%ld rows), particles%s, each with its .ini%s", whole ? whole : paths[0], first.rows,
+        paths[2][0] ? ", nodes" : "", both ? "; the same of B as -b" : "");
     free(whole);
 }
 
@@ -167,7 +194,9 @@ static void ask_name(Laboratory *lab)
                          : 0,
         megabytes);
     Prompt *prompt = &lab->screen.prompt;
-    snprintf(prompt->hint, sizeof prompt->hint, "writes NAME-series.csv and its tables; NAME.svg, .pdf or .png: a figure of the view");
+    snprintf(prompt->hint, sizeof prompt->hint,
+             "writes NAME-series.csv and its tables%s; NAME.svg, .pdf or .png: a figure of the view",
+             lab->duel.b ? ", those of B as NAME-b-series.csv" : "");
     const long every = 1 + (rows - 1) / (SPREADSHEET_ROWS - 1); /* one row is the heading */
     if (every > 1)
         snprintf(prompt->hint, sizeof prompt->hint,

@@ -128,6 +128,11 @@ static bool write_scenario(Laboratory *lab, const char *name)
     experiment_scenario(experiment, true, &settings);
     settings.end = experiment_settings(experiment)->end;
     settings.beam.dt = experiment_settings(experiment)->beam.dt;
+    if (lab->duel.b) { /* opens as what is on screen */
+        memcpy(settings.duel, lab->duel.keys, sizeof settings.duel);
+        settings.n_duel = lab->duel.n_keys;
+        strcpy(settings.view.duel, "yes");
+    }
     OutputFile file = {0};
     if (!may_write(lab, name))
         return true;

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 Experiment *second_run(const Screen *screen)
@@ -228,19 +229,19 @@ int stage_field(const Simulation *sim, int set, const char *name)
     return set < sim->n_sets ? simulation_find_field(sim, set, name) : -1;
 }
 
-double field_reach(const Screen *screen, int field, const double *now, size_t count)
+static double reach_of(Experiment *experiment, int field, const double *now, size_t count)
 {
     enum { TIMES = 24, PLACES = 8 };
-    const Simulation *sim = experiment_simulation(screen->experiment);
-    const References *refs = experiment_references(screen->experiment);
-    const Readout *readout = experiment_readout(screen->experiment);
+    const Simulation *sim = experiment_simulation(experiment);
+    const References *refs = experiment_references(experiment);
+    const Readout *readout = experiment_readout(experiment);
     const char *name = sim->fields[field].quantity.name;
     double reach = 0, length = 0;
     for (size_t i = 0; i < count; i++)
         reach = fmax(reach, fabs(now[i]));
     if (count > 0)
         sim->method->field(sim, sim->position[0], count - 1, 1, &length);
-    double span = experiment_settings(screen->experiment)->end;
+    double span = experiment_settings(experiment)->end;
     if (readout->moving && readout->exact_known && readout->exact > 0 && !readout->drifting)
         span = readout->is_period ? readout->exact : 2 * M_PI / readout->exact;
     for (int i = 0; i <= TIMES; i++)
@@ -250,6 +251,27 @@ double field_reach(const Screen *screen, int field, const double *now, size_t co
                 reach = fmax(reach, value);
         }
     return isfinite(reach) ? reach : 0;
+}
+
+/* Two runs are compared by one scale. */
+double field_reach(const Screen *screen, int field, const double *now, size_t count)
+{
+    double reach = reach_of(screen->experiment, field, now, count);
+    Experiment *second = second_run(screen);
+    if (!second)
+        return reach;
+    Experiment *other = screen->experiment == second ? screen->duel->a : second;
+    const Simulation *sim = experiment_simulation(other);
+    const char *name = experiment_simulation(screen->experiment)->fields[field].quantity.name;
+    const int same = simulation_find_field(sim, 0, name);
+    const size_t others = sim->counts[0];
+    double *values = same >= 0 ? malloc((others + 1) * sizeof *values) : NULL;
+    if (values) {
+        sim->method->field(sim, same, 0, others, values);
+        reach = fmax(reach, reach_of(other, same, values, others));
+    }
+    free(values);
+    return reach;
 }
 
 void plain_text(const Screen *screen, const char *text, char *out, size_t size)

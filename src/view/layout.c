@@ -36,7 +36,8 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     const int fields = screen->lesson.open ? width < WIDE ? LESSON_WIDTH : WIDE_LESSON_WIDTH
                        : width < WIDER     ? PARAMETERS_WIDTH
                                            : WIDE_PARAMETERS_WIDTH;
-    const bool side = width >= WIDE && height >= SIDE_HEIGHT;
+    /* two runs side by side take what else joins at the right */
+    const bool side = width >= WIDE && height >= SIDE_HEIGHT && !second_run(screen);
     const int side_width = side ? (width < WIDER ? 39 : width < 150 ? 45 : width * 3 / 10) : 0;
     const int left = fields + 1, plots = width - left - (side ? side_width + 1 : 0);
     /* the map of a beam that is no rod wants height more than the curve below it */

@@ -1,4 +1,5 @@
-/* The box at the bottom. Running: a caption. At the end: the summary. Paused: the stage box, pane_stage.c. */
+/* The box at the bottom. Of a duel: its readout, but within a time step. Running: a caption. At the end: the
+ * summary. Paused: the stage box, pane_stage.c. */
 #include "view/panes.h"
 #include "lab/summary.h"
 
@@ -171,7 +172,10 @@ static void draw_summary(const Screen *screen, Area area)
 
 void pane_box(const Screen *screen, Area area)
 {
-    if (screen->state == STATE_RUNNING || screen->state == STATE_COMPUTING)
+    const bool between = experiment_stage(screen->experiment) == 0 && !experiment_before(screen->experiment);
+    if (second_run(screen) && between)
+        pane_duel(screen, area);
+    else if (screen->state == STATE_RUNNING || screen->state == STATE_COMPUTING)
         draw_caption(screen, area);
     else if ((screen->state == STATE_ENDED || screen->state == STATE_FAILED) &&
              experiment_stage(screen->experiment) == 0)

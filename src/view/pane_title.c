@@ -10,11 +10,16 @@
 
 /* --- title ---------------------------------------------------------------------------------------- */
 
-/* "MPM USF hat": the method and the choices that make the difference. */
+/* "MPM USF hat", of a duel what differs, "A USF  B USL": the method and the choices that make the difference.
+ */
 static void method_words_of(const Screen *screen, char *out, size_t size)
 {
     static const char *const keys[] = {"mpm.algorithm", "mpm.shape", "mpm.transfer"};
     const Settings *settings = experiment_settings(screen->experiment);
+    if (second_run(screen)) {
+        snprintf(out, size, "A %s  B %s", screen->duel->names[0], screen->duel->names[1]);
+        return;
+    }
     snprintf(out, size, "%s", settings->method == METHOD_MPM ? "MPM" : "PD");
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
         const Parameter *parameter = parameter_find(keys[i]);
@@ -116,7 +121,7 @@ void pane_title(const Screen *screen, Area area)
     for (int x = 0; x < width; x++)
         area_put(area, x, 0, ' ', STYLE_TITLE);
 
-    char state[64], time[48], words[64], whole[256] = "";
+    char state[64], time[48], words[2 * DUEL_NAME_MAX + 8], whole[256] = "";
     method_words_of(screen, words, sizeof words);
     const char *name = screen->scenario ? screen->scenario : "";
     const char *slash = strrchr(name, '/');

@@ -12,7 +12,7 @@
 
 typedef enum LayoutKind { LAYOUT_TOO_SMALL, LAYOUT_ONE_PANE, LAYOUT_FULL } LayoutKind;
 
-enum { SIDES_MAX = 3, GUTTER = 6 };
+enum { SIDES_MAX = 3, GUTTER = 6, SIDE_BY_SIDE = 120 /* columns from which on two runs stand so */ };
 
 typedef struct Layout {
     LayoutKind kind;
@@ -82,6 +82,7 @@ void pane_mesh(const Screen *, Area);
 void pane_lattice(const Screen *, Area); /* the same for a bar without a mesh */
 void pane_box(const Screen *, Area);
 void pane_stage(const Screen *, Area);
+void pane_duel(const Screen *, Area); /* the readout of a duel, in place of the box */
 void pane_help(const Screen *, Area);
 void pane_mesh_inspector(const Screen *, Area); /* of methods with particles and a grid */
 void move_mesh_inspector(Screen *, int x, int y, int page);

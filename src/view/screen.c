@@ -61,15 +61,93 @@ const char *screen_view_missing(const Screen *screen, int view)
     return NULL;
 }
 
+/* How two runs are shown in a view. */
+typedef enum Sharing {
+    SHARE_AXES, /* in the same axes; on a wide screen each in its own */
+    SHARE_DOTS, /* always in the same: a run is a dot */
+    SHARE_NONE  /* always each in its own, as far as there is room: else A alone */
+} Sharing;
+
+static Sharing sharing_of(int number)
+{
+    return number == 5 ? SHARE_DOTS : number <= 3 || number == 6 ? SHARE_AXES : SHARE_NONE;
+}
+
+static void draw_one(const Screen *screen, const View *view, Area area, Style heading)
+{
+    const int variants = view->variants(screen), variant = screen->variant[view->number];
+    view->draw(screen, area, heading, variant > 0 ? variant % variants : 0);
+}
+
+/* Whose picture it is stands at the end of its heading, in as few words as there is room for. */
+static void name_side(const Screen *screen, DuelSide side, const char *note, Area area)
+{
+    const char letter = side == SIDE_A ? 'A' : 'B';
+    char names[3][DUEL_NAME_MAX + 32];
+    int end = area.rect.width - 1; /* the heading's words */
+    while (end > 0) {
+        const uint32_t glyph = area.canvas->cells[area.rect.y * area.canvas->width + area.rect.x + end].glyph;
+        if (glyph != 0x2500 && glyph != ' ' && glyph != '-')
+            break;
+        end--;
+    }
+    snprintf(names[0], sizeof names[0], " %c %s%s ", letter, screen->duel->names[side == SIDE_B], note);
+    snprintf(names[1], sizeof names[1], " %c%s ", letter, note);
+    snprintf(names[2], sizeof names[2], " %c ", letter);
+    int form = 0;
+    while (form < 2 && end + text_columns(names[form]) + 1 > area.rect.width - 1)
+        form++;
+    area_text_right(area, area.rect.width - 1, 0, names[form],
+                    side == SIDE_A ? STYLE_MEASURED : STYLE_SECOND);
+}
+
+/* The picture of one run of a duel. */
+static void draw_side(const Screen *screen, DuelSide side, const char *note, const View *view, Area area,
+                      Style heading)
+{
+    const Screen one = screen_of_side(screen, side);
+    draw_one(&one, view, area, heading);
+    if (sharing_of(view->number) != SHARE_AXES || view->number == 3)
+        name_side(screen, side, note, area);
+}
+
+static void draw_sides(const Screen *screen, const View *view, Area area, Style heading)
+{
+    enum { STACK_HEIGHT = 14 };
+    const int width = area.rect.width, height = area.rect.height;
+    const bool wide = area.canvas->width >= SIDE_BY_SIDE;
+    const Sharing sharing = sharing_of(view->number);
+    if (!area.canvas->cells) {
+        /* a figure has one pair of axes */
+        const Screen one = screen_of_side(screen, SIDE_A);
+        draw_one(sharing == SHARE_NONE ? &one : screen, view, area, heading);
+    } else if (sharing == SHARE_DOTS || (sharing == SHARE_AXES && !wide)) {
+        draw_one(screen, view, area, heading);
+    } else if (wide) {
+        const int left = (width - 1) / 2;
+        draw_side(screen, SIDE_A, "", view, area_part(area, 0, 0, left, height), heading);
+        draw_side(screen, SIDE_B, "", view, area_part(area, left + 1, 0, width - left - 1, height), heading);
+    } else if (height >= STACK_HEIGHT) {
+        draw_side(screen, SIDE_A, "", view, area_part(area, 0, 0, width, height / 2), heading);
+        draw_side(screen, SIDE_B, "", view, area_part(area, 0, height / 2, width, height - height / 2),
+                  heading);
+    } else {
+        draw_side(screen, SIDE_A, screen->zoomed ? "" : ", z: and B", view, area, heading);
+    }
+}
+
 void view_draw(const Screen *screen, int number, Area area, bool focused)
 {
     const View *view = view_find(number);
+    const Style heading = focused ? STYLE_FOCUS : STYLE_HEADING;
     if (!view)
         view = &views[0];
     if (area.rect.width < 1 || area.rect.height < 1)
         return;
-    const int variants = view->variants(screen), variant = screen->variant[view->number];
-    view->draw(screen, area, focused ? STYLE_FOCUS : STYLE_HEADING, variant > 0 ? variant % variants : 0);
+    if (is_shared(screen))
+        draw_sides(screen, view, area, heading);
+    else
+        draw_one(screen, view, area, heading);
 }
 
 /* --- the whole ------------------------------------------------------------------------------------ */
@@ -158,8 +236,8 @@ void screen_draw(const Screen *screen, Canvas *canvas)
 const char *screen_view_word(const Screen *screen, int number)
 {
     const View *view = view_find(number);
-    const bool drawn = view && (view->draw != view_beam ||
-                                experiment_simulation(screen->experiment)->dimensions == 2);
+    const bool drawn =
+        view && (view->draw != view_beam || experiment_simulation(screen->experiment)->dimensions == 2);
     return drawn && !screen_view_missing(screen, number) ? view->word : NULL;
 }
 

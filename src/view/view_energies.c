@@ -183,6 +183,13 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
         if (work >= 0)
             most_work = fmax(most_work, fabs(record_row(record, i)[work]));
     }
+    Run runs[RUNS_MAX];
+    const int n_runs = runs_with(runs, runs_of(screen, runs), "total");
+    const Run *second =
+        is_shared(screen) && n_runs > 1 && runs[n_runs - 2].experiment ? &runs[n_runs - 2] : NULL;
+    for (int i = 0; i < n_runs; i++)
+        if (runs[i].experiment)
+            most = fmax(most, time_plot_reach(runs[i].record, run_column(&runs[i], "total")));
     overlay_widen(screen, "total", false, &(double){0}, &most);
     /* bands are told apart by how densely they are filled: the legend shows a piece of each */
     static const char *const keys[GLYPHS_NONE + 1][4] = {
@@ -190,8 +197,12 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
         [GLYPHS_BLOCK] = {"▓▓", "▒▒", "░░", "··"},
         [GLYPHS_ASCII] = {"##", "++", "..", "::"},
     };
-    Legend legend[6];
+    Legend legend[8];
     int n_legend = 0;
+    if (second) {
+        legend[n_legend++] = (Legend){LINE_SOLID, '#', STYLE_MEASURED, "A", NULL};
+        legend[n_legend++] = run_legend(second);
+    }
     for (int i = 0; i < stack.count; i++)
         legend[n_legend++] = (Legend){LINE_SOLID, '#', stack.layers[i].style, stack.layers[i].name,
                                       keys[area.glyphs][stack.layers[i].fill & 3]};
@@ -213,8 +224,6 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
     Area plot_area = area_part(area, 0, top, area.rect.width, height - top - under);
     const int width = plot_area.rect.width - GUTTER - 1, dots = width * plot_dots_across(area.glyphs);
     Axis x = time_plot_axis(screen, width);
-    Run runs[RUNS_MAX];
-    const int n_runs = runs_with(runs, runs_of(screen, runs), "total");
     Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
     Plot plot;
     plot_open(&plot, x, y);
@@ -224,6 +233,14 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
         time_plot_curve(&plot, &(Curve){.record = record, .column = work, .minus = -1, .plus = -1}, dots);
     }
     add_ghosts(&plot, runs, n_runs, "total", dots);
+    if (second) {
+        run_begin(&plot, second);
+        time_plot_curve(
+            &plot,
+            &(Curve){
+                .record = second->record, .column = run_column(second, "total"), .minus = -1, .plus = -1},
+            dots);
+    }
     overlay_stroke(screen, &plot, "total", false, dots);
     time_plot_breaks(screen, inner, &x);
     time_plot_now(screen, inner, &x);
@@ -236,5 +253,7 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
     energy_phrases(screen, &stack, &x, wide, phrases);
     if (most_work > 0 && find_column(screen, "kinetic_grid") < 0)
         residual_phrases(screen, most_work, phrases);
-    area_phrases(area, 1, height - under, area.rect.width - 2, under, phrases, STYLE_NORMAL);
+    /* of a duel they are A's; the readout has those of both */
+    const int x0 = 1 + (second ? area_text(area, 1, height - under, under ? "A " : "", STYLE_NORMAL) : 0);
+    area_phrases(area, x0, height - under, area.rect.width - 1 - x0, under, phrases, STYLE_NORMAL);
 }

@@ -317,18 +317,24 @@ void view_spectrum(const Screen *screen, Area area, Style heading, int variant)
     const double range =
         choice.fast ? highest_of(screen) : slow_range(screen, picture.spectrum, marks, n_marks);
     picture.x = axis_make(0, axis_round_up(range / picture.unit), area.rect.width / 9);
-    const double largest = largest_of(&picture);
+    const SpectrumSpan span = choice.fast ? SPECTRUM_FAST : SPECTRUM_SLOW;
+    Run runs[RUNS_MAX];
+    const int n_runs = runs_with(runs, runs_of(screen, runs), quantity->name);
+    double largest = 0;
+    for (int i = 0; i < n_runs; i++) {
+        Picture of_run = picture;
+        of_run.spectrum = spectrum_of_run(screen, &runs[i], quantity->name, span);
+        if (runs[i].experiment && of_run.spectrum)
+            largest = fmax(largest, largest_of(&of_run));
+    }
     Axis y = choice.fast
                  ? axis_make_log(fmax(largest, 1e-290) * 1e-3, fmax(largest, 1e-286) * 1.02, rows < 5 ? 3 : 5)
                  : axis_make(0, axis_round_up(1.02 * largest), rows < 5 ? 3 : 5);
 
     /* where there is little room the solid line goes without saying */
-    Run runs[RUNS_MAX];
-    const int n_runs = runs_with(runs, runs_of(screen, runs), quantity->name);
-    const SpectrumSpan span = choice.fast ? SPECTRUM_FAST : SPECTRUM_SLOW;
     Legend legend[RUNS_MAX + 2];
     int n_legend = 0;
-    for (int i = 0; i < n_runs; i++)
+    for (int i = n_runs - 1; i >= 0; i--) /* the present run first */
         if (runs[i].experiment && runs[i].shown && (runs[i].letter || area.rect.width >= 70))
             legend[n_legend++] = run_legend(&runs[i]);
     bool exact = false, predicted = false;
@@ -373,8 +379,13 @@ void view_spectrum(const Screen *screen, Area area, Style heading, int variant)
     plot_close(&plot);
     if (under > 0) {
         peak_line(screen, &picture, choice.fast, text);
-        area_text(area, 1, area.rect.height - under, text, STYLE_NORMAL);
+        const int x =
+            1 + (is_shared(screen) ? area_text(area, 1, area.rect.height - under, "A ", STYLE_NORMAL) : 0);
+        char *bin = strchr(text, ';');
+        if (bin && x + text_columns(text) > area.rect.width)
+            *bin = '\0';
+        area_text(area, x, area.rect.height - under, text, STYLE_NORMAL);
     }
-    if (under > 1)
+    if (under > 1 && text_columns(lines) < area.rect.width)
         area_text(area, 1, area.rect.height - 1, lines, STYLE_FAINT);
 }

@@ -158,8 +158,8 @@ START_TEST(it_can_begin_in_the_middle)
     finish(&duel);
     ck_assert_int_eq(experiment_step(duel.a), 333);
     expect_together(&duel);
-    ck_assert_str_eq(duel.names[0], "USF, courant number 0.1");
-    ck_assert_str_eq(duel.names[1], "USL, courant number 0.07");
+    ck_assert_str_eq(duel.names[0], "USF, 0.1");
+    ck_assert_str_eq(duel.names[1], "USL, 0.07");
     ck_assert(duel.same_exact);
     /* given up while A waits: the duel is over */
     duel_seek(&duel, 900, 0);

@@ -92,6 +92,12 @@ static const Picture pictures[] = {
     {"beam-map-large", "supported-beam-coarse 132x43 600 upper 8 variant 2 stage 2"},
     {"cantilever-map-ascii", "moving-cantilever-coarse 80x24 1500 upper 8 ascii"},
     {"notched-map-ascii", "notched-beam-coarse 80x24 1300 upper 8 focus 2 zoom variant 4 ascii"},
+    {"duel", "energy 80x24 3000 duel running"},
+    {"duel-energies-ascii", "energy 80x24 3000 duel lower 3 upper 6 ascii"},
+    {"duel-stage", "crossing 80x24 300 duel stage 3"},
+    {"duel-wide", "crossing 132x43 3500 duel running"},
+    {"duel-beam", "supported-beam-coarse 120x30 900 duel upper 8 lower 2"},
+    {"duel-notched", "notched-beam-coarse 80x24 900 duel pd.critical_stretch=0.0008 upper 8"},
 };
 
 static void compare(const Picture *picture, const Canvas *canvas)
