@@ -1,4 +1,5 @@
 /* Arguments in, exit status out: the only place that prints an error or exits. */
+#include "base/threads.h"
 #include "cli/cli.h"
 #include "cli/options.h"
 #include "tui/laboratory.h"
@@ -60,7 +61,7 @@ static int open_laboratory(bool for_lesson, int count, char **arguments, Status 
             .theme = options.theme,
             .no_mouse = options.no_mouse,
             .history = options.history,
-            .threads = (int)options.threads,
+            .threads = options.threads > 0 ? (int)options.threads : threads_default(!options.script),
             .script = options.script,
             .record = options.record,
             .replay = options.replay,

@@ -1,5 +1,7 @@
 #include "cli/progress.h"
 
+#include "base/threads.h"
+
 #include <math.h>
 #include <signal.h>
 #include <stddef.h>
@@ -80,6 +82,5 @@ int progress_signal(void)
 
 int progress_threads(long asked)
 {
-    long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    return (int)(asked > 0 ? asked : cores > 0 ? cores : 1);
+    return asked > 0 ? (int)asked : threads_default(false);
 }

@@ -1,4 +1,5 @@
 /* `matvib sweep SCENARIO --vary KEY=A,B,C ...`: many runs that differ in some parameters, a row for each. */
+#include "base/threads.h"
 #include "cli/cli.h"
 #include "cli/options.h"
 #include "cli/sweep_jobs.h"
@@ -78,10 +79,10 @@ static bool prepare(Sweep *sweep, Status *status)
     sweep->keys = calloc((size_t)count * (size_t)sweep->plan.n_keys, sizeof *sweep->keys);
     if (!sweep->numbers || !sweep->results || !sweep->keys)
         return no_memory(status);
-    long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    const int cores = threads_default(false);
     sweep->jobs = options->jobs == 0 ? 1 : options->jobs < count ? (int)options->jobs : count;
     sweep->threads = options->threads > 0       ? (int)options->threads
-                     : cores >= 2 * sweep->jobs ? (int)cores / sweep->jobs
+                     : cores >= 2 * sweep->jobs ? cores / sweep->jobs
                                                 : 1;
     return check_combinations(sweep, status);
 }

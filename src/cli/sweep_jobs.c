@@ -1,7 +1,8 @@
 #include "cli/sweep_jobs.h"
 
+#include "base/wait.h"
+
 #include <errno.h>
-#include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -213,7 +214,7 @@ static bool work_through(Pool *pool, Status *status)
         if (busy == 0)
             return true;
         tell_progress(pool);
-        if (ppoll(pool->polls, (nfds_t)pool->work->jobs, NULL, &pool->outside) < 0)
+        if (wait_for(pool->polls, pool->work->jobs, NULL, &pool->outside) < 0)
             continue; /* a signal */
         for (int i = 0; i < pool->work->jobs; i++)
             if (pool->polls[i].revents && !hear(pool, &pool->workers[i], status))

@@ -1,12 +1,12 @@
 /* The table of checks, and what the command line says of it. */
 #include "cli/verify.h"
 #include "base/text.h"
+#include "base/threads.h"
 #include "cli/options.h"
 #include "cli/verify_checks.h"
 #include "cli/verify_stories.h"
 
 #include <string.h>
-#include <unistd.h>
 
 typedef struct Check {
     const char *name;
@@ -146,8 +146,7 @@ int verify_main(int count, char **arguments, FILE *out, Status *status)
         list_checks(out);
         return STATUS_DONE;
     }
-    long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    Verify verify = {.out = out, .full = request.full, .threads = processors > 0 ? (int)processors : 1};
+    Verify verify = {.out = out, .full = request.full, .threads = threads_default(false)};
     for (int i = 0; i < CHECKS; i++)
         if (is_wanted(&request, i))
             run_check(&verify, &checks[i]);

@@ -133,6 +133,17 @@ static bool finish_csi(KeyDecoder *decoder, char final, Key *key)
     return give(key, modifiers(second, alt), name);
 }
 
+/* The keypad in application mode, which PuTTY keeps even with NumLock. */
+static bool give_keypad(Key *key, unsigned char byte)
+{
+    static const char keys[] = "*+,-./0123456789";
+    if (byte == 'M')
+        return give(key, "", "Enter");
+    if (byte == 'X')
+        return give(key, "", "=");
+    return byte >= 'j' && byte <= 'y' && give(key, "", (char[]){keys[byte - 'j'], '\0'});
+}
+
 static bool feed_csi(KeyDecoder *decoder, unsigned char byte, Key *key)
 {
     if (byte == '[' && decoder->n_parameters == 0 && !decoder->prefix)
@@ -190,6 +201,8 @@ static bool feed_escape(KeyDecoder *decoder, unsigned char byte, Key *key)
     decoder->state = KEY_GROUND;
     if (decoder->escapes > 1)
         return give(key, "", "Esc");
+    if (byte == '\t') /* Shift-Tab of the Linux console */
+        return give(key, "", "S-Tab");
     return byte > ' ' && byte < 0x7f && give(key, "M-", (char[]){(char)byte, '\0'});
 }
 
@@ -272,10 +285,8 @@ bool keys_feed(KeyDecoder *decoder, unsigned char byte, Key *key)
         if (byte >= '0' && byte <= '9')
             return false;
         decoder->state = KEY_GROUND;
-        if (byte == 'M')
-            return give(key, "", "Enter");
         name = letter_key((char)byte);
-        return name && give(key, modifiers(0, decoder->escapes > 1), name);
+        return name ? give(key, modifiers(0, decoder->escapes > 1), name) : give_keypad(key, byte);
     case KEY_STRING:
         return feed_string(decoder, byte);
     case KEY_PASTE:

@@ -137,6 +137,10 @@ static bool open_loop(Loop *loop, const LaboratoryOptions *options, Status *stat
     screen->colours = terminal_colours(loop->terminal);
     screen->light = terminal_is_light(loop->terminal);
     loop->lab.utf8 = terminal_is_utf8(loop->terminal);
+    const char *stand_in = terminal_stand_in(loop->terminal);
+    if (stand_in && !screen->message[0])
+        say(&loop->lab, MESSAGE_INFO, "TERM=%.40s is not known here: drawn as on %s", getenv("TERM"),
+            stand_in);
     return true;
 }
 

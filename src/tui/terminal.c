@@ -1,17 +1,19 @@
 #include "tui/terminal.h"
 
+#include "base/wait.h"
 #include "tui/painter.h"
 #include "tui/theme.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <langinfo.h>
-#include <poll.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/ioctl.h>
+#include <sys/select.h>
 #include <termios.h>
 #include <time.h>
 #include <unistd.h>
@@ -35,6 +37,7 @@ struct Terminal {
     int output; /* what is written to */
     bool mouse;
     Glyphs glyphs;
+    const char *stand_in;        /* as which an unknown TERM is treated; NULL: it is known */
     char enter[128], leave[160]; /* what takes the screen over and gives it back */
     KeyDecoder decoder;
     unsigned char input[INPUT_MAX];
@@ -230,7 +233,7 @@ static bool write_all(const Terminal *terminal, const char *bytes, size_t length
         } else if (written < 0 && errno == EAGAIN) {
             struct pollfd screen = {.fd = terminal->output, .events = POLLOUT};
             bool ending = signal_end != 0;
-            if (ppoll(&screen, 1, ending ? &patience : NULL, &terminal->mask_outside) <= 0 && signal_end)
+            if (wait_for(&screen, 1, ending ? &patience : NULL, &terminal->mask_outside) <= 0 && signal_end)
                 return false;
         } else if (errno != EINTR)
             return false; /* the terminal is gone; reading it will tell */
@@ -244,7 +247,11 @@ static int open_output(void)
 {
     const char *name = ttyname(STDOUT_FILENO);
     int output = name ? open(name, O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC) : -1;
-    return output >= 0 ? output : STDOUT_FILENO;
+    if (output >= 0 && output < FD_SETSIZE)
+        return output;
+    if (output >= 0)
+        close(output);
+    return STDOUT_FILENO;
 }
 
 /* Every key comes as it is, nothing is echoed, and output is not changed on its way. */
@@ -267,7 +274,37 @@ static void give_screen_back(Terminal *terminal)
     tcsetattr(STDIN_FILENO, written ? TCSADRAIN : TCSANOW, &before);
 }
 
-static bool is_usable(const char *term, Status *status)
+/* A server's database seldom knows the newest terminals and often not PuTTY; almost all of them understand
+ * what a better known one does. The name of the first that is known and whose description is in force then;
+ * NULL: none is. */
+static const char *set_up_stand_in(const char *term)
+{
+    static const char *const as_xterm[] = {"xterm-256color", "xterm", "vt100", NULL};
+    static const char *const as_screen[] = {"screen-256color", "screen", "vt100", NULL};
+    static const char *const as_any[] = {"vt100", "ansi", NULL};
+    static const struct {
+        const char *begins;
+        const char *const *stand_ins;
+    } families[] = {
+        {"xterm", as_xterm},   {"putty", as_xterm},   {"rxvt", as_xterm},    {"alacritty", as_xterm},
+        {"foot", as_xterm},    {"gnome", as_xterm},   {"konsole", as_xterm}, {"vte", as_xterm},
+        {"st-", as_xterm},     {"wezterm", as_xterm}, {"ghostty", as_xterm}, {"contour", as_xterm},
+        {"mintty", as_xterm},  {"nsterm", as_xterm},  {"iterm", as_xterm},   {"ms-terminal", as_xterm},
+        {"screen", as_screen}, {"tmux", as_screen},   {"", as_any}, /* any other */
+    };
+    size_t family = 0;
+    while (strncasecmp(term, families[family].begins, strlen(families[family].begins)) != 0)
+        family++;
+    for (const char *const *name = families[family].stand_ins; *name; name++) {
+        int error = 0;
+        if (setupterm(*name, STDOUT_FILENO, &error) == OK)
+            return *name;
+    }
+    return NULL;
+}
+
+/* `stand_in`: the terminal that it is taken for; NULL: it is known itself. */
+static bool is_usable(const char *term, const char **stand_in, Status *status)
 {
     if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO))
         return status_fail(status, STATUS_USAGE,
@@ -277,7 +314,8 @@ static bool is_usable(const char *term, Status *status)
         return status_fail(status, STATUS_USAGE,
                            "the laboratory cannot draw on this terminal (TERM=%s); use: matvib run SCENARIO",
                            term && *term ? term : "unset");
-    if (setupterm(term, STDOUT_FILENO, &error) != OK)
+    *stand_in = NULL;
+    if (setupterm(term, STDOUT_FILENO, &error) != OK && !(*stand_in = set_up_stand_in(term)))
         return status_fail(status, STATUS_USAGE,
                            "the terminal TERM=%s is not known on this machine; use: matvib run SCENARIO",
                            term);
@@ -300,7 +338,8 @@ Terminal *terminal_open(const TerminalOptions *options, Status *status)
                     options->glyphs);
         return NULL;
     }
-    if (!is_usable(term, status))
+    const char *stand_in = NULL;
+    if (!is_usable(term, &stand_in, status))
         return NULL;
     Terminal *terminal = calloc(1, sizeof *terminal);
     if (!terminal) {
@@ -310,6 +349,7 @@ Terminal *terminal_open(const TerminalOptions *options, Status *status)
     }
     Painter *painter = &terminal->painter;
     terminal->glyphs = glyphs;
+    terminal->stand_in = stand_in;
     read_capabilities(&painter->can);
     painter->colours = count_colours(&painter->can);
     painter->light = theme_is_light(options->theme, getenv("COLORFGBG"));
@@ -359,6 +399,11 @@ bool terminal_is_utf8(const Terminal *terminal)
     return terminal->painter.utf8;
 }
 
+const char *terminal_stand_in(const Terminal *terminal)
+{
+    return terminal->stand_in;
+}
+
 Glyphs terminal_glyphs(const Terminal *terminal)
 {
     return terminal->glyphs;
@@ -401,7 +446,7 @@ void terminal_wait(Terminal *terminal, double seconds)
     struct timespec time = {.tv_sec = (time_t)seconds};
     time.tv_nsec = (long)((seconds - (double)time.tv_sec) * 1e9);
     struct pollfd keyboard = {.fd = STDIN_FILENO, .events = POLLIN};
-    int ready = ppoll(&keyboard, 1, seconds < 0 ? NULL : &time, &terminal->mask_outside);
+    int ready = wait_for(&keyboard, 1, seconds < 0 ? NULL : &time, &terminal->mask_outside);
     if (ready > 0)
         read_input(terminal);
     else if (ready == 0 && in_sequence)
@@ -420,7 +465,8 @@ void terminal_wait(Terminal *terminal, double seconds)
 bool terminal_has_input(const Terminal *terminal)
 {
     struct pollfd keyboard = {.fd = STDIN_FILENO, .events = POLLIN};
-    return terminal->input_first < terminal->input_end || poll(&keyboard, 1, 0) > 0;
+    const struct timespec at_once = {0, 0};
+    return terminal->input_first < terminal->input_end || wait_for(&keyboard, 1, &at_once, NULL) > 0;
 }
 
 bool terminal_key(Terminal *terminal, Key *key)
@@ -466,11 +512,11 @@ void terminal_suspend(Terminal *terminal)
     sigprocmask(SIG_SETMASK, &old, NULL);
     sigaction(SIGTSTP, &ours, NULL);
     /* the SIGCONT that woke us has done its work */
-    sigset_t woken;
-    struct timespec at_once = {0, 0};
+    sigset_t woken, pending;
+    int number;
     sigemptyset(&woken);
     sigaddset(&woken, SIGCONT);
-    while (sigtimedwait(&woken, NULL, &at_once) > 0)
+    while (sigpending(&pending) == 0 && sigismember(&pending, SIGCONT) == 1 && sigwait(&woken, &number) == 0)
         continue;
     signal_continued = 0;
     signal_resized = 1;

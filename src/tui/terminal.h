@@ -19,7 +19,8 @@ typedef struct TerminalOptions {
 
 typedef struct Terminal Terminal;
 
-/* Takes over standard input and output. NULL: they are no terminal, or one that cannot place its cursor. */
+/* Takes over standard input and output. NULL: they are no terminal, or one that
+ * cannot place its cursor. */
 Terminal *terminal_open(const TerminalOptions *, Status *);
 void terminal_close(Terminal *); /* as it was before; NULL is allowed */
 
@@ -28,6 +29,9 @@ int terminal_colours(const Terminal *); /* 256, 8 or 0 */
 bool terminal_is_light(const Terminal *);
 bool terminal_is_utf8(const Terminal *);
 Glyphs terminal_glyphs(const Terminal *);
+
+/* The known terminal as which one with an unknown TERM is treated; NULL: its own description is used. */
+const char *terminal_stand_in(const Terminal *);
 
 /* Shows a canvas: what differs from what was shown last is written; nothing, if nothing does. */
 void terminal_show(Terminal *, const Canvas *);

@@ -301,26 +301,73 @@ START_TEST(the_c_locale_gets_ascii)
 }
 END_TEST
 
-static const char *const terms[] = {"TERM=linux", "TERM=vt100", "TERM=xterm", "TERM=screen-256color",
-                                    "TERM=vt220"};
+/* Some a machine may not know: then the nearest that it does. */
+static const char *const terms[] = {
+    "TERM=xterm-256color",  "TERM=xterm",       "TERM=putty",           "TERM=putty-256color", "TERM=screen",
+    "TERM=screen-256color", "TERM=tmux",        "TERM=tmux-256color",   "TERM=linux",          "TERM=vt100",
+    "TERM=vt220",           "TERM=xterm-kitty", "TERM=no-such-terminal"};
+static const char *const locales[] = {"LC_ALL=C.UTF-8", "LC_ALL=C"};
+enum { N_TERMS = sizeof terms / sizeof *terms };
 
 START_TEST(works_on_many_terminals)
 {
     Session session;
-    session_open_paused(&session, 80, 24, (const char *const[]){terms[_i], NULL});
+    session_open_paused(&session, 80, 24,
+                        (const char *const[]){terms[_i % N_TERMS], locales[_i / N_TERMS], NULL});
     ck_assert(session_shows(&session, "PAUSED"));
     session_keys(&session, "\033OB\033[B]");
     ck_assert(session_shows(&session, "stage 1"));
+    session_keys(&session, ".");
+    ck_assert(session_shows(&session, "step 1"));
     session_send(&session, "q");
     ck_assert_int_eq(session_exit(&session), 0);
-    struct termios modes;
-    tcgetattr(session.slave, &modes);
-    ck_assert_int_eq(modes.c_lflag, session.modes.c_lflag);
+    session_check_restored(&session);
     session_close(&session);
 }
 END_TEST
 
-static const char *const unusable[] = {"TERM=dumb", "TERM=", "TERM=no-such-terminal"};
+START_TEST(tells_what_an_unknown_terminal_is_taken_for)
+{
+    Session session;
+    session_open_paused(&session, 80, 24, (const char *const[]){"TERM=xterm-nobody-knows", NULL});
+    ck_assert(session_shows(&session, "TERM=xterm-nobody-knows"));
+    ck_assert(session_shows(&session, "drawn as on xterm-256color"));
+    ck_assert(wrote(&session, "38;5;"));
+    session_close(&session);
+    session_open_paused(&session, 80, 24, (const char *const[]){"TERM=no-such-terminal", NULL});
+    ck_assert(session_shows(&session, "drawn as on vt100"));
+    ck_assert(!wrote(&session, "38;5;") && !wrote(&session, "\033[34m"));
+    session_close(&session);
+}
+END_TEST
+
+/* Threads that wait for work cost nothing either, and leave signals to the one that sleeps until they come.
+ */
+START_TEST(several_threads_are_as_quiet_as_one)
+{
+    Session session;
+    session_open(&session, 80, 24, NULL,
+                 (const char *const[]){matvib(), "supported-beam-coarse", "--threads", "3", NULL});
+    for (int i = 0; i < 3; i++)
+        session_frame(&session);
+    session_keys(&session, " ");
+    double before = cpu_seconds(session.child);
+    struct pollfd quiet[2] = {{.fd = session.master, .events = POLLIN},
+                              {.fd = session.frames, .events = POLLIN}};
+    ck_assert_int_eq(poll(quiet, 2, 1000), 0);
+    ck_assert(cpu_seconds(session.child) - before < 0.005);
+    for (int i = 0; i < 10; i++) {
+        session_resize(&session, 81 - i % 2, 24);
+        session_idle(&session);
+    }
+    kill(session.child, SIGTERM);
+    ck_assert_int_eq(session_exit(&session), 128 + SIGTERM);
+    session_check_restored(&session);
+    session_close(&session);
+}
+END_TEST
+
+static const char *const unusable[] = {"TERM=dumb", "TERM="};
 
 START_TEST(says_what_to_use_where_it_cannot_draw)
 {
@@ -369,8 +416,10 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, suspends_and_comes_back);
     tcase_add_test(tcase, colours_and_no_colours);
     tcase_add_test(tcase, the_c_locale_gets_ascii);
-    tcase_add_loop_test(tcase, works_on_many_terminals, 0, 5);
-    tcase_add_loop_test(tcase, says_what_to_use_where_it_cannot_draw, 0, 3);
+    tcase_add_loop_test(tcase, works_on_many_terminals, 0, 2 * N_TERMS);
+    tcase_add_test(tcase, tells_what_an_unknown_terminal_is_taken_for);
+    tcase_add_test(tcase, several_threads_are_as_quiet_as_one);
+    tcase_add_loop_test(tcase, says_what_to_use_where_it_cannot_draw, 0, 2);
     tcase_add_test(tcase, needs_a_terminal);
     suite_add_tcase(suite, tcase);
 }

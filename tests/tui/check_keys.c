@@ -51,19 +51,57 @@ START_TEST(controls_have_names)
 }
 END_TEST
 
+/* What terminals send for the keys that the laboratory uses, with the keypad modes that it switches on. */
+static const struct {
+    const char *terminal;
+    const char *arrows, *home_end, *pages, *f1_f10, *back_tab, *delete, *backspace, *mouse;
+} terminals[] = {
+    {"xterm, Windows Terminal, most others", "\033OA\033OB\033OC\033OD", "\033OH\033OF", "\033[5~\033[6~",
+     "\033OP\033[21~", "\033[Z", "\033[3~", "\x7f", "\033[<0;3;2M\033[<0;3;2m"},
+    {"xterm without the keypad's mode", "\033[A\033[B\033[C\033[D", "\033[H\033[F", "\033[5~\033[6~",
+     "\033OP\033[21~", "\033[Z", "\033[3~", "\x7f", "\033[<0;3;2M\033[<0;3;2m"},
+    {"PuTTY", "\033OA\033OB\033OC\033OD", "\033[1~\033[4~", "\033[5~\033[6~", "\033[11~\033[21~", "\033[Z",
+     "\033[3~", "\x7f", "\033[<0;3;2M\033[<0;3;2m"},
+    {"PuTTY, function keys as the Linux console", "\033OA\033OB\033OC\033OD", "\033[1~\033[4~",
+     "\033[5~\033[6~", "\033[[A\033[21~", "\033[Z", "\033[3~", "\x08", "\033[<0;3;2M\033[<0;3;2m"},
+    {"macOS Terminal", "\033OA\033OB\033OC\033OD", "\033OH\033OF", "\033[5~\033[6~", "\033OP\033[21~",
+     "\033[Z", "\033[3~", "\x7f", "\033[<0;3;2M\033[<0;3;2m"},
+    {"Linux console", "\033[A\033[B\033[C\033[D", "\033[1~\033[4~", "\033[5~\033[6~", "\033[[A\033[21~",
+     "\033\t", "\033[3~", "\x7f", NULL},
+    {"screen", "\033OA\033OB\033OC\033OD", "\033[1~\033[4~", "\033[5~\033[6~", "\033OP\033[21~", "\033[Z",
+     "\033[3~", "\x7f", "\033[<0;3;2M\033[<0;3;2m"},
+    {"tmux", "\033OA\033OB\033OC\033OD", "\033[1~\033[4~", "\033[5~\033[6~", "\033OP\033[21~", "\033[Z",
+     "\033[3~", "\x7f", "\033[<0;3;2M\033[<0;3;2m"},
+    {"rxvt", "\033OA\033OB\033OC\033OD", "\033[7~\033[8~", "\033[5~\033[6~", "\033[11~\033[21~", "\033[Z",
+     "\033[3~", "\x7f", "\033[<0;3;2M\033[<0;3;2m"},
+};
+
 START_TEST(named_keys_of_many_terminals)
 {
-    expect("\033[A\033[B\033[C\033[D", "Up Down Right Left");
-    expect("\033OA\033OB\033OC\033OD", "Up Down Right Left"); /* application mode */
-    expect("\033[1~\033[4~", "Home End");                     /* Linux console, screen */
-    expect("\033[H\033[F", "Home End");                       /* xterm */
-    expect("\033OH\033OF", "Home End");
-    expect("\033[7~\033[8~", "Home End"); /* rxvt */
-    expect("\033[2~\033[3~\033[5~\033[6~", "Insert Delete PageUp PageDown");
-    expect("\033[Z", "S-Tab");
-    expect("\033OP\033OS\033[15~\033[21~\033[24~", "F1 F4 F5 F10 F12");
-    expect("\033[11~\033[[A\033[[E", "F1 F1 F5");
-    expect("\033OM", "Enter"); /* the keypad's */
+    for (size_t i = 0; i < sizeof terminals / sizeof *terminals; i++) {
+        expect(terminals[i].arrows, "Up Down Right Left");
+        expect(terminals[i].home_end, "Home End");
+        expect(terminals[i].pages, "PageUp PageDown");
+        expect(terminals[i].f1_f10, "F1 F10");
+        expect(terminals[i].back_tab, "S-Tab");
+        expect(terminals[i].delete, "Delete");
+        expect(terminals[i].backspace, "Backspace");
+        if (terminals[i].mouse)
+            expect(terminals[i].mouse, "Click");
+    }
+    expect("\033[2~", "Insert");
+    expect("\033OP\033OS\033[15~\033[24~", "F1 F4 F5 F12");
+    expect("\033[[E", "F5");
+}
+END_TEST
+
+/* PuTTY sends these with NumLock as well. */
+START_TEST(the_keypad_means_what_is_printed_on_it)
+{
+    expect("\033Op\033Oq\033Oy\033On", "0 1 9 .");
+    expect("\033Ok\033Om\033Oj\033Oo\033OX", "+ - * / =");
+    expect("\033OM", "Enter");
+    expect("\033Oz", "");
 }
 END_TEST
 
@@ -74,6 +112,7 @@ START_TEST(modifiers_are_told)
     expect("\033[3;3~", "M-Delete");
     expect("\033[7$\033[7^", "S-Home C-Home");
     expect("\033x", "M-x");
+    expect("\033b\033f", "M-b M-f"); /* macOS Terminal's Option with Left and Right */
     expect("\033\033[A", "M-Up");
 }
 END_TEST
@@ -108,10 +147,11 @@ START_TEST(what_is_not_known_is_swallowed_whole)
     expect("\033]11;rgb:0000/0000/0000\007q", "q"); /* its colour */
     expect("\033]11;rgb:0000/0000/0000\033\\q", "q");
     expect("\033P1$r0m\033\\q", "q");
-    expect("\033[M !!q", "q"); /* the old mouse report */
+    expect("\033[M !!q", "q");     /* the old mouse report */
+    expect("\033[32;12;5Mq", "q"); /* rxvt's */
+    expect("\033[27;5;65~q", "q"); /* xterm's modifyOtherKeys */
     expect("\033[97;5uq", "q");
-    expect("\033Ojq", "q"); /* the keypad's star */
-    expect("\033[", "");    /* cut short */
+    expect("\033[", ""); /* cut short */
     expect("\033[1;", "");
     expect("\033O", "");
     expect("\033]2;title", "");
@@ -226,6 +266,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, printing_characters_name_themselves);
     tcase_add_test(tcase, controls_have_names);
     tcase_add_test(tcase, named_keys_of_many_terminals);
+    tcase_add_test(tcase, the_keypad_means_what_is_printed_on_it);
     tcase_add_test(tcase, modifiers_are_told);
     tcase_add_test(tcase, escape_stands_alone_after_silence);
     tcase_add_test(tcase, what_is_not_known_is_swallowed_whole);

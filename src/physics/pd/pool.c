@@ -7,6 +7,7 @@
 
 #include <pthread.h>
 #include <sched.h>
+#include <signal.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -144,6 +145,8 @@ void pool_run(Pool *pool, PoolWork *work, void *context, int chunks)
     }
 }
 
+static const int faults[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+
 Pool *pool_create(int threads, Status *status)
 {
     Pool *pool = aligned_alloc(64, (sizeof *pool + (size_t)threads * sizeof *pool->workers + 63) / 64 * 64);
@@ -161,17 +164,25 @@ Pool *pool_create(int threads, Status *status)
     pthread_cond_init(&pool->job, NULL);
     pthread_cond_init(&pool->done, NULL);
     pool->n_workers = 0;
+    /* Signals are for the caller, who may sleep until one comes; but a fault is its own thread's. */
+    sigset_t others, before;
+    sigfillset(&others);
+    for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
+        sigdelset(&others, faults[i]);
+    pthread_sigmask(SIG_SETMASK, &others, &before);
     while (pool->n_workers < threads - 1) {
         Worker *worker = &pool->workers[pool->n_workers];
         *worker = (Worker){.pool = pool, .number = pool->n_workers + 1};
-        if (pthread_create(&worker->thread, NULL, serve, worker) != 0) {
-            pool_destroy(pool);
-            status_fail(status, STATUS_FAILED, "--threads: cannot start %d threads", threads);
-            return NULL;
-        }
+        if (pthread_create(&worker->thread, NULL, serve, worker) != 0)
+            break;
         pool->n_workers++;
     }
-    return pool;
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    if (pool->n_workers == threads - 1)
+        return pool;
+    pool_destroy(pool);
+    status_fail(status, STATUS_FAILED, "--threads: cannot start %d threads", threads);
+    return NULL;
 }
 
 void pool_destroy(Pool *pool)

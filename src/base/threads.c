@@ -1,0 +1,68 @@
+#include "base/threads.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <sched.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#ifdef HAVE_SCHED_GETAFFINITY
+
+/* A mask that is shorter than the kernel's is refused, so it grows until it fits. 0: it cannot be told. */
+static int count_mask(void)
+{
+    for (int processors = CPU_SETSIZE; processors <= 1 << 20; processors *= 2) {
+        cpu_set_t *set = CPU_ALLOC(processors);
+        const size_t size = CPU_ALLOC_SIZE(processors);
+        if (!set)
+            return 0;
+        const int result = sched_getaffinity(0, size, set);
+        const bool too_short = result != 0 && errno == EINVAL;
+        const int count = result == 0 ? CPU_COUNT_S(size, set) : 0;
+        CPU_FREE(set);
+        if (!too_short)
+            return count;
+    }
+    return 0;
+}
+
+#else
+
+static int count_mask(void)
+{
+    return 0;
+}
+
+#endif
+
+int threads_allowed(void)
+{
+    const int masked = count_mask();
+    if (masked > 0)
+        return masked;
+    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    return processors > 0 && processors <= INT_MAX ? (int)processors : 1;
+}
+
+/* "4", or "4,2" for levels of parallel regions within each other; 0: it says nothing. */
+static int threads_asked(void)
+{
+    const char *text = getenv("OMP_NUM_THREADS");
+    if (!text)
+        return 0;
+    char *end;
+    const long number = strtol(text, &end, 10);
+    while (*end == ' ' || *end == '\t')
+        end++;
+    if (end == text || (*end && *end != ','))
+        return 0;
+    return number < 1 ? 0 : number > INT_MAX ? INT_MAX : (int)number;
+}
+
+int threads_default(bool on_screen)
+{
+    const int allowed = threads_allowed(), asked = threads_asked();
+    if (asked > 0)
+        return asked < allowed ? asked : allowed;
+    return on_screen && allowed > 1 ? allowed - 1 : allowed;
+}

@@ -1,0 +1,16 @@
+/* How many threads to compute with where nobody says. */
+#ifndef BASE_THREADS_H
+#define BASE_THREADS_H
+
+#include <stdbool.h>
+
+/* The processors that this process may use, at least 1: those of its affinity mask (taskset, cgroups'
+ * cpusets, a batch system) where the system has one, else all that are on. */
+int threads_allowed(void);
+
+/* OMP_NUM_THREADS if it is set (of a list, the number of the outermost level), else all that are allowed, and
+ * on a screen one less, which is left to the terminal and to whoever else is there. Never more than allowed.
+ */
+int threads_default(bool on_screen);
+
+#endif

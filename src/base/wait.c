@@ -1,0 +1,47 @@
+#include "base/wait.h"
+
+#ifdef HAVE_PPOLL
+
+int wait_for(struct pollfd *files, int count, const struct timespec *timeout, const sigset_t *mask)
+{
+    return ppoll(files, (nfds_t)count, timeout, mask);
+}
+
+#else
+
+#include <errno.h>
+#include <sys/select.h>
+
+int wait_for(struct pollfd *files, int count, const struct timespec *timeout, const sigset_t *mask)
+{
+    fd_set readable, writable;
+    int above = 0, ready = 0;
+    FD_ZERO(&readable);
+    FD_ZERO(&writable);
+    for (int i = 0; i < count; i++) {
+        files[i].revents = 0;
+        if (files[i].fd < 0)
+            continue;
+        if (files[i].fd >= FD_SETSIZE) {
+            errno = EINVAL;
+            return -1;
+        }
+        if (files[i].events & POLLIN)
+            FD_SET(files[i].fd, &readable);
+        if (files[i].events & POLLOUT)
+            FD_SET(files[i].fd, &writable);
+        above = files[i].fd >= above ? files[i].fd + 1 : above;
+    }
+    const int result = pselect(above, &readable, &writable, NULL, timeout, mask);
+    for (int i = 0; i < count && result > 0; i++) {
+        if (files[i].fd < 0)
+            continue;
+        /* what has hung up is readable, and reading tells */
+        files[i].revents = (short)((FD_ISSET(files[i].fd, &readable) ? POLLIN : 0) |
+                                   (FD_ISSET(files[i].fd, &writable) ? POLLOUT : 0));
+        ready += files[i].revents != 0;
+    }
+    return result > 0 ? ready : result;
+}
+
+#endif

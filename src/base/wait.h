@@ -1,0 +1,14 @@
+/* Sleeping until a file is ready or a signal comes: ppoll() where there is one, pselect() elsewhere. */
+#ifndef BASE_WAIT_H
+#define BASE_WAIT_H
+
+#include <poll.h>
+#include <signal.h>
+#include <time.h>
+
+/* As ppoll(): `timeout` NULL is without an end; `mask` is in force while sleeping, NULL leaves the one that
+ * is. Returns how many of the files have something in `revents`, 0 when the time is over, -1 with errno after
+ * a signal or an error. A negative descriptor is passed over. Descriptors must be less than FD_SETSIZE. */
+int wait_for(struct pollfd *files, int count, const struct timespec *timeout, const sigset_t *mask);
+
+#endif
