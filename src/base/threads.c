@@ -11,7 +11,7 @@
 /* A mask that is shorter than the kernel's is refused, so it grows until it fits. 0: it cannot be told. */
 static int count_mask(void)
 {
-    for (int processors = CPU_SETSIZE; processors <= 1 << 20; processors *= 2) {
+    for (size_t processors = CPU_SETSIZE; processors <= 1 << 20; processors *= 2) {
         cpu_set_t *set = CPU_ALLOC(processors);
         const size_t size = CPU_ALLOC_SIZE(processors);
         if (!set)
