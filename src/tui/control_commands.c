@@ -363,11 +363,14 @@ static void move(Laboratory *lab, int x, int y, int page)
 {
     Screen *screen = &lab->screen;
     int view = view_in(screen, screen->focus);
-    if (screen->focus == PANE_INSPECTOR && screen_move_inspector(screen, x, y, page))
-        return;
-    if (screen->zooming && map_is_focused(lab)) {
+    const bool map = map_is_focused(lab);
+    if (screen->zooming && map) {
         map_pan(lab, x, y);
-    } else if (screen->focus == PANE_PARAMETERS && screen->lesson.open) {
+        return;
+    }
+    if ((screen->focus == PANE_INSPECTOR || map) && screen_move_inspector(screen, x, y, page))
+        return;
+    if (screen->focus == PANE_PARAMETERS && screen->lesson.open) {
         move_in_lesson(lab, x, y);
     } else if (screen->focus == PANE_PARAMETERS) {
         if (x)

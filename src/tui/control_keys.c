@@ -95,6 +95,11 @@ static void click(Laboratory *lab, int x, int y)
         }
     if (screen_choose_row(screen, lab->width, lab->height, x, y))
         return;
+    const long node = screen_map_node(screen, lab->width, lab->height, x, y);
+    if (node >= 0) {
+        screen->particle = (size_t)node;
+        screen->node_chosen = false;
+    }
     int row = screen_parameter_at(screen, lab->width, lab->height, x, y);
     if (row < 0)
         return;

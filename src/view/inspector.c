@@ -3,6 +3,7 @@
 
 static const Inspector inspectors[] = {
     {has_mesh, pane_mesh_inspector, move_mesh_inspector},
+    {has_families, pane_family, move_node},
 };
 
 const Inspector *inspector_find(const Screen *screen)

@@ -117,6 +117,9 @@ void map_sketch(Map *);
 void map_sketch_line(Map *, double from_x, double from_y, double to_x, double to_y, Style, int every);
 void map_sketch_sign(Map *, double column, double row, uint32_t glyph);
 
+/* The beam before it moves, with its dimensions. */
+void map_drawing(const Screen *, Area, Style heading);
+
 /* The glyph for a step of the ramp where colours are few, and beside colours: more ink for more; of a signed
  * field those below and above zero differ. */
 uint32_t map_letter(const Map *, int step);

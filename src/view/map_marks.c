@@ -137,22 +137,36 @@ static void draw_notched(Map *map)
         draw_crack(map);
 }
 
-/* What the lines are, beside the beam. */
+enum { TALL_MAP = 12 };
+
+static bool is_blank(Area area, int x, int y, int width)
+{
+    for (int i = x; i < x + width && i < area.rect.width; i++)
+        if (area.canvas
+                ->cells[(size_t)(area.rect.y + y) * (size_t)area.canvas->width + (size_t)(area.rect.x + i)]
+                .glyph > ' ')
+            return false;
+    return true;
+}
+
+/* What the lines are: beside the beam or, in a large map, in a row of their own. */
 static void name_lines(const Map *map)
 {
-    static const struct {
-        const char *dots, *letters, *name;
-        Style style;
-    } names[] = {{"⠔⠊", "**", "crack's path", STYLE_CHANGED},
-                 {"⠠⠂", "''", "30° (paper)", STYLE_FAINT},
-                 {"⢸ ", "| ", "notch", STYLE_HEADING},
-                 {"⠒⠂", "~~", "protected", STYLE_FRAME}};
+    enum { LINES = 4 };
     const bool dots = map->area.glyphs == GLYPHS_BRAILLE;
-    for (int i = 0; i < (int)(sizeof names / sizeof *names); i++) {
-        const int row = map->area.rect.height - 5 + i;
-        area_text(map->area, map->legend_at, row, dots ? names[i].dots : names[i].letters, names[i].style);
-        area_text(map->area, map->legend_at + 3, row, names[i].name, STYLE_NORMAL);
-    }
+    const Legend lines[LINES] = {
+        {LINE_SOLID, 0, STYLE_CHANGED, "crack's path", dots ? "⠔⠊" : "**"},
+        {LINE_SOLID, 0, STYLE_FAINT, "30° (paper)", dots ? "⠠⠂" : "''"},
+        {LINE_SOLID, 0, STYLE_HEADING, "notch", dots ? "⢸ " : "| "},
+        {LINE_SOLID, 0, STYLE_FRAME, "protected", dots ? "⠒⠂" : "~~"},
+    };
+    const Area area = map->area;
+    if (map->legend_at > 0)
+        for (int i = 0; i < LINES; i++)
+            draw_legend(area_part(area, map->legend_at, area.rect.height - 5, area.rect.width, LINES), 0, i,
+                        &lines[i], 1);
+    else if (area.rect.height >= TALL_MAP && is_blank(area, 0, 0, area.rect.width))
+        draw_legend(area, 0, 0, lines, LINES);
 }
 
 /* --- the channel ---------------------------------------------------------------------------------- */
@@ -222,16 +236,6 @@ static void draw_supports(Map *map, int row)
     free(held);
 }
 
-static bool is_blank(Area area, int x, int y, int width)
-{
-    for (int i = x; i < x + width && i < area.rect.width; i++)
-        if (area.canvas
-                ->cells[(size_t)(area.rect.y + y) * (size_t)area.canvas->width + (size_t)(area.rect.x + i)]
-                .glyph > ' ')
-            return false;
-    return true;
-}
-
 /* Arrows on the loaded nodes; beside them how much of the load has come. */
 static void draw_load(Map *map)
 {
@@ -280,7 +284,7 @@ static void draw_chosen(Map *map)
 void map_draw_signs(Map *map)
 {
     draw_load(map);
-    if (map->legend_at > 0 && !map->area.canvas->sketch)
+    if (map->settings->problem == PROBLEM_NOTCHED_BEAM && !map->nodes_seen && !map->area.canvas->sketch)
         name_lines(map);
     if (map->settings->problem != PROBLEM_MOVING_CANTILEVER) {
         draw_supports(map, 0);

@@ -87,6 +87,10 @@ void pane_help(const Screen *, Area);
 void pane_mesh_inspector(const Screen *, Area); /* of methods with particles and a grid */
 void move_mesh_inspector(Screen *, int x, int y, int page);
 
+void pane_family(const Screen *, Area); /* of beams */
+bool has_families(const Simulation *);
+void move_node(Screen *, int x, int y, int page); /* chooses the node beside; y downwards */
+
 /* What stands in the inspector; the seam is in inspector.c. */
 typedef struct Inspector {
     bool (*fits)(const Simulation *); /* the methods that it is for */

@@ -121,8 +121,18 @@ static int draw_half_ramp(const Map *map, Area area, int x, int y, int first)
     return x;
 }
 
+/* What there is to say beside the ramp, in full or where room is short in a few words. */
+static const char *note_of(const Map *map, bool brief)
+{
+    if (map->nodes_seen)
+        return brief ? "lines: whole bonds" : "lines: whole bonds to the nearest neighbours";
+    if (strcmp(map->colouring->field, "damage") == 0)
+        return brief ? "through: 0.4-0.5" : "a through crack reads 0.4 to 0.5, not 1";
+    return "";
+}
+
 /* "-4 [ramp] 0 [ramp] 4 µm", and what there is to say of the picture. */
-static void draw_scale(const Map *map, Area area, int y, const char *note)
+static void draw_scale(const Map *map, Area area, int y)
 {
     Axis axis = axis_make(map->low, map->high, 5);
     const double ends[3] = {map->low, (map->low + map->high) / 2, map->high};
@@ -138,17 +148,9 @@ static void draw_scale(const Map *map, Area area, int y, const char *note)
     }
     axis_scale_text(&axis, map->colouring->unit, scale);
     x += area_text(area, x, y, scale, STYLE_NORMAL) + 2;
+    const char *note = note_of(map, x + text_columns(note_of(map, false)) >= area.rect.width);
     if (x + text_columns(note) < area.rect.width)
         area_text_right(area, area.rect.width - 1, y, note, STYLE_FAINT);
-}
-
-static const char *note_of(const Map *map)
-{
-    if (map->colouring == NULL)
-        return "";
-    if (map->nodes_seen)
-        return "lines: whole bonds to neighbours";
-    return strcmp(map->colouring->field, "damage") == 0 ? "a through crack reads 0.4 to 0.5, not 1" : "";
 }
 
 /* --- the view -------------------------------------------------------------------------------------- */
@@ -162,6 +164,10 @@ void view_beam(const Screen *screen, Area area, Style heading, int variant)
 {
     if (experiment_simulation(screen->experiment)->dimensions != 2) {
         pane_mesh(screen, area);
+        return;
+    }
+    if (variant == MAP_DRAWING) {
+        map_drawing(screen, area, heading);
         return;
     }
     Map map;
@@ -186,7 +192,7 @@ void view_beam(const Screen *screen, Area area, Style heading, int variant)
         map_draw_nodes(&map);
     map_draw_signs(&map);
     draw_title(&map, area, heading);
-    draw_scale(&map, area, area.rect.height - 1, note_of(&map));
+    draw_scale(&map, area, area.rect.height - 1);
     map_close(&map);
 }
 

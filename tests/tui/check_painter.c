@@ -3,6 +3,7 @@
 #include "tui/painter.h"
 #include "tui/theme.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -188,6 +189,39 @@ START_TEST(ascii_alone_where_the_locale_has_no_more)
 }
 END_TEST
 
+/* What an eye that sees no hues goes by: CIE L* of a colour of 256. */
+static double lightness(int colour)
+{
+    static const double levels[] = {0, 95, 135, 175, 215, 255};
+    static const double weights[] = {0.2126, 0.7152, 0.0722};
+    const int places[3] = {(colour - 16) / 36, (colour - 16) / 6 % 6, (colour - 16) % 6};
+    double luminance = 0;
+    for (int i = 0; i < 3; i++) {
+        const double level = levels[places[i]] / 255;
+        luminance += weights[i] * (level <= 0.04045 ? level / 12.92 : pow((level + 0.055) / 1.055, 2.4));
+    }
+    return 116 * cbrt(luminance) - 16;
+}
+
+/* More is brighter at every step, so that the ramp reads in grey; of eight colours none stands on both sides
+ * of zero, and none is that of the ground. */
+START_TEST(the_ramp_rises)
+{
+    for (int step = 1; step < RAMP_STEPS; step++) {
+        const Look before = theme_look(256, false, STYLE_RAMP_0 + (unsigned)step - 1, 0);
+        const Look here = theme_look(256, false, STYLE_RAMP_0 + (unsigned)step, 0);
+        ck_assert_double_gt(lightness(here.foreground), lightness(before.foreground));
+    }
+    for (int light = 0; light < 2; light++)
+        for (unsigned a = 0; a < RAMP_STEPS; a++) {
+            const int below = theme_look(8, light, STYLE_RAMP_0 + a, 0).foreground;
+            ck_assert_int_ne(below, light ? 7 : 0);
+            for (unsigned b = RAMP_STEPS / 2; a < RAMP_STEPS / 2 && b < RAMP_STEPS; b++)
+                ck_assert_int_ne(below, theme_look(8, light, STYLE_RAMP_0 + b, 0).foreground);
+        }
+}
+END_TEST
+
 START_TEST(the_ground_is_told)
 {
     ck_assert(theme_is_light("light", NULL));
@@ -224,6 +258,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, the_last_cell_does_not_scroll);
     tcase_add_test(tcase, ascii_alone_where_the_locale_has_no_more);
     tcase_add_test(tcase, the_ground_is_told);
+    tcase_add_test(tcase, the_ramp_rises);
     tcase_add_test(tcase, without_colours_attributes_remain);
     suite_add_tcase(suite, tcase);
 }
