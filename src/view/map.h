@@ -54,6 +54,7 @@ typedef struct Map {
     double *ux, *uy, *value, *damage;
     const Colouring *colouring;
     double low, high; /* range of the ramp */
+    bool open_ended;  /* some values lie above it */
 
     /* pixels of the heat map, marks of cells, in one block */
     bool coloured;    /* a cell shows two colours, one above the other */

@@ -37,6 +37,28 @@ static void share_of_family(Map *map)
     map->high = 1;
 }
 
+/* A value that all but a few nodes keep below: a load's edge or a crack's tip must not leave the rest of the
+ * beam without colour. */
+static double most_values(const Map *map, double most)
+{
+    enum { BINS = 256, PASSES = 3 };
+    const size_t few = map->body.count / 100;
+    for (int pass = 0; pass < PASSES && most > 0; pass++) {
+        size_t bins[BINS] = {0}, above = 0;
+        for (size_t i = 0; i < map->body.count; i++) {
+            const double share = map->value[i] / most * BINS;
+            bins[share >= BINS ? BINS - 1 : share > 0 ? (int)share : 0]++;
+        }
+        int bin = BINS - 1;
+        while (bin > 0 && above + bins[bin] <= few)
+            above += bins[bin--];
+        most *= (bin + 1.0) / BINS;
+        if (bin > BINS / 8)
+            break;
+    }
+    return most;
+}
+
 bool map_colour(Map *map, MapVariant variant)
 {
     const Colouring *colouring = map->colouring = &colourings[variant < MAP_COLOURINGS ? variant : MAP_UY];
@@ -60,15 +82,18 @@ bool map_colour(Map *map, MapVariant variant)
         /* a crack right through leaves half of the family at best */
         map->low = 0;
         map->high = 0.5;
+        map->open_ended = most > map->high;
     } else {
         double reach = field_reach(map->screen, field, map->value, count), scale = 1;
         if (variant == MAP_ENERGY)
             scale = 1 / (map->body.spacing * map->body.spacing * map->settings->beam.thickness);
         for (size_t i = 0; i < count && variant == MAP_ENERGY; i++)
             map->value[i] *= scale;
-        reach *= scale;
+        if (variant == MAP_ENERGY)
+            reach = most_values(map, scale * most);
         map->high = reach > 0 ? axis_round_up(reach) : 1;
         map->low = colouring->is_signed ? -map->high : 0;
+        map->open_ended = most * scale > map->high;
     }
     return true;
 }

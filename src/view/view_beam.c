@@ -142,6 +142,8 @@ static void draw_scale(const Map *map, Area area, int y)
     int x = 1;
     for (int i = 0; i < 3; i++) {
         axis_label(&axis, ends[i], text);
+        if (i == 2 && map->open_ended)
+            x += area_text(area, x, y, ">", STYLE_NORMAL);
         x += area_text(area, x, y, text, STYLE_NORMAL) + 1;
         if (i < 2)
             x = draw_half_ramp(map, area, x, y, i * HALF_RAMP) + 1;
@@ -179,7 +181,7 @@ void view_beam(const Screen *screen, Area area, Style heading, int variant)
     if (area.canvas->sketch) {
         map_sketch(&map);
         draw_title(&map, area, heading);
-        area_text(area, 0, 0, note_of(&map), STYLE_FAINT);
+        area_text(area, 0, 0, note_of(&map, false), STYLE_FAINT);
         map_close(&map);
         return;
     }

@@ -100,6 +100,8 @@ static const Picture pictures[] = {
     {"duel-notched", "notched-beam-coarse 80x24 900 duel pd.critical_stretch=0.0008 upper 8"},
     {"notched-map", "notched-beam-coarse 80x24 1900 upper 8 variant 4 running"},
     {"notched-map-large", "notched-beam-coarse 132x43 1900 upper 8 variant 4"},
+    {"notched-map", "notched-beam-coarse 80x24 1500 upper 8 variant 4 running"},
+    {"notched-map-large", "notched-beam-coarse 132x43 1500 upper 8 variant 4"},
     {"beam-map-dots", "supported-beam-coarse 80x24 2000 upper 8 focus 2 zoom eight"},
     {"beam-map-block", "supported-beam-coarse 132x43 2000 upper 8 variant 6 block eight"},
     {"cantilever-map-large", "moving-cantilever-coarse 132x43 6000 upper 8 running"},
@@ -450,9 +452,11 @@ void add_cases(Suite *suite)
     setlocale(LC_CTYPE, "C.UTF-8");
     const int count = sizeof pictures / sizeof *pictures;
     TCase *golden = tcase_create("pictures");
+    tcase_set_timeout(golden, 30);
     tcase_add_loop_test(golden, screens_look_as_they_did, 0, count);
     suite_add_tcase(suite, golden);
     TCase *sound = tcase_create("sound");
+    tcase_set_timeout(sound, 30);
     tcase_add_loop_test(sound, every_screen_is_sound, 0, count);
     tcase_add_loop_test(sound, nothing_leaves_its_pane, 0, 4);
     tcase_add_test(sound, panes_do_not_overlap);

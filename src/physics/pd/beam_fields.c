@@ -90,8 +90,13 @@ static double surface_factor(const Beam *beam, size_t node)
 
 static double family_size(const Beam *beam, size_t node)
 {
+    const Lattice *lattice = &beam->lattice;
+    const int i = column(beam, node), j = row(beam, node), reach = lattice->reach;
+    /* nobody is missing far from the surface; a screen may ask at every frame */
+    if (i >= reach && j >= reach && i < lattice->nx - reach && j < lattice->ny - reach)
+        return 2 * lattice->n_offsets;
     BondPlace family[FAMILY_MAX];
-    return (double)beam_family(beam, column(beam, node), row(beam, node), family);
+    return (double)beam_family(beam, i, j, family);
 }
 
 static double speed(const Beam *beam, size_t node)
