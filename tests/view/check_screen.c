@@ -101,10 +101,10 @@ static const Picture pictures[] = {
     {"notched-map", "notched-beam-coarse 80x24 1900 upper 8 variant 4 running"},
     {"notched-map-large", "notched-beam-coarse 132x43 1900 upper 8 variant 4"},
     {"notched-map", "notched-beam-coarse 80x24 1500 upper 8 variant 4 running"},
-    {"notched-map-large", "notched-beam-coarse 132x43 1500 upper 8 variant 4"},
+    {"notched-map-large", "notched-beam-coarse 132x43 1500 upper 8 focus 2 zoom variant 4"},
     {"beam-map-dots", "supported-beam-coarse 80x24 2000 upper 8 focus 2 zoom eight"},
-    {"beam-map-block", "supported-beam-coarse 132x43 2000 upper 8 variant 6 block eight"},
-    {"cantilever-map-large", "moving-cantilever-coarse 132x43 6000 upper 8 running"},
+    {"beam-map-block", "supported-beam-coarse 132x43 2000 upper 8 focus 2 zoom variant 6 block eight"},
+    {"cantilever-map-large", "moving-cantilever-coarse 132x43 6000 upper 8 focus 2 zoom running"},
     {"notched-near",
      "notched-beam-coarse 80x24 1300 upper 8 focus 2 zoom variant 4 magnified 16 at 0.34,0.35"},
     {"notched-near-ascii",
@@ -113,8 +113,8 @@ static const Picture pictures[] = {
     {"family-large-ascii",
      "notched-beam-coarse 132x43 1300 upper 8 variant 4 inspect focus 5 particle 5947 ascii"},
     {"drawing-notched", "notched-beam-coarse 80x24 0 upper 8 variant 7 focus 2 zoom"},
-    {"drawing-cantilever-ascii", "moving-cantilever-coarse 80x24 0 upper 8 variant 7 ascii"},
-    {"drawing-beam", "supported-beam-coarse 132x43 0 upper 8 variant 7"},
+    {"drawing-cantilever-ascii", "moving-cantilever-coarse 60x18 0 upper 8 focus 2 zoom variant 7 ascii"},
+    {"drawing-beam", "supported-beam-coarse 132x43 0 upper 8 focus 2 zoom variant 7"},
 };
 
 static void compare(const Picture *picture, const Canvas *canvas)
