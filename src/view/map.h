@@ -97,6 +97,9 @@ void map_body_place(const Map *, double x, double y, double *column, double *row
 /* The node drawn nearest to the middle of a cell; -1: none is near. */
 long map_node_at(const Map *, int x, int y);
 
+/* How far a field will reach in this run, as far as can be known: so that scales keep still. */
+double map_reach(const Map *, int field, const double *now);
+
 /* A line between two places of the area in cells, drawn with dots (every n-th) or a letter; letter 0: one
  * that shows the direction. Of two marks in a cell that of higher rank is seen. */
 typedef struct Pen {

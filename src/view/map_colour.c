@@ -77,14 +77,15 @@ bool map_colour(Map *map, MapVariant variant)
     if (variant == MAP_FAMILY) {
         share_of_family(map);
     } else if (variant == MAP_SURFACE) {
-        round_range(map, least, most);
+        round_range(map, least, most_values(map, most));
+        map->open_ended = most > map->high;
     } else if (variant == MAP_DAMAGE) {
         /* a crack right through leaves half of the family at best */
         map->low = 0;
         map->high = 0.5;
         map->open_ended = most > map->high;
     } else {
-        double reach = field_reach(map->screen, field, map->value, count), scale = 1;
+        double reach = map_reach(map, field, map->value), scale = 1;
         if (variant == MAP_ENERGY)
             scale = 1 / (map->body.spacing * map->body.spacing * map->settings->beam.thickness);
         for (size_t i = 0; i < count && variant == MAP_ENERGY; i++)

@@ -1,9 +1,11 @@
 /* Where the nodes of a beam are drawn: lengths to scale; the displacement enlarged so that it is seen; the
  * height stretched where the beam is too slender for the pane. */
 #include "view/map.h"
+#include "view/time_plot.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define LEAST_ROWS   2.0 /* a beam is stretched that would have fewer */
 #define SLENDER_PART 0.4 /* of the pane's height for a stretched beam; the rest is for its motion */
@@ -11,6 +13,7 @@
 enum { LEGEND_ROOM = 19, LEGEND_ROWS = 4 };
 
 #define FAR           1e6 /* cells */
+#define BENT_PART     0.08
 #define MOST_ENLARGED 1e9
 #define NODE_COLUMNS  3.0 /* from that distance on nodes are drawn one by one */
 
@@ -109,15 +112,37 @@ long map_node_at(const Map *map, int x, int y)
 
 /* --- scales --------------------------------------------------------------------------------------- */
 
+double map_reach(const Map *map, int field, const double *now)
+{
+    static const char *const probes[][2] = {{"uy", "u_probe"}, {"vy", "v_probe"}};
+    double reach = field_reach(map->screen, field, now, map->body.count);
+    for (size_t i = 0; i < sizeof probes / sizeof *probes; i++) {
+        if (strcmp(map->sim->fields[field].quantity.name, probes[i][0]) != 0)
+            continue;
+        /* what the probe did, and what theory says that it will do */
+        const int column = find_column(map->screen, probes[i][1]);
+        References *refs = experiment_references(map->screen->experiment);
+        const double envelope = references_envelope(refs, probes[i][1], map->settings->end);
+        if (column >= 0)
+            reach = fmax(reach, time_plot_reach(experiment_record(map->screen->experiment), column));
+        if (isfinite(envelope))
+            reach = fmax(reach, envelope);
+    }
+    return reach;
+}
+
 /* The factor that fills the room beside the beam with the largest displacement of the run. */
 static double choose_enlargement(const Map *map, double rows)
 {
     const double given = atof(map->settings->view.exaggeration);
     if (given > 0)
         return fmin(given, MOST_ENLARGED);
-    double reach = field_reach(map->screen, map->sim->displacement[1], map->uy, map->body.count);
+    double reach = map_reach(map, map->sim->displacement[1], map->uy);
     reach = reach > 0 ? axis_round_up(reach) : 0;
-    const double room = fmax(0.5, (map->area.rect.height - rows) / 2 - 0.5);
+    double room = fmax(0.5, (map->area.rect.height - rows) / 2 - 0.5);
+    /* a deep beam keeps its shape, and a crack its angle */
+    if (map->settings->problem == PROBLEM_NOTCHED_BEAM)
+        room = fmin(room, BENT_PART * rows);
     const double factor = reach > 0 ? room / (reach * map->scale_y) : 1;
     return factor > 1 ? step_round_down(factor) : 1;
 }

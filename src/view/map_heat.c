@@ -96,6 +96,12 @@ Style map_ink(int step)
     return (Style)(STYLE_RAMP_0 + (step < RAMP_STEPS / 2 ? RAMP_STEPS - 1 : 0));
 }
 
+/* Next to nothing, of either sign, needs no letter. */
+static bool has_letter(const Map *map, int step)
+{
+    return map->colouring->is_signed ? step < RAMP_STEPS / 2 - 1 || step > RAMP_STEPS / 2 : step > 0;
+}
+
 static void draw_colours(const Map *map, int x, int y)
 {
     const int upper = step_of(map, pixel_of(map, x, 2 * y));
@@ -107,7 +113,7 @@ static void draw_colours(const Map *map, int x, int y)
         area_put(map->area, x, y, 0x2580, above);
     else if (upper == NOTHING)
         area_put(map->area, x, y, 0x2584, below);
-    else if (upper == lower && (upper > 0 || map->colouring->is_signed) && (x + 3 * y) % 6 == 0)
+    else if (upper == lower && has_letter(map, upper) && (x + 3 * y) % 6 == 0)
         area_put_back(map->area, x, y, map_letter(map, upper), map_ink(upper), above);
     else
         area_put_back(map->area, x, y, 0x2580, above, below);
