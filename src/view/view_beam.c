@@ -168,7 +168,7 @@ void view_beam(const Screen *screen, Area area, Style heading, int variant)
         pane_mesh(screen, area);
         return;
     }
-    if (variant == MAP_DRAWING) {
+    if (variant == MAP_DRAWING && !area.canvas->sketch) { /* letters and boxes: not for paper */
         map_drawing(screen, area, heading);
         return;
     }
