@@ -98,8 +98,6 @@ static const Picture pictures[] = {
     {"duel-wide", "crossing 132x43 3500 duel running"},
     {"duel-beam", "supported-beam-coarse 120x30 900 duel pd.surface_correction=none upper 8 lower 2"},
     {"duel-notched", "notched-beam-coarse 80x24 900 duel pd.critical_stretch=0.0008 upper 8"},
-    {"notched-map", "notched-beam-coarse 80x24 1900 upper 8 variant 4 running"},
-    {"notched-map-large", "notched-beam-coarse 132x43 1900 upper 8 variant 4"},
     {"notched-map", "notched-beam-coarse 80x24 1500 upper 8 variant 4 running"},
     {"notched-map-large", "notched-beam-coarse 132x43 1500 upper 8 focus 2 zoom variant 4"},
     {"beam-map-dots", "supported-beam-coarse 80x24 2000 upper 8 focus 2 zoom eight"},
