@@ -206,8 +206,6 @@ const TextKey text_keys[] = {
     {"view.exaggeration", TEXT(view.exaggeration), "factor by which displacements are drawn", TEXT_POSITIVE},
     {"view.references", TEXT(view.references), "reference curves: all, exact, predicted, none",
      TEXT_REFERENCES},
-    {"view.duel", TEXT(view.duel),
-     "yes: opens with the second run of the duel beside; else the key d begins it", TEXT_YES_NO},
 };
 
 const int n_text_keys = (int)(sizeof text_keys / sizeof *text_keys);

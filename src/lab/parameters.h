@@ -57,7 +57,6 @@ typedef enum TextRule {
     TEXT_VIEW,       /* the number of a view, 1 to 9 */
     TEXT_POSITIVE,   /* a number > 0 */
     TEXT_REFERENCES, /* one of reference_words */
-    TEXT_YES_NO,
     TEXT_COLOUR      /* one of colour_words */
 } TextRule;
 

@@ -40,7 +40,7 @@ typedef struct Change {
 /* How a scenario opens; the engine ignores it. Empty: as the laboratory likes. */
 typedef struct ViewSettings {
     char upper[VALUE_MAX], lower[VALUE_MAX], window[VALUE_MAX], pace[VALUE_MAX];
-    char colour[VALUE_MAX], exaggeration[VALUE_MAX], references[VALUE_MAX], duel[VALUE_MAX];
+    char colour[VALUE_MAX], exaggeration[VALUE_MAX], references[VALUE_MAX];
 } ViewSettings;
 
 typedef struct Settings {

@@ -214,11 +214,7 @@ static bool not_of_settings(const Parameter *parameter, const Settings *settings
 /* The words of a rule that names them; NULL: it asks for something else. */
 static const char *const *words_of(TextRule rule)
 {
-    static const char *const yes_no[] = {"yes", "no", NULL};
-    return rule == TEXT_REFERENCES ? reference_words
-           : rule == TEXT_COLOUR   ? colour_words
-           : rule == TEXT_YES_NO   ? yes_no
-                                   : NULL;
+    return rule == TEXT_REFERENCES ? reference_words : rule == TEXT_COLOUR ? colour_words : NULL;
 }
 
 /* Empty is always allowed: as the laboratory likes. */

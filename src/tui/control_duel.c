@@ -16,19 +16,12 @@ static bool begin(Laboratory *lab, const Assignment *keys, int n_keys, Status *s
     return true;
 }
 
-static void begin_given(Laboratory *lab)
-{
-    const Settings *settings = experiment_settings(lab->screen.experiment);
-    Status status = {STATUS_DONE, ""};
-    if (!begin(lab, settings->duel, settings->n_duel, &status))
-        say(lab, MESSAGE_WARNING, "no duel: %s", status.text);
-}
-
 void open_duel(Laboratory *lab)
 {
     const Settings *settings = experiment_settings(lab->screen.experiment);
-    if (settings->n_duel > 0 && strcmp(settings->view.duel, "yes") == 0)
-        begin_given(lab);
+    Status status = {STATUS_DONE, ""};
+    if (settings->n_duel > 0 && !begin(lab, settings->duel, settings->n_duel, &status))
+        say(lab, MESSAGE_WARNING, "no duel: %s", status.text);
 }
 
 bool answer_duel(Laboratory *lab, const char *words)
@@ -55,7 +48,7 @@ void toggle_duel(Laboratory *lab)
         return;
     }
     if (settings->n_duel > 0) {
-        begin_given(lab);
+        open_duel(lab);
         return;
     }
     /* what was the last one is asked for again, else what the scenario asks about */

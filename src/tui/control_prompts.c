@@ -131,7 +131,6 @@ static bool write_scenario(Laboratory *lab, const char *name)
     if (lab->duel.b) { /* opens as what is on screen */
         memcpy(settings.duel, lab->duel.keys, sizeof settings.duel);
         settings.n_duel = lab->duel.n_keys;
-        strcpy(settings.view.duel, "yes");
     }
     OutputFile file = {0};
     if (!may_write(lab, name))

@@ -386,6 +386,6 @@ void view_spectrum(const Screen *screen, Area area, Style heading, int variant)
             *bin = '\0';
         area_text(area, x, area.rect.height - under, text, STYLE_NORMAL);
     }
-    if (under > 1 && text_columns(lines) < area.rect.width)
+    if (under > 1 && (screen->side == SIDE_BOTH || text_columns(lines) < area.rect.width))
         area_text(area, 1, area.rect.height - 1, lines, STYLE_FAINT);
 }

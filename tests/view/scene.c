@@ -204,6 +204,8 @@ bool scene_open(Scene *scene, const char *words, Status *status)
         summary_of(scene->screen.experiment, &scene->screen.summary);
         scene->screen.summary_known = true;
     }
+    if (!scene->duel.b)
+        scene->screen.duel = NULL; /* a scene without one may be copied */
     screen_draw(&scene->screen, &scene->canvas);
     return true;
 }
