@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 /* One run in the picture. */
 typedef struct Dot {
@@ -82,8 +83,22 @@ static double percent(double ratio)
     return 100 * (ratio - 1);
 }
 
-/* "mode 5: measured -4.24 %, predicted -4.24 %" and where it comes from. */
-static void mode_lines(const Screen *screen, char first[160], char second[160])
+/* Two lines under the plot that have no room in full. */
+static bool are_cut(Area area, const char *first, const char *second)
+{
+    const int room = area.rect.width - 1;
+    return text_columns(first) > room || text_columns(second) > room;
+}
+
+/* A factor's letter where its name is "mesh K". */
+static const char *letter_of(const char *name)
+{
+    const char *space = strrchr(name, ' ');
+    return space ? space + 1 : name;
+}
+
+/* "mode 5: measured -4.24 %, predicted -4.24 %" and where it comes from; in brief "pred" and letters. */
+static void mode_lines(const Screen *screen, bool brief, char first[160], char second[160])
 {
     const Readout *readout = experiment_readout(screen->experiment);
     ModeOnMesh mode;
@@ -107,10 +122,13 @@ static void mode_lines(const Screen *screen, char first[160], char second[160])
     }
     /* the readout's prediction knows of free ends, the curve does not */
     const double predicted = readout->predicted_known ? readout->predicted : mode.predicted;
-    append(first, 160, ", predicted %+.2f %%", percent(predicted / mode.exact));
-    for (int i = 0; i < mode.n_factors; i++)
-        append(second, 160, "%s %s %+.2f %%", i ? "," : "=", mode.factors[i].name,
+    append(first, 160, ", %s %+.2f %%", brief ? short_word("predicted") : "predicted",
+           percent(predicted / mode.exact));
+    for (int i = 0; i < mode.n_factors; i++) {
+        const char *name = mode.factors[i].name;
+        append(second, 160, "%s %s %+.2f %%", i ? "," : "=", brief ? letter_of(name) : name,
                percent(mode.factors[i].value));
+    }
     if (fabs(predicted / mode.predicted - 1) > 1e-9)
         append(second, 160, ", free end %+.2f %%", percent(predicted / mode.predicted));
 }
@@ -218,7 +236,9 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
     draw_run_dots(inner, &x, &y, dots, n_dots);
 
     char first[160], second[160], factors[160];
-    mode_lines(screen, first, second);
+    mode_lines(screen, false, first, second);
+    if (are_cut(area, first, second))
+        mode_lines(screen, true, first, second);
     factor_line(screen, area.rect.width, factors);
     const int at = area.rect.height - under;
     if (under > 0)
@@ -256,21 +276,25 @@ static int beam_dots(const Screen *screen, Dot dots[RUNS_MAX])
     return count;
 }
 
-static void period_lines(const Readout *readout, double height, double span, char first[160],
+static void period_lines(const Readout *readout, double height, double span, bool brief, char first[160],
                          char second[160])
 {
     first[0] = second[0] = '\0';
     if (!readout->measured_known) {
         snprintf(first, 160, "T measuring");
     } else if (readout->drifting) {
-        snprintf(first, 160, "the last swing took %.4f ms, %+.2f %% of the modal one's",
+        snprintf(first, 160,
+                 brief ? "last swing %.4f ms, %+.2f %% of modal"
+                       : "the last swing took %.4f ms, %+.2f %% of the modal one's",
                  milliseconds(readout->measured), readout->error_period);
     } else {
-        snprintf(first, 160, "T %.4f ms: %+.2f %%, its real size alone %+.2f %%",
+        snprintf(first, 160,
+                 brief ? "T %.4f ms: %+.2f %%, its size %+.2f %%"
+                       : "T %.4f ms: %+.2f %%, its real size alone %+.2f %%",
                  milliseconds(readout->measured), percent(readout->measured / readout->exact),
                  percent(readout->predicted / readout->exact));
-        snprintf(second, 160, "real height %.4g mm, span %.4g mm; T as span^2/height", height / 1e-3,
-                 span / 1e-3);
+        snprintf(second, 160, "real height %.4g mm, span %.4g mm%s", height / 1e-3, span / 1e-3,
+                 brief ? "" : "; T as span^2/height");
     }
 }
 
@@ -333,8 +357,10 @@ static void draw_beam(const Screen *screen, Area area, Style heading)
     draw_run_dots(inner, &x, &y, dots, n_dots);
 
     char lines[2][160];
-    period_lines(readout, derived_value(screen, "real_height"), derived_value(screen, "real_span"), lines[0],
-                 lines[1]);
+    const double height = derived_value(screen, "real_height"), span = derived_value(screen, "real_span");
+    period_lines(readout, height, span, false, lines[0], lines[1]);
+    if (are_cut(area, lines[0], lines[1]))
+        period_lines(readout, height, span, true, lines[0], lines[1]);
     for (int i = 0; i < under; i++)
         area_text(area, 1, area.rect.height - under + i, lines[i], i == 0 ? STYLE_NORMAL : STYLE_FAINT);
 }
