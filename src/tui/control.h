@@ -88,6 +88,7 @@ struct Laboratory {
     double part_seconds; /* what it has taken so far */
     int frames_in_time;  /* since the engine was last the limit */
     Answer answer;
+    ScenarioList scenarios; /* behind screen.prompt.scenarios */
     LineHistory past;
     LessonPlay play;
     Overlay overlay; /* behind screen.overlay */
@@ -201,6 +202,12 @@ bool draw_figure(Laboratory *, const char *file);
 bool ask_export(Laboratory *, const char *name);
 bool answer_go_to(Laboratory *, const char *text);
 bool answer_open(Laboratory *, const char *text);
+
+/* control_scenarios.c: asks which scenario, with a list to choose from. */
+void ask_scenario(Laboratory *);
+bool answer_scenario(Laboratory *, const char *text);
+bool choose_scenario(Laboratory *, const char *key); /* false: the key does not move in the list */
+void narrow_scenarios(Laboratory *);                 /* to what was typed */
 bool answer_write(Laboratory *, const char *text);
 bool answer_line(Laboratory *, const char *text);
 bool run_line(Laboratory *, const char *line); /* the same without remembering it */

@@ -696,7 +696,7 @@ static void redo(Laboratory *lab)
 
 static void open_file(Laboratory *lab)
 {
-    ask(lab, answer_open, false, "", "open scenario (name or file)");
+    ask_scenario(lab);
 }
 
 static void write_file(Laboratory *lab)

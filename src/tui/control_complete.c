@@ -169,7 +169,7 @@ void complete_prompt(Laboratory *lab)
         offer_line(&completion, lab);
     else if (lab->answer == answer_duel)
         offer_assignments(&completion, lab);
-    else if (lab->answer == answer_open)
+    else if (lab->answer == answer_scenario)
         offer_scenarios(&completion);
     else if (lab->answer == answer_write)
         offer_files(&completion);
@@ -179,11 +179,17 @@ void complete_prompt(Laboratory *lab)
     const bool further = completion.found == 1 || strlen(completion.common) > had;
     prompt->problem[0] = prompt->hint[0] = '\0';
     lab->fresh = false;
+    if (!further && prompt->scenarios && prompt->scenarios->n_shown > 0)
+        return; /* they stand there, with their titles */
     if (!further)
         snprintf(prompt->hint, sizeof prompt->hint, "%s", completion.list);
     else if (before + strlen(completion.common) + 2 < sizeof prompt->text) {
         snprintf(prompt->text + before, sizeof prompt->text - before, "%s%s", completion.common,
                  completion.found == 1 ? completion.tail : "");
         prompt->cursor = text_columns(prompt->text);
+        const BuiltinScenario *scenario = completion.found == 1 ? scenario_builtin(completion.common) : NULL;
+        char title[TITLE_MAX];
+        if (scenario && !prompt->scenarios && scenario_title(scenario, title))
+            snprintf(prompt->hint, sizeof prompt->hint, "%s", title);
     }
 }

@@ -179,7 +179,8 @@ static bool (*const verbs[LINE_COUNT])(Laboratory *, const char *words) = {
     [LINE_REFERENCES] = references,
     [LINE_PARTICLE] = particle,
     [LINE_LESSON] = answer_lesson,
-    [LINE_DUEL] = answer_duel, [LINE_FIGURE] = draw_figure,
+    [LINE_DUEL] = answer_duel,
+    [LINE_FIGURE] = draw_figure,
 };
 
 /* --- the line --------------------------------------------------------------------------------------- */

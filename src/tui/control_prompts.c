@@ -67,11 +67,15 @@ void prompt_key(Laboratory *lab, const Key *key)
         submit(lab, text);
     } else if (strcmp(name, "Tab") == 0) {
         complete_prompt(lab);
+        narrow_scenarios(lab);
+    } else if (choose_scenario(lab, name)) {
+        /* its name is the answer now */
     } else if (lab->answer == answer_line && (strcmp(name, "Up") == 0 || strcmp(name, "Down") == 0)) {
         recall_line(lab, name[0] == 'U' ? -1 : 1);
     } else if (line_key(prompt->text, sizeof prompt->text, &prompt->cursor, name, lab->fresh)) {
         lab->fresh = false;
         prompt->problem[0] = '\0';
+        narrow_scenarios(lab);
         if (lab->answer == answer_line)
             prompt->hint[0] = '\0';
     }
@@ -102,14 +106,6 @@ bool answer_go_to(Laboratory *lab, const char *text)
     pause_run(lab);
     seek(lab, step, 0);
     return true;
-}
-
-bool answer_open(Laboratory *lab, const char *text)
-{
-    Status status = {STATUS_DONE, ""};
-    if (!text[0])
-        return true;
-    return open_scenario(lab, text, &status) || refuse(lab, status.text);
 }
 
 bool may_write(Laboratory *lab, const char *name)

@@ -320,8 +320,8 @@ CommandId bar_command_at(const Screen *screen, int width, int x)
 enum { EDIT_HINT_COLUMN = 31 };
 
 /* What was refused, and why, in full: it takes as many lines as it needs, the last one at row y of the bar's
- * area (row -1 lies above it). */
-static void draw_notice(Area bar, int y, const char *text, Style style)
+ * area (row -1 lies above it). Returns how many. */
+static int draw_notice(Area bar, int y, const char *text, Style style)
 {
     const int width = bar.rect.width - 2, last = bar.rect.y + y;
     int rows = paragraph_lines(width, text);
@@ -331,6 +331,7 @@ static void draw_notice(Area bar, int y, const char *text, Style style)
         for (int x = 0; x < bar.rect.width; x++)
             area_put(area, x, row, ' ', style);
     area_paragraph(area, 1, 0, width, rows, text, style);
+    return rows;
 }
 
 static void draw_prompt(const Screen *screen, Area area)
@@ -352,10 +353,14 @@ static void draw_prompt(const Screen *screen, Area area)
     for (int i = 0; i < room; i++)
         area_put(field, i, 0, ' ', STYLE_EDIT);
     area_text(field, 0, 0, text, STYLE_EDIT);
-    if (prompt->problem[0])
-        draw_notice(area, -1, prompt->problem, STYLE_ERROR);
-    else if (prompt->hint[0])
-        draw_notice(area, -1, prompt->hint, STYLE_TITLE);
+    const char *notice = prompt->problem[0] ? prompt->problem : prompt->hint;
+    int above = area.rect.y;
+    if (*notice)
+        above -= draw_notice(area, -1, notice, prompt->problem[0] ? STYLE_ERROR : STYLE_TITLE);
+    if (prompt->scenarios)
+        draw_scenarios(prompt->scenarios,
+                       (Area){area.canvas, {area.rect.x, 0, area.rect.width, area.rect.y}, area.glyphs},
+                       above);
     area.canvas->cursor_x = area.rect.x + x + (cursor < room ? cursor : room - 1);
     area.canvas->cursor_y = area.rect.y;
 }

@@ -33,7 +33,7 @@ typedef struct View {
     int (*variants)(const Screen *); /* how many there are, at least 1 */
     const char *word;                /* names it in a command; NULL: it makes no figure */
     const char *(*variant_word)(const Screen *, int variant); /* likewise a variant; NULL: there is one */
-    bool of_moment; /* shows one moment, not the time up to it */
+    bool of_moment;                                           /* shows one moment, not the time up to it */
 } View;
 
 const View *view_find(int number); /* NULL: there is none of that number */
@@ -102,6 +102,9 @@ const Inspector *inspector_find(const Screen *); /* NULL: none fits */
 
 /* Two lines that tell what a beam's run is judged by, for a pane of so many columns; false: it is a bar. */
 bool beam_lines(const Screen *, int width, char first[160], char second[160]);
+
+/* The scenarios to choose from, on as many rows as there are and fit, above row `bottom`. */
+void draw_scenarios(const ScenarioList *, Area, int bottom);
 
 /* The command under a column of the bottom bar; COMMAND_NONE: none. */
 CommandId bar_command_at(const Screen *, int width, int x);
@@ -191,8 +194,8 @@ int stage_field(const Simulation *, int set, const char *name); /* -1: the set h
 /* Text as the glyphs of the screen have it: with ASCII "→" becomes "->", "Δε" "de", and so on. */
 void plain_text(const Screen *, const char *text, char *out, size_t size);
 
-/* " m/s" after a value of a field; "" where it has none, and for the bar, whose units are whatever one likes so
- * long as they fit together. */
+/* " m/s" after a value of a field; "" where it has none, and for the bar, whose units are whatever one likes
+ * so long as they fit together. */
 void unit_text(const Screen *, const Field *, char *out, size_t size);
 
 /* Names of fields, separated by spaces, one after the other. */

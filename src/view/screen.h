@@ -40,15 +40,30 @@ typedef enum MessageKind { MESSAGE_NONE, MESSAGE_INFO, MESSAGE_WARNING, MESSAGE_
 /* Two runs share a picture, or each has its own. */
 typedef enum DuelSide { SIDE_BOTH, SIDE_A, SIDE_B } DuelSide;
 
+enum { SCENARIOS_MAX = 96, SCENARIO_NAME_MAX = 64 };
+
+/* Scenarios to choose from while a name is asked for: those whose name or title holds what was typed. */
+typedef struct ScenarioList {
+    struct {
+        char name[SCENARIO_NAME_MAX];
+        char title[TITLE_MAX];
+    } entries[SCENARIOS_MAX];
+    int count;
+    int shown[SCENARIOS_MAX]; /* indices of entries */
+    int n_shown;
+    int chosen; /* of those shown; -1: none */
+} ScenarioList;
+
 /* A line that asks for text, or for yes or no. */
 typedef struct Prompt {
     bool open;
     bool yes_no;
     char question[96];
     char text[256];
-    int cursor;        /* in characters */
-    char problem[320]; /* why the last answer was refused; "" at first */
-    char hint[320];    /* what may be answered; shown as long as nothing was refused */
+    int cursor;                    /* in characters */
+    char problem[320];             /* why the last answer was refused; "" at first */
+    char hint[320];                /* what may be answered; shown as long as nothing was refused */
+    const ScenarioList *scenarios; /* above the line; NULL: none */
 } Prompt;
 
 /* One row of the parameter pane. */
@@ -175,8 +190,8 @@ bool screen_is_whole(int width, int height);
 /* The command under column x of the bottom bar, for the mouse; COMMAND_NONE: none. */
 CommandId screen_bar_command(const Screen *, int width, int x);
 
-/* Tables: so many columns to the right in the one that has the focus; the thing whose row lies at a place of the
- * screen becomes the chosen one, false: no row lies there. */
+/* Tables: so many columns to the right in the one that has the focus; the thing whose row lies at a place of
+ * the screen becomes the chosen one, false: no row lies there. */
 void screen_scroll_table(Screen *, int width, int height, int columns);
 bool screen_choose_row(Screen *, int width, int height, int x, int y);
 

@@ -157,6 +157,70 @@ START_TEST(tab_completes_words_keys_values_and_files)
 }
 END_TEST
 
+START_TEST(a_scenario_is_chosen_from_a_list_with_titles)
+{
+    char folder[64];
+    enter_folder(folder);
+    Bench *bench = open_bench("mode1", true);
+    write_text("mine.ini", "[scenario]\ntitle = Held by a thread\nproblem = bar\n");
+    write_text("table.csv.ini", "[scenario]\ntitle = Beside a table\nproblem = bar\n");
+    write_text("other.ini", "[desktop]\ncolour = blue\n"); /* no scenario */
+    press(bench, "o");
+    ck_assert(shows(bench, "gravity                     A hanging bar is let go"));
+    ck_assert(!shows(bench, "Beside a table") && !shows(bench, "other.ini"));
+    press(bench, "Up"); /* from the end of the list */
+    expect_line(bench, "mine.ini");
+    ck_assert(shows(bench, "Held by a thread"));
+    press_all(bench, "PageUp PageUp PageUp");
+    expect_line(bench, "mode1");
+    press_all(bench, "Down Down");
+    expect_line(bench, "mode10");
+    /* typing begins a new search, in names and titles */
+    type(bench, "CRACK");
+    expect_line(bench, "CRACK");
+    ck_assert(shows(bench, "notched-beam-coarse  A crack finds its way, coarse lattice"));
+    ck_assert(!shows(bench, "gravity "));
+    press_all(bench, "Down Down Down");
+    expect_line(bench, "notched-beam-coarse");
+    /* what holds none of it is no reason to refuse a path */
+    type(bench, "./mine.ini");
+    ck_assert(!shows(bench, "notched-beam"));
+    press(bench, "Enter");
+    ck_assert_str_eq(experiment_settings(bench->lab.screen.experiment)->title, "Held by a thread");
+    press(bench, "o");
+    type(bench, "uGIMP"); /* the only one left */
+    press(bench, "Enter");
+    ck_assert_str_eq(bench->lab.scenario, "crossing");
+    press(bench, "o");
+    type(bench, "beam"); /* several are */
+    press(bench, "Enter");
+    ck_assert(bench->lab.screen.prompt.open);
+    press(bench, "Esc");
+    press_all(bench, ":");
+    type(bench, "open cros");
+    press(bench, "Tab");
+    ck_assert(shows(bench, "Crossing cells: hat against uGIMP"));
+    close_bench(bench);
+    leave_folder(folder);
+}
+END_TEST
+
+/* On a narrow screen the chosen one's title stands below the names. */
+START_TEST(the_list_of_scenarios_fits_a_small_screen)
+{
+    Bench *bench = open_bench("mode1", true);
+    bench->width = 40;
+    bench->height = 12;
+    press_all(bench, "o PageDown PageDown Down");
+    expect_line(bench, "notched-beam-coarse");
+    ck_assert(shows(bench, "A crack finds its way, coarse lattice"));
+    press_all(bench, "PageUp PageUp");
+    expect_line(bench, "mode1");
+    ck_assert(shows(bench, "First mode of a bar, the paper's mesh"));
+    close_bench(bench);
+}
+END_TEST
+
 START_TEST(up_and_down_fetch_earlier_lines)
 {
     Bench *bench = open_bench("mode1", true);
@@ -387,6 +451,8 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, verbs_take_arguments);
     tcase_add_loop_test(tcase, bad_lines_say_why, 0, (int)(sizeof bad_lines / sizeof *bad_lines));
     tcase_add_test(tcase, tab_completes_words_keys_values_and_files);
+    tcase_add_test(tcase, a_scenario_is_chosen_from_a_list_with_titles);
+    tcase_add_test(tcase, the_list_of_scenarios_fits_a_small_screen);
     tcase_add_test(tcase, up_and_down_fetch_earlier_lines);
     tcase_add_test(tcase, a_scenario_opens_as_its_view_says);
     tcase_add_test(tcase, the_time_window_narrows_widens_and_finds_itself);

@@ -1,0 +1,131 @@
+/* Opening a scenario: from a list with titles, that shrinks to what is typed, or by a path. */
+#include "tui/control.h"
+
+#include "base/text.h"
+#include "lab/scenario.h"
+
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static bool offer(ScenarioList *list, const char *name, const char *title)
+{
+    if (list->count == SCENARIOS_MAX || strlen(name) >= SCENARIO_NAME_MAX)
+        return false;
+    snprintf(list->entries[list->count].name, SCENARIO_NAME_MAX, "%s", name);
+    snprintf(list->entries[list->count].title, TITLE_MAX, "%s", title);
+    list->count++;
+    return true;
+}
+
+/* A file of the folder that can be opened; not the ones beside tables, which are many. */
+static void offer_file(ScenarioList *list, const char *name, Settings *settings)
+{
+    struct stat file;
+    Status status = {STATUS_DONE, ""};
+    const size_t length = strlen(name);
+    if (length < 5 || strcmp(name + length - 4, ".ini") != 0 ||
+        (length > 8 && strcmp(name + length - 8, ".csv.ini") == 0))
+        return;
+    if (stat(name, &file) == 0 && S_ISREG(file.st_mode) && scenario_load(name, settings, &status))
+        offer(list, name, settings->title);
+}
+
+static int by_name(const struct dirent **a, const struct dirent **b)
+{
+    return strcmp((*a)->d_name, (*b)->d_name);
+}
+
+static void offer_files(ScenarioList *list)
+{
+    struct dirent **names;
+    Settings *settings = malloc(sizeof *settings);
+    const int count = settings ? scandir(".", &names, NULL, by_name) : -1;
+    for (int i = 0; i < count; i++) {
+        offer_file(list, names[i]->d_name, settings);
+        free(names[i]);
+    }
+    if (count >= 0)
+        free(names);
+    free(settings);
+}
+
+/* What is shown: whatever holds the text in its name or its title. */
+static void narrow(ScenarioList *list, const char *text)
+{
+    list->n_shown = 0;
+    list->chosen = -1;
+    for (int i = 0; i < list->count; i++)
+        if (strcasestr(list->entries[i].name, text) || strcasestr(list->entries[i].title, text))
+            list->shown[list->n_shown++] = i;
+}
+
+void ask_scenario(Laboratory *lab)
+{
+    ScenarioList *list = &lab->scenarios;
+    list->count = 0;
+    for (const BuiltinScenario *builtin = builtin_scenarios; builtin->name; builtin++) {
+        char title[TITLE_MAX];
+        offer(list, builtin->name, scenario_title(builtin, title) ? title : "");
+    }
+    offer_files(list);
+    narrow(list, "");
+    ask(lab, answer_scenario, false, "", "open scenario or file");
+    lab->screen.prompt.scenarios = list;
+}
+
+static void choose(Laboratory *lab, int chosen)
+{
+    ScenarioList *list = &lab->scenarios;
+    Prompt *prompt = &lab->screen.prompt;
+    if (list->n_shown == 0)
+        return;
+    list->chosen = chosen < 0 ? 0 : chosen < list->n_shown ? chosen : list->n_shown - 1;
+    snprintf(prompt->text, sizeof prompt->text, "%s", list->entries[list->shown[list->chosen]].name);
+    prompt->cursor = text_columns(prompt->text);
+    prompt->problem[0] = prompt->hint[0] = '\0';
+    lab->fresh = true; /* typing begins a new search */
+}
+
+bool choose_scenario(Laboratory *lab, const char *key)
+{
+    static const struct {
+        const char *key;
+        int rows;
+    } moves[] = {{"Up", -1}, {"Down", 1}, {"PageUp", -8}, {"PageDown", 8}};
+    const ScenarioList *list = lab->screen.prompt.scenarios;
+    for (size_t i = 0; list && i < sizeof moves / sizeof *moves; i++)
+        if (strcmp(key, moves[i].key) == 0) {
+            const int from = list->chosen >= 0 ? list->chosen : moves[i].rows > 0 ? -1 : list->n_shown;
+            choose(lab, from + moves[i].rows);
+            return true;
+        }
+    return false;
+}
+
+void narrow_scenarios(Laboratory *lab)
+{
+    if (lab->screen.prompt.scenarios)
+        narrow(&lab->scenarios, lab->screen.prompt.text);
+}
+
+bool answer_open(Laboratory *lab, const char *text)
+{
+    Status status = {STATUS_DONE, ""};
+    if (!text[0])
+        return true;
+    return open_scenario(lab, text, &status) || refuse(lab, status.text);
+}
+
+/* What was typed is a name or a path; where it is neither, but one scenario is left in the list, that is
+ * meant. */
+bool answer_scenario(Laboratory *lab, const char *text)
+{
+    const ScenarioList *list = &lab->scenarios;
+    if (text[0] && list->n_shown == 1 && !scenario_builtin(text) && access(text, F_OK) != 0)
+        text = list->entries[list->shown[0]].name;
+    return answer_open(lab, text);
+}
