@@ -206,10 +206,8 @@ static bool check_duel(const Settings *settings, Status *status)
 {
     Settings other = *settings;
     other.n_duel = other.n_changes = 0;
-    for (int i = 0; i < settings->n_duel; i++) /* the method first: which keys there are depends on it */
-        if (strcmp(settings->duel[i].key, "scenario.method") == 0 &&
-            !settings_set(&other, settings->duel[i].key, settings->duel[i].value, status))
-            return status_prefix(status, "duel");
+    if (!settings_set_method(&other, settings->duel, settings->n_duel, status))
+        return status_prefix(status, "duel");
     for (int i = 0; i < settings->n_duel; i++) {
         const Parameter *parameter = parameter_find(settings->duel[i].key);
         /* a file whose method was set from outside may speak of the other one */

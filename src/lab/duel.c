@@ -67,6 +67,8 @@ static bool second_settings(const Duel *duel, const Settings *first, Settings *o
     double dt = 0, other_dt = 0;
     *out = *first;
     out->n_duel = out->n_changes = 0;
+    if (!settings_set_method(out, duel->keys, duel->n_keys, status))
+        return false;
     for (int i = 0; i < duel->n_keys; i++)
         if (!settings_set(out, duel->keys[i].key, duel->keys[i].value, status))
             return false;

@@ -117,7 +117,7 @@ const Parameter parameters[] = {
      .help = "reach delta of the bonds; usually 3 to 4 spacings; on a bar, auto: 3",
      .defaults = {0, 1e-3, 1e-3, 2e-3}},
     {"pd.surface_correction", "Lattice", "surface corr.", "", "", CHOICE(surface_corrections),
-     AT(beam.surface_correction),
+     AT(beam.surface_correction), .bar_choices = 2,
      .help = "how bonds near a surface, where partners are missing, are stiffened", .only = OF_PD,
      .defaults = {SURFACE_ENERGY, SURFACE_ENERGY, SURFACE_ENERGY, SURFACE_ENERGY}},
     {"pd.volume_correction", "Lattice", "volume corr.", "", "", CHOICE(volume_corrections),
@@ -287,6 +287,16 @@ const char *parameter_automatic(const Parameter *parameter, Problem problem)
     return parameter->automatic_on_bar && problem != PROBLEM_BAR ? NULL : parameter->automatic;
 }
 
+int parameter_choices(const Parameter *parameter, Problem problem)
+{
+    int count = 0;
+    if (problem == PROBLEM_BAR && parameter->bar_choices > 0)
+        return parameter->bar_choices;
+    while (parameter->choices && parameter->choices[count])
+        count++;
+    return count;
+}
+
 void parameter_range(const Parameter *parameter, Problem problem, char *out, size_t size)
 {
     char least[NUMBER_TEXT_MAX], most[NUMBER_TEXT_MAX];
@@ -297,7 +307,7 @@ void parameter_range(const Parameter *parameter, Problem problem, char *out, siz
     const char *or_bar = automatic ? " | " : "";
     if (parameter->choices) {
         size_t used = 0;
-        for (int i = 0; parameter->choices[i] && used < size; i++)
+        for (int i = 0; i < parameter_choices(parameter, problem) && used < size; i++)
             used += (size_t)snprintf(out + used, size - used, "%s%s", i ? " | " : "", parameter->choices[i]);
     } else if (parameter->type == PARAMETER_TEXT) {
         snprintf(out, size, "%s",

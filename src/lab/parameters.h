@@ -39,6 +39,7 @@ typedef struct Parameter {
     double least, most;         /* inclusive range */
     bool above_least;           /* the least itself is not allowed */
     const char *const *choices; /* ended by NULL */
+    int bar_choices;            /* on the bar only so many of them, the first ones; 0: all */
     const char *automatic;      /* a word that stands for 0, "auto"; NULL: none */
     bool automatic_on_bar;      /* and only there: a beam wants a number */
     Nudge nudge;
@@ -110,6 +111,10 @@ double lattice_horizon(const Settings *);
  * status's text is "KEY: what is wrong (what is allowed)", and nothing is changed. */
 bool settings_set(Settings *, const char *key, const char *text, Status *);
 
+/* Sets the method alone, where it is among the keys: which of the others there are depends on it, so it comes
+ * first wherever it stands. */
+bool settings_set_method(Settings *, const Assignment *keys, int n_keys, Status *);
+
 /* The value as text that settings_set() reads back to the same value. */
 void settings_get(const Settings *, const Parameter *, char out[LIST_MAX]);
 
@@ -132,6 +137,9 @@ const Parameter *settings_question(const Settings *);
 /* To the other answer to a question: what can be left out ("none") is taken away and put back, of other
  * things the next value is taken. False: there is none. */
 bool settings_answer_otherwise(Settings *, const Parameter *);
+
+/* How many of its choices there are in this problem, the first ones; 0: it has no choices. */
+int parameter_choices(const Parameter *, Problem);
 
 /* What is allowed, in words: "> 0", "1 to 8", "usf | usl | musl". */
 void parameter_range(const Parameter *, Problem, char *out, size_t size);

@@ -160,11 +160,14 @@ static bool read_number(const Parameter *parameter, Problem problem, const char 
 static bool read_choice(const Parameter *parameter, Problem problem, const char *text, double *value,
                         Status *status)
 {
-    for (int i = 0; parameter->choices[i]; i++)
+    for (int i = 0; i < parameter_choices(parameter, problem); i++)
         if (strcmp(parameter->choices[i], text) == 0) {
             *value = i;
             return true;
         }
+    for (int i = parameter_choices(parameter, problem); parameter->choices[i]; i++)
+        if (strcmp(parameter->choices[i], text) == 0)
+            return refuse(parameter, problem, text, "is for beams", status);
     return refuse(parameter, problem, text, "is not a choice", status);
 }
 
@@ -255,6 +258,15 @@ bool settings_set(Settings *settings, const char *key, const char *text, Status 
     return true;
 }
 
+bool settings_set_method(Settings *settings, const Assignment *keys, int n_keys, Status *status)
+{
+    for (int i = 0; i < n_keys; i++)
+        if (strcmp(keys[i].key, "scenario.method") == 0 &&
+            !settings_set(settings, keys[i].key, keys[i].value, status))
+            return false;
+    return true;
+}
+
 /* --- text out ------------------------------------------------------------------------------------- */
 
 /* digits 0: as many as it takes to read back to the same number. */
@@ -342,8 +354,7 @@ static double nudged(const Settings *settings, const Parameter *parameter, doubl
         return strtod(text, NULL);
     }
     case NUDGE_NEXT:
-        while (parameter->choices[n])
-            n++;
+        n = parameter_choices(parameter, settings->problem);
         return (int)(value + direction + n) % n;
     case NUDGE_NONE:
         break;
@@ -468,7 +479,7 @@ const Parameter *settings_question(const Settings *settings)
 bool settings_answer_otherwise(Settings *settings, const Parameter *parameter)
 {
     char now[LIST_MAX];
-    for (int i = 0; parameter->choices && parameter->choices[i]; i++) {
+    for (int i = 0; i < parameter_choices(parameter, settings->problem); i++) {
         const char *usual = parameter->choices[(int)parameter->defaults[settings->problem]];
         if (strcmp(parameter->choices[i], "none") != 0 || strcmp(usual, "none") == 0)
             continue;

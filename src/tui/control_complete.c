@@ -53,7 +53,7 @@ static void offer_values(Completion *completion, Problem problem, const char *ke
     const Parameter *parameter = parameter_find(name);
     if (!parameter)
         return;
-    for (int i = 0; parameter->type == PARAMETER_CHOICE && parameter->choices[i]; i++)
+    for (int i = 0; parameter->type == PARAMETER_CHOICE && i < parameter_choices(parameter, problem); i++)
         offer(completion, parameter->choices[i], "");
     if (parameter->type == PARAMETER_FLAG) {
         offer(completion, "yes", "");

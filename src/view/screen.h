@@ -159,6 +159,8 @@ typedef struct Screen {
     RunSummary summary;
 } Screen;
 
+_Static_assert(COMMAND_COUNT <= 8 * (int)sizeof((Screen *)0)->used, "a bit for each command");
+
 enum { HELP_PAGES = 3 }; /* keys, curves, what is solved */
 
 void screen_default(Screen *);

@@ -115,6 +115,7 @@ START_TEST(both_stand_at_one_time)
         {PROBLEM_BAR, 3, "mesh.cell_size=0.5"},               /* two steps for one */
         {PROBLEM_BAR, 3, "time.courant=0.37 mpm.shape=gimp"}, /* no whole ratio, B is coarser */
         {PROBLEM_BAR, 3, "time.courant=0.03 mesh.particles_per_cell=3"},
+        {PROBLEM_BAR, 3, "pd.horizon=2 scenario.method=pd"}, /* which keys there are depends on the method */
         {PROBLEM_SUPPORTED_BEAM, 4e-5, "pd.surface_correction=none"},
         {PROBLEM_MOVING_CANTILEVER, 4e-5, "motion.clamp=guide pd.horizon=0.0015"},
     };
@@ -374,7 +375,7 @@ void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("duel");
     tcase_set_timeout(tcase, 60);
-    tcase_add_loop_test(tcase, both_stand_at_one_time, 0, 6);
+    tcase_add_loop_test(tcase, both_stand_at_one_time, 0, 7);
     tcase_add_test(tcase, it_can_begin_in_the_middle);
     tcase_add_test(tcase, wrong_keys_are_refused);
     tcase_add_test(tcase, the_question_suggests_the_next_choice);

@@ -179,7 +179,7 @@ static const struct {
     {BAR "method = pd\n[pd]\nspacing = 0.7\n",
      "f.ini:5: pd.spacing: the length 25 is 35.7143 spacings of 0.7 (a whole number, at most 100000000)"},
     {BAR "method = pd\n[pd]\nsurface_correction = volume\n",
-     "f.ini:5: pd.surface_correction: volume is for beams (on a bar: none | energy)"},
+     "f.ini:5: pd.surface_correction: volume is for beams (none | energy)"},
     {BAR "method = pd\n[pd]\ncritical_stretch = 0.1\n",
      "f.ini:5: pd.critical_stretch: is no parameter of problem bar (only of simply-supported-beam, "
      "moving-cantilever, notched-beam)"},
