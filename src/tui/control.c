@@ -107,7 +107,7 @@ static void begin_run(Laboratory *lab)
     lab->n_undo = lab->n_redo = 0;
     lab->changed = false;
     lab->anchor_step = screen->log_event = -1;
-    screen->n_bookmarks = 0;
+    screen->n_bookmarks = screen->log_first = 0;
     lab->owed = 0;
     memset(lab->rates, 0, sizeof lab->rates);
     lab->frames_in_time = 0;

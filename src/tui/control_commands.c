@@ -351,14 +351,6 @@ static void move_cursor(Laboratory *lab, int columns)
 
 enum { TABLE_VIEW = 7, LOG_VIEW = 9 };
 
-static void choose_event(Laboratory *lab, int by)
-{
-    Screen *screen = &lab->screen;
-    int count, to = screen_log_chosen(screen) + by;
-    experiment_events(screen->experiment, &count);
-    screen->log_event = to < 0 ? 0 : to >= count - 1 ? -1 : to; /* at the end it follows the newest */
-}
-
 static void move(Laboratory *lab, int x, int y, int page)
 {
     Screen *screen = &lab->screen;
@@ -387,7 +379,7 @@ static void move(Laboratory *lab, int x, int y, int page)
             screen_scroll_table(screen, lab->width, lab->height, x);
     } else if (view == LOG_VIEW) {
         if (y)
-            choose_event(lab, y * page);
+            screen_move_in_log(screen, lab->width, lab->height, y * page);
     } else if (is_time_plot(view)) {
         move_cursor(lab, x ? x : y * page);
     } else if (x || page > 1) {
@@ -440,9 +432,8 @@ static void enter(Laboratory *lab)
         seek(lab, lround(screen->cursor_time / experiment_simulation(screen->experiment)->dt), 0);
         screen->cursor_time = NAN;
     } else if (view_in(screen, screen->focus) == LOG_VIEW && screen_log_chosen(screen) >= 0) {
-        int count;
         pause_run(lab);
-        seek(lab, experiment_events(screen->experiment, &count)[screen_log_chosen(screen)].step, 0);
+        seek(lab, screen_log_step(screen), 0);
     }
 }
 

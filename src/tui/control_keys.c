@@ -67,7 +67,7 @@ static bool holds(Rect rect, int x, int y)
 }
 
 /* A key in the bottom bar is pressed, a place of the timeline is gone to, a field is chosen (and, once
- * chosen, edited), a row of a table is chosen, a pane takes the focus. */
+ * chosen, edited), a row of a table or of the log, a particle or a node is chosen, a pane takes the focus. */
 static void click(Laboratory *lab, int x, int y)
 {
     Screen *screen = &lab->screen;
@@ -93,7 +93,9 @@ static void click(Laboratory *lab, int x, int y)
             screen->focus = (PaneId)pane;
             screen->cursor_time = NAN;
         }
-    if (screen_choose_row(screen, lab->width, lab->height, x, y))
+    if (screen_choose_row(screen, lab->width, lab->height, x, y) ||
+        screen_choose_event(screen, lab->width, lab->height, x, y) ||
+        screen_choose_in_strip(screen, lab->width, lab->height, x, y))
         return;
     const long node = screen_map_node(screen, lab->width, lab->height, x, y);
     if (node >= 0) {
@@ -108,11 +110,12 @@ static void click(Laboratory *lab, int x, int y)
     screen->selected = row;
 }
 
-static void wheel(Laboratory *lab, int direction)
+static void wheel(Laboratory *lab, int direction, int x, int y)
 {
+    enum { LINES = 3 };
     if (lab->screen.help)
-        scroll_help(lab, 3 * direction);
-    else
+        scroll_help(lab, LINES * direction);
+    else if (!screen_scroll_log(&lab->screen, lab->width, lab->height, x, y, LINES * direction))
         laboratory_command(lab, direction < 0 ? COMMAND_UP : COMMAND_DOWN);
 }
 
@@ -125,7 +128,7 @@ static bool mouse_key(Laboratory *lab, const Key *key)
             click(lab, key->x, key->y);
     } else if (strcmp(key->name, "WheelUp") == 0 || strcmp(key->name, "WheelDown") == 0) {
         if (!busy)
-            wheel(lab, key->name[5] == 'U' ? -1 : 1);
+            wheel(lab, key->name[5] == 'U' ? -1 : 1, key->x, key->y);
     } else
         return false;
     return true;

@@ -4,6 +4,7 @@
 
 #include "lab/parameters.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -118,19 +119,55 @@ static void list_bonds(Area area, const Simulation *sim, size_t chosen)
     }
 }
 
-void pane_lattice(const Screen *screen, Area area)
+/* Displacements of the nodes, and the factor by which they are drawn; NULL: there are none. */
+static double *displacements_of(const Screen *screen, double *k)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     const size_t count = sim->counts[0];
     double *u = malloc((count + 1) * sizeof *u);
     if (!u || count == 0) {
         free(u);
-        return;
+        return NULL;
     }
     sim->method->field(sim, sim->displacement[0], 0, count, u);
+    *k = exaggeration(field_reach(screen, sim->displacement[0], u, count),
+                      lattice_spacing(experiment_settings(screen->experiment)));
+    return u;
+}
+
+bool choose_in_lattice(Screen *screen, Rect rect, int x, int y)
+{
+    const NodeRow row = row_of(screen, rect.width - MARGIN - WORDS_WIDTH - 1);
+    const int column = x - rect.x - MARGIN;
+    double k, *u = displacements_of(screen, &k);
+    if (!u || column > columns_of(&row) || y < rect.y + (rect.height >= 4)) {
+        free(u);
+        return false;
+    }
+    const double moved = k / lattice_spacing(experiment_settings(screen->experiment));
+    int nearest = -1, least = INT_MAX;
+    for (int node = row.first > 0 ? row.first : 0; node < row.nodes; node++) {
+        const double place = node + moved * u[node];
+        const int away = abs(column_at(&row, place) - column);
+        if (in_sight(&row, place) && away < least)
+            nearest = node, least = away;
+    }
+    free(u);
+    if (nearest >= 0)
+        screen->particle = (size_t)nearest;
+    screen->node_chosen = false;
+    return nearest >= 0;
+}
+
+void pane_lattice(const Screen *screen, Area area)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const size_t count = sim->counts[0];
+    double k, *u = displacements_of(screen, &k);
+    if (!u)
+        return;
     const NodeRow row = row_of(screen, area.rect.width - MARGIN - WORDS_WIDTH - 1);
     const double spacing = lattice_spacing(experiment_settings(screen->experiment));
-    const double k = exaggeration(field_reach(screen, sim->displacement[0], u, count), spacing);
     const int chosen = (int)(screen->particle < count ? screen->particle : count - 1);
     const int rows = area.rect.height, bonds_row = rows >= 4 ? 1 : 0, nodes_row = rows > 6 ? 3 : rows - 1;
     const bool paused = screen->state != STATE_RUNNING;

@@ -47,17 +47,22 @@ typedef struct Strip {
     long cells;        /* of the bar */
 } Strip;
 
+/* In columns of the strip, to the left of it below 0. */
+static double column_of_x(const Strip *strip, double x)
+{
+    return (x - strip->low) / strip->cell * strip->per_cell;
+}
+
 static int strip_column(const Strip *strip, double x)
 {
-    double place = (x - strip->low) / strip->cell * strip->per_cell;
+    const double place = column_of_x(strip, x);
     if (!(place > -0.5 && place < strip->columns))
         return -1;
     return (int)floor(place + 1e-9);
 }
 
-static Strip strip_of(const Simulation *sim, int columns, double place, double length, double spacing)
+static Strip strip_of(int columns, double place, double length, double spacing)
 {
-    (void)sim;
     Strip strip = {.cell = spacing, .cells = lround(length / spacing)};
     strip.per_cell = (int)((columns - 1) / (strip.cells + 1));
     if (strip.per_cell > 6)
@@ -95,32 +100,88 @@ static void list_links(Area area, const Simulation *sim, size_t chosen, const Li
     }
 }
 
-static void draw_bar(const Screen *screen, Area area)
+/* What is drawn where. */
+typedef struct BarPicture {
+    const Simulation *sim;
+    size_t particles, nodes, chosen;
+    double *x0, *u, k; /* particles are drawn at x0 + k u */
+    int node_x;
+    double spacing, length;
+    Strip strip;
+    int grid_row, particle_row;
+} BarPicture;
+
+enum { MARGIN = 2 }; /* room for hatching at the left; words stand at the right */
+
+static void close_picture(BarPicture *bar)
+{
+    free(bar->x0), free(bar->u);
+}
+
+/* False: there is nothing to be drawn. */
+static bool open_picture(const Screen *screen, int width, int rows, BarPicture *bar)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
-    const size_t particles = sim->counts[0], nodes = sim->n_sets > 1 ? sim->counts[1] : 0;
-    const int rows = area.rect.height;
-    double *x0 = field_of(sim, sim->position[0], particles);
-    double *u = field_of(sim, sim->displacement[0], particles);
-    const int node_x = simulation_find_field(sim, 1, "x"),
-              node_fixed = simulation_find_field(sim, 1, "fixed");
-    if (!x0 || !u || nodes < 2 || particles < 1 || node_x < 0) {
-        free(x0), free(u);
-        return;
+    *bar = (BarPicture){.sim = sim,
+                        .particles = sim->counts[0],
+                        .nodes = sim->n_sets > 1 ? sim->counts[1] : 0,
+                        .node_x = simulation_find_field(sim, 1, "x"),
+                        .grid_row = rows >= 4 ? 1 : 0,
+                        .particle_row = rows > 6 ? 4 : rows - 1};
+    bar->x0 = field_of(sim, sim->position[0], bar->particles);
+    bar->u = field_of(sim, sim->displacement[0], bar->particles);
+    if (!bar->x0 || !bar->u || bar->nodes < 2 || bar->particles < 1 || bar->node_x < 0) {
+        close_picture(bar);
+        return false;
     }
-    const double spacing = field_at(sim, node_x, nodes / 2) - field_at(sim, node_x, nodes / 2 - 1);
-    const double gap = particles > 1 ? x0[1] - x0[0] : spacing;
-    const double length = x0[particles - 1] + gap / 2;
-    const size_t chosen = screen->particle < particles ? screen->particle : particles - 1;
-    /* room for hatching at the left, for words at the right */
-    const int margin = 2, room = area.rect.width - margin - CAPTION_WIDTH - 1;
-    Strip strip = strip_of(sim, room, x0[chosen], length, spacing);
-    Area part = area_part(area, margin, 0, strip.columns, rows);
-    const double k = exaggeration(field_reach(screen, sim->displacement[0], u, particles), spacing);
+    bar->spacing =
+        field_at(sim, bar->node_x, bar->nodes / 2) - field_at(sim, bar->node_x, bar->nodes / 2 - 1);
+    const double gap = bar->particles > 1 ? bar->x0[1] - bar->x0[0] : bar->spacing;
+    bar->length = bar->x0[bar->particles - 1] + gap / 2;
+    bar->chosen = screen->particle < bar->particles ? screen->particle : bar->particles - 1;
+    bar->strip =
+        strip_of(width - MARGIN - CAPTION_WIDTH - 1, bar->x0[bar->chosen], bar->length, bar->spacing);
+    bar->k = exaggeration(field_reach(screen, sim->displacement[0], bar->u, bar->particles), bar->spacing);
+    return true;
+}
 
-    const bool tall = rows >= 4;
-    const int grid_row = tall ? 1 : 0, particle_row = rows > 6 ? 4 : rows - 1;
-    if (tall)
+static bool choose_in_bar(Screen *screen, Rect rect, int x, int y)
+{
+    BarPicture bar;
+    if (!open_picture(screen, rect.width, rect.height, &bar))
+        return false;
+    const double column = x - rect.x - MARGIN + 0.5;
+    const bool among_nodes = 2 * (y - rect.y) < bar.grid_row + bar.particle_row;
+    const bool inside = y - rect.y >= bar.grid_row && y - rect.y <= bar.particle_row && column > -MARGIN &&
+                        column < bar.strip.columns + 1;
+    double least = INFINITY;
+    for (size_t i = 0; i < (among_nodes ? bar.nodes : bar.particles) && inside; i++) {
+        /* a node is drawn in the column that begins at it */
+        const double at = among_nodes ? column_of_x(&bar.strip, field_at(bar.sim, bar.node_x, i)) + 0.5
+                                      : column_of_x(&bar.strip, bar.x0[i] + bar.k * bar.u[i]);
+        if (fabs(at - column) < least && at >= 0 && at < bar.strip.columns + 1) {
+            least = fabs(at - column);
+            *(among_nodes ? &screen->node : &screen->particle) = i;
+            screen->node_chosen = among_nodes;
+        }
+    }
+    close_picture(&bar);
+    return isfinite(least);
+}
+
+static void draw_bar(const Screen *screen, Area area)
+{
+    BarPicture bar;
+    if (!open_picture(screen, area.rect.width, area.rect.height, &bar))
+        return;
+    const Simulation *sim = bar.sim;
+    const size_t particles = bar.particles, nodes = bar.nodes, chosen = bar.chosen;
+    const double *x0 = bar.x0, *u = bar.u, k = bar.k, spacing = bar.spacing, length = bar.length;
+    const int rows = area.rect.height, grid_row = bar.grid_row, particle_row = bar.particle_row,
+              node_x = bar.node_x, node_fixed = simulation_find_field(sim, 1, "fixed");
+    const Strip strip = bar.strip;
+    Area part = area_part(area, MARGIN, 0, strip.columns, rows);
+    if (rows >= 4)
         area_rule(area, 0, "the bar: its grid, and its particles",
                   is_focused(screen, PANE_MESH) ? STYLE_FOCUS : STYLE_HEADING);
     bool done;
@@ -141,12 +202,12 @@ static void draw_bar(const Screen *screen, Area area)
             field_at(sim, node_x, i) < length + spacing / 2) {
             const bool left = field_at(sim, node_x, i) < length / 2;
             for (int y = grid_row; y <= particle_row; y++)
-                area_put(area, margin + column + (left ? -1 : 1), y, 0x2592, STYLE_FRAME);
+                area_put(area, MARGIN + column + (left ? -1 : 1), y, 0x2592, STYLE_FRAME);
         }
     }
     /* particles: a dot each; where they are denser than the columns, braille dots show how they lie */
     for (size_t i = 0; i < particles; i++) {
-        double place = (x0[i] + k * u[i] - strip.low) / strip.cell * strip.per_cell;
+        double place = column_of_x(&strip, x0[i] + k * u[i]);
         if (!(place >= 0 && place < strip.columns))
             continue;
         int column = (int)place, half = (int)((place - column) * 2);
@@ -187,7 +248,7 @@ static void draw_bar(const Screen *screen, Area area)
                                         [FLOW_TO_NODES] = "↑ particles give to nodes",
                                         [FLOW_TO_PARTICLES] = "↓ particles take",
                                         [FLOW_FORGET] = "the grid is put back"};
-    Area words = area_part(area, margin + strip.columns + 1, 0, area.rect.width, rows);
+    Area words = area_part(area, MARGIN + strip.columns + 1, 0, area.rect.width, rows);
     char text[64], number[NUMBER_TEXT_MAX];
     if (flow != FLOW_NONE)
         area_text(words, 0, grid_row, flows[flow], STYLE_CHANGED);
@@ -202,7 +263,7 @@ static void draw_bar(const Screen *screen, Area area)
     if (rows > particle_row + 2)
         list_links(area_part(area, 1, particle_row + 2, area.rect.width - 2, rows - particle_row - 2), sim,
                    chosen, links, n_links);
-    free(x0), free(u);
+    close_picture(&bar);
 }
 
 /* --- a beam --------------------------------------------------------------------------------------- */
@@ -281,4 +342,14 @@ void pane_mesh(const Screen *screen, Area area)
         (has_mesh(sim) ? draw_bar : pane_lattice)(screen, area);
     else
         draw_beam(screen, area);
+}
+
+bool screen_choose_in_strip(Screen *screen, int width, int height, int x, int y)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Rect rect = screen_pane(screen, width, height, PANE_MESH);
+    if (sim->dimensions != 1 || x < rect.x || x >= rect.x + rect.width || y < rect.y ||
+        y >= rect.y + rect.height)
+        return false;
+    return (has_mesh(sim) ? choose_in_bar : choose_in_lattice)(screen, rect, x, y);
 }

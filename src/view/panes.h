@@ -80,6 +80,7 @@ void pane_lesson(const Screen *, Area);
 void pane_timeline(const Screen *, Area);
 void pane_mesh(const Screen *, Area);
 void pane_lattice(const Screen *, Area); /* the same for a bar without a mesh */
+bool choose_in_lattice(Screen *, Rect, int x, int y); /* the node near a place of the screen */
 void pane_box(const Screen *, Area);
 void pane_stage(const Screen *, Area);
 void pane_duel(const Screen *, Area); /* the readout of a duel, in place of the box */

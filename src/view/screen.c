@@ -64,13 +64,13 @@ const char *screen_view_missing(const Screen *screen, int view)
 /* How two runs are shown in a view. */
 typedef enum Sharing {
     SHARE_AXES, /* in the same axes; on a wide screen each in its own */
-    SHARE_DOTS, /* always in the same: a run is a dot */
+    SHARE_ONE,  /* always in the same: a run is a dot, or a letter in a list */
     SHARE_NONE  /* always each in its own, as far as there is room: else A alone */
 } Sharing;
 
 static Sharing sharing_of(int number)
 {
-    return number == 5 ? SHARE_DOTS : number <= 3 || number == 6 ? SHARE_AXES : SHARE_NONE;
+    return number == 5 || number == 9 ? SHARE_ONE : number <= 3 || number == 6 ? SHARE_AXES : SHARE_NONE;
 }
 
 static void draw_one(const Screen *screen, const View *view, Area area, Style heading)
@@ -121,7 +121,7 @@ static void draw_sides(const Screen *screen, const View *view, Area area, Style 
         /* a figure has one pair of axes */
         const Screen one = screen_of_side(screen, SIDE_A);
         draw_one(sharing == SHARE_NONE ? &one : screen, view, area, heading);
-    } else if (sharing == SHARE_DOTS || (sharing == SHARE_AXES && !wide)) {
+    } else if (sharing == SHARE_ONE || (sharing == SHARE_AXES && !wide)) {
         draw_one(screen, view, area, heading);
     } else if (wide) {
         const int left = (width - 1) / 2;

@@ -131,6 +131,7 @@ typedef struct Screen {
     bool node_chosen; /* the stage box follows the node, not the particle */
     int table_column; /* the first one that a table shows */
     int log_event;    /* the chosen event of the log; -1: the newest */
+    int log_first;    /* the first one that it shows, as far as that leaves the chosen one in sight */
 
     bool inspecting;         /* the inspector is open, see screen_inspector() */
     PaneId before_inspector; /* the pane that had the focus before it was opened */
@@ -230,8 +231,18 @@ double screen_map_enlargement(const Screen *, int width, int height);
 /* The variant of the beam view that a word of view.colour names; -1: none. */
 int screen_beam_variant(const char *colour);
 
-/* The event of the log that is chosen; -1: there is none. */
+/* The event of the log that is chosen, and the step to go to for it; -1: there is none. */
 int screen_log_chosen(const Screen *);
+long screen_log_step(const Screen *);
+
+/* So many events on in the log that has the focus; the one at a place of the screen; the log at that place
+ * scrolled, and the chosen one kept in sight. False: there is no log. */
+void screen_move_in_log(Screen *, int width, int height, int by);
+bool screen_choose_event(Screen *, int width, int height, int x, int y);
+bool screen_scroll_log(Screen *, int width, int height, int x, int y, int by);
+
+/* The particle or node of the strip that is drawn nearest to a place of it becomes the chosen one. */
+bool screen_choose_in_strip(Screen *, int width, int height, int x, int y);
 
 /* Why this view has nothing to show for the problem at hand; NULL: it has. */
 const char *screen_view_missing(const Screen *, int view);

@@ -425,6 +425,7 @@ END_TEST
 START_TEST(enter_in_the_log_goes_to_the_event)
 {
     Bench *bench = open_bench("crossing", true);
+    press(bench, "d"); /* a run alone */
     press_all(bench, "g # 2 0 0 0 Enter");
     while (bench->lab.screen.state == STATE_COMPUTING)
         frame(bench);
@@ -447,6 +448,142 @@ START_TEST(enter_in_the_log_goes_to_the_event)
     for (int i = 0; i < 20; i++)
         press(bench, "PageDown");
     ck_assert_int_eq(bench->lab.screen.log_event, -1); /* follows the newest again */
+    close_bench(bench);
+}
+END_TEST
+
+static void click_at(Bench *bench, const char *name, int x, int y)
+{
+    Key key = {.x = x, .y = y};
+    snprintf(key.name, sizeof key.name, "%s", name);
+    press_key(bench, &key);
+}
+
+/* The row of the screen that begins with these words at a column; -1: none. */
+static int row_with(const Bench *bench, const char *words)
+{
+    static char line[512];
+    for (int y = 0; y < bench->canvas.height; y++) {
+        int used = 0;
+        for (int x = 0; x < bench->canvas.width && used < 500; x++) {
+            const uint32_t glyph = bench->canvas.cells[y * bench->canvas.width + x].glyph;
+            line[used++] = glyph < 128 ? (char)glyph : '?';
+        }
+        line[used] = '\0';
+        if (strstr(line, words))
+            return y;
+    }
+    return -1;
+}
+
+/* In both plots, whole screen or one pane, at two sizes: what is clicked is what Enter goes to. */
+START_TEST(an_event_of_the_log_is_chosen_by_the_mouse)
+{
+    const PaneId pane = _i & 1 ? PANE_UPPER : PANE_LOWER;
+    Bench *bench = open_bench("crossing", true);
+    press(bench, "d"); /* a run alone */
+    if (_i & 4)
+        bench->width = 132, bench->height = 43;
+    press_all(bench, "g # 2 0 0 0 Enter");
+    while (bench->lab.screen.state == STATE_COMPUTING)
+        frame(bench);
+    Screen *screen = &bench->lab.screen;
+    screen->focus = pane;
+    press(bench, "9");
+    if (_i & 2)
+        press(bench, "z");
+    int count;
+    const Event *events = experiment_events(screen->experiment, &count);
+    const Rect rect = screen_pane(screen, bench->width, bench->height, pane);
+    ck_assert_int_gt(count, rect.height);
+    ck_assert_int_ge(row_with(bench, events[count - 1].text), 0);
+    ck_assert_int_lt(row_with(bench, events[0].text), 0);
+    click_at(bench, "Click", rect.x + 5, rect.y + 1);
+    const int chosen = screen_log_chosen(screen);
+    ck_assert_int_eq(chosen, count - (rect.height - 1));
+    ck_assert_int_eq(row_with(bench, events[chosen].text), rect.y + 1); /* nothing has moved */
+    press(bench, "Enter");
+    ck_assert_int_eq(step_of(bench), events[chosen].step);
+    press(bench, "Up"); /* beyond the first one that is seen */
+    ck_assert_int_eq(screen_log_chosen(screen), chosen - 1);
+    ck_assert_int_eq(row_with(bench, events[chosen - 1].text), rect.y + 1);
+    press(bench, "Down");
+    ck_assert_int_eq(row_with(bench, events[chosen].text), rect.y + 2);
+    for (int i = 0; i < count; i++)
+        click_at(bench, "WheelUp", rect.x + 5, rect.y + 2);
+    ck_assert_int_eq(row_with(bench, events[0].text), rect.y + 1);
+    ck_assert_int_lt(screen_log_chosen(screen), rect.height - 1); /* kept in sight */
+    for (int i = 0; i < count; i++)
+        click_at(bench, "WheelDown", rect.x + 5, rect.y + 2);
+    ck_assert_int_ge(row_with(bench, events[count - 1].text), 0);
+    close_bench(bench);
+}
+END_TEST
+
+START_TEST(the_log_of_a_duel_tells_of_both)
+{
+    Bench *bench = open_bench("crossing", true);
+    ck_assert(run_line(&bench->lab, "duel mpm.algorithm=usl time.courant=0.07"));
+    ck_assert_ptr_nonnull(bench->lab.duel.b);
+    press_all(bench, "g # 1 0 0 0 Enter");
+    while (bench->lab.screen.state == STATE_COMPUTING)
+        frame(bench);
+    Screen *screen = &bench->lab.screen;
+    screen->focus = PANE_LOWER;
+    press(bench, "9");
+    int first, second;
+    experiment_events(bench->lab.duel.a, &first);
+    const Event *events = experiment_events(bench->lab.duel.b, &second);
+    ck_assert_int_gt(first, 2);
+    ck_assert_int_gt(second, 2);
+    char text[80];
+    snprintf(text, sizeof text, "%d events of A, %d of B", first, second);
+    ck_assert(shows(bench, text));
+    /* all are there, in the order of time; Enter at one of B's brings B there */
+    int seen = 0;
+    long before = -1;
+    for (int i = 0; i < first + second; i++) {
+        screen->log_event = i;
+        const long step = screen_log_step(screen);
+        ck_assert_int_ge(step, before);
+        before = step;
+        press(bench, "Enter");
+        while (bench->lab.screen.state == STATE_COMPUTING)
+            frame(bench);
+        seen += seen < second && experiment_step(bench->lab.duel.b) >= events[seen].step &&
+                experiment_step(bench->lab.duel.b) <= events[seen].step + 1;
+    }
+    ck_assert_int_eq(seen, second);
+    close_bench(bench);
+}
+END_TEST
+
+START_TEST(a_click_into_the_strip_chooses)
+{
+    Bench *bench = open_bench(_i ? "mode5-peridynamics" : "mode5", true);
+    Screen *screen = &bench->lab.screen;
+    bench->width = 132; /* all of it is seen */
+    press(bench, "Esc");
+    const Rect rect = screen_pane(screen, bench->width, bench->height, PANE_MESH);
+    const size_t particles = experiment_simulation(screen->experiment)->counts[0];
+    size_t before = 0;
+    for (int x = rect.x; x < rect.x + 112; x++) { /* from left to right, none is left out */
+        click_at(bench, "Click", x, rect.y + rect.height - 1);
+        ck_assert(!screen->node_chosen);
+        ck_assert_uint_ge(screen->particle, before);
+        ck_assert_uint_le(screen->particle, before + 1);
+        before = screen->particle;
+    }
+    ck_assert_uint_eq(before, particles - 1);
+    ck_assert_int_eq(screen->focus, PANE_MESH);
+    if (_i == 0) {
+        click_at(bench, "Click", rect.x + 2 + 3 * 7, rect.y);
+        ck_assert(screen->node_chosen);
+        double x;
+        const Simulation *sim = experiment_simulation(screen->experiment);
+        sim->method->field(sim, simulation_find_field(sim, 1, "x"), screen->node, 1, &x);
+        ck_assert_double_eq(x, 7);
+    }
     close_bench(bench);
 }
 END_TEST
@@ -655,6 +792,9 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, the_question_makes_another_run);
     tcase_add_test(tcase, a_filter_shortens_the_list);
     tcase_add_test(tcase, enter_in_the_log_goes_to_the_event);
+    tcase_add_loop_test(tcase, an_event_of_the_log_is_chosen_by_the_mouse, 0, 8);
+    tcase_add_test(tcase, the_log_of_a_duel_tells_of_both);
+    tcase_add_loop_test(tcase, a_click_into_the_strip_chooses, 0, 2);
     tcase_add_test(tcase, bookmarks_are_kept_in_the_order_of_the_run);
     tcase_add_test(tcase, quitting_asks_once_after_a_change);
     tcase_add_test(tcase, quitting_closes_what_is_open_first);

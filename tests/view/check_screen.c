@@ -385,6 +385,7 @@ START_TEST(any_state_can_be_drawn)
         screen->node_chosen = DRAW(2);
         screen->inspecting = screen_has_inspector(screen) && DRAW(3) == 0;
         screen->log_event = DRAW(100) - 1;
+        screen->log_first = DRAW(100);
         screen->table_column = DRAW(40);
         screen->window = DRAW(2) ? 0 : DRAW(100) / 7.0;
         screen->cursor_time = DRAW(2) ? NAN : DRAW(100) / 33.0;
