@@ -60,7 +60,9 @@ void map_line(Map *map, double from_x, double from_y, double to_x, double to_y, 
 static void body_line(Map *map, const double from[2], const double to[2], Pen pen)
 {
     const double length = hypot(to[0] - from[0], to[1] - from[1]);
-    const int pieces = 1 + (int)fmin(40, length / (4 * map->body.spacing));
+    /* each piece begins with a dot: one of a dotted line must hold some of its gaps */
+    const double dots = 2 * length * map->scale_x, gaps = 2 * (pen.every > 1 ? pen.every : 1);
+    const int pieces = 1 + (int)fmin(fmin(40, length / (4 * map->body.spacing)), dots / gaps);
     double x, y;
     map_body_place(map, from[0], from[1], &x, &y);
     for (int i = 1; i <= pieces; i++) {
