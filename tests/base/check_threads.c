@@ -43,7 +43,7 @@ START_TEST(the_mask_is_the_limit)
 {
     cpu_set_t mine, one;
     ck_assert_int_eq(sched_getaffinity(0, sizeof mine, &mine), 0);
-    for (int processor = 0; processor < CPU_SETSIZE; processor++) {
+    for (size_t processor = 0; processor < CPU_SETSIZE; processor++) {
         if (!CPU_ISSET(processor, &mine))
             continue;
         CPU_ZERO(&one);

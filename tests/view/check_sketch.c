@@ -6,12 +6,11 @@
 #include <math.h>
 #include <string.h>
 
-static Scene open_scene(const char *words)
+/* In place: the screen points into its scene. */
+static void open_scene(Scene *scene, const char *words)
 {
-    Scene scene;
     Status status = {STATUS_DONE, ""};
-    ck_assert_msg(scene_open(&scene, words, &status), "%s: %s", words, status.text);
-    return scene;
+    ck_assert_msg(scene_open(scene, words, &status), "%s: %s", words, status.text);
 }
 
 static const Stroke *stroke_of(const Sketch *sketch, Style style)
@@ -32,7 +31,8 @@ static bool has_key(const Sketch *sketch, const char *name)
 
 START_TEST(curve_over_time_is_the_record)
 {
-    Scene scene = open_scene("mode1 80x24 900");
+    Scene scene;
+    open_scene(&scene, "mode1 80x24 900");
     const Record *record = experiment_record(scene.screen.experiment);
     scene.screen.window = 10;
     Sketch sketch;
@@ -59,7 +59,8 @@ END_TEST
 
 START_TEST(profile_is_the_field)
 {
-    Scene scene = open_scene("mode5 80x24 300");
+    Scene scene;
+    open_scene(&scene, "mode5 80x24 300");
     const Simulation *sim = experiment_simulation(scene.screen.experiment);
     Sketch sketch;
     screen_sketch(&scene.screen, 1, 84, 25, &sketch);
@@ -79,7 +80,8 @@ END_TEST
 
 START_TEST(particles_are_marks_in_coordinates)
 {
-    Scene scene = open_scene("mode5 80x24 0");
+    Scene scene;
+    open_scene(&scene, "mode5 80x24 0");
     const Simulation *sim = experiment_simulation(scene.screen.experiment);
     Sketch sketch;
     screen_sketch(&scene.screen, 4, 84, 25, &sketch);
@@ -101,7 +103,8 @@ END_TEST
 
 START_TEST(earlier_run_has_its_letter_and_its_words)
 {
-    Scene scene = open_scene("mode5 80x24 900 ghost mesh.cell_size=0.5");
+    Scene scene;
+    open_scene(&scene, "mode5 80x24 900 ghost mesh.cell_size=0.5");
     Sketch sketch;
     screen_sketch(&scene.screen, 2, 84, 25, &sketch);
     bool letter = false, words = false;
@@ -118,7 +121,8 @@ END_TEST
 
 START_TEST(map_is_the_nodes)
 {
-    Scene scene = open_scene("notched-beam-coarse 80x24 30 variant 4");
+    Scene scene;
+    open_scene(&scene, "notched-beam-coarse 80x24 30 variant 4");
     const Simulation *sim = experiment_simulation(scene.screen.experiment);
     Sketch sketch;
     screen_sketch(&scene.screen, 8, 84, 25, &sketch);
@@ -142,7 +146,8 @@ END_TEST
 
 START_TEST(view_without_a_picture_says_why)
 {
-    Scene scene = open_scene("mode1 80x24 0");
+    Scene scene;
+    open_scene(&scene, "mode1 80x24 0");
     Sketch sketch;
     screen_sketch(&scene.screen, 6, 84, 25, &sketch);
     ck_assert(!sketch.has_axes);
