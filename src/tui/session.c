@@ -279,22 +279,16 @@ static bool read_scenario(Session *session, const char *name, const char *text, 
     return sound;
 }
 
-Session *session_read(const char *name, Status *status)
+Session *session_read_stream(FILE *file, const char *name, Status *status)
 {
     Session *session = calloc(1, sizeof *session);
-    FILE *file = fopen(name, "re");
     char *text = NULL;
     size_t size = 0;
     FILE *scenario = open_memstream(&text, &size);
-    bool sound = false;
-    if (!file)
-        status_fail(status, STATUS_USAGE, "%s: cannot be read: %s", name, strerror(errno));
-    else if (!session || !scenario)
+    bool sound = session && scenario;
+    if (!sound)
         status_fail(status, STATUS_FAILED, "not enough memory for a session");
-    else
-        sound = read_lines(session, file, name, scenario, status);
-    if (file)
-        fclose(file);
+    sound = sound && read_lines(session, file, name, scenario, status);
     if (scenario && fclose(scenario) != 0)
         sound = false;
     sound = sound && read_scenario(session, name, text, size, status);
@@ -303,6 +297,18 @@ Session *session_read(const char *name, Status *status)
         return session;
     session_free(session);
     return NULL;
+}
+
+Session *session_read(const char *name, Status *status)
+{
+    FILE *file = fopen(name, "re");
+    if (!file) {
+        status_fail(status, STATUS_USAGE, "%s: cannot be read: %s", name, strerror(errno));
+        return NULL;
+    }
+    Session *session = session_read_stream(file, name, status);
+    fclose(file);
+    return session;
 }
 
 void session_options(const Session *session, LaboratoryOptions *options)

@@ -19,6 +19,7 @@
 #include "tui/laboratory.h"
 
 #include <stdbool.h>
+#include <stdio.h>
 
 typedef struct Laboratory Laboratory;
 typedef struct Session Session;
@@ -55,6 +56,7 @@ bool session_has_keys(const Session *); /* something has been noted */
 
 /* Reads a session to do again. NULL: "FILE:LINE: what is wrong (what is allowed)". */
 Session *session_read(const char *file, Status *);
+Session *session_read_stream(FILE *, const char *name, Status *);
 
 /* Makes the options those of the session: settings, scenario, paused, lesson, reached. */
 void session_options(const Session *, LaboratoryOptions *);
