@@ -432,8 +432,13 @@ static void enter(Laboratory *lab)
         seek(lab, lround(screen->cursor_time / experiment_simulation(screen->experiment)->dt), 0);
         screen->cursor_time = NAN;
     } else if (view_in(screen, screen->focus) == LOG_VIEW && screen_log_chosen(screen) >= 0) {
+        const long step = screen_log_step(screen), broken = screen_broken_node(screen, step);
+        if (broken >= 0) { /* where it happened is what one wants to look at */
+            screen->particle = (size_t)broken;
+            screen->node_chosen = false;
+        }
         pause_run(lab);
-        seek(lab, screen_log_step(screen), 0);
+        seek(lab, step, 0);
     }
 }
 

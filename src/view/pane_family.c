@@ -397,6 +397,28 @@ void pane_family(const Screen *screen, Area area)
         draw_place(screen, area_part(area, 1, used, left - 3, area.rect.height - used));
 }
 
+/* Bonds are asked for by the thousand: there are more of them than one would keep. */
+long screen_broken_node(const Screen *screen, long step)
+{
+    enum { BONDS = 1, AT_ONCE = 4096 };
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const int when = stage_field(sim, BONDS, "broken_at"), end = stage_field(sim, BONDS, "i");
+    Body body;
+    double value[AT_ONCE];
+    if (!body_of(sim, &body) || when < 0 || end < 0)
+        return -1;
+    for (size_t first = 0; first < sim->counts[BONDS]; first += AT_ONCE) {
+        const size_t left = sim->counts[BONDS] - first, count = left < AT_ONCE ? left : AT_ONCE;
+        sim->method->field(sim, when, first, count, value);
+        for (size_t k = 0; k < count; k++)
+            if (value[k] == (double)step) {
+                sim->method->field(sim, end, first + k, 1, value);
+                return (long)value[0];
+            }
+    }
+    return -1;
+}
+
 void move_node(Screen *screen, int x, int y, int page)
 {
     Body body;

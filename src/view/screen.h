@@ -222,6 +222,9 @@ bool screen_move_inspector(Screen *, int x, int y, int page);
 /* The particle that is looked at first: in the middle of a bar, of a beam's middle row. */
 size_t screen_middle_particle(const Simulation *);
 
+/* An end of the first bond, as the lattice counts them, that broke in a step; -1: none that is known. */
+long screen_broken_node(const Screen *, long step);
+
 /* The node of the beam's map that is drawn in or near a cell, for the mouse; -1: none. */
 long screen_map_node(const Screen *, int width, int height, int x, int y);
 
