@@ -78,14 +78,19 @@ int area_text_whole(Area area, int x, int y, int width, const char *text, Style 
 
 size_t paragraph_line(const char *text, int width, const char **rest)
 {
-    const char *here = text, *space = NULL;
+    const char *here = text, *space = NULL, *gap = NULL;
     for (int columns = 0; *here != '\0' && *here != '\n'; columns++) {
-        if (*here == ' ')
+        if (*here == ' ') {
             space = here;
+            if (here[1] == ' ' && columns >= width / 4)
+                gap = here;
+        }
         if (columns == width) {
-            size_t length = (size_t)((space ? space : here) - text);
-            *rest = space ? space + 1 : here;
-            return length;
+            const char *end = gap ? gap : space ? space : here;
+            *rest = end + strspn(end, " ");
+            while (end > text && end[-1] == ' ')
+                end--;
+            return (size_t)(end - text);
         }
         utf8_next(&here);
     }

@@ -37,19 +37,11 @@ static void put_text(Sheet *sheet, Style style, int width, int indent, const cha
     width = width > least ? width : least;
     while (*text) {
         char line[512];
-        const char *here = text, *space = NULL;
-        for (int columns = indent; *here && *here != '\n'; columns++) {
-            if (*here == ' ')
-                space = here;
-            if (columns >= width) {
-                here = space && space > text ? space : here;
-                break;
-            }
-            utf8_next(&here);
-        }
-        snprintf(line, sizeof line, "%*s%.*s", indent, "", (int)(here - text), text);
+        const char *rest;
+        const size_t length = paragraph_line(text, width - indent, &rest);
+        snprintf(line, sizeof line, "%*s%.*s", indent, "", (int)length, text);
         put_line(sheet, style, line);
-        text = *here == ' ' || *here == '\n' ? here + 1 : here;
+        text = rest;
     }
 }
 
@@ -67,6 +59,23 @@ static void write_verbs(Sheet *sheet, int width)
     }
 }
 
+/* The keys, and what they do beside them or, on a narrow screen, below. */
+static void put_key(Sheet *sheet, int width, const char *keys, const char *help)
+{
+    enum { COLUMN = 13 };
+    char line[256];
+    const bool beside = COLUMN < width / 3 && text_columns(keys) < COLUMN - 2;
+    const char *rest = help;
+    if (beside) {
+        const size_t length = paragraph_line(help, width - COLUMN, &rest);
+        snprintf(line, sizeof line, "  %-10s %.*s", keys, (int)length, help);
+    } else {
+        snprintf(line, sizeof line, "  %s", keys);
+    }
+    put_line(sheet, STYLE_NORMAL, line);
+    put_text(sheet, STYLE_NORMAL, width, beside ? COLUMN : 4, rest);
+}
+
 static void write_keys(Sheet *sheet, int width)
 {
     const char *group = "";
@@ -76,15 +85,7 @@ static void write_keys(Sheet *sheet, int width)
                 put_line(sheet, STYLE_NORMAL, "");
             put_line(sheet, STYLE_HEADING, group = commands[i].group);
         }
-        char line[256];
-        snprintf(line, sizeof line, "  %-10s %s", commands[i].keys, commands[i].help);
-        if (text_columns(line) <= width) {
-            put_line(sheet, STYLE_NORMAL, line);
-            continue;
-        }
-        snprintf(line, sizeof line, "  %s", commands[i].keys);
-        put_line(sheet, STYLE_NORMAL, line);
-        put_text(sheet, STYLE_NORMAL, width, 13 < width / 3 ? 13 : 4, commands[i].help);
+        put_key(sheet, width, commands[i].keys, commands[i].help);
     }
     write_verbs(sheet, width);
 }

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LINKS_MAX = 256, REACH_MAX = 8, SIDES = 3, CELL_LEAST = 4, CELL_MOST = 6 };
+enum { LINKS_MAX = 256, REACH_MAX = 8, SIDES = 3, CELL_LEAST = 4, CELL_MOST = 6, WORDS_WIDTH = 43 };
 
 /* A bond seen from the chosen node. */
 typedef struct Ray {
@@ -320,7 +320,7 @@ static int draw_forces(const Family *family, Area area)
     const double size = most * pow(10, -exponent);
     const int decimals = DECIMALS - (size >= 10) - (size >= 100);
     round_rows(&sum, exponent, decimals);
-    const int name_columns = 20;
+    const int name_columns = area.rect.width < WORDS_WIDTH ? area.rect.width - 2 * FORCE_COLUMN : 20;
     area_text(area, 0, 0, "forces on it", STYLE_HEADING);
     area_text_right(area, name_columns + FORCE_COLUMN, 0, "fx", STYLE_HEADING);
     area_text_right(area, name_columns + 2 * FORCE_COLUMN, 0, "fy", STYLE_HEADING);
@@ -344,7 +344,7 @@ static int draw_forces(const Family *family, Area area)
 
 /* --- the pane --------------------------------------------------------------------------------------- */
 
-static void draw_subject(const Family *family, Area area)
+static void draw_subject(const Family *family, Area area, bool narrow)
 {
     char text[128];
     const Body *body = &family->body;
@@ -354,7 +354,14 @@ static void draw_subject(const Family *family, Area area)
     if (family->broken)
         append(text, sizeof text, ", %d broken", family->broken);
     area_rule(area, 0, text, is_focused(family->screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING);
-    static const char hint[] = " ← → ↑ ↓ next node  i closes ";
+    const char *hint = !narrow                  ? " ← → ↑ ↓ next node  i closes "
+                       : family->screen->zoomed ? " z family "
+                                                : " z forces ";
+    if (narrow && 5 + text_columns(text) + text_columns(hint) + 2 > area.rect.width) {
+        snprintf(text, sizeof text, "node %zu: %d bonds, %d broken", family->node, family->count,
+                 family->broken);
+        area_rule(area, 0, text, is_focused(family->screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING);
+    }
     if (5 + text_columns(text) + text_columns(hint) + 2 <= area.rect.width)
         area_text_right(area, area.rect.width - 1, 0, hint, STYLE_FAINT);
 }
@@ -375,6 +382,15 @@ static void draw_place(const Screen *screen, Area area)
     map_close(&map);
 }
 
+/* Where words have no room beside the family: below it, and the forces in its place. */
+static void draw_narrow(const Family *family, Area area, int cell)
+{
+    const Area words = area_part(area, 1, 0, area.rect.width - 1, area.rect.height);
+    const int used = family->screen->zoomed ? draw_forces(family, words) : draw_family(family, area, cell);
+    if (used + 3 <= area.rect.height)
+        draw_most(family, area_part(words, 0, used, words.rect.width, words.rect.height - used));
+}
+
 void pane_family(const Screen *screen, Area area)
 {
     Family family;
@@ -382,12 +398,16 @@ void pane_family(const Screen *screen, Area area)
         area_rule(area, 0, "no family to be drawn", STYLE_HEADING);
         return;
     }
-    draw_subject(&family, area);
-    enum { WORDS_WIDTH = 43 };
     const int width = 2 * family.reach + 1, room = area.rect.width - WORDS_WIDTH - 1;
     int cell = room / width;
     cell = cell > CELL_MOST ? CELL_MOST : cell < CELL_LEAST ? CELL_LEAST : cell;
     const int left = cell * width + 2;
+    const bool narrow = left + WORDS_WIDTH - 1 > area.rect.width;
+    draw_subject(&family, area, narrow);
+    if (narrow) {
+        draw_narrow(&family, area_part(area, 0, 1, area.rect.width, area.rect.height - 1), cell);
+        return;
+    }
     const int used = 1 + draw_family(&family, area_part(area, 0, 1, left, area.rect.height - 1), cell);
     Area words = area_part(area, left, 1, area.rect.width - left, area.rect.height - 1);
     const bool roomy = area.rect.height >= 16;

@@ -13,6 +13,8 @@ enum {
     INDEX_WIDTH = 9,
     FACTOR_WIDTH_MAX = 12,
     PRODUCT_WIDTH = 12,
+    FACTOR_WIDTH_LEAST = 6,
+    LEAST_FOR_CELL = 60, /* columns; on fewer the cell is left out of the heading */
     HEAD_ROWS = 3 /* of a block: what it is, fields, formulas; and a row of scales where there are any */
 };
 
@@ -106,8 +108,8 @@ static void add_exchange(Block *block, const Subject *subject, int exchange, con
     }
 }
 
-/* Fills what a stage passes on in one direction; false: nothing. */
-static bool make_block(Block *block, const Subject *subject, int stage, bool takes, bool ascii, int width)
+/* A block of all exchanges of the stage, or of one alone; false: nothing is exchanged. */
+static bool fill_block(Block *block, const Subject *subject, int stage, bool takes, bool ascii, int only)
 {
     const Simulation *sim = subject->sim;
     *block = (Block){.stage = stage, .takes = takes};
@@ -120,6 +122,8 @@ static bool make_block(Block *block, const Subject *subject, int stage, bool tak
     for (int pass = 0; pass < 2; pass++)
         for (int e = 0; e < sim->n_exchanges; e++) {
             const Exchange *exchange = &sim->exchanges[e];
+            if (only >= 0 && e != only)
+                continue;
             double factors[EXCHANGE_FACTORS_MAX];
             if (strcmp(exchange->stage, sim->stages[stage].id) != 0 ||
                 (takes ? exchange->to : exchange->from) != subject->set || subject->n_links == 0 ||
@@ -130,15 +134,59 @@ static bool make_block(Block *block, const Subject *subject, int stage, bool tak
                 append(block->notes, sizeof block->notes, "%s%s", *block->notes ? ", " : "", exchange->note);
             any = true;
         }
+    return any;
+}
+
+static void share_width(Block *block, int width)
+{
     int products = 0;
     for (int i = 0; i < block->n_columns; i++)
         products += block->columns[i].exchange >= 0;
-    if (block->n_columns > products)
-        block->factor_width =
-            (width - INDEX_WIDTH - products * PRODUCT_WIDTH) / (block->n_columns - products);
+    const int factors = block->n_columns - products;
+    block->factor_width = factors > 0 ? (width - INDEX_WIDTH - products * PRODUCT_WIDTH) / factors : 0;
     if (block->factor_width > FACTOR_WIDTH_MAX)
         block->factor_width = FACTOR_WIDTH_MAX;
-    return any;
+}
+
+/* Shape functions that the products do not hold. */
+static void drop_unused(Block *block)
+{
+    for (int i = 1; i >= 0; i--) {
+        bool used = false;
+        for (int c = 2; c < block->n_columns; c++) {
+            const char *words = block->columns[c].exchange >= 0 ? block->columns[c].name : "";
+            char word[32];
+            while (next_word(&words, word, sizeof word))
+                used |= strcmp(word[0] == '-' ? word + 1 : word, block->columns[i].name) == 0;
+        }
+        if (!used)
+            memmove(&block->columns[i], &block->columns[i + 1],
+                    (size_t)(--block->n_columns - i) * sizeof block->columns[0]);
+    }
+}
+
+/* Fills what a stage passes on in one direction; false: nothing. Where there is no room for all the products,
+ * the one with most factors stands alone. */
+static bool make_block(Block *block, const Subject *subject, int stage, bool takes, bool ascii, int width)
+{
+    if (!fill_block(block, subject, stage, takes, ascii, -1))
+        return false;
+    share_width(block, width);
+    if (block->factor_width >= FACTOR_WIDTH_LEAST)
+        return true;
+    const BlockColumn *longest = NULL;
+    for (int c = 0; c < block->n_columns; c++)
+        if (block->columns[c].exchange >= 0 &&
+            (!longest || text_columns(block->columns[c].name) > text_columns(longest->name)))
+            longest = &block->columns[c];
+    if (!longest)
+        return true;
+    fill_block(block, subject, stage, takes, ascii, longest->exchange);
+    share_width(block, width);
+    if (block->factor_width < FACTOR_WIDTH_LEAST)
+        drop_unused(block);
+    share_width(block, width);
+    return true;
 }
 
 /* --- drawing -------------------------------------------------------------------------------------- */
@@ -255,6 +303,9 @@ static void draw_head(const Subject *subject, Area area, const Block *block, con
         append(text, sizeof text, "its %s give to this %s", other->plural, own->name);
     else
         append(text, sizeof text, "this %s gives to its %s", own->name, other->plural);
+    if (1 + text_columns(text) > area.rect.width)
+        snprintf(text, sizeof text, "%sstage %d: %s to %s", sim->stage == 0 ? "next, " : "", block->stage + 1,
+                 block->takes ? other->plural : own->name, block->takes ? own->name : other->plural);
     area_text(area, 1, y, text, STYLE_HEADING);
     area_text(area, 1, y + 1, block->notes, STYLE_FAINT);
     area_text_right(area, INDEX_WIDTH - 1, formulas, other->name, STYLE_HEADING);
@@ -346,7 +397,7 @@ static void draw_subject(const Screen *screen, const Subject *subject, Area area
     const int fixed = stage_field(sim, subject->set, "fixed");
     number_text(field_value(sim, x, subject->index), 6, 10, number);
     snprintf(text, sizeof text, "%s %zu at x = %s", sim->sets[subject->set].name, subject->index, number);
-    if (cell >= 0)
+    if (cell >= 0 && area.rect.width >= LEAST_FOR_CELL)
         append(text, sizeof text, ", in cell %.0f", field_value(sim, cell, subject->index));
     if (fixed >= 0 && field_value(sim, fixed, subject->index) > 0)
         append(text, sizeof text, ", held by a support");

@@ -279,12 +279,35 @@ static const char *short_key(const char *key)
     return key;
 }
 
+enum { BAR_OF_ONE_PANE = 80, OFFERS_MAX = 16 };
+
+/* Where one pane is seen at a time and room is short, the key to the others and that to all keys must be
+ * there. */
+static void bring_forward(Offer *offers, int count, CommandId id, int place)
+{
+    int from = place;
+    while (from < count && offers[from].id != id)
+        from++;
+    if (from >= count)
+        return;
+    const Offer offer = offers[from];
+    memmove(&offers[place + 1], &offers[place], (size_t)(from - place) * sizeof *offers);
+    offers[place] = offer;
+}
+
 /* Lays the offers out from the left; draws them if `area` is not NULL. Returns the command at column x. */
 static CommandId lay_out_bar(const Screen *screen, int width, const Area *area, int wanted_x)
 {
     const Offer *offers;
+    Offer sorted[OFFERS_MAX];
     int count = offers_of(screen, &offers), x = 1;
     CommandId found = COMMAND_NONE;
+    if (width < BAR_OF_ONE_PANE && count <= OFFERS_MAX) {
+        memcpy(sorted, offers, (size_t)count * sizeof *offers);
+        bring_forward(sorted, count, COMMAND_NEXT_PANE, 1);
+        bring_forward(sorted, count, COMMAND_HELP, 3);
+        offers = sorted;
+    }
     for (int i = 0; i < count; i++) {
         const Command *command = command_find(offers[i].id), *pair = command_find(offers[i].pair);
         if (!command || (offers[i].pair != COMMAND_NONE && !pair))

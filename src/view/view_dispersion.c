@@ -246,7 +246,7 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
     if (under > 1)
         area_text(area, 1, at + 1, second, STYLE_NORMAL);
     if (under > 2)
-        area_text(area, 1, at + 2, factors, STYLE_FAINT);
+        area_text_whole(area, 1, at + 2, area.rect.width - 1, factors, STYLE_FAINT);
 }
 
 /* --- a beam --------------------------------------------------------------------------------------- */
