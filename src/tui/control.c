@@ -483,9 +483,17 @@ bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)
     drop_part(lab);
     /* where not all panes have room, the plot is what a run is looked at for: Tab reaches the others */
     const bool was_whole = lab->width == 0 || screen_is_whole(lab->width, lab->height);
-    if (was_whole && !screen_is_whole(width, height) && lab->screen.focus == PANE_PARAMETERS &&
-        !lab->screen.editing && !lab->screen.prompt.open)
+    const bool is_whole = screen_is_whole(width, height);
+    if (was_whole && !is_whole && lab->screen.focus == PANE_PARAMETERS && !lab->screen.editing &&
+        !lab->screen.prompt.open) {
         lab->screen.focus = PANE_LOWER;
+        lab->focus_lent = true;
+    } else if (!was_whole && is_whole && lab->focus_lent) {
+        /* nobody asked for the plot: Enter and the arrows mean the parameters again */
+        if (lab->screen.focus == PANE_LOWER)
+            lab->screen.focus = PANE_PARAMETERS;
+        lab->focus_lent = false;
+    }
     lab->width = width;
     lab->height = height;
     if ((canvas->width != width || canvas->height != height) && !canvas_open(canvas, width, height, NULL))

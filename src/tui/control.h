@@ -63,6 +63,7 @@ struct Laboratory {
     Host host;
     LaboratoryOptions options;
     int width, height; /* of the picture, for focus and mouse */
+    bool focus_lent;   /* to the lower plot, while there is no room for all panes */
     bool utf8;         /* glyphs beyond ASCII can be shown */
     bool closed;       /* the user has left */
 

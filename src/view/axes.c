@@ -291,17 +291,19 @@ Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int 
     char text[TICK_TEXT_MAX];
     for (int row = 0; row < rows; row++)
         area_put(area, gutter, row, 0x2502, STYLE_FRAME);
+    int zero = y->low < 0 && y->high > 0 ? axis_row(y, 0, rows) : -1;
     int count = axis_ticks(y, ticks), before = rows + 1;
     for (int i = 0; i < count; i++) {
         int row = axis_row(y, ticks[i], rows);
         axis_label(y, ticks[i], text);
-        if (row < 0 || row == before || text_columns(text) > gutter)
+        /* where two would stand in one row the first has it, but the line of 0 is that of 0 alone */
+        const bool beside_zero = row == zero && fabs(ticks[i]) > 1e-9 * (y->high - y->low);
+        if (row < 0 || row == before || beside_zero || text_columns(text) > gutter)
             continue;
         before = row;
         area_text_right(area, gutter, row, text, STYLE_NORMAL);
         area_put(area, gutter, row, 0x2524, STYLE_FRAME);
     }
-    int zero = y->low < 0 && y->high > 0 ? axis_row(y, 0, rows) : -1;
     for (int column = 0; zero >= 0 && column < columns; column++)
         area_put(inner, column, zero, 0x2500, STYLE_FRAME);
 

@@ -7,7 +7,7 @@ enum {
     LEAST_WIDTH = 40,
     LEAST_HEIGHT = 12,
     FULL_WIDTH = 80,
-    FULL_HEIGHT = 24,
+    FULL_HEIGHT = 20,
     PAIR_WIDTH = 60, /* from here on both plots are seen, without parameters */
     PAIR_HEIGHT = 20,
     WIDE = 120, /* from here on there is a column at the right */
@@ -27,7 +27,7 @@ enum {
 
 static void lay_out_full(const Screen *screen, int width, int height, Layout *layout)
 {
-    const int box = height < 27 ? 5 : height < 30 ? 6 : height < 40 ? 9 : 10;
+    const int box = height < 22 ? 4 : height < 27 ? 5 : height < 30 ? 6 : height < 40 ? 9 : 10;
     /* a beam that stands in a plot pane is not drawn twice */
     const bool drawn = experiment_simulation(screen->experiment)->dimensions == 2 &&
                        (screen->upper == 8 || screen->lower == 8);

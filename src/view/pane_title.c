@@ -269,13 +269,14 @@ static int offers_of(const Screen *screen, const Offer **offers)
 #undef GIVE
 }
 
-/* A key's name as the bar shows it: short. */
-static const char *short_key(const char *key)
+/* A key's name as the bar shows it: short. In ASCII no "<", for that is the key of ten steps. */
+static const char *short_key(const Screen *screen, const char *key)
 {
-    static const char *const shorter[][2] = {{"Left", "←"}, {"Right", "→"}, {"Up", "↑"}, {"Down", "↓"}};
+    static const char *const shorter[][3] = {
+        {"Left", "←", "<-"}, {"Right", "→", "->"}, {"Up", "↑", "Up"}, {"Down", "↓", "Down"}};
     for (size_t i = 0; i < sizeof shorter / sizeof *shorter; i++)
         if (strcmp(key, shorter[i][0]) == 0)
-            return shorter[i][1];
+            return shorter[i][screen->glyphs == GLYPHS_ASCII ? 2 : 1];
     return key;
 }
 
@@ -316,7 +317,7 @@ static CommandId lay_out_bar(const Screen *screen, int width, const Area *area, 
         command_first_key(command, key);
         if (pair)
             command_first_key(pair, other);
-        const char *first = short_key(key), *second = short_key(other);
+        const char *first = short_key(screen, key), *second = short_key(screen, other);
         const char *word = offers[i].word ? offers[i].word : command->brief;
         int first_columns = text_columns(first), keys = first_columns + (pair ? 1 + text_columns(second) : 0);
         int columns = keys + 1 + text_columns(word);

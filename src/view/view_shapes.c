@@ -86,7 +86,8 @@ void view_shapes(const Screen *screen, Area area, Style heading, int variant)
 
     /* the mesh's spacing: slopes are counted in it */
     const double spacing = (to - from) / (double)(last > first ? last - first : 1);
-    Axis y = slope ? axis_make(-1.25 / spacing, 1.25 / spacing, 5) : axis_make(0, 1.2, 4);
+    const int most = area.rect.height - 2 < 5 ? 3 : 5; /* each in a row of its own */
+    Axis y = slope ? axis_make(-1.25 / spacing, 1.25 / spacing, most) : axis_make(0, 1.2, 4);
     const Legend legend[] = {{LINE_SOLID, '*', STYLE_MEASURED, "its", NULL},
                              {LINE_DASHED, ':', STYLE_FAINT, "others", NULL},
                              {LINE_DOTTED, '.', STYLE_EXACT, "sum", NULL}};

@@ -51,6 +51,8 @@ static const Picture pictures[] = {
     {"large", "mode5 132x43 1234 stage 3"},
     {"large-block", "mode10 132x43 2000 running block"},
     {"large-ascii", "mode10 132x43 2000 stage 2 ascii"},
+    {"status-line", "mode5 80x23 1234 stage 3"},
+    {"fewest-rows", "supported-beam-coarse 80x20 500 stage 4 ascii"},
     {"small", "mode5 79x23 1234 focus 3"},
     {"smaller", "mode5 60x18 1234 focus 2 running"},
     {"smaller-block", "mode5 60x18 1234 focus 0 block"},
@@ -197,7 +199,8 @@ START_TEST(every_screen_is_sound)
     Screen *screen = &scene.screen;
     Canvas *canvas = &scene.canvas;
     static const int sizes[][2] = {{80, 24}, {120, 40}, {79, 23},  {132, 43}, {100, 30}, {60, 18},
-                                   {40, 12}, {20, 5},   {200, 60}, {1, 1},    {80, 23},  {300, 12}};
+                                   {40, 12}, {20, 5},   {200, 60}, {1, 1},    {80, 23},  {300, 12},
+                                   {80, 20}, {80, 21},  {80, 19}};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
         for (int glyphs = 0; glyphs < GLYPHS_COUNT; glyphs++)
             for (int focus = 0; focus < PANE_COUNT; focus++) {
