@@ -545,6 +545,15 @@ static void zoom(Laboratory *lab)
     lab->screen.zoomed = !lab->screen.zoomed;
 }
 
+static void lecture(Laboratory *lab)
+{
+    lab->screen.lecture = !lab->screen.lecture;
+    if (lab->screen.lecture && lab->screen.lesson.open)
+        say(lab, MESSAGE_INFO, "a lesson keeps its page; the rest gets large when T closes it");
+    else if (lab->screen.lecture && !screen_is_whole(lab->width, lab->height))
+        say(lab, MESSAGE_INFO, "large letters want 80x24 at least; the curves are thick");
+}
+
 static void change_window(Laboratory *lab, int direction)
 {
     Screen *screen = &lab->screen;
@@ -798,6 +807,7 @@ static const Carry carries[COMMAND_COUNT] = {
     [COMMAND_LINE] = ask_line,
     [COMMAND_HELP] = help,
     [COMMAND_GLYPHS] = cycle_glyphs,
+    [COMMAND_LECTURE] = lecture,
     [COMMAND_FILTER] = filter,
     [COMMAND_QUIT] = quit,
     [COMMAND_INTERRUPT] = interrupt,

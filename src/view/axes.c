@@ -276,6 +276,20 @@ int axis_row(const Axis *axis, double value, int cells)
     return row < cells ? row : cells - 1;
 }
 
+/* To be read from afar every second one is left, the one at zero among them. */
+static int few_ticks(Area area, int count, double ticks[TICKS_MAX])
+{
+    if (!area.canvas->large || count <= 3)
+        return count;
+    int zero = 0, left = 0;
+    for (int i = 0; i < count; i++)
+        if (fabs(ticks[i]) < fabs(ticks[zero]))
+            zero = i;
+    for (int i = zero % 2; i < count; i += 2)
+        ticks[left++] = ticks[i];
+    return left;
+}
+
 Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int gutter)
 {
     int rows = area.rect.height - 1, columns = area.rect.width - gutter - 1;
@@ -292,7 +306,7 @@ Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int 
     for (int row = 0; row < rows; row++)
         area_put(area, gutter, row, 0x2502, STYLE_FRAME);
     int zero = y->low < 0 && y->high > 0 ? axis_row(y, 0, rows) : -1;
-    int count = axis_ticks(y, ticks), before = rows + 1;
+    int count = few_ticks(area, axis_ticks(y, ticks), ticks), before = rows + 1;
     for (int i = 0; i < count; i++) {
         int row = axis_row(y, ticks[i], rows);
         axis_label(y, ticks[i], text);
@@ -308,7 +322,7 @@ Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int 
         area_put(inner, column, zero, 0x2500, STYLE_FRAME);
 
     int name = text_columns(x_name), limit = area.rect.width - (name ? name + 1 : 0), used = gutter - 1;
-    count = axis_ticks(x, ticks);
+    count = few_ticks(area, axis_ticks(x, ticks), ticks);
     for (int i = 0; i < count; i++) {
         int column = axis_column(x, ticks[i], columns);
         axis_label(x, ticks[i], text);

@@ -115,6 +115,8 @@ static void drop_cut_number(Canvas *canvas, int x, int y, int ellipsis, Style st
 int canvas_text(Canvas *canvas, int x, int y, int width, const char *text, Style style)
 {
     int used = 0;
+    if (canvas->large && style == STYLE_FAINT)
+        style = STYLE_NORMAL;
     while (used < width) {
         uint32_t glyph = utf8_next(&text);
         if (!glyph)

@@ -56,6 +56,7 @@ typedef struct Canvas {
     int width, height;
     Cell *cells;            /* height x width */
     int cursor_x, cursor_y; /* where the hardware cursor stands; -1: hidden */
+    bool large;             /* to be read from afar: thick curves, few labels, no faint words */
     struct Sketch *sketch;  /* not NULL: there are no cells, all goes in there (sketch.h) */
 } Canvas;
 

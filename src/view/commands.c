@@ -72,6 +72,8 @@ const Command commands[] = {
      "a longer time window; in the map: displacements drawn larger"},
     {COMMAND_AUTOMATIC, "automatic", "a", "Views", "auto",
      "the time window, or the size of displacements, as matvib likes"},
+    {COMMAND_LECTURE, "lecture", "L", "Views", "large",
+     "time and state in large letters, thick curves, little else; again: as before"},
     {COMMAND_GLYPHS, "glyphs", "G", "Views", "glyphs", "draw with braille, blocks or ASCII"},
 
     {COMMAND_EXPORT, "export", "x", "Files", "export",

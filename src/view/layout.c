@@ -16,6 +16,7 @@ enum {
     WIDE_PARAMETERS_WIDTH = 28,
     LESSON_WIDTH = 37,
     WIDE_LESSON_WIDTH = 46,
+    LECTURE_FIELD_WIDTH = 40,
     SIDE_HEIGHT = 30,
     INSPECTOR_WIDTH = 79,
     TIMELINE_WIDTH = 100,
@@ -81,6 +82,26 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     }
 }
 
+/* What is far away is read in few and large things: time and state, two plots, the parameter under the
+ * arrows; in the middle of a step its stage. */
+static void lay_out_lecture(const Screen *screen, int width, int height, Layout *layout)
+{
+    const bool inside = experiment_stage(screen->experiment) > 0 || screen->state == STATE_FAILED;
+    const int banner = banner_rows(screen, width, height);
+    const int box = !inside ? 0 : height < LECTURE_LARGE_HEIGHT ? 5 : 9;
+    const int top = 1 + banner, middle = height - top - 2 - box, upper = (middle - 1) / 2;
+    layout->kind = LAYOUT_FULL;
+    layout->banner = (Rect){0, 1, width, banner};
+    layout->panes[PANE_UPPER] = (Rect){0, top + 1, width, upper};
+    layout->panes[PANE_LOWER] = (Rect){0, top + 1 + upper, width, middle - 1 - upper};
+    layout->panes[PANE_PARAMETERS] = (Rect){0, top + middle, LECTURE_FIELD_WIDTH, 1};
+    layout->panes[PANE_BOX] = (Rect){0, height - 1 - box, box ? width : 0, box};
+    if (screen->inspecting) {
+        layout->panes[PANE_INSPECTOR] = (Rect){0, top + 1, width, middle - 1};
+        layout->panes[PANE_UPPER] = layout->panes[PANE_LOWER] = (Rect){0};
+    }
+}
+
 Layout layout_make(const Screen *screen, int width, int height)
 {
     Layout layout = {.kind = LAYOUT_TOO_SMALL};
@@ -89,7 +110,10 @@ Layout layout_make(const Screen *screen, int width, int height)
     layout.title = (Rect){0, 0, width, 1};
     layout.bar = (Rect){0, height - 1, width, 1};
     if (width >= FULL_WIDTH && height >= FULL_HEIGHT && !screen->zoomed) {
-        lay_out_full(screen, width, height, &layout);
+        if (screen->lecture && !screen->lesson.open)
+            lay_out_lecture(screen, width, height, &layout);
+        else
+            lay_out_full(screen, width, height, &layout);
         return layout;
     }
     layout.kind = LAYOUT_ONE_PANE;

@@ -75,8 +75,7 @@ static void state_text(const Screen *screen, bool brief, char *out, size_t size)
         snprintf(out, size, "PAUSED");
 }
 
-/* The time with so many decimals less than the step has, but with two at least where it has them. */
-static void shorter_time(const Screen *screen, int less, char *out, size_t size)
+void shorter_time(const Screen *screen, int less, char *out, size_t size)
 {
     time_text(screen, experiment_time(screen->experiment), out, size);
     char *point = strchr(out, '.');
@@ -238,6 +237,11 @@ static int offers_of(const Screen *screen, const Offer **offers)
         {COMMAND_LESSONS, COMMAND_NONE, "close"},     {COMMAND_HELP, COMMAND_NONE, NULL},
         {COMMAND_QUIT, COMMAND_NONE, NULL},
     };
+    static const Offer lecture[] = {
+        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL}, {COMMAND_STAGE_BACK, COMMAND_STAGE_FORWARD, "stage"},
+        {COMMAND_LEFT, COMMAND_RIGHT, "change"}, {COMMAND_LECTURE, COMMAND_NONE, "small"},
+        {COMMAND_HELP, COMMAND_NONE, NULL},
+    };
     static const Offer magnified[] = {
         {COMMAND_LEFT, COMMAND_RIGHT, "move"},       {COMMAND_UP, COMMAND_DOWN, "move"},
         {COMMAND_FASTER, COMMAND_SLOWER, "size"},    {COMMAND_CANCEL, COMMAND_NONE, "whole"},
@@ -251,6 +255,8 @@ static int offers_of(const Screen *screen, const Offer **offers)
         GIVE(editing);
     if (screen->state == STATE_COMPUTING)
         GIVE(computing);
+    if (screen->lecture)
+        GIVE(lecture);
     const bool in_fields = screen->focus == PANE_PARAMETERS;
     if (screen->zooming && !in_fields)
         GIVE(magnified);

@@ -12,11 +12,15 @@
 
 typedef enum LayoutKind { LAYOUT_TOO_SMALL, LAYOUT_ONE_PANE, LAYOUT_FULL } LayoutKind;
 
+/* From here on the letters of a lecture are twice as large. */
+enum { LECTURE_LARGE_WIDTH = 120, LECTURE_LARGE_HEIGHT = 36 };
+
 enum { SIDES_MAX = 3, GUTTER = 6, SIDE_BY_SIDE = 120 /* columns from which on two runs stand so */ };
 
 typedef struct Layout {
     LayoutKind kind;
     Rect title, bar;
+    Rect banner;   /* of a lecture; width 0: there is none */
     Rect timeline; /* one row under the plots; width 0: there is none */
     Rect panes[PANE_COUNT];
     Rect sides[SIDES_MAX]; /* what joins on a large screen: energies, particles, nodes */
@@ -74,12 +78,15 @@ void view_log(const Screen *, Area, Style heading, int variant);
 /* --- the other panes --- */
 
 void pane_title(const Screen *, Area);
+void pane_banner(const Screen *, Area);           /* of a lecture: time and state in large letters */
+void pane_chosen_parameter(const Screen *, Area); /* of a lecture: the one that the arrows change */
+int banner_rows(const Screen *, int width, int height);
 void pane_bar(const Screen *, Area);
 void pane_parameters(const Screen *, Area);
 void pane_lesson(const Screen *, Area);
 void pane_timeline(const Screen *, Area);
 void pane_mesh(const Screen *, Area);
-void pane_lattice(const Screen *, Area); /* the same for a bar without a mesh */
+void pane_lattice(const Screen *, Area);              /* the same for a bar without a mesh */
 bool choose_in_lattice(Screen *, Rect, int x, int y); /* the node near a place of the screen */
 void pane_box(const Screen *, Area);
 void pane_stage(const Screen *, Area);
@@ -157,6 +164,10 @@ bool shows_exact(const Screen *);
 bool shows_predicted(const Screen *);
 bool is_focused(const Screen *, PaneId);
 bool is_rewound(const Screen *); /* more has been computed than is shown */
+
+/* The time of the run with so many decimals less than the step has, but with two at least where it has them.
+ */
+void shorter_time(const Screen *, int less, char *out, size_t size);
 
 /* "t 12.34" with as many decimals as the time step has: columns do not dance. */
 void time_text(const Screen *, double time, char *out, size_t size);

@@ -117,6 +117,7 @@ typedef struct Raster {
     Spot *spots;
     int columns, rows; /* cells */
     int across, down;  /* dots in a cell */
+    bool thick;        /* lines of two dots */
     Glyphs glyphs;
 } Raster;
 
@@ -225,8 +226,13 @@ static void draw_segment(Raster *raster, const Stroke *stroke, Pattern *pattern,
     for (int i = first ? 0 : 1; i <= steps; i++) {
         double share = steps ? (double)i / steps : 0;
         int x = (int)lround(ax + share * (bx - ax)), y = (int)lround(ay + share * (by - ay));
-        if (pattern_lit(pattern, stroke->line, x))
-            put_dot(raster, stroke, x, y);
+        if (!pattern_lit(pattern, stroke->line, x))
+            continue;
+        put_dot(raster, stroke, x, y);
+        if (raster->thick) {
+            put_dot(raster, stroke, x + 1, y);
+            put_dot(raster, stroke, x, y + 1);
+        }
     }
 }
 
@@ -348,6 +354,8 @@ void plot_draw(const Plot *plot, Area area)
         .rows = area.rect.height,
         .across = plot_dots_across(area.glyphs),
         .down = plot_dots_down(area.glyphs),
+        /* where a dot is a whole cell or half of one it is thick already */
+        .thick = area.canvas->large && area.glyphs == GLYPHS_BRAILLE,
         .glyphs = area.glyphs,
     };
     const size_t count = (size_t)raster.columns * (size_t)raster.rows;

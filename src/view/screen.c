@@ -176,6 +176,8 @@ static void draw_pane(const Screen *screen, PaneId pane, Area area)
     case PANE_PARAMETERS:
         if (screen->lesson.open)
             pane_lesson(screen, area);
+        else if (area.rect.height == 1)
+            pane_chosen_parameter(screen, area);
         else
             pane_parameters(screen, area);
         break;
@@ -203,6 +205,7 @@ static void draw_pane(const Screen *screen, PaneId pane, Area area)
 void screen_draw(const Screen *screen, Canvas *canvas)
 {
     canvas_clear(canvas);
+    canvas->large = screen->lecture;
     const Layout layout = layout_make(screen, canvas->width, canvas->height);
     if (layout.kind == LAYOUT_TOO_SMALL) {
         draw_too_small(canvas);
@@ -214,6 +217,8 @@ void screen_draw(const Screen *screen, Canvas *canvas)
         Rect all = {0, 1, canvas->width, canvas->height - 2};
         pane_help(screen, area_of(screen, canvas, all));
     } else {
+        if (layout.banner.width > 0)
+            pane_banner(screen, area_of(screen, canvas, layout.banner));
         for (int pane = 0; pane < PANE_COUNT; pane++)
             draw_pane(screen, (PaneId)pane, area_of(screen, canvas, layout.panes[pane]));
         if (layout.timeline.width > 0)

@@ -114,6 +114,7 @@ typedef struct Screen {
 
     PaneId focus;
     bool zoomed;      /* the focused pane fills the screen */
+    bool lecture;     /* time and state in large letters, thick curves, no parameters beside them */
     int upper, lower; /* view numbers 1 to 9 in the two plot panes */
     int variant[10];  /* of each view */
     ReferencesShown references;

@@ -30,6 +30,8 @@ static bool simple_word(Scene *scene, const char *word)
         screen->glyphs = GLYPHS_ASCII;
     else if (strcmp(word, "block") == 0)
         screen->glyphs = GLYPHS_BLOCK;
+    else if (strcmp(word, "lecture") == 0)
+        screen->lecture = true;
     else if (strcmp(word, "zoom") == 0)
         screen->zoomed = true;
     else if (strcmp(word, "none") == 0)

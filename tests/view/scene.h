@@ -2,7 +2,7 @@
  *
  *     SCENARIO WxH STEPS [key=value]... [word]...
  *
- * words: duel (of the scenario, or with what differs behind it: duel mesh.cell_size=0.5), running, ended, computing, ascii, block, eight and plain (colours), zoom, none, exact, node, inspect,
+ * words: duel (of the scenario, or with what differs behind it: duel mesh.cell_size=0.5), running, ended, computing, ascii, block, eight and plain (colours), zoom, lecture, none, exact, node, inspect,
  * edit, ghost (an edit behind), and with a number: help, scroll, upper, lower, variant, focus, select, stage,
  * back, window, cursor, particle, magnified, at (x,y in shares of a beam).
  */
