@@ -78,7 +78,7 @@ const Command commands[] = {
 
     {COMMAND_EXPORT, "export", "x", "Files", "export",
      "write the run as CSV, or the focused view as a figure"},
-    {COMMAND_OPEN, "open", "o", "Files", "open", "open a scenario by name or path"},
+    {COMMAND_OPEN, "open", "o", "Files", "open", "open a scenario: from a list with titles, by name or path"},
     {COMMAND_WRITE, "write", "w", "Files", "write", "write these parameters as a scenario file"},
 
     {COMMAND_LINE, "line", ":", "Program", "command", "a command by name, KEY=VALUE, a time; Tab completes"},
@@ -95,7 +95,7 @@ const int n_commands = sizeof commands / sizeof *commands;
 
 const LineVerb line_verbs[] = {
     {LINE_SET, "set", "KEY VALUE", ARGUMENT_KEY, "a parameter, as KEY=VALUE does without the word set"},
-    {LINE_OPEN, "open", "SCENARIO", ARGUMENT_SCENARIO, "open a scenario by name or path"},
+    {LINE_OPEN, "open", "SCENARIO", ARGUMENT_SCENARIO, "open a scenario: from a list with titles, by name or path"},
     {LINE_WRITE, "write", "FILE", ARGUMENT_FILE, "write these parameters as a scenario file"},
     {LINE_EXPORT, "export", "NAME", ARGUMENT_OTHER, "write the run as NAME-series.csv and its tables"},
     {LINE_FIGURE, "figure", "FILE", ARGUMENT_FILE, "draw the focused view as FILE.svg, FILE.pdf or FILE.png"},

@@ -160,10 +160,15 @@ void pane_lesson(const Screen *screen, Area area)
     area_rule(area, 0, heading, is_focused(screen, PANE_PARAMETERS) ? STYLE_FOCUS : STYLE_HEADING);
     Pen pen = {area_part(area, 0, 1, area.rect.width, rows), -shown->scroll};
     write_all(&pen, screen);
-    if (pen.y > rows + 1)
-        area_text_right(area, area.rect.width - 1, area.rect.height - 1, "more below", STYLE_FAINT);
     footer_text(screen, footer, sizeof footer);
-    area_text(area, 1, area.rect.height - 1, footer, STYLE_KEY);
+    const int last = area.rect.height - 1, end = area.rect.width - 1;
+    const int used = area_text(area, 1, last, footer, STYLE_KEY) + 2;
+    static const char *const more[] = {"more below", "more", "↓"};
+    for (size_t i = 0; pen.y > rows + 1 && i < sizeof more / sizeof *more; i++)
+        if (used + text_columns(more[i]) < end) {
+            area_text_right(area, end, last, more[i], STYLE_FAINT);
+            break;
+        }
 }
 
 int screen_lesson_most(const Screen *screen, int width, int height)

@@ -235,7 +235,7 @@ static int offers_of(const Screen *screen, const Offer **offers)
         {COMMAND_PAGE_UP, COMMAND_PAGE_DOWN, "page"}, {COMMAND_RUN_PAUSE, COMMAND_NONE, "run"},
         {COMMAND_STEP_FORWARD, COMMAND_NONE, NULL},   {COMMAND_STAGE_FORWARD, COMMAND_NONE, NULL},
         {COMMAND_LESSONS, COMMAND_NONE, "close"},     {COMMAND_HELP, COMMAND_NONE, NULL},
-        {COMMAND_QUIT, COMMAND_NONE, NULL},
+        {COMMAND_QUIT, COMMAND_NONE, NULL},           {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
     };
     static const Offer lecture[] = {
         {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL}, {COMMAND_STAGE_BACK, COMMAND_STAGE_FORWARD, "stage"},

@@ -192,6 +192,10 @@ END_TEST
 /* What an eye that sees no hues goes by: CIE L* of a colour of 256. */
 static double lightness(int colour)
 {
+    if (colour >= 232) { /* the greys */
+        const double level = (8 + 10 * (colour - 232)) / 255.0;
+        return 116 * cbrt(pow((level + 0.055) / 1.055, 2.4)) - 16;
+    }
     static const double levels[] = {0, 95, 135, 175, 215, 255};
     static const double weights[] = {0.2126, 0.7152, 0.0722};
     const int places[3] = {(colour - 16) / 36, (colour - 16) / 6 % 6, (colour - 16) % 6};
@@ -207,11 +211,12 @@ static double lightness(int colour)
  * of zero, and none is that of the ground. */
 START_TEST(the_ramp_rises)
 {
-    for (int step = 1; step < RAMP_STEPS; step++) {
-        const Look before = theme_look(256, false, STYLE_RAMP_0 + (unsigned)step - 1, 0);
-        const Look here = theme_look(256, false, STYLE_RAMP_0 + (unsigned)step, 0);
-        ck_assert_double_gt(lightness(here.foreground), lightness(before.foreground));
-    }
+    for (int light = 0; light < 2; light++)
+        for (int step = 1; step < RAMP_STEPS; step++) {
+            const Look before = theme_look(256, light, STYLE_RAMP_0 + (unsigned)step - 1, 0);
+            const Look here = theme_look(256, light, STYLE_RAMP_0 + (unsigned)step, 0);
+            ck_assert_double_gt(lightness(here.foreground), lightness(before.foreground));
+        }
     for (int light = 0; light < 2; light++)
         for (unsigned a = 0; a < RAMP_STEPS; a++) {
             const int below = theme_look(8, light, STYLE_RAMP_0 + a, 0).foreground;
@@ -219,6 +224,26 @@ START_TEST(the_ramp_rises)
             for (unsigned b = RAMP_STEPS / 2; a < RAMP_STEPS / 2 && b < RAMP_STEPS; b++)
                 ck_assert_int_ne(below, theme_look(8, light, STYLE_RAMP_0 + b, 0).foreground);
         }
+}
+END_TEST
+
+/* Words and curves keep away from the ground: L* differs by 30 at least. Of eight colours the dark ones stand
+ * on a light ground, for most terminals' yellow and cyan are near white. */
+START_TEST(everything_stands_out_from_the_ground)
+{
+    for (unsigned style = 0; style < STYLE_COUNT; style++) {
+        const Look dark = theme_look(256, false, style, 0), light = theme_look(256, true, style, 0);
+        const Look eight = theme_look(8, true, style, 0), eight_dark = theme_look(8, false, style, 0);
+        if (dark.background == LOOK_DEFAULT && dark.foreground != LOOK_DEFAULT && style < STYLE_RAMP_0)
+            ck_assert_double_gt(lightness(dark.foreground), 30);
+        if (light.background == LOOK_DEFAULT && light.foreground != LOOK_DEFAULT)
+            ck_assert_double_lt(lightness(light.foreground), 75);
+        if (eight.background == LOOK_DEFAULT && eight.foreground != LOOK_DEFAULT && style < STYLE_RAMP_0)
+            ck_assert_msg(eight.foreground != 3 && eight.foreground != 6 && eight.foreground != 7, "style %u",
+                          style);
+        if (eight_dark.background == LOOK_DEFAULT && style < STYLE_RAMP_0)
+            ck_assert(eight_dark.foreground != 0 && eight_dark.foreground != 4);
+    }
 }
 END_TEST
 
@@ -259,6 +284,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, ascii_alone_where_the_locale_has_no_more);
     tcase_add_test(tcase, the_ground_is_told);
     tcase_add_test(tcase, the_ramp_rises);
+    tcase_add_test(tcase, everything_stands_out_from_the_ground);
     tcase_add_test(tcase, without_colours_attributes_remain);
     suite_add_tcase(suite, tcase);
 }
