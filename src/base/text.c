@@ -7,8 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Cuts "1e-07" to "1e-7" and "1e+16" to "1e16". */
-static size_t trim_exponent(char *text)
+size_t text_trim_exponent(char *text)
 {
     char *e = strchr(text, 'e');
     if (!e)
@@ -38,7 +37,7 @@ size_t text_shortest(char *out, double value)
         if (strtod(out, NULL) == value)
             break;
     }
-    return trim_exponent(out);
+    return text_trim_exponent(out);
 }
 
 size_t text_rounded(char *out, double value, int digits)
@@ -46,7 +45,7 @@ size_t text_rounded(char *out, double value, int digits)
     if (!isfinite(value))
         return text_shortest(out, value);
     snprintf(out, NUMBER_TEXT_MAX, "%.*g", digits, value == 0 ? 0.0 : value);
-    return trim_exponent(out);
+    return text_trim_exponent(out);
 }
 
 static bool only_spaces(const char *text)

@@ -12,8 +12,12 @@ enum { NUMBER_TEXT_MAX = 32 };
  * NUMBER_TEXT_MAX characters. Returns the length. */
 size_t text_shortest(char *out, double value);
 
-/* Writes a number for people: `digits` significant digits, trailing zeros cut, never an exponent's padding. */
+/* Writes a number for people: `digits` significant digits, trailing zeros cut, never an exponent's padding.
+ */
 size_t text_rounded(char *out, double value, int digits);
+
+/* Cuts "1e-07" to "1e-7" and "1e+16" to "1e16". Returns the length. */
+size_t text_trim_exponent(char *text);
 
 /* Reads a finite number that fills the whole text, spaces around it allowed. False: it does not. */
 bool text_to_double(const char *text, double *value);

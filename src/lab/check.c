@@ -194,10 +194,11 @@ static bool check_question(const Settings *settings, Status *status)
     if (!*settings->question)
         return true;
     const Parameter *parameter = parameter_find(settings->question);
-    if (!parameter || !parameter_applies(parameter, settings->problem) || !parameter->choices)
-        return status_fail(status, STATUS_USAGE,
-                           "question.key: %s cannot be toggled (a key of problem %s that has choices)",
-                           settings->question, problem_words[settings->problem]);
+    if (!parameter || !settings_can_ask(parameter, settings->problem))
+        return status_fail(
+            status, STATUS_USAGE,
+            "question.key: %s cannot be toggled (a key of problem %s that has choices, or a size)",
+            settings->question, problem_words[settings->problem]);
     return true;
 }
 

@@ -134,8 +134,12 @@ const char *parameter_automatic(const Parameter *, Problem);
 /* What a scenario asks about: its question.key, or what its method leaves open. NULL: nothing. */
 const Parameter *settings_question(const Settings *);
 
-/* To the other answer to a question: what can be left out ("none") is taken away and put back, of other
- * things the next value is taken. False: there is none. */
+/* Whether a scenario can ask about it: it has choices, or it is a size of the mesh or lattice. */
+bool settings_can_ask(const Parameter *, Problem);
+
+/* To the other answer to a question: what can be left out ("none") is taken away and put back, a size goes
+ * one rung down from the usual one or back to it, of other things the next value is taken. False: there is
+ * none. */
 bool settings_answer_otherwise(Settings *, const Parameter *);
 
 /* How many of its choices there are in this problem, the first ones; 0: it has no choices. */

@@ -468,6 +468,12 @@ bool settings_same(const Settings *a, const Settings *b, char *out, size_t size)
     return list.count == 0;
 }
 
+/* Of a mesh or lattice: it is asked about by a smaller one. */
+static bool is_size(const Parameter *parameter)
+{
+    return parameter->nudge == NUDGE_DOUBLE || parameter->nudge == NUDGE_SPACING;
+}
+
 const Parameter *settings_question(const Settings *settings)
 {
     const Parameter *asked = parameter_find(settings->question);
@@ -476,9 +482,30 @@ const Parameter *settings_question(const Settings *settings)
     return asked && settings_have(settings, asked) ? asked : NULL;
 }
 
+/* A size: one rung below the usual one and, from anywhere else, back to it. */
+static bool answer_by_size(Settings *settings, const Parameter *parameter)
+{
+    const double usual = parameter->defaults[settings->problem];
+    if (settings_number(settings, parameter) == usual)
+        return settings_nudge(settings, parameter, -1);
+    Settings candidate = *settings;
+    put_number(&candidate, parameter, usual);
+    if (!settings_check(&candidate, NULL))
+        return false;
+    *settings = candidate;
+    return true;
+}
+
+bool settings_can_ask(const Parameter *parameter, Problem problem)
+{
+    return parameter_applies(parameter, problem) && (parameter->choices || is_size(parameter));
+}
+
 bool settings_answer_otherwise(Settings *settings, const Parameter *parameter)
 {
     char now[LIST_MAX];
+    if (is_size(parameter))
+        return answer_by_size(settings, parameter);
     for (int i = 0; i < parameter_choices(parameter, settings->problem); i++) {
         const char *usual = parameter->choices[(int)parameter->defaults[settings->problem]];
         if (strcmp(parameter->choices[i], "none") != 0 || strcmp(usual, "none") == 0)

@@ -134,6 +134,9 @@ void pause_run(Laboratory *);
 void drop_part(Laboratory *);
 void seek(Laboratory *, long step, int stage);
 
+/* duel_change(); the chosen particle stays the one nearest to where it was at first. */
+bool change_runs(Laboratory *, const Settings *, DuelChange, Status *);
+
 /* New parameters, undoable. False: refused, the status says why. */
 bool change_settings(Laboratory *, const Settings *, DuelChange, Status *);
 void settings_changed(Laboratory *); /* what follows from it */

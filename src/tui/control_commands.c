@@ -384,9 +384,8 @@ static void move(Laboratory *lab, int x, int y, int page)
         move_cursor(lab, x ? x : y * page);
     } else if (x || page > 1) {
         choose_particle(lab, x ? x : y, (size_t)page);
-    } else if (experiment_simulation(screen->experiment)->n_sets > 1) {
-        /* in the strip the grid lies above the particles */
-        screen->node_chosen = y < 0;
+    } else {
+        screen_choose_across(screen, y < 0);
     }
 }
 
@@ -631,6 +630,21 @@ static bool is_second(const Laboratory *lab, const Settings *settings, const Par
            settings_number(settings, parameter) == settings_number(experiment_settings(second), parameter);
 }
 
+/* "cell size 1 -> 0.5, from t = 0 on; a: before" */
+static void say_answer(Laboratory *lab, const Parameter *parameter, const Settings *before)
+{
+    const Experiment *experiment = lab->screen.experiment;
+    const Ghost *ghosts = experiment_ghosts(experiment);
+    char from[LIST_MAX], to[LIST_MAX], ghost[24] = "";
+    settings_show(before, parameter, from);
+    settings_show(experiment_settings(experiment), parameter, to);
+    for (int i = 0; i < GHOSTS_MAX; i++)
+        if (ghosts[i].used && !ghosts[i].pinned)
+            snprintf(ghost, sizeof ghost, "; %c: before", ghosts[i].letter);
+    say(lab, MESSAGE_INFO, "%s%s %.60s -> %.60s, from t = 0 on%s", lab->duel.b ? "A: " : "", parameter->label,
+        from, to, ghost);
+}
+
 /* Another run beside this one: what the scenario asks about holds from t = 0 on. */
 static void question(Laboratory *lab)
 {
@@ -645,6 +659,8 @@ static void question(Laboratory *lab)
         say(lab, MESSAGE_INFO, "both answers are on screen already; d ends the duel");
     else if (!change_settings(lab, &settings, experiment_rerun, &status))
         say(lab, MESSAGE_ERROR, "%s", status.text);
+    else if (lab->screen.message_kind == MESSAGE_NONE)
+        say_answer(lab, parameter, &before);
 }
 
 static int pinned(const Experiment *experiment)
@@ -677,7 +693,7 @@ static void swap_settings(Laboratory *lab, Settings *from, int *n_from, Settings
         return;
     }
     Settings old = *experiment_settings(lab->screen.experiment);
-    if (!duel_change(&lab->duel, &from[*n_from - 1], experiment_replace, &status)) {
+    if (!change_runs(lab, &from[*n_from - 1], experiment_replace, &status)) {
         say(lab, MESSAGE_ERROR, "%s", status.text);
         return;
     }

@@ -60,6 +60,44 @@ void settings_changed(Laboratory *lab)
         say(lab, MESSAGE_WARNING, "%s", advice);
 }
 
+/* Where a particle was at first, in each dimension. */
+static void place_of(const Simulation *sim, size_t particle, double place[SIMULATION_DIMENSIONS_MAX])
+{
+    for (int d = 0; d < sim->dimensions; d++)
+        sim->method->field(sim, sim->position[d], particle, 1, &place[d]);
+}
+
+static size_t nearest_to(const Simulation *sim, const double place[SIMULATION_DIMENSIONS_MAX])
+{
+    size_t nearest = 0;
+    double least = INFINITY;
+    for (size_t i = 0; i < sim->counts[0]; i++) {
+        double here[SIMULATION_DIMENSIONS_MAX] = {0}, square = 0;
+        place_of(sim, i, here);
+        for (int d = 0; d < sim->dimensions; d++)
+            square += (here[d] - place[d]) * (here[d] - place[d]);
+        if (square < least)
+            least = square, nearest = i;
+    }
+    return nearest;
+}
+
+bool change_runs(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
+{
+    size_t *chosen = &lab->screen.particle;
+    const Simulation *sim = experiment_simulation(lab->screen.experiment);
+    const size_t before = sim->counts[0];
+    double place[SIMULATION_DIMENSIONS_MAX] = {0};
+    if (*chosen < before)
+        place_of(sim, *chosen, place);
+    if (!duel_change(&lab->duel, settings, verb, status))
+        return false;
+    sim = experiment_simulation(lab->screen.experiment);
+    if (*chosen < before && sim->counts[0] != before)
+        *chosen = nearest_to(sim, place);
+    return true;
+}
+
 bool change_settings(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
 {
     Settings old = *experiment_settings(lab->screen.experiment);
@@ -74,7 +112,7 @@ bool change_settings(Laboratory *lab, const Settings *settings, DuelChange verb,
     if (step >= experiment_last_step(lab->screen.experiment) && settings->end == old.end)
         lab->anchor_time = 2 * old.end;
     Status said = {STATUS_DONE, ""};
-    bool taken = duel_change(&lab->duel, settings, verb, &said);
+    bool taken = change_runs(lab, settings, verb, &said);
     say(lab, MESSAGE_NONE, "%s", ""); /* how far it has been built */
     if (!taken) {
         *status = said;

@@ -61,7 +61,7 @@ static void moving_lines(const Screen *screen, char first[160], char second[160]
         append(first, 160, "  f measuring");
     }
     if (shows_exact(screen))
-        append(second, 160, "%sstopped now %.1f Hz", second[0] ? "  " : "", standing);
+        append(second, 160, "%sat fixed length %.1f Hz", second[0] ? "  " : "", standing);
 }
 
 /* What a beam that breaks is judged by. */

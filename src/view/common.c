@@ -59,7 +59,7 @@ static int sketch_legend(Sketch *sketch, const Legend *legend, int n_legend)
     return n_legend;
 }
 
-int legend_room(Area area)
+static int legend_room(Area area)
 {
     enum { NO_LIMIT = 10000 };
     return area.canvas->sketch ? NO_LIMIT : area.rect.width;
@@ -84,31 +84,59 @@ int draw_legend(Area area, int x, int y, const Legend *legend, int n_legend)
     return n_legend;
 }
 
+const char *short_word(const char *name)
+{
+    return strcmp(name, "predicted") == 0       ? "pred"
+           : strcmp(name, "measured") == 0      ? "meas"
+           : strncmp(name, "filtered ", 9) == 0 ? "filt"
+                                                : name;
+}
+
+/* How an entry is named where room is short, by what gives way first; NULL: it is not of that kind. */
+static const char *shorter_name(const Legend *entry, int kind)
+{
+    const bool ghost = entry->key && entry->key[0] && entry->key[1] == ':';
+    const bool run = (entry->name[0] == 'A' || entry->name[0] == 'B') && entry->name[1] == ' ';
+    switch (kind) {
+    case 0:
+        return ghost && strncmp(entry->name, "at t ", 5) != 0 ? "before" : NULL;
+    case 1:
+        return !run ? NULL : entry->name[0] == 'A' ? "A" : "B";
+    case 2:
+        return short_word(entry->name);
+    default:
+        return ghost ? "" : NULL; /* its letter has to do */
+    }
+}
+
+/* One kind of names after the other gives way until the whole legend has room. */
+static void shorten_legend(int room, Legend *legend, int n_legend)
+{
+    enum { KINDS = 4 };
+    for (int kind = 0; kind < KINDS; kind++) {
+        int columns = -1; /* after the last one there is no gap */
+        for (int i = 0; i < n_legend; i++)
+            columns += text_columns(legend[i].name) + 5;
+        for (int i = 0; i < n_legend && columns > room; i++) {
+            const char *name = shorter_name(&legend[i], kind);
+            legend[i].name = name ? name : legend[i].name;
+        }
+    }
+}
+
 int draw_heading(Area area, Style heading, const char *name, const char *scale, const Legend *legend,
                  int n_legend)
 {
     char text[160];
+    Legend shown[LEGENDS_MAX];
+    n_legend = n_legend < LEGENDS_MAX ? n_legend : LEGENDS_MAX;
+    for (int i = 0; i < n_legend; i++)
+        shown[i] = legend[i];
     snprintf(text, sizeof text, "%s%s%s", name, !scale[0] ? "" : scale[0] == 'x' ? " " : ", ", scale);
     area_rule(area, 0, text, heading);
-    return draw_legend(area, 4 + text_columns(text) + 1, 0, legend, n_legend);
-}
-
-const char *short_word(const char *name)
-{
-    return strcmp(name, "predicted") == 0 ? "pred" : strcmp(name, "measured") == 0 ? "meas" : name;
-}
-
-void shorten_legend(Area area, const char *name, const char *scale, Legend *legend, int n_legend)
-{
-    const int heading = 5 + text_columns(name) + (scale[0] ? 2 + text_columns(scale) : 0);
-    int whole = heading, brief = heading;
-    for (int i = 0; i < n_legend; i++) {
-        whole += text_columns(legend[i].name) + 5;
-        brief += text_columns(short_word(legend[i].name)) + 5;
-    }
-    const int most = legend_room(area) + 1; /* after the last one there is no gap */
-    for (int i = 0; i < n_legend && whole > most && brief <= most; i++)
-        legend[i].name = short_word(legend[i].name);
+    const int x = 4 + text_columns(text) + 1;
+    shorten_legend(legend_room(area) - x, shown, n_legend);
+    return draw_legend(area, x, 0, shown, n_legend);
 }
 
 void number_text(double value, int digits, int width, char out[NUMBER_TEXT_MAX])

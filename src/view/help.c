@@ -76,6 +76,16 @@ static void put_key(Sheet *sheet, int width, const char *keys, const char *help)
     put_text(sheet, STYLE_NORMAL, width, beside ? COLUMN : 4, rest);
 }
 
+/* What there is to see: the caption has room for its first sentences only. */
+static void write_about(Sheet *sheet, const Settings *settings, int width)
+{
+    put_text(sheet, STYLE_HEADING, width, 0,
+             settings->title[0] ? settings->title : problem_title(settings->problem));
+    if (settings->about[0])
+        put_text(sheet, STYLE_NORMAL, width, 2, settings->about);
+    put_line(sheet, STYLE_NORMAL, "");
+}
+
 static void write_keys(Sheet *sheet, int width)
 {
     const char *group = "";
@@ -184,11 +194,13 @@ static void write_page(Sheet *sheet, const Screen *screen, int screen_width)
     const HelpText *text = help_text_of(experiment_settings(screen->experiment));
     sheet->used = 0;
     sheet->count = 0;
-    if (page == 0)
+    if (page == 0) {
+        write_about(sheet, experiment_settings(screen->experiment), width);
         write_keys(sheet, width);
-    else if (page == 1)
+    }
+    if (page == 1)
         write_curves(sheet, width, text);
-    else
+    if (page == 2)
         write_solved(sheet, screen, width, text);
 }
 
@@ -209,7 +221,7 @@ int screen_help_most(const Screen *screen, int width, int height)
 
 void pane_help(const Screen *screen, Area area)
 {
-    static const char *const names[HELP_PAGES] = {"keys", "the curves", "what is solved"};
+    static const char *const names[HELP_PAGES] = {"this scenario, the keys", "the curves", "what is solved"};
     const int page = page_of(screen), room = area.rect.height - 1;
     Sheet sheet;
     write_page(&sheet, screen, area.rect.width);

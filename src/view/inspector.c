@@ -20,6 +20,15 @@ bool screen_has_inspector(const Screen *screen)
     return inspector_find(screen) != NULL;
 }
 
+void screen_choose_across(Screen *screen, bool node)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    if (has_mesh(sim))
+        move_mesh_inspector(screen, 0, node ? -1 : 1, 1);
+    else if (sim->n_sets > 1)
+        screen->node_chosen = node;
+}
+
 bool screen_move_inspector(Screen *screen, int x, int y, int page)
 {
     const Inspector *inspector = inspector_find(screen);

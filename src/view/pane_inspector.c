@@ -371,8 +371,9 @@ static void draw_block(const Subject *subject, Area area, const Block *block, co
         const int end = column_end(block, c);
         if (column->exchange < 0) {
             char text[NUMBER_TEXT_MAX];
+            const Format format = format_of(column->values, plan->shown, 6, block->factor_width - 1);
             for (size_t i = 0; i < plan->shown; i++) {
-                number_text(column->values[i], 6, block->factor_width - 1, text);
+                format_number(column->values[i], format, text);
                 area_text_right(area, end, y + (int)i, text, STYLE_NORMAL);
             }
             continue;
@@ -411,6 +412,14 @@ static void draw_subject(const Screen *screen, const Subject *subject, Area area
         }
 }
 
+/* Whether a stage passes anything between the subject and its links. */
+static bool passes_on(const Subject *subject, int stage)
+{
+    Block block;
+    return make_block(&block, subject, stage, true, false, INDEX_WIDTH) ||
+           make_block(&block, subject, stage, false, false, INDEX_WIDTH);
+}
+
 void pane_mesh_inspector(const Screen *screen, Area area)
 {
     const Subject subject = subject_of(screen);
@@ -424,6 +433,10 @@ void pane_mesh_inspector(const Screen *screen, Area area)
      * then what else is still at hand, as far as there is room for a whole one. */
     const int latest = sim->stage > 0 ? sim->stage - 1 : 0;
     int y = 1;
+    if (sim->stage > 0 && !passes_on(&subject, latest))
+        y += area_print(area, 1, y, STYLE_NORMAL,
+                        "stage %d, %s: nothing is passed on; before that:", sim->stage,
+                        sim->stages[latest].name) > 0;
     for (int pass = 0; pass < 2; pass++)
         for (int stage = latest; stage >= 0; stage--)
             for (int takes = 1; takes >= 0; takes--) {

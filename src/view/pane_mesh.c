@@ -258,7 +258,8 @@ static void draw_bar(const Screen *screen, Area area)
     else
         area_print(words, 0, grid_row, STYLE_FAINT, "%ld cells", strip.cells);
     text_rounded(number, k, 3);
-    snprintf(text, sizeof text, "particles at x0 + %s%su", k == 1 ? "" : number, k == 1 ? "" : " ");
+    snprintf(text, sizeof text, "%sparticles at x0 + %s%su", second_run(screen) ? "A: " : "",
+             k == 1 ? "" : number, k == 1 ? "" : " ");
     area_text(words, 0, particle_row, text, STYLE_FAINT);
     if (rows > particle_row + 2)
         list_links(area_part(area, 1, particle_row + 2, area.rect.width - 2, rows - particle_row - 2), sim,

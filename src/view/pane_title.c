@@ -93,8 +93,8 @@ enum { BAR_CELLS = 10 };
 
 /* What the title gives up, one after the other, where there is no room. */
 typedef struct TitleForm {
-    bool brand, brief, name, words;
-    int fewer; /* decimals of the time that are left out */
+    bool brand, brief, name, words; /* brief: of the state */
+    int fewer;                      /* decimals of the time that are left out */
     bool close, no_stage, no_step;
 } TitleForm;
 
@@ -103,6 +103,10 @@ void pane_title(const Screen *screen, Area area)
     static const TitleForm forms[] = {
         {true, false, true, true, 0, false, false, false},
         {false, false, true, true, 0, false, false, false},
+        /* the word for a run that goes on is worth more than what stands still in it */
+        {false, false, true, true, 2, false, false, false},
+        {false, false, true, true, 2, true, false, false},
+        {false, false, true, true, 4, true, true, false},
         {false, true, true, true, 0, false, false, false},
         {false, true, true, true, 2, false, false, false},
         {false, true, true, true, 2, true, false, false},
@@ -131,6 +135,8 @@ void pane_title(const Screen *screen, Area area)
     bool bar = false, fits = false;
     for (int i = 0; i < FORMS && !fits; i++) {
         const TitleForm *form = &forms[i];
+        if (!form->brief && form->fewer > 0 && screen->state != STATE_RUNNING)
+            continue;
         const char *gap = form->close ? " " : "  ";
         state_text(screen, form->brief, state, sizeof state);
         bar = screen->state == STATE_COMPUTING && !form->brief;

@@ -134,18 +134,15 @@ typedef struct Legend {
 /* Draws entries of a legend from column x on as far as there is room; returns how many. */
 int draw_legend(Area, int x, int y, const Legend *, int n_legend);
 
-/* The columns that a heading and its legend may take: on paper as many as they need. */
-int legend_room(Area);
+enum { LEGENDS_MAX = 32 }; /* under one heading */
 
-/* Draws the heading line of a plot: name, scale, legend as far as there is room. Returns how many entries of
+/* Draws the heading line of a plot: name, scale, legend as far as there is room; where it is short names are
+ * shortened before any is left out. Returns how many entries of
  * the legend that were. */
 int draw_heading(Area, Style heading, const char *name, const char *scale, const Legend *, int n_legend);
 
 /* A curve's name where room is short: "measured" is "meas", "predicted" is "pred". */
 const char *short_word(const char *name);
-
-/* Short words for a legend that else would not stand in the heading as a whole. */
-void shorten_legend(Area, const char *name, const char *scale, Legend *, int n_legend);
 
 /* The second run of a duel; NULL: there is none. */
 Experiment *second_run(const Screen *);

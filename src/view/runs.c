@@ -23,7 +23,6 @@ static Run run_of_ghost(const Ghost *ghost, int index)
         .profile = &ghost->profile,
     };
     snprintf(run.word, sizeof run.word, "%s", ghost->legend);
-    strcpy(run.brief, "before");
     snprintf(run.key, sizeof run.key, "%c:", ghost->letter);
     return run;
 }
@@ -61,7 +60,6 @@ static Run duel_run(const Screen *screen, int which)
     run.letter = "AB"[which];
     run.shown = screen->side == SIDE_BOTH || (screen->side == SIDE_B) == (which == 1);
     snprintf(run.word, sizeof run.word, "%c %s", run.letter, duel->names[which]);
-    snprintf(run.brief, sizeof run.brief, "%c", run.letter);
     if (which == 1) {
         run.style = STYLE_SECOND;
         run.mark = 'x';
@@ -152,17 +150,11 @@ void draw_run_letters(const Plot *plot, Area inner, const Run *runs, int n_runs,
     }
 }
 
-int ghost_legends(const Run *runs, int n_runs, int room, Legend *out)
+int ghost_legends(const Run *runs, int n_runs, Legend *out)
 {
     int count = 0;
-    for (int i = 0; i < n_runs; i++) {
-        if (runs[i].ghost < 0 || !runs[i].shown)
-            continue;
-        out[count] = run_legend(&runs[i]);
-        if (text_columns(out[count].name) + 5 > room)
-            out[count].name = runs[i].brief;
-        room -= text_columns(out[count].name) + 5;
-        count++;
-    }
+    for (int i = 0; i < n_runs; i++)
+        if (runs[i].ghost >= 0 && runs[i].shown)
+            out[count++] = run_legend(&runs[i]);
     return count;
 }

@@ -11,7 +11,6 @@ enum { RUNS_MAX = GHOSTS_MAX + 2, RUN_WORD_MAX = LEGEND_MAX + 56 };
 typedef struct Run {
     char letter;             /* 'a' to 'e' a ghost, 'A' and 'B' in a duel; 0: the only run */
     char word[RUN_WORD_MAX]; /* for legends: "measured", "A USF", or what differs in a ghost */
-    char brief[48];          /* the same where room is short: "before" */
     char key[4];             /* what stands for a ghost in a legend, "a:"; else "" */
     LineStyle line;
     Style style;
@@ -58,8 +57,7 @@ void time_plot_letter(const Plot *, Area inner, const Run *, int column);
  * colour. */
 void draw_run_letters(const Plot *, Area inner, const Run *, int n_runs, const char *column);
 
-/* Legend entries of the ghosts among these runs. What differs is told as long as there is room; else the
- * letter has to do. Returns how many there are. */
-int ghost_legends(const Run *, int n_runs, int room, Legend *out);
+/* Legend entries of the ghosts among these runs. Returns how many there are. */
+int ghost_legends(const Run *, int n_runs, Legend *out);
 
 #endif

@@ -220,6 +220,10 @@ long screen_timeline_step(const Screen *, int width, int height, int x, int y);
 bool screen_has_inspector(const Screen *);
 bool screen_move_inspector(Screen *, int x, int y, int page);
 
+/* From the chosen particle to the node that it shares most with, or back: in the strip the grid lies above
+ * the particles. */
+void screen_choose_across(Screen *, bool node);
+
 /* The particle that is looked at first: in the middle of a bar, of a beam's middle row. */
 size_t screen_middle_particle(const Simulation *);
 

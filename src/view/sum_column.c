@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static double rounded(double value, int decimals)
 {
@@ -74,6 +75,45 @@ Writing writing_of(const double *terms, size_t n, double base, double gain, int 
                 return writing;
         }
     return writing;
+}
+
+void format_number(double value, Format format, char out[NUMBER_TEXT_MAX])
+{
+    if (!isfinite(value)) {
+        text_rounded(out, value, 1);
+        return;
+    }
+    snprintf(out, NUMBER_TEXT_MAX, format.exponents ? "%.*e" : "%.*f", format.decimals,
+             format.exponents ? value + 0.0 : rounded(value, format.decimals));
+    text_trim_exponent(out);
+}
+
+Format format_of(const double *values, size_t n, int digits, int width)
+{
+    char text[NUMBER_TEXT_MAX];
+    double most = 0;
+    for (size_t i = 0; i < n; i++)
+        if (isfinite(values[i]))
+            most = fmax(most, fabs(values[i]));
+    if (!(most > 0))
+        return (Format){false, 0};
+    const int magnitude = (int)floor(log10(most));
+    Format format = {magnitude < -3 || magnitude > 5, 0};
+    format.decimals = format.exponents ? digits - 1 : larger(digits - 1 - magnitude, 0);
+    for (size_t i = 0; i < n; i++)
+        for (; format.decimals > 0; format.decimals--) {
+            format_number(values[i], format, text);
+            if ((int)strlen(text) <= width)
+                break;
+        }
+    /* zeros at the end of every number say nothing */
+    for (; format.decimals > 0; format.decimals--)
+        for (size_t i = 0; i < n; i++) {
+            format_number(values[i], format, text);
+            if (isfinite(values[i]) && text[strcspn(text, "e") - 1] != '0')
+                return format;
+        }
+    return format;
 }
 
 void write_number(Area area, int end, int y, double value, Writing writing, int decimals, Style style)

@@ -47,16 +47,13 @@ static void draw_runs_heading(const Screen *screen, Area area, Style heading, co
                               const char *scale, const Run *runs, int n_runs, const Legend *target)
 {
     Legend legend[RUNS_MAX + 1];
-    int count = 0, used = 9 + text_columns(name) + text_columns(scale);
+    int count = 0;
     for (int r = 0; r < n_runs; r++)
         if (runs[r].ghost < 0 && runs[r].shown)
             legend[count++] = run_legend(&runs[r]);
     if (shows_exact(screen))
         legend[count++] = *target;
-    for (int i = 0; i < count; i++)
-        used += text_columns(legend[i].name) + 5;
-    count += ghost_legends(runs, n_runs, legend_room(area) - used, legend + count);
-    shorten_legend(area, name, scale, legend, count);
+    count += ghost_legends(runs, n_runs, legend + count);
     draw_heading(area, heading, name, scale, legend, count);
 }
 

@@ -43,8 +43,8 @@ static void draw_run_dots(Area inner, const Axis *x, const Axis *y, const Dot *d
         for (int k = 0; k < i; k++)
             before += axis_column(x, dots[k].x, inner.rect.width) == column &&
                       axis_row(y, dots[k].y, inner.rect.height) == row;
-        const int right = column + 1 + before;
-        area_put(inner, right < inner.rect.width ? right : column - 1 - before, row,
+        const int apart = 2 + 2 * before;
+        area_put(inner, column + apart < inner.rect.width ? column + apart : column - apart, row,
                  (uint32_t)(unsigned char)dots[i].letter, dots[i].style);
     }
 }
@@ -97,6 +97,15 @@ static const char *letter_of(const char *name)
     return space ? space + 1 : name;
 }
 
+/* "= mesh K (1-1.33 %) x filter F (1-2.96 %)": they multiply, so their errors do not quite add up. */
+static void append_factor(char line[160], const char *name, double value, bool brief)
+{
+    if (brief)
+        append(line, 160, "%s (1%+.2f%%)%s", line[0] ? "" : "=", percent(value), name);
+    else
+        append(line, 160, "%s %s (1%+.2f %%)", line[0] ? " x" : "=", name, percent(value));
+}
+
 /* "mode 5: measured -4.24 %, predicted -4.24 %" and where it comes from; in brief "pred" and letters. */
 static void mode_lines(const Screen *screen, bool brief, char first[160], char second[160])
 {
@@ -126,11 +135,10 @@ static void mode_lines(const Screen *screen, bool brief, char first[160], char s
            percent(predicted / mode.exact));
     for (int i = 0; i < mode.n_factors; i++) {
         const char *name = mode.factors[i].name;
-        append(second, 160, "%s %s %+.2f %%", i ? "," : "=", brief ? letter_of(name) : name,
-               percent(mode.factors[i].value));
+        append_factor(second, brief ? letter_of(name) : name, mode.factors[i].value, brief);
     }
     if (fabs(predicted / mode.predicted - 1) > 1e-9)
-        append(second, 160, ", free end %+.2f %%", percent(predicted / mode.predicted));
+        append_factor(second, brief ? "end" : "free end", predicted / mode.predicted, brief);
 }
 
 /* What the factors' names mean; where room is short, the last of them. */
@@ -218,7 +226,9 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
         legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL};
     if (predicted)
         legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "predicted", NULL};
-    draw_heading(area, heading, "error of w, %", "", legend, n_legend);
+    draw_heading(area, heading,
+                 area.rect.width >= 70 ? "error of w, % (square-root scale)" : "error of w, % (root)", "",
+                 legend, n_legend);
     Area inner = axes_draw(plot_area, &x, &y, "mode n", GUTTER);
 
     Plot plot;
@@ -237,8 +247,12 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
 
     char first[160], second[160], factors[160];
     mode_lines(screen, false, first, second);
-    if (are_cut(area, first, second))
-        mode_lines(screen, true, first, second);
+    char brief[2][160];
+    mode_lines(screen, true, brief[0], brief[1]);
+    if (are_cut(area, first, ""))
+        memcpy(first, brief[0], sizeof first);
+    if (are_cut(area, "", second))
+        memcpy(second, brief[1], sizeof second);
     factor_line(screen, area.rect.width, factors);
     const int at = area.rect.height - under;
     if (under > 0)

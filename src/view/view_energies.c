@@ -78,7 +78,8 @@ static void add_stack(Plot *plot, const Stack *stack, int dots)
             plot_point(plot, record_row(record, k)[1], stack_height(stack, k, layer));
             plot_point(plot, record_row(record, k)[1], stack_height(stack, k, layer + 1));
         }
-        const double newest = record->count && !every_row ? record_row(record, record->count - 1)[1] : -INFINITY;
+        const double newest =
+            record->count && !every_row ? record_row(record, record->count - 1)[1] : -INFINITY;
         for (int i = 0; i < dots; i++) {
             double from = plot->x.low + i * step, low = 0, high = 0;
             if (from > newest)
@@ -253,7 +254,18 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
     energy_phrases(screen, &stack, &x, wide, phrases);
     if (most_work > 0 && find_column(screen, "kinetic_grid") < 0)
         residual_phrases(screen, most_work, phrases);
-    /* of a duel they are A's; the readout has those of both */
-    const int x0 = 1 + (second ? area_text(area, 1, height - under, under ? "A " : "", STYLE_NORMAL) : 0);
-    area_phrases(area, x0, height - under, area.rect.width - 1 - x0, under, phrases, STYLE_NORMAL);
+    if (!second || under < 2) {
+        const int x0 = 1 + (second && under ? area_text(area, 1, height - under, "A ", STYLE_NORMAL) : 0);
+        area_phrases(area, x0, height - under, area.rect.width - 1 - x0, under, phrases, STYLE_NORMAL);
+        return;
+    }
+    for (int run = 0; run < 2; run++) {
+        const Screen one = screen_of_side(screen, run == 0 ? SIDE_A : SIDE_B);
+        const Stack of_one = stack_of(&one);
+        energy_phrases(&one, &of_one, &x, wide, phrases);
+        if (most_work > 0 && find_column(&one, "kinetic_grid") < 0)
+            residual_phrases(&one, most_work, phrases);
+        area_text(area, 1, height - under + run, run == 0 ? "A" : "B", STYLE_NORMAL);
+        area_phrases(area, 3, height - under + run, area.rect.width - 4, 1, phrases, STYLE_NORMAL);
+    }
 }

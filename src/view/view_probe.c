@@ -102,12 +102,12 @@ static bool has_envelope(const Screen *screen, const char *name)
 /* How far a beam that grows would swing by its lengthening alone. */
 static void add_envelope(const Screen *screen, Plot *plot, const char *name)
 {
-    enum { PIECES = 60 };
+    enum { PIECES = 24 }; /* single dots, which no curve is drawn with */
     const References *refs = experiment_references(screen->experiment);
     if (!has_envelope(screen, name))
         return;
     for (int sign = -1; sign <= 1; sign += 2) {
-        plot_begin(plot, STROKE_LINE, LINE_DASHED, STYLE_FAINT, RANK_GHOST, ',');
+        plot_begin(plot, STROKE_DOTS, LINE_DOTTED, STYLE_FAINT, RANK_GHOST, ',');
         for (int i = 0; i <= PIECES; i++) {
             const double t = plot->x.low + (plot->x.high - plot->x.low) * i / PIECES;
             plot_point(plot, t, sign * references_envelope(refs, name, t));
@@ -361,18 +361,16 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
     char scale[TICK_TEXT_MAX], name[32];
     axis_scale_text(&y, quantity->unit, scale);
     Legend entries[LINES_MAX + RUNS_MAX + 1];
-    int used = 9 + text_columns(quantity->label) + text_columns(scale), n_entries = 0;
+    int n_entries = 0;
     for (int own = 1; own >= 0; own--)
         for (int i = 0; i < n_lines; i++)
-            if (lines[i].own == own) {
+            if (lines[i].own == own)
                 entries[n_entries++] = lines[i].legend;
-                used += text_columns(lines[i].legend.name) + 5;
-            }
-    n_entries += ghost_legends(runs, n_runs, legend_room(area) - used, entries + n_entries);
-    shorten_legend(area, quantity->label, scale, entries, n_entries);
+    n_entries += ghost_legends(runs, n_runs, entries + n_entries);
     if (has_envelope(screen, quantity->name))
         entries[n_entries++] =
-            (Legend){LINE_DASHED, ',', STYLE_FAINT, quantity->name[0] == 'u' ? "~L^1/2" : "~L^-3/2", NULL};
+            (Legend){LINE_DOTTED, ',', STYLE_FAINT, quantity->name[0] == 'u' ? "~L^1/2" : "~L^-3/2",
+                     area.glyphs == GLYPHS_ASCII ? NULL : "· "};
     draw_heading(area, heading, quantity->label, scale, entries, n_entries);
     Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
     Plot plot;

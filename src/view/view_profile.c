@@ -141,16 +141,15 @@ static void draw_particles(const Plot *plot, Area inner, const Curve *curve)
 
 /* What a ghost's letter stands for: its moment, where it is another one than the present, and what differs.
  */
-static void tell_moment(const Screen *screen, Run *run)
+static void tell_moment(const Screen *screen, Run *run, bool wide)
 {
     const double dt = experiment_simulation(screen->experiment)->dt;
-    char moment[sizeof run->brief - 4], word[LEGEND_MAX];
+    char moment[48], word[LEGEND_MAX];
     if (fabs(run->profile->time - experiment_time(screen->experiment)) < 0.51 * dt)
         return;
     time_text(screen, run->profile->time, moment, sizeof moment);
-    snprintf(run->brief, sizeof run->brief, "at %s", moment);
     snprintf(word, sizeof word, "%s", run->word);
-    snprintf(run->word, sizeof run->word, "%s, %s", run->brief, word);
+    snprintf(run->word, sizeof run->word, wide ? "at %s, %s" : "at %s", moment, word);
 }
 
 static void draw_legends(const Screen *screen, Area area, Style heading, const char *label, const char *scale,
@@ -158,11 +157,11 @@ static void draw_legends(const Screen *screen, Area area, Style heading, const c
 {
     Legend legend[RUNS_MAX + 1];
     Run runs[RUNS_MAX];
-    int n_legend = 0, used = 9 + text_columns(label) + text_columns(scale);
+    int n_legend = 0;
     for (int i = n_curves - 1; i >= 0; i--) { /* the present run first */
         runs[i] = *curves[i].run;
         if (runs[i].ghost >= 0)
-            tell_moment(screen, &runs[i]);
+            tell_moment(screen, &runs[i], area.rect.width >= 90 || area.canvas->sketch);
         else if (runs[i].shown)
             legend[n_legend++] = run_legend(&runs[i]);
         if (runs[i].experiment && !runs[i].letter &&
@@ -171,10 +170,7 @@ static void draw_legends(const Screen *screen, Area area, Style heading, const c
     }
     if (exact)
         legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL};
-    for (int i = 0; i < n_legend; i++)
-        used += text_columns(legend[i].name) + 5;
-    n_legend += ghost_legends(runs, n_curves, legend_room(area) - used, legend + n_legend);
-    shorten_legend(area, label, scale, legend, n_legend);
+    n_legend += ghost_legends(runs, n_curves, legend + n_legend);
     draw_heading(area, heading, label, scale, legend, n_legend);
 }
 

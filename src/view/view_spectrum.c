@@ -352,11 +352,7 @@ void view_spectrum(const Screen *screen, Area area, Style heading, int variant)
     else if (!is_bar(screen))
         snprintf(scale, sizeof scale, "%s", quantity->unit);
     snprintf(name, sizeof name, "spectrum of %s", quantity->label);
-    int used = 9 + text_columns(name) + text_columns(scale);
-    for (int i = 0; i < n_legend; i++)
-        used += text_columns(legend[i].name) + 5;
-    n_legend += ghost_legends(runs, n_runs, legend_room(area) - used, legend + n_legend);
-    shorten_legend(area, name, scale, legend, n_legend);
+    n_legend += ghost_legends(runs, n_runs, legend + n_legend);
     draw_heading(area, heading, name, scale, legend, n_legend);
     Area inner = axes_draw(area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under), &picture.x,
                            &y, is_bar(screen) ? "w" : "kHz", GUTTER);

@@ -1,6 +1,7 @@
 /* View 7: numbers of things, one row each; what the last stage changed is marked. The chosen thing is kept in
  * sight, and the columns that do not fit come with the arrows. */
 #include "view/panes.h"
+#include "view/sum_column.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -92,12 +93,13 @@ static void draw_heading_of(const Screen *screen, Area area, const Table *table,
     snprintf(text, sizeof text, "%s, %zu of them%s", sim->sets[table->set].plural, sim->counts[table->set],
              empty ? ": no mass until stage 1" : "");
     area_rule(area, 0, text, heading);
+    const int end = second_run(screen) ? 20 : 2; /* in a duel it is said at the end whose they are */
     if (table->end_column - table->first_column < table->n_columns)
         snprintf(more, sizeof more, " ← → columns %d-%d of %d ", table->first_column + 1, table->end_column,
                  table->n_columns);
     plain_text(screen, more, plain, sizeof plain);
-    if (text_columns(text) + text_columns(plain) + 7 <= area.rect.width)
-        area_text_right(area, area.rect.width - 1, 0, plain, STYLE_FAINT);
+    if (text_columns(text) + text_columns(plain) + 5 + end <= area.rect.width)
+        area_text_right(area, area.rect.width + 1 - end, 0, plain, STYLE_FAINT);
 }
 
 static void draw_column(const Screen *screen, Area area, const Table *table, const TableColumn *column,
@@ -109,13 +111,14 @@ static void draw_column(const Screen *screen, Area area, const Table *table, con
     sim->method->field(sim, column->field, table->first, table->rows, values);
     const bool known =
         experiment_field_before(screen->experiment, column->field, table->first, table->rows, before);
+    const Format format = format_of(values, table->rows, 5, CELL_WIDTH - 1);
     for (size_t i = 0; i < table->rows; i++) {
         char text[NUMBER_TEXT_MAX];
         const bool changed = known && before[i] != values[i] && !(isnan(before[i]) && isnan(values[i]));
         if (sim->fields[column->field].integer)
             snprintf(text, sizeof text, "%.0f", values[i]);
         else
-            number_text(values[i], 5, CELL_WIDTH - 1, text);
+            format_number(values[i], format, text);
         area_text_right(area, end, HEAD_ROWS + (int)i, text,
                         changed                             ? STYLE_CHANGED
                         : table->first + i == table->chosen ? STYLE_SELECTED

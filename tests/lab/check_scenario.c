@@ -255,8 +255,8 @@ static const struct {
     {BAR "[output]\nat = 3,2\n", "f.ini:4: output.at: 2 does not come after 3 (ascending)"},
     {BAR "[output]\nat = 1\nframes = 3\n", "f.ini:4: output.at: output.frames is given too (one of them)"},
     {BAR "[output]\nevery = 0\n", "f.ini:4: output.every: 0 is out of range (1 to 1000000000)"},
-    {BAR "[question]\nkey = bar.length\n",
-     "f.ini:4: question.key: bar.length cannot be toggled (a key of problem bar that has choices)"},
+    {BAR "[question]\nkey = bar.length\n", "f.ini:4: question.key: bar.length cannot be toggled (a key of "
+                                           "problem bar that has choices, or a size)"},
     {BAR "[duel]\nmpm.algorithm = usx\n",
      "f.ini:4: duel: mpm.algorithm: usx is not a choice (usf | usl | musl)"},
     {BAR "[duel]\nmpm.algoritm = usl\n",

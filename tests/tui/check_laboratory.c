@@ -393,7 +393,7 @@ END_TEST
 
 START_TEST(the_question_makes_another_run)
 {
-    Bench *bench = open_bench("mode5", true);
+    Bench *bench = open_bench("mode1", true);
     press_all(bench, "g 5 Enter t");
     ck_assert_double_eq(value(bench, "mpm.algorithm"), 1);
     ck_assert_int_eq(step_of(bench), 500);
