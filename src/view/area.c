@@ -85,7 +85,7 @@ size_t paragraph_line(const char *text, int width, const char **rest)
             if (here[1] == ' ' && columns >= width / 4)
                 gap = here;
         }
-        if (columns == width) {
+        if (columns == width && width > 0) { /* no room at all: better too long than without end */
             const char *end = gap ? gap : space ? space : here;
             *rest = end + strspn(end, " ");
             while (end > text && end[-1] == ' ')

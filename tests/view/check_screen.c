@@ -71,9 +71,12 @@ static const Picture pictures[] = {
     {"beam-stage", "supported-beam-coarse 132x43 500 stage 4"},
     {"cantilever", "moving-cantilever-coarse 80x24 800 lower 2 variant 1"},
     {"notched", "notched-beam-coarse 80x24 900"},
-    {"crack", "notched-beam-coarse 80x24 2400 upper 3 lower 2 pd.spacing=2e-3 pd.horizon=6.5e-3 load.stress=9e7"},
-    {"crack-law", "notched-beam-coarse 80x24 2000 upper 4 lower 3 variant 1 running pd.spacing=2e-3 pd.horizon=6.5e-3 load.stress=9e7"},
-    {"crack-path-ascii", "notched-beam-coarse 80x24 2400 lower 2 variant 1 ascii pd.spacing=2e-3 pd.horizon=6.5e-3 load.stress=9e7"},
+    {"crack",
+     "notched-beam-coarse 80x24 2400 upper 3 lower 2 pd.spacing=2e-3 pd.horizon=6.5e-3 load.stress=9e7"},
+    {"crack-law", "notched-beam-coarse 80x24 2000 upper 4 lower 3 variant 1 running pd.spacing=2e-3 "
+                  "pd.horizon=6.5e-3 load.stress=9e7"},
+    {"crack-path-ascii", "notched-beam-coarse 80x24 2400 lower 2 variant 1 ascii pd.spacing=2e-3 "
+                         "pd.horizon=6.5e-3 load.stress=9e7"},
     {"section", "supported-beam-coarse 80x24 8000 upper 4 lower 1 variant 5 particle 1050"},
     {"dispersion", "mode5 80x24 2000 lower 5"},
     {"dispersion-ghost", "mode10 80x24 2000 lower 5 ghost mesh.cell_size=0.5"},
@@ -200,9 +203,9 @@ START_TEST(every_screen_is_sound)
     ck_assert_msg(scene_open(&scene, picture->words, &status), "%s", status.text);
     Screen *screen = &scene.screen;
     Canvas *canvas = &scene.canvas;
-    static const int sizes[][2] = {{80, 24}, {120, 40}, {79, 23},  {132, 43}, {100, 30}, {60, 18},
-                                   {40, 12}, {20, 5},   {200, 60}, {1, 1},    {80, 23},  {300, 12},
-                                   {80, 20}, {80, 21},  {80, 19}};
+    static const int sizes[][2] = {{80, 24}, {120, 40}, {79, 23}, {132, 43}, {100, 30},
+                                   {60, 18}, {40, 12},  {20, 5},  {200, 60}, {1, 1},
+                                   {80, 23}, {300, 12}, {80, 20}, {80, 21},  {80, 19}};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
         for (int glyphs = 0; glyphs < GLYPHS_COUNT; glyphs++)
             for (int focus = 0; focus < PANE_COUNT; focus++) {
@@ -259,9 +262,10 @@ static void draw_view_9(const Screen *screen, Area area)
 
 START_TEST(nothing_leaves_its_pane)
 {
-    static Draw *const draws[] = {pane_title,  pane_bar,    pane_parameters, pane_mesh,   pane_box,
-                                  pane_help,   draw_view_1, draw_view_2,     draw_view_3, draw_view_4,
-                                  draw_view_7, draw_view_8, draw_view_9};
+    static Draw *const draws[] = {pane_title,  pane_bar,    pane_parameters,      pane_mesh,
+                                  pane_box,    pane_help,   draw_view_1,          draw_view_2,
+                                  draw_view_3, draw_view_4, draw_view_7,          draw_view_8,
+                                  draw_view_9, pane_banner, pane_chosen_parameter};
     static const char *const words[] = {"mode5 80x24 700 stage 3", "mode5 80x24 700 running",
                                         "notched-beam-coarse 80x24 30 stage 5", "crossing 80x24 900 ended"};
     enum { WIDTH = 160, HEIGHT = 50, MARK = 0x2603 };
