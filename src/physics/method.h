@@ -64,6 +64,8 @@ typedef struct Link {
     double weight;   /* shape function N of the pair; for a bond its stretch */
     double gradient; /* dN/dx of the pair; for a bond its force density times volume */
     bool broken;     /* a bond that carries nothing any more */
+    double length;   /* of a bond in one dimension: to the other end at rest, with its sign; else 0 */
+    double stiffness; /* likewise its force density per unit of stretch */
 } Link;
 
 /* What linked things give to each other in a stage: for each pair a product of a few numbers. The products that

@@ -383,6 +383,7 @@ static void move(Laboratory *lab, int x, int y, int page)
     } else if (is_time_plot(view)) {
         move_cursor(lab, x ? x : y * page);
     } else if (x || page > 1) {
+        screen->node_chosen &= experiment_simulation(screen->experiment)->method->shapes != NULL;
         choose_particle(lab, x ? x : y, (size_t)page);
     } else {
         screen_choose_across(screen, y < 0);

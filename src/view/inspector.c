@@ -3,6 +3,7 @@
 
 static const Inspector inspectors[] = {
     {has_mesh, pane_mesh_inspector, move_mesh_inspector},
+    {is_lattice_bar, pane_bonds, move_bonds},
     {has_families, pane_family, move_node},
 };
 
@@ -25,8 +26,6 @@ void screen_choose_across(Screen *screen, bool node)
     const Simulation *sim = experiment_simulation(screen->experiment);
     if (has_mesh(sim))
         move_mesh_inspector(screen, 0, node ? -1 : 1, 1);
-    else if (sim->n_sets > 1)
-        screen->node_chosen = node;
 }
 
 bool screen_move_inspector(Screen *screen, int x, int y, int page)

@@ -95,6 +95,9 @@ void pane_help(const Screen *, Area);
 void pane_mesh_inspector(const Screen *, Area); /* of methods with particles and a grid */
 void move_mesh_inspector(Screen *, int x, int y, int page);
 
+void pane_bonds(const Screen *, Area); /* of a bar without a mesh */
+bool is_lattice_bar(const Simulation *);
+void move_bonds(Screen *, int x, int y, int page);
 void pane_family(const Screen *, Area); /* of beams */
 bool has_families(const Simulation *);
 void move_node(Screen *, int x, int y, int page); /* chooses the node beside; y downwards */

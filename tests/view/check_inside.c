@@ -285,6 +285,59 @@ START_TEST(columns_of_the_inspector_add_up)
 }
 END_TEST
 
+/* The rows from the head of the table to "all its bonds", then the load, then the force of the node. */
+static int expect_bonds(const Scene *scene, const char *words)
+{
+    Lines lines = lines_of(&scene->canvas);
+    int row = 0, bonds = 0;
+    double total = 0, number, half, all, load = 0, force, unit = 1;
+    while (row < lines.count && !strstr(lines.line[row], "force on it"))
+        row++;
+    const char *scale = row + 1 < lines.count ? strstr(lines.line[row + 1], "x10^") : NULL;
+    if (scale)
+        unit = pow(10, strtod(scale + 4, NULL));
+    for (row += 1 + (scale != NULL); row < lines.count && !strstr(lines.line[row], "all its bonds"); row++)
+        if (last_numbers(lines.line[row], 1, &number, &half))
+            total += number, bonds++;
+    ck_assert_msg(row < lines.count, "%s", words);
+    ck_assert(last_numbers(lines.line[row++], 1, &all, &half));
+    ck_assert_msg(fabs(total - all) <= half * (1 + 1e-6), "%s: %.9g, not %.9g", words, total, all);
+    if (strstr(lines.line[row], "load on it"))
+        ck_assert(last_numbers(lines.line[row++], 1, &load, &half));
+    ck_assert(last_numbers(lines.line[row], 1, &force, &half));
+    if (!strstr(lines.line[row], "of the last step")) {
+        ck_assert_msg(fabs(all + load - force) <= half * (1 + 1e-6), "%s: %s", words, lines.line[row]);
+        const double now =
+            field_now(experiment_simulation(scene->screen.experiment), 0, "force", scene->screen.particle);
+        ck_assert_msg(fabs(now - force * unit) <= half * unit * (1 + 1e-6), "%s: %.9g", words, now);
+    }
+    free(lines.text);
+    return bonds;
+}
+
+START_TEST(forces_of_bonds_add_up)
+{
+    static const char *const sizes[] = {"80x24", "132x43 pd.horizon=6", "80x24 pd.horizon=2.5 zoom"};
+    for (int stage = 0; stage <= 5; stage++)
+        for (int particle = 0; particle < 50; particle += 7)
+            for (size_t size = 0; size < 3; size++) {
+                char words[256], format[64];
+                snprintf(format, sizeof format, "%s", sizes[size]);
+                const char *rest = strchr(format, ' ');
+                snprintf(
+                    words, sizeof words,
+                    "mode5-peridynamics %.*s 137%s stage %d particle %d inspect focus 5 load.body_force=%s",
+                    (int)(rest ? (size_t)(rest - format) : strlen(format)), format, rest ? rest : "", stage,
+                    particle, _i ? "1e-3" : "0");
+                Scene scene;
+                Status status = {STATUS_DONE, ""};
+                ck_assert_msg(scene_open(&scene, words, &status), "%s", status.text);
+                ck_assert_int_ge(expect_bonds(&scene, words), 3); /* at the free end */
+                scene_close(&scene);
+            }
+}
+END_TEST
+
 /* --- nothing is cut ---------------------------------------------------------------------------------- */
 
 static const char *const everything[] = {
@@ -370,6 +423,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(sums, sums_of_a_bar_add_up, 0, BAR_VARIANTS);
     tcase_add_loop_test(sums, sums_of_a_beam_add_up, 0, 3);
     tcase_add_loop_test(sums, columns_of_the_inspector_add_up, 0, 12);
+    tcase_add_loop_test(sums, forces_of_bonds_add_up, 0, 2);
     tcase_add_loop_test(sums, no_box_is_cut, 0, sizeof everything / sizeof *everything);
     tcase_add_test(sums, strain_moves_in_the_list);
     tcase_set_timeout(sums, 60);

@@ -49,7 +49,11 @@ size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_
         double gradient = bond.pull * beam_volume(beam);
         const size_t ends[2] = {bond.a, bond.b};
         for (size_t k = 0; k < 2 && k < max; k++)
-            out[k] = (Link){SET_PARTICLE, ends[k], bond.stretch, gradient, bond.broken};
+            out[k] = (Link){.set = SET_PARTICLE,
+                            .index = ends[k],
+                            .weight = bond.stretch,
+                            .gradient = gradient,
+                            .broken = bond.broken};
         return 2;
     }
     size_t nx = (size_t)beam->lattice.nx;
@@ -57,8 +61,11 @@ size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_
     size_t n = beam_family(beam, (int)(index % nx), (int)(index / nx), family);
     for (size_t k = 0; k < n && k < max; k++) {
         BondNow bond = beam_bond(beam, family[k]);
-        out[k] = (Link){SET_PARTICLE, bond.a == index ? bond.b : bond.a, bond.stretch,
-                        bond.pull * beam_volume(beam), bond.broken};
+        out[k] = (Link){.set = SET_PARTICLE,
+                        .index = bond.a == index ? bond.b : bond.a,
+                        .weight = bond.stretch,
+                        .gradient = bond.pull * beam_volume(beam),
+                        .broken = bond.broken};
     }
     return n;
 }

@@ -328,7 +328,8 @@ size_t rod_links(const Simulation *sim, int set, size_t index, Link *out, size_t
         const int ends[2] = {bond.k, bond.k + bond.m};
         for (; count < 2; count++)
             if (count < max)
-                out[count] = (Link){ROD_PARTICLE, (size_t)ends[count], stretch, pull, false};
+                out[count] = (Link){
+                    .set = ROD_PARTICLE, .index = (size_t)ends[count], .weight = stretch, .gradient = pull};
         return count;
     }
     for (int m = -rod->lattice.reach; m <= rod->lattice.reach; m++) {
@@ -339,8 +340,12 @@ size_t rod_links(const Simulation *sim, int set, size_t index, Link *out, size_t
         if (!(bond.stiffness > 0))
             continue;
         if (count < max)
-            out[count] = (Link){ROD_PARTICLE, (size_t)rod_partner(&rod->lattice, i + m),
-                                b_stretch(rod, &bond), b_pull(rod, &bond) * h, false};
+            out[count] = (Link){.set = ROD_PARTICLE,
+                                .index = (size_t)rod_partner(&rod->lattice, i + m),
+                                .weight = b_stretch(rod, &bond),
+                                .gradient = b_pull(rod, &bond) * h,
+                                .length = m * h,
+                                .stiffness = bond.stiffness * bond.m * h};
         count++;
     }
     return count;
