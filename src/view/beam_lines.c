@@ -79,8 +79,8 @@ static void crack_lines(const Screen *screen, char first[160], char second[160])
              crack->y / 1e-3);
     for (int i = CRACK_ANGLES - 1; i >= 0 && !second[0]; i--)
         if (isfinite(summary.crack_angle[i]))
-            snprintf(second, 160, "angle %.0f deg over %.0f mm", summary.crack_angle[i],
-                     crack_heights[i] / 1e-3);
+            snprintf(second, 160, "fit over %.0f mm %.0f deg", crack_heights[i] / 1e-3,
+                     summary.crack_angle[i]);
     if (isnan(crack->first_break))
         return;
     append(second, 160, "%s%s %.1f", second[0] ? "  " : "",

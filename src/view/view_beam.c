@@ -44,7 +44,8 @@ static void add_part(char *title, size_t size, int room, const char *part)
         append(title, size, "  %s", part);
 }
 
-/* "tip 66.5, 19.5 mm" and "29° from the notch": where the crack is, and how it leaves the notch. */
+/* "tip 66.5, 19.5 mm" and "fit 29°": where the crack is, and the slope of the straight line that
+ * fits its whole path. */
 static void crack_texts(const Map *map, char *tip, char *angle, size_t size)
 {
     Crack crack;
@@ -57,7 +58,7 @@ static void crack_texts(const Map *map, char *tip, char *angle, size_t size)
         snprintf(tip, size, "no crack yet");
     const double degrees = crack_angle(map->sim, map->settings->beam.height);
     if (isfinite(degrees))
-        snprintf(angle, size, "angle %.0f°", fabs(degrees));
+        snprintf(angle, size, "fit %.0f°", fabs(degrees));
 }
 
 /* "5000", not "5e3". */

@@ -233,7 +233,7 @@ int view_crack_variants(const Screen *screen)
 
 void view_crack(const Screen *screen, Area area, Style heading, int variant)
 {
-    static const Told angle = {"tip's angle, deg", "30 deg", tip_angle, PAPER_ANGLE};
+    static const Told angle = {"chord to tip, deg", "30 deg", tip_angle, PAPER_ANGLE};
     if (variant == 0)
         draw_path(screen, area, heading);
     else

@@ -45,9 +45,27 @@ static bool breaks(const Screen *screen)
     return experiment_settings(screen->experiment)->beam.critical_stretch > 0;
 }
 
+/* The kinetic energy of the beam moving on as a whole, 1/2 m v0^2; 0: it does not. That of the vibration is a
+ * millionth of it, and the two cannot be told apart by a difference: a hundred-millionth more speed along the
+ * beam, times its mass and its speed, is as much as the whole vibration. */
+static double rigid_energy(const Screen *screen)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const BeamDef *beam = &settings->beam;
+    if (settings->problem != PROBLEM_MOVING_CANTILEVER)
+        return 0;
+    const double volume = beam->spacing * beam->spacing * beam->thickness;
+    const double nodes = (double)experiment_simulation(screen->experiment)->counts[0];
+    return nodes * volume * beam->density * beam->speed * beam->speed / 2;
+}
+
 static Stack stack_of(const Screen *screen)
 {
     Stack stack = {.record = experiment_record(screen->experiment)};
+    if (rigid_energy(screen) > 0) {
+        add_layer(&stack, "strain", find_column(screen, "strain"), -1, STYLE_EXACT);
+        return stack;
+    }
     const int kinetic = find_column(screen, "kinetic"), grid = find_column(screen, "kinetic_grid");
     if (grid >= 0) {
         add_layer(&stack, "grid", grid, -1, STYLE_MEASURED);
@@ -132,6 +150,11 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
         append(out, 320, "  E* %s, %s %.3f %%", number, loss < -5e-4 ? "gain" : "loss", fabs(loss));
     }
     const double hidden = hidden_share(screen, record, x);
+    const double rigid = rigid_energy(screen);
+    if (rigid > 0) {
+        number_text(rigid, 4, 10, number);
+        append(out, 320, "  kinetic not drawn: %s J rigid motion%s", number, wide ? ", 1/2 m v0^2" : "");
+    }
     if (isfinite(hidden))
         append(out, 320, wide ? "  hidden %.2f %% of kinetic in this window" : "  hidden %.2f %%",
                100 * hidden);
@@ -184,14 +207,16 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
         if (work >= 0)
             most_work = fmax(most_work, fabs(record_row(record, i)[work]));
     }
+    const bool is_rigid = rigid_energy(screen) > 0;
+    const char *line = is_rigid ? "strain" : "total"; /* of the other runs */
     Run runs[RUNS_MAX];
-    const int n_runs = runs_with(runs, runs_of(screen, runs), "total");
+    const int n_runs = runs_with(runs, runs_of(screen, runs), line);
     const Run *second =
         is_shared(screen) && n_runs > 1 && runs[n_runs - 2].experiment ? &runs[n_runs - 2] : NULL;
     for (int i = 0; i < n_runs; i++)
         if (runs[i].experiment)
-            most = fmax(most, time_plot_reach(runs[i].record, run_column(&runs[i], "total")));
-    overlay_widen(screen, "total", false, &(double){0}, &most);
+            most = fmax(most, time_plot_reach(runs[i].record, run_column(&runs[i], line)));
+    overlay_widen(screen, line, false, &(double){0}, &most);
     /* bands are told apart by how densely they are filled: the legend shows a piece of each */
     static const char *const keys[GLYPHS_NONE + 1][4] = {
         [GLYPHS_BRAILLE] = {"⣿⣿", "⢕⢕", "⠅⠅", "⠁⠁"},
@@ -218,7 +243,7 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
               top = 1 + (named < n_legend);
     draw_legend(area, 2, 1, legend + named, n_legend - named);
     /* of velocities and stresses half a step apart there is more to say; velocity Verlet has none */
-    const int lines = find_column(screen, "kinetic_grid") < 0 ? 1 + (most_work > 0)
+    const int lines = find_column(screen, "kinetic_grid") < 0 ? 1 + (most_work > 0 || is_rigid)
                       : height - top >= 10                    ? 3
                                                               : 2;
     const int under = height - top >= 7 ? lines : height - top >= 5 ? 1 : 0;
@@ -233,21 +258,20 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
         plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-');
         time_plot_curve(&plot, &(Curve){.record = record, .column = work, .minus = -1, .plus = -1}, dots);
     }
-    add_ghosts(&plot, runs, n_runs, "total", dots);
+    add_ghosts(&plot, runs, n_runs, line, dots);
     if (second) {
         run_begin(&plot, second);
         time_plot_curve(
             &plot,
-            &(Curve){
-                .record = second->record, .column = run_column(second, "total"), .minus = -1, .plus = -1},
+            &(Curve){.record = second->record, .column = run_column(second, line), .minus = -1, .plus = -1},
             dots);
     }
-    overlay_stroke(screen, &plot, "total", false, dots);
+    overlay_stroke(screen, &plot, line, false, dots);
     time_plot_breaks(screen, inner, &x);
     time_plot_now(screen, inner, &x);
     plot_draw(&plot, inner);
-    overlay_marks(screen, inner, &plot, "total", false);
-    draw_run_letters(&plot, inner, runs, n_runs, "total");
+    overlay_marks(screen, inner, &plot, line, false);
+    draw_run_letters(&plot, inner, runs, n_runs, line);
     plot_close(&plot);
 
     const bool wide = area.rect.width > 90;

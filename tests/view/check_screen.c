@@ -116,6 +116,7 @@ static const Picture pictures[] = {
      "notched-beam-coarse 80x24 1300 upper 8 focus 2 zoom variant 4 magnified 16 at 0.34,0.35"},
     {"notched-near-ascii",
      "notched-beam-coarse 80x24 1300 upper 8 focus 2 zoom variant 4 magnified 16 at 0.34,0.4 ascii"},
+    {"cantilever-energies", "moving-cantilever-coarse 80x24 4000 lower 3"},
     {"bonds", "mode5-peridynamics 80x24 300 load.body_force=0.01 inspect focus 5 stage 4 particle 1"},
     {"family", "notched-beam-coarse 80x24 1300 upper 8 variant 4 inspect focus 5 particle 6367 stage 5"},
     {"family-large-ascii",
