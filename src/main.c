@@ -39,6 +39,8 @@ static int open_laboratory(bool for_lesson, int count, char **arguments, Status 
         cli_print_help(NULL);
         return STATUS_DONE;
     }
+    if (options.list)
+        return cli_list_lessons(status);
     bool again = options.replay || options.last;
     if (again && (options.n_words > 0 || options.n_overrides > 0 || options.steps > 0 || options.paused)) {
         status_fail(status, STATUS_USAGE, "%s: a session has its own scenario and parameters",

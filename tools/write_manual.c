@@ -253,6 +253,10 @@ static void write_parameter(const Parameter *parameter, Problem first, Problem l
     }
     putchar('\n');
     say(parameter->help);
+    if (parameter->help_moving) {
+        fputs("; of the moving cantilever: ", stdout);
+        say(parameter->help_moving);
+    }
     putchar('.');
     write_of_problems(parameter, first, last);
     if (first == PROBLEM_BAR && parameter->only != OF_EVERY_METHOD)
@@ -349,9 +353,9 @@ static const struct {
     bool (*write)(const char *argument);
 } tables[] = {
     {"commands", write_commands},     {"keys", write_keys},       {"options", write_options},
-    {"parameters", write_parameters}, {"results", write_results}, {"scenarios", write_scenarios}, {"lessons", write_lessons},
-    {"script", write_script},         {"series", write_series},   {"tables", write_tables},
-    {"texts", write_texts},
+    {"parameters", write_parameters}, {"results", write_results}, {"scenarios", write_scenarios},
+    {"lessons", write_lessons},       {"script", write_script},   {"series", write_series},
+    {"tables", write_tables},         {"texts", write_texts},
 };
 
 static bool fill(char *line)

@@ -12,7 +12,8 @@ typedef struct CliCommand {
     const char *name;     /* "show" */
     const char *synopsis; /* what follows the name, options left out: "SCENARIO" */
     const char *help;     /* one line */
-    /* NULL: the laboratory does it. Else `arguments` are those behind the name. Returns the exit status; if that is not 0 the status says why.
+    /* NULL: the laboratory does it. Else `arguments` are those behind the name. Returns the exit status; if
+     * that is not 0 the status says why.
      */
     int (*run)(int count, char **arguments, Status *);
 } CliCommand;
@@ -32,6 +33,7 @@ int cli_sweep(int count, char **arguments, Status *);
 int cli_export_lammps(int count, char **arguments, Status *);
 int cli_figure(int count, char **arguments, Status *);
 int cli_list(int count, char **arguments, Status *);
+int cli_list_lessons(Status *); /* what `lesson --list` prints */
 int cli_show(int count, char **arguments, Status *);
 int cli_params(int count, char **arguments, Status *);
 

@@ -1,6 +1,7 @@
-/* `matvib list`: the built-in scenarios with their titles. */
+/* `matvib list`: the built-in scenarios with their titles; `matvib lesson --list`: the lessons. */
 #include "cli/cli.h"
 #include "cli/options.h"
+#include "lab/lesson.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -22,6 +23,22 @@ int cli_list(int count, char **arguments, Status *status)
             return (int)status->code;
         strcpy(title, settings.title);
         printf("%-*s  %s\n", (int)width, builtin->name, title);
+    }
+    return STATUS_DONE;
+}
+
+int cli_list_lessons(Status *status)
+{
+    size_t width = 0;
+    const BuiltinLesson *builtin;
+    for (builtin = builtin_lessons; builtin->name; builtin++)
+        width = strlen(builtin->name) > width ? strlen(builtin->name) : width;
+    for (builtin = builtin_lessons; builtin->name; builtin++) {
+        Lesson lesson;
+        if (!lesson_load(builtin->name, &lesson, status))
+            return (int)status->code;
+        printf("%-*s  %s\n", (int)width, builtin->name, lesson.title);
+        lesson_free(&lesson);
     }
     return STATUS_DONE;
 }

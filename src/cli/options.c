@@ -64,7 +64,7 @@ const Option options_table[] = {
     {"--threads", "N", " open lesson run figure sweep ",
      "threads to compute with; the numbers do not depend on it", OPTION_COUNT, AT(threads)},
     {"--full", NULL, " verify ", "everything, however long it takes", OPTION_FLAG, AT(full)},
-    {"--list", NULL, " verify figure ", "tells the names", OPTION_FLAG, AT(list)},
+    {"--list", NULL, " verify figure lesson ", "tells the names", OPTION_FLAG, AT(list)},
     {"--paused", NULL, " open ", "opens paused at t = 0", OPTION_FLAG, AT(paused)},
     {"--glyphs", "G", " open lesson ", "characters of the plots: auto, braille, block, ascii", AT(glyphs),
      ONE_OF(glyph_sets)},

@@ -29,7 +29,7 @@ static void print_parameter(const Settings *settings, const Parameter *parameter
     const bool choice =
         problem_allows(settings->problem, METHOD_MPM) && problem_allows(settings->problem, METHOD_PD);
     printf("  %-42s %s%s%s\n      %s\n", assignment, range, parameter->live ? "  [live]" : "",
-           choice ? methods[parameter->only] : "", parameter->help);
+           choice ? methods[parameter->only] : "", parameter_help(parameter, settings->problem));
 }
 
 static void print_indented(const char *text)

@@ -41,13 +41,30 @@ static void tell(const Options *options, const Settings *settings, const RunSumm
     tell_files(to, &options->outputs);
 }
 
+/* Times that no table is written at are a slip. Those of a scenario file wait for a run with tables. */
+static bool times_are_used(const Options *options, Status *status)
+{
+    const Outputs *outputs = &options->outputs;
+    if (outputs->particles || outputs->nodes || outputs->bonds || outputs->vtk)
+        return true;
+    for (int i = 0; i < options->n_overrides; i++) {
+        const char *origin = options->overrides[i].origin;
+        if (strcmp(origin, "--frames") == 0 || strcmp(origin, "--at") == 0)
+            return status_fail(status, STATUS_USAGE,
+                               "%s: there is no table to write at these times (--particles, --nodes, --bonds "
+                               "or --vtk)",
+                               origin);
+    }
+    return true;
+}
+
 int cli_run(int count, char **arguments, Status *status)
 {
     Options options;
     Settings settings;
     if (!options_parse("run", count, arguments, &options, status) ||
         !options_words(&options, 1, 1, "SCENARIO", status) ||
-        !options_load(&options, options.words[0], &settings, status))
+        !options_load(&options, options.words[0], &settings, status) || !times_are_used(&options, status))
         return (int)status->code;
     Progress progress;
     progress_begin(&progress, options.quiet);

@@ -115,7 +115,8 @@ static void describe_key(const SweepTable *table, const SweepKey *key, FILE *str
 {
     const Parameter *parameter = key->parameter;
     const char *unit = table->problem == PROBLEM_BAR ? parameter->unit_bar : parameter->unit_beam;
-    fprintf(stream, "%s [%s]: %s", key->key, unit && *unit ? unit : "1", parameter->help);
+    fprintf(stream, "%s [%s]: %s", key->key, unit && *unit ? unit : "1",
+            parameter_help(parameter, table->problem));
     if (parameter->type == PARAMETER_FLAG)
         fputs(" (0 = no, 1 = yes)", stream);
     else if (parameter_automatic(parameter, table->problem))

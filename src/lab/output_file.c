@@ -1,12 +1,15 @@
 #include "lab/output_file.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <libgen.h>
 #include <limits.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 bool output_is_standard(const char *name)
@@ -23,20 +26,6 @@ static bool is_special(const char *name)
 {
     struct stat what;
     return stat(name, &what) == 0 && !S_ISREG(what.st_mode) && !S_ISDIR(what.st_mode);
-}
-
-bool output_may_begin(const char *name, bool force, Status *status)
-{
-    struct stat what;
-    if (*name == '\0')
-        return status_fail(status, STATUS_USAGE, "a file needs a name");
-    if (output_is_standard(name) || stat(name, &what) != 0)
-        return true;
-    if (S_ISDIR(what.st_mode))
-        return status_fail(status, STATUS_USAGE, "%s: is a folder", name);
-    if (S_ISREG(what.st_mode) && !force)
-        return status_fail(status, STATUS_USAGE, "%s: exists (--force replaces it)", name);
-    return true;
 }
 
 char *output_real_name(const char *name, Status *status)
@@ -61,6 +50,67 @@ char *output_real_name(const char *name, Status *status)
 static bool no_memory(Status *status)
 {
     return status_fail(status, STATUS_FAILED, "not enough memory for the names of files");
+}
+
+/* Whether the folder is there and takes a new file: a run of hours should not find that out at its end. */
+static bool folder_takes(const char *name, Status *status)
+{
+    char *real = output_real_name(name, status);
+    if (!real)
+        return *status->text ? false : no_memory(status);
+    strrchr(real, '/')[0] = '\0';
+    const bool takes = access(*real ? real : "/", W_OK | X_OK) == 0;
+    free(real);
+    return takes || cannot_write(name, status);
+}
+
+bool output_may_begin(const char *name, bool force, Status *status)
+{
+    struct stat what;
+    if (*name == '\0')
+        return status_fail(status, STATUS_USAGE, "a file needs a name");
+    if (output_is_standard(name))
+        return true;
+    if (stat(name, &what) != 0)
+        return folder_takes(name, status);
+    if (S_ISDIR(what.st_mode))
+        return status_fail(status, STATUS_USAGE, "%s: is a folder", name);
+    if (S_ISREG(what.st_mode) && !force)
+        return status_fail(status, STATUS_USAGE, "%s: exists (--force replaces it)", name);
+    return !S_ISREG(what.st_mode) || folder_takes(name, status);
+}
+
+/* The number of the process that a temporary file of this target belongs to; 0: it is none. */
+static pid_t writer_of(const char *entry, const char *target)
+{
+    const size_t length = strlen(target);
+    long process;
+    int end = 0;
+    if (strncmp(entry, target, length) != 0 ||
+        sscanf(entry + length, ".%ld-%*d.part%n", &process, &end) != 1 || end == 0 ||
+        entry[length + (size_t)end])
+        return 0;
+    return process > 0 ? (pid_t)process : 0;
+}
+
+void output_remove_remains(const char *name)
+{
+    enum { LEAST_AGE = 60 }; /* s; in a folder shared by machines a process may be another's */
+    char *copies[2] = {strdup(name), strdup(name)};
+    DIR *folder = copies[0] && copies[1] ? opendir(dirname(copies[0])) : NULL;
+    const char *target = folder ? basename(copies[1]) : NULL;
+    for (const struct dirent *entry; folder && (entry = readdir(folder));) {
+        struct stat what;
+        const pid_t writer = writer_of(entry->d_name, target);
+        if (writer > 0 && kill(writer, 0) != 0 && errno == ESRCH &&
+            fstatat(dirfd(folder), entry->d_name, &what, AT_SYMLINK_NOFOLLOW) == 0 &&
+            time(NULL) - what.st_mtime > LEAST_AGE)
+            unlinkat(dirfd(folder), entry->d_name, 0);
+    }
+    if (folder)
+        closedir(folder);
+    free(copies[0]);
+    free(copies[1]);
 }
 
 /* A new file beside the target, with the rights that the user's mask (or the file to be replaced) gives. */

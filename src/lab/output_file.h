@@ -19,7 +19,8 @@ typedef struct OutputFile {
 
 bool output_is_standard(const char *name); /* "-" */
 
-/* Whether a file may be begun: it does not exist, or may be replaced. Nothing is touched. */
+/* Whether a file may be begun: its folder takes files, it does not exist or may be replaced. Nothing is
+ * touched. */
 bool output_may_begin(const char *name, bool force, Status *);
 
 /* The one name that stands for a file however it is written; free() it. NULL: no memory, or there is no such
@@ -36,6 +37,9 @@ bool output_finish(OutputFile *, Status *);
 
 /* Gives it its name; after output_finish(). False: it cannot be had, or another program was faster. */
 bool output_commit(OutputFile *, Status *);
+
+/* Removes temporary files of this name whose programs were killed, a minute ago or earlier. */
+void output_remove_remains(const char *name);
 
 /* Takes back what was not committed, and frees. */
 void output_close(OutputFile *);

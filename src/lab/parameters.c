@@ -45,8 +45,8 @@ const Parameter parameters[] = {
      .help = "how the left and the right end are held", .defaults = {BAR_FIXED_FREE, NO, NO, NO}},
 
     {"beam.length", "Beam", "length", "", "m", PARAMETER_REAL, AT(beam.length), ABOVE_ZERO,
-     .nudge = NUDGE_DOUBLE, .help = "length; of the moving cantilever the part outside its channel at t = 0",
-     .defaults = {NO, 0.1, 0.1, 0.21}},
+     .nudge = NUDGE_DOUBLE, .help = "length of the beam",
+     .help_moving = "length of the part outside the channel at t = 0", .defaults = {NO, 0.1, 0.1, 0.21}},
     {"beam.height", "Beam", "height", "", "m", PARAMETER_REAL, AT(beam.height), ABOVE_ZERO,
      .nudge = NUDGE_SPACING, .help = "height; the lattice holds whole rows of it",
      .defaults = {NO, 0.005, 0.005, 0.07}},
@@ -77,8 +77,8 @@ const Parameter parameters[] = {
     {"initial.overtones", "Start", "overtones", "", "", PARAMETER_TEXT, AT(overtones),
      .help = "more modes with their velocities at t = 0", .defaults = {0, NO, NO, NO}},
     {"initial.amplitude", "Start", "amplitude", "", "m", PARAMETER_REAL, AT(beam.amplitude), ANY,
-     .nudge = NUDGE_1_2_5, .help = "deflection U of the beam's mode at t = 0 (the cantilever's tip: 2 U)",
-     .defaults = {NO, 3e-6, 3e-6, NO}},
+     .nudge = NUDGE_1_2_5, .help = "deflection U of the beam's mode at t = 0",
+     .help_moving = "U at t = 0; the tip's deflection is 2 U", .defaults = {NO, 3e-6, 3e-6, NO}},
 
     {"mesh.cell_size", "Mesh", "cell size", "length", "", PARAMETER_REAL, AT(bar.cell_size), ABOVE_ZERO,
      .nudge = NUDGE_DOUBLE, .help = "size dx of a cell; the bar is a whole number of cells",
@@ -270,16 +270,34 @@ const char *nearest_word(const char *const *words, const char *wrong)
     return nearest;
 }
 
+/* Who leaves the section away means the same. */
+static void keep_nearest_key(const char *right, const char *wrong, const char **nearest, size_t *least)
+{
+    const char *dot = strchr(wrong, '.') ? NULL : strchr(right, '.');
+    const size_t before = *least;
+    keep_nearest(right, wrong, nearest, least);
+    if (dot)
+        keep_nearest(dot + 1, wrong, nearest, least);
+    if (*least < before)
+        *nearest = right;
+}
+
 const char *parameter_nearest(Problem problem, const char *key)
 {
     const char *nearest = NULL;
     size_t least = too_far(key);
     for (int i = 0; i < n_parameters; i++)
         if (parameter_applies(&parameters[i], problem))
-            keep_nearest(parameters[i].key, key, &nearest, &least);
+            keep_nearest_key(parameters[i].key, key, &nearest, &least);
     for (int i = 0; i < n_text_keys; i++)
         keep_nearest(text_keys[i].key, key, &nearest, &least);
     return nearest;
+}
+
+const char *parameter_help(const Parameter *parameter, Problem problem)
+{
+    const bool moving = problem == PROBLEM_MOVING_CANTILEVER && parameter->help_moving;
+    return moving ? parameter->help_moving : parameter->help;
 }
 
 const char *parameter_automatic(const Parameter *parameter, Problem problem)

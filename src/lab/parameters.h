@@ -46,6 +46,7 @@ typedef struct Parameter {
     bool live;                      /* may change in mid-run */
     ParameterMethod only;           /* the bar has two methods, and some parameters one */
     const char *help;               /* one line */
+    const char *help_moving;        /* of the moving cantilever; NULL: the same */
     double defaults[PROBLEM_COUNT]; /* NAN: not a parameter of that problem */
 } Parameter;
 
@@ -89,6 +90,9 @@ const TextKey *text_key_find(const char *key);
 
 /* The known key of this problem nearest to a wrong one, for "did you mean"; NULL: nothing is near. */
 const char *parameter_nearest(Problem problem, const char *key);
+
+/* The line of help for this problem. */
+const char *parameter_help(const Parameter *, Problem);
 
 /* The nearest of some words (ended by NULL) to a wrong one; NULL: nothing is near. */
 const char *nearest_word(const char *const *words, const char *wrong);

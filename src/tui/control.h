@@ -89,6 +89,7 @@ struct Laboratory {
     double part_seconds; /* what it has taken so far */
     int frames_in_time;  /* since the engine was last the limit */
     Answer answer;
+    int tabbed;             /* candidates that Tab has shown; the next Tab shows those behind them */
     ScenarioList scenarios; /* behind screen.prompt.scenarios */
     LineHistory past;
     LessonPlay play;

@@ -6,6 +6,7 @@
 
 #include <dirent.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -15,18 +16,25 @@ typedef struct Completion {
     char list[sizeof((Prompt *)0)->hint];
     char tail[2]; /* follows if there is one candidate only */
     int found;
+    int skipped; /* candidates that have been shown before */
+    int listed;
+    bool more; /* the list has no room for the others */
 } Completion;
+
+/* "  (Tab: 12 more)" stands behind a list that is not the last part. */
+enum { TAIL_ROOM = 24 };
 
 static void offer(Completion *completion, const char *candidate, const char *tail)
 {
     if (strncmp(candidate, completion->start, strlen(completion->start)) != 0)
         return;
     const size_t used = strlen(completion->list);
-    if (used + strlen(candidate) + 8 < sizeof completion->list)
+    completion->more |= used + strlen(candidate) + TAIL_ROOM >= sizeof completion->list;
+    if (completion->found >= completion->skipped && !completion->more) {
         snprintf(completion->list + used, sizeof completion->list - used, "%s%s", used ? "  " : "",
                  candidate);
-    else if (used && completion->list[used - 1] != '.')
-        strcat(completion->list, " ...");
+        completion->listed++;
+    }
     if (completion->found++ == 0) {
         snprintf(completion->common, sizeof completion->common, "%s", candidate);
         snprintf(completion->tail, sizeof completion->tail, "%s", tail);
@@ -65,29 +73,45 @@ static void offer_values(Completion *completion, Problem problem, const char *ke
     if (completion->found == 0) {
         char range[96];
         parameter_range(parameter, problem, range, sizeof range);
-        snprintf(completion->list, sizeof completion->list, "%s: %s", range, parameter->help);
+        snprintf(completion->list, sizeof completion->list, "%s: %s", range,
+                 parameter_help(parameter, problem));
     }
 }
 
-static void offer_files(Completion *completion)
+static int by_name(const struct dirent **a, const struct dirent **b)
+{
+    return strcmp((*a)->d_name, (*b)->d_name);
+}
+
+static bool is_table(const char *name)
+{
+    const size_t length = strlen(name);
+    return length > 4 && strcmp(name + length - 4, ".csv") == 0;
+}
+
+/* By name; with `tables` those of CSV first. */
+static void offer_files(Completion *completion, bool tables)
 {
     const char *slash = strrchr(completion->start, '/');
     const size_t folder = slash ? (size_t)(slash - completion->start) + 1 : 0;
     char path[512];
     snprintf(path, sizeof path, "%.*s", (int)folder, completion->start);
-    DIR *entries = opendir(folder ? path : ".");
-    if (!entries)
-        return;
-    for (const struct dirent *entry; (entry = readdir(entries));) {
+    struct dirent **entries;
+    const int count = scandir(folder ? path : ".", &entries, NULL, by_name);
+    for (int i = 0; i < 2 * count; i++) {
+        const char *name = entries[i % count]->d_name;
         struct stat file;
-        if (entry->d_name[0] == '.' && completion->start[folder] != '.')
+        if ((name[0] == '.' && completion->start[folder] != '.') || (i < count) != (tables && is_table(name)))
             continue;
-        snprintf(path, sizeof path, "%.*s%s", (int)folder, completion->start, entry->d_name);
+        snprintf(path, sizeof path, "%.*s%s", (int)folder, completion->start, name);
         if (strlen(path) + 2 < sizeof path && stat(path, &file) == 0 && S_ISDIR(file.st_mode))
             strcat(path, "/");
         offer(completion, path, "");
     }
-    closedir(entries);
+    for (int i = 0; i < count; i++)
+        free(entries[i]);
+    if (count >= 0)
+        free(entries);
 }
 
 static void offer_scenarios(Completion *completion)
@@ -95,7 +119,19 @@ static void offer_scenarios(Completion *completion)
     for (const BuiltinScenario *builtin = builtin_scenarios; builtin->name; builtin++)
         offer(completion, builtin->name, "");
     if (*completion->start)
-        offer_files(completion);
+        offer_files(completion, false);
+}
+
+/* Their numbers are what is typed, so all that helps is what they mean. */
+static void tell_views(Completion *completion, const Screen *screen)
+{
+    for (int view = 1; view <= 9 && !*completion->start; view++) {
+        const Command *command = command_find((CommandId)(COMMAND_VIEW_1 + view - 1));
+        const size_t used = strlen(completion->list);
+        if (command && !screen_view_missing(screen, view))
+            snprintf(completion->list + used, sizeof completion->list - used, "%s%d %s", used ? "   " : "",
+                     view, command->brief);
+    }
 }
 
 /* KEY=VALUE ...: the last of them. */
@@ -134,7 +170,19 @@ static void offer_arguments(Completion *completion, const Laboratory *lab, LineA
         offer_scenarios(completion);
         break;
     case ARGUMENT_FILE:
-        offer_files(completion);
+    case ARGUMENT_SERIES:
+        offer_files(completion, kind == ARGUMENT_SERIES);
+        break;
+    case ARGUMENT_VIEW:
+        tell_views(completion, &lab->screen);
+        break;
+    case ARGUMENT_REFERENCES:
+        for (int i = 0; reference_words[i]; i++)
+            offer(completion, reference_words[i], "");
+        break;
+    case ARGUMENT_LESSON:
+        for (const BuiltinLesson *lesson = builtin_lessons; lesson->name; lesson++)
+            offer(completion, lesson->name, "");
         break;
     case ARGUMENT_OTHER:
         break;
@@ -164,7 +212,7 @@ static void offer_line(Completion *completion, const Laboratory *lab)
 void complete_prompt(Laboratory *lab)
 {
     Prompt *prompt = &lab->screen.prompt;
-    Completion completion = {.start = prompt->text};
+    Completion completion = {.start = prompt->text, .skipped = lab->tabbed};
     if (lab->answer == answer_line)
         offer_line(&completion, lab);
     else if (lab->answer == answer_duel)
@@ -172,7 +220,7 @@ void complete_prompt(Laboratory *lab)
     else if (lab->answer == answer_scenario)
         offer_scenarios(&completion);
     else if (lab->answer == answer_write)
-        offer_files(&completion);
+        offer_files(&completion, false);
     else
         return;
     const size_t before = (size_t)(completion.start - prompt->text), had = strlen(completion.start);
@@ -181,9 +229,17 @@ void complete_prompt(Laboratory *lab)
     lab->fresh = false;
     if (!further && prompt->scenarios && prompt->scenarios->n_shown > 0)
         return; /* they stand there, with their titles */
-    if (!further)
+    lab->tabbed = 0;
+    if (!further) {
+        const int shown = completion.skipped + completion.listed;
         snprintf(prompt->hint, sizeof prompt->hint, "%s", completion.list);
-    else if (before + strlen(completion.common) + 2 < sizeof prompt->text) {
+        if (completion.more) {
+            const size_t used = strlen(prompt->hint);
+            snprintf(prompt->hint + used, sizeof prompt->hint - used, "  (Tab: %d more)",
+                     completion.found - shown);
+            lab->tabbed = shown;
+        }
+    } else if (before + strlen(completion.common) + 2 < sizeof prompt->text) {
         snprintf(prompt->text + before, sizeof prompt->text - before, "%s%s", completion.common,
                  completion.found == 1 ? completion.tail : "");
         prompt->cursor = text_columns(prompt->text);

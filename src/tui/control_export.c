@@ -123,9 +123,17 @@ static void write_export(Laboratory *lab, bool force)
     lab->changed = false;
     file_names(lab, 0, lab->export_name, paths);
     char *whole = realpath(paths[0], NULL);
+    char beside[PATH_BYTES + 64] = "";
+    if (both) {
+        char others[EXPORTS][PATH_BYTES];
+        file_names(lab, 1, lab->export_name, others);
+        const char *slash = strrchr(others[0], '/');
+        snprintf(beside, sizeof beside, "; of B likewise %s (%ld rows)", slash ? slash + 1 : others[0],
+                 second.rows);
+    }
     say(lab, first.failed || second.failed ? MESSAGE_WARNING : MESSAGE_INFO,
-        "wrote %s (%ld rows), particles%s, each with its .ini%s", whole ? whole : paths[0], first.rows,
-        paths[2][0] ? ", nodes" : "", both ? "; the same of B as -b" : "");
+        "wrote %s%s (%ld rows), particles%s, each with its .ini%s", both ? "A: " : "",
+        whole ? whole : paths[0], first.rows, paths[2][0] ? ", nodes" : "", beside);
     free(whole);
 }
 

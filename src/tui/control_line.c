@@ -198,6 +198,24 @@ bool answer_line(Laboratory *lab, const char *text)
     return run_line(lab, line);
 }
 
+/* An unknown first word, with the nearest one that there is. */
+static bool refuse_word(Laboratory *lab, const char *line, const char *end)
+{
+    enum { MOST = COMMAND_COUNT + LINE_COUNT };
+    const char *known[MOST + 1] = {NULL}, *nearest;
+    char word[64], why[200];
+    int count = 0;
+    for (int i = 0; i < n_line_verbs && count < MOST; i++)
+        known[count++] = line_verbs[i].name;
+    for (int i = 0; i < n_commands && count < MOST; i++)
+        known[count++] = commands[i].name;
+    snprintf(word, sizeof word, "%.*s", (int)(end - line), line);
+    nearest = nearest_word(known, word);
+    snprintf(why, sizeof why, "%s: unknown%s%s%s: a command (Tab completes), KEY=VALUE or a time is wanted",
+             word, nearest ? " (did you mean " : "", nearest ? nearest : "", nearest ? "?)" : "");
+    return refuse(lab, why);
+}
+
 bool run_line(Laboratory *lab, const char *line)
 {
     const char *words = line + strcspn(line, " ");
@@ -213,7 +231,6 @@ bool run_line(Laboratory *lab, const char *line)
     }
     if (strchr(line, '='))
         return set(lab, line);
-    return line[0] == '#' || text_to_double(line, &time)
-               ? answer_go_to(lab, line)
-               : refuse(lab, "a command's name (Tab completes), KEY=VALUE, or a time");
+    return line[0] == '#' || text_to_double(line, &time) ? answer_go_to(lab, line)
+                                                         : refuse_word(lab, line, words);
 }

@@ -54,7 +54,12 @@ void prompt_key(Laboratory *lab, const Key *key)
 {
     Prompt *prompt = &lab->screen.prompt;
     const char *name = key->name;
-    if (strcmp(name, "Esc") == 0 || strcmp(name, "F10") == 0) {
+    if (strcmp(name, "Tab") != 0)
+        lab->tabbed = 0;
+    if (prompt->yes_no && lab->answer == answer_quit &&
+        (strcmp(name, "q") == 0 || strcmp(name, "F10") == 0)) {
+        refuse(lab, "y leaves, n stays"); /* neither is certain, and what follows should be no commands */
+    } else if (strcmp(name, "Esc") == 0 || strcmp(name, "F10") == 0) {
         close_prompt(lab);
     } else if (prompt->yes_no) {
         if (strcmp(name, "y") == 0 || strcmp(name, "Y") == 0 || strcmp(name, "Enter") == 0)

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ESCAPE_MS = 25, SEQUENCE_MS = 500, PARAMETER_MOST = 9999 };
+enum { ESCAPE_MS = 25, SEQUENCE_MS = 500, PARAMETER_MOST = 9999, NUMBER_MOST = 24 };
 
 static const char paste_end[] = "\033[201~";
 
@@ -315,4 +315,38 @@ bool keys_expire(KeyDecoder *decoder, Key *key)
         return give(key, "", "Esc");
     decoder->state = KEY_GROUND;
     return escape && give(key, "", "Esc");
+}
+
+static bool is_named(const char *name)
+{
+    static const char *const names[] = {"Space", "Enter", "Tab", "Esc", "Backspace"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (strcmp(name, names[i]) == 0)
+            return true;
+    for (char letter = 'A'; letter <= 'Z'; letter++)
+        if (letter_key(letter) && strcmp(name, letter_key(letter)) == 0)
+            return true;
+    for (int number = 1; number <= NUMBER_MOST; number++)
+        if (number_key(number) && strcmp(name, number_key(number)) == 0)
+            return true;
+    return false;
+}
+
+bool keys_known(const char *name)
+{
+    static const char order[] = "SMC";
+    size_t length = 1;
+    if (!*name)
+        return false;
+    while (((unsigned char)name[length] & 0xc0) == 0x80)
+        length++;
+    if (!name[length])
+        return true;
+    if (name[0] == '^')
+        return name[1] >= '@' && name[1] <= '_' && !name[2];
+    const char *base = name;
+    for (const char *modifier = order; *modifier; modifier++)
+        if (base[0] == *modifier && base[1] == '-')
+            base += 2;
+    return is_named(base) || (base == name + 2 && name[0] == 'M' && base[0] > ' ' && !base[1]);
 }

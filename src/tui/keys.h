@@ -50,6 +50,9 @@ void keys_reset(KeyDecoder *);
 /* Takes one byte. True: it completed a key, which stands in *key. */
 bool keys_feed(KeyDecoder *, unsigned char byte, Key *key);
 
+/* Whether a name is one of those above; the mouse's apart. */
+bool keys_known(const char *name);
+
 /* How long to wait for the next byte before keys_expire() is due, in milliseconds; -1: nothing is open. */
 int keys_timeout(const KeyDecoder *);
 

@@ -51,8 +51,10 @@ static bool keep(const LaboratoryOptions *options, const Session *recording, Sta
         return session_write(recording, options->record, options->force, status);
     char *last = options->script ? NULL : state_file(last_session, true);
     Status ignored = {0};
-    if (last)
+    if (last) {
+        output_remove_remains(last);
         session_write(recording, last, true, &ignored);
+    }
     free(last);
     return true;
 }

@@ -89,7 +89,11 @@ static bool do_key(Player *player, char *rest, Status *status)
 {
     char *place;
     for (char *name = strtok_r(rest, " \t", &place); name; name = strtok_r(NULL, " \t", &place))
-        if (!press(player, name, status))
+        if (!keys_known(name))
+            return status_fail(status, STATUS_USAGE,
+                               "key: %.40s is no key (a character, Space, Enter, Esc, Up, F1, ^C, ...)",
+                               name);
+        else if (!press(player, name, status))
             return false;
     return true;
 }

@@ -107,6 +107,11 @@ static void release_signals(Terminal *terminal)
         sigaction(ends[i], &terminal->old_ends[i], NULL);
     for (int i = 0; i < N_CRASHES; i++)
         sigaction(crashes[i], &terminal->old_crashes[i], NULL);
+    if (signal_end) {
+        /* shell, terminal and kernel each say it: the second must not cut off what is still to be written */
+        signal(SIGHUP, SIG_IGN);
+        signal(SIGTERM, SIG_IGN);
+    }
     sigaction(SIGWINCH, &terminal->old_resize, NULL);
     sigaction(SIGTSTP, &terminal->old_stop, NULL);
     sigaction(SIGCONT, &terminal->old_continue, NULL);

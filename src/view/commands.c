@@ -102,11 +102,12 @@ const LineVerb line_verbs[] = {
     {LINE_GO_TO, "goto", "TIME or #STEP", ARGUMENT_OTHER, "to a time, as the number alone does, or a step"},
     {LINE_DUEL, "duel", "KEY=VALUE ...", ARGUMENT_KEYS,
      "a second run beside that differs in these keys, in place of one that there is"},
-    {LINE_SHOW, "show", "VIEW [VARIANT]", ARGUMENT_OTHER, "a view by its number, and which of its variants"},
-    {LINE_REFERENCES, "references", "all|exact|predicted|none", ARGUMENT_OTHER, "which reference curves"},
+    {LINE_SHOW, "show", "VIEW [VARIANT]", ARGUMENT_VIEW, "a view by its number, and which of its variants"},
+    {LINE_REFERENCES, "references", "all|exact|predicted|none", ARGUMENT_REFERENCES,
+     "which reference curves"},
     {LINE_PARTICLE, "particle", "NUMBER", ARGUMENT_OTHER, "choose a particle"},
-    {LINE_LESSON, "lesson", "NAME", ARGUMENT_OTHER, "open a lesson"},
-    {LINE_OVERLAY, "overlay", "FILE.csv [X Y]", ARGUMENT_FILE,
+    {LINE_LESSON, "lesson", "NAME", ARGUMENT_LESSON, "open a lesson"},
+    {LINE_OVERLAY, "overlay", "FILE.csv [X Y]", ARGUMENT_SERIES,
      "draw a foreign series over the plots, columns by name or number; alone: take it away"},
 };
 

@@ -86,7 +86,11 @@ typedef enum LineArgument {
     ARGUMENT_KEY,
     ARGUMENT_KEYS, /* KEY=VALUE, several of them */
     ARGUMENT_SCENARIO,
-    ARGUMENT_FILE
+    ARGUMENT_FILE,
+    ARGUMENT_SERIES, /* a file, rather one of CSV */
+    ARGUMENT_VIEW,
+    ARGUMENT_REFERENCES,
+    ARGUMENT_LESSON
 } LineArgument;
 
 typedef enum LineVerbId {

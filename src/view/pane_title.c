@@ -376,6 +376,8 @@ static void draw_prompt(const Screen *screen, Area area)
     int x = area_text(area, 1, 0, prompt->question, STYLE_KEY) + 2;
     if (prompt->yes_no) {
         area_text(area, x, 0, "y / n", STYLE_TITLE);
+        if (prompt->problem[0])
+            draw_notice(area, -1, prompt->problem, STYLE_WARNING);
         area.canvas->cursor_x = area.rect.x + x;
         area.canvas->cursor_y = area.rect.y;
         return;
@@ -412,9 +414,13 @@ static void draw_keys(const Screen *screen, Area area)
         return;
     const Parameter *parameter = rows[screen->selected].parameter;
     char range[96], text[256];
-    parameter_range(parameter, experiment_settings(screen->experiment)->problem, range, sizeof range);
-    snprintf(text, sizeof text, "%s: %s", range, parameter->help);
-    area_text(area, EDIT_HINT_COLUMN, 0, text, STYLE_TITLE);
+    const Problem problem = experiment_settings(screen->experiment)->problem;
+    parameter_range(parameter, problem, range, sizeof range);
+    snprintf(text, sizeof text, "%s: %s", range, parameter_help(parameter, problem));
+    if (EDIT_HINT_COLUMN + text_columns(text) < area.rect.width)
+        area_text(area, EDIT_HINT_COLUMN, 0, text, STYLE_TITLE);
+    else
+        draw_notice(area, -1, text, STYLE_TITLE);
 }
 
 void pane_bar(const Screen *screen, Area area)

@@ -120,6 +120,8 @@ refuse "unknown problem" 2 \
 refuse "laboratory: unknown option" 2 '--pause: unknown option (did you mean --paused?)' --pause
 refuse "laboratory: unknown scenario" 2 'mode11: no such scenario or file (did you mean mode1?)' mode11
 refuse "a lesson that there is not" 2 'one-stop: no such lesson or file (did you mean one-step?)' lesson one-stop --script /dev/null
+"$MATVIB" lesson --list >lessons && grep -q '^one-step   One step of MPM$' lessons
+result "lesson --list tells the names" test $? -eq 0
 refuse "a slip in a command" 2 'rnu: no such command, scenario or file (did you mean run?)' rnu mode1
 refuse "laboratory: two scenarios" 2 'mode5: is one argument too many ([SCENARIO])' mode1 mode5
 refuse "laboratory: wrong word" 2 '--glyphs: dots is not a choice (auto | braille | block | ascii)' --glyphs dots

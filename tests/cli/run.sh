@@ -72,6 +72,9 @@ result "in words" says err '^matvib: --at: --frames is given too (one of them)$'
 expect "in either order" 2 mode1 --at 1,2 --frames 3
 expect "also through --set" 2 mode1 --set output.at=1 --frames 3
 expect "also behind it" 2 mode1 --frames 3 --set output.at=1
+expect "frames of no table" 2 mode1 --end 1 --frames 3 --series -
+result "in words" says err '^matvib: --frames: there is no table to write at these times (--particles, --nodes, --bonds or --vtk)$'
+expect "nor at named times" 2 mode1 --at 1,2
 expect "no frames at all" 2 mode1 --frames 0
 result "tells what is allowed" says err 'output.frames: 0 is out of range (empty | 1 to 1000000)$'
 expect "steps and end exclude each other" 2 mode1 --steps 3 --end 5

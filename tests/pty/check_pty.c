@@ -184,6 +184,41 @@ START_TEST(a_terminal_that_goes_away_ends_it)
 }
 END_TEST
 
+/* Shell, terminal and kernel each say that it ends. What was done is kept whole, and what a session that was
+ * killed left behind a while ago goes. */
+START_TEST(a_session_that_is_ended_twice_is_kept)
+{
+    char folder[] = "/tmp/matvib-XXXXXX", state[64], path[128], old[128], command[192];
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+    snprintf(state, sizeof state, "XDG_STATE_HOME=%s", folder);
+    const pid_t gone = fork();
+    if (gone == 0)
+        _exit(0);
+    waitpid(gone, NULL, 0);
+    snprintf(command, sizeof command,
+             "mkdir %s/matvib && touch -d '2 minutes ago' %s/matvib/last.session.%ld-0.part", folder, folder,
+             (long)gone);
+    ck_assert_int_eq(system(command), 0);
+    snprintf(old, sizeof old, "%s/matvib/last.session.%ld-0.part", folder, (long)gone);
+    snprintf(path, sizeof path, "%s/matvib/last.session", folder);
+    Session session;
+    session_open_paused(&session, 80, 24, (const char *const[]){state, NULL});
+    session_keys(&session, "..");
+    for (int i = 0; i < 20; i++) {
+        kill(session.child, SIGHUP);
+        kill(session.child, SIGTERM);
+        usleep(200);
+    }
+    const int status = session_exit(&session);
+    ck_assert(status == 128 + SIGHUP || status == 128 + SIGTERM);
+    session_close(&session);
+    ck_assert_int_eq(access(path, F_OK), 0);
+    ck_assert_int_ne(access(old, F_OK), 0);
+    snprintf(command, sizeof command, "test \"$(ls %s/matvib)\" = last.session && rm -r %s", folder, folder);
+    ck_assert_int_eq(system(command), 0);
+}
+END_TEST
+
 /* Nobody reads what it writes, as when a connection hangs: it stops in the middle of a picture. */
 START_TEST(a_terminal_that_hangs_can_be_left)
 {
@@ -409,6 +444,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(tcase, signals_end_it_and_restore_the_terminal, 0, 4);
     tcase_add_test(tcase, a_running_one_ends_by_signal_too);
     tcase_add_loop_test(tcase, a_terminal_that_goes_away_ends_it, 0, 2);
+    tcase_add_test(tcase, a_session_that_is_ended_twice_is_kept);
     tcase_add_test(tcase, a_terminal_that_hangs_can_be_left);
     tcase_add_test(tcase, a_crash_restores_the_terminal);
     tcase_add_test(tcase, control_c_leaves);

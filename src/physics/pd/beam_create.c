@@ -226,8 +226,7 @@ static bool build(Beam *beam, const BeamOptions *options, Status *status)
         beam->facts.real_span = beam->def.length;
     beam->facts.family = 2 * (size_t)lattice->n_offsets;
     beam->facts.bonds = lattice_bonds(lattice);
-    beam->sim.stages = beam_stage_table;
-    beam->sim.n_stages = N_STAGES;
+    beam_set_stages(beam);
     beam->sim.stage_items = (size_t)lattice->ny;
     beam_set_fields(beam);
     beam_set_series(beam);

@@ -6,18 +6,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-const Stage beam_stage_table[N_STAGES] = {
+/* Of beams on supports. */
+static const Stage stage_table[N_STAGES] = {
     [STAGE_HALF_KICK] = {"half-kick", "half kick", "v(n+½) = v(n) + Δt/2 a(n),   a = f/ρ",
                          "v(n+1/2) = v(n) + dt/2 a(n),   a = f/rho", "eq. 9",
                          "The force of the last step gives every node half a step's worth of new velocity.",
                          "vx vy fx fy", "vx vy"},
     [STAGE_DRIFT] = {"drift", "drift", "u(n+1) = u(n) + Δt v(n+½)", "u(n+1) = u(n) + dt v(n+1/2)", "eq. 10",
                      "Every node moves on with its half-step velocity.", "ux uy vx vy", "ux uy"},
-    [STAGE_CONSTRAINTS] = {"constraints", "supports and clamp",
-                           "u = 0 at supports;   in the channel u = v0t, 0",
-                           "u = 0 at supports;   in the channel u = v0 t, 0", "eqs. 12, 13",
-                           "Supported nodes stay where they are; the channel guides the nodes inside it.",
-                           "ux uy vx vy held", "ux uy vx vy"},
+    [STAGE_CONSTRAINTS] = {"constraints", "supports", "u = 0 at supports", "u = 0 at supports", "eqs. 12, 13",
+                           "Supported nodes stay where they are.", "ux uy vx vy held", "ux uy vx vy"},
     [STAGE_BONDS] =
         {"bonds", "bond forces",
          "s = (|ξ+η| − |ξ|)/|ξ|,   s ≥ s0: broken for ever\n"
@@ -33,12 +31,28 @@ const Stage beam_stage_table[N_STAGES] = {
                           "The load pushes the nodes of the top row that it rests on.", "loaded fy", "fy"},
     [STAGE_SECOND_KICK] = {"second-kick", "second half kick", "v(n+1) = v(n+½) + Δt/2 a(n+1)",
                            "v(n+1) = v(n+1/2) + dt/2 a(n+1)", "eq. 11",
-                           "The new force completes the step's velocity; supports and clamp hold again.",
+                           "The new force completes the step's velocity; supports hold again.",
                            "vx vy fx fy held", "vx vy"},
     [STAGE_DAMAGE] = {"damage", "damage", "φ(i) = 1 − Σ μ w V / Σ w V", "phi(i) = 1 - sum mu w V / sum w V",
                       "eqs. 5, 6", "Damage of a node is the share of its family that it has lost.", "broken",
                       "damage"},
 };
+
+void beam_set_stages(Beam *beam)
+{
+    memcpy(beam->stages, stage_table, sizeof beam->stages);
+    if (beam->def.problem == BEAM_MOVING_CANTILEVER) {
+        Stage *constraints = &beam->stages[STAGE_CONSTRAINTS];
+        constraints->name = "clamp";
+        constraints->equation = "in the channel uy = 0, with a full clamp ux = v0t";
+        constraints->ascii = "in the channel uy = 0, with a full clamp ux = v0 t";
+        constraints->sentence = "The channel guides the nodes inside it.";
+        beam->stages[STAGE_SECOND_KICK].sentence =
+            "The new force completes the step's velocity; the clamp holds again.";
+    }
+    beam->sim.stages = beam->stages;
+    beam->sim.n_stages = N_STAGES;
+}
 
 /* A node, now and before the stage. */
 typedef struct NodeNow {
@@ -72,7 +86,7 @@ static void say_change(Working *working, const char *label, double was, double f
 {
     if (fabs(was + factor * rate - now) > 1e-9 * fmax(fabs(was), fabs(factor * rate))) {
         working_number(working, label, now);
-        working_say(working, " %s: a support or the channel holds it\n", unit);
+        working_say(working, " %s: the node is held\n", unit);
         return;
     }
     WorkingSum sum = {

@@ -68,6 +68,7 @@ typedef struct Beam {
     BeamFacts facts;
     Quantity series[BEAM_SERIES_MAX]; /* of this problem */
     int series_entry[BEAM_SERIES_MAX];
+    Stage stages[N_STAGES]; /* likewise */
 
     /* the model */
     double *coefficient;  /* of the intact or broken bonds now: it follows the state's bits */
@@ -190,7 +191,7 @@ enum { FAMILY_MAX = 2 * LATTICE_OFFSETS_MAX };
 size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_t max);
 
 /* beam_explain.c */
-extern const Stage beam_stage_table[N_STAGES];
+void beam_set_stages(Beam *);
 void beam_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
                   char *out, size_t size);
 
