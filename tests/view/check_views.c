@@ -191,7 +191,7 @@ START_TEST(earlier_runs_leave_a_dot)
     bool found = false;
     for (int y = (int)row; y <= (int)row + 1; y++)
         for (int x = (int)five - 1; x <= (int)five + 1; x++)
-            found |= cell(&show, x, y)->glyph == 0x25cb && cell(&show, x + 1, y)->glyph == 'a';
+            found |= cell(&show, x, y)->glyph == 0x25cb && cell(&show, x + 2, y)->glyph == 'a';
     ck_assert_msg(found, "no dot with its letter near %g, %g", five, row);
     close_show(&show);
 }
