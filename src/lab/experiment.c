@@ -181,7 +181,7 @@ void experiment_scenario(const Experiment *experiment, bool to_newest, Settings 
 }
 
 /* A fit over thousands of rows is not free: while rows come in, it is done when their number has grown by a
- * fiftieth; once they stop coming, exactly. */
+ * twentieth; once they stop coming, exactly. */
 const Readout *experiment_readout(Experiment *experiment)
 {
     const Trial *trial = &experiment->trial;
@@ -189,7 +189,7 @@ const Readout *experiment_readout(Experiment *experiment)
     size_t rows = record->count - (record->loose_last && record->count > 0 ? 1 : 0);
     size_t known = experiment->readout_rows;
     bool still = !experiment->flowing || trial->sim->step >= trial->last;
-    if (known == 0 || rows < known || rows > known + known / 50 || (still && rows != known)) {
+    if (known == 0 || rows < known || rows > known + known / 20 || (still && rows != known)) {
         references_readout(trial->refs, record->rows, rows, record->n_columns, &experiment->readout);
         experiment->readout_rows = rows;
     }
@@ -248,6 +248,11 @@ void experiment_flow(Experiment *experiment)
 void experiment_rest(Experiment *experiment)
 {
     experiment->flowing = false;
+}
+
+bool experiment_is_flowing(const Experiment *experiment)
+{
+    return experiment->flowing;
 }
 
 /* A snapshot in a buffer that grows. False: not enough memory. */

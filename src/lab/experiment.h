@@ -98,6 +98,7 @@ void experiment_flow(Experiment *);
 /* No rows come for the time being: what is worked out now and then only while the run goes on, the readout,
  * is worked out exactly. */
 void experiment_rest(Experiment *);
+bool experiment_is_flowing(const Experiment *);
 
 /* The next stage only; nothing at the end of the run. */
 bool experiment_next_stage(Experiment *, Status *);

@@ -11,7 +11,8 @@ const Command commands[] = {
     {COMMAND_STEP_BACK_TEN, "step-back-ten", "<", "Time", "-10", "ten time steps back"},
     {COMMAND_STAGE_FORWARD, "stage", "] s", "Time", "stage", "the next stage of the time step only"},
     {COMMAND_STAGE_BACK, "stage-back", "[ S", "Time", "undo", "one stage back"},
-    {COMMAND_FASTER, "faster", "+ =", "Time", "faster", "more steps for each picture: 1, 2, 5, 10, ..."},
+    {COMMAND_FASTER, "faster", "+ =", "Time", "faster",
+     "more steps a picture: 1, 2, 5, 10, ... (at first what fits)"},
     {COMMAND_SLOWER, "slower", "-", "Time", "slower", "fewer steps for each picture"},
     {COMMAND_START, "start", "0 Home", "Time", "t=0", "to t = 0; what has been computed is kept"},
     {COMMAND_NEWEST, "newest", "$ End", "Time", "newest", "to the newest time computed"},
@@ -95,7 +96,8 @@ const int n_commands = sizeof commands / sizeof *commands;
 
 const LineVerb line_verbs[] = {
     {LINE_SET, "set", "KEY VALUE", ARGUMENT_KEY, "a parameter, as KEY=VALUE does without the word set"},
-    {LINE_OPEN, "open", "SCENARIO", ARGUMENT_SCENARIO, "open a scenario: from a list with titles, by name or path"},
+    {LINE_OPEN, "open", "SCENARIO", ARGUMENT_SCENARIO,
+     "open a scenario: from a list with titles, by name or path"},
     {LINE_WRITE, "write", "FILE", ARGUMENT_FILE, "write these parameters as a scenario file"},
     {LINE_EXPORT, "export", "NAME", ARGUMENT_OTHER, "write the run as NAME-series.csv and its tables"},
     {LINE_FIGURE, "figure", "FILE", ARGUMENT_FILE, "draw the focused view as FILE.svg, FILE.pdf or FILE.png"},

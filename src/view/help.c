@@ -107,9 +107,9 @@ static void write_curves(Sheet *sheet, int width, const HelpText *text)
     static const struct {
         const char *word, *meaning;
     } words[] = {
-        {"measured",
-         "what this run does: solid. In a time plot each column shows the least and the largest of "
-         "its rows, so no peak is lost."},
+        {"measured", "what this run does: solid. A number with ~ is a little behind while the run goes on. "
+                     "In a time plot each column shows the least and the largest of "
+                     "its rows, so no peak is lost."},
         {"predicted",
          "what theory says this mesh and this time step must do: dashed. It holds the error of the "
          "method, worked out beforehand."},
@@ -122,11 +122,12 @@ static void write_curves(Sheet *sheet, int width, const HelpText *text)
     static const struct {
         const char *word, *meaning;
     } last_words[] = {
-        {"timeline", "under the plots, from 0 to the end of the run: the line is what has been computed, the "
-                     "dot is where "
-                     "we are. x: a particle crossed into another cell; b: bonds broke; E: the energy left "
-                     "its range; c: a "
-                     "parameter was changed; !: the run stopped."},
+        {"timeline",
+         "under the plots, from 0 to the end of the run: the line is what has been computed, the "
+         "dot is where we are. x: a particle crossed into another cell; b: bonds broke, in the plots over "
+         "time too; L: late or early by half a period, by whole ones; E: the energy left "
+         "its range; c: a "
+         "parameter was changed; !: the run stopped."},
         {"spectrum",
          "view 6: how large each sine in the record is. A record of the length t shows no line finer than "
          "2 pi/t: a longer one is sharper."},

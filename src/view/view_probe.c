@@ -204,8 +204,11 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
         return;
     }
     const bool narrow = width < 52;
+    /* while rows come in the fit is a little behind them, see experiment_rest() */
+    const bool about = screen->state == STATE_RUNNING && experiment_is_flowing(screen->experiment);
     if (readout->measured_known)
-        append(first, 160, narrow ? "w %.4f" : "w measured %.4f", readout->measured);
+        append(first, 160, narrow ? "w %s%.*f" : "w measured %s%.*f", about ? "~" : "", about ? 3 : 4,
+               readout->measured);
     else
         append(first, 160, narrow ? "w ..." : "w measuring");
     if (predicted)
@@ -214,7 +217,8 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
         append(first, 160, narrow ? " exact %.4f" : "  exact %.4f", readout->exact);
     if (!readout->measured_known || !exact)
         return;
-    append(second, 160, "w %+.2f %%  T %+.2f %%", readout->error_frequency, readout->error_period);
+    append(second, 160, "w %+.*f %%  T %+.*f %%", about ? 1 : 2, readout->error_frequency, about ? 1 : 2,
+           readout->error_period);
     append(second, 160, narrow ? "  %s %.2f T" : "  %s by %.2f periods", readout->late < 0 ? "early" : "late",
            fabs(readout->late));
 }

@@ -173,7 +173,7 @@ START_TEST(predicted_curve_is_where_theory_says)
 }
 END_TEST
 
-/* An edit leaves a dot of the earlier run, with its letter beside it. */
+/* An edit leaves a dot of the earlier run, with its letter beside it, a space between. */
 START_TEST(earlier_runs_leave_a_dot)
 {
     Show show;
