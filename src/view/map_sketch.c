@@ -30,7 +30,7 @@ void map_sketch_line(Map *map, double from_x, double from_y, double to_x, double
     Plot *plot = &sketch_of(map)->plot;
     const LineStyle line = every >= 4 ? LINE_DOTTED : every >= 2 ? LINE_DASHED : LINE_SOLID;
     const Stroke *last = plot->n_strokes > 0 ? &plot->strokes[plot->n_strokes - 1] : NULL;
-    const double *end = plot->points + 2 * plot->n_points - 2;
+    const double *end = last ? plot->points + 2 * plot->n_points - 2 : NULL;
     double x0, y0, x1, y1;
     place_of(map, from_x, from_y, &x0, &y0);
     place_of(map, to_x, to_y, &x1, &y1);
