@@ -240,7 +240,7 @@ static void write_of_problems(const Parameter *parameter, Problem first, Problem
 static void write_parameter(const Parameter *parameter, Problem first, Problem last)
 {
     char range[160];
-    const char *unit = first == PROBLEM_BAR ? parameter->unit_bar : parameter->unit_beam;
+    const char *unit = parameter_unit(parameter, first);
     parameter_range(parameter, first, range, sizeof range);
     puts(".TP");
     say_in("B", parameter->key);

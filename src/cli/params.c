@@ -8,15 +8,10 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *unit_of(const Parameter *parameter, Problem problem)
-{
-    return problem == PROBLEM_BAR ? parameter->unit_bar : parameter->unit_beam;
-}
-
 static void print_parameter(const Settings *settings, const Parameter *parameter)
 {
     char value[LIST_MAX], assignment[96], range[160];
-    const char *unit = unit_of(parameter, settings->problem);
+    const char *unit = parameter_unit(parameter, settings->problem);
     settings_show(settings, parameter, value);
     const char *automatic = parameter_automatic(parameter, settings->problem);
     parameter_range(parameter, settings->problem, range, sizeof range);
@@ -26,8 +21,8 @@ static void print_parameter(const Settings *settings, const Parameter *parameter
     snprintf(assignment, sizeof assignment, "%s =%s%.60s%s%s", parameter->key, *value ? " " : "", value,
              *unit ? " " : "", unit);
     static const char *const methods[] = {[OF_EVERY_METHOD] = "", [OF_MPM] = "  [mpm]", [OF_PD] = "  [pd]"};
-    const bool choice =
-        problem_allows(settings->problem, METHOD_MPM) && problem_allows(settings->problem, METHOD_PD);
+    const bool choice = problem_allows(settings->problem, METHOD_MPM, NULL) &&
+                        problem_allows(settings->problem, METHOD_PD, NULL);
     printf("  %-42s %s%s%s\n      %s\n", assignment, range, parameter->live ? "  [live]" : "",
            choice ? methods[parameter->only] : "", parameter_help(parameter, settings->problem));
 }
@@ -58,10 +53,10 @@ static bool print_problem(Problem problem, Status *status)
     char methods[32] = "";
     settings_default(&settings, problem);
     for (int method = 0; method_words[method]; method++)
-        if (problem_allows(problem, (MethodKind)method))
+        if (problem_allows(problem, (MethodKind)method, NULL))
             snprintf(methods + strlen(methods), sizeof methods - strlen(methods), "%s%s",
                      *methods ? " | " : "", method_words[method]);
-    printf("%s (%s): %s\n", problem_words[problem], methods, problem_title(problem));
+    printf("%s (%s): %s\n", problem_words[problem], methods, problem_facts[problem].title);
     const char *group = "";
     for (int i = 0; i < n_parameters; i++) {
         if (!parameter_applies(&parameters[i], problem))
@@ -71,7 +66,7 @@ static bool print_problem(Problem problem, Status *status)
         print_parameter(&settings, &parameters[i]);
     }
     for (int method = 0; method_words[method]; method++)
-        if (problem_allows(problem, (MethodKind)method) &&
+        if (problem_allows(problem, (MethodKind)method, NULL) &&
             !print_derived(&settings, (MethodKind)method, status))
             return false;
     putchar('\n');

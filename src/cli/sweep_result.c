@@ -39,7 +39,7 @@ const char *result_name(ResultColumn column)
 Quantity result_quantity(ResultColumn column, Problem problem)
 {
     const ColumnText *text = &texts[column];
-    const char *unit = problem == PROBLEM_BAR ? text->unit_bar : text->unit_beam;
+    const char *unit = problem_facts[problem].si ? text->unit_beam : text->unit_bar;
     return (Quantity){text->name, text->name, unit, text->meaning};
 }
 

@@ -114,7 +114,7 @@ void table_write_text(const SweepTable *table, FILE *stream)
 static void describe_key(const SweepTable *table, const SweepKey *key, FILE *stream)
 {
     const Parameter *parameter = key->parameter;
-    const char *unit = table->problem == PROBLEM_BAR ? parameter->unit_bar : parameter->unit_beam;
+    const char *unit = parameter_unit(parameter, table->problem);
     fprintf(stream, "%s [%s]: %s", key->key, unit && *unit ? unit : "1",
             parameter_help(parameter, table->problem));
     if (parameter->type == PARAMETER_FLAG)

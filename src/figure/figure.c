@@ -114,7 +114,8 @@ static void tell_parameters(const Settings *settings, char *out, size_t size)
         if (!settings_have(settings, parameter) || strncmp(parameter->key, "output.", 7) == 0)
             continue;
         settings_show(settings, parameter, value);
-        const char *unit = settings->problem == PROBLEM_BAR ? "" : parameter->unit_beam;
+        const char *unit =
+            problem_facts[settings->problem].si ? parameter_unit(parameter, settings->problem) : "";
         if (!value[0] || strcmp(value, "-") == 0)
             continue;
         double number;

@@ -11,13 +11,7 @@
 
 static BeamDef definition(const Settings *settings, int threads)
 {
-    static const BeamProblem problems[PROBLEM_COUNT] = {
-        [PROBLEM_SUPPORTED_BEAM] = BEAM_SIMPLY_SUPPORTED,
-        [PROBLEM_MOVING_CANTILEVER] = BEAM_MOVING_CANTILEVER,
-        [PROBLEM_NOTCHED_BEAM] = BEAM_NOTCHED,
-    };
     BeamDef def = settings->beam;
-    def.problem = problems[settings->problem];
     def.end = settings->end;
     def.threads = threads;
     return def;

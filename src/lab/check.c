@@ -244,12 +244,8 @@ static bool check_changes(const Settings *settings, Status *status)
 
 bool settings_check(const Settings *settings, Status *status)
 {
-    if (!problem_allows(settings->problem, settings->method))
-        return status_fail(status, STATUS_USAGE, "scenario.method: %s cannot solve problem %s (%s)",
-                           method_words[settings->method], problem_words[settings->problem],
-                           method_words[METHOD_PD]);
-    bool sound = (settings->problem == PROBLEM_BAR ? check_bar : check_beam)(settings, status);
-    if (!sound)
+    if (!problem_allows(settings->problem, settings->method, status) ||
+        !(settings->problem == PROBLEM_BAR ? check_bar : check_beam)(settings, status))
         return false;
     double times[TIMES_MAX];
     int n_times = times_read(settings->at, times, status);

@@ -188,10 +188,10 @@ static bool tell_work(const Standing *run, char *label, char *value)
 static bool tell_stop(const Standing *run, char *label, char *value)
 {
     const Simulation *sim = experiment_simulation(run->experiment);
-    const bool bar = experiment_settings(run->experiment)->problem == PROBLEM_BAR;
-    snprintf(label, COMPARISON_TEXT_MAX, bar ? "stopped at t" : "stopped at t, ms");
+    const ProblemFacts *facts = &problem_facts[experiment_settings(run->experiment)->problem];
+    snprintf(label, COMPARISON_TEXT_MAX, "stopped at t%s%s", facts->si ? "," : "", facts->told_time_unit);
     return experiment_failed(run->experiment, NULL) &&
-           put(value, "%.4g", (double)experiment_newest(run->experiment) * sim->dt / (bar ? 1 : 1e-3));
+           put(value, "%.4g", (double)experiment_newest(run->experiment) * sim->dt / facts->told_time);
 }
 
 static bool tell_step(const Standing *run, char *label, char *value)

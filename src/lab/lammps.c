@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "lab/output_file.h"
+#include "lab/parameters.h"
 #include "lab/problem.h"
 
 #include <errno.h>
@@ -186,7 +187,7 @@ static void write_data(FILE *file, const Nodes *nodes)
         }
     }
     fprintf(file, "%s\n\n%zu atoms\n%d atom types\n\n",
-            *nodes->settings->title ? nodes->settings->title : problem_name(nodes->settings->problem),
+            *nodes->settings->title ? nodes->settings->title : problem_words[nodes->settings->problem],
             nodes->count, nodes->n_types);
     LINE(file, "@ @ xlo xhi\n@ @ ylo yhi\n@ @ zlo zhi\n\nAtoms # peri: id type volume density x y z\n\n",
          least[0] - dx / 2, most[0] + dx / 2, least[1] - dx / 2, most[1] + dx / 2, -dx / 2, dx / 2);
@@ -217,7 +218,7 @@ static void write_head(FILE *file, const Nodes *nodes)
 {
     const Settings *settings = nodes->settings;
     fprintf(file, "# %s\n# Written by matvib " PACKAGE_VERSION "; run it with: lmp -in in.matvib\n#\n",
-            *settings->title ? settings->title : problem_title(settings->problem));
+            *settings->title ? settings->title : problem_facts[settings->problem].title);
     fputs("# What differs from matvib's own run of this scenario:\n", file);
     if (settings->beam.surface_correction != SURFACE_NONE)
         fputs("# - there is no surface correction, so the skin is soft; compare with\n"

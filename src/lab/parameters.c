@@ -1,6 +1,7 @@
 #include "lab/parameters.h"
 
 #include "base/text.h"
+#include "lab/problem.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -9,6 +10,7 @@
 const char *const problem_words[] = {"bar", "simply-supported-beam", "moving-cantilever", "notched-beam",
                                      NULL};
 const char *const method_words[] = {"mpm", "pd", NULL};
+const char *const method_titles[] = {"MPM", "PD"};
 const char *const reference_words[] = {"all", "exact", "predicted", "none", NULL};
 const char *const colour_words[] = {
     "uy", "ux", "velocity", "energy", "damage", "family", "surface_factor", "drawing", NULL};
@@ -292,6 +294,11 @@ const char *parameter_nearest(Problem problem, const char *key)
     for (int i = 0; i < n_text_keys; i++)
         keep_nearest(text_keys[i].key, key, &nearest, &least);
     return nearest;
+}
+
+const char *parameter_unit(const Parameter *parameter, Problem problem)
+{
+    return problem_facts[problem].si ? parameter->unit_beam : parameter->unit_bar;
 }
 
 const char *parameter_help(const Parameter *parameter, Problem problem)

@@ -77,6 +77,7 @@ extern const int n_text_keys;
 /* The words of a scenario file for Problem and MethodKind, ended by NULL. */
 extern const char *const problem_words[];
 extern const char *const method_words[];
+extern const char *const method_titles[]; /* on screen: "MPM" */
 
 /* The words of view.references, ended by NULL. */
 extern const char *const reference_words[];
@@ -90,6 +91,9 @@ const TextKey *text_key_find(const char *key);
 
 /* The known key of this problem nearest to a wrong one, for "did you mean"; NULL: nothing is near. */
 const char *parameter_nearest(Problem problem, const char *key);
+
+/* The unit for this problem: in the bar's consistent units a dimension; "": a number. */
+const char *parameter_unit(const Parameter *, Problem);
 
 /* The line of help for this problem. */
 const char *parameter_help(const Parameter *, Problem);

@@ -10,11 +10,27 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const titles[PROBLEM_COUNT] = {
-    [PROBLEM_BAR] = "axial vibration of a bar",
-    [PROBLEM_SUPPORTED_BEAM] = "vibration of a simply supported beam",
-    [PROBLEM_MOVING_CANTILEVER] = "vibration of an axially moving cantilever",
-    [PROBLEM_NOTCHED_BEAM] = "three-point bending of a beam with an offset notch",
+#define SI_UNITS .si = true, .unit_of_time = "s", .told_time = 1e-3, .told_time_unit = " ms"
+
+const ProblemFacts problem_facts[PROBLEM_COUNT] = {
+    [PROBLEM_BAR] = {.title = "axial vibration of a bar",
+                     .usual_method = METHOD_MPM,
+                     .si = false,
+                     .unit_of_time = "time",
+                     .told_time = 1,
+                     .told_time_unit = ""},
+    [PROBLEM_SUPPORTED_BEAM] = {.title = "vibration of a simply supported beam",
+                                .usual_method = METHOD_PD,
+                                .beam = BEAM_SIMPLY_SUPPORTED,
+                                SI_UNITS},
+    [PROBLEM_MOVING_CANTILEVER] = {.title = "vibration of an axially moving cantilever",
+                                   .usual_method = METHOD_PD,
+                                   .beam = BEAM_MOVING_CANTILEVER,
+                                   SI_UNITS},
+    [PROBLEM_NOTCHED_BEAM] = {.title = "three-point bending of a beam with an offset notch",
+                              .usual_method = METHOD_PD,
+                              .beam = BEAM_NOTCHED,
+                              SI_UNITS},
 };
 
 static const ProblemRow *const rows_of_problems[] = {
@@ -30,29 +46,18 @@ static const ProblemRow *find_row(Problem problem, MethodKind method)
     return NULL;
 }
 
+bool problem_allows(Problem problem, MethodKind method, Status *status)
+{
+    return find_row(problem, method) ||
+           status_fail(status, STATUS_USAGE, "scenario.method: %s cannot solve problem %s (%s)",
+                       method_words[method], problem_words[problem],
+                       method_words[problem_facts[problem].usual_method]);
+}
+
 static const ProblemRow *need_row(const Settings *settings, Status *status)
 {
-    const ProblemRow *row = find_row(settings->problem, settings->method);
-    if (!row)
-        status_fail(status, STATUS_USAGE, "method: %s cannot model the problem %s (%s)",
-                    settings->method == METHOD_MPM ? "mpm" : "pd", problem_name(settings->problem),
-                    settings->method == METHOD_MPM ? "pd" : "mpm");
-    return row;
-}
-
-const char *problem_name(Problem problem)
-{
-    return problem_words[problem];
-}
-
-const char *problem_title(Problem problem)
-{
-    return titles[problem];
-}
-
-bool problem_allows(Problem problem, MethodKind method)
-{
-    return find_row(problem, method) != NULL;
+    problem_allows(settings->problem, settings->method, status);
+    return find_row(settings->problem, settings->method);
 }
 
 Simulation *problem_simulate(const Settings *settings, int threads, Status *status)
@@ -155,7 +160,8 @@ void plan_method(References *refs, const Simulation *sim, const char *series)
         plan_add(refs, (PlannedColumn){{sim->series[index], COLUMN_MEASURED, -1}, index, NULL, false});
 }
 
-void plan_rest_of_method(References *refs, const Simulation *sim)
+/* All that is not planned yet. */
+static void plan_rest_of_method(References *refs, const Simulation *sim)
 {
     for (int i = 0; i < sim->n_series; i++)
         plan_method(refs, sim, sim->series[i].name);
@@ -217,8 +223,8 @@ static References *make_references(const ProblemRow *row, const Settings *settin
 References *problem_references(const Settings *settings, const Simulation *sim, Status *status)
 {
     const ProblemRow *row = need_row(settings, status);
-    const char *unit = settings->problem == PROBLEM_BAR ? "time" : "s";
-    return row ? make_references(row, settings, sim, unit, status) : NULL;
+    return row ? make_references(row, settings, sim, problem_facts[settings->problem].unit_of_time, status)
+               : NULL;
 }
 
 References *problem_no_references(const Simulation *sim, Status *status)

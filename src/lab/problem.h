@@ -22,9 +22,21 @@ enum { COLUMNS_MAX = 32, DERIVED_MAX = 24 };
 /* The references of one run: theory with its coefficients worked out once. */
 typedef struct References References;
 
-const char *problem_name(Problem);  /* "bar", as in a scenario file */
-const char *problem_title(Problem); /* "axial vibration of a bar" */
-bool problem_allows(Problem, MethodKind);
+/* What is settled by the problem alone. */
+typedef struct ProblemFacts {
+    const char *title;       /* "axial vibration of a bar" */
+    MethodKind usual_method; /* where a scenario names none */
+    BeamProblem beam;        /* which one, in two dimensions; of no meaning for the bar */
+    bool si;                 /* numbers are in SI units; else in units of one's own that fit each other */
+    const char *unit_of_time;
+    double told_time;           /* a time is told to people in so many of these */
+    const char *told_time_unit; /* with a space before it; "": a bare number */
+} ProblemFacts;
+
+extern const ProblemFacts problem_facts[PROBLEM_COUNT];
+
+/* Whether the problem can be solved by the method; false with the status: why not, and by which. */
+bool problem_allows(Problem, MethodKind, Status *);
 
 /* The simulation at t = 0. `threads` at least 1. NULL: the status says why. */
 Simulation *problem_simulate(const Settings *, int threads, Status *);

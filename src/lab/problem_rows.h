@@ -50,7 +50,7 @@ typedef struct BeamAnswers {
     MovingCantilever *moving;
     double speed; /* of the same */
     Window window;
-    int v_probe; /* in the method's row */
+    int v_probe;                           /* in the method's row */
     double thickness[THICKNESS_LINES_MAX]; /* frequencies of the lattice through the beam's height */
     int n_thickness;
 } BeamAnswers;
@@ -77,7 +77,6 @@ struct References {
 
 /* For prepare(): appends columns to the plan. */
 void plan_method(References *, const Simulation *, const char *series); /* no such series: nothing */
-void plan_rest_of_method(References *, const Simulation *);             /* all that is not planned yet */
 void plan_answer(References *, const Quantity *, ColumnKind, const char *of, Answer *);
 void plan_filter(References *, const Quantity *, const char *of, Answer *); /* an answer that remembers */
 int plan_find(const References *, const char *column);                      /* -1: there is none */

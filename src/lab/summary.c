@@ -181,13 +181,13 @@ const char *summary_drift_base(const RunSummary *summary)
 void summary_text(const RunSummary *summary, const Settings *settings, char out[SUMMARY_MAX])
 {
     Writer writer = {out, 0};
-    bool bar = settings->problem == PROBLEM_BAR;
+    const ProblemFacts *facts = &problem_facts[settings->problem];
     out[0] = '\0';
     char time[NUMBER_TEXT_MAX], dt[NUMBER_TEXT_MAX];
     text_rounded(time, summary->time, 8);
     text_rounded(dt, summary->dt, 6);
-    add(&writer, "%ld steps to t = %s%s  (dt %s)%s\n", summary->steps, time, bar ? "" : " s", dt,
-        summary->failed ? ", where the run failed" : "");
+    add(&writer, "%ld steps to t = %s%s%s  (dt %s)%s\n", summary->steps, time, facts->si ? " " : "",
+        facts->si ? facts->unit_of_time : "", dt, summary->failed ? ", where the run failed" : "");
     add_readout(&writer, &summary->readout);
     char crack[SUMMARY_MAX];
     summary_crack_text(summary, crack);

@@ -2,6 +2,7 @@
 #include "lab/parameters.h"
 
 #include "base/text.h"
+#include "lab/problem.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -102,16 +103,11 @@ double lattice_horizon(const Settings *settings)
 
 void settings_default(Settings *settings, Problem problem)
 {
-    static const BeamProblem beams[PROBLEM_COUNT] = {
-        [PROBLEM_SUPPORTED_BEAM] = BEAM_SIMPLY_SUPPORTED,
-        [PROBLEM_MOVING_CANTILEVER] = BEAM_MOVING_CANTILEVER,
-        [PROBLEM_NOTCHED_BEAM] = BEAM_NOTCHED,
-    };
     memset(settings, 0, sizeof *settings);
     settings->problem = problem;
-    settings->method = problem == PROBLEM_BAR ? METHOD_MPM : METHOD_PD;
+    settings->method = problem_facts[problem].usual_method;
     settings->bar = bar_default();
-    settings->beam = beam_default(beams[problem]);
+    settings->beam = beam_default(problem_facts[problem].beam);
     for (int i = 0; i < n_parameters; i++)
         if (parameter_applies(&parameters[i], problem) && !is_energy(parameters[i].key))
             put_number(settings, &parameters[i], parameters[i].defaults[problem]);

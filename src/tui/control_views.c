@@ -78,10 +78,8 @@ static void change_window(Laboratory *lab, int direction)
         return;
     }
     screen->window = window;
-    if (experiment_settings(screen->experiment)->problem == PROBLEM_BAR)
-        say(lab, MESSAGE_INFO, "time window %g", window);
-    else
-        say(lab, MESSAGE_INFO, "time window %g ms", window / 1e-3);
+    const ProblemFacts *facts = &problem_facts[experiment_settings(screen->experiment)->problem];
+    say(lab, MESSAGE_INFO, "time window %g%s", window / facts->told_time, facts->told_time_unit);
 }
 
 void command_narrower(Laboratory *lab)

@@ -146,13 +146,23 @@ void number_text(double value, int digits, int width, char out[NUMBER_TEXT_MAX])
     while ((int)strlen(out) > width && --digits > 0);
 }
 
+const ProblemFacts *facts_of(const Screen *screen)
+{
+    return &problem_facts[experiment_settings(screen->experiment)->problem];
+}
+
+bool shows_bar(const Screen *screen)
+{
+    return experiment_settings(screen->experiment)->problem == PROBLEM_BAR;
+}
+
 void time_text(const Screen *screen, double time, char *out, size_t size)
 {
-    const bool seconds = experiment_settings(screen->experiment)->problem != PROBLEM_BAR;
-    const double unit = seconds ? 1e-3 : 1, dt = experiment_simulation(screen->experiment)->dt / unit;
+    const ProblemFacts *facts = facts_of(screen);
+    const double unit = facts->told_time, dt = experiment_simulation(screen->experiment)->dt / unit;
     int decimals = dt > 0 ? (int)ceil(-log10(dt) - 1e-9) : 2;
     decimals = decimals < 0 ? 0 : decimals > 6 ? 6 : decimals;
-    snprintf(out, size, seconds ? "t %.*f ms" : "t %.*f", decimals, time / unit);
+    snprintf(out, size, "t %.*f%s", decimals, time / unit, facts->told_time_unit);
 }
 
 int find_column(const Screen *screen, const char *name)
@@ -206,12 +216,6 @@ bool next_word(const char **text, char *out, size_t size)
     snprintf(out, size, "%.*s", (int)length, *text);
     *text += length;
     return true;
-}
-
-const char *parameter_unit(const Screen *screen, const Parameter *parameter)
-{
-    return experiment_settings(screen->experiment)->problem == PROBLEM_BAR ? parameter->unit_bar
-                                                                           : parameter->unit_beam;
 }
 
 bool has_mesh(const Simulation *sim)
@@ -333,7 +337,6 @@ void plain_text(const Screen *screen, const char *text, char *out, size_t size)
 void unit_text(const Screen *screen, const Field *field, char *out, size_t size)
 {
     const char *unit = field->quantity.unit;
-    const bool none =
-        experiment_settings(screen->experiment)->problem == PROBLEM_BAR || strcmp(unit, "1") == 0;
+    const bool none = !facts_of(screen)->si || strcmp(unit, "1") == 0;
     snprintf(out, size, "%s%s", none ? "" : " ", none ? "" : unit);
 }

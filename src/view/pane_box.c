@@ -44,15 +44,14 @@ static void line_words(const Screen *screen, char *out, size_t size)
         predicted |= columns[i].kind == COLUMN_PREDICTED;
         exact |= columns[i].kind == COLUMN_EXACT;
     }
-    const bool bar = experiment_settings(screen->experiment)->problem == PROBLEM_BAR;
     snprintf(out, size, "%s measured.", ascii ? "*" : "Solid:");
     if (predicted && shows_predicted(screen))
         append(out, size, "  %s predicted (this mesh).", ascii ? "-" : "Dashed:");
     if (exact && shows_exact(screen))
         append(out, size, "  %s",
-               !bar    ? "Broken lines: beam theory."
-               : ascii ? ". exact (continuum)."
-                       : "Dotted: exact (continuum).");
+               !shows_bar(screen) ? "Broken lines: beam theory."
+               : ascii            ? ". exact (continuum)."
+                                  : "Dotted: exact (continuum).");
 }
 
 /* Cuts a text to the whole sentences that fit: a caption never stops in mid-sentence. */
@@ -90,7 +89,7 @@ static void draw_caption(const Screen *screen, Area area)
     const Settings *settings = experiment_settings(screen->experiment);
     const Simulation *sim = experiment_simulation(screen->experiment);
     const int width = area.rect.width - 2, rows = area.rect.height;
-    const char *title = settings->title[0] ? settings->title : problem_title(settings->problem);
+    const char *title = settings->title[0] ? settings->title : problem_facts[settings->problem].title;
     area_rule(area, 0, title, STYLE_HEADING);
     char rate[64];
     rate_text(screen, rate, sizeof rate);

@@ -173,7 +173,8 @@ static void draw_hint(const Screen *screen, Area area, const ParameterRow *row, 
 {
     char unit[96] = "", range[96] = "", real[NUMBER_TEXT_MAX] = "";
     if (row->parameter) {
-        snprintf(unit, sizeof unit, "%s", parameter_unit(screen, row->parameter));
+        snprintf(unit, sizeof unit, "%s",
+                 parameter_unit(row->parameter, experiment_settings(screen->experiment)->problem));
         parameter_range(row->parameter, experiment_settings(screen->experiment)->problem, range,
                         sizeof range);
         real_text(screen, row->parameter, real);

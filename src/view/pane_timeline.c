@@ -26,17 +26,17 @@ bool is_rewound(const Screen *screen)
 /* Where the line lies in a timeline of so many columns: the first cell is t = 0, the last one the end. */
 typedef struct Line {
     int first, cells;
-    char end[24];
+    char end[NUMBER_TEXT_MAX + 8];
 } Line;
 
 static Line line_of(const Screen *screen, int width)
 {
-    const bool seconds = experiment_settings(screen->experiment)->problem != PROBLEM_BAR;
+    const ProblemFacts *facts = facts_of(screen);
     const double dt = experiment_simulation(screen->experiment)->dt;
     char number[NUMBER_TEXT_MAX];
     Line line = {.first = GUTTER};
-    number_text(dt * (double)experiment_last_step(screen->experiment) / (seconds ? 1e-3 : 1), 4, 10, number);
-    snprintf(line.end, sizeof line.end, seconds ? "%s ms" : "%s", number);
+    number_text(dt * (double)experiment_last_step(screen->experiment) / facts->told_time, 4, 10, number);
+    snprintf(line.end, sizeof line.end, "%s%s", number, facts->told_time_unit);
     line.cells = width - GUTTER - 2 - text_columns(line.end);
     return line;
 }

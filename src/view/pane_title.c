@@ -20,7 +20,7 @@ static void method_words_of(const Screen *screen, char *out, size_t size)
         snprintf(out, size, "A %s  B %s", screen->duel->names[0], screen->duel->names[1]);
         return;
     }
-    snprintf(out, size, "%s", settings->method == METHOD_MPM ? "MPM" : "PD");
+    snprintf(out, size, "%s", method_titles[settings->method]);
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
         const Parameter *parameter = parameter_find(keys[i]);
         if (!parameter || !settings_have(settings, parameter))

@@ -169,6 +169,10 @@ bool is_rewound(const Screen *); /* more has been computed than is shown */
  */
 void shorter_time(const Screen *, int less, char *out, size_t size);
 
+/* What is settled by the problem of the run shown, and whether it is the bar. */
+const ProblemFacts *facts_of(const Screen *);
+bool shows_bar(const Screen *);
+
 /* "t 12.34" with as many decimals as the time step has: columns do not dance. */
 void time_text(const Screen *, double time, char *out, size_t size);
 
@@ -212,8 +216,5 @@ void unit_text(const Screen *, const Field *, char *out, size_t size);
 
 /* Names of fields, separated by spaces, one after the other. */
 bool next_word(const char **text, char *out, size_t size);
-
-/* The unit of a parameter or "" . */
-const char *parameter_unit(const Screen *, const Parameter *);
 
 #endif

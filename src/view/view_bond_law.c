@@ -144,9 +144,8 @@ void view_bond_law(const Screen *screen, Area area, Style heading)
     axis_scale_text(&y, "", scale);
     axis_scale_text(&x, "", x_scale);
     snprintf(name, sizeof name, x_scale[0] ? "s, %s" : "s", x_scale);
-    const bool bar = experiment_settings(screen->experiment)->problem == PROBLEM_BAR;
-    draw_heading(area, heading, bar ? "force of a bond" : "force, N/m^6", scale, s0 > 0 ? legend : unbroken,
-                 s0 > 0 ? 3 : 2);
+    draw_heading(area, heading, shows_bar(screen) ? "force of a bond" : "force, N/m^6", scale,
+                 s0 > 0 ? legend : unbroken, s0 > 0 ? 3 : 2);
     Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
 
     Plot plot;

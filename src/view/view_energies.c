@@ -237,7 +237,7 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
     const int height = area.rect.height;
     Axis y = axis_make(0, axis_round_up(fmax(most, most_work) * 1.02), height < 7 ? 2 : height < 15 ? 4 : 6);
     char scale[TICK_TEXT_MAX], name[32], phrases[320];
-    axis_scale_text(&y, experiment_settings(screen->experiment)->problem == PROBLEM_BAR ? "" : "J", scale);
+    axis_scale_text(&y, facts_of(screen)->si ? "J" : "", scale);
     /* a band without a name says nothing: what the heading has no room for stands below it */
     const int named = draw_heading(area, heading, "energy", scale, legend, n_legend),
               top = 1 + (named < n_legend);

@@ -310,8 +310,8 @@ static void draw_readout(const Screen *screen, Area area, const Line *lines, int
 static int lines_under(const Screen *screen, Area area, const char *curve)
 {
     const bool cursor = isfinite(screen->cursor_time);
-    const bool judged = strcmp(experiment_readout(screen->experiment)->column, curve) == 0 || cursor ||
-                        experiment_settings(screen->experiment)->problem != PROBLEM_BAR;
+    const bool judged =
+        strcmp(experiment_readout(screen->experiment)->column, curve) == 0 || cursor || !shows_bar(screen);
     if (!judged || area.rect.height < 6)
         return 0;
     if (is_shared(screen))

@@ -30,14 +30,9 @@ typedef struct Picture {
 
 /* --- what is asked for ---------------------------------------------------------------------------- */
 
-static bool is_bar(const Screen *screen)
-{
-    return experiment_settings(screen->experiment)->problem == PROBLEM_BAR;
-}
-
 static Choice choice_of(const Screen *screen, int variant)
 {
-    if (is_bar(screen)) {
+    if (shows_bar(screen)) {
         const Readout *readout = experiment_readout(screen->experiment);
         const int column = find_column(screen, readout->moving ? readout->column : "v_cm");
         return (Choice){column, variant % 2 == 1};
@@ -48,13 +43,13 @@ static Choice choice_of(const Screen *screen, int variant)
 
 int view_spectrum_variants(const Screen *screen)
 {
-    return is_bar(screen) ? 2 : 3;
+    return shows_bar(screen) ? 2 : 3;
 }
 
 const char *view_spectrum_word(const Screen *screen, int variant)
 {
     static const char *const bar[] = {"slow", "fast"}, *const beam[] = {"fast", "slow", "displacement"};
-    return is_bar(screen) ? bar[variant % 2] : beam[variant % 3];
+    return shows_bar(screen) ? bar[variant % 2] : beam[variant % 3];
 }
 
 /* The lines that theory knows: of the watched mode, of the bar's other modes where v_cm is watched, and, in
@@ -78,7 +73,7 @@ static int marks_of(const Screen *screen, bool fast, Mark marks[MARKS_MAX])
         fast ? references_thickness_lines(experiment_references(screen->experiment), thickness) : 0;
     for (int i = 0; i < n_thickness && count < MARKS_MAX; i++)
         marks[count++] = (Mark){thickness[i], false};
-    if (is_bar(screen) && readout->times < 1.5)
+    if (shows_bar(screen) && readout->times < 1.5)
         n_overtones = overtones_read(settings->overtones, overtones, NULL);
     for (int i = 0; i < n_overtones && count + 2 <= MARKS_MAX; i++) {
         ModeOnMesh mode;
@@ -143,8 +138,8 @@ static double slow_range(const Screen *screen, const Spectrum *spectrum, const M
 {
     double range = 0;
     for (int i = 0; i < n_marks; i++)
-        range = fmax(range, marks[i].frequency * (is_bar(screen) ? 2 : 4));
-    if (!is_bar(screen))
+        range = fmax(range, marks[i].frequency * (shows_bar(screen) ? 2 : 4));
+    if (!shows_bar(screen))
         return range;
     double largest = 0;
     for (size_t k = 1; k < spectrum->count; k++)
@@ -209,7 +204,7 @@ static void peak_line(const Screen *screen, const Picture *picture, bool fast, c
         append(out, 160, "%s %s", i > 0 ? "," : "", number);
     }
     number_text(bin, 2, 8, number);
-    append(out, 160, "%s; a bin is %s", is_bar(screen) ? "" : " kHz", number);
+    append(out, 160, "%s; a bin is %s", shows_bar(screen) ? "" : " kHz", number);
 }
 
 /* Why there is no picture yet; false: there is one. */
@@ -218,7 +213,7 @@ static bool wants_time(const Screen *screen, const Spectrum *spectrum, Choice ch
 {
     const Readout *readout = experiment_readout(screen->experiment);
     char time[48];
-    if (is_bar(screen) && !readout->moving) {
+    if (shows_bar(screen) && !readout->moving) {
         snprintf(out, 160, "Nothing vibrates here: there is no line to look for.");
         return true;
     }
@@ -297,8 +292,8 @@ void view_spectrum(const Screen *screen, Area area, Style heading, int variant)
     Mark marks[MARKS_MAX];
     const int n_marks = marks_of(screen, choice.fast, marks);
     /* what breaks has no line of its own: all that the mesh does is shown */
-    choice.fast |= !is_bar(screen) && !experiment_readout(screen->experiment)->moving;
-    Picture picture = {.unit = is_bar(screen) ? 1 : 2e3 * M_PI};
+    choice.fast |= !shows_bar(screen) && !experiment_readout(screen->experiment)->moving;
+    Picture picture = {.unit = shows_bar(screen) ? 1 : 2e3 * M_PI};
     picture.spectrum =
         experiment_spectrum(screen->experiment, choice.column, choice.fast ? SPECTRUM_FAST : SPECTRUM_SLOW);
     char name[64], text[160], lines[160];
@@ -349,13 +344,13 @@ void view_spectrum(const Screen *screen, Area area, Style heading, int variant)
     char scale[TICK_TEXT_MAX] = "";
     if (!choice.fast)
         axis_scale_text(&y, quantity->unit, scale);
-    else if (!is_bar(screen))
+    else if (!shows_bar(screen))
         snprintf(scale, sizeof scale, "%s", quantity->unit);
     snprintf(name, sizeof name, "spectrum of %s", quantity->label);
     n_legend += ghost_legends(runs, n_runs, legend + n_legend);
     draw_heading(area, heading, name, scale, legend, n_legend);
     Area inner = axes_draw(area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under), &picture.x,
-                           &y, is_bar(screen) ? "w" : "kHz", GUTTER);
+                           &y, shows_bar(screen) ? "w" : "kHz", GUTTER);
 
     Plot plot;
     plot_open(&plot, picture.x, y);

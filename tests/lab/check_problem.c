@@ -532,9 +532,9 @@ END_TEST
 START_TEST(every_problem_has_its_method)
 {
     for (Problem problem = PROBLEM_BAR; problem < PROBLEM_COUNT; problem++) {
-        ck_assert(problem_allows(problem, METHOD_MPM) == (problem == PROBLEM_BAR));
-        ck_assert(problem_allows(problem, METHOD_PD));
-        ck_assert_uint_gt(strlen(problem_title(problem)), 10);
+        ck_assert(problem_allows(problem, METHOD_MPM, NULL) == (problem == PROBLEM_BAR));
+        ck_assert(problem_allows(problem, METHOD_PD, NULL));
+        ck_assert_uint_gt(strlen(problem_facts[problem].title), 10);
     }
     Settings settings = beam_settings(PROBLEM_SUPPORTED_BEAM, 1e-5);
     settings.method = METHOD_MPM;
