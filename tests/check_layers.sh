@@ -56,4 +56,27 @@ below liblab.a libview.a libfigure.a libtui.a libcli.a
 below libview.a libfigure.a libtui.a libcli.a
 below libfigure.a libtui.a libcli.a
 below libtui.a libcli.a
+# A front end knows a method by method.h alone; what is of one problem it asks the laboratory.
+for library in libview.a libfigure.a libtui.a; do
+	wanted=$(mktemp) given=$(mktemp)
+	undefined $library >"$wanted"
+	defined libphysics.a | grep -v '^simulation_' >"$given"
+	found=$(comm -12 "$wanted" "$given")
+	rm -f "$wanted" "$given"
+	if [ -z "$found" ]; then
+		say ok "$library calls no method by its name"
+	else
+		say 'not ok' "$library calls no method by its name"
+		echo "$found" | sed 's/^/# /'
+	fi
+done
+for folder in view figure tui; do
+	found=$(grep -n '#include "physics/[^"]*/' "${MATVIB_SRCDIR:-..}/src/$folder"/*.[ch])
+	if [ -z "$found" ]; then
+		say ok "src/$folder includes no method's header"
+	else
+		say 'not ok' "src/$folder includes no method's header"
+		echo "$found" | sed 's/^/# /'
+	fi
+done
 echo "1..$number"

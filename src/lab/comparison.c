@@ -12,7 +12,7 @@
 typedef struct Standing {
     Experiment *experiment;
     const Readout *readout;
-    Crack crack;
+    CrackFacts crack;
     bool breaks; /* `crack` is known */
 } Standing;
 
@@ -145,35 +145,35 @@ static bool tell_crossing(const Standing *run, char *label, char *value)
 static bool tell_broken(const Standing *run, char *label, char *value)
 {
     snprintf(label, COMPARISON_TEXT_MAX, "broken bonds");
-    return run->breaks && put(value, "%.0f", (double)run->crack.broken);
+    return run->breaks && put(value, "%.0f", (double)run->crack.measured.broken);
 }
 
 static bool tell_first_break(const Standing *run, char *label, char *value)
 {
     snprintf(label, COMPARISON_TEXT_MAX, "first break, us");
-    if (run->breaks && isnan(run->crack.first_break)) {
+    if (run->breaks && isnan(run->crack.measured.first_break)) {
         snprintf(value, COMPARISON_TEXT_MAX, "none yet");
         return true;
     }
-    return run->breaks && put(value, "%.1f", run->crack.first_break / 1e-6);
+    return run->breaks && put(value, "%.1f", run->crack.measured.first_break / 1e-6);
 }
 
 static bool tell_length(const Standing *run, char *label, char *value)
 {
     snprintf(label, COMPARISON_TEXT_MAX, "crack's length, mm");
-    return run->breaks && put(value, "%.1f", run->crack.length / 1e-3);
+    return run->breaks && put(value, "%.1f", run->crack.measured.length / 1e-3);
 }
 
 static bool tell_tip_x(const Standing *run, char *label, char *value)
 {
     snprintf(label, COMPARISON_TEXT_MAX, "its tip at x, mm");
-    return run->breaks && put(value, "%.1f", run->crack.x / 1e-3);
+    return run->breaks && put(value, "%.1f", run->crack.measured.x / 1e-3);
 }
 
 static bool tell_tip_y(const Standing *run, char *label, char *value)
 {
     snprintf(label, COMPARISON_TEXT_MAX, "and y, mm");
-    return run->breaks && put(value, "%.1f", run->crack.y / 1e-3);
+    return run->breaks && put(value, "%.1f", run->crack.measured.y / 1e-3);
 }
 
 static bool tell_work(const Standing *run, char *label, char *value)
@@ -222,8 +222,7 @@ enum { TELLS = sizeof tells / sizeof *tells };
 static Standing standing_of(Experiment *experiment)
 {
     Standing run = {.experiment = experiment, .readout = experiment_readout(experiment)};
-    run.breaks =
-        experiment_stage(experiment) == 0 && crack_measure(experiment_simulation(experiment), &run.crack);
+    run.breaks = crack_facts(experiment_simulation(experiment), &run.crack);
     return run;
 }
 

@@ -123,7 +123,7 @@ static void sum_up(const Export *export, RunSummary *summary)
     summary_rows(summary, export->columns, export->n_columns, record->rows, record->count);
     if (!export->adopted)
         summary->n_derived = problem_derived(export->settings, export->sim, summary->derived);
-    summary_crack(summary, export->sim);
+    summary->crack_known = crack_facts(export->sim, &summary->crack);
 }
 
 static bool prepare(Export *export, int threads, Status *status)

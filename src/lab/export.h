@@ -5,9 +5,9 @@
 #define LAB_EXPORT_H
 
 #include "base/status.h"
+#include "lab/crack.h"
 #include "lab/problem.h"
 #include "lab/settings.h"
-#include "physics/pd/crack.h"
 
 typedef enum Dialect { DIALECT_COMMA, DIALECT_SEMICOLON } Dialect;
 
@@ -17,10 +17,6 @@ typedef struct Outputs {
     Dialect dialect;
     bool force; /* existing files are replaced; else they are refused before the run starts */
 } Outputs;
-
-/* Heights above the notch's end (m) over which the crack's angle is told, as in figure 10 of paper P. */
-enum { CRACK_ANGLES = 3 };
-extern const double crack_heights[CRACK_ANGLES];
 
 /* What a run came to; printed by `matvib run`, shown by the laboratory at the end. */
 typedef struct RunSummary {
@@ -39,8 +35,7 @@ typedef struct RunSummary {
     Derived derived[DERIVED_MAX]; /* of the simulation that ran */
     int n_derived;
     bool crack_known; /* a beam with a notch */
-    Crack crack;
-    double crack_angle[CRACK_ANGLES]; /* degrees, over crack_heights; NAN: the tip has not come so far */
+    CrackFacts crack;
     bool failed;
     Status failure;
 } RunSummary;

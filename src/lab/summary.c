@@ -54,22 +54,6 @@ void summary_rows(RunSummary *summary, const Column *columns, int n_columns, con
         memcpy(summary->last_row, rows + (count - 1) * (size_t)n_columns, (size_t)n_columns * sizeof *rows);
 }
 
-const double crack_heights[CRACK_ANGLES] = {0.010, 0.020, 0.038};
-
-void summary_crack(RunSummary *summary, const Simulation *sim)
-{
-    summary->crack_known = sim->stage == 0 && crack_measure(sim, &summary->crack);
-    if (!summary->crack_known)
-        return;
-    double x, y;
-    bool begun = crack_path(sim, &x, &y, 1) > 0;
-    for (int i = 0; i < CRACK_ANGLES; i++) {
-        /* the first row of the path is the next one above the notch's end */
-        bool far = begun && summary->crack.y >= y + crack_heights[i];
-        summary->crack_angle[i] = far ? crack_angle(sim, crack_heights[i]) : NAN;
-    }
-}
-
 void summary_of(Experiment *experiment, RunSummary *summary)
 {
     const Record *record = experiment_record(experiment);
@@ -88,7 +72,7 @@ void summary_of(Experiment *experiment, RunSummary *summary)
     summary->n_derived = experiment_derived(experiment, summary->derived);
     /* the crack is that of the step on screen */
     if (experiment_simulation(experiment)->step == summary->steps)
-        summary_crack(summary, experiment_simulation(experiment));
+        summary->crack_known = crack_facts(experiment_simulation(experiment), &summary->crack);
 }
 
 typedef struct Writer {
@@ -152,7 +136,7 @@ static void add_time(Writer *writer, const char *word, double seconds, const cha
 void summary_crack_text(const RunSummary *summary, char out[SUMMARY_MAX])
 {
     Writer writer = {out, 0};
-    const Crack *crack = &summary->crack;
+    const Crack *crack = &summary->crack.measured;
     out[0] = '\0';
     if (!summary->crack_known)
         return;
@@ -162,9 +146,9 @@ void summary_crack_text(const RunSummary *summary, char out[SUMMARY_MAX])
     add(&writer, "\n");
     bool any = false;
     for (int i = 0; i < CRACK_ANGLES; i++) {
-        if (isnan(summary->crack_angle[i]))
+        if (isnan(summary->crack.angles[i]))
             continue;
-        add(&writer, "%s%.1f deg over %.0f mm", any ? "  " : "angle  ", summary->crack_angle[i],
+        add(&writer, "%s%.1f deg over %.0f mm", any ? "  " : "angle  ", summary->crack.angles[i],
             1e3 * crack_heights[i]);
         any = true;
     }

@@ -10,9 +10,6 @@ enum { SUMMARY_MAX = 1024 };
 /* Fills in the energies, the columns and the last row from the rows of a run. */
 void summary_rows(RunSummary *, const Column *columns, int n_columns, const double *rows, size_t count);
 
-/* The crack of a notched beam between two steps; of anything else nothing. */
-void summary_crack(RunSummary *, const Simulation *);
-
 /* The same numbers for a run on screen, to its newest step. */
 void summary_of(Experiment *, RunSummary *);
 

@@ -2,7 +2,7 @@
  * most first; what has no room is left out whole. */
 #include "view/panes.h"
 
-#include "lab/summary.h"
+#include "lab/crack.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -65,22 +65,14 @@ static void moving_lines(const Screen *screen, char first[160], char second[160]
 }
 
 /* What a beam that breaks is judged by. */
-static void crack_lines(const Screen *screen, char first[160], char second[160])
+static void crack_lines(const CrackFacts *facts, char first[160], char second[160])
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
-    RunSummary summary = {0};
-    summary_crack(&summary, sim);
-    if (!summary.crack_known) {
-        snprintf(first, 160, "the crack is measured between two steps");
-        return;
-    }
-    const Crack *crack = &summary.crack;
+    const Crack *crack = &facts->measured;
     snprintf(first, 160, "broken bonds %ld  tip at x %.1f, y %.1f mm", crack->broken, crack->x / 1e-3,
              crack->y / 1e-3);
     for (int i = CRACK_ANGLES - 1; i >= 0 && !second[0]; i--)
-        if (isfinite(summary.crack_angle[i]))
-            snprintf(second, 160, "fit over %.0f mm %.0f deg", crack_heights[i] / 1e-3,
-                     summary.crack_angle[i]);
+        if (isfinite(facts->angles[i]))
+            snprintf(second, 160, "fit over %.0f mm %.0f deg", crack_heights[i] / 1e-3, facts->angles[i]);
     if (isnan(crack->first_break))
         return;
     append(second, 160, "%s%s %.1f", second[0] ? "  " : "",
@@ -94,8 +86,9 @@ bool beam_lines(const Screen *screen, int width, char first[160], char second[16
 {
     const Problem problem = experiment_settings(screen->experiment)->problem;
     first[0] = second[0] = '\0';
-    if (problem == PROBLEM_NOTCHED_BEAM)
-        crack_lines(screen, first, second);
+    CrackFacts facts;
+    if (crack_facts(experiment_simulation(screen->experiment), &facts))
+        crack_lines(&facts, first, second);
     else if (problem == PROBLEM_BAR)
         return false;
     else if (!experiment_readout(screen->experiment)->moving)

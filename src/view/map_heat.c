@@ -3,13 +3,14 @@
  * shades or letters. Beside full colours sparse letters say the same, for eyes that see no hues. */
 #include "view/map.h"
 
+#include "lab/crack.h"
+
 #include <math.h>
 #include <string.h>
 
 #define GAPLESS                                                                                              \
-    1.15              /* a node covers so much more than its piece: the body does not tear where it is drawn \
-                       */
-#define CRACKED 0.35f /* damage from which a node counts as cracked */
+    1.15 /* a node covers so much more than its piece: the body does not tear where it is drawn              \
+          */
 
 enum { NOTHING = -1 };
 
@@ -55,7 +56,7 @@ static void cover_all(Map *map, bool hide_cracks)
         double column, row;
         map_node_place(map, node, &column, &row);
         cover(map, column * map->across, row * map->down, wide, high, (float)map->value[node],
-              hide_cracks && map->damage[node] > (double)CRACKED);
+              hide_cracks && map->damage[node] > CRACK_DAMAGE);
     }
 }
 

@@ -2,7 +2,7 @@
  * chosen node as signs. */
 #include "view/map.h"
 
-#include "physics/pd/crack.h"
+#include "lab/crack.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -108,7 +108,7 @@ static void draw_crack(Map *map)
 {
     enum { ROWS_MAX = 512 };
     double x[ROWS_MAX], y[ROWS_MAX];
-    const size_t count = crack_path(map->sim, x, y, ROWS_MAX);
+    const size_t count = crack_line(map->sim, x, y, ROWS_MAX);
     const Pen pen = {STYLE_CHANGED, RANK_PATH, 1, '*'};
     double from[2] = {map->settings->beam.notch_position, map->settings->beam.notch_depth};
     for (size_t i = 0; i < count; i++) {
@@ -131,7 +131,7 @@ static void draw_notched(Map *map)
     }
     /* the paper's angle, from the notch towards the load */
     const double side = beam->load_position < end[0] ? -1 : 1, rise = top - depth - end[1];
-    body_line(map, end, (double[]){end[0] + side * rise * tan(30 * M_PI / 180), end[1] + rise},
+    body_line(map, end, (double[]){end[0] + side * rise * tan(CRACK_PAPER_ANGLE * M_PI / 180), end[1] + rise},
               (Pen){STYLE_FAINT, RANK_ANGLE, 4, '\''});
     body_line(map, (double[]){end[0], 0}, end, (Pen){STYLE_HEADING, RANK_NOTCH, 1, '|'});
     /* on paper the damage itself is seen well enough, and the line would hide it */

@@ -3,12 +3,13 @@
 #include "view/map.h"
 #include "view/sketch.h"
 
+#include "lab/crack.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#define MILLI   1e-3
-#define CRACKED 0.35 /* damage from which a node is left out, but in the map of damage */
+#define MILLI 1e-3
 
 static Sketch *sketch_of(const Map *map)
 {
@@ -57,7 +58,7 @@ static void take_nodes(const Map *map, SketchMap *out)
         double column, row;
         map_node_place(map, node, &column, &row);
         place_of(map, column, row, &out->x[node], &out->y[node]);
-        out->value[node] = hides && map->damage[node] > CRACKED ? NAN : map->value[node];
+        out->value[node] = hides && map->damage[node] > CRACK_DAMAGE ? NAN : map->value[node];
     }
     out->size = map->body.spacing / MILLI;
     out->stretch = map->stretch;

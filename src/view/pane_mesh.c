@@ -3,6 +3,8 @@
  * drawn as it lies, to the scale of the strip. */
 #include "view/panes.h"
 
+#include "lab/crack.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -317,7 +319,7 @@ static void draw_beam(const Screen *screen, Area area)
     plot_open(&plot, axis_make(low[0], high[0] + 1e-9 * height, 4), axis_make(bottom, top, 4));
     plot_begin(&plot, STROKE_DOTS, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '#');
     for (size_t i = 0; i < count; i++)
-        if (damage[i] <= 0.35)
+        if (damage[i] <= CRACK_DAMAGE)
             plot_point(&plot, at[0][i] + at[2][i], at[1][i] + k * at[3][i]);
     plot_draw(&plot, part);
     plot_close(&plot);

@@ -1,7 +1,7 @@
 /* View 8: a beam as it lies, coloured by a field, or drawn with its dimensions. Every factor is stated. */
 #include "view/map.h"
 
-#include "physics/pd/crack.h"
+#include "lab/crack.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -48,17 +48,16 @@ static void add_part(char *title, size_t size, int room, const char *part)
  * fits its whole path. */
 static void crack_texts(const Map *map, char *tip, char *angle, size_t size)
 {
-    Crack crack;
+    CrackFacts facts;
     tip[0] = angle[0] = '\0';
-    if (!crack_measure(map->sim, &crack))
+    if (!crack_facts(map->sim, &facts))
         return;
-    if (crack.length > 0)
-        snprintf(tip, size, "tip %.1f, %.1f mm", 1e3 * crack.x, 1e3 * crack.y);
+    if (facts.measured.length > 0)
+        snprintf(tip, size, "tip %.1f, %.1f mm", 1e3 * facts.measured.x, 1e3 * facts.measured.y);
     else
         snprintf(tip, size, "no crack yet");
-    const double degrees = crack_angle(map->sim, map->settings->beam.height);
-    if (isfinite(degrees))
-        snprintf(angle, size, "fit %.0f°", fabs(degrees));
+    if (isfinite(facts.angle))
+        snprintf(angle, size, "fit %.0f°", fabs(facts.angle));
 }
 
 /* "5000", not "5e3". */

@@ -3,14 +3,11 @@
 #include "view/runs.h"
 #include "view/time_plot.h"
 
-#include "physics/pd/crack.h"
+#include "lab/crack.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-
-/* Paper P, section 3.3: the crack leaves the notch at about this angle. */
-#define PAPER_ANGLE 30.0
 
 typedef struct Notch {
     double x, y; /* its end, m */
@@ -23,7 +20,7 @@ static Notch notch_of(const Settings *settings)
 
 static bool has_crack(const Screen *screen)
 {
-    return experiment_settings(screen->experiment)->problem == PROBLEM_NOTCHED_BEAM;
+    return find_column(screen, "crack_x") >= 0;
 }
 
 /* Under a plot of the crack: the same two lines as under the others. */
@@ -110,13 +107,13 @@ static void draw_path(const Screen *screen, Area area, Style heading)
         const double towards = def->load_position < notch.x ? -1 : 1, rise = def->height - notch.y;
         plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
         plot_point(&plot, notch.x, notch.y);
-        plot_point(&plot, notch.x + towards * rise * tan(PAPER_ANGLE * M_PI / 180), def->height);
+        plot_point(&plot, notch.x + towards * rise * tan(CRACK_PAPER_ANGLE * M_PI / 180), def->height);
     }
     for (int r = 0; r < n_runs; r++)
         add_tips(&plot, &runs[r]);
     const size_t most = (size_t)ceil(def->height / def->spacing) + 1;
     double *path = malloc(2 * most * sizeof *path);
-    const size_t count = path ? crack_path(sim, path, path + most, most) : 0;
+    const size_t count = path ? crack_line(sim, path, path + most, most) : 0;
     plot_begin(&plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
     plot_point(&plot, notch.x, notch.y);
     for (size_t i = 0; i < count; i++)
@@ -132,9 +129,9 @@ static void draw_path(const Screen *screen, Area area, Style heading)
                    row[run_column(&runs[r], "crack_y")]);
     }
     plot_close(&plot);
-    Crack crack;
-    if (crack_measure(sim, &crack))
-        axes_mark(inner, &x, &y, crack.x, crack.y, 0x25cf, STYLE_CHANGED);
+    CrackFacts facts;
+    if (crack_facts(sim, &facts))
+        axes_mark(inner, &x, &y, facts.measured.x, facts.measured.y, 0x25cf, STYLE_CHANGED);
     draw_lines(screen, area, under);
 }
 
@@ -233,7 +230,7 @@ int view_crack_variants(const Screen *screen)
 
 void view_crack(const Screen *screen, Area area, Style heading, int variant)
 {
-    static const Told angle = {"chord to tip, deg", "30 deg", tip_angle, PAPER_ANGLE};
+    static const Told angle = {"chord to tip, deg", "30 deg", tip_angle, CRACK_PAPER_ANGLE};
     if (variant == 0)
         draw_path(screen, area, heading);
     else

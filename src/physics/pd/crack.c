@@ -3,7 +3,6 @@
 
 #include <math.h>
 
-#define CRACKED      0.35  /* damage of a node that the crack has passed */
 #define BEFORE_NOTCH 0.01  /* m; the crack is looked for from here */
 #define ABOVE_NOTCH  0.002 /* m; the angle is measured from here */
 
@@ -17,11 +16,13 @@ static const Beam *notched(const Simulation *sim)
 static bool is_cracked(const Beam *beam, int i, int j)
 {
     size_t node = (size_t)j * (size_t)beam->lattice.nx + (size_t)i;
+    if (beam->damage[node] <= CRACK_DAMAGE || beam->unbreakable[node])
+        return false;
     double x = lattice_x(&beam->lattice, i);
     double notch = beam->def.notch_position, load = beam->def.load_position;
     double low = load < notch ? load : notch - BEFORE_NOTCH;
     double high = load < notch ? notch + BEFORE_NOTCH : load;
-    return beam->damage[node] > CRACKED && !beam->unbreakable[node] && x >= low && x <= high;
+    return x >= low && x <= high;
 }
 
 /* The damage-weighted centre of a row's cracked nodes. False: there are none. */

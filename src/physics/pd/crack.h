@@ -1,7 +1,7 @@
 /* The crack of the notched beam: what paper P tells of it (figs. 9 and 10), measured.
  *
- * The tip is the highest node with damage above 0.35 between the notch - 10 mm and the load that is not in a
- * protected zone. The path is the damage-weighted centre of each row. SI units. */
+ * The tip is the highest cracked node between the notch - 10 mm and the load that is not in a protected zone.
+ * The path is the damage-weighted centre of the cracked nodes of each row. SI units. */
 #ifndef PHYSICS_PD_CRACK_H
 #define PHYSICS_PD_CRACK_H
 
@@ -9,6 +9,9 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+
+#define CRACK_DAMAGE 0.35 /* a node with more damage is cracked: one that a crack has passed has 0.4 to 0.5  \
+                           */
 
 typedef struct Crack {
     double first_break; /* time of the first broken bond with its middle within 2 delta of the notch's end;
@@ -21,7 +24,7 @@ typedef struct Crack {
     long notch;             /* bonds cut by the notch */
 } Crack;
 
-/* False: the simulation is no beam with a notch. Between steps. */
+/* False: the simulation is no beam with a notch. */
 bool crack_measure(const Simulation *beam, Crack *crack);
 
 /* The angle (degrees) between the notch and the straight line through the path (least squares of x over y)
