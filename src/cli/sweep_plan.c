@@ -161,7 +161,7 @@ void sweep_plan_free(SweepPlan *plan)
 
 /* --- combinations --------------------------------------------------------------------------------- */
 
-const char *sweep_plan_value(const SweepPlan *plan, int combination, int key)
+static const char *value_of(const SweepPlan *plan, int combination, int key)
 {
     int axis = plan->keys[key].axis, faster = 1;
     for (int i = 0, seen = axis; i < plan->n_keys; i++)
@@ -183,7 +183,7 @@ bool sweep_plan_load(const SweepPlan *plan, const Options *options, int combinat
         if (all.n_overrides == OVERRIDES_MAX)
             return status_fail(status, STATUS_USAGE, "--set: too many values (at most %d with those varied)",
                                OVERRIDES_MAX);
-        const char *value = sweep_plan_value(plan, combination, i);
+        const char *value = value_of(plan, combination, i);
         all.overrides[all.n_overrides++] = (Override){key->origin, key->key, value};
     }
     return options_load(&all, options->words[0], settings, status);
@@ -194,7 +194,7 @@ void sweep_plan_describe(const SweepPlan *plan, int combination, char *out, size
     size_t used = 0;
     for (int i = 0; i < plan->n_keys && used < size; i++)
         used += (size_t)snprintf(out + used, size - used, "%s%s=%s", i ? " " : "", plan->keys[i].key,
-                                 sweep_plan_value(plan, combination, i));
+                                 value_of(plan, combination, i));
 }
 
 /* --- as commands ---------------------------------------------------------------------------------- */
@@ -253,7 +253,7 @@ void sweep_plan_print(const SweepPlan *plan, const Options *options, FILE *strea
         for (int k = 0; k < options->n_overrides; k++)
             print_set(stream, options->overrides[k].key, options->overrides[k].value);
         for (int k = 0; k < plan->n_keys; k++)
-            print_set(stream, plan->keys[k].key, sweep_plan_value(plan, i, k));
+            print_set(stream, plan->keys[k].key, value_of(plan, i, k));
         if (options->steps > 0)
             fprintf(stream, " --steps %ld", options->steps);
         if (options->threads > 0)

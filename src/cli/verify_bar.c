@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 /* The error of the frequency in percent over t in [0, 20]; NAN: the status says why. */
-static double measured_error(const BarRun *run, Status *status)
+static double measured_error(const Settings *run, Status *status)
 {
     const double end = 20;
     Simulation *sim;
@@ -56,9 +56,9 @@ static bool show_errors(Verify *verify, const ErrorCase *cases, int count, Statu
     verify_head(verify, "error of omega, %");
     for (int i = 0; i < count; i++) {
         const ErrorCase *one = &cases[i];
-        BarRun run = bar_run(one->mode);
-        run.def.cell_size = one->cell_size, run.def.courant = one->courant;
-        run.def.particles_per_cell = one->particles_per_cell;
+        Settings run = bar_run(one->mode);
+        run.bar.cell_size = one->cell_size, run.bar.courant = one->courant;
+        run.bar.particles_per_cell = one->particles_per_cell;
         double error = measured_error(&run, status);
         if (isnan(error))
             return false;
@@ -132,7 +132,7 @@ typedef struct Figure {
 } Figure;
 
 /* Amplitude over t in [90, 100], relative to the exact one. */
-static bool late_amplitude(const BarRun *run, const Trace *trace, double frequency, double *out,
+static bool late_amplitude(const Settings *run, const Trace *trace, double frequency, double *out,
                            Status *status)
 {
     FrequencyFit fit;
@@ -152,14 +152,14 @@ static double half_a_period_late(double exact, double frequency)
 /* Measured over predicted frequency at a motion so small that nothing moves on the mesh, less 1, in 1e-9. */
 static bool tiny_motion(int mode, double *out, Status *status)
 {
-    BarRun run = bar_run(mode);
+    Settings run = bar_run(mode);
     run.velocity = 1e-6;
     double error = measured_error(&run, status);
     *out = 1e9 * ((1 + error / 100) * bar_run_exact(&run) / bar_run_predicted(&run) - 1);
     return !isnan(error);
 }
 
-static void show_figure(Verify *verify, const Figure *figure, const BarRun *run, const FrequencyFit *fit,
+static void show_figure(Verify *verify, const Figure *figure, const Settings *run, const FrequencyFit *fit,
                         double v_cm, double amplitude, double tiny)
 {
     BarTheory bar = bar_run_theory(run);
@@ -211,7 +211,7 @@ static void show_figure(Verify *verify, const Figure *figure, const BarRun *run,
         verify_row(verify, &rows[i]);
 }
 
-static bool run_figure(Verify *verify, const Figure *figure, const BarRun *run, const Trace *trace,
+static bool run_figure(Verify *verify, const Figure *figure, const Settings *run, const Trace *trace,
                        Status *status)
 {
     FrequencyFit fit;
@@ -229,7 +229,7 @@ static bool run_figure(Verify *verify, const Figure *figure, const BarRun *run, 
 
 static bool verify_figure(Verify *verify, const Figure *figure, Status *status)
 {
-    BarRun run = bar_run(figure->mode);
+    Settings run = bar_run(figure->mode);
     Simulation *sim;
     Trace trace;
     bool sound =

@@ -8,7 +8,7 @@
 static const char *const algorithm_names[] = {[MPM_USF] = "USF", [MPM_MUSL] = "MUSL", [MPM_USL] = "USL"};
 
 /* Mean energy over t in [90, 100] relative to that over [0, 10]. */
-static bool energy_left(const BarRun *run, double *out, Status *status)
+static bool energy_left(const Settings *run, double *out, Status *status)
 {
     Simulation *sim;
     Trace trace;
@@ -34,8 +34,8 @@ bool verify_energy_left(Verify *verify, Status *status)
                  {MPM_USL, 1, 0.9998}, {MPM_USL, 5, 0.207},  {MPM_USL, 10, 0.012}};
     verify_head(verify, "energy left at t = 100");
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        BarRun run = bar_run(cases[i].mode);
-        run.def.algorithm = cases[i].algorithm;
+        Settings run = bar_run(cases[i].mode);
+        run.bar.algorithm = cases[i].algorithm;
         double left;
         if (!energy_left(&run, &left, status))
             return false;
@@ -43,7 +43,7 @@ bool verify_energy_left(Verify *verify, Status *status)
         BarMesh mesh = bar_run_mesh(&run);
         double decay = bar_dispersion(&bar, &mesh, bar_wave_number(&bar, run.mode)).decay;
         char what[40];
-        snprintf(what, sizeof what, "%s, n = %d", algorithm_names[run.def.algorithm], run.mode);
+        snprintf(what, sizeof what, "%s, n = %d", algorithm_names[run.bar.algorithm], run.mode);
         VerifyRow row = {.what = what,
                          .predicted = exp(-2 * decay * 90),
                          .measured = left,
@@ -71,7 +71,7 @@ bool verify_hidden_energy(Verify *verify, Status *status)
     } cases[] = {{1, 0.07, 0.08}, {5, 5.9, 24.8}, {10, 25.2, 94.2}};
     verify_head(verify, "hidden kinetic, %");
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        BarRun run = bar_run(cases[i].mode);
+        Settings run = bar_run(cases[i].mode);
         Simulation *sim;
         Trace trace;
         bool sound = bar_run_trace(&run, 100, &sim, &trace, status);
@@ -97,7 +97,7 @@ bool verify_hidden_energy(Verify *verify, Status *status)
 /* Whether a particle enters another cell within half a period, where displacements are largest. */
 static bool crosses(double velocity, bool *out, Status *status)
 {
-    BarRun run = bar_run(1);
+    Settings run = bar_run(1);
     run.velocity = velocity;
     Simulation *sim;
     Trace trace;
@@ -143,10 +143,10 @@ bool verify_crossing(Verify *verify, Status *status)
     };
     verify_head(verify, "energy left, v0 = 1");
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        BarRun run = bar_run(1);
+        Settings run = bar_run(1);
         run.velocity = 1;
-        run.def.padding = 16; /* a heated particle may fly beyond four cells */
-        run.def.algorithm = cases[i].algorithm, run.def.shape = cases[i].shape;
+        run.bar.padding = 16; /* a heated particle may fly beyond four cells */
+        run.bar.algorithm = cases[i].algorithm, run.bar.shape = cases[i].shape;
         double left;
         if (!energy_left(&run, &left, status))
             return false;
@@ -183,9 +183,9 @@ static Peaks find_peaks(const double *values, size_t count, double spacing)
 
 static bool loaded_peaks(double body_force, double traction, Peaks *peaks, Status *status)
 {
-    BarRun run = bar_run(1);
+    Settings run = bar_run(1);
     run.velocity = 0;
-    run.def.body_force = body_force, run.def.traction = traction;
+    run.bar.body_force = body_force, run.bar.traction = traction;
     Simulation *sim;
     Trace trace;
     bool sound = bar_run_trace(&run, 50, &sim, &trace, status);
@@ -296,12 +296,12 @@ bool verify_limits(Verify *verify, Status *status)
     };
     verify_head(verify, "largest stable courant");
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        BarRun run = bar_run(1);
-        run.def.algorithm = cases[i].algorithm, run.def.shape = cases[i].shape;
-        run.def.transfer = cases[i].transfer, run.def.particles_per_cell = cases[i].particles;
+        Settings run = bar_run(1);
+        run.bar.algorithm = cases[i].algorithm, run.bar.shape = cases[i].shape;
+        run.bar.transfer = cases[i].transfer, run.bar.particles_per_cell = cases[i].particles;
         BarMesh mesh = bar_run_mesh(&run);
         double limit;
-        if (!find_limit(run.def, cases[i].reference, &limit, status))
+        if (!find_limit(run.bar, cases[i].reference, &limit, status))
             return false;
         verify_row(verify, &(VerifyRow){cases[i].what,
                                         NULL,

@@ -107,10 +107,13 @@ BarWatch bar_watch(const BarTheory *theory)
     return watch;
 }
 
-void bar_watch_predicted(BarWatch *watch, double frequency)
+/* With what is predicted beside it (NAN: nothing); a run that changes on its way keeps to no formula. */
+static BarWatch predicted_watch(const Settings *settings, const BarTheory *theory, double frequency)
 {
-    watch->predicted_known = watch->moving && frequency > 0;
-    watch->predicted = frequency;
+    BarWatch watch = bar_watch(theory);
+    watch.predicted = settings->n_changes > 0 ? NAN : frequency;
+    watch.predicted_known = watch.moving && watch.predicted > 0;
+    return watch;
 }
 
 /* --- columns -------------------------------------------------------------------------------------- */
@@ -136,8 +139,7 @@ bool bar_prepare(References *refs, const Settings *settings, const Simulation *s
     if (!bar_theory_of(settings, &bar->theory, status))
         return false;
     bar->exact_known = !changes_key(settings, "load.");
-    bar->watch = bar_watch(&bar->theory);
-    bar_watch_predicted(&bar->watch, settings->n_changes > 0 ? NAN : frequency);
+    bar->watch = predicted_watch(settings, &bar->theory, frequency);
 
     static const Quantity exact = {"v_cm_exact", "exact", "length/time",
                                    "velocity of the centre of mass of the continuum (eq. 20)"};
@@ -207,10 +209,9 @@ void bar_read_out(const References *refs, const double *rows, size_t n_rows, int
 void bar_derived_wave(Derived out[DERIVED_MAX], int *n, const Settings *settings, const BarTheory *theory,
                       double frequency, double dt)
 {
-    BarWatch watch = bar_watch(theory);
+    const BarWatch watch = predicted_watch(settings, theory, frequency);
     if (!watch.moving)
         return;
-    bar_watch_predicted(&watch, settings->n_changes > 0 ? NAN : frequency);
     int mode = bar_watched_mode(theory);
     derived_add(out, n, "beta", "wave number", "1/length", bar_wave_number(theory, mode > 0 ? mode : 1),
                 false);

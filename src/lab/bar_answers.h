@@ -11,9 +11,8 @@ double bar_start(double x, const void *theory);
 /* The mode that is watched: the first that moves and is no rigid motion; else 0. */
 int bar_watched_mode(const BarTheory *);
 
-/* Which column shows the frequency, and the exact one; the prediction comes beside it (NAN: none). */
+/* Which column shows the frequency, and the exact one; what is predicted is not known yet. */
 BarWatch bar_watch(const BarTheory *);
-void bar_watch_predicted(BarWatch *, double frequency);
 
 /* Plans v_cm with its references. `frequency` predicted for the watched mode, NAN: not known; `predicted`
  * v_cm, NULL: not known; `meaning` of that column. */

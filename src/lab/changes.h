@@ -20,6 +20,9 @@ long changes_next(const Settings *, long step);
 /* The settings in force at a step: the values from the start and the changes up to and with this step. */
 void changes_in_force(const Settings *, long step, Settings *out);
 
+/* Whether two settings have the same changes. */
+bool changes_same(const Settings *, const Settings *);
+
 /* Adds a change, in the place of one of the same key and step; those of later steps are forgotten. */
 bool changes_add(Settings *, long step, const char *key, const char *value, Status *);
 

@@ -1,4 +1,5 @@
 /* Ghosts, and the edits that make them. */
+#include "lab/changes.h"
 #include "lab/experiment_internal.h"
 #include "lab/parameters.h"
 
@@ -134,7 +135,7 @@ void experiment_become_ghost(Experiment *experiment, Experiment *heir)
 
 /* --- edits ---------------------------------------------------------------------------------------- */
 
-void experiment_forget_answers(Experiment *experiment)
+static void forget_answers(Experiment *experiment)
 {
     experiment->before.known = false;
     experiment->row_step = -1;
@@ -187,7 +188,7 @@ static bool replace_trial(Experiment *experiment, const Settings *settings, bool
     trial_close(trial);
     *trial = fresh;
     experiment->pending = false;
-    experiment_forget_answers(experiment);
+    forget_answers(experiment);
     write_legends(experiment);
     if (seek)
         experiment_seek(experiment, ended ? experiment_last_step(experiment) : lround(time / trial->sim->dt),
@@ -228,7 +229,7 @@ static void rewind_trial(Experiment *experiment, bool keep_ghost)
     profile_close(&remains.profile);
     record_close(&old);
     experiment->pending = false;
-    experiment_forget_answers(experiment);
+    forget_answers(experiment);
     write_legends(experiment);
 }
 
@@ -274,22 +275,10 @@ static bool differs(const Settings *a, const Settings *b, const Parameter *param
     return strcmp(one, other) != 0;
 }
 
-static bool same_changes(const Settings *a, const Settings *b)
-{
-    if (a->n_changes != b->n_changes)
-        return false;
-    for (int i = 0; i < a->n_changes; i++)
-        if (a->changes[i].step != b->changes[i].step ||
-            strcmp(a->changes[i].to.key, b->changes[i].to.key) != 0 ||
-            strcmp(a->changes[i].to.value, b->changes[i].to.value) != 0)
-            return false;
-    return true;
-}
-
 static Difference compare(const Settings *now, const Settings *wanted)
 {
     Difference difference = {false, false};
-    if (now->problem != wanted->problem || now->method != wanted->method || !same_changes(now, wanted))
+    if (now->problem != wanted->problem || now->method != wanted->method || !changes_same(now, wanted))
         return (Difference){true, false};
     for (int i = 0; i < n_parameters; i++)
         if (differs(now, wanted, &parameters[i]) && recomputes(now, &parameters[i])) {
@@ -383,7 +372,7 @@ static bool edit_live(Experiment *experiment, const Settings *wanted, Status *st
     if (old.count > 0)
         make_ghost(experiment, find_place(experiment, false), false, &shell, &old, &remains);
     record_close(&old);
-    experiment_forget_answers(experiment);
+    forget_answers(experiment);
     write_legends(experiment);
     return true;
 }
@@ -424,7 +413,7 @@ bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *sta
         trial_set_end(trial, wanted->end);
         if (experiment->pending)
             experiment_seek(experiment, experiment->goal_step, experiment->goal_stage);
-        experiment_forget_answers(experiment);
+        forget_answers(experiment);
     }
     return true;
 }

@@ -53,7 +53,6 @@ struct Experiment {
     Settings derived_for;
 };
 
-void experiment_forget_answers(Experiment *); /* what was worked out from the run that is no more */
 void experiment_drop_ghost(Ghost *);
 void experiment_keep_given(Experiment *, const Settings *); /* its changes came with it */
 

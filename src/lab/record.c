@@ -24,7 +24,6 @@ void record_open(Record *record, int n_columns, long every, size_t budget)
 {
     size_t most = budget / ((size_t)n_columns * sizeof(double));
     *record = (Record){.n_columns = n_columns,
-                       .every = every > 0 ? every : 1,
                        .spacing = every > 0 ? every : 1,
                        .most = most < ROWS_LEAST ? ROWS_LEAST : most};
 }
@@ -33,13 +32,6 @@ void record_close(Record *record)
 {
     free(record->rows);
     *record = (Record){0};
-}
-
-void record_clear(Record *record)
-{
-    record->count = 0;
-    record->spacing = record->every;
-    record->thinned = record->loose_last = false;
 }
 
 /* Doubles the spacing and drops the rows that no longer are due; the newest is about to be followed. */

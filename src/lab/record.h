@@ -12,8 +12,7 @@ typedef struct Record {
     double *rows; /* count x n_columns; column 0 is the step, column 1 the time */
     size_t count, room, most;
     int n_columns;
-    long every;   /* steps between rows to begin with */
-    long spacing; /* steps between rows: every, 2 every, 4 every, ... */
+    long spacing; /* steps between rows: `every` of record_open(), twice, four times it, ... */
     bool thinned;
     bool loose_last; /* the last row is not a multiple of the spacing; the next one takes its place */
 } Record;
@@ -21,7 +20,6 @@ typedef struct Record {
 /* `budget` in bytes; every: steps between rows to begin with. */
 void record_open(Record *, int n_columns, long every, size_t budget);
 void record_close(Record *);
-void record_clear(Record *);
 
 /* Appends a row if its step is due, else puts it last until the next comes. False: no memory. */
 bool record_append(Record *, const double *row);

@@ -2,6 +2,7 @@
 #include "lab/parameters.h"
 
 #include "base/text.h"
+#include "lab/changes.h"
 #include "lab/problem.h"
 
 #include <math.h>
@@ -420,19 +421,6 @@ static bool matters(const Settings *a, const Settings *b, const Parameter *param
     return is_energy(parameter->key) ? by_energy : is_stretch(parameter->key) ? !by_energy : true;
 }
 
-static bool same_changes(const Settings *a, const Settings *b)
-{
-    if (a->n_changes != b->n_changes)
-        return false;
-    for (int i = 0; i < a->n_changes; i++) {
-        const Change *one = &a->changes[i], *other = &b->changes[i];
-        if (one->step != other->step || strcmp(one->to.key, other->to.key) != 0 ||
-            strcmp(one->to.value, other->to.value) != 0)
-            return false;
-    }
-    return true;
-}
-
 bool settings_same(const Settings *a, const Settings *b, char *out, size_t size)
 {
     Differences list = {out, out ? size : 0, 0, 0};
@@ -455,7 +443,7 @@ bool settings_same(const Settings *a, const Settings *b, char *out, size_t size)
         settings_show(b, parameter, to);
         add_difference(&list, parameter->label, from, to);
     }
-    if (!same_changes(a, b)) {
+    if (!changes_same(a, b)) {
         char from[16], to[16];
         snprintf(from, sizeof from, "%d", a->n_changes);
         snprintf(to, sizeof to, "%d", b->n_changes);
