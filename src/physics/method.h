@@ -45,6 +45,12 @@ typedef struct Field {
     bool integer;   /* values are whole numbers (indices, flags) */
 } Field;
 
+/* A row of a method's field table. */
+#define FIELD_ROW(set, in_table, integer, name, label, unit, meaning)                                        \
+    {                                                                                                        \
+        {name, label, unit, meaning}, set, in_table, integer                                                 \
+    }
+
 /* One stage of a time step. */
 typedef struct Stage {
     const char *id;       /* "map", "strain": stable, for scripts and tests */

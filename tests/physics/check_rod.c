@@ -512,6 +512,10 @@ START_TEST(refusals)
         {offsetof(RodDef, horizon), 0.4, "pd.horizon: 0.4 is below the spacing"},
         {offsetof(RodDef, horizon), 13, "pd.horizon: 13 is 26 spacings (at most 24"},
         {offsetof(RodDef, traction_layer), 26, "load.traction_layer: 26 is out of range"},
+        {offsetof(RodDef, traction_layer), 0.25,
+         "load.traction_layer: 0.25 holds no particle (more than 0.25, or 0"},
+        {offsetof(RodDef, spacing), 1e-6,
+         "pd.spacing: the length 25 is 2.5e+07 spacings of 1e-06 (a whole number, at most"},
         {offsetof(RodDef, length), -1, "bar.length: -1 is not allowed"},
         {offsetof(RodDef, dt), 0, "time.courant: 0 is not allowed"},
     };

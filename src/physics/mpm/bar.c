@@ -1,4 +1,5 @@
 /* A bar is made, copied out, put back and changed. */
+#include "physics/axial.h"
 #include "physics/mpm/bar_state.h"
 #include "physics/mpm/kernels.h"
 #include "physics/mpm/shape.h"
@@ -6,24 +7,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-BarDef bar_default(void)
-{
-    return (BarDef){
-        .length = 25.0,
-        .youngs_modulus = 100.0,
-        .density = 1.0,
-        .supports = BAR_FIXED_FREE,
-        .cell_size = 1.0,
-        .particles_per_cell = 2,
-        .padding = 4,
-        .algorithm = MPM_USF,
-        .shape = MPM_HAT,
-        .transfer = MPM_FLIP,
-        .flip_fraction = 1.0,
-        .courant = 0.1,
-    };
-}
 
 bool bar_has_done(const Bar *bar, BarOp op)
 {
@@ -57,75 +40,6 @@ int bar_cell_of(const Bar *bar, int particle)
             high = middle;
     }
     return low;
-}
-
-/* --- the definition ------------------------------------------------------------------------------- */
-
-static bool positive(double value, const char *key, Status *status)
-{
-    if (value > 0.0 && isfinite(value))
-        return true;
-    return status_fail(status, STATUS_USAGE, "%s: %g is no positive number", key, value);
-}
-
-static bool finite_number(double value, const char *key, Status *status)
-{
-    return isfinite(value) || status_fail(status, STATUS_USAGE, "%s: %g is no finite number", key, value);
-}
-
-static bool whole(int value, int low, int high, const char *key, Status *status)
-{
-    if (value >= low && value <= high)
-        return true;
-    return status_fail(status, STATUS_USAGE, "%s: %d is out of range (%d to %d)", key, value, low, high);
-}
-
-/* A particle takes some 150 bytes. */
-enum { CELLS_MAX = 20000000, PARTICLES_MAX = 20000000 };
-
-bool bar_check(const BarDef *def, Status *status)
-{
-    bool good = positive(def->length, "bar.length", status) &&
-                positive(def->youngs_modulus, "bar.youngs_modulus", status) &&
-                positive(def->density, "bar.density", status) &&
-                positive(def->cell_size, "mesh.cell_size", status) &&
-                positive(def->courant, "time.courant", status) &&
-                whole(def->particles_per_cell, 1, BAR_SLOTS_MAX, "mesh.particles_per_cell", status) &&
-                whole(def->padding, 0, CELLS_MAX, "mesh.padding", status) &&
-                whole((int)def->supports, BAR_FIXED_FREE, BAR_FREE_FREE, "bar.supports", status) &&
-                whole((int)def->algorithm, MPM_USF, MPM_MUSL, "mpm.algorithm", status) &&
-                whole((int)def->shape, MPM_HAT, MPM_BSPLINE3, "mpm.shape", status) &&
-                whole((int)def->transfer, MPM_FLIP, MPM_APIC, "mpm.transfer", status) &&
-                finite_number(def->body_force, "load.body_force", status) &&
-                finite_number(def->traction, "load.traction", status) &&
-                finite_number(def->traction_layer, "load.traction_layer", status);
-    if (!good)
-        return false;
-    if (!(def->flip_fraction >= 0.0 && def->flip_fraction <= 1.0))
-        return status_fail(status, STATUS_USAGE, "mpm.flip_fraction: %g is out of range (0 to 1)",
-                           def->flip_fraction);
-    double cells = def->length / def->cell_size;
-    if (!(cells <= CELLS_MAX))
-        return status_fail(status, STATUS_USAGE,
-                           "mesh.cell_size: %g makes more than %d cells of a bar of length %g",
-                           def->cell_size, CELLS_MAX, def->length);
-    if (!(fabs(cells - round(cells)) <= 1e-9 * fmax(cells, 1.0)) || cells < 0.5)
-        return status_fail(status, STATUS_USAGE,
-                           "mesh.cell_size: the length %g must be a whole number of cells, not %.10g",
-                           def->length, cells);
-    if ((long)round(cells) * def->particles_per_cell > PARTICLES_MAX)
-        return status_fail(status, STATUS_USAGE,
-                           "mesh.particles_per_cell: more than %d particles are not possible", PARTICLES_MAX);
-    if (def->traction_layer < 0.0 || def->traction_layer > def->length)
-        return status_fail(status, STATUS_USAGE,
-                           "load.traction_layer: %g is out of range (0 to the length %g)",
-                           def->traction_layer, def->length);
-    double spacing = def->cell_size / def->particles_per_cell;
-    if (def->traction_layer > 0.0 && def->traction_layer <= 0.5 * spacing)
-        return status_fail(status, STATUS_USAGE,
-                           "load.traction_layer: %g holds no particle (more than %g, or 0 for %g)",
-                           def->traction_layer, 0.5 * spacing, spacing);
-    return true;
 }
 
 /* --- memory --------------------------------------------------------------------------------------- */
@@ -286,8 +200,8 @@ static bool change(Simulation *sim, const char *key, double value, Status *statu
                                                        : NULL;
     if (!load)
         return status_fail(status, STATUS_USAGE, "%s: cannot be changed in mid-run", key);
-    if (!finite_number(value, key, status))
-        return false;
+    if (!isfinite(value))
+        return status_fail(status, STATUS_USAGE, "%s: %g is no finite number", key, value);
     *load = value;
     return true;
 }
@@ -336,9 +250,7 @@ static void derive(Bar *bar)
 
     double spacing = bar->dx / bar->slots;
     bar->layer = def->traction_layer > 0.0 ? def->traction_layer : spacing;
-    int in_layer = (int)ceil(bar->layer / spacing - 0.5 - 1e-9);
-    if (in_layer > bar->n_particles)
-        in_layer = bar->n_particles;
+    int in_layer = axial_particles_in_layer(bar->layer, spacing, bar->n_particles);
     bar->layer_left = left ? 0 : in_layer;
     bar->layer_right = right ? 0 : in_layer;
 }
@@ -403,16 +315,13 @@ Simulation *bar_create(const BarDef *definition, Status *status)
     sim->method = &method;
     sim->stage_items = (size_t)bar->n_cells;
     sim->n_sets = BAR_SETS;
-    sim->counts[0] = (size_t)bar->n_particles;
-    sim->counts[1] = (size_t)bar->n_nodes;
+    sim->counts[BAR_PARTICLES] = (size_t)bar->n_particles;
+    sim->counts[BAR_NODES] = (size_t)bar->n_nodes;
     sim->fields = bar_fields;
     sim->n_fields = BAR_FIELDS;
     sim->series = bar_series;
     sim->n_series = BAR_SERIES;
-    sim->dimensions = 1;
-    sim->position[0] = simulation_find_field(sim, 0, "x0");
-    sim->displacement[0] = simulation_find_field(sim, 0, "u");
-    sim->velocity[0] = simulation_find_field(sim, 0, "v");
+    axial_set_motion(sim);
     sim->dt = bar->dt;
     if (!begin(bar, status)) {
         simulation_destroy(sim);

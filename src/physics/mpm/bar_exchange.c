@@ -3,21 +3,22 @@
 #include "physics/mpm/bar_state.h"
 #include "physics/mpm/shape.h"
 
-enum { PARTICLES, NODES };
-
 #define TABLE(momentum, momentum_ascii, momentum_note, taken, taken_ascii, taken_note, taken_adds)           \
     {                                                                                                        \
-        [GIVE_MASS] = {"map", PARTICLES, NODES, "mass", false, "m N", "m N", NULL},                          \
-        [GIVE_MOMENTUM] = {"map", PARTICLES, NODES,          "momentum",                                     \
-                           false, momentum,  momentum_ascii, momentum_note},                                 \
-        [GIVE_F_INT] = {"force", PARTICLES, NODES, "f_int", false, "-N′ σ V", "-N' s V", "V = m/rho"},       \
-        [GIVE_F_EXT] =                                                                                       \
-            {"force", PARTICLES, NODES, "f_ext", false, "N load", "N load", "load = m b + t V/h"},           \
-        [GIVE_MOMENTUM_AGAIN] = {"map_again", PARTICLES, NODES,          "momentum",                         \
-                                 false,       momentum,  momentum_ascii, momentum_note},                     \
-        [TAKE_STRAIN] = {"strain", NODES, PARTICLES, "strain_increment", false, "Δt N′ v", "dt N' v", NULL}, \
-        [TAKE_VELOCITY] = {"update", NODES, PARTICLES, "v", taken_adds, taken, taken_ascii, taken_note},     \
-        [TAKE_PLACE] = {"update", NODES, PARTICLES, "x", true, "Δt N v", "dt N v", NULL},                    \
+        [GIVE_MASS] = {"map", BAR_PARTICLES, BAR_NODES, "mass", false, "m N", "m N", NULL},                  \
+        [GIVE_MOMENTUM] = {"map", BAR_PARTICLES, BAR_NODES,      "momentum",                                 \
+                           false, momentum,      momentum_ascii, momentum_note},                             \
+        [GIVE_F_INT] =                                                                                       \
+            {"force", BAR_PARTICLES, BAR_NODES, "f_int", false, "-N′ σ V", "-N' s V", "V = m/rho"},          \
+        [GIVE_F_EXT] = {"force", BAR_PARTICLES, BAR_NODES, "f_ext",                                          \
+                        false,   "N load",      "N load",  "load = m b + t V/h"},                            \
+        [GIVE_MOMENTUM_AGAIN] = {"map_again", BAR_PARTICLES, BAR_NODES,      "momentum",                     \
+                                 false,       momentum,      momentum_ascii, momentum_note},                 \
+        [TAKE_STRAIN] = {"strain", BAR_NODES, BAR_PARTICLES, "strain_increment",                             \
+                         false,    "Δt N′ v", "dt N' v",     NULL},                                          \
+        [TAKE_VELOCITY] = {"update",   BAR_NODES, BAR_PARTICLES, "v",                                        \
+                           taken_adds, taken,     taken_ascii,   taken_note},                                \
+        [TAKE_PLACE] = {"update", BAR_NODES, BAR_PARTICLES, "x", true, "Δt N v", "dt N v", NULL},            \
     }
 
 static const Exchange flip_exchanges[BAR_EXCHANGES] =
@@ -81,16 +82,6 @@ static double load_on(const Bar *bar, int particle, double volume)
     return bar->mass * bar->head->body_force + side * bar->head->traction * volume / bar->layer;
 }
 
-static double strain_velocity(const Bar *bar, int cell, int a)
-{
-    double v[BAR_SUPPORT_MAX];
-    for (int i = 0; i < bar->support; i++)
-        v[i] = bar_strain_velocity(bar, cell + i);
-    if (bar->def.shape == MPM_HAT)
-        bar_lend_velocity(bar, cell, v);
-    return v[a];
-}
-
 /* What part of a blend's new velocity comes from a node, beyond the old velocity: the N of the nodes add up
  * to 1. */
 static double blended_gain(const Bar *bar, const double n[], int cell, int particle, int a)
@@ -113,14 +104,14 @@ int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
     const Bar *bar = bar_of_const(sim);
     if (!at_hand(bar, (BarExchange)exchange))
         return 0;
-    const bool gives = bar->sim.exchanges[exchange].from == PARTICLES;
+    const bool gives = bar->sim.exchanges[exchange].from == BAR_PARTICLES;
     const int particle = (int)(gives ? from : to), node = (int)(gives ? to : from);
     const int cell = bar_cell_of(bar, particle), a = node - cell;
     if (a < 0 || a >= bar->support)
         return 0;
     const int slot = particle % bar->slots, k = particle / bar->slots;
     const double s = bar->s[slot][k], volume = bar->volume[slot][k];
-    double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
+    double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX], v[BAR_SUPPORT_MAX];
     shape_at(bar->def.shape, bar->gimp_half, bar->n_cells, cell, s, n, dn);
 #define FACTORS(count, ...)                                                                                  \
     do {                                                                                                     \
@@ -140,15 +131,16 @@ int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
     case GIVE_F_EXT:
         FACTORS(2, n[a], load_on(bar, particle, volume));
     case TAKE_STRAIN:
-        FACTORS(3, bar->dt, dn[a] / bar->dx, strain_velocity(bar, cell, a));
+        bar_strain_velocities(bar, cell, v);
+        FACTORS(3, bar->dt, dn[a] / bar->dx, v[a]);
     case TAKE_VELOCITY:
         if (bar->head->transfer == MPM_APIC || bar->head->flip_fraction == 0.0)
-            FACTORS(2, n[a], bar->node_drift[node] * (bar->dx / bar->dt));
+            FACTORS(2, n[a], bar_integrated_velocity(bar, node));
         if (bar->head->flip_fraction != 1.0)
             FACTORS(2, n[a], blended_gain(bar, n, cell, particle, a));
         FACTORS(3, bar->dt, n[a], bar->node_kick[node] / bar->dt);
     case TAKE_PLACE:
-        FACTORS(3, bar->dt, n[a], bar->node_drift[node] * (bar->dx / bar->dt));
+        FACTORS(3, bar->dt, n[a], bar_integrated_velocity(bar, node));
     case BAR_EXCHANGES:
         break;
     }

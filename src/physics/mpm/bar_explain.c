@@ -1,6 +1,5 @@
 /* The sums behind a stage with their numbers, for one particle or one node: what a teacher would write on the
- * board. The terms are those of bar_exchange.c, put together by
- * bar_sums.c. */
+ * board. The terms are those of bar_exchange.c, put together by bar_sums.c. */
 #include "physics/mpm/bar_sums.h"
 #include "physics/mpm/shape.h"
 
@@ -116,14 +115,6 @@ static void strain_particle(const BarSubject *subject)
 
 /* --- nodal forces --------------------------------------------------------------------------------- */
 
-/* The whole force on a node: eq. 12, none at a support. */
-static double node_force(const Bar *bar, int i)
-{
-    if (bar_node_is_fixed(bar, i))
-        return 0.0;
-    return bar_is_loaded(bar) ? bar->node_f_int[i] + bar->node_f_ext[i] : bar->node_f_int[i];
-}
-
 static void force_node(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
@@ -140,7 +131,7 @@ static void force_node(const BarSubject *subject)
     if (bar_node_is_fixed(bar, i)) {
         working_say(subject->working, "the node is fixed: f = 0, the support bears the rest\n");
     } else if (loaded) {
-        WorkingSum whole = {.label = "f = f_int + f_ext = ", .result = node_force(bar, i)};
+        WorkingSum whole = {.label = "f = f_int + f_ext = ", .result = bar_node_force(bar, i)};
         working_add(&whole, 1, bar->node_f_int[i], 0, 0);
         working_add(&whole, 1, bar->node_f_ext[i], 0, 0);
         working_sum(subject->working, &whole);
@@ -170,7 +161,7 @@ static void force_particle(const BarSubject *subject)
 static void say_integrated(const BarSubject *subject, int node)
 {
     const Bar *bar = subject->bar;
-    const double force = node_force(bar, node);
+    const double force = bar_node_force(bar, node);
     const BarLabel label = bar_label("p", node, " = p + Δt f = ");
     WorkingSum sum = {.label = label.text,
                       .has_base = true,
@@ -202,7 +193,7 @@ static void update_node(const BarSubject *subject)
     const int i = subject->index;
     /* the momentum at hand may be mapped anew already; the drift is of the one that was integrated */
     const double speed = bar_integrated_velocity(bar, i);
-    bar_say_ratio(subject, "it gives a = f/m = ", node_force(bar, i), bar->node_kick[i] / bar->dt);
+    bar_say_ratio(subject, "it gives a = f/m = ", bar_node_force(bar, i), bar->node_kick[i] / bar->dt);
     bar_say_ratio(subject, "and v = p/m = ", speed * bar->node_mass[i], speed);
 }
 
@@ -330,6 +321,6 @@ void bar_explain(const Simulation *sim, int stage, int set, size_t index, const 
         return;
     BarSubject subject = {.bar = bar, .before = before, .set = set, .index = (int)index, .working = &working};
     subject.n_links = bar_links(sim, set, index, subject.links, LINKS_MAX);
-    (set == PARTICLES ? sayings[schedule->ops[stage]].particle
-                      : sayings[schedule->ops[stage]].node)(&subject);
+    (set == BAR_PARTICLES ? sayings[schedule->ops[stage]].particle
+                          : sayings[schedule->ops[stage]].node)(&subject);
 }

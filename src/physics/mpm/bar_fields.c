@@ -1,20 +1,11 @@
 /* What front ends read of a bar: fields, series, links. */
+#include "physics/axial.h"
 #include "physics/mpm/bar_state.h"
 #include "physics/mpm/shape.h"
 
-enum { PARTICLES, NODES };
-
-/* One list for the table of fields and for the functions that fill them. */
+/* One list for the table of fields and for the functions that fill them; it begins with those of axial.h. */
 enum FieldIndex {
-    P_X0,
-    P_X,
-    P_U,
-    P_V,
-    P_STRESS,
-    P_STRAIN,
-    P_DENSITY,
-    P_MASS,
-    P_CELL,
+    P_CELL = AXIAL_FIELDS,
     P_NATURAL,
     P_STRAIN_INCREMENT,
     P_MOMENTUM,
@@ -31,100 +22,73 @@ enum FieldIndex {
     N_FIXED
 };
 
+#define SHOWN(name, label, unit, meaning) FIELD_ROW(BAR_PARTICLES, false, false, name, label, unit, meaning)
+#define NODE(name, label, unit, meaning)  FIELD_ROW(BAR_NODES, true, false, name, label, unit, meaning)
+
 const Field bar_fields[BAR_FIELDS] = {
-    [P_X0] = {{"x0", "x0", "length", "position at the start"}, PARTICLES, true, false},
-    [P_X] = {{"x", "x", "length", "position"}, PARTICLES, true, false},
-    [P_U] = {{"u", "displacement", "length", "displacement x - x0"}, PARTICLES, true, false},
-    [P_V] = {{"v", "velocity", "length/time", "velocity"}, PARTICLES, true, false},
-    [P_STRESS] = {{"stress", "stress", "force/length^2", "axial stress, tension positive"},
-                  PARTICLES,
-                  true,
-                  false},
-    [P_STRAIN] = {{"strain", "strain", "1", "sum of the strain increments"}, PARTICLES, true, false},
-    [P_DENSITY] = {{"density", "density", "mass/length^3", "density"}, PARTICLES, true, false},
-    [P_MASS] = {{"mass", "mass", "mass/length^2", "mass per unit cross-section; constant"},
-                PARTICLES,
-                true,
-                false},
-    [P_CELL] = {{"cell", "cell", "1", "cell of the mesh that the particle is in"}, PARTICLES, false, true},
-    [P_NATURAL] = {{"natural", "place in cell", "1", "0 at the left edge of its cell, 1 at the right"},
-                   PARTICLES,
-                   false,
-                   false},
-    [P_STRAIN_INCREMENT] = {{"strain_increment", "strain increment", "1",
-                             "strain of this time step; 0 before its stage"},
-                            PARTICLES,
-                            false,
-                            false},
-    [P_MOMENTUM] = {{"momentum", "momentum", "mass/(length*time)", "mass times velocity"},
-                    PARTICLES,
-                    false,
-                    false},
-    [P_AFFINE] = {{"affine", "slope C", "1/time", "slope of the velocity that APIC carries"},
-                  PARTICLES,
-                  false,
-                  false},
-    [N_X] = {{"x", "x", "length", "position of the node (Greville abscissa of a B-spline)"},
-             NODES,
-             true,
-             false},
-    [N_MASS] = {{"mass", "mass", "mass/length^2", "mass mapped from the particles"}, NODES, true, false},
-    [N_MOMENTUM] = {{"momentum", "momentum", "mass/(length*time)", "momentum"}, NODES, true, false},
-    [N_VELOCITY] = {{"velocity", "velocity", "length/time",
-                     "momentum over mass; 0 where the node is inactive"},
-                    NODES,
-                    true,
-                    false},
-    [N_F_INT] = {{"f_int", "internal force", "force/length^2", "force of the particles' stress"},
-                 NODES,
-                 true,
-                 false},
-    [N_F_EXT] = {{"f_ext", "external force", "force/length^2", "force of body force and traction"},
-                 NODES,
-                 true,
-                 false},
-    [N_F] = {{"f", "force", "force/length^2", "whole force; 0 at fixed nodes"}, NODES, true, false},
-    [N_ACCELERATION] = {{"acceleration", "acceleration", "length/time^2", "force over mass"},
-                        NODES,
-                        false,
-                        false},
-    [N_ACTIVE] = {{"active", "active", "1", "1: the node has mass"}, NODES, false, true},
-    [N_FIXED] = {{"fixed", "fixed", "1", "1: a support holds the node"}, NODES, false, true},
+    AXIAL_FIELD_ROWS("axial stress, tension positive", "sum of the strain increments"),
+    [P_CELL] = FIELD_ROW(BAR_PARTICLES, false, true, "cell", "cell", "1",
+                         "cell of the mesh that the particle is in"),
+    [P_NATURAL] = SHOWN("natural", "place in cell", "1", "0 at the left edge of its cell, 1 at the right"),
+    [P_STRAIN_INCREMENT] =
+        SHOWN("strain_increment", "strain increment", "1", "strain of this time step; 0 before its stage"),
+    [P_MOMENTUM] = SHOWN("momentum", "momentum", "mass/(length*time)", "mass times velocity"),
+    [P_AFFINE] = SHOWN("affine", "slope C", "1/time", "slope of the velocity that APIC carries"),
+    [N_X] = NODE("x", "x", "length", "position of the node (Greville abscissa of a B-spline)"),
+    [N_MASS] = NODE("mass", "mass", "mass/length^2", "mass mapped from the particles"),
+    [N_MOMENTUM] = NODE("momentum", "momentum", "mass/(length*time)", "momentum"),
+    [N_VELOCITY] =
+        NODE("velocity", "velocity", "length/time", "momentum over mass; 0 where the node is inactive"),
+    [N_F_INT] = NODE("f_int", "internal force", "force/length^2", "force of the particles' stress"),
+    [N_F_EXT] = NODE("f_ext", "external force", "force/length^2", "force of body force and traction"),
+    [N_F] = NODE("f", "force", "force/length^2", "whole force; 0 at fixed nodes"),
+    [N_ACCELERATION] = FIELD_ROW(BAR_NODES, false, false, "acceleration", "acceleration", "length/time^2",
+                                 "force over mass"),
+    [N_ACTIVE] = FIELD_ROW(BAR_NODES, false, true, "active", "active", "1", "1: the node has mass"),
+    [N_FIXED] = FIELD_ROW(BAR_NODES, false, true, "fixed", "fixed", "1", "1: a support holds the node"),
 };
 
 const Quantity bar_series[BAR_SERIES] = {
-    {"v_cm", "v_cm", "length/time", "velocity of the centre of mass"},
-    {"x_cm", "x_cm", "length", "position of the centre of mass"},
-    {"kinetic", "kinetic", "force/length", "kinetic energy of the particles"},
+    AXIAL_SERIES_BEGIN,
     {"kinetic_grid", "seen by grid", "force/length",
      "the part of it that the grid sees: sum p^2/(2m) of the nodes, boundary applied"},
     {"strain", "strain", "force/length", "strain energy of the particles"},
-    {"work", "work", "force/length", "work of the external force so far"},
-    {"total", "total", "force/length", "kinetic + strain; without loads it should keep its value"},
+    AXIAL_SERIES_END,
 };
 
-/* Momentum over mass at present; 0 before the map. */
-static double node_velocity(const Bar *bar, int i)
+double bar_node_velocity(const Bar *bar, int node)
 {
-    return bar->node_momentum[i] * bar->node_inverse[i];
+    return bar->node_momentum[node] * bar->node_inverse[node];
 }
 
-double bar_strain_velocity(const Bar *bar, int i)
+double bar_integrated_velocity(const Bar *bar, int node)
 {
-    /* update stress first: that of before the momentum was integrated */
-    if (bar->head->algorithm == MPM_USF && bar_has_done(bar, OP_INTEGRATE))
-        return bar->node_drift[i] * (bar->dx / bar->dt) - bar->node_kick[i];
-    return node_velocity(bar, i);
+    return bar->node_drift[node] * (bar->dx / bar->dt);
+}
+
+double bar_node_force(const Bar *bar, int node)
+{
+    if (bar_node_is_fixed(bar, node))
+        return 0.0;
+    return bar_is_loaded(bar) ? bar->node_f_int[node] + bar->node_f_ext[node] : bar->node_f_int[node];
+}
+
+void bar_strain_velocities(const Bar *bar, int cell, double *v)
+{
+    /* update stress first: those of before the momentum was integrated */
+    const bool integrated = bar->head->algorithm == MPM_USF && bar_has_done(bar, OP_INTEGRATE);
+    for (int a = 0, node = cell; a < bar->support; a++, node++)
+        v[a] = integrated ? bar_integrated_velocity(bar, node) - bar->node_kick[node]
+                          : bar_node_velocity(bar, node);
+    if (bar->def.shape == MPM_HAT)
+        bar_lend_velocity(bar, cell, v);
 }
 
 static double strain_increment(const Bar *bar, int cell, double s)
 {
     double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX], v[BAR_SUPPORT_MAX], gradient = 0.0;
     shape_at(bar->def.shape, bar->gimp_half, bar->n_cells, cell, s, n, dn);
-    for (int a = 0; a < bar->support; a++)
-        v[a] = bar_strain_velocity(bar, cell + a);
-    if (bar->def.shape == MPM_HAT)
-        bar_lend_velocity(bar, cell, v);
+    bar_strain_velocities(bar, cell, v);
     for (int a = 0; a < bar->support; a++)
         gradient += dn[a] * v[a];
     return bar->dt / bar->dx * gradient;
@@ -139,29 +103,29 @@ static void particle_field(const Bar *bar, int field, int first, int count, doub
         while (bar->first[cell + 1] <= p)
             cell++;
         double s = bar->s[j][k], place = moved ? bar->moved[j][k] : s, start = (j + 0.5) / bar->slots;
-        switch ((enum FieldIndex)field) {
-        case P_X0:
+        switch (field) {
+        case AXIAL_X0:
             out[i] = (k + start) * bar->dx;
             break;
-        case P_X:
+        case AXIAL_X:
             out[i] = ((cell - bar->origin) + place) * bar->dx;
             break;
-        case P_U:
+        case AXIAL_U:
             out[i] = ((cell - bar->origin - k) + (place - start)) * bar->dx;
             break;
-        case P_V:
+        case AXIAL_V:
             out[i] = bar->v[j][k];
             break;
-        case P_STRESS:
+        case AXIAL_STRESS:
             out[i] = bar->stress[j][k];
             break;
-        case P_STRAIN:
+        case AXIAL_STRAIN:
             out[i] = bar->stress[j][k] / bar->def.youngs_modulus;
             break;
-        case P_DENSITY:
+        case AXIAL_DENSITY:
             out[i] = bar->mass / bar->volume[j][k];
             break;
-        case P_MASS:
+        case AXIAL_MASS:
             out[i] = bar->mass;
             break;
         case P_CELL:
@@ -192,9 +156,8 @@ static void node_field(const Bar *bar, int field, int first, int count, double *
     const bool forced = bar_has_done(bar, OP_FORCE);
     for (int n = 0; n < count; n++) {
         int i = first + n;
-        double external = forced && bar_is_loaded(bar) ? bar->node_f_ext[i] : 0.0;
-        double force = forced && !bar_node_is_fixed(bar, i) ? bar->node_f_int[i] + external : 0.0;
-        switch ((enum FieldIndex)field) {
+        double force = forced ? bar_node_force(bar, i) : 0.0;
+        switch (field) {
         case N_X:
             out[n] = bar_node_position(bar, i);
             break;
@@ -205,13 +168,13 @@ static void node_field(const Bar *bar, int field, int first, int count, double *
             out[n] = mapped ? bar->node_momentum[i] : 0.0;
             break;
         case N_VELOCITY:
-            out[n] = mapped ? node_velocity(bar, i) : 0.0;
+            out[n] = mapped ? bar_node_velocity(bar, i) : 0.0;
             break;
         case N_F_INT:
             out[n] = forced ? bar->node_f_int[i] : 0.0;
             break;
         case N_F_EXT:
-            out[n] = external;
+            out[n] = forced && bar_is_loaded(bar) ? bar->node_f_ext[i] : 0.0;
             break;
         case N_F:
             out[n] = force;
@@ -236,7 +199,7 @@ void bar_field(const Simulation *sim, int field, size_t first, size_t count, dou
     const Bar *bar = bar_of_const(sim);
     if (count == 0)
         return;
-    if (bar_fields[field].set == PARTICLES)
+    if (bar_fields[field].set == BAR_PARTICLES)
         particle_field(bar, field, (int)first, (int)count, out);
     else
         node_field(bar, field, (int)first, (int)count, out);
@@ -257,10 +220,10 @@ size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t
 {
     const Bar *bar = bar_of_const(sim);
     size_t count = 0;
-    if (set == PARTICLES) {
+    if (set == BAR_PARTICLES) {
         int cell = bar_cell_of(bar, (int)index);
         for (int node = cell; node < cell + bar->support && count < max; node++) {
-            Link link = link_of(bar, NODES, node, (int)index, cell, node);
+            Link link = link_of(bar, BAR_NODES, node, (int)index, cell, node);
             if (link.weight != 0.0 || link.gradient != 0.0)
                 out[count++] = link;
         }
@@ -271,7 +234,7 @@ size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t
     high = high < bar->n_cells ? high : bar->n_cells - 1;
     for (int cell = low; cell <= high; cell++)
         for (int p = bar->first[cell]; p < bar->first[cell + 1] && count < max; p++) {
-            Link link = link_of(bar, PARTICLES, p, p, cell, node);
+            Link link = link_of(bar, BAR_PARTICLES, p, p, cell, node);
             if (link.weight != 0.0 || link.gradient != 0.0)
                 out[count++] = link;
         }
@@ -291,6 +254,6 @@ size_t bar_shapes(const Simulation *sim, double x, Link *out, size_t max)
     for (int a = 0; a < bar->support && count < max; a++)
         if (n[a] != 0.0 || dn[a] != 0.0)
             out[count++] = (Link){
-                .set = NODES, .index = (size_t)(cell + a), .weight = n[a], .gradient = dn[a] / bar->dx};
+                .set = BAR_NODES, .index = (size_t)(cell + a), .weight = n[a], .gradient = dn[a] / bar->dx};
     return count;
 }

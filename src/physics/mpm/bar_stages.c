@@ -177,8 +177,10 @@ static const BarOp musl_ops[MUSL_STAGES] = {OP_MAP,    OP_FIX,       OP_FORCE,  
 
 /* A table of the nodes is written when the forces are known and the momentum is not yet integrated: then its
  * momenta are those that kinetic_grid is made of. */
-static const Set usf_sets[BAR_SETS] = {{"particle", "particles", 0}, {"node", "nodes", 4}};
-static const Set usl_sets[BAR_SETS] = {{"particle", "particles", 0}, {"node", "nodes", 3}};
+static const Set usf_sets[BAR_SETS] = {
+    [BAR_PARTICLES] = {"particle", "particles", 0}, [BAR_NODES] = {"node", "nodes", 4}};
+static const Set usl_sets[BAR_SETS] = {
+    [BAR_PARTICLES] = {"particle", "particles", 0}, [BAR_NODES] = {"node", "nodes", 3}};
 
 #define SCHEDULES(name, sets)                                                                                \
     {                                                                                                        \

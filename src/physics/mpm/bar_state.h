@@ -186,7 +186,7 @@ typedef struct BarSchedule {
 } BarSchedule;
 
 const BarSchedule *bar_schedule(const BarHead *head, MpmShape shape);
-enum { BAR_SETS = 2 };
+enum { BAR_PARTICLES, BAR_NODES, BAR_SETS };
 
 /* Whether the stage that does `op` is done in the step that is going on. */
 bool bar_has_done(const Bar *bar, BarOp op);
@@ -195,6 +195,15 @@ bool bar_has_done(const Bar *bar, BarOp op);
  * B-spline). */
 bool bar_node_is_fixed(const Bar *bar, int node);
 double bar_node_position(const Bar *bar, int node);
+
+/* Of a node while the stage functions' numbers stand: p/m at present (0 before the map); p/m of the
+ * integrated momentum, with which particles move; the whole force, eq. 12, none at a support. */
+double bar_node_velocity(const Bar *bar, int node);
+double bar_integrated_velocity(const Bar *bar, int node);
+double bar_node_force(const Bar *bar, int node);
+
+/* p/m of a cell's nodes that the strain of this step was (or is going to be) made of, `support` of them. */
+void bar_strain_velocities(const Bar *bar, int cell, double *v);
 
 /* The cell in which a particle is (during a step: in which it began it). */
 int bar_cell_of(const Bar *bar, int particle);
@@ -220,7 +229,6 @@ typedef enum BarExchange {
 int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
                  double factors[EXCHANGE_FACTORS_MAX]);
 const Exchange *bar_exchanges(const BarHead *head, int *count);
-double bar_strain_velocity(const Bar *bar, int node); /* that the strain of this step was made of */
 void bar_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
                  char *out, size_t size);
 
@@ -229,7 +237,6 @@ bool bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *sta
 bool bar_steps(Simulation *sim, long count, double *rows, long *done, Status *status);
 void bar_row(Simulation *sim, double *row);
 double bar_energy(const Bar *bar);
-void bar_fix(Bar *bar, int first, int end); /* boundary conditions on the nodes that come with these cells */
 bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status);
 void bar_write_row(const Bar *bar, const BarSums *sums, const double *grid_lanes, int64_t cell_sum,
                    double *row);

@@ -94,7 +94,7 @@ static bool check_energy(Bar *bar, Status *status)
 /* --- stages --------------------------------------------------------------------------------------- */
 
 /* Supports hold the nodes that come with these cells. */
-void bar_fix(Bar *bar, int first, int end)
+static void fix(Bar *bar, int first, int end)
 {
     int last = end == bar->n_cells ? bar->n_nodes : end;
     for (int i = first; i < last && i < bar->fixed_left; i++)
@@ -111,7 +111,7 @@ bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status)
         kernels->map(bar, first, end, false);
         return true;
     case OP_FIX:
-        bar_fix(bar, first, end);
+        fix(bar, first, end);
         return true;
     case OP_STRAIN: {
         int bad = kernels->strain(bar, first, end);
@@ -128,7 +128,7 @@ bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status)
         return true;
     case OP_MAP_AGAIN:
         kernels->map(bar, first, end, true);
-        bar_fix(bar, first, end);
+        fix(bar, first, end);
         return true;
     case OP_FORGET:
         return bar_settle(bar, first, end, status);
@@ -179,7 +179,7 @@ static void write_row(const Bar *bar, double *row)
 static void map_and_fix(Bar *bar)
 {
     bar->kernels->map(bar, 0, bar->n_cells, false);
-    bar_fix(bar, 0, bar->n_cells);
+    fix(bar, 0, bar->n_cells);
 }
 
 void bar_row(Simulation *sim, double *row)

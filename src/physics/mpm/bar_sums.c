@@ -66,16 +66,6 @@ void bar_say_shares(const BarSubject *subject, BarExchange exchange, const char 
     working_sum(subject->working, &sum);
 }
 
-double bar_node_velocity(const Bar *bar, int node)
-{
-    return bar->node_momentum[node] * bar->node_inverse[node];
-}
-
-double bar_integrated_velocity(const Bar *bar, int node)
-{
-    return bar->node_drift[node] * (bar->dx / bar->dt);
-}
-
 void bar_say_ratio(const BarSubject *subject, const char *label, double above, double result)
 {
     const double mass = subject->bar->node_mass[subject->index];

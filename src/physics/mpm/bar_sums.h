@@ -6,7 +6,7 @@
 #include "physics/mpm/bar_state.h"
 #include "physics/working.h"
 
-enum { PARTICLES, NODES, LINKS_MAX = 64 };
+enum { LINKS_MAX = 64 };
 
 /* What is asked about. */
 typedef struct BarSubject {
@@ -36,9 +36,5 @@ void bar_say_shares(const BarSubject *, BarExchange, const char *label, double w
 
 /* "v13 = p/m = 0.2 / 0.5 = 0.4": over the mass of the chosen node. */
 void bar_say_ratio(const BarSubject *, const char *label, double above, double result);
-
-/* p/m at present, and that with which particles move, of the integrated momentum. */
-double bar_node_velocity(const Bar *, int node);
-double bar_integrated_velocity(const Bar *, int node);
 
 #endif

@@ -1,6 +1,6 @@
 /* Part of kernels.c: hats with FLIP, runs of cells with P particles each. P is a constant, so that a cell's
  * sums stay in registers; strain and pull are the same for all particles of a cell. What is done to WIDTH
- * cells at once and to the last ones one by one is written once, in kernels_hat_cells.h. */
+ * cells at once and to the last ones one by one is written once, in kernels_lanes.h. */
 
 /* The j-th particles of a run of cells, side by side. */
 INLINE void slots_of_run(double *const *arrays, int slots, int particle, double **out)

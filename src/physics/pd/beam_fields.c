@@ -242,13 +242,9 @@ typedef enum FieldIndex {
 } FieldIndex;
 
 #define PARTICLE(name, label, unit, meaning, table, whole)                                                   \
-    {                                                                                                        \
-        {name, label, unit, meaning}, SET_PARTICLE, table, whole                                             \
-    }
+    FIELD_ROW(SET_PARTICLE, table, whole, name, label, unit, meaning)
 #define BOND(name, label, unit, meaning, table, whole)                                                       \
-    {                                                                                                        \
-        {name, label, unit, meaning}, SET_BOND, table, whole                                                 \
-    }
+    FIELD_ROW(SET_BOND, table, whole, name, label, unit, meaning)
 
 static const Field fields[N_FIELDS] = {
     [F_X0] = PARTICLE("x0", "x0", "m", "reference position along the beam", true, false),

@@ -1,4 +1,5 @@
 /* The bar by peridynamics: its definition checked, its memory, its start, its state as bytes. */
+#include "physics/axial.h"
 #include "physics/pd/rod_internal.h"
 
 #include <math.h>
@@ -30,7 +31,7 @@ static bool check_numbers(const RodDef *def, Status *status)
 
 bool rod_check(const RodDef *def, Status *status)
 {
-    enum { NODES_MAX = 100000000 };
+    enum { NODES_MAX = 20000000 }; /* of 64 bytes with the least horizon, 248 with the largest */
     if (!check_numbers(def, status))
         return false;
     const double nodes = def->length / def->spacing, ratio = def->horizon / def->spacing;
@@ -53,11 +54,7 @@ bool rod_check(const RodDef *def, Status *status)
     if (def->surface_correction == SURFACE_VOLUME)
         return status_fail(status, STATUS_USAGE,
                            "pd.surface_correction: volume is for beams (on a bar: none | energy)");
-    if (!(def->traction_layer >= 0 && def->traction_layer <= def->length))
-        return status_fail(status, STATUS_USAGE,
-                           "load.traction_layer: %g is out of range (0 to bar.length = %g)",
-                           def->traction_layer, def->length);
-    return true;
+    return axial_check_layer(def->traction_layer, def->spacing, def->length, status);
 }
 
 /* --- the state as bytes --------------------------------------------------------------------------- */

@@ -1,4 +1,5 @@
 /* What front ends read of the bar by peridynamics: fields, series, links. */
+#include "physics/axial.h"
 #include "physics/pd/rod_internal.h"
 
 #include <math.h>
@@ -195,16 +196,9 @@ static double b_energy(const Rod *rod, const BondAt *bond)
 typedef double NodeValue(const Rod *rod, int i);
 typedef double BondValue(const Rod *rod, const BondAt *bond);
 
+/* Those of axial.h come first. */
 enum FieldIndex {
-    P_X0,
-    P_X,
-    P_U,
-    P_V,
-    P_STRESS,
-    P_STRAIN,
-    P_DENSITY,
-    P_MASS,
-    P_STRAIN_ENERGY,
+    P_STRAIN_ENERGY = AXIAL_FIELDS,
     P_FACTOR,
     P_FORCE,
     P_LOAD,
@@ -221,75 +215,46 @@ enum FieldIndex {
     N_FIELDS
 };
 
+#define PARTICLE(name, label, unit, meaning, table, whole)                                                   \
+    FIELD_ROW(ROD_PARTICLE, table, whole, name, label, unit, meaning)
+#define BOND(name, label, unit, meaning, table, whole)                                                       \
+    FIELD_ROW(ROD_BOND, table, whole, name, label, unit, meaning)
+
 static const Field fields[N_FIELDS] = {
-    [P_X0] = {{"x0", "x0", "length", "position at the start"}, ROD_PARTICLE, true, false},
-    [P_X] = {{"x", "x", "length", "position"}, ROD_PARTICLE, true, false},
-    [P_U] = {{"u", "displacement", "length", "displacement x - x0"}, ROD_PARTICLE, true, false},
-    [P_V] = {{"v", "velocity", "length/time", "velocity"}, ROD_PARTICLE, true, false},
-    [P_STRESS] = {{"stress", "stress", "force/length^2",
-                   "force of all bonds through a section, mean of the sections beside the node"},
-                  ROD_PARTICLE,
-                  true,
-                  false},
-    [P_STRAIN] = {{"strain", "strain", "1", "mean stretch of the node's bonds, weighted with length"},
-                  ROD_PARTICLE,
-                  true,
-                  false},
-    [P_DENSITY] = {{"density", "density", "mass/length^3", "density"}, ROD_PARTICLE, true, false},
-    [P_MASS] = {{"mass", "mass", "mass/length^2", "mass per unit cross-section; constant"},
-                ROD_PARTICLE,
-                true,
-                false},
-    [P_STRAIN_ENERGY] = {{"strain_energy", "strain energy", "force/length",
-                          "half of the energy of the node's bonds"},
-                         ROD_PARTICLE,
-                         true,
-                         false},
-    [P_FACTOR] = {{"surface_factor", "surface factor", "1", "surface correction g of the node"},
-                  ROD_PARTICLE,
-                  true,
-                  false},
-    [P_FORCE] = {{"force", "force", "force/length^3", "force density: of the bonds, then with the loads"},
-                 ROD_PARTICLE,
-                 false,
-                 false},
-    [P_LOAD] = {{"load", "load", "force/length^3", "force density of body force and traction"},
-                ROD_PARTICLE,
-                false,
-                false},
-    [P_STRETCH] = {{"stretch", "stretch", "1", "largest stretch of the node's bonds"},
-                   ROD_PARTICLE,
-                   false,
-                   false},
-    [P_FAMILY] = {{"family", "family", "1", "number of bonds, those to mirrored nodes included"},
-                  ROD_PARTICLE,
-                  false,
-                  true},
-    [P_ACCELERATION] = {{"acceleration", "acceleration", "length/time^2", "force density over density"},
-                        ROD_PARTICLE,
-                        false,
-                        false},
-    [B_I] = {{"i", "i", "1", "particle at the left end"}, ROD_BOND, true, true},
-    [B_J] = {{"j", "j", "1", "particle at the right end"}, ROD_BOND, true, true},
-    [B_X_I] = {{"x_i", "x_i", "length", "position of particle i at the start"}, ROD_BOND, true, false},
-    [B_X_J] = {{"x_j", "x_j", "length", "position of particle j at the start"}, ROD_BOND, true, false},
-    [B_STRETCH] = {{"stretch", "stretch", "1", "stretch s between the two particles"}, ROD_BOND, true, false},
-    [B_PULL] = {{"pull", "pull", "force/length^3", "force density on its ends, positive in tension"},
-                ROD_BOND,
-                false,
-                false},
-    [B_ENERGY] = {{"energy", "energy", "force/length", "strain energy of the bond"}, ROD_BOND, false, false},
+    AXIAL_FIELD_ROWS("force of all bonds through a section, mean of the sections beside the node",
+                     "mean stretch of the node's bonds, weighted with length"),
+    [P_STRAIN_ENERGY] = PARTICLE("strain_energy", "strain energy", "force/length",
+                                 "half of the energy of the node's bonds", true, false),
+    [P_FACTOR] =
+        PARTICLE("surface_factor", "surface factor", "1", "surface correction g of the node", true, false),
+    [P_FORCE] = PARTICLE("force", "force", "force/length^3",
+                         "force density: of the bonds, then with the loads", false, false),
+    [P_LOAD] =
+        PARTICLE("load", "load", "force/length^3", "force density of body force and traction", false, false),
+    [P_STRETCH] = PARTICLE("stretch", "stretch", "1", "largest stretch of the node's bonds", false, false),
+    [P_FAMILY] =
+        PARTICLE("family", "family", "1", "number of bonds, those to mirrored nodes included", false, true),
+    [P_ACCELERATION] =
+        PARTICLE("acceleration", "acceleration", "length/time^2", "force density over density", false, false),
+    [B_I] = BOND("i", "i", "1", "particle at the left end", true, true),
+    [B_J] = BOND("j", "j", "1", "particle at the right end", true, true),
+    [B_X_I] = BOND("x_i", "x_i", "length", "position of particle i at the start", true, false),
+    [B_X_J] = BOND("x_j", "x_j", "length", "position of particle j at the start", true, false),
+    [B_STRETCH] = BOND("stretch", "stretch", "1", "stretch s between the two particles", true, false),
+    [B_PULL] = BOND("pull", "pull", "force/length^3", "force density on its ends, positive in tension", false,
+                    false),
+    [B_ENERGY] = BOND("energy", "energy", "force/length", "strain energy of the bond", false, false),
 };
 
 static NodeValue *const node_values[N_FIELDS] = {
-    [P_X0] = p_x0,
-    [P_X] = p_x,
-    [P_U] = displacement,
-    [P_V] = p_v,
-    [P_STRESS] = p_stress,
-    [P_STRAIN] = strain,
-    [P_DENSITY] = p_density,
-    [P_MASS] = p_mass,
+    [AXIAL_X0] = p_x0,
+    [AXIAL_X] = p_x,
+    [AXIAL_U] = displacement,
+    [AXIAL_V] = p_v,
+    [AXIAL_STRESS] = p_stress,
+    [AXIAL_STRAIN] = strain,
+    [AXIAL_DENSITY] = p_density,
+    [AXIAL_MASS] = p_mass,
     [P_FACTOR] = p_factor,
     [P_FORCE] = p_force,
     [P_LOAD] = rod_load,
@@ -354,12 +319,9 @@ size_t rod_links(const Simulation *sim, int set, size_t index, Link *out, size_t
 /* --- series --------------------------------------------------------------------------------------- */
 
 static const Quantity series[ROD_SERIES] = {
-    {"v_cm", "v_cm", "length/time", "velocity of the centre of mass"},
-    {"x_cm", "x_cm", "length", "position of the centre of mass"},
-    {"kinetic", "kinetic", "force/length", "kinetic energy of the particles"},
+    AXIAL_SERIES_BEGIN,
     {"strain", "strain", "force/length", "strain energy of the bonds"},
-    {"work", "work", "force/length", "work of the external force so far"},
-    {"total", "total", "force/length", "kinetic + strain; without loads it should keep its value"},
+    AXIAL_SERIES_END,
 };
 
 void rod_row(Simulation *sim, double *row)
@@ -391,8 +353,5 @@ void rod_set_fields(Rod *rod)
     sim->n_fields = N_FIELDS;
     sim->series = series;
     sim->n_series = ROD_SERIES;
-    sim->dimensions = 1;
-    sim->position[0] = P_X0;
-    sim->displacement[0] = P_U;
-    sim->velocity[0] = P_V;
+    axial_set_motion(sim);
 }

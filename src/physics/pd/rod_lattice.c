@@ -1,5 +1,6 @@
 /* The lattice of the bar: families with their ends, surface factors, bond stiffnesses, and the critical time
  * step. */
+#include "physics/axial.h"
 #include "physics/pd/rod_internal.h"
 
 #include "base/band.h"
@@ -65,13 +66,6 @@ static void make_stiffness(const RodDef *def, RodLattice *lattice, int m)
     }
 }
 
-/* As many nodes as have their middle in the layer. */
-static int nodes_in_layer(const RodLattice *lattice)
-{
-    double nodes = ceil(lattice->layer / lattice->h - 0.5 - 1e-9);
-    return nodes > lattice->n ? lattice->n : (int)nodes;
-}
-
 void *rod_lattice(const RodDef *def, RodLattice *lattice)
 {
     *lattice = (RodLattice){.n = (int)round(def->length / def->spacing), .reach = reach_of(def)};
@@ -89,8 +83,9 @@ void *rod_lattice(const RodDef *def, RodLattice *lattice)
     for (int m = 1; m <= lattice->reach; m++)
         make_stiffness(def, lattice, m);
     lattice->layer = def->traction_layer > 0 ? def->traction_layer : lattice->h;
-    lattice->layer_left = def->left_fixed ? 0 : nodes_in_layer(lattice);
-    lattice->layer_right = def->right_fixed ? 0 : nodes_in_layer(lattice);
+    const int in_layer = axial_particles_in_layer(lattice->layer, lattice->h, lattice->n);
+    lattice->layer_left = def->left_fixed ? 0 : in_layer;
+    lattice->layer_right = def->right_fixed ? 0 : in_layer;
     return memory;
 }
 

@@ -1,0 +1,29 @@
+#include "physics/axial.h"
+
+#include <math.h>
+
+int axial_particles_in_layer(double layer, double spacing, int particles)
+{
+    double within = ceil(layer / spacing - 0.5 - 1e-9);
+    return within < particles ? (int)within : particles;
+}
+
+bool axial_check_layer(double layer, double spacing, double length, Status *status)
+{
+    if (!(layer >= 0 && layer <= length))
+        return status_fail(status, STATUS_USAGE,
+                           "load.traction_layer: %g is out of range (0 to the length %g)", layer, length);
+    if (layer > 0 && layer <= 0.5 * spacing)
+        return status_fail(status, STATUS_USAGE,
+                           "load.traction_layer: %g holds no particle (more than %g, or 0 for %g)", layer,
+                           0.5 * spacing, spacing);
+    return true;
+}
+
+void axial_set_motion(Simulation *sim)
+{
+    sim->dimensions = 1;
+    sim->position[0] = AXIAL_X0;
+    sim->displacement[0] = AXIAL_U;
+    sim->velocity[0] = AXIAL_V;
+}
