@@ -112,7 +112,7 @@ result "they are in the scenario" says out '^references = exact$'
 refuse "--end that is no time" 2 '--end: time.end: soon is not a number (> 0)' show mode1 --end soon
 refuse "--end and --steps" 2 '--steps: --end says when the run ends (one of them)' show mode1 --end 3 --steps 4
 refuse "no steps" 2 '--steps: 0 is not allowed (a whole number, 1 or more)' show mode1 --steps 0
-refuse "too many nodes" 2 'notched-beam: pd.spacing: 2.06e+09 bonds are too many for memory (at most 2.68e+08: a larger spacing or a smaller horizon)' show notched-beam --set pd.spacing=1e-5 --set pd.horizon=3e-5
+refuse "too many nodes" 2 '--set: pd.spacing: 2.06e+09 bonds are too many for memory (at most 2.68e+08: a larger spacing or a smaller horizon)' show notched-beam --set pd.spacing=1e-5 --set pd.horizon=3e-5
 refuse "both handles" 2 '--set: pd.critical_stretch: pd.critical_stretch and pd.critical_energy say the same (one of them)' \
 	show notched-beam --set pd.critical_energy=1 --set pd.critical_stretch=1e-3
 refuse "unknown problem" 2 \

@@ -209,6 +209,20 @@ static const Wrong wrongs[] = {
 };
 enum { WRONGS = sizeof wrongs / sizeof *wrongs, FINE = 6 };
 
+/* Few columns, but so many rows that padding them alone would fill the memory. */
+START_TEST(high_beams_are_measured_with_their_padding)
+{
+    BeamDef def = beam_default(BEAM_SIMPLY_SUPPORTED);
+    def.length = 1e-3, def.horizon = def.spacing, def.height = 4000 * 1e-3;
+    Status status = {0};
+    ck_assert_msg(beam_check(&def, &status), "%s", status.text);
+    def.height = 4e6 * def.spacing;
+    ck_assert(!beam_check(&def, &status));
+    ck_assert_str_eq(status.text,
+                     "pd.spacing: 4e+06 rows of 4 nodes are too many for memory (a larger spacing)");
+}
+END_TEST
+
 START_TEST(wrong_definitions_are_refused_by_name)
 {
     const Wrong *wrong = &wrongs[_i];
@@ -281,6 +295,7 @@ void add_cases(Suite *suite)
 
     TCase *refused = tcase_create("refused");
     tcase_add_loop_test(refused, wrong_definitions_are_refused_by_name, 0, WRONGS);
+    tcase_add_test(refused, high_beams_are_measured_with_their_padding);
     tcase_add_test(refused, threads_are_at_least_one);
     suite_add_tcase(suite, refused);
 }

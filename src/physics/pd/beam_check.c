@@ -120,5 +120,7 @@ bool beam_check(const BeamDef *def, Status *status)
         [BEAM_MOVING_CANTILEVER] = check_moving,
         [BEAM_NOTCHED] = check_notched,
     };
-    return check_bounds(def, status) && check_lattice(def, status) && of_problem[def->problem](def, status);
+    Lattice measured;
+    return check_bounds(def, status) && check_lattice(def, status) && of_problem[def->problem](def, status) &&
+           lattice_measure(&measured, def, status);
 }

@@ -194,20 +194,26 @@ static bool count_nodes(Lattice *lattice, const BeamDef *def, Status *status)
     if (rows < 2)
         return status_fail(status, STATUS_USAGE, "pd.spacing: the beam is only %.0f nodes high (at least 2)",
                            rows);
-    /* the largest run that a laboratory can serve: two gigabytes of coefficients */
-    double slots = columns * rows * lattice->n_offsets, limit = 268435456;
-    if (slots > limit)
+    /* the largest run that a laboratory can serve: two gigabytes of coefficients, as much of node arrays */
+    const double bonds_max = 268435456, nodes_max = 33554432;
+    double bonds = columns * rows * lattice->n_offsets;
+    if (bonds > bonds_max)
         return status_fail(status, STATUS_USAGE,
                            "pd.spacing: %.3g bonds are too many for memory (at most %.3g: a larger spacing "
                            "or a smaller horizon)",
-                           slots, limit);
+                           bonds, bonds_max);
+    /* rows are padded: a high beam of a few columns takes as much as a wider one */
+    if ((columns + 3 * LATTICE_BLOCK) * rows > nodes_max)
+        return status_fail(status, STATUS_USAGE,
+                           "pd.spacing: %.3g rows of %.3g nodes are too many for memory (a larger spacing)",
+                           rows, columns);
     lattice->nx = (int)columns;
     lattice->ny = (int)rows;
     lattice->y0 = def->problem == BEAM_NOTCHED ? 0 : -(lattice->ny * dx / 2);
     return true;
 }
 
-bool lattice_init(Lattice *lattice, const BeamDef *def, Status *status)
+bool lattice_measure(Lattice *lattice, const BeamDef *def, Status *status)
 {
     *lattice = (Lattice){.spacing = def->spacing,
                          .horizon = def->horizon,
@@ -217,7 +223,12 @@ bool lattice_init(Lattice *lattice, const BeamDef *def, Status *status)
     lattice->micromodulus =
         6 * def->youngs_modulus / (M_PI * def->horizon * def->horizon * def->horizon * (1 - 1.0 / 3));
     add_offsets(lattice, def);
-    if (!count_nodes(lattice, def, status))
+    return count_nodes(lattice, def, status);
+}
+
+bool lattice_init(Lattice *lattice, const BeamDef *def, Status *status)
+{
+    if (!lattice_measure(lattice, def, status))
         return false;
     lattice->columns = ((size_t)lattice->nx + LATTICE_BLOCK - 1) / LATTICE_BLOCK * LATTICE_BLOCK;
     size_t tiles = (lattice->columns + LATTICE_TILE - 1) / LATTICE_TILE,

@@ -69,7 +69,11 @@ bool lattice_go_on(const BeamDef *, double share, Status *);
 #define BUILDING_BONDS    0.1
 #define BUILDING_CRITICAL 0.35
 
-/* Makes rows, offsets, factors and bond numbers. False: the definition is wrong or memory is short. */
+/* The families and the numbers of rows and columns alone: no memory is taken. False: the beam is too coarse
+ * to be one, or too fine for memory. */
+bool lattice_measure(Lattice *lattice, const BeamDef *definition, Status *status);
+
+/* All of it: with the padding, factors and bond numbers. False: as above, or memory is short. */
 bool lattice_init(Lattice *lattice, const BeamDef *definition, Status *status);
 void lattice_free(Lattice *lattice);
 
