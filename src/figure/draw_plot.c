@@ -216,11 +216,22 @@ static bool is_noise(const Frame *frame, const Stroke *stroke)
     return way > NOISE * frame->box.width;
 }
 
+static Pencil pencil_of(const Frame *frame, int index)
+{
+    const Stroke *stroke = &frame->sketch->plot.strokes[index];
+    return ink_pencil(stroke->style, stroke->line, letter_of(frame->sketch, index));
+}
+
+static bool is_broken(const Frame *frame, int index)
+{
+    return frame->sketch->plot.strokes[index].kind == STROKE_LINE && pencil_of(frame, index).dashes[0] > 0;
+}
+
 static void draw_stroke(const Frame *frame, int index, bool noise, double *places)
 {
     const Plot *plot = &frame->sketch->plot;
     const Stroke *stroke = &plot->strokes[index];
-    Pencil pencil = ink_pencil(stroke->style, stroke->line, letter_of(frame->sketch, index));
+    Pencil pencil = pencil_of(frame, index);
     if (noise)
         pencil.colour = ink_pale(pencil.colour);
     if ((double)stroke->count > DENSE * frame->box.width)
@@ -234,7 +245,7 @@ static void draw_stroke(const Frame *frame, int index, bool noise, double *place
                                  y_of(frame, plot->points[2 * k + 1]), 1.2, pencil.colour, NULL);
 }
 
-/* By rank, noise below all. */
+/* By rank, noise below all; a broken line lies over a whole one, which shows between its dashes. */
 static void draw_strokes(const Frame *frame)
 {
     const Plot *plot = &frame->sketch->plot;
@@ -246,10 +257,12 @@ static void draw_strokes(const Frame *frame)
         noise[i] = is_noise(frame, &plot->strokes[i]);
     frame->paper->kind->clip(frame->paper, &frame->box);
     draw_rules(frame);
-    for (int rank = RANK_BAND - 1; rank <= RANK_MARK; rank++)
-        for (int i = 0; i < plot->n_strokes; i++)
-            if (plot->strokes[i].count > 0 && rank == (noise[i] ? RANK_BAND - 1 : plot->strokes[i].rank))
-                draw_stroke(frame, i, noise[i], places);
+    for (int broken = 0; broken <= 1; broken++)
+        for (int rank = RANK_BAND - 1; rank <= RANK_MARK; rank++)
+            for (int i = 0; i < plot->n_strokes; i++)
+                if (plot->strokes[i].count > 0 && broken == is_broken(frame, i) &&
+                    rank == (noise[i] ? RANK_BAND - 1 : plot->strokes[i].rank))
+                    draw_stroke(frame, i, noise[i], places);
     frame->paper->kind->clip(frame->paper, NULL);
     free(places);
 }
@@ -266,11 +279,12 @@ static void draw_letter(const Frame *frame, const SketchMark *mark, double x, do
 /* Supports hang below their place, loads stand above it. */
 static void draw_sign(const Frame *frame, uint32_t glyph, double x, double y)
 {
-    const double away = glyph == SIGN_LOAD ? -6 : 6;
-    const double corners[] = {x, y, x - 3.2, y + away, x + 3.2, y + away};
+    const double size = frame->box.width < SMALL ? 0.7 : 1;
+    const double away = size * (glyph == SIGN_LOAD ? -6 : 6), half = 3.2 * size;
+    const double corners[] = {x, y, x - half, y + away, x + half, y + away};
     if (glyph == SIGN_ROLLER)
-        frame->paper->kind->disc(frame->paper, x, y + 2.8, 2.6, WHITE,
-                                 &(Pencil){.colour = BLACK, .width = 0.9});
+        frame->paper->kind->disc(frame->paper, x, y + 2.8 * size, 2.6 * size, WHITE,
+                                 &(Pencil){.colour = BLACK, .width = 0.9 * size});
     else
         frame->paper->kind->fill(frame->paper, corners, 3, BLACK);
 }

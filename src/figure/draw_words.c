@@ -1,7 +1,11 @@
 #include "figure/draw.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
+
+#define INDEX_SIZE 0.72 /* of an index, in sizes of its quantity; and how much lower it stands */
+#define INDEX_DOWN 0.22
 
 #define SAMPLE  20.0 /* length of a line in the legend */
 #define BEHIND  4.0  /* between it and its name */
@@ -10,7 +14,7 @@
 /* Nobody knows with which font an SVG will be shown: DejaVu Sans is among the wide ones, so what is laid out
  * for it does not collide, and a page is laid out in the same way in every kind of file. Hundredths of the
  * size, from the space to the tilde. */
-double words_width(const char *text, const Type *type)
+static double width_of(const char *text, size_t length, const Type *type)
 {
     static const unsigned char advances[] = {
         32, 40, 46, 84, 64, 95, 78, 27, 39,  39, 50, 84, 32, 36, 32, 34, 64, 64, 64, 64, 64, 64, 64, 64,
@@ -18,11 +22,9 @@ double words_width(const char *text, const Type *type)
         60, 79, 69, 63, 61, 73, 68, 99, 69,  61, 69, 39, 34, 39, 84, 50, 50, 61, 63, 55, 63, 62, 35, 63,
         63, 28, 28, 58, 28, 97, 63, 61, 63,  63, 41, 52, 39, 63, 59, 82, 59, 59, 52, 64, 34, 64, 84};
     enum { RAISED = 40, TIMES = 84, OTHER = 66 };
-    char words[FIGURE_WORDS_MAX];
     int sum = 0;
-    ink_words(text, words, sizeof words);
-    for (const char *rest = words; *rest;) {
-        const uint32_t c = utf8_next(&rest);
+    for (const char *end = text + length; text < end;) {
+        const uint32_t c = utf8_next(&text);
         if (c >= ' ' && c <= '~')
             sum += advances[c - ' '];
         else
@@ -33,11 +35,66 @@ double words_width(const char *text, const Type *type)
     return sum / 100.0 * type->size * (type->bold ? 1.1 : 1);
 }
 
+/* Bytes before the next index, as of v_cm: one letter, a line, letters. */
+static size_t before_index(const char *text)
+{
+    for (const char *line = text; (line = strchr(line, '_')); line++)
+        if (line > text && isalpha((unsigned char)line[-1]) && isalpha((unsigned char)line[1]) &&
+            (line - 1 == text || !isalnum((unsigned char)line[-2])))
+            return (size_t)(line - text);
+    return strlen(text);
+}
+
+static size_t letters_of(const char *text)
+{
+    size_t count = 0;
+    while (isalpha((unsigned char)text[count]))
+        count++;
+    return count;
+}
+
+/* Draws the words or, without paper, measures them: from (x, y) on, an index smaller and lower. */
+static double set_words(Paper *paper, double x, double y, const char *words, const Type *type)
+{
+    double along = 0;
+    for (bool index = false; *words; index = !index) {
+        Type part = *type;
+        char piece[FIGURE_WORDS_MAX];
+        words += index; /* the line */
+        const size_t length = index ? letters_of(words) : before_index(words);
+        const double down = index ? INDEX_DOWN * type->size : 0;
+        part.size *= index ? INDEX_SIZE : 1;
+        part.align = ALIGN_LEFT;
+        memcpy(piece, words, length);
+        piece[length] = '\0';
+        if (paper && length > 0)
+            paper->kind->text(paper, x + (type->upwards ? down : along), y + (type->upwards ? -along : down),
+                              piece, &part);
+        along += width_of(piece, length, &part);
+        words += length;
+    }
+    return along;
+}
+
+double words_width(const char *text, const Type *type)
+{
+    char words[FIGURE_WORDS_MAX];
+    ink_words(text, words, sizeof words);
+    return set_words(NULL, 0, 0, words, type);
+}
+
 void draw_words(Paper *paper, double x, double y, const char *text, const Type *type)
 {
     char words[FIGURE_WORDS_MAX];
     ink_words(text, words, sizeof words);
-    paper->kind->text(paper, x, y, words, type);
+    if (!words[before_index(words)]) { /* the paper's own font says where its end is */
+        paper->kind->text(paper, x, y, words, type);
+        return;
+    }
+    const double shift = type->align == ALIGN_LEFT
+                             ? 0
+                             : set_words(NULL, 0, 0, words, type) * (type->align == ALIGN_CENTRE ? 0.5 : 1);
+    set_words(paper, x - (type->upwards ? 0 : shift), y + (type->upwards ? shift : 0), words, type);
 }
 
 /* --- phrases --------------------------------------------------------------------------------------- */

@@ -103,7 +103,8 @@ void figure_names(const Screen *screen, FILE *stream)
 
 /* --- what stands around the panels ------------------------------------------------------------------ */
 
-/* All parameters of the run but where its files go: group by group, "Bar: length 25, density 1". */
+/* All parameters of the run but where its files go: group by group, "Bar: length 25, density 1;  Start: mode
+ * 5". */
 static void tell_parameters(const Settings *settings, char *out, size_t size)
 {
     const char *group = "";
@@ -118,13 +119,16 @@ static void tell_parameters(const Settings *settings, char *out, size_t size)
             problem_facts[settings->problem].si ? parameter_unit(parameter, settings->problem) : "";
         if (!value[0] || strcmp(value, "-") == 0)
             continue;
+        const bool more = strcmp(group, parameter->group) == 0;
         double number;
         if (strcmp(unit, "1") == 0 || !text_to_double(value, &number))
             unit = ""; /* of a word */
         if (used < size)
-            used += (size_t)snprintf(out + used, size - used, "%s%s%s%s %s%s%s", used == 0 ? "" : ",  ",
-                                     strcmp(group, parameter->group) ? parameter->group : "",
-                                     strcmp(group, parameter->group) ? ": " : "", parameter->label, value,
+            used += (size_t)snprintf(out + used, size - used, "%s%s%s%s %s%s%s",
+                                     used == 0 ? ""
+                                     : more    ? ",  "
+                                               : ";  ",
+                                     more ? "" : parameter->group, more ? "" : ": ", parameter->label, value,
                                      unit[0] ? " " : "", unit);
         group = parameter->group;
     }

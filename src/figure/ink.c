@@ -3,12 +3,13 @@
 #include <math.h>
 #include <string.h>
 
-/* Okabe and Ito's hues, darkened where white paper asks for it. */
+/* Okabe and Ito's hues. What is measured is bright and wide, what it is compared with dark and thin and drawn
+ * over it: where both agree both are seen, printed in black and white too. */
 static const Colour colours[STYLE_RAMP_0] = {
     [STYLE_NORMAL] = BLACK,       [STYLE_FOCUS] = 0x56b4e9,   [STYLE_FAINT] = 0x6e6e6e,
-    [STYLE_SELECTED] = 0x8c8c8c,  [STYLE_CHANGED] = 0xd55e00, [STYLE_MEASURED] = 0x0072b2,
-    [STYLE_PREDICTED] = 0xd55e00, [STYLE_EXACT] = 0x7b2d8b,   [STYLE_SECOND] = 0x009e73,
-    [STYLE_THIRD] = 0x8a6100,
+    [STYLE_SELECTED] = 0x8c8c8c,  [STYLE_CHANGED] = 0xd55e00, [STYLE_MEASURED] = 0x3d9ad6,
+    [STYLE_PREDICTED] = 0xa84300, [STYLE_EXACT] = 0x5b1a6b,   [STYLE_SECOND] = 0x00704f,
+    [STYLE_THIRD] = 0x5c4000,
 };
 
 Colour ink_of(Style style)
@@ -19,7 +20,7 @@ Colour ink_of(Style style)
 Pencil ink_pencil(Style style, LineStyle line, char letter)
 {
     static const double earlier[][4] = {{6, 2, 1.2, 2}, {3, 1.5, 3, 1.5}, {8, 2, 8, 2}, {1.2, 1.5, 1.2, 1.5}};
-    Pencil pencil = {.colour = ink_of(style), .width = 1.1};
+    Pencil pencil = {.colour = ink_of(style), .width = style == STYLE_MEASURED ? 1.8 : 1.1};
     if (style == STYLE_FAINT && letter >= 'a' && letter <= 'z') {
         memcpy(pencil.dashes, earlier[(letter - 'a') % 4], sizeof pencil.dashes);
         return pencil;
@@ -80,6 +81,11 @@ Colour ink_heat(double share, bool is_signed)
 
 /* --- words ----------------------------------------------------------------------------------------- */
 
+static bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
 static void put(char *out, size_t size, const char *bytes)
 {
     const size_t used = strlen(out), length = strlen(bytes);
@@ -87,32 +93,56 @@ static void put(char *out, size_t size, const char *bytes)
         memcpy(out + used, bytes, length + 1);
 }
 
-/* Raises a sign and digits; returns how many bytes that were. */
+/* Raises a sign, digits and a fraction's slash; returns how many bytes that were. */
 static size_t raise(const char *text, char *out, size_t size)
 {
     static const char *const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
     size_t length = text[0] == '-';
     if (length)
         put(out, size, "⁻");
-    for (; text[length] >= '0' && text[length] <= '9'; length++)
-        put(out, size, digits[text[length] - '0']);
+    for (; is_digit(text[length]) || (text[length] == '/' && is_digit(text[length + 1])); length++)
+        put(out, size, text[length] == '/' ? "⁄" : digits[text[length] - '0']);
     return length;
 }
 
 static bool begins_power(const char *text)
 {
-    text += *text == '-';
-    return *text >= '0' && *text <= '9';
+    return is_digit(text[*text == '-']);
 }
 
-static bool is_fraction(const char *text)
+/* Before a number or a quantity, and between two numbers. */
+static bool is_minus(const char *start, const char *text)
 {
-    return text[strspn(text, "-0123456789")] == '/';
+    if (text == start || text[-1] == ' ')
+        return is_digit(text[1]) || (text[1] >= 'a' && text[1] <= 'z') || text[1] == '.';
+    return is_digit(text[-1]) && is_digit(text[1]);
 }
 
 static bool is_end(char c)
 {
     return c == '\0' || c == ' ' || c == ',' || c == '.' || c == ';' || c == ':';
+}
+
+/* What the terminal writes plainly, for its font may lack the sign: `plain` as a word of its own after a
+ * number, or wherever it stands between spaces. */
+static const struct {
+    const char *plain, *sign;
+    bool unit;
+} signs[] = {{"um", "µm", true}, {"us", "µs", true}, {"deg", "°", true}, {"w", "ω", false}, {"x", "×", true}};
+
+/* Puts the sign of the word at `text`; returns the word's bytes, 0: it stands for itself. */
+static size_t put_sign(const char *start, const char *text, char *out, size_t size)
+{
+    for (size_t i = 0; i < sizeof signs / sizeof *signs; i++) {
+        const size_t length = strlen(signs[i].plain);
+        if (strncmp(text, signs[i].plain, length) != 0 || !is_end(text[length]))
+            continue;
+        if (signs[i].unit && (text - start < 2 || !(is_digit(text[-2]) || text[-2] == ')')))
+            continue;
+        put(out, size, signs[i].sign);
+        return length;
+    }
+    return 0;
 }
 
 void ink_words(const char *text, char *out, size_t size)
@@ -121,6 +151,10 @@ void ink_words(const char *text, char *out, size_t size)
     out[0] = '\0';
     while (*text) {
         const bool bound = text == start || text[-1] == ' ';
+        const size_t word = bound ? put_sign(start, text, out, size) : 0;
+        text += word;
+        if (word > 0)
+            continue;
         if (bound && strncmp(text, "x10^", 4) == 0) {
             put(out, size, "×10");
             text += 3;
@@ -131,13 +165,13 @@ void ink_words(const char *text, char *out, size_t size)
                    begins_power(text + 1)) {
             put(out, size, "×10");
             text += 1 + raise(text + 1, out, size);
-        } else if (bound && *text == 'w' && is_end(text[1])) {
-            put(out, size, "ω"); /* the terminal has no room for doubts about its font */
+        } else if (bound && *text == '~' && text[1] != ' ') {
+            put(out, size, "∝ ");
             text++;
-        } else if (bound && *text == '-' && (begins_power(text) || text[1] == '.')) {
+        } else if (*text == '-' && is_minus(start, text)) {
             put(out, size, "−");
             text++;
-        } else if (*text == '^' && begins_power(text + 1) && !is_fraction(text + 1)) {
+        } else if (*text == '^' && begins_power(text + 1)) {
             text += 1 + raise(text + 1, out, size);
         } else {
             char one[5] = {*text++};

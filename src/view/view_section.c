@@ -84,10 +84,11 @@ static void section_line(const Section *section, char out[160])
 {
     char slope[NUMBER_TEXT_MAX], off[NUMBER_TEXT_MAX];
     double share, away = off_line(section, &share);
-    number_text(away / 1e-9, 2, 8, off);
+    const bool large = away >= 1e-6;
+    number_text(away / (large ? 1e-6 : 1e-9), 2, 8, off);
     number_text(section->slope, 3, 10, slope);
     snprintf(out, 160, "at x %.2f mm", section->x / 1e-3);
-    append(out, 160, "  off the line by %s nm", off);
+    append(out, 160, "  off the line by %s %s", off, large ? "um" : "nm");
     if (share < 1)
         append(out, 160, " = %.1f %%", 100 * share);
     append(out, 160, "  duy/dx %s", slope);

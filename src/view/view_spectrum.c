@@ -350,7 +350,7 @@ void view_spectrum(const Screen *screen, Area area, Style heading, int variant)
     n_legend += ghost_legends(runs, n_runs, legend + n_legend);
     draw_heading(area, heading, name, scale, legend, n_legend);
     Area inner = axes_draw(area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under), &picture.x,
-                           &y, shows_bar(screen) ? "w" : "kHz", GUTTER);
+                           &y, shows_bar(screen) ? "w" : "f, kHz", GUTTER);
 
     Plot plot;
     plot_open(&plot, picture.x, y);
