@@ -203,6 +203,9 @@ static bool read_text(Reader *reader, const char *line)
     }
     if (!reader->page)
         return status_fail(reader->status, STATUS_USAGE, "text belongs to a page (@page TITLE)");
+    if (reader->page->question && reader->part == &reader->page->first)
+        return status_fail(reader->status, STATUS_USAGE,
+                           "a question is one line (text comes before @ask, or after @reveal)");
     char **text = &reader->part->text, *longer;
     const char *between = !*text ? "" : reader->paragraph ? " " : "\n";
     if (asprintf(&longer, "%s%s%s", *text ? *text : "", between, line) < 0)

@@ -73,6 +73,8 @@ static const struct {
     {"@title x\n@page y\n@until step -1\n",
      "my.lesson:3: until what? (step N | time T | stage N | end | command "
      "NAME | value KEY VALUE)"},
+    {"@title x\n@page y\n@ask a\nb?\n",
+     "my.lesson:4: a question is one line (text comes before @ask, or after @reveal)"},
     {"@title x\n@page y\n@choice a\n", "my.lesson:3: a choice comes after its question (@ask)"},
     {"@title x\n@page y\n@ask a\n@right b\n@right c\n", "my.lesson:5: one choice only is right"},
     {"@title x\n@page y\n@ask a\n@right b\n@page z\n",
