@@ -154,7 +154,8 @@ static bool show_building(double share, void *context)
     return lab->host.go_on(lab->host.context);
 }
 
-void show_building_of(Laboratory *lab, Settings *settings)
+/* Settings whose simulation shows on the screen how far its building has come; copies of them do too. */
+static void show_building_of(Laboratory *lab, Settings *settings)
 {
     settings->beam.go_on = show_building;
     settings->beam.go_on_context = lab;

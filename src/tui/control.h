@@ -143,8 +143,6 @@ bool change_settings(Laboratory *, const Settings *, DuelChange, Status *);
 void settings_changed(Laboratory *); /* what follows from it */
 bool open_scenario(Laboratory *, const char *name, Status *);
 
-/* Settings whose simulation shows on the screen how far its building has come; copies of them do too. */
-void show_building_of(Laboratory *, Settings *);
 void choose_pace(Laboratory *);
 
 /* Where the steps of a key begin: the place on screen, or where the work on the way will end. */

@@ -157,7 +157,7 @@ static const struct {
     {0x2800, 0x28ff, ':'},
 };
 
-uint32_t glyph_ascii(uint32_t glyph)
+static uint32_t glyph_ascii(uint32_t glyph)
 {
     if (glyph < 0x80)
         return glyph;

@@ -76,9 +76,9 @@ char *canvas_dump(const Canvas *);
 /* Likewise the styles, one letter per cell. */
 char *canvas_dump_styles(const Canvas *);
 
-/* Replaces what is not ASCII, one column for one column; for terminals without UTF-8. */
+/* Replaces what is not ASCII, one column for one column ('?' where nothing stands for it); for terminals
+ * without UTF-8. */
 void canvas_to_ascii(Canvas *);
-uint32_t glyph_ascii(uint32_t glyph); /* '?' where nothing stands for it */
 
 /* Columns that a text takes: one per Unicode scalar value (wide and combining characters are not used). */
 int text_columns(const char *utf8);

@@ -43,7 +43,8 @@ static const View views[] = {
     {9, "log", view_log, one_variant, NULL, NULL, false},
 };
 
-const View *view_find(int number)
+/* NULL: there is none of that number. */
+static const View *view_find(int number)
 {
     for (size_t i = 0; i < sizeof views / sizeof *views; i++)
         if (views[i].number == number)
