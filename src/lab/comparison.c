@@ -27,20 +27,22 @@ static bool put(char *value, const char *format, double number)
 
 /* --- frequency or period --------------------------------------------------------------------------- */
 
-static bool tell_answer(const Standing *run, const char *word, bool known, double answer, char *label,
-                        char *value)
+static bool tell_answer(const Standing *run, const char *word, const char *format, bool known, double answer,
+                        char *label, char *value)
 {
     const Readout *readout = run->readout;
     if (!readout->moving)
         return false;
     snprintf(label, COMPARISON_TEXT_MAX, readout->is_period ? "T %s, ms" : "w %s", word);
-    return known && put(value, "%.4f", readout->is_period ? answer / 1e-3 : answer);
+    return known && put(value, format, readout->is_period ? answer / 1e-3 : answer);
 }
 
 static bool tell_measured(const Standing *run, char *label, char *value)
 {
     const Readout *readout = run->readout;
-    if (tell_answer(run, "measured", readout->measured_known, readout->measured, label, value))
+    /* while rows come in the fit is a little behind them, see experiment_rest() */
+    const char *format = experiment_is_flowing(run->experiment) ? "~%.3f" : "%.4f";
+    if (tell_answer(run, "measured", format, readout->measured_known, readout->measured, label, value))
         return true;
     snprintf(value, COMPARISON_TEXT_MAX, "measuring");
     return readout->moving;
@@ -48,13 +50,13 @@ static bool tell_measured(const Standing *run, char *label, char *value)
 
 static bool tell_predicted(const Standing *run, char *label, char *value)
 {
-    return tell_answer(run, "predicted", run->readout->predicted_known, run->readout->predicted, label,
-                       value);
+    return tell_answer(run, "predicted", "%.4f", run->readout->predicted_known, run->readout->predicted,
+                       label, value);
 }
 
 static bool tell_exact(const Standing *run, char *label, char *value)
 {
-    return tell_answer(run, "exact", run->readout->exact_known, run->readout->exact, label, value);
+    return tell_answer(run, "exact", "%.4f", run->readout->exact_known, run->readout->exact, label, value);
 }
 
 static bool tell_error(const Standing *run, char *label, char *value)
@@ -62,7 +64,8 @@ static bool tell_error(const Standing *run, char *label, char *value)
     const Readout *readout = run->readout;
     snprintf(label, COMPARISON_TEXT_MAX, readout->is_period ? "T off by" : "w off by");
     return readout->moving && readout->measured_known && readout->exact_known &&
-           put(value, "%+.2f %%", readout->is_period ? readout->error_period : readout->error_frequency);
+           put(value, experiment_is_flowing(run->experiment) ? "~%+.1f %%" : "%+.2f %%",
+               readout->is_period ? readout->error_period : readout->error_frequency);
 }
 
 static bool tell_late(const Standing *run, char *label, char *value)

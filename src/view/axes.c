@@ -85,7 +85,9 @@ Axis axis_make(double low, double high, int most)
 Axis axis_symmetric(double amplitude, int most)
 {
     double end = amplitude > 0 ? axis_round_up(amplitude * 1.02) : 1;
-    return axis_make(-end, end, most);
+    const Axis axis = axis_make(-end, end, most);
+    /* steps of 2 are too many and those of 5 go beyond 4: 0 must not be the only tick */
+    return axis.step > end * (1 + 1e-9) ? axis_make(-axis.step, axis.step, most) : axis;
 }
 
 Axis axis_around(double low, double high, int most)
@@ -105,6 +107,16 @@ Axis axis_around(double low, double high, int most)
     }
     double step = step_round_up((high - low) / 4);
     return axis_make(floor(low / step) * step, ceil(high / step) * step, most);
+}
+
+Axis axis_count(double high, int most)
+{
+    Axis axis = axis_make(0, high > 1 ? ceil(axis_round_up(high)) : 1, most);
+    if (axis.step < 1) {
+        axis.step = 1;
+        axis.decimals = 0;
+    }
+    return axis;
 }
 
 Axis axis_make_root(double low, double high, int most)
@@ -217,19 +229,6 @@ void axis_label(const Axis *axis, double tick, char out[TICK_TEXT_MAX])
     if (fabs(value) < 0.5 * power_of_ten(-axis->decimals))
         value = 0; /* never "-0" */
     snprintf(out, TICK_TEXT_MAX, "%.*f", axis->decimals, value);
-}
-
-int axis_label_columns(const Axis *axis)
-{
-    double ticks[TICKS_MAX];
-    int count = axis_ticks(axis, ticks), most = 0;
-    for (int i = 0; i < count; i++) {
-        char text[TICK_TEXT_MAX];
-        axis_label(axis, ticks[i], text);
-        int columns = text_columns(text);
-        most = columns > most ? columns : most;
-    }
-    return most;
 }
 
 void axis_scale_text(const Axis *axis, const char *unit, char out[TICK_TEXT_MAX])

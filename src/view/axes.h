@@ -37,6 +37,9 @@ Axis axis_make_log(double low, double high, int most);
 /* An axis that holds low and high, and 0 if it is not far; rounded outwards. */
 Axis axis_around(double low, double high, int most);
 
+/* From 0 to a number of things, 1 at least: the ticks are whole. */
+Axis axis_count(double high, int most);
+
 /* The next of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten that is not below a positive value. */
 double axis_round_up(double value);
 
@@ -49,7 +52,6 @@ int axis_ticks(const Axis *, double ticks[TICKS_MAX]);
 
 /* The label of a tick: all labels of an axis have the same number of decimals. */
 void axis_label(const Axis *, double tick, char out[TICK_TEXT_MAX]);
-int axis_label_columns(const Axis *); /* of the widest one */
 
 /* The common power of ten with the unit: "x10^-3", "mm", "x10^6 Pa", "kHz"; "" if there is nothing to say. */
 void axis_scale_text(const Axis *, const char *unit, char out[TICK_TEXT_MAX]);

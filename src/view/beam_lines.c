@@ -21,39 +21,50 @@ static void append_ghosts(const Screen *screen, char line[160])
             append(line, 160, "  %c: %.4f", ghosts[i].letter, ghosts[i].readout.measured / 1e-3);
 }
 
-static void supported_lines(const Screen *screen, bool narrow, char first[160], char second[160])
+static void supported_lines(const Screen *screen, int width, char first[160], char second[160])
 {
+    const bool narrow = width < 60;
     const Readout *readout = experiment_readout(screen->experiment);
     const double euler = derived_value(screen, "period_euler"), timoshenko = readout->exact;
+    char theory[80] = ""; /* where the first line has no room for it, it begins the second */
     if (readout->measured_known) {
         snprintf(first, 160, "T %s%.4f ms", narrow ? "" : "measured ", readout->measured / 1e-3);
-        if (shows_exact(screen))
-            append(first, 160, "  Euler %+.2f %%  Timoshenko %+.2f %%", percent(readout->measured / euler),
-                   percent(readout->measured / timoshenko));
+        if (shows_exact(screen)) {
+            append(first, 160, "  Euler %+.2f %%", percent(readout->measured / euler));
+            snprintf(theory, sizeof theory, "Timoshenko %+.2f %%", percent(readout->measured / timoshenko));
+        }
     } else {
         snprintf(first, 160, "T measuring");
-        if (shows_exact(screen))
-            append(first, 160, "  Euler %.4f  Timoshenko %.4f ms", euler / 1e-3, timoshenko / 1e-3);
+        if (shows_exact(screen)) {
+            append(first, 160, "  Euler %.4f ms", euler / 1e-3);
+            snprintf(theory, sizeof theory, "Timoshenko %.4f ms", timoshenko / 1e-3);
+        }
     }
+    if (theory[0] && text_columns(first) + 2 + text_columns(theory) <= width)
+        append(first, 160, "  %s", theory);
+    else
+        snprintf(second, 160, "%s", theory);
     if (isfinite(readout->by_zeros))
-        append(second, 160, "by its zeros %.4f ms", readout->by_zeros / 1e-3);
+        append(second, 160, "%sby its zeros %.4f ms", second[0] ? "  " : "", readout->by_zeros / 1e-3);
     append_ghosts(screen, second);
     if (shows_predicted(screen) && readout->predicted_known)
         append(second, 160, "%s%s %.4f ms", second[0] ? "  " : "", "predicted", readout->predicted / 1e-3);
 }
 
-static void moving_lines(const Screen *screen, char first[160], char second[160])
+static void moving_lines(const Screen *screen, int width, char first[160], char second[160])
 {
+    const bool narrow = width < 52;
     const Readout *readout = experiment_readout(screen->experiment);
     const int length = find_column(screen, "length");
     const double *row = experiment_row(screen->experiment);
     const double standing = references_standing_frequency(experiment_references(screen->experiment),
                                                           experiment_time(screen->experiment));
     if (length >= 0 && row)
-        snprintf(first, 160, "length %.2f mm", row[length] / 1e-3);
+        snprintf(first, 160, narrow ? "length %.1f mm" : "length %.2f mm", row[length] / 1e-3);
     if (readout->measured_known) {
-        append(first, 160, "  f measured %.1f", 1 / readout->measured);
-        append(first, 160, shows_exact(screen) ? "  modal %.1f Hz" : " Hz", 1 / readout->exact);
+        append(first, 160, narrow ? "  f %.1f Hz" : "  f measured %.1f Hz", 1 / readout->measured);
+        if (shows_exact(screen))
+            append(first, 160, "  modal %.1f", 1 / readout->exact);
         if (shows_exact(screen))
             append(second, 160, "last swing T %+.2f %%  %s by %.3f T", readout->error_period,
                    readout->late < 0 ? "early" : "late", fabs(readout->late));
@@ -94,8 +105,8 @@ bool beam_lines(const Screen *screen, int width, char first[160], char second[16
     else if (!experiment_readout(screen->experiment)->moving)
         snprintf(first, 160, "nothing vibrates: no period to measure");
     else if (problem == PROBLEM_SUPPORTED_BEAM)
-        supported_lines(screen, width < 60, first, second);
+        supported_lines(screen, width, first, second);
     else
-        moving_lines(screen, first, second);
+        moving_lines(screen, width, first, second);
     return true;
 }

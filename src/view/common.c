@@ -86,10 +86,18 @@ int draw_legend(Area area, int x, int y, const Legend *legend, int n_legend)
 
 const char *short_word(const char *name)
 {
-    return strcmp(name, "predicted") == 0       ? "pred"
-           : strcmp(name, "measured") == 0      ? "meas"
-           : strncmp(name, "filtered ", 9) == 0 ? "filt"
-                                                : name;
+    static const char *const words[][2] = {
+        {"predicted", "pred"},
+        {"measured", "meas"},
+        {"displacement", "displ."},
+        {"measured, middle row", "meas"},
+        {"error of w, % (root)", "error of w, %"},
+        {"force, N/m^6", "f, N/m^6"},
+    };
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (strcmp(name, words[i][0]) == 0)
+            return words[i][1];
+    return strncmp(name, "filtered ", 9) == 0 ? "filt" : name;
 }
 
 /* How an entry is named where room is short, by what gives way first; NULL: it is not of that kind. */
@@ -109,19 +117,34 @@ static const char *shorter_name(const Legend *entry, int kind)
     }
 }
 
+static int legend_columns(const Legend *legend, int n_legend)
+{
+    int columns = -1; /* after the last one there is no gap */
+    for (int i = 0; i < n_legend; i++)
+        columns += text_columns(legend[i].name) + 5;
+    return columns;
+}
+
 /* One kind of names after the other gives way until the whole legend has room. */
 static void shorten_legend(int room, Legend *legend, int n_legend)
 {
     enum { KINDS = 4 };
-    for (int kind = 0; kind < KINDS; kind++) {
-        int columns = -1; /* after the last one there is no gap */
-        for (int i = 0; i < n_legend; i++)
-            columns += text_columns(legend[i].name) + 5;
-        for (int i = 0; i < n_legend && columns > room; i++) {
+    for (int kind = 0; kind < KINDS; kind++)
+        for (int i = 0, columns = legend_columns(legend, n_legend); i < n_legend && columns > room; i++) {
             const char *name = shorter_name(&legend[i], kind);
             legend[i].name = name ? name : legend[i].name;
         }
-    }
+}
+
+/* The solid line of the one run that there is goes without saying. */
+static int leave_out_measured(Legend *legend, int n_legend)
+{
+    for (int i = 0; i < n_legend; i++)
+        if (strcmp(legend[i].name, short_word("measured")) == 0) {
+            memmove(&legend[i], &legend[i + 1], (size_t)(n_legend - i - 1) * sizeof *legend);
+            return n_legend - 1;
+        }
+    return n_legend;
 }
 
 int draw_heading(Area area, Style heading, const char *name, const char *scale, const Legend *legend,
@@ -132,11 +155,18 @@ int draw_heading(Area area, Style heading, const char *name, const char *scale, 
     n_legend = n_legend < LEGENDS_MAX ? n_legend : LEGENDS_MAX;
     for (int i = 0; i < n_legend; i++)
         shown[i] = legend[i];
-    snprintf(text, sizeof text, "%s%s%s", name, !scale[0] ? "" : scale[0] == 'x' ? " " : ", ", scale);
+    int x, n_shown = n_legend;
+    for (int pass = 0; pass < 2; pass++, name = short_word(name)) {
+        snprintf(text, sizeof text, "%s%s%s", name, !scale[0] ? "" : scale[0] == 'x' ? " " : ", ", scale);
+        x = 4 + text_columns(text) + 1;
+        shorten_legend(legend_room(area) - x, shown, n_shown);
+        if (legend_columns(shown, n_shown) <= legend_room(area) - x)
+            break;
+    }
+    if (legend_columns(shown, n_shown) > legend_room(area) - x)
+        n_shown = leave_out_measured(shown, n_shown);
     area_rule(area, 0, text, heading);
-    const int x = 4 + text_columns(text) + 1;
-    shorten_legend(legend_room(area) - x, shown, n_legend);
-    return draw_legend(area, x, 0, shown, n_legend);
+    return draw_legend(area, x, 0, shown, n_shown) + n_legend - n_shown;
 }
 
 void number_text(double value, int digits, int width, char out[NUMBER_TEXT_MAX])
@@ -154,6 +184,14 @@ const ProblemFacts *facts_of(const Screen *screen)
 bool shows_bar(const Screen *screen)
 {
     return experiment_settings(screen->experiment)->problem == PROBLEM_BAR;
+}
+
+void factor_text(double factor, char out[NUMBER_TEXT_MAX])
+{
+    if (factor >= 1 && factor < 1e7)
+        snprintf(out, NUMBER_TEXT_MAX, "%.0f", factor);
+    else
+        text_rounded(out, factor, 2);
 }
 
 void time_text(const Screen *screen, double time, char *out, size_t size)

@@ -26,7 +26,8 @@ static const char *hint_of(const Screen *screen)
         {COMMAND_HELP, "? explains the keys and what is solved."},
     };
     for (size_t i = 0; i < sizeof hints / sizeof *hints; i++) {
-        const bool right = hints[i].id == COMMAND_RIGHT && screen->used & (1ull << COMMAND_LEFT);
+        const bool right =
+            hints[i].id == COMMAND_RIGHT && (screen->lesson.open || screen->used & (1ull << COMMAND_LEFT));
         const bool nothing = hints[i].id == COMMAND_INSPECT && !screen_has_inspector(screen);
         if (command_find(hints[i].id) && !(screen->used & (1ull << hints[i].id)) && !right && !nothing)
             return hints[i].text;
@@ -54,16 +55,21 @@ static void line_words(const Screen *screen, char *out, size_t size)
                                   : "Dotted: exact (continuum).");
 }
 
-/* Cuts a text to the whole sentences that fit: a caption never stops in mid-sentence. */
+/* Cuts a text to the whole sentences that fit. Where they would leave a row empty it stays as it is: as much
+ * as there is room for is shown, and the help has all of it. */
 static void keep_sentences(char *text, int width, int rows)
 {
-    size_t end = strlen(text);
-    while (end > 0 && paragraph_lines(width, text) > rows) {
+    char cut[ABOUT_MAX];
+    snprintf(cut, sizeof cut, "%s", text);
+    size_t end = strlen(cut);
+    while (end > 0 && paragraph_lines(width, cut) > rows) {
         do
             end--;
-        while (end > 0 && !(strchr(".?!", text[end - 1]) && text[end] == ' '));
-        text[end] = '\0';
+        while (end > 0 && !(strchr(".?!", cut[end - 1]) && cut[end] == ' '));
+        cut[end] = '\0';
     }
+    if (paragraph_lines(width, cut) == rows)
+        text[end] = '\0';
 }
 
 /* " 4200 steps/s, about 9 s left ": known after the first frames, for pace and machine as they are. */

@@ -202,8 +202,8 @@ void pane_lattice(const Screen *screen, Area area)
         area_print(words, 0, bonds_row, STYLE_FAINT, "bonds of particle %d", chosen);
     else
         area_print(words, 0, bonds_row, STYLE_FAINT, "%d nodes, %d bonds each", row.nodes, 2 * row.reach);
-    area_print(words, 0, nodes_row, STYLE_FAINT, k == 1 ? "nodes at x0 + u%.0s" : "nodes at x0 + %s u",
-               number);
+    area_print(words, 0, nodes_row, STYLE_FAINT, k == 1 ? "%snodes at x0 + u%.0s" : "%snodes at x0 + %s u",
+               second_run(screen) ? "A: " : "", number);
     if (rows > nodes_row + 2)
         list_bonds(area_part(area, 1, nodes_row + 2, area.rect.width - 2, rows - nodes_row - 2), sim,
                    (size_t)chosen);

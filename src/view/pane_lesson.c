@@ -105,18 +105,19 @@ static void footer_text(const Screen *screen, char *out, size_t size)
     const LessonUntil *until = &page->until;
     const Command *command = until->kind == UNTIL_COMMAND ? command_by_name(until->word) : NULL;
     const Parameter *parameter = until->kind == UNTIL_VALUE ? parameter_find(until->word) : NULL;
-    char key[COMMAND_KEY_MAX] = "";
+    char key[COMMAND_KEY_MAX] = "", time[48];
     if (command)
         command_first_key(command, key);
     if (page->question && shown->answer < 0)
-        snprintf(out, size, "1 to %d: your answer", page->n_choices);
+        snprintf(out, size, "1 %s %d: your answer", page->n_choices == 2 ? "or" : "to", page->n_choices);
     else if (until->kind != UNTIL_NOTHING && !shown->met)
         switch (until->kind) {
         case UNTIL_STEP:
             snprintf(out, size, "goes on from step %.0f", until->number);
             break;
         case UNTIL_TIME:
-            snprintf(out, size, "goes on from t = %g", until->number);
+            time_text(screen, until->number, time, sizeof time);
+            snprintf(out, size, "goes on from %s", time);
             break;
         case UNTIL_STAGE:
             snprintf(out, size, "goes on after stage %.0f", until->number);

@@ -76,9 +76,11 @@ static Strip strip_of(int columns, double place, double length, double spacing)
         strip.per_cell = 2;
         strip.shown = (columns - 1) / 2;
         strip.columns = (int)strip.shown * 2 + 1;
+        /* of a longer bar a part around the place; at its end a cell more, into which it may stretch */
+        const long most = strip.cells > strip.shown ? strip.cells + 1 - strip.shown : 0;
         strip.first = (long)floor(place / spacing) - strip.shown / 2;
-        if (strip.first > strip.cells + 1 - strip.shown)
-            strip.first = strip.cells + 1 - strip.shown;
+        if (strip.first > most)
+            strip.first = most;
         if (strip.first < 0)
             strip.first = 0;
     }
@@ -327,12 +329,13 @@ static void draw_beam(const Screen *screen, Area area)
         area_rule(area, 0, "the beam", is_focused(screen, PANE_MESH) ? STYLE_FOCUS : STYLE_HEADING);
     Area words = area_part(area, part.rect.x + part.rect.width + 1, 0, area.rect.width, rows);
     char number[NUMBER_TEXT_MAX];
-    text_rounded(number, k, 3);
+    factor_text(k, number);
     if (stretch < 0.95)
         area_print(words, 0, tall ? 1 : 0, STYLE_FAINT, "height drawn x %.2g", stretch);
     else
         area_text(words, 0, tall ? 1 : 0, "to scale", STYLE_FAINT);
-    area_print(words, 0, rows - 1, STYLE_FAINT, k == 1 ? "drawn in place%.0s" : "at y0 + %s uy", number);
+    area_print(words, 0, rows - 1, STYLE_FAINT, k == 1 ? "%sdrawn in place%.0s" : "%sat y0 + %s uy",
+               second_run(screen) ? "A: " : "", number);
     for (int i = 0; i < 4; i++)
         free(at[i]);
     free(damage);

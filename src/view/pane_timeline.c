@@ -18,6 +18,14 @@ static const struct {
 };
 enum { MARKS = sizeof marks / sizeof *marks };
 
+char event_letter(EventKind kind)
+{
+    for (int i = 0; i < MARKS; i++)
+        if (marks[i].kind == kind)
+            return marks[i].letter;
+    return ' ';
+}
+
 bool is_rewound(const Screen *screen)
 {
     return experiment_newest(screen->experiment) > experiment_step(screen->experiment);
@@ -80,7 +88,8 @@ void pane_timeline(const Screen *screen, Area area)
     if (line.cells < 8 || area.rect.height < 1)
         return;
     const int newest = cell_of(screen, &line, experiment_newest(screen->experiment));
-    area_text_right(area, line.first, 0, "t 0", STYLE_NORMAL);
+    /* of a duel A's, by whose times the axes go */
+    area_text_right(area, line.first, 0, second_run(screen) ? "A t 0" : "t 0", STYLE_NORMAL);
     area_text(area, line.first + line.cells + 1, 0, line.end, STYLE_NORMAL);
     for (int x = line.first; x < line.first + line.cells; x++)
         area_put(area, x, 0, x > newest ? 0x00b7 : 0x2500, x > newest ? STYLE_FAINT : STYLE_NORMAL);

@@ -181,14 +181,14 @@ typedef struct Offer {
 static int offers_of(const Screen *screen, const Offer **offers)
 {
     static const Offer running[] = {
-        {COMMAND_RUN_PAUSE, COMMAND_NONE, "pause"}, {COMMAND_FASTER, COMMAND_SLOWER, "speed"},
-        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},    {COMMAND_REFERENCES, COMMAND_NONE, NULL},
-        {COMMAND_HELP, COMMAND_NONE, NULL},         {COMMAND_QUIT, COMMAND_NONE, NULL},
-        {COMMAND_RESTART, COMMAND_NONE, NULL},      {COMMAND_ZOOM, COMMAND_NONE, NULL},
-        {COMMAND_QUESTION, COMMAND_NONE, NULL},     {COMMAND_PIN, COMMAND_NONE, NULL},
+        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL}, {COMMAND_FASTER, COMMAND_SLOWER, "speed"},
+        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL}, {COMMAND_REFERENCES, COMMAND_NONE, NULL},
+        {COMMAND_HELP, COMMAND_NONE, NULL},      {COMMAND_QUIT, COMMAND_NONE, NULL},
+        {COMMAND_RESTART, COMMAND_NONE, NULL},   {COMMAND_ZOOM, COMMAND_NONE, NULL},
+        {COMMAND_QUESTION, COMMAND_NONE, NULL},  {COMMAND_PIN, COMMAND_NONE, NULL},
     };
     static const Offer paused[] = {
-        {COMMAND_RUN_PAUSE, COMMAND_NONE, "run"},
+        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},
         {COMMAND_STEP_BACK, COMMAND_STEP_FORWARD, "step"},
         {COMMAND_STAGE_BACK, COMMAND_STAGE_FORWARD, "stage"},
         {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
@@ -202,7 +202,7 @@ static int offers_of(const Screen *screen, const Offer **offers)
         {COMMAND_RESTART, COMMAND_NONE, NULL},
     };
     static const Offer paused_parameters[] = {
-        {COMMAND_RUN_PAUSE, COMMAND_NONE, "run"},    {COMMAND_LEFT, COMMAND_RIGHT, "change"},
+        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},     {COMMAND_LEFT, COMMAND_RIGHT, "change"},
         {COMMAND_ENTER, COMMAND_NONE, "edit"},       {COMMAND_STEP_FORWARD, COMMAND_NONE, NULL},
         {COMMAND_STAGE_FORWARD, COMMAND_NONE, NULL}, {COMMAND_EXPORT, COMMAND_NONE, NULL},
         {COMMAND_HELP, COMMAND_NONE, NULL},          {COMMAND_QUIT, COMMAND_NONE, NULL},
@@ -210,18 +210,18 @@ static int offers_of(const Screen *screen, const Offer **offers)
         {COMMAND_UNDO, COMMAND_NONE, NULL},
     };
     static const Offer running_parameters[] = {
-        {COMMAND_RUN_PAUSE, COMMAND_NONE, "pause"}, {COMMAND_LEFT, COMMAND_RIGHT, "change"},
-        {COMMAND_ENTER, COMMAND_NONE, "edit"},      {COMMAND_FASTER, COMMAND_SLOWER, "speed"},
-        {COMMAND_REFERENCES, COMMAND_NONE, NULL},   {COMMAND_HELP, COMMAND_NONE, NULL},
-        {COMMAND_QUIT, COMMAND_NONE, NULL},         {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
-        {COMMAND_RESTART, COMMAND_NONE, NULL},      {COMMAND_QUESTION, COMMAND_NONE, NULL},
+        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},  {COMMAND_LEFT, COMMAND_RIGHT, "change"},
+        {COMMAND_ENTER, COMMAND_NONE, "edit"},    {COMMAND_FASTER, COMMAND_SLOWER, "speed"},
+        {COMMAND_REFERENCES, COMMAND_NONE, NULL}, {COMMAND_HELP, COMMAND_NONE, NULL},
+        {COMMAND_QUIT, COMMAND_NONE, NULL},       {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
+        {COMMAND_RESTART, COMMAND_NONE, NULL},    {COMMAND_QUESTION, COMMAND_NONE, NULL},
     };
     static const Offer ended[] = {
-        {COMMAND_RUN_PAUSE, COMMAND_NONE, "again"}, {COMMAND_EXPORT, COMMAND_NONE, NULL},
-        {COMMAND_STEP_BACK, COMMAND_NONE, NULL},    {COMMAND_START, COMMAND_NONE, NULL},
-        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},    {COMMAND_HELP, COMMAND_NONE, NULL},
-        {COMMAND_QUIT, COMMAND_NONE, NULL},         {COMMAND_REFERENCES, COMMAND_NONE, NULL},
-        {COMMAND_PIN, COMMAND_NONE, NULL},          {COMMAND_QUESTION, COMMAND_NONE, NULL},
+        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL}, {COMMAND_EXPORT, COMMAND_NONE, NULL},
+        {COMMAND_STEP_BACK, COMMAND_NONE, NULL}, {COMMAND_START, COMMAND_NONE, NULL},
+        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL}, {COMMAND_HELP, COMMAND_NONE, NULL},
+        {COMMAND_QUIT, COMMAND_NONE, NULL},      {COMMAND_REFERENCES, COMMAND_NONE, NULL},
+        {COMMAND_PIN, COMMAND_NONE, NULL},       {COMMAND_QUESTION, COMMAND_NONE, NULL},
         {COMMAND_ZOOM, COMMAND_NONE, NULL},
     };
     static const Offer computing[] = {
@@ -238,7 +238,7 @@ static int offers_of(const Screen *screen, const Offer **offers)
         {COMMAND_CANCEL, COMMAND_NONE, "leave it"},
     };
     static const Offer lesson[] = {
-        {COMMAND_PAGE_UP, COMMAND_PAGE_DOWN, "page"}, {COMMAND_RUN_PAUSE, COMMAND_NONE, "run"},
+        {COMMAND_PAGE_UP, COMMAND_PAGE_DOWN, "page"}, {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},
         {COMMAND_STEP_FORWARD, COMMAND_NONE, NULL},   {COMMAND_STAGE_FORWARD, COMMAND_NONE, NULL},
         {COMMAND_LESSONS, COMMAND_NONE, "close"},     {COMMAND_HELP, COMMAND_NONE, NULL},
         {COMMAND_QUIT, COMMAND_NONE, NULL},           {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
@@ -266,6 +266,8 @@ static int offers_of(const Screen *screen, const Offer **offers)
     const bool in_fields = screen->focus == PANE_PARAMETERS;
     if (screen->zooming && !in_fields)
         GIVE(magnified);
+    if (in_fields && screen->lesson.open)
+        GIVE(lesson);
     if (screen->state == STATE_RUNNING) {
         if (in_fields)
             GIVE(running_parameters);
@@ -273,8 +275,6 @@ static int offers_of(const Screen *screen, const Offer **offers)
     }
     if (screen->state == STATE_ENDED || screen->state == STATE_FAILED)
         GIVE(ended);
-    if (in_fields && screen->lesson.open)
-        GIVE(lesson);
     if (in_fields)
         GIVE(paused_parameters);
     GIVE(paused);
@@ -290,6 +290,16 @@ static const char *short_key(const Screen *screen, const char *key)
         if (strcmp(key, shorter[i][0]) == 0)
             return shorter[i][screen->glyphs == GLYPHS_ASCII ? 2 : 1];
     return key;
+}
+
+/* What the key does now. */
+static const char *word_of(const Screen *screen, const Command *command)
+{
+    if (command->id != COMMAND_RUN_PAUSE)
+        return command->brief;
+    return screen->state == STATE_RUNNING                                  ? "pause"
+           : screen->state == STATE_ENDED || screen->state == STATE_FAILED ? "again"
+                                                                           : command->brief;
 }
 
 enum { BAR_OF_ONE_PANE = 80, OFFERS_MAX = 16 };
@@ -330,7 +340,7 @@ static CommandId lay_out_bar(const Screen *screen, int width, const Area *area, 
         if (pair)
             command_first_key(pair, other);
         const char *first = short_key(screen, key), *second = short_key(screen, other);
-        const char *word = offers[i].word ? offers[i].word : command->brief;
+        const char *word = offers[i].word ? offers[i].word : word_of(screen, command);
         int first_columns = text_columns(first), keys = first_columns + (pair ? 1 + text_columns(second) : 0);
         int columns = keys + 1 + text_columns(word);
         if (x + columns > width - 1)

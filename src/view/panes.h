@@ -40,7 +40,6 @@ typedef struct View {
     bool of_moment;                                           /* shows one moment, not the time up to it */
 } View;
 
-const View *view_find(int number); /* NULL: there is none of that number */
 void view_draw(const Screen *, int number, Area, bool focused);
 
 void view_profile(const Screen *, Area, Style heading, int variant);
@@ -85,6 +84,7 @@ void pane_bar(const Screen *, Area);
 void pane_parameters(const Screen *, Area);
 void pane_lesson(const Screen *, Area);
 void pane_timeline(const Screen *, Area);
+char event_letter(EventKind); /* its mark in the timeline; ' ': it has none */
 void pane_mesh(const Screen *, Area);
 void pane_lattice(const Screen *, Area);              /* the same for a bar without a mesh */
 bool choose_in_lattice(Screen *, Rect, int x, int y); /* the node near a place of the screen */
@@ -139,12 +139,12 @@ int draw_legend(Area, int x, int y, const Legend *, int n_legend);
 
 enum { LEGENDS_MAX = 32 }; /* under one heading */
 
-/* Draws the heading line of a plot: name, scale, legend as far as there is room; where it is short names are
- * shortened before any is left out. Returns how many entries of
+/* Draws the heading line of a plot: name, scale, legend as far as there is room. Where it is short names are
+ * shortened first; then the solid line of what is measured goes without saying. Returns how many entries of
  * the legend that were. */
 int draw_heading(Area, Style heading, const char *name, const char *scale, const Legend *, int n_legend);
 
-/* A curve's name where room is short: "measured" is "meas", "predicted" is "pred". */
+/* A curve's or a picture's name where room is short: "measured" is "meas", "displacement" is "displ.". */
 const char *short_word(const char *name);
 
 /* The second run of a duel; NULL: there is none. */
@@ -178,6 +178,9 @@ void time_text(const Screen *, double time, char *out, size_t size);
 
 /* A number for people in at most `width` columns: as many digits as fit, at most `digits`. */
 void number_text(double value, int digits, int width, char out[NUMBER_TEXT_MAX]);
+
+/* A factor by which something is enlarged: "5000", not "5e3". */
+void factor_text(double factor, char out[NUMBER_TEXT_MAX]);
 
 /* How far a particle field reaches: what it is now and, where the exact answer is known, will be; rounded up
  * so that a scale made of it keeps still. */

@@ -60,15 +60,6 @@ static void crack_texts(const Map *map, char *tip, char *angle, size_t size)
         snprintf(angle, size, "fit %.0f°", fabs(facts.angle));
 }
 
-/* "5000", not "5e3". */
-static void factor_text(double factor, char out[NUMBER_TEXT_MAX])
-{
-    if (factor >= 1 && factor < 1e7)
-        snprintf(out, NUMBER_TEXT_MAX, "%.0f", factor);
-    else
-        text_rounded(out, factor, 2);
-}
-
 static void draw_title(const Map *map, Area area, Style heading)
 {
     const Colouring *colouring = map->colouring;

@@ -137,7 +137,7 @@ static void open_log(const Screen *screen, int width, int height, Log *log)
         log->columns = text_columns(time) > log->columns ? text_columns(time) : log->columns;
     }
     log->columns = log->columns < TIME_COLUMNS ? log->columns : TIME_COLUMNS;
-    log->text = log->columns + 3 + (is_shared(screen) ? 2 : 0);
+    log->text = log->columns + 5 + (is_shared(screen) ? 2 : 0);
     log->width = width - log->text - 1;
     log->room = height - 1 - (log->beyond > 0);
     log->first = log->count > 0 ? first_of(screen, log) : 0;
@@ -168,8 +168,10 @@ void view_log(const Screen *screen, Area area, Style heading, int variant)
         if (marked)
             area_put(area, 0, y, '>', STYLE_SELECTED);
         area_text_right(area, 1 + log.columns, y, time, marked ? STYLE_SELECTED : STYLE_FAINT);
+        area_put(area, log.text - 2, y, (uint32_t)event_letter(entry->event->kind),
+                 marked ? STYLE_SELECTED : style_of(entry->event));
         if (entry->run)
-            area_put(area, log.text - 3, y, (uint32_t)entry->run,
+            area_put(area, log.text - 4, y, (uint32_t)entry->run,
                      marked              ? STYLE_SELECTED
                      : entry->run == 'B' ? STYLE_SECOND
                                          : STYLE_MEASURED);

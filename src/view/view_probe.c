@@ -358,8 +358,10 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
                                              references_envelope(refs, quantity->name, end)));
     }
     const int rows = plot_area.rect.height - 1, most_ticks = rows < 5 ? 3 : rows < 12 ? 5 : 7;
-    Axis y = range.swings || range.least < 0 ? axis_symmetric(range.reach, most_ticks)
-                                             : axis_around(range.least, range.most, most_ticks);
+    const bool counts = strcmp(quantity->unit, "1") == 0; /* of things */
+    Axis y = counts                            ? axis_count(range.most, most_ticks)
+             : range.swings || range.least < 0 ? axis_symmetric(range.reach, most_ticks)
+                                               : axis_around(range.least, range.most, most_ticks);
     Axis x = time_plot_axis(screen, width);
 
     char scale[TICK_TEXT_MAX], name[32];

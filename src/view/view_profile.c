@@ -62,6 +62,16 @@ static double exact_reach(const Run *run, const char *field, const double *x, si
     return reach;
 }
 
+/* A displacement so much smaller than the body is long is nothing yet, not a curve to be looked at. */
+static double least_reach(const Simulation *sim, const char *field, const Profile *profile)
+{
+    const double rounding = 1e-15;
+    bool moves = false;
+    for (int d = 0; d < sim->dimensions; d++)
+        moves |= strcmp(sim->fields[sim->displacement[d]].quantity.name, field) == 0;
+    return moves ? rounding * fabs(profile->x[profile->count - 1] - profile->x[0]) : 0;
+}
+
 static Axis value_axis(const Screen *screen, const Simulation *sim, const char *field, const Curve *curves,
                        int n_curves, int rows)
 {
@@ -83,6 +93,7 @@ static Axis value_axis(const Screen *screen, const Simulation *sim, const char *
     double least = base, highest = base;
     overlay_widen(screen, field, true, &least, &highest);
     reach = fmax(reach, fmax(base - least, highest - base));
+    reach = fmax(reach, least_reach(sim, field, curves[n_curves - 1].profile));
     if (base != 0) {
         double end = reach > 0 ? axis_round_up(reach * 1.02) : 0.01 * base;
         return axis_make(base - end, base + end, most);

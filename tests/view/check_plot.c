@@ -58,6 +58,25 @@ START_TEST(rounded_up_is_above_and_near)
 }
 END_TEST
 
+/* Around 0 there is a tick on either side; things are counted in whole numbers. */
+START_TEST(ticks_tell_a_scale)
+{
+    uint64_t state = 7;
+    double ticks[TICKS_MAX];
+    for (int i = 0; i < 5000; i++) {
+        const int most = 3 + (int)(random_bits(&state) % 6);
+        const double reach = pow(10, random_share(&state) * 12 - 6);
+        Axis axis = axis_symmetric(reach, most);
+        ck_assert_msg(axis_ticks(&axis, ticks) >= 3 && axis.high >= reach, "+-%g, %d ticks", reach, most);
+        axis = axis_count(floor(reach), most);
+        const int count = axis_ticks(&axis, ticks);
+        ck_assert(count >= 2 && axis.high >= floor(reach));
+        for (int k = 0; k < count; k++)
+            ck_assert_msg(ticks[k] == floor(ticks[k]), "%g of %g things", ticks[k], reach);
+    }
+}
+END_TEST
+
 START_TEST(an_axis_says_its_power_of_ten)
 {
     char text[TICK_TEXT_MAX];
@@ -211,6 +230,7 @@ void add_cases(Suite *suite)
     TCase *axes = tcase_create("axes");
     tcase_add_test(axes, ticks_are_1_2_5);
     tcase_add_test(axes, rounded_up_is_above_and_near);
+    tcase_add_test(axes, ticks_tell_a_scale);
     tcase_add_test(axes, an_axis_says_its_power_of_ten);
     tcase_add_test(axes, axes_keep_their_gutter);
     suite_add_tcase(suite, axes);

@@ -387,12 +387,31 @@ START_TEST(timeline_marks_places)
 }
 END_TEST
 
+/* --- the strip ------------------------------------------------------------------------------------ */
+
+/* A bar that fits as a whole is shown as a whole, wall and all, whichever particle is chosen. */
+START_TEST(strip_shows_the_whole_bar)
+{
+    Show show;
+    open_show(&show, "mode1", 0);
+    for (size_t p = 0; p < 50; p++) {
+        show.screen.particle = p;
+        draw(&show, 80, 24);
+        ck_assert_msg(cell(&show, 1, 1)->glyph == 0x2592, "no wall with particle %zu chosen", p);
+    }
+    close_show(&show);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *timeline = tcase_create("timeline");
     tcase_add_test(timeline, timeline_comes_when_rewound);
     tcase_add_test(timeline, timeline_marks_places);
     suite_add_tcase(suite, timeline);
+    TCase *strip = tcase_create("strip");
+    tcase_add_test(strip, strip_shows_the_whole_bar);
+    suite_add_tcase(suite, strip);
     TCase *spectrum = tcase_create("spectrum");
     tcase_add_test(spectrum, spectrum_of_a_sine);
     tcase_add_test(spectrum, spectrum_peaks_at_the_fit);
