@@ -201,26 +201,3 @@ double bar_centre_velocity(const BarTheory *bar, double t)
     }
     return sum;
 }
-
-/* The modes are orthogonal, so their energies add. */
-double bar_kinetic_energy(const BarTheory *bar, double t)
-{
-    double sum = 0;
-    for (int i = 0; i < bar->n_modes; i++) {
-        int number = bar->modes[i].number;
-        double velocity = bar->modes[i].velocity * cos(bar_frequency(bar, number) * t);
-        double mean_square = number < 1 ? (is_free_free(bar) ? 1 : 0) : 0.5;
-        sum += bar->density * bar->length * mean_square * velocity * velocity / 2;
-    }
-    return sum;
-}
-
-double bar_strain_energy(const BarTheory *bar, double t)
-{
-    double sum = 0;
-    for (int i = 0; i < bar->n_modes; i++) {
-        double velocity = bar->modes[i].velocity * sin(bar_frequency(bar, bar->modes[i].number) * t);
-        sum += bar->density * bar->length * velocity * velocity / 4;
-    }
-    return sum;
-}

@@ -35,8 +35,6 @@ double bar_displacement(const BarTheory *bar, double x, double t);
 double bar_velocity(const BarTheory *bar, double x, double t);
 double bar_stress(const BarTheory *bar, double x, double t);
 double bar_centre_velocity(const BarTheory *bar, double t); /* v_cm, eq. 20 */
-double bar_kinetic_energy(const BarTheory *bar, double t);  /* vibration only: loads must be 0 */
-double bar_strain_energy(const BarTheory *bar, double t);   /* likewise */
 
 /* The mesh on which the answer is predicted. */
 typedef enum MeshAlgorithm { MESH_USF, MESH_USL, MESH_MUSL } MeshAlgorithm;

@@ -112,10 +112,8 @@ static bool build_modes(Modes *modes, Status *status)
         }
         integrate_couplings(modes, table);
     }
-    if (solver)
-        gsl_root_fsolver_free(solver);
-    if (table)
-        gsl_integration_glfixed_table_free(table);
+    gsl_root_fsolver_free(solver);
+    gsl_integration_glfixed_table_free(table);
     return sound || status_fail(status, STATUS_FAILED, "not enough memory for the modes of the cantilever");
 }
 

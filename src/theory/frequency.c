@@ -318,22 +318,3 @@ bool frequency_fit(const double *values, size_t count, double t0, double dt, dou
         fill_fit(&record, unknowns, t0, dt, fit);
     return done;
 }
-
-/* --- zero crossings ------------------------------------------------------------------------------ */
-
-double frequency_crossings(const double *values, size_t count, double dt)
-{
-    double mean = 0, first = NAN, last = NAN;
-    long crossings = 0;
-    for (size_t k = 0; k < count; k++)
-        mean += values[k] / (double)count;
-    for (size_t k = 1; k < count; k++) {
-        double before = values[k - 1] - mean, after = values[k] - mean;
-        if (!(before < 0 && after >= 0))
-            continue;
-        last = dt * ((double)(k - 1) - before / (after - before));
-        if (crossings++ == 0)
-            first = last;
-    }
-    return crossings < 2 ? NAN : (last - first) / (double)(crossings - 1);
-}

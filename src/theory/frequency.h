@@ -25,8 +25,4 @@ bool frequency_fit(const double *values, size_t count, double t0, double dt, dou
  * either neighbour. False: not enough memory. */
 bool frequency_spectrum(const double *values, size_t count, double *out);
 
-/* Mean period from the upward zero crossings (interpolated) of values minus their mean; NAN with fewer than
- * two. */
-double frequency_crossings(const double *values, size_t count, double dt);
-
 #endif

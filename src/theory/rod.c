@@ -233,14 +233,10 @@ static bool take_vectors(RodModes *modes, const BarTheory *bar, const RodLattice
         modes->frequency[k] = verlet(sqrt(fmax(0, gsl_vector_get(squares, (size_t)k))), lattice->dt);
         sound = isfinite(modes->frequency[k]);
     }
-    if (work)
-        gsl_eigen_symmv_free(work);
-    if (squares)
-        gsl_vector_free(squares);
-    if (vectors)
-        gsl_matrix_free(vectors);
-    if (matrix)
-        gsl_matrix_free(matrix);
+    gsl_eigen_symmv_free(work);
+    gsl_vector_free(squares);
+    gsl_matrix_free(vectors);
+    gsl_matrix_free(matrix);
     quiet_end();
     return sound;
 }

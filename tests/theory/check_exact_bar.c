@@ -37,9 +37,6 @@ START_TEST(paper_numbers)
     /* eq. 20: v0 / (beta L) */
     ck_assert_double_eq_tol(bar_centre_velocity(&bar, 0), 0.1 / (M_PI / 2), 1e-16);
     ck_assert_double_eq_tol(bar_centre_velocity(&bar, 3), 0.2 / M_PI * cos(M_PI / 5 * 3), 1e-16);
-    /* a quarter of rho L v0^2, and all of it strain a quarter period later */
-    ck_assert_double_eq_tol(bar_kinetic_energy(&bar, 0), 0.0625, 1e-16);
-    ck_assert_double_eq_tol(bar_strain_energy(&bar, 2.5), 0.0625, 1e-16);
     BarTheory both = paper_bar(2);
     ck_assert_double_eq_tol(bar_frequency(&both, 3), 3 * M_PI * 10 / 25, 1e-14);
 }
@@ -55,7 +52,6 @@ START_TEST(a_dense_bar_has_other_units)
                      .modes = {{2, 0.5}}};
     ck_assert_double_eq(bar_wave_speed(&bar), 2);
     ck_assert_double_eq_tol(bar_wave_number(&bar, 2), 1.5 * M_PI / 2, 1e-15);
-    ck_assert_double_eq_tol(bar_kinetic_energy(&bar, 0), 2 * 2 * 0.25 / 4, 1e-15);
 }
 END_TEST
 
@@ -141,11 +137,14 @@ START_TEST(centre_is_the_mean)
 }
 END_TEST
 
-START_TEST(energies_are_those_of_the_fields)
+/* The modes are orthogonal, so their energies add: rho L A^2/4 each. */
+START_TEST(fields_keep_the_energy_of_their_modes)
 {
     BarTheory bar = paper_bar(_i);
     enum { CELLS = 4000 };
-    double total = bar_kinetic_energy(&bar, 0);
+    double total = 0;
+    for (int k = 0; k < bar.n_modes; k++)
+        total += bar.density * bar.length * bar.modes[k].velocity * bar.modes[k].velocity / 4;
     for (double t = 0; t < 12; t += 1.37) {
         double kinetic = 0, strain = 0, dx = bar.length / CELLS;
         for (int i = 0; i < CELLS; i++) {
@@ -153,8 +152,6 @@ START_TEST(energies_are_those_of_the_fields)
             kinetic += bar.density * v * v / 2 * dx;
             strain += stress * stress / (2 * bar.youngs_modulus) * dx;
         }
-        ck_assert_double_eq_tol(bar_kinetic_energy(&bar, t), kinetic, 1e-13);
-        ck_assert_double_eq_tol(bar_strain_energy(&bar, t), strain, 1e-13);
         ck_assert_double_eq_tol(kinetic + strain, total, 1e-13);
     }
 }
@@ -203,15 +200,12 @@ START_TEST(rigid_motion)
     ck_assert_double_eq(bar_frequency(&bar, 0), 0);
     ck_assert_double_eq_tol(bar_displacement(&bar, 3, 4), 0.4, 1e-16);
     ck_assert_double_eq_tol(bar_centre_velocity(&bar, 4), 0.1, 1e-16);
-    ck_assert_double_eq_tol(bar_kinetic_energy(&bar, 4), 25 * 0.01 / 2, 1e-16);
-    ck_assert_double_eq(bar_strain_energy(&bar, 4), 0);
     ck_assert_double_eq(bar_stress(&bar, 3, 4), 0);
     for (int supports = 0; supports < 3; supports++) {
         BarTheory held = paper_bar(supports);
         held.n_modes = 1, held.modes[0].number = 0;
         ck_assert_double_eq(bar_initial_velocity(&held, 3), 0);
         ck_assert_double_eq(bar_centre_velocity(&held, 1), 0);
-        ck_assert_double_eq(bar_kinetic_energy(&held, 1), 0);
     }
 }
 END_TEST
@@ -221,7 +215,7 @@ void add_cases(Suite *suite)
     TCase *vibration = tcase_create("vibration");
     tcase_add_test(vibration, paper_numbers);
     tcase_add_test(vibration, a_dense_bar_has_other_units);
-    tcase_add_loop_test(vibration, energies_are_those_of_the_fields, 0, 4);
+    tcase_add_loop_test(vibration, fields_keep_the_energy_of_their_modes, 0, 4);
     tcase_add_test(vibration, rigid_motion);
     suite_add_tcase(suite, vibration);
     TCase *fields = tcase_create("fields");

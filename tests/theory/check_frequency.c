@@ -200,16 +200,6 @@ START_TEST(spectrum_shows_amplitudes)
 }
 END_TEST
 
-START_TEST(crossings)
-{
-    double *values = record(4001, 0, 0.005, 2 * M_PI / 1.6, 0.4, 1, 0, 0); /* 12.5 periods */
-    ck_assert_double_eq_tol(frequency_crossings(values, 4001, 0.005), 1.6, 1e-3);
-    ck_assert(isnan(frequency_crossings(values, 200, 0.005)));
-    ck_assert(isnan(frequency_crossings(values, 0, 0.005)));
-    free(values);
-}
-END_TEST
-
 void add_cases(Suite *suite)
 {
     TCase *fit = tcase_create("fit");
@@ -226,6 +216,5 @@ void add_cases(Suite *suite)
     suite_add_tcase(suite, fit);
     TCase *lines = tcase_create("lines");
     tcase_add_test(lines, spectrum_shows_amplitudes);
-    tcase_add_test(lines, crossings);
     suite_add_tcase(suite, lines);
 }
