@@ -467,6 +467,9 @@ START_TEST(definitions_are_checked)
     def = bar_default();
     def.padding = -1;
     expect_refused(def, "mesh.padding");
+    def = bar_default();
+    def.youngs_modulus = 1e308, def.density = 1e-300;
+    expect_refused(def, "bar.youngs_modulus");
     /* within 1e-9 a whole number of cells */
     def = bar_default();
     def.cell_size = 25.0 / 250;

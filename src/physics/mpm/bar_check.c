@@ -66,6 +66,11 @@ bool bar_check(const BarDef *def, Status *status)
     if (!(def->flip_fraction >= 0.0 && def->flip_fraction <= 1.0))
         return status_fail(status, STATUS_USAGE, "mpm.flip_fraction: %g is out of range (0 to 1)",
                            def->flip_fraction);
+    const double speed = sqrt(def->youngs_modulus / def->density), dt = def->courant * def->cell_size / speed;
+    if (!(dt > 0.0 && isfinite(dt) && speed > 0.0))
+        return status_fail(status, STATUS_USAGE,
+                           "bar.youngs_modulus: %g over the density %g makes waves of speed %g: no time step",
+                           def->youngs_modulus, def->density, speed);
     double cells = def->length / def->cell_size;
     if (!(cells <= CELLS_MAX))
         return status_fail(status, STATUS_USAGE,
