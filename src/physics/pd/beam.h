@@ -57,7 +57,8 @@ bool beam_check(const BeamDef *definition, Status *status);
  * Sets: 0 particles (the nodes of the lattice), 1 bonds. Fields in tables: particles x0 y0 ux uy vx vy damage
  * surface_factor strain_energy; bonds i j x_i y_i x_j y_j (reference positions) stretch broken broken_at (the
  * step after which the bond was broken: 0 the notch, -1 not broken). On screen also, for particles: fx fy
- * (force density) speed stretch (largest of its live bonds) family surface_x surface_y held loaded protected.
+ * (force density) speed stretch (largest of its live bonds) family surface_x surface_y held loaded probe
+ * protected; for bonds: notch pull energy.
  *
  * Series: u_probe v_probe; length (moving) or crack_x crack_y crack_length (notched); kinetic strain work
  * dissipated total broken_bonds. total = kinetic + strain + dissipated; less the work it keeps its value.

@@ -125,6 +125,7 @@ static bool allocate(Beam *beam, Status *status)
     beam->notched = zeroed(slots / 8);
     beam->unbreakable = zeroed(nodes);
     beam->state = zeroed(beam->state_size);
+    beam->rescue.state = malloc(beam->state_size);
     beam->broken_at = calloc(slots, sizeof *beam->broken_at);
     beam->damage = zeroed(nodes * sizeof *beam->damage);
     beam->dirty = zeroed(nodes * sizeof *beam->dirty);
@@ -133,9 +134,9 @@ static bool allocate(Beam *beam, Status *status)
     beam->row_energy = zeroed((size_t)lattice->ny * sizeof *beam->row_energy);
     beam->band_logs = zeroed(bands * sizeof *beam->band_logs);
     beam->scratch = zeroed((size_t)beam->def.threads * BONDS_SCRATCH * sizeof *beam->scratch);
-    if (!beam->coefficient || !beam->notched || !beam->unbreakable || !beam->state || !beam->broken_at ||
-        !beam->damage || !beam->dirty || !beam->is_dirty || !beam->halo || !beam->row_energy ||
-        !beam->band_logs || !beam->scratch)
+    if (!beam->coefficient || !beam->notched || !beam->unbreakable || !beam->state || !beam->rescue.state ||
+        !beam->broken_at || !beam->damage || !beam->dirty || !beam->is_dirty || !beam->halo ||
+        !beam->row_energy || !beam->band_logs || !beam->scratch)
         return status_fail(status, STATUS_FAILED, "not enough memory for %zu bonds (pd.spacing)",
                            lattice_bonds(lattice));
 

@@ -4,7 +4,6 @@
 #include "physics/pd/beam_internal.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* A node is held at time t while it is inside the channel; the tolerance decides when one is released. */
 int beam_held_columns(const Beam *beam, double time)
@@ -266,11 +265,7 @@ enum { RESCUE_EVERY = 64 };
 static void keep_rescue(Beam *beam)
 {
     Rescue *rescue = &beam->rescue;
-    if (!rescue->state)
-        rescue->state = malloc(beam->state_size);
-    rescue->valid = rescue->state != NULL;
-    if (!rescue->valid)
-        return;
+    rescue->valid = true;
     beam_save(&beam->sim, rescue->state);
     rescue->step = beam->sim.step;
     rescue->n_events = beam->sim.n_events;
@@ -282,8 +277,6 @@ static void go_back(Beam *beam)
     Simulation *sim = &beam->sim;
     Status failure = sim->failure;
     long sound = sim->step, done;
-    if (!beam->rescue.valid)
-        return;
     sim->step = beam->rescue.step;
     sim->n_events = beam->rescue.n_events;
     sim->events_beyond = beam->rescue.events_beyond;
@@ -301,7 +294,7 @@ bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *s
         if (!beam->rescue.valid || sim->step >= beam->rescue.step + RESCUE_EVERY)
             keep_rescue(beam);
         long left = count - *done, until = beam->rescue.step + RESCUE_EVERY - sim->step, part;
-        if (beam->rescue.valid && until < left)
+        if (until < left)
             left = until;
         bool sound = run_steps(beam, left, rows ? rows + *done * sim->n_series : NULL, &part, status);
         *done += part;
