@@ -131,7 +131,7 @@ typedef struct Method {
     /* Values [first, first + count) of a field at the present stage. */
     void (*field)(const Simulation *, int field, size_t first, size_t count, double *out);
 
-    /* The links of one thing, at most `max` of them; returns how many there are. May be NULL. */
+    /* The links of one thing, the first `max` of them; returns how many were written. May be NULL. */
     size_t (*links)(const Simulation *, int set, size_t index, Link *out, size_t max);
 
     /* The shape functions of the mesh at a place x of a one-dimensional method: one link for each node that has

@@ -315,6 +315,7 @@ START_TEST(links_add_up_to_the_force)
     for (size_t k = 0; k < sizeof nodes / sizeof *nodes; k++) {
         size_t p = nodes[k], n_broken = 0;
         Link links[FAMILY_MAX];
+        ck_assert_uint_eq(sim->method->links(sim, SET_PARTICLE, p, links, 2), 2); /* room for no more */
         size_t n = sim->method->links(sim, SET_PARTICLE, p, links, FAMILY_MAX);
         ck_assert_uint_eq(n, (size_t)family[p]);
         double sum_x = 0, sum_y = 0, size = 0;

@@ -48,18 +48,20 @@ size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_
         BondNow bond = beam_bond(beam, lattice_bond_place(&beam->lattice, index));
         double gradient = bond.pull * beam_volume(beam);
         const size_t ends[2] = {bond.a, bond.b};
-        for (size_t k = 0; k < 2 && k < max; k++)
+        size_t n = max < 2 ? max : 2;
+        for (size_t k = 0; k < n; k++)
             out[k] = (Link){.set = SET_PARTICLE,
                             .index = ends[k],
                             .weight = bond.stretch,
                             .gradient = gradient,
                             .broken = bond.broken};
-        return 2;
+        return n;
     }
     size_t nx = (size_t)beam->lattice.nx;
     BondPlace family[FAMILY_MAX];
     size_t n = beam_family(beam, (int)(index % nx), (int)(index / nx), family);
-    for (size_t k = 0; k < n && k < max; k++) {
+    n = n < max ? n : max;
+    for (size_t k = 0; k < n; k++) {
         BondNow bond = beam_bond(beam, family[k]);
         out[k] = (Link){.set = SET_PARTICLE,
                         .index = bond.a == index ? bond.b : bond.a,

@@ -291,27 +291,24 @@ size_t rod_links(const Simulation *sim, int set, size_t index, Link *out, size_t
         BondAt bond = bond_number(rod, index);
         double stretch = b_stretch(rod, &bond), pull = b_pull(rod, &bond) * h;
         const int ends[2] = {bond.k, bond.k + bond.m};
-        for (; count < 2; count++)
-            if (count < max)
-                out[count] = (Link){
-                    .set = ROD_PARTICLE, .index = (size_t)ends[count], .weight = stretch, .gradient = pull};
+        for (; count < 2 && count < max; count++)
+            out[count] = (Link){
+                .set = ROD_PARTICLE, .index = (size_t)ends[count], .weight = stretch, .gradient = pull};
         return count;
     }
-    for (int m = -rod->lattice.reach; m <= rod->lattice.reach; m++) {
+    for (int m = -rod->lattice.reach; m <= rod->lattice.reach && count < max; m++) {
         if (m == 0)
             continue;
         const int i = (int)index;
         BondAt bond = bond_at(rod, i, m);
         if (!(bond.stiffness > 0))
             continue;
-        if (count < max)
-            out[count] = (Link){.set = ROD_PARTICLE,
-                                .index = (size_t)rod_partner(&rod->lattice, i + m),
-                                .weight = b_stretch(rod, &bond),
-                                .gradient = b_pull(rod, &bond) * h,
-                                .length = m * h,
-                                .stiffness = bond.stiffness * bond.m * h};
-        count++;
+        out[count++] = (Link){.set = ROD_PARTICLE,
+                              .index = (size_t)rod_partner(&rod->lattice, i + m),
+                              .weight = b_stretch(rod, &bond),
+                              .gradient = b_pull(rod, &bond) * h,
+                              .length = m * h,
+                              .stiffness = bond.stiffness * bond.m * h};
     }
     return count;
 }
