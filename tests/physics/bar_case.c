@@ -2,7 +2,6 @@
 
 #include <check.h>
 #include <math.h>
-#include <stdlib.h>
 
 BarCase bar_case(int mode, double v0)
 {
@@ -46,37 +45,4 @@ Simulation *bar_case_create(const BarCase *which)
     Simulation *sim = bar_create(&def, &status);
     ck_assert_msg(sim != NULL, "%s", status.text);
     return sim;
-}
-
-void advance(Simulation *sim, long steps)
-{
-    Status status = {0};
-    ck_assert_msg(simulation_steps(sim, steps, NULL, NULL, &status), "%s", status.text);
-}
-
-double series_now(Simulation *sim, const char *name)
-{
-    double row[16];
-    int which = simulation_find_series(sim, name);
-    ck_assert_int_ge(which, 0);
-    simulation_row(sim, row);
-    return row[which];
-}
-
-double *field_now(const Simulation *sim, int set, const char *name)
-{
-    int field = simulation_find_field(sim, set, name);
-    ck_assert_msg(field >= 0, "no field %s", name);
-    double *values = malloc(sim->counts[set] * sizeof *values);
-    ck_assert_ptr_nonnull(values);
-    sim->method->field(sim, field, 0, sim->counts[set], values);
-    return values;
-}
-
-unsigned char *snapshot_now(const Simulation *sim)
-{
-    unsigned char *bytes = calloc(1, simulation_snapshot_size(sim));
-    ck_assert_ptr_nonnull(bytes);
-    simulation_snapshot(sim, bytes);
-    return bytes;
 }

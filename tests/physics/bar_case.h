@@ -3,6 +3,7 @@
 #define TESTS_BAR_CASE_H
 
 #include "physics/mpm/bar.h"
+#include "physics/run_case.h"
 
 enum { BAR_CASE_MODES = 4 };
 
@@ -25,17 +26,5 @@ double bar_case_wave_number(const BarCase *which, int mode);
 
 /* The simulation; stops the test if it cannot be made. */
 Simulation *bar_case_create(const BarCase *which);
-
-/* n steps; stops the test if they fail. */
-void advance(Simulation *sim, long steps);
-
-/* A series value at the present state, by name. */
-double series_now(Simulation *sim, const char *name);
-
-/* A field of set 0 or 1 as an array of its whole length; the caller frees it. */
-double *field_now(const Simulation *sim, int set, const char *name);
-
-/* The particle state as bytes: a snapshot between steps. The caller frees it. */
-unsigned char *snapshot_now(const Simulation *sim);
 
 #endif

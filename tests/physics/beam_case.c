@@ -43,39 +43,6 @@ Simulation *beam_case_create(const BeamDef *def, const BeamOptions *options)
     return sim;
 }
 
-void advance(Simulation *sim, long steps)
-{
-    Status status = {0};
-    ck_assert_msg(simulation_steps(sim, steps, NULL, NULL, &status), "%s", status.text);
-}
-
-double series_now(Simulation *sim, const char *name)
-{
-    double row[32];
-    int which = simulation_find_series(sim, name);
-    ck_assert_msg(which >= 0, "no series %s", name);
-    simulation_row(sim, row);
-    return row[which];
-}
-
-double *field_now(const Simulation *sim, int set, const char *name)
-{
-    int field = simulation_find_field(sim, set, name);
-    ck_assert_msg(field >= 0, "no field %s", name);
-    double *values = malloc(sim->counts[set] * sizeof *values);
-    ck_assert_ptr_nonnull(values);
-    sim->method->field(sim, field, 0, sim->counts[set], values);
-    return values;
-}
-
-unsigned char *snapshot_now(const Simulation *sim)
-{
-    unsigned char *bytes = calloc(1, simulation_snapshot_size(sim));
-    ck_assert_ptr_nonnull(bytes);
-    simulation_snapshot(sim, bytes);
-    return bytes;
-}
-
 static void expect_same_field(const Simulation *a, const Simulation *b, int set, const char *name,
                               const char *what)
 {

@@ -4,6 +4,7 @@
 
 #include "physics/pd/beam.h"
 #include "physics/pd/beam_internal.h"
+#include "physics/run_case.h"
 
 /* Small beams that are done quickly: 100 x 10 nodes that vibrate, 120 x 10 that move, and 100 x 40 with a
  * notch that cracks within 900 steps. */
@@ -11,18 +12,6 @@ BeamDef small_beam(BeamProblem problem);
 
 /* The simulation; stops the test if it cannot be made. `options` may be NULL. */
 Simulation *beam_case_create(const BeamDef *def, const BeamOptions *options);
-
-/* n steps; stops the test if they fail. */
-void advance(Simulation *sim, long steps);
-
-/* A series value at the present state, by name. */
-double series_now(Simulation *sim, const char *name);
-
-/* A field as an array of its whole length; the caller frees it. */
-double *field_now(const Simulation *sim, int set, const char *name);
-
-/* A snapshot; the caller frees it. */
-unsigned char *snapshot_now(const Simulation *sim);
 
 /* Stops the test unless both stand at the same state, bit by bit. */
 void expect_same_state(const Simulation *a, const Simulation *b, const char *what);

@@ -46,7 +46,7 @@ static void add_offsets(Lattice *lattice, const BeamDef *def)
     lattice->first[lattice->reach + 1] = lattice->n_offsets;
 }
 
-void lattice_energy_factors(const Lattice *lattice, int i, int j, double *factor_x, double *factor_y)
+static void energy_factors(const Lattice *lattice, int i, int j, double *factor_x, double *factor_y)
 {
     double volume = lattice->spacing * lattice->spacing, sum_x = 0, sum_y = 0;
     for (int o = 0; o < lattice->n_offsets; o++) {
@@ -91,7 +91,7 @@ static bool set_factors(Lattice *lattice, const BeamDef *def, Status *status)
         for (int i = 0; i < lattice->nx; i++, node++) {
             lattice->factor_x[node] = lattice->factor_y[node] = 1;
             if (lattice->correction == SURFACE_ENERGY)
-                lattice_energy_factors(lattice, i, j, &lattice->factor_x[node], &lattice->factor_y[node]);
+                energy_factors(lattice, i, j, &lattice->factor_x[node], &lattice->factor_y[node]);
             if (lattice->correction == SURFACE_VOLUME)
                 lattice->factor_x[node] = lattice->factor_y[node] =
                     M_PI * lattice->horizon * lattice->horizon / family_area(lattice, i, j);

@@ -144,7 +144,4 @@ static inline size_t lattice_bonds(const Lattice *lattice)
 /* c G w V of a whole bond, N/m^5 per unit stretch: its force density is that times stretch. */
 double lattice_coefficient(const Lattice *lattice, BondPlace bond);
 
-/* Surface factors of node (i, j) by the energy method, whichever method is in use. */
-void lattice_energy_factors(const Lattice *lattice, int i, int j, double *factor_x, double *factor_y);
-
 #endif
