@@ -100,6 +100,8 @@ const char *short_word(const char *name)
     return strncmp(name, "filtered ", 9) == 0 ? "filt" : name;
 }
 
+enum { NAME_KINDS = 4 };
+
 /* How an entry is named where room is short, by what gives way first; NULL: it is not of that kind. */
 static const char *shorter_name(const Legend *entry, int kind)
 {
@@ -125,11 +127,10 @@ static int legend_columns(const Legend *legend, int n_legend)
     return columns;
 }
 
-/* One kind of names after the other gives way until the whole legend has room. */
-static void shorten_legend(int room, Legend *legend, int n_legend)
+/* One kind of names after the other gives way until the whole legend has room: so many kinds. */
+static void shorten_legend(int room, int kinds, Legend *legend, int n_legend)
 {
-    enum { KINDS = 4 };
-    for (int kind = 0; kind < KINDS; kind++)
+    for (int kind = 0; kind < kinds; kind++)
         for (int i = 0, columns = legend_columns(legend, n_legend); i < n_legend && columns > room; i++) {
             const char *name = shorter_name(&legend[i], kind);
             legend[i].name = name ? name : legend[i].name;
@@ -153,20 +154,39 @@ int draw_heading(Area area, Style heading, const char *name, const char *scale, 
     char text[160];
     Legend shown[LEGENDS_MAX];
     n_legend = n_legend < LEGENDS_MAX ? n_legend : LEGENDS_MAX;
-    for (int i = 0; i < n_legend; i++)
-        shown[i] = legend[i];
-    int x, n_shown = n_legend;
+    int n_shown = n_legend, x = 0, room = 0;
+    /* before the earlier runs are letters only, the name of the picture is shorter */
     for (int pass = 0; pass < 2; pass++, name = short_word(name)) {
         snprintf(text, sizeof text, "%s%s%s", name, !scale[0] ? "" : scale[0] == 'x' ? " " : ", ", scale);
         x = 4 + text_columns(text) + 1;
-        shorten_legend(legend_room(area) - x, shown, n_shown);
-        if (legend_columns(shown, n_shown) <= legend_room(area) - x)
+        room = legend_room(area) - x;
+        memcpy(shown, legend, (size_t)n_legend * sizeof *legend);
+        shorten_legend(room, pass == 0 ? NAME_KINDS - 1 : NAME_KINDS, shown, n_shown);
+        if (legend_columns(shown, n_shown) <= room)
             break;
     }
-    if (legend_columns(shown, n_shown) > legend_room(area) - x)
+    if (legend_columns(shown, n_shown) > room)
         n_shown = leave_out_measured(shown, n_shown);
     area_rule(area, 0, text, heading);
     return draw_legend(area, x, 0, shown, n_shown) + n_legend - n_shown;
+}
+
+bool draw_heading_hint(const Screen *screen, Area area, int begin, int end, const char *hint)
+{
+    char text[96];
+    plain_text(screen, hint, text, sizeof text);
+    if (begin + text_columns(text) >= end)
+        return false;
+    area_text_right(area, end, 0, text, STYLE_FAINT);
+    return true;
+}
+
+double field_at(const Simulation *sim, int field, size_t index)
+{
+    double value = NAN;
+    if (field >= 0)
+        sim->method->field(sim, field, index, 1, &value);
+    return value;
 }
 
 void number_text(double value, int digits, int width, char out[NUMBER_TEXT_MAX])
@@ -347,9 +367,10 @@ double field_reach(const Screen *screen, int field, const double *now, size_t co
 void plain_text(const Screen *screen, const char *text, char *out, size_t size)
 {
     static const char *const spellings[][2] = {
-        {"→", "->"},  {"←", "<-"},  {"Δ", "d"},  {"ε", "e"}, {"σ", "s"},   {"ρ", "rho"}, {"φ", "phi"},
-        {"ξ", "xi"},  {"η", "eta"}, {"μ", "mu"}, {"α", "a"}, {"Σ", "sum"}, {"×", "x"},   {"′", "'"},
-        {"½", "1/2"}, {"²", "^2"},  {"³", "^3"}, {"−", "-"}, {"≥", ">="},  {"…", "..."},
+        {"→", "->"},  {"←", "<-"}, {"Δ", "d"},   {"ε", "e"},    {"σ", "s"},   {"ρ", "rho"},
+        {"φ", "phi"}, {"ξ", "xi"}, {"η", "eta"}, {"μ", "mu"},   {"α", "a"},   {"Σ", "sum"},
+        {"×", "x"},   {"′", "'"},  {"↑", "Up"},  {"↓", "Down"}, {"½", "1/2"}, {"²", "^2"},
+        {"³", "^3"},  {"−", "-"},  {"≥", ">="},  {"…", "..."},
     };
     enum { SPELLINGS = sizeof spellings / sizeof *spellings };
     size_t used = 0;

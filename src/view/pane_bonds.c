@@ -109,11 +109,10 @@ static void draw_node(const Screen *screen, const BondSum *sum, Area area)
     } told[] = {{"u", "u"}, {"v", "v"}, {"stress", "stress"}, {"strain", "strain"}, {"g", "surface_factor"}};
     char text[160] = "", number[NUMBER_TEXT_MAX];
     number_text(named(sum, "x0"), 6, 12, number);
-    snprintf(text, sizeof text, "node %zu at X = %s: %zu bonds", sum->node, number, sum->count);
+    snprintf(text, sizeof text, "%snode %zu at X = %s: %zu bonds", second_run(screen) ? "A: " : "", sum->node,
+             number, sum->count);
     area_rule(area, 0, text, is_focused(screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING);
-    static const char hint[] = " ← → next node  i closes ";
-    if (5 + text_columns(text) + text_columns(hint) + 2 <= area.rect.width)
-        area_text_right(area, area.rect.width - 1, 0, hint, STYLE_FAINT);
+    draw_heading_hint(screen, area, 5 + text_columns(text), area.rect.width - 1, " ← → next node  i closes ");
     text[0] = '\0';
     for (size_t i = 0; i < sizeof told / sizeof *told; i++) {
         if (simulation_find_field(sum->sim, 0, told[i].field) < 0)

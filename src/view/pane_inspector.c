@@ -191,13 +191,6 @@ static bool make_block(Block *block, const Subject *subject, int stage, bool tak
 
 /* --- drawing -------------------------------------------------------------------------------------- */
 
-static double field_value(const Simulation *sim, int field, size_t index)
-{
-    double value = NAN;
-    sim->method->field(sim, field, index, 1, &value);
-    return value;
-}
-
 static double sum_of(const BlockColumn *column, size_t first, size_t end)
 {
     double sum = 0;
@@ -344,8 +337,8 @@ static void draw_totals(const Subject *subject, Area area, const Block *block, c
         write_number(area, end, y, plan->bases[c], writing, based ? writing.decimals : writing.sum_decimals,
                      STYLE_NORMAL);
     y += plan->adds;
-    write_number(area, end, y, field_value(subject->sim, field, subject->index), writing,
-                 writing.sum_decimals, STYLE_CHANGED);
+    write_number(area, end, y, field_at(subject->sim, field, subject->index), writing, writing.sum_decimals,
+                 STYLE_CHANGED);
 }
 
 static void draw_block(const Subject *subject, Area area, const Block *block, const Plan *plan, int y)
@@ -396,20 +389,17 @@ static void draw_subject(const Screen *screen, const Subject *subject, Area area
     char text[128], number[NUMBER_TEXT_MAX];
     const int x = stage_field(sim, subject->set, "x"), cell = stage_field(sim, subject->set, "cell");
     const int fixed = stage_field(sim, subject->set, "fixed");
-    number_text(field_value(sim, x, subject->index), 6, 10, number);
-    snprintf(text, sizeof text, "%s %zu at x = %s", sim->sets[subject->set].name, subject->index, number);
+    number_text(field_at(sim, x, subject->index), 6, 10, number);
+    snprintf(text, sizeof text, "%s%s %zu at x = %s", second_run(screen) ? "A: " : "",
+             sim->sets[subject->set].name, subject->index, number);
     if (cell >= 0 && area.rect.width >= LEAST_FOR_CELL)
-        append(text, sizeof text, ", in cell %.0f", field_value(sim, cell, subject->index));
-    if (fixed >= 0 && field_value(sim, fixed, subject->index) > 0)
+        append(text, sizeof text, ", in cell %.0f", field_at(sim, cell, subject->index));
+    if (fixed >= 0 && field_at(sim, fixed, subject->index) > 0)
         append(text, sizeof text, ", held by a support");
     area_rule(area, 0, text, is_focused(screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING);
-    static const char *const hints[] = {" ← → next  ↑ ↓ node or particle  i closes ",
-                                        " ← → next  ↑ node  i closes "};
-    for (size_t i = 0; i < sizeof hints / sizeof *hints; i++)
-        if (5 + text_columns(text) + text_columns(hints[i]) + 2 <= area.rect.width) {
-            area_text_right(area, area.rect.width - 1, 0, hints[i], STYLE_FAINT);
-            return;
-        }
+    const int begin = 5 + text_columns(text), end = area.rect.width - 1;
+    if (!draw_heading_hint(screen, area, begin, end, " ← → next  ↑ ↓ node or particle  i closes "))
+        draw_heading_hint(screen, area, begin, end, " ← → next  ↑ node  i closes ");
 }
 
 /* Whether a stage passes anything between the subject and its links. */

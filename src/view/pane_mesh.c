@@ -12,14 +12,6 @@
 
 enum { CAPTION_WIDTH = 25, NODES_OF_PARTICLE_MAX = 8 };
 
-static double field_at(const Simulation *sim, int field, size_t index)
-{
-    double value = NAN;
-    if (field >= 0)
-        sim->method->field(sim, field, index, 1, &value);
-    return value;
-}
-
 static double *field_of(const Simulation *sim, int field, size_t count)
 {
     double *values = malloc((count + 1) * sizeof *values);

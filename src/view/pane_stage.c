@@ -270,7 +270,11 @@ static void draw_heading_of(const Subject *subject, Area area)
     const Simulation *sim = subject->sim;
     const Stage *stage = &sim->stages[subject->stage];
     char text[128], reads[256], writes[256], flow[600], plain[600];
-    snprintf(text, sizeof text, subject->done ? "Stage %d of %d: %s" : "Next: stage %d of %d: %s",
+    const bool both = second_run(subject->screen) != NULL;
+    snprintf(text, sizeof text, "%s%s %d of %d: %s", both ? "A: " : "",
+             !subject->done ? both ? "next, stage" : "Next: stage"
+             : both         ? "stage"
+                            : "Stage",
              subject->stage + 1, sim->n_stages, stage->name);
     area_rule(area, 0, text, is_focused(subject->screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
     const int heading = 5 + text_columns(text), source = text_columns(stage->source) + 2;

@@ -144,6 +144,9 @@ enum { LEGENDS_MAX = 32 }; /* under one heading */
  * the legend that were. */
 int draw_heading(Area, Style heading, const char *name, const char *scale, const Legend *, int n_legend);
 
+/* Writes a hint into a heading line, up to column `end`; false: there is no room behind column `begin`. */
+bool draw_heading_hint(const Screen *, Area, int begin, int end, const char *hint);
+
 /* A curve's or a picture's name where room is short: "measured" is "meas", "displacement" is "displ.". */
 const char *short_word(const char *name);
 
@@ -175,6 +178,9 @@ bool shows_bar(const Screen *);
 
 /* "t 12.34" with as many decimals as the time step has: columns do not dance. */
 void time_text(const Screen *, double time, char *out, size_t size);
+
+/* One value of a field; NAN: there is no such field (-1). */
+double field_at(const Simulation *, int field, size_t index);
 
 /* A number for people in at most `width` columns: as many digits as fit, at most `digits`. */
 void number_text(double value, int digits, int width, char out[NUMBER_TEXT_MAX]);

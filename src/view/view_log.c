@@ -150,7 +150,8 @@ void view_log(const Screen *screen, Area area, Style heading, int variant)
     char text[64], time[48];
     open_log(screen, area.rect.width, area.rect.height, &log);
     if (is_shared(screen))
-        snprintf(text, sizeof text, "what happened: %d events of A, %d of B", log.of_run[0], log.of_run[1]);
+        snprintf(text, sizeof text, "what happened: %d event%s of A, %d of B", log.of_run[0],
+                 log.of_run[0] == 1 ? "" : "s", log.of_run[1]);
     else
         snprintf(text, sizeof text, "what happened: %d event%s", log.count, log.count == 1 ? "" : "s");
     area_rule(area, 0, text, heading);

@@ -12,13 +12,9 @@ typedef struct Section {
     double x, axis, slope; /* place, height of the axis, duy/dx there */
 } Section;
 
-static double field_at(const Simulation *sim, const char *name, size_t index)
+static double named_at(const Simulation *sim, const char *name, size_t index)
 {
-    double value = NAN;
-    const int field = simulation_find_field(sim, 0, name);
-    if (field >= 0)
-        sim->method->field(sim, field, index, 1, &value);
-    return value;
+    return field_at(sim, simulation_find_field(sim, 0, name), index);
 }
 
 static void free_section(Section *section)
@@ -30,8 +26,8 @@ static void free_section(Section *section)
 /* The mean of a field over the middle row, or the two middle ones, of a column. */
 static double on_axis(const Simulation *sim, const char *name, size_t column, size_t columns, size_t rows)
 {
-    return (field_at(sim, name, (rows - 1) / 2 * columns + column) +
-            field_at(sim, name, rows / 2 * columns + column)) /
+    return (named_at(sim, name, (rows - 1) / 2 * columns + column) +
+            named_at(sim, name, rows / 2 * columns + column)) /
            2;
 }
 
@@ -47,18 +43,18 @@ static bool take_section(const Screen *screen, Section *section)
     section->ux = malloc(section->rows * sizeof *section->ux);
     if (!section->y || !section->ux)
         return false;
-    section->x = field_at(sim, "x0", column);
+    section->x = named_at(sim, "x0", column);
     section->axis = on_axis(sim, "y0", column, columns, section->rows);
     const double ux = on_axis(sim, "ux", column, columns, section->rows);
     for (size_t j = 0; j < section->rows; j++) {
-        section->y[j] = field_at(sim, "y0", j * columns + column);
-        section->ux[j] = field_at(sim, "ux", j * columns + column) - ux;
+        section->y[j] = named_at(sim, "y0", j * columns + column);
+        section->ux[j] = named_at(sim, "ux", j * columns + column) - ux;
     }
     /* over two spacings, one at an end */
     const size_t left = column > 0 ? column - 1 : column, right = column + 1 < columns ? column + 1 : column;
     section->slope = (on_axis(sim, "uy", right, columns, section->rows) -
                       on_axis(sim, "uy", left, columns, section->rows)) /
-                     (field_at(sim, "x0", right) - field_at(sim, "x0", left));
+                     (named_at(sim, "x0", right) - named_at(sim, "x0", left));
     return true;
 }
 

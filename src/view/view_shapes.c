@@ -19,14 +19,6 @@ const char *view_shapes_word(const Screen *screen, int variant)
     return variant == 1 ? "slopes" : "values";
 }
 
-static double field_at(const Simulation *sim, int field, size_t index)
-{
-    double value = NAN;
-    if (field >= 0)
-        sim->method->field(sim, field, index, 1, &value);
-    return value;
-}
-
 static double pick(const Link *link, bool slope)
 {
     return slope ? link->gradient : link->weight;

@@ -88,7 +88,7 @@ static Table table_of(const Screen *screen, int set, int width, int height)
 static void draw_heading_of(const Screen *screen, Area area, const Table *table, Style heading)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
-    char text[96], more[64] = "", plain[64];
+    char text[96], more[64] = "";
     const bool empty = table->set == 1 && has_mesh(sim) && experiment_stage(screen->experiment) == 0;
     snprintf(text, sizeof text, "%s, %zu of them%s", sim->sets[table->set].plural, sim->counts[table->set],
              empty ? ": no mass until stage 1" : "");
@@ -97,9 +97,7 @@ static void draw_heading_of(const Screen *screen, Area area, const Table *table,
     if (table->end_column - table->first_column < table->n_columns)
         snprintf(more, sizeof more, " ← → columns %d-%d of %d ", table->first_column + 1, table->end_column,
                  table->n_columns);
-    plain_text(screen, more, plain, sizeof plain);
-    if (text_columns(text) + text_columns(plain) + 5 + end <= area.rect.width)
-        area_text_right(area, area.rect.width + 1 - end, 0, plain, STYLE_FAINT);
+    draw_heading_hint(screen, area, 5 + text_columns(text), area.rect.width + 1 - end, more);
 }
 
 static void draw_column(const Screen *screen, Area area, const Table *table, const TableColumn *column,
