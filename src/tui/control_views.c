@@ -12,6 +12,8 @@ static PaneId home_of(int view)
 void show_view(Laboratory *lab, int view)
 {
     Screen *screen = &lab->screen;
+    /* where panes are seen one at a time, who asks for a view wants to see it */
+    const bool alone = screen->zoomed || (lab->width > 0 && !screen_is_whole(lab->width, lab->height));
     const char *missing = screen_view_missing(screen, view);
     if (missing) {
         say(lab, MESSAGE_INFO, "view %d: %s", view, missing);
@@ -24,7 +26,7 @@ void show_view(Laboratory *lab, int view)
         PaneId at = in_plot && view_in(screen, screen->focus) == view ? screen->focus
                     : screen->upper == view                           ? PANE_UPPER
                                                                       : PANE_LOWER;
-        if (screen->zoomed && screen->focus != at)
+        if (alone && screen->focus != at)
             screen->focus = at;
         else
             screen->variant[view]++;
@@ -35,7 +37,7 @@ void show_view(Laboratory *lab, int view)
         screen->upper = view;
     else
         screen->lower = view;
-    if (screen->zoomed)
+    if (alone)
         screen->focus = pane;
     screen->table_column = 0;
     screen->cursor_time = NAN;
