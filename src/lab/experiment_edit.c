@@ -396,6 +396,8 @@ bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *sta
     Trial *trial = &experiment->trial;
     if (!experiment->adopted && !settings_check(wanted, status))
         return false;
+    if (wanted->end != trial->base.end && !problem_check_steps(wanted->end, trial->sim->dt, status))
+        return false;
     experiment_drop_part(experiment);
     Difference difference = compare(&trial->now, wanted);
     /* what is on screen, or will be as soon as the work is done */

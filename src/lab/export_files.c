@@ -72,7 +72,7 @@ static bool take_table_names(Names *names, const char *name, Status *status)
         return true;
     if (!take_name(names, name, status))
         return false;
-    if (output_is_standard(name))
+    if (output_is_direct(name))
         return true;
     char *beside = name_beside(name);
     bool good = beside ? take_name(names, beside, status)

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 enum { TYPES_MAX = 256, PRINT_ROWS = 1000 };
 
@@ -406,13 +407,17 @@ static void write_file(FILE *file, FileKind kind, const Nodes *nodes)
     }
 }
 
-static bool make_folder(const char *folder, Status *status)
+/* *made: it was not there. */
+static bool make_folder(const char *folder, bool *made, Status *status)
 {
     struct stat what;
-    if (mkdir(folder, 0777) == 0 || (errno == EEXIST && stat(folder, &what) == 0 && S_ISDIR(what.st_mode)))
-        return true;
-    return status_fail(status, STATUS_FAILED, "%s: cannot be made: %s", folder,
-                       errno == EEXIST ? "a file of that name exists" : strerror(errno));
+    *made = false;
+    if (stat(folder, &what) == 0)
+        return S_ISDIR(what.st_mode) || status_fail(status, STATUS_USAGE, "%s: is no folder", folder);
+    if (!output_has_folder(folder, status))
+        return false;
+    *made = mkdir(folder, 0777) == 0;
+    return *made || status_fail(status, STATUS_FAILED, "%s: cannot be made: %s", folder, strerror(errno));
 }
 
 static bool write_all(const Nodes *nodes, const char *folder, bool force, Status *status)
@@ -448,8 +453,10 @@ bool lammps_export(const Settings *settings, const char *folder, bool force, Sta
     if (!sim)
         return false;
     Nodes nodes = {.sim = sim, .settings = settings};
-    bool done = read_nodes(&nodes, status) && set_types(&nodes, status) && make_folder(folder, status) &&
-                write_all(&nodes, folder, force, status);
+    bool made = false, done = read_nodes(&nodes, status) && set_types(&nodes, status) &&
+                              make_folder(folder, &made, status) && write_all(&nodes, folder, force, status);
+    if (made && !done)
+        rmdir(folder);
     free_nodes(&nodes);
     simulation_destroy(sim);
     return done;

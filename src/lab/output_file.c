@@ -22,10 +22,11 @@ static bool cannot_write(const char *name, Status *status)
     return status_fail(status, STATUS_FAILED, "%s: cannot be written: %s", name, strerror(errno));
 }
 
-static bool is_special(const char *name)
+bool output_is_direct(const char *name)
 {
     struct stat what;
-    return stat(name, &what) == 0 && !S_ISREG(what.st_mode) && !S_ISDIR(what.st_mode);
+    return output_is_standard(name) ||
+           (stat(name, &what) == 0 && !S_ISREG(what.st_mode) && !S_ISDIR(what.st_mode));
 }
 
 char *output_real_name(const char *name, Status *status)
@@ -52,9 +53,27 @@ static bool no_memory(Status *status)
     return status_fail(status, STATUS_FAILED, "not enough memory for the names of files");
 }
 
+bool output_has_folder(const char *name, Status *status)
+{
+    struct stat what;
+    char *copy = strdup(name);
+    if (!copy)
+        return no_memory(status);
+    const char *folder = dirname(copy);
+    bool there = true;
+    if (stat(folder, &what) != 0 && (errno == ENOENT || errno == ENOTDIR))
+        there = status_fail(status, STATUS_USAGE, "%s: there is no folder %s", name, folder);
+    else if (!S_ISDIR(what.st_mode))
+        there = status_fail(status, STATUS_USAGE, "%s: %s is no folder", name, folder);
+    free(copy);
+    return there;
+}
+
 /* Whether the folder is there and takes a new file: a run of hours should not find that out at its end. */
 static bool folder_takes(const char *name, Status *status)
 {
+    if (!output_has_folder(name, status))
+        return false;
     char *real = output_real_name(name, status);
     if (!real)
         return *status->text ? false : no_memory(status);
@@ -159,7 +178,7 @@ bool output_open(OutputFile *file, const char *name, bool force, Status *status)
     if (file->standard) {
         file->stream = stdout;
         opened = true;
-    } else if (is_special(name)) {
+    } else if (output_is_direct(name)) {
         file->stream = fopen(name, "we");
         opened = file->stream || cannot_write(name, status);
     } else {

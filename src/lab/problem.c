@@ -10,6 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* A run of more would not end in a lifetime, and a double would no longer count its steps exactly. */
+#define STEPS_MOST 1e12
+
 #define SI_UNITS .si = true, .unit_of_time = "s", .told_time = 1e-3, .told_time_unit = " ms"
 
 const ProblemFacts problem_facts[PROBLEM_COUNT] = {
@@ -60,10 +63,24 @@ static const ProblemRow *need_row(const Settings *settings, Status *status)
     return find_row(settings->problem, settings->method);
 }
 
+bool problem_check_steps(double end, double dt, Status *status)
+{
+    char most[NUMBER_TEXT_MAX];
+    if (end / dt <= STEPS_MOST)
+        return true;
+    text_shortest(most, STEPS_MOST);
+    return status_fail(status, STATUS_USAGE, "time.end: %g takes %.3g steps of %.3g (at most %s steps)", end,
+                       end / dt, dt, most);
+}
+
 Simulation *problem_simulate(const Settings *settings, int threads, Status *status)
 {
     const ProblemRow *row = need_row(settings, status);
-    return row ? row->simulate(settings, threads, status) : NULL;
+    Simulation *sim = row ? row->simulate(settings, threads, status) : NULL;
+    if (!sim || problem_check_steps(settings->end, sim->dt, status))
+        return sim;
+    simulation_destroy(sim);
+    return NULL;
 }
 
 int problem_derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
@@ -118,12 +135,11 @@ long problem_last_step(double dt, double end)
     double enough = end * (1 - 1e-9);
     if (!(dt > 0) || !(enough > 0))
         return 0;
-    double steps = ceil(enough / dt);
-    long last = steps < 9e18 ? (long)steps : (long)9e18;
+    long last = (long)fmin(ceil(enough / dt), 2 * STEPS_MOST);
     /* the quotient may be off by a rounding; the product decides */
     while (last > 0 && (double)(last - 1) * dt >= enough)
         last--;
-    while ((double)last * dt < enough)
+    while ((double)last * dt < enough && last < (long)STEPS_MOST)
         last++;
     return last;
 }

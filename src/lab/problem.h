@@ -38,6 +38,9 @@ extern const ProblemFacts problem_facts[PROBLEM_COUNT];
 /* Whether the problem can be solved by the method; false with the status: why not, and by which. */
 bool problem_allows(Problem, MethodKind, Status *);
 
+/* Whether a run to `end` takes steps that can be counted and done. */
+bool problem_check_steps(double end, double dt, Status *);
+
 /* The simulation at t = 0. `threads` at least 1. NULL: the status says why. */
 Simulation *problem_simulate(const Settings *, int threads, Status *);
 
@@ -49,7 +52,8 @@ bool problem_time_step(const Settings *, double *dt, Status *);
  * and named times beyond it left out. Such a run has the same rows up to there. */
 void problem_end_at(Settings *, double dt, long step);
 
-/* The first step k with k dt >= end (1 - 1e-9): where a run ends. */
+/* The first step k with k dt >= end (1 - 1e-9): where a run ends; of a run that problem_check_steps()
+ * allows. */
 long problem_last_step(double dt, double end);
 
 References *problem_references(const Settings *, const Simulation *, Status *);

@@ -145,7 +145,12 @@ expect "an unstable courant number" 2 mode1 --set time.courant=1.8
 result "is refused with both numbers" says err '^matvib: .*time.courant: 1.8 .*1.732'
 expect "one file for two tables" 2 mode1 --series x.csv --nodes ./x.csv
 expect "standard output for two tables" 2 mode1 --series - --nodes -
-expect "a folder that is not there" 1 mode1 --series none/x.csv
+expect "a folder that is not there" 2 mode1 --series none/x.csv
+result "is told" says err '^matvib: none/x.csv: there is no folder none$'
+expect "a folder that is a file" 2 mode1 --series out/x.csv
+result "is told" says err '^matvib: out/x.csv: out is no folder$'
+expect "more steps than can be done" 2 supported-beam-coarse --end 1e12
+result "are counted at once" says err '^matvib: .*time.end: 1e+12 takes 9.33e+18 steps'
 expect "a full device" 1 mode1 --series /dev/full
 result "says so" says err '^matvib: /dev/full: cannot be written: No space left on device$'
 result "nothing is left behind" nothing_else
@@ -169,7 +174,9 @@ result "and nothing else is left" nothing_else
 if test "$(id -u)" -ne 0; then
 	mkdir closed && chmod a-w closed
 	expect "a folder that cannot be written" 1 mode1 --series closed/x.csv
-	rmdir closed
+	chmod u+w closed && ln -s /dev/null closed/null && chmod a-w closed
+	expect "a device in it takes all" 0 mode1 --steps 10 --series closed/null
+	chmod u+w closed && rm -r closed
 fi
 
 expect "a bar that leaves its mesh" 1 mode1 --set bar.supports=free-free --set initial.mode=0 \

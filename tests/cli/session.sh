@@ -75,6 +75,6 @@ sed 's/^| cell_size.*/| cell_size = -1/' mode5.session >wrong.session
 "$MATVIB" --replay wrong.session --script empty 2>message
 result "its scenario is judged" grep -q 'wrong.session (scenario):[0-9]*: mesh.cell_size:' message
 result "a session has its own parameters" refuse '--replay: a session has its own scenario and parameters' --replay mode5.session --set mesh.cell_size=2
-result "a folder that is not there is told at once" refuse 'none/x.session: cannot be written: No such file or directory' mode1 --record none/x.session
+result "a folder that is not there is told at once" refuse 'none/x.session: there is no folder none' mode1 --record none/x.session
 result "no last session as yet" refuse "--last: no session has been kept ($scratch/state/matvib/last.session)" --last
 echo "1..$number"

@@ -371,7 +371,7 @@ START_TEST(files_are_written_whole_or_not_at_all)
     same = (Outputs){.series = "-", .nodes = "-"};
     expect_refused(&settings, &same, STATUS_USAGE, "standard output");
     same = (Outputs){.series = in_folder("none/s.csv")};
-    expect_refused(&settings, &same, STATUS_FAILED, "none/s.csv");
+    expect_refused(&settings, &same, STATUS_USAGE, "none/s.csv: there is no folder");
     same = (Outputs){.series = folder};
     expect_refused(&settings, &same, STATUS_USAGE, "folder");
     same = (Outputs){.bonds = in_folder("b.csv")};
