@@ -6,19 +6,9 @@ for tool in dpkg-buildpackage dh lintian; do
 		exit 0
 	}
 done
-number=0
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
+# shellcheck source=tests/common.sh
+. "$MATVIB_SRCDIR/tests/common.sh"
 
-result() {
-	number=$((number + 1))
-	name=$1
-	shift
-	if "$@" >"$scratch/out" 2>&1; then echo "ok $number - $name"; else
-		echo "not ok $number - $name"
-		tail -n 30 "$scratch/out" | sed 's/^/# /'
-	fi
-}
 version=$("$MATVIB" --version | awk '{ print $2 }')
 tarball() {
 	env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS make -s -C "$MATVIB_BUILDDIR" dist-gzip distdir="$1" >/dev/null

@@ -1,18 +1,8 @@
 #!/bin/sh
 # make install into a folder: all there, nothing else, and it works from anywhere.
-number=0
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
+# shellcheck source=tests/common.sh
+. "$MATVIB_SRCDIR/tests/common.sh"
 
-result() {
-	number=$((number + 1))
-	name=$1
-	shift
-	if "$@" >"$scratch/out" 2>&1; then echo "ok $number - $name"; else
-		echo "not ok $number - $name"
-		sed 's/^/# /' "$scratch/out"
-	fi
-}
 # its own make: not the flags of the one that runs the tests
 install() {
 	env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS make -s -C "$MATVIB_BUILDDIR" "$1" DESTDIR="$scratch/root" prefix=/usr

@@ -1,38 +1,7 @@
 #!/bin/sh
 # list, show, params, --help and what is answered to a wrong command line.
-number=0
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-
-# expect NAME STATUS ARGUMENTS...: runs matvib and keeps what it wrote in out and err
-expect() {
-	name=$1 wanted=$2
-	shift 2
-	"$MATVIB" "$@" >out 2>err
-	got=$?
-	result "$name: status $wanted" test "$got" -eq "$wanted"
-}
-# refuse NAME STATUS LINE ARGUMENTS...: nothing on stdout, one line on stderr, this one
-refuse() {
-	name=$1 wanted=$2 line="matvib: $3"
-	shift 3
-	"$MATVIB" "$@" >out 2>err
-	got=$?
-	test "$got" -eq "$wanted" || echo "status $got, not $wanted" >>out
-	printf '%s\n' "$line" | cmp -s - err || printf 'wanted: %s\n' "$line" >>out
-	result "$name" test ! -s out
-}
-result() {
-	number=$((number + 1))
-	name=$1
-	shift
-	if "$@"; then echo "ok $number - $name"; else
-		echo "not ok $number - $name"
-		sed 's/^/# /' out err
-	fi
-}
-says() { grep -q -e "$2" "$1"; }
+# shellcheck source=tests/common.sh
+. "$MATVIB_SRCDIR/tests/common.sh"
 
 expect "version" 0 --version
 result "it is one line" test "$(wc -l <out)" -eq 1
@@ -86,51 +55,51 @@ result "its parameters" says out '^  load.stress = 6e7 Pa .*\[live\]$'
 result "and what follows from them" says out '^  bonds = 1388854$'
 result "no others" test "$(grep -c mesh.cell_size out)" -eq 0
 
-refuse "unknown scenario" 2 'mode11: no such scenario or file (did you mean mode1?)' show mode11
-refuse "unknown scenario, none near" 2 'zebra: no such scenario or file (see: matvib list)' show zebra
-refuse "no scenario" 2 'SCENARIO is missing (see: matvib --help)' show
-refuse "two scenarios" 2 'mode5: is one argument too many (SCENARIO)' show mode1 mode5
-refuse "list takes no argument" 2 'mode5: is one argument too many (none)' list mode5
-refuse "a folder" 2 '/: cannot be read: Is a directory' show /
-refuse "unknown option" 2 '--sett: unknown option (did you mean --set?)' show mode1 --sett a=b
-refuse "unknown option, none near" 2 '--zebra: unknown option (see: matvib show --help)' show mode1 --zebra
-refuse "option of another command" 2 '--paused: unknown option (see: matvib show --help)' show mode1 --paused
-refuse "option without value" 2 '--set: has no value (KEY=VALUE)' show mode1 --set
-refuse "--set without =" 2 '--set: "mode" sets nothing (KEY=VALUE)' show mode1 --set mode
-refuse "--set of an unknown key" 2 '--set: mesh.cellsize: unknown key (did you mean mesh.cell_size?)' \
+refuse "unknown scenario" 'mode11: no such scenario or file (did you mean mode1?)' show mode11
+refuse "unknown scenario, none near" 'zebra: no such scenario or file (see: matvib list)' show zebra
+refuse "no scenario" 'SCENARIO is missing (see: matvib --help)' show
+refuse "two scenarios" 'mode5: is one argument too many (SCENARIO)' show mode1 mode5
+refuse "list takes no argument" 'mode5: is one argument too many (none)' list mode5
+refuse "a folder" '/: cannot be read: Is a directory' show /
+refuse "unknown option" '--sett: unknown option (did you mean --set?)' show mode1 --sett a=b
+refuse "unknown option, none near" '--zebra: unknown option (see: matvib show --help)' show mode1 --zebra
+refuse "option of another command" '--paused: unknown option (see: matvib show --help)' show mode1 --paused
+refuse "option without value" '--set: has no value (KEY=VALUE)' show mode1 --set
+refuse "--set without =" '--set: "mode" sets nothing (KEY=VALUE)' show mode1 --set mode
+refuse "--set of an unknown key" '--set: mesh.cellsize: unknown key (did you mean mesh.cell_size?)' \
 	show mode1 --set mesh.cellsize=1
-refuse "--set out of range" 2 '--set: mesh.particles_per_cell: 9 is out of range (1 to 8)' \
+refuse "--set out of range" '--set: mesh.particles_per_cell: 9 is out of range (1 to 8)' \
 	show mode1 --set mesh.particles_per_cell=9
-refuse "a view that is none" 2 '--set: view.upper: 99 is not allowed (1 to 9)' show mode1 --set view.upper=99
-refuse "half a view" 2 '--set: view.lower: 1.5 is not allowed (1 to 9)' show mode1 --set view.lower=1.5
-refuse "a window without length" 2 '--set: view.window: 0 is not allowed (> 0)' show mode1 --set view.window=0
-refuse "a pace in words" 2 '--set: view.pace: fast is not allowed (> 0)' show mode1 --set view.pace=fast
-refuse "curves that are none" 2 \
+refuse "a view that is none" '--set: view.upper: 99 is not allowed (1 to 9)' show mode1 --set view.upper=99
+refuse "half a view" '--set: view.lower: 1.5 is not allowed (1 to 9)' show mode1 --set view.lower=1.5
+refuse "a window without length" '--set: view.window: 0 is not allowed (> 0)' show mode1 --set view.window=0
+refuse "a pace in words" '--set: view.pace: fast is not allowed (> 0)' show mode1 --set view.pace=fast
+refuse "curves that are none" \
 	'--set: view.references: some is not allowed (all | exact | predicted | none)' show mode1 --set view.references=some
 expect "a view, a window, curves" 0 show mode1 --set view.upper=3 --set view.window=20 --set view.references=exact
 result "they are in the scenario" says out '^references = exact$'
-refuse "--end that is no time" 2 '--end: time.end: soon is not a number (> 0)' show mode1 --end soon
-refuse "--end and --steps" 2 '--steps: --end says when the run ends (one of them)' show mode1 --end 3 --steps 4
-refuse "no steps" 2 '--steps: 0 is not allowed (a whole number, 1 or more)' show mode1 --steps 0
-refuse "too many nodes" 2 '--set: pd.spacing: 2.06e+09 bonds are too many for memory (at most 2.68e+08: a larger spacing or a smaller horizon)' show notched-beam --set pd.spacing=1e-5 --set pd.horizon=3e-5
-refuse "both handles" 2 '--set: pd.critical_stretch: pd.critical_stretch and pd.critical_energy say the same (one of them)' \
+refuse "--end that is no time" '--end: time.end: soon is not a number (> 0)' show mode1 --end soon
+refuse "--end and --steps" '--steps: --end says when the run ends (one of them)' show mode1 --end 3 --steps 4
+refuse "no steps" '--steps: 0 is not allowed (a whole number, 1 or more)' show mode1 --steps 0
+refuse "too many nodes" '--set: pd.spacing: 2.06e+09 bonds are too many for memory (at most 2.68e+08: a larger spacing or a smaller horizon)' show notched-beam --set pd.spacing=1e-5 --set pd.horizon=3e-5
+refuse "both handles" '--set: pd.critical_stretch: pd.critical_stretch and pd.critical_energy say the same (one of them)' \
 	show notched-beam --set pd.critical_energy=1 --set pd.critical_stretch=1e-3
-refuse "unknown problem" 2 \
+refuse "unknown problem" \
 	'params: beam is not a problem (bar | simply-supported-beam | moving-cantilever | notched-beam)' params beam
-refuse "laboratory: unknown option" 2 '--pause: unknown option (did you mean --paused?)' --pause
-refuse "laboratory: unknown scenario" 2 'mode11: no such scenario or file (did you mean mode1?)' mode11
-refuse "a lesson that there is not" 2 'one-stop: no such lesson or file (did you mean one-step?)' lesson one-stop --script /dev/null
+refuse "laboratory: unknown option" '--pause: unknown option (did you mean --paused?)' --pause
+refuse "laboratory: unknown scenario" 'mode11: no such scenario or file (did you mean mode1?)' mode11
+refuse "a lesson that there is not" 'one-stop: no such lesson or file (did you mean one-step?)' lesson one-stop --script /dev/null
 "$MATVIB" lesson --list >lessons && grep -q '^one-step   One step of MPM$' lessons
 result "lesson --list tells the names" test $? -eq 0
-refuse "a slip in a command" 2 'rnu: no such command, scenario or file (did you mean run?)' rnu mode1
-refuse "laboratory: two scenarios" 2 'mode5: is one argument too many ([SCENARIO])' mode1 mode5
-refuse "laboratory: wrong word" 2 '--glyphs: dots is not a choice (auto | braille | block | ascii)' --glyphs dots
-refuse "laboratory: wrong size" 2 '--size: 80 is no size (such as 80x24)' --size 80
-refuse "laboratory: wrong history" 2 '--history: 1Q is no size (such as 64M or 2G)' --history 1Q
-refuse "laboratory: wrong threads" 2 '--threads: 0 is not allowed (a whole number, 1 or more)' --threads 0
+refuse "a slip in a command" 'rnu: no such command, scenario or file (did you mean run?)' rnu mode1
+refuse "laboratory: two scenarios" 'mode5: is one argument too many ([SCENARIO])' mode1 mode5
+refuse "laboratory: wrong word" '--glyphs: dots is not a choice (auto | braille | block | ascii)' --glyphs dots
+refuse "laboratory: wrong size" '--size: 80 is no size (such as 80x24)' --size 80
+refuse "laboratory: wrong history" '--history: 1Q is no size (such as 64M or 2G)' --history 1Q
+refuse "laboratory: wrong threads" '--threads: 0 is not allowed (a whole number, 1 or more)' --threads 0
 
 # no command word: the laboratory, which needs a terminal or a script
-refuse "laboratory: no terminal" 2 'the laboratory needs a terminal; without one use: matvib run SCENARIO' mode5 </dev/null
+refuse "laboratory: no terminal" 'the laboratory needs a terminal; without one use: matvib run SCENARIO' mode5 </dev/null
 printf 'screen\nkey q\nclosed\n' >keys
 expect "laboratory: a script" 0 --script keys --size 100x30 --paused mode10 --set mesh.cell_size=0.5 --glyphs ascii
 result "it opens the scenario" says out 'mode10 .*PAUSED'
@@ -140,14 +109,14 @@ expect "laboratory: mode1 without a name" 0 --script keys
 result "it is mode1" says out 'mode1 '
 
 printf 'zebra\n' >keys
-refuse "a script with an unknown instruction" 2 \
+refuse "a script with an unknown instruction" \
 	'keys:1: unknown instruction: zebra (key | type | click | wait | size | rate | screen | styles | expect | reject | closed)' \
 	--script keys
 
 printf '[scenario]\nproblem = bar\n[mesh]\n cell_size = 0.5\n' >bad.ini
-refuse "a damaged file" 2 'bad.ini:4: cell_size: is indented (keys begin in the first column)' show bad.ini
+refuse "a damaged file" 'bad.ini:4: cell_size: is indented (keys begin in the first column)' show bad.ini
 printf '[scenario]\nproblem = b\000ar\n' >bad.ini
-refuse "a NUL byte" 2 'bad.ini:2: a NUL byte (a scenario is text)' show bad.ini
+refuse "a NUL byte" 'bad.ini:2: a NUL byte (a scenario is text)' show bad.ini
 printf '[scenario]\nproblem = bar\n' >show
 "$MATVIB" show ./show >out 2>err
 result "a file that is named like a command" says out '^problem = bar$'

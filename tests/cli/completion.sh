@@ -1,21 +1,10 @@
 #!/usr/bin/env bash
 # Completion: what bash offers for a line, in step with the program; zsh only reads the file.
-number=0
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
+# shellcheck source=tests/common.sh
+. "$MATVIB_SRCDIR/tests/common.sh"
 folder=$MATVIB_SRCDIR/completion
 touch mine.ini
 
-result() {
-	number=$((number + 1))
-	name=$1
-	shift
-	if "$@" >out 2>&1; then echo "ok $number - $name"; else
-		echo "not ok $number - $name"
-		sed 's/^/# /' out
-	fi
-}
 # shellcheck disable=SC1091
 . "$folder/matvib"
 offered() {

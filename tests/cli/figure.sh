@@ -1,37 +1,13 @@
 #!/bin/sh
 # matvib figure as people type it: words and numbers of a page, kinds of files, bytes that repeat, refusals.
-number=0
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
+# shellcheck source=tests/common.sh
+. "$MATVIB_SRCDIR/tests/common.sh"
+subcommand=figure
 # the libraries below cairo keep what they know of fonts to the end
 printf 'leak:libfontconfig\nleak:libcairo\n' >"$scratch/.leaks"
 LSAN_OPTIONS="suppressions=$scratch/.leaks:print_suppressions=0${LSAN_OPTIONS:+:$LSAN_OPTIONS}"
 export LSAN_OPTIONS
 
-result() { # NAME COMMAND...
-	number=$((number + 1))
-	name=$1
-	shift
-	if "$@"; then echo "ok $number - $name"; else
-		echo "not ok $number - $name"
-		sed 's/^/# /' out err
-	fi
-}
-# expect NAME STATUS ARGUMENTS...: draws, and keeps what it wrote in out and err
-expect() {
-	name=$1 wanted=$2
-	shift 2
-	"$MATVIB" figure "$@" >out 2>err
-	got=$?
-	result "$name" test "$got" -eq "$wanted"
-}
-skip() { # NAME WHY
-	number=$((number + 1))
-	echo "ok $number - $1 # SKIP $2"
-}
-says() { grep -q -e "$2" "$1"; }
-lines() { test "$(wc -l <"$1")" -eq "$2"; }
 # the words of an SVG, one text a line
 words() { sed -n 's/^<text[^>]*>\(.*\)<\/text>$/\1/p' "$1"; }
 has_word() { words "$1" | grep -q -F -x -e "$2"; }
@@ -153,7 +129,7 @@ expect "unless it may be replaced" 0 mode1 --end 5 --view probe --output a.svg -
 result "then it is another" sh -c '! cmp -s a.svg c.svg'
 expect "no view" 2 mode1 --output x.svg
 expect "no file" 2 mode1 --view probe
-expect "a folder that is not there" 1 notched-beam --view probe --output none/x.svg
+expect "a folder that is not there" 2 notched-beam --view probe --output none/x.svg
 expect "nothing to draw" 1 mode1 --end 0.1 --view spectrum --output x.svg
 result "says why" says err 'needs more time'
 expect "another run that is the same" 2 mode1 --view probe --against initial.mode=1 --output x.svg

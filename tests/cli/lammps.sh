@@ -1,24 +1,8 @@
 #!/bin/sh
 # export-lammps: the files and what is refused; where LAMMPS is installed, its probe beside ours.
-number=0
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-
-result() {
-	number=$((number + 1))
-	name=$1
-	shift
-	if "$@" >out 2>err; then echo "ok $number - $name"; else
-		echo "not ok $number - $name"
-		sed 's/^/# /' out err
-	fi
-}
-refuse() {
-	wanted=$1
-	shift
-	"$MATVIB" export-lammps "$@" 2>&1 | grep -q -x -e "matvib: $wanted"
-}
+# shellcheck source=tests/common.sh
+. "$MATVIB_SRCDIR/tests/common.sh"
+subcommand=export-lammps
 
 "$MATVIB" export-lammps notched-beam-coarse --output notched >/dev/null 2>&1
 result "the script names the data" grep -q 'read_data data.matvib' notched/in.matvib
@@ -26,13 +10,13 @@ result "the script names the data" grep -q 'read_data data.matvib' notched/in.ma
 nodes=$(awk '/^Atoms/ { on = 1 } on && NF == 7 { n++ } END { print n }' notched/data.matvib)
 result "an atom for each node" test "$nodes" -eq "$((210 * 70))"
 result "no more beside" test "$(ls notched | wc -l)" -eq 2
-result "files are not overwritten" refuse 'notched/in.matvib: exists (--force replaces it)' notched-beam-coarse --output notched
+refuse "files are not overwritten" 'notched/in.matvib: exists (--force replaces it)' notched-beam-coarse --output notched
 result "unless it is said" "$MATVIB" export-lammps supported-beam-coarse --output notched --force
 result "a bent beam has its displacements beside" test -s notched/uy.matvib
-result "a bar is refused" refuse 'scenario.problem: LAMMPS gets beams only (not bar)' mode1 --output bar
+refuse "a bar is refused" 'scenario.problem: LAMMPS gets beams only (not bar)' mode1 --output bar
 result "and leaves nothing" test ! -e bar
-result "a folder must be named" refuse '--output: is missing (a folder)' notched-beam-coarse
-result "a file is no folder" refuse 'resolved.ini: is no folder' notched-beam-coarse --output resolved.ini
+refuse "a folder must be named" '--output: is missing (a folder)' notched-beam-coarse
+refuse "a file is no folder" 'resolved.ini: is no folder' notched-beam-coarse --output resolved.ini
 
 # the largest difference of the probe's motion, over its largest value, is below the limit
 agree() {
@@ -57,8 +41,7 @@ ran() { cd "$1" && OMP_NUM_THREADS=1 lmp -in in.matvib -screen none; }
 # the physics that both have: no surface correction, nothing breaks
 for scenario in supported-beam-coarse moving-cantilever-coarse notched-beam-coarse; do
 	if ! command -v lmp >/dev/null 2>&1; then
-		number=$((number + 1))
-		echo "ok $number - $scenario # SKIP lmp is not installed"
+		skip "$scenario" "lmp is not installed"
 		continue
 	fi
 	set -- "$scenario" --set pd.surface_correction=none --steps 400

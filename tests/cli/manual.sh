@@ -1,21 +1,10 @@
 #!/bin/sh
 # The manual pages: without a warning, in step with the program, and their examples work.
-number=0
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
+# shellcheck source=tests/common.sh
+. "$MATVIB_SRCDIR/tests/common.sh"
 # a page made in the build tree counts, one of the tarball otherwise
 man=$MATVIB_SRCDIR/man
 
-result() { # NAME COMMAND...
-	number=$((number + 1))
-	name=$1
-	shift
-	if "$@" >out 2>&1; then echo "ok $number - $name"; else
-		echo "not ok $number - $name"
-		sed 's/^/# /' out
-	fi
-}
 plain() { sed 's/\\-/-/g; s/\\e/\\/g; s/\\(aq/'"'"'/g; s/\\(ha/^/g' "$1"; }
 examples() { plain "$1" | awk '/^\.EE/ { on = 0; print "" } on { print } /^\.EX/ { on = 1 }'; }
 quiet() { test ! -s "$1" || { cat "$1" && false; }; }

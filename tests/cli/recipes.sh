@@ -1,9 +1,7 @@
 #!/bin/sh
 # The recipes of the manual do with other programs what they promise; those of programs that are missing are skipped.
-number=0
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
+# shellcheck source=tests/common.sh
+. "$MATVIB_SRCDIR/tests/common.sh"
 HOME=$scratch
 export HOME
 PATH=$(dirname "$MATVIB"):$PATH
@@ -13,26 +11,13 @@ recipe() {
 	sed 's/\\-/-/g; s/\\e/\\/g; s/\\(aq/'"'"'/g; s/\\&//g' "$MATVIB_SRCDIR/man/matvib.1.in" |
 		awk -v name="$1" '/^\.\\"/ { on = $0 ~ "recipe: " name "$"; next } /^\.fi/ { on = 0 } on && !/^\./ { print }'
 }
-result() { # NAME COMMAND...
-	number=$((number + 1))
-	name=$1
-	shift
-	if "$@" >out 2>&1; then echo "ok $number - $name"; else
-		echo "not ok $number - $name"
-		sed 's/^/# /' out log
-	fi
-}
-skip() {
-	number=$((number + 1))
-	echo "ok $number - $1 # SKIP $2"
-}
 # w as the summary of the run has it, to two in a thousand: zero crossings are counted in whole steps
 measured() { awk -v w="$1" '$1 == "w" { d = $2 / w - 1; found = d * d < 4e-6 } END { exit !found }' log; }
 
 recipe series >series.sh
 result "the manual has the series" test -s series.sh
 result "the series is written" sh series.sh
-w=$(sed -n 's/^frequency *measured *\([0-9.]*\).*/\1/p' out)
+w=$(sed -n 's/^frequency *measured *\([0-9.]*\).*/\1/p' .printed)
 result "its frequency is told" test -n "$w"
 
 python=

@@ -1,31 +1,9 @@
 #!/bin/sh
 # matvib run as people type it: columns, bytes that repeat, files whole or not at all, exit statuses.
-number=0
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
+# shellcheck source=tests/common.sh
+. "$MATVIB_SRCDIR/tests/common.sh"
+subcommand=run
 
-# expect NAME STATUS ARGUMENTS...: runs it, and keeps what it wrote in out and err
-expect() {
-	name=$1 wanted=$2
-	shift 2
-	"$MATVIB" run "$@" >out 2>err
-	got=$?
-	result "$name" test "$got" -eq "$wanted"
-}
-
-result() {
-	number=$((number + 1))
-	name=$1
-	shift
-	if "$@"; then echo "ok $number - $name"; else
-		echo "not ok $number - $name"
-		sed 's/^/# /' out err
-	fi
-}
-
-says() { grep -q -e "$2" "$1"; }
-lines() { test "$(wc -l <"$1")" -eq "$2"; }
 header() { test "$(head -n 1 "$1")" = "$2"; }
 nothing_else() { test "$(ls)" = "$(printf 'err\nout')"; }
 

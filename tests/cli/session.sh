@@ -1,21 +1,10 @@
 #!/bin/sh
 # --record and --replay: the same bits again; --last; what is no session is refused.
-number=0
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
+# shellcheck source=tests/common.sh
+. "$MATVIB_SRCDIR/tests/common.sh"
 export XDG_STATE_HOME="$scratch/state"
 
-result() {
-	number=$((number + 1))
-	name=$1
-	shift
-	if "$@" >out 2>err; then echo "ok $number - $name"; else
-		echo "not ok $number - $name"
-		sed 's/^/# /' out err
-	fi
-}
-refuse() { # LINE ARGUMENTS...
+refused() { # LINE ARGUMENTS...
 	wanted="matvib: $1"
 	shift
 	"$MATVIB" "$@" --script empty 2>&1 | grep -q -x -F -e "$wanted" || { "$MATVIB" "$@" --script empty && false; }
@@ -62,19 +51,19 @@ done
 grep '^at' keys >a && grep '^at' keys.again >b
 result "a replay can be recorded: the same keys" cmp a b
 
-result "a session is not overwritten" refuse 'mode5.session: exists (--force replaces it)' mode1 --record mode5.session
+result "a session is not overwritten" refused 'mode5.session: exists (--force replaces it)' mode1 --record mode5.session
 "$MATVIB" show mode1 2>/dev/null | sed -n '/^\[scenario\]/,$p' >first.ini
-result "a scenario is no session" refuse \
+result "a scenario is no session" refused \
 	'first.ini:1: unknown line: [scenario] (scenario NAME | paused | lesson NAME | reached NAME PAGE | "| ..." | at ... | end ...)' --replay first.ini
-result "nor is nothing" refuse 'empty: is no session (its scenario is missing)' --replay empty
+result "nor is nothing" refused 'empty: is no session (its scenario is missing)' --replay empty
 sed 's/^at .*Space$/at x 1 80x24 Space/' mode5.session >broken.session
 line=$(grep -n '^at x' broken.session | head -n 1 | cut -d: -f1)
-result "a place that is none" refuse \
+result "a place that is none" refused \
 	"broken.session:$line: not a place of a session (at STEP[/STAGE] SECONDS WIDTHxHEIGHT KEY [X Y])" --replay broken.session
 sed 's/^| cell_size.*/| cell_size = -1/' mode5.session >wrong.session
 "$MATVIB" --replay wrong.session --script empty 2>message
 result "its scenario is judged" grep -q 'wrong.session (scenario):[0-9]*: mesh.cell_size:' message
-result "a session has its own parameters" refuse '--replay: a session has its own scenario and parameters' --replay mode5.session --set mesh.cell_size=2
-result "a folder that is not there is told at once" refuse 'none/x.session: there is no folder none' mode1 --record none/x.session
-result "no last session as yet" refuse "--last: no session has been kept ($scratch/state/matvib/last.session)" --last
+result "a session has its own parameters" refused '--replay: a session has its own scenario and parameters' --replay mode5.session --set mesh.cell_size=2
+result "a folder that is not there is told at once" refused 'none/x.session: there is no folder none' mode1 --record none/x.session
+result "no last session as yet" refused "--last: no session has been kept ($scratch/state/matvib/last.session)" --last
 echo "1..$number"

@@ -1,38 +1,9 @@
 #!/bin/sh
 # Sweeps: what they measure, the order of their rows, going on after an interruption, plans, wrong words.
-number=0
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
+# shellcheck source=tests/common.sh
+. "$MATVIB_SRCDIR/tests/common.sh"
+subcommand=sweep
 
-# expect NAME STATUS ARGUMENTS...: runs a sweep and keeps what it wrote in out and err
-expect() {
-	name=$1 wanted=$2
-	shift 2
-	"$MATVIB" sweep "$@" >out 2>err
-	got=$?
-	result "$name: status $wanted" test "$got" -eq "$wanted"
-}
-# refuse NAME LINE ARGUMENTS...: bad input, nothing on stdout, one line on stderr, this one
-refuse() {
-	name=$1 line="matvib: $2"
-	shift 2
-	"$MATVIB" sweep "$@" >out 2>err
-	got=$?
-	test "$got" -eq 2 || echo "status $got, not 2" >>out
-	printf '%s\n' "$line" | cmp -s - err || printf 'wanted: %s\n' "$line" >>out
-	result "$name" test ! -s out
-}
-result() {
-	number=$((number + 1))
-	name=$1
-	shift
-	if "$@"; then echo "ok $number - $name"; else
-		echo "not ok $number - $name"
-		sed 's/^/# /' out err
-	fi
-}
-says() { grep -q -e "$2" "$1"; }
 # without_wall FILE: all columns but the last, which is the wall time
 without_wall() { sed 's/,[^,]*$//' "$1"; }
 # holds FILE CONDITION: of the awk program's named columns, in its last block

@@ -1,30 +1,8 @@
 #!/bin/sh
 # The command as people type it: tables on stdout, one line on stderr, exit statuses.
-number=0
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-
-# expect NAME STATUS ARGUMENTS...: runs verify, and keeps what it wrote in out and err
-expect() {
-	name=$1 wanted=$2
-	shift 2
-	"$MATVIB" verify "$@" >"$scratch/out" 2>"$scratch/err"
-	got=$?
-	result "$name" test "$got" -eq "$wanted"
-}
-
-result() {
-	number=$((number + 1))
-	name=$1
-	shift
-	if "$@"; then echo "ok $number - $name"; else
-		echo "not ok $number - $name"
-		sed 's/^/# /' "$scratch/out" "$scratch/err"
-	fi
-}
-
-says() { grep -q -e "$2" "$scratch/$1"; }
-lines() { test "$(wc -l <"$scratch/$1")" -eq "$2"; }
+# shellcheck source=tests/common.sh
+. "$MATVIB_SRCDIR/tests/common.sh"
+subcommand=verify
 
 echo 1..11
 expect "figure 3 of the bar holds" 0 M-fig3

@@ -1,0 +1,44 @@
+# Of the test scripts: sourced first, it makes a scratch folder that goes at the end and enters it, and counts
+# what is found out, as TAP. A script of one subcommand says which: subcommand=run
+number=0
+subcommand=
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+
+# result NAME COMMAND...: it holds if the command does; if not, what was printed is told, by it and before
+result() {
+	number=$((number + 1))
+	name=$1
+	shift
+	if "$@" >"$scratch/.printed" 2>&1; then echo "ok $number - $name"; else
+		echo "not ok $number - $name"
+		for file in "$scratch/.printed" "$scratch/out" "$scratch/err"; do
+			test ! -f "$file" || tail -n 40 "$file" | sed 's/^/# /'
+		done
+	fi
+}
+skip() { # NAME WHY
+	number=$((number + 1))
+	echo "ok $number - $1 # SKIP $2"
+}
+# expect NAME STATUS ARGUMENTS...: runs it, and keeps what it wrote in out and err
+expect() {
+	name=$1 wanted=$2
+	shift 2
+	"$MATVIB" ${subcommand:+"$subcommand"} "$@" >out 2>err
+	got=$?
+	result "$name: status $wanted" test "$got" -eq "$wanted"
+}
+# refuse NAME LINE ARGUMENTS...: bad usage; nothing on standard output, on standard error this one line
+refuse() {
+	name=$1 line="matvib: $2"
+	shift 2
+	"$MATVIB" ${subcommand:+"$subcommand"} "$@" >out 2>err
+	got=$?
+	test "$got" -eq 2 || echo "status $got, not 2" >>out
+	printf '%s\n' "$line" | cmp -s - err || printf 'wanted: %s\n' "$line" >>out
+	result "$name" test ! -s out
+}
+says() { grep -q -e "$2" "$1"; } # FILE PATTERN
+lines() { test "$(wc -l <"$1")" -eq "$2"; }
