@@ -239,7 +239,7 @@ void axis_scale_text(const Axis *axis, const char *unit, char out[TICK_TEXT_MAX]
     } prefixes[] = {{-9, "n"}, {-6, "µ"}, {-3, "m"}, {3, "k"}, {6, "M"}, {9, "G"}};
     const bool si = strcmp(unit, "m") == 0 || strcmp(unit, "s") == 0 || strcmp(unit, "Pa") == 0 ||
                     strcmp(unit, "J") == 0 || strcmp(unit, "m/s") == 0 || strcmp(unit, "Hz") == 0 ||
-                    strcmp(unit, "N") == 0;
+                    strcmp(unit, "N") == 0 || strcmp(unit, "J/m³") == 0;
     out[0] = '\0';
     if (si) {
         for (size_t i = 0; i < sizeof prefixes / sizeof *prefixes; i++)

@@ -28,19 +28,37 @@ typedef struct MapMark {
     uint32_t letter;
 } MapMark;
 
+typedef struct Map Map;
+typedef struct Drawing Drawing;
+
+/* What a problem adds to the picture of its beam: a row of the table in map_drawing.c. */
+typedef struct Scenery {
+    bool leaves;  /* it comes out of a channel: the picture has room for its way, and displacements along it
+                   * are drawn as they are */
+    bool pressed; /* a load above, supports below: it is deep, and keeps its shape when it bends */
+    bool pinned;  /* its left support holds both ways; else supports.pinned says so */
+    int around;   /* rows above and below the beam that a drawing of it needs */
+    double probe[2];                /* where the motion is measured: shares of length and height */
+    void (*lines)(Map *);           /* over the map; NULL: none */
+    void (*dimensions)(Drawing *);  /* of the drawing, the most important first */
+    void (*parts)(const Drawing *); /* likewise supports, load, channel, notch */
+} Scenery;
+
+extern const Scenery map_scenery[PROBLEM_COUNT];
+
 /* A piece of a cell, and the nodes that cover it. */
 typedef struct Pixel {
     float sum, count, broken;
 } Pixel;
 
-typedef struct Map {
+struct Map {
     const Screen *screen;
     const Simulation *sim;
     const Settings *settings;
     Area area;
     Body body;
+    const Scenery *scenery;
     int legend_at; /* column from which the lines are named; 0: no room */
-    bool moves_on; /* the beam leaves a channel: displacements along it are drawn as they are */
 
     /* where things are drawn */
     double scale_x, scale_y; /* columns and rows for a metre */
@@ -61,7 +79,7 @@ typedef struct Map {
     int across, down; /* pixels in a cell */
     Pixel *pixels;
     MapMark *marks;
-} Map;
+};
 
 /* The words of view.colour in their order; the last is the drawing with its dimensions. */
 typedef enum MapVariant {
@@ -112,7 +130,9 @@ void map_line(Map *, double from_x, double from_y, double to_x, double to_y, Pen
 /* The parts of the picture, in the order in which they are drawn. */
 void map_draw_heat(Map *);
 void map_draw_bonds(Map *);
-void map_draw_lines(Map *); /* notch, protected zones, channel, crack */
+void map_draw_lines(Map *);  /* the scenery's, with the bonds' */
+void map_notch_lines(Map *); /* notch, protected zones, crack, the paper's angle */
+void map_channel_lines(Map *);
 void map_draw_nodes(Map *);
 void map_draw_signs(Map *); /* supports, load, chosen node */
 

@@ -69,8 +69,8 @@ bool map_colour(Map *map, MapVariant variant)
     map->sim->method->field(map->sim, field, 0, count, map->value);
     double least = INFINITY, most = -INFINITY;
     for (size_t i = 0; i < count; i++) {
-        least = fmin(least, map->value[i]);
-        most = fmax(most, map->value[i]);
+        least = map->value[i] < least ? map->value[i] : least;
+        most = map->value[i] > most ? map->value[i] : most;
     }
     if (!isfinite(least) || !isfinite(most))
         return false;

@@ -15,16 +15,16 @@ typedef struct Dimension {
     int row;
 } Dimension;
 
-typedef struct Drawing {
-    const Settings *settings;
+struct Drawing {
     const BeamDef *beam;
+    const Scenery *scenery;
     const Body *body;
     Area area;
     double low, scale; /* column = 1 + (x - low) scale */
     int top, bottom;   /* rows of the upper and lower edge */
     Dimension dimensions[DIMENSIONS_MAX];
     int n_dimensions, dimension_rows;
-} Drawing;
+};
 
 static int column_of(const Drawing *drawing, double x)
 {
@@ -40,25 +40,6 @@ static void add(Drawing *drawing, double from, double to, int row)
 {
     drawing->dimensions[drawing->n_dimensions++] = (Dimension){from, to, row};
     drawing->dimension_rows = row + 1 > drawing->dimension_rows ? row + 1 : drawing->dimension_rows;
-}
-
-static void list_dimensions(Drawing *drawing)
-{
-    const BeamDef *beam = drawing->beam;
-    switch (drawing->settings->problem) {
-    case PROBLEM_MOVING_CANTILEVER:
-        add(drawing, -beam->channel, 0, 0);
-        add(drawing, 0, beam->length, 0);
-        break;
-    case PROBLEM_NOTCHED_BEAM:
-        add(drawing, 0, beam->notch_position, 0);
-        add(drawing, 0, beam->load_position, 1);
-        add(drawing, beam->support_left, beam->support_right, 2);
-        add(drawing, 0, beam->length, 3);
-        break;
-    default:
-        add(drawing, 0, beam->length, 0);
-    }
 }
 
 static void millimetres(double metres, char *out, size_t size)
@@ -142,14 +123,11 @@ static void draw_notched(const Drawing *drawing)
 static void draw_probe(const Drawing *drawing)
 {
     const Body *body = drawing->body;
-    double x = body->low[0] + body->size[0] / 2, share = 0.5;
-    if (drawing->settings->problem == PROBLEM_MOVING_CANTILEVER)
-        x = body->low[0] + body->size[0];
-    else if (drawing->settings->problem == PROBLEM_NOTCHED_BEAM)
-        share = 1;
-    const int column = column_of(drawing, x), row = row_of(drawing, share);
+    const double *probe = drawing->scenery->probe;
+    const int column = column_of(drawing, body->low[0] + probe[0] * body->size[0]);
+    const int row = row_of(drawing, probe[1]);
     area_put(drawing->area, column, row, 0x25cf, STYLE_MEASURED);
-    area_text(drawing->area, share >= 1 ? column + 1 : column - 6, row, "probe", STYLE_MEASURED);
+    area_text(drawing->area, probe[1] >= 1 ? column + 1 : column - 6, row, "probe", STYLE_MEASURED);
 }
 
 /* "E 71 GPa  density 2700  thickness 5 mm  u(0) 3 µm" */
@@ -161,13 +139,14 @@ static void draw_words(const Drawing *drawing, int y)
     text_rounded(b, beam->density, 5);
     text_rounded(c, 1e3 * beam->thickness, 4);
     snprintf(text, sizeof text, "E %s GPa  density %s kg/m³  thickness %s mm", a, b, c);
-    if (drawing->settings->problem != PROBLEM_NOTCHED_BEAM) {
+    if (!drawing->scenery->pressed) {
         text_rounded(a, 1e6 * beam->amplitude, 4);
         append(text, sizeof text, "  U %s µm", a);
     }
     area_phrases(drawing->area, 1, y, drawing->area.rect.width - 2, 1, text, STYLE_FAINT);
 }
 
+/* The ends of a beam that vibrates are held at half its height. */
 static void draw_supports(const Drawing *drawing)
 {
     const Body *body = drawing->body;
@@ -176,18 +155,61 @@ static void draw_supports(const Drawing *drawing)
     area_put(drawing->area, column_of(drawing, body->low[0] + body->size[0]), row, 0x25cb, STYLE_HEADING);
 }
 
+/* --- what the problems add ---------------------------------------------------------------------------- */
+
+static void length_alone(Drawing *drawing)
+{
+    add(drawing, 0, drawing->beam->length, 0);
+}
+
+static void channel_and_length(Drawing *drawing)
+{
+    add(drawing, -drawing->beam->channel, 0, 0);
+    add(drawing, 0, drawing->beam->length, 0);
+}
+
+static void notch_load_supports(Drawing *drawing)
+{
+    const BeamDef *beam = drawing->beam;
+    add(drawing, 0, beam->notch_position, 0);
+    add(drawing, 0, beam->load_position, 1);
+    add(drawing, beam->support_left, beam->support_right, 2);
+    add(drawing, 0, beam->length, 3);
+}
+
+const Scenery map_scenery[PROBLEM_COUNT] = {
+    [PROBLEM_SUPPORTED_BEAM] = {.pinned = true,
+                                .probe = {0.5, 0.5},
+                                .dimensions = length_alone,
+                                .parts = draw_supports},
+    [PROBLEM_MOVING_CANTILEVER] = {.leaves = true,
+                                   .around = 1,
+                                   .probe = {1, 0.5},
+                                   .lines = map_channel_lines,
+                                   .dimensions = channel_and_length,
+                                   .parts = draw_channel},
+    [PROBLEM_NOTCHED_BEAM] = {.pressed = true,
+                              .around = 1,
+                              .probe = {0.5, 1},
+                              .lines = map_notch_lines,
+                              .dimensions = notch_load_supports,
+                              .parts = draw_notched},
+};
+
+/* --- the whole ---------------------------------------------------------------------------------------- */
+
 void map_drawing(const Screen *screen, Area area, Style heading)
 {
     Body body;
     if (!body_of(experiment_simulation(screen->experiment), &body))
         return;
-    Drawing drawing = {.settings = experiment_settings(screen->experiment), .body = &body, .area = area};
-    drawing.beam = &drawing.settings->beam;
-    drawing.low = body.low[0];
+    const Settings *settings = experiment_settings(screen->experiment);
+    const Scenery *scenery = &map_scenery[settings->problem];
+    Drawing drawing = {
+        .beam = &settings->beam, .scenery = scenery, .body = &body, .area = area, .low = body.low[0]};
     const int columns = area.rect.width - 2 - MARGIN_RIGHT;
-    list_dimensions(&drawing);
-    /* a row above for the load or the channel, one below for it or the supports */
-    const int around = drawing.settings->problem == PROBLEM_SUPPORTED_BEAM ? 0 : 1;
+    scenery->dimensions(&drawing);
+    const int around = scenery->around;
     int room = area.rect.height - 1 - 2 * around;
     while (drawing.dimension_rows > 1 && drawing.dimension_rows + LEAST_ROWS > room - 1) {
         drawing.n_dimensions--;
@@ -215,12 +237,7 @@ void map_drawing(const Screen *screen, Area area, Style heading)
              to_scale ? "" : number);
     area_rule(area, 0, title, heading);
     draw_outline(&drawing);
-    if (drawing.settings->problem == PROBLEM_MOVING_CANTILEVER)
-        draw_channel(&drawing);
-    else if (drawing.settings->problem == PROBLEM_NOTCHED_BEAM)
-        draw_notched(&drawing);
-    else
-        draw_supports(&drawing);
+    scenery->parts(&drawing);
     draw_probe(&drawing);
     for (int i = 0; i < drawing.n_dimensions; i++)
         draw_dimension(&drawing, &drawing.dimensions[i],

@@ -118,7 +118,7 @@ static void draw_crack(Map *map)
     }
 }
 
-static void draw_notched(Map *map)
+void map_notch_lines(Map *map)
 {
     const BeamDef *beam = &map->settings->beam;
     const double depth = beam->protected_depth, top = beam->height;
@@ -174,7 +174,7 @@ static void name_lines(const Map *map)
 /* --- the channel ---------------------------------------------------------------------------------- */
 
 /* Its walls stand still, above and below the beam. */
-static void draw_channel(Map *map)
+void map_channel_lines(Map *map)
 {
     const Body *body = &map->body;
     const Pen pen = {STYLE_HEADING, RANK_WALL, 1, '='};
@@ -191,11 +191,8 @@ static void draw_channel(Map *map)
 
 void map_draw_lines(Map *map)
 {
-    const Problem problem = map->settings->problem;
-    if (problem == PROBLEM_NOTCHED_BEAM)
-        draw_notched(map);
-    else if (problem == PROBLEM_MOVING_CANTILEVER)
-        draw_channel(map);
+    if (map->scenery->lines)
+        map->scenery->lines(map);
     if (!map->area.canvas->sketch)
         draw_marks(map);
 }
@@ -218,7 +215,7 @@ static double *flags_of(const Map *map, const char *name, int row)
 /* A support that holds both ways is a triangle, one that lets the beam slide a roller. */
 static void draw_supports(Map *map, int row)
 {
-    const bool pinned = map->settings->problem == PROBLEM_SUPPORTED_BEAM || map->settings->beam.pinned;
+    const bool pinned = map->scenery->pinned || map->settings->beam.pinned;
     double *held = flags_of(map, "held", row), column, y;
     const size_t nx = (size_t)map->body.nx;
     for (size_t i = 0; held && i < nx; i++) {
@@ -286,9 +283,9 @@ static void draw_chosen(Map *map)
 void map_draw_signs(Map *map)
 {
     draw_load(map);
-    if (map->settings->problem == PROBLEM_NOTCHED_BEAM && !map->nodes_seen && !map->area.canvas->sketch)
+    if (map->scenery->pressed && !map->nodes_seen && !map->area.canvas->sketch)
         name_lines(map);
-    if (map->settings->problem != PROBLEM_MOVING_CANTILEVER) {
+    if (!map->scenery->leaves) {
         draw_supports(map, 0);
         draw_supports(map, (map->body.ny - 1) / 2);
     }

@@ -76,7 +76,7 @@ static void take_axes(const Map *map, Sketch *sketch)
     double low[2], high[2];
     place_of(map, 0, map->area.rect.height, &low[0], &low[1]);
     place_of(map, map->area.rect.width, 0, &high[0], &high[1]);
-    if (map->settings->problem == PROBLEM_NOTCHED_BEAM && map->screen->magnified <= 1)
+    if (map->scenery->pressed && map->screen->magnified <= 1)
         for (int d = 0; d < 2; d++) {
             const double margin = (d == 0 ? 0.01 : 0.1) * body->size[d];
             low[d] = (body->low[d] - margin) / MILLI;
@@ -96,7 +96,7 @@ static void name_lines(Sketch *sketch, const Map *map)
         {LINE_DASHED, STYLE_FRAME, 0, "protected"},
     };
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
-        for (int k = 0; k < sketch->plot.n_strokes && map->settings->problem == PROBLEM_NOTCHED_BEAM; k++)
+        for (int k = 0; k < sketch->plot.n_strokes && map->scenery->pressed; k++)
             if (sketch->plot.strokes[k].style == keys[i].style) {
                 sketch_key(sketch, &keys[i]);
                 break;

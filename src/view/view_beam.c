@@ -60,41 +60,49 @@ static void crack_texts(const Map *map, char *tip, char *angle, size_t size)
         snprintf(angle, size, "fit %.0f°", fabs(facts.angle));
 }
 
+/* The parts of a title in the order in which they are worth its room: of a piece seen from near that it is
+ * magnified comes first. */
+enum { TIP, FIT, ENLARGED, MAGNIFIED, STRETCHED, PARTS };
+static const int whole_order[PARTS] = {TIP, FIT, ENLARGED, MAGNIFIED, STRETCHED};
+static const int near_order[PARTS] = {MAGNIFIED, STRETCHED, ENLARGED, TIP, FIT};
+
 static void draw_title(const Map *map, Area area, Style heading)
 {
     const Colouring *colouring = map->colouring;
+    const int *order = map->screen->magnified > 1 ? near_order : whole_order;
     const int room = area.rect.width - 6;
     const char *times = area.canvas->sketch ? "×" : "x";
-    char title[192] = "", parts[5][64] = {"", "", "", "", ""}, number[NUMBER_TEXT_MAX];
-    crack_texts(map, parts[0], parts[1], sizeof parts[0]);
-    if (map->moves_on) {
+    char title[192] = "", parts[PARTS][64] = {"", "", "", "", ""}, number[NUMBER_TEXT_MAX];
+    crack_texts(map, parts[TIP], parts[FIT], sizeof parts[TIP]);
+    if (map->scenery->leaves) {
         const double length =
             map->settings->beam.length + map->settings->beam.speed * simulation_time(map->sim);
-        snprintf(parts[0], sizeof parts[0], "length %.1f mm", 1e3 * length);
+        snprintf(parts[TIP], sizeof parts[TIP], "length %.1f mm", 1e3 * length);
     }
     factor_text(map->enlarged, number);
     if (map->enlarged != 1)
-        snprintf(parts[2], sizeof parts[2], "%s %s %s", map->moves_on ? "uy" : "u", times, number);
+        snprintf(parts[ENLARGED], sizeof parts[ENLARGED], "%s %s %s", map->scenery->leaves ? "uy" : "u",
+                 times, number);
     factor_text(map->screen->magnified, number);
     if (map->screen->magnified > 1)
-        snprintf(parts[3], sizeof parts[3], "zoom %s", number);
+        snprintf(parts[MAGNIFIED], sizeof parts[MAGNIFIED], "zoom %s", number);
     factor_text(map->stretch, number);
     if (map->stretch != 1)
-        snprintf(parts[4], sizeof parts[4], "height %s %s", times, number);
+        snprintf(parts[STRETCHED], sizeof parts[STRETCHED], "height %s %s", times, number);
     else
-        snprintf(parts[4], sizeof parts[4], "to scale");
+        snprintf(parts[STRETCHED], sizeof parts[STRETCHED], "to scale");
     if (area.canvas->sketch) { /* on paper the field stands beside its colours */
-        for (int i = 0; i < 5; i++)
-            add_part(title, sizeof title, (int)sizeof title, parts[i]);
+        for (int i = 0; i < PARTS; i++)
+            add_part(title, sizeof title, (int)sizeof title, parts[order[i]]);
         area_text(area, 0, 0, title, STYLE_NORMAL);
         return;
     }
     int columns = text_columns(colouring->meaning);
-    for (int i = 0; i < 5; i++)
+    for (int i = 0; i < PARTS; i++)
         columns += parts[i][0] ? 2 + text_columns(parts[i]) : 0;
     snprintf(title, sizeof title, "%s", columns <= room ? colouring->meaning : colouring->label);
-    for (int i = 0; i < 5; i++)
-        add_part(title, sizeof title, room, parts[i]);
+    for (int i = 0; i < PARTS; i++)
+        add_part(title, sizeof title, room, parts[order[i]]);
     area_rule(area, 0, title, heading);
 }
 
@@ -122,6 +130,22 @@ static const char *note_of(const Map *map, bool brief)
     return "";
 }
 
+/* "├────┤ 2 mm": how long that is, where the beam's own length is out of sight. Returns its columns. */
+static int draw_length(const Map *map, Area area, int x, int y)
+{
+    enum { COLUMNS_MOST = 10 };
+    const double length = step_round_down(COLUMNS_MOST / map->scale_x);
+    const int columns = (int)lround(length * map->scale_x);
+    char number[NUMBER_TEXT_MAX], text[NUMBER_TEXT_MAX + 8];
+    text_rounded(number, 1e3 * length, 3);
+    snprintf(text, sizeof text, " %s mm", number);
+    if (x + columns + text_columns(text) > area.rect.width)
+        return 0;
+    for (int i = 0; i < columns; i++)
+        area_put(area, x + i, y, i == 0 ? 0x251c : i == columns - 1 ? 0x2524 : 0x2500, STYLE_NORMAL);
+    return columns + area_text(area, x + columns, y, text, STYLE_NORMAL);
+}
+
 /* "-4 [ramp] 0 [ramp] 4 µm", and what there is to say of the picture. */
 static void draw_scale(const Map *map, Area area, int y)
 {
@@ -141,6 +165,8 @@ static void draw_scale(const Map *map, Area area, int y)
     }
     axis_scale_text(&axis, map->colouring->unit, scale);
     x += area_text(area, x, y, scale, STYLE_NORMAL) + 2;
+    if (map->screen->magnified > 1)
+        x += draw_length(map, area, x, y) + 2;
     const char *note = note_of(map, x + text_columns(note_of(map, false)) >= area.rect.width);
     if (x + text_columns(note) < area.rect.width)
         area_text_right(area, area.rect.width - 1, y, note, STYLE_FAINT);

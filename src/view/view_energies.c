@@ -63,7 +63,8 @@ static Stack stack_of(const Screen *screen)
 {
     Stack stack = {.record = experiment_record(screen->experiment)};
     if (rigid_energy(screen) > 0) {
-        add_layer(&stack, "strain", find_column(screen, "strain"), -1, STYLE_EXACT);
+        add_layer(&stack, "strain, for travel dwarfs the rest", find_column(screen, "strain"), -1,
+                  STYLE_EXACT);
         return stack;
     }
     const int kinetic = find_column(screen, "kinetic"), grid = find_column(screen, "kinetic_grid");
@@ -153,7 +154,7 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
     const double rigid = rigid_energy(screen);
     if (rigid > 0) {
         number_text(rigid, 4, 10, number);
-        append(out, 320, "  kinetic not drawn: %s J rigid motion%s", number, wide ? ", 1/2 m v0^2" : "");
+        append(out, 320, "  kinetic %s J of travel%s: not drawn", number, wide ? " (1/2 m v0^2)" : "");
     }
     if (isfinite(hidden))
         append(out, 320, wide ? "  hidden %.2f %% of kinetic in this window" : "  hidden %.2f %%",
