@@ -130,8 +130,9 @@ static const char *note_of(const Map *map, bool brief)
     return "";
 }
 
-/* "├────┤ 2 mm": how long that is, where the beam's own length is out of sight. Returns its columns. */
-static int draw_length(const Map *map, Area area, int x, int y)
+/* "├────┤ 2 mm": how long that is, where the beam's own length is out of sight. It ends before
+ * column `end`, or is left out. Returns its columns. */
+static int draw_length(const Map *map, Area area, int x, int y, int end)
 {
     enum { COLUMNS_MOST = 10 };
     const double length = step_round_down(COLUMNS_MOST / map->scale_x);
@@ -139,7 +140,7 @@ static int draw_length(const Map *map, Area area, int x, int y)
     char number[NUMBER_TEXT_MAX], text[NUMBER_TEXT_MAX + 8];
     text_rounded(number, 1e3 * length, 3);
     snprintf(text, sizeof text, " %s mm", number);
-    if (x + columns + text_columns(text) > area.rect.width)
+    if (x + columns + text_columns(text) > end)
         return 0;
     for (int i = 0; i < columns; i++)
         area_put(area, x + i, y, i == 0 ? 0x251c : i == columns - 1 ? 0x2524 : 0x2500, STYLE_NORMAL);
@@ -165,8 +166,11 @@ static void draw_scale(const Map *map, Area area, int y)
     }
     axis_scale_text(&axis, map->colouring->unit, scale);
     x += area_text(area, x, y, scale, STYLE_NORMAL) + 2;
-    if (map->screen->magnified > 1)
-        x += draw_length(map, area, x, y) + 2;
+    if (map->screen->magnified > 1) {
+        /* what the lines between the nodes are must be said in any case */
+        const int kept = map->nodes_seen ? text_columns(note_of(map, true)) + 2 : 0;
+        x += draw_length(map, area, x, y, area.rect.width - kept) + 2;
+    }
     const char *note = note_of(map, x + text_columns(note_of(map, false)) >= area.rect.width);
     if (x + text_columns(note) < area.rect.width)
         area_text_right(area, area.rect.width - 1, y, note, STYLE_FAINT);
