@@ -39,17 +39,36 @@ void duel_write_keys(const Assignment *keys, int n_keys, char *out, size_t size)
             (size_t)snprintf(out + used, size - used, "%s%s=%s", i ? " " : "", keys[i].key, keys[i].value);
 }
 
-int duel_suggest(const Settings *settings, Assignment keys[DUEL_MAX])
+/* The parameter at its next choice or size; false: it has none. */
+static bool suggest(const Settings *settings, const Parameter *parameter, Assignment *key)
 {
     Settings other = *settings;
-    const Parameter *parameter = settings_question(settings);
     char value[LIST_MAX];
-    if (!parameter || !settings_answer_otherwise(&other, parameter))
-        return 0;
+    if (!parameter || !settings_have(settings, parameter) ||
+        !settings_can_ask(parameter, settings->problem) || !settings_answer_otherwise(&other, parameter))
+        return false;
     settings_get(&other, parameter, value);
-    snprintf(keys[0].key, sizeof keys[0].key, "%s", parameter->key);
-    snprintf(keys[0].value, sizeof keys[0].value, "%.*s", VALUE_MAX - 1, value);
-    return 1;
+    snprintf(key->key, sizeof key->key, "%s", parameter->key);
+    snprintf(key->value, sizeof key->value, "%.*s", VALUE_MAX - 1, value);
+    return true;
+}
+
+static bool is_of_method(const Settings *settings, const Parameter *parameter)
+{
+    return strncmp(parameter->key, settings->method == METHOD_MPM ? "mpm." : "pd.", 3) == 0;
+}
+
+int duel_suggest(const Settings *settings, int which, Assignment keys[DUEL_MAX])
+{
+    const Parameter *question = settings_question(settings);
+    if (suggest(settings, question, keys) && which-- == 0)
+        return 1;
+    for (int of_method = 1; of_method >= 0; of_method--)
+        for (int i = 0; i < n_parameters; i++)
+            if (&parameters[i] != question && is_of_method(settings, &parameters[i]) == of_method &&
+                suggest(settings, &parameters[i], keys) && which-- == 0)
+                return 1;
+    return 0;
 }
 
 static bool is_duel_key(const Duel *duel, const char *key)

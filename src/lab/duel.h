@@ -35,9 +35,10 @@ int duel_read_keys(const char *text, Assignment keys[DUEL_MAX], Status *);
 /* The other way round, for a prompt. */
 void duel_write_keys(const Assignment *keys, int n_keys, char *out, size_t size);
 
-/* What is worth a duel where nobody said: what the scenario asks about, at its next choice. Returns how many
- * keys; 0: it asks nothing. */
-int duel_suggest(const Settings *, Assignment keys[DUEL_MAX]);
+/* What is worth a duel where nobody said. `which` 0: what the scenario asks about, at its next choice; above:
+ * the other choices and sizes that there are, those of the method first. Returns how many keys; 0: there are no
+ * more. */
+int duel_suggest(const Settings *, int which, Assignment keys[DUEL_MAX]);
 
 /* Begins a duel; B has A's settings but for these keys, and seeks A's time: call duel_work() until nothing is
  * pending. Both share the memory for keyframes. A duel that there is ends first. False: refused (a key is

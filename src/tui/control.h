@@ -89,6 +89,7 @@ struct Laboratory {
     double part_seconds; /* what it has taken so far */
     int frames_in_time;  /* since the engine was last the limit */
     Answer answer;
+    int suggestion;         /* for a duel, the one that is offered; -1: what was the last one's */
     int tabbed;             /* candidates that Tab has shown; the next Tab shows those behind them */
     ScenarioList scenarios; /* behind screen.prompt.scenarios */
     LineHistory past;
@@ -167,6 +168,7 @@ double next_125(double value, int direction); /* the next number of 1, 2, 5, 10,
 
 void ask(Laboratory *, Answer, bool yes_no, const char *text, const char *format, ...)
     __attribute__((format(printf, 5, 6)));
+void fill_prompt(Laboratory *, const char *text); /* in place of what was typed; typing replaces it */
 void close_prompt(Laboratory *);
 void prompt_key(Laboratory *, const Key *);
 void complete_prompt(Laboratory *);
@@ -177,6 +179,7 @@ void ask_line(Laboratory *);
 void toggle_duel(Laboratory *);
 void open_duel(Laboratory *);                      /* of a scenario that has keys for one */
 bool answer_duel(Laboratory *, const char *words); /* "KEY=VALUE ..." */
+void suggest_duel(Laboratory *, int direction);    /* the next or previous of what a duel may be about */
 void tell_second(Laboratory *);                    /* says once that the second run stopped */
 void duel_over(Laboratory *, const Status *);      /* says so if a change ended it, and why */
 void recall_line(Laboratory *, int direction);

@@ -52,11 +52,24 @@ void toggle_duel(Laboratory *lab)
         return;
     }
     /* what was the last one is asked for again, else what the scenario asks about */
-    const int n_keys = duel->n_keys > 0 ? duel->n_keys : duel_suggest(settings, keys);
+    lab->suggestion = duel->n_keys > 0 ? -1 : 0;
+    const int n_keys = duel->n_keys > 0 ? duel->n_keys : duel_suggest(settings, 0, keys);
     duel_write_keys(duel->n_keys > 0 ? duel->keys : keys, n_keys, text, sizeof text);
     ask(lab, answer_duel, false, text, "in B is");
     snprintf(lab->screen.prompt.hint, sizeof lab->screen.prompt.hint,
-             "the keys in which the second run differs; Tab completes, Enter begins the duel");
+             "in what the second run differs; Down offers others, Tab completes, Enter begins the duel");
+}
+
+void suggest_duel(Laboratory *lab, int direction)
+{
+    const int to = lab->suggestion + direction;
+    Assignment keys[DUEL_MAX];
+    if (to < 0 || duel_suggest(experiment_settings(lab->screen.experiment), to, keys) == 0)
+        return;
+    lab->suggestion = to;
+    char text[sizeof lab->screen.prompt.text];
+    duel_write_keys(keys, 1, text, sizeof text);
+    fill_prompt(lab, text);
 }
 
 void tell_second(Laboratory *lab)

@@ -20,9 +20,16 @@ void ask(Laboratory *lab, Answer answer, bool yes_no, const char *text, const ch
     va_start(arguments, format);
     vsnprintf(prompt->question, sizeof prompt->question, format, arguments);
     va_end(arguments);
+    fill_prompt(lab, text);
+    lab->answer = answer;
+}
+
+void fill_prompt(Laboratory *lab, const char *text)
+{
+    Prompt *prompt = &lab->screen.prompt;
     snprintf(prompt->text, sizeof prompt->text, "%s", text);
     prompt->cursor = text_columns(prompt->text);
-    lab->answer = answer;
+    prompt->problem[0] = '\0';
     lab->fresh = true;
 }
 
@@ -77,6 +84,8 @@ void prompt_key(Laboratory *lab, const Key *key)
         /* its name is the answer now */
     } else if (lab->answer == answer_line && (strcmp(name, "Up") == 0 || strcmp(name, "Down") == 0)) {
         recall_line(lab, name[0] == 'U' ? -1 : 1);
+    } else if (lab->answer == answer_duel && (strcmp(name, "Up") == 0 || strcmp(name, "Down") == 0)) {
+        suggest_duel(lab, name[0] == 'U' ? -1 : 1);
     } else if (line_key(prompt->text, sizeof prompt->text, &prompt->cursor, name, lab->fresh)) {
         lab->fresh = false;
         prompt->problem[0] = '\0';

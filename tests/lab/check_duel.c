@@ -208,18 +208,40 @@ START_TEST(the_question_suggests_the_next_choice)
     Assignment keys[DUEL_MAX];
     char text[100];
     strcpy(settings.question, "motion.clamp");
-    ck_assert_int_eq(duel_suggest(&settings, keys), 1);
+    ck_assert_int_eq(duel_suggest(&settings, 0, keys), 1);
     duel_write_keys(keys, 1, text, sizeof text);
     ck_assert_str_eq(text, "motion.clamp=guide");
     settings = bar_settings(1, 10);
-    ck_assert_int_eq(duel_suggest(&settings, keys), 1);
+    ck_assert_int_eq(duel_suggest(&settings, 0, keys), 1);
     duel_write_keys(keys, 1, text, sizeof text);
     ck_assert_str_eq(text, "mpm.algorithm=usl");
     /* what can be left out is left out, not replaced by another kind of it */
     settings = beam_settings(PROBLEM_SUPPORTED_BEAM, 1e-4);
-    ck_assert_int_eq(duel_suggest(&settings, keys), 1);
+    ck_assert_int_eq(duel_suggest(&settings, 0, keys), 1);
     duel_write_keys(keys, 1, text, sizeof text);
     ck_assert_str_eq(text, "pd.surface_correction=none");
+}
+END_TEST
+
+START_TEST(further_suggestions_are_all_good_for_a_duel)
+{
+    Settings settings = bar_settings(5, 10);
+    Assignment keys[DUEL_MAX];
+    char text[100];
+    strcpy(settings.question, "mesh.cell_size");
+    static const char *const first[] = {"mesh.cell_size=0.5", "mpm.algorithm=usl", "mpm.shape=gimp"};
+    for (int i = 0; i < 3; i++) {
+        ck_assert_int_eq(duel_suggest(&settings, i, keys), 1);
+        duel_write_keys(keys, 1, text, sizeof text);
+        ck_assert_str_eq(text, first[i]);
+    }
+    int count = 0;
+    for (; duel_suggest(&settings, count, keys); count++) {
+        duel_write_keys(keys, 1, text, sizeof text);
+        Duel duel = begin(&settings, text, MEGABYTE);
+        end(&duel);
+    }
+    ck_assert_int_ge(count, 5);
 }
 END_TEST
 
@@ -379,6 +401,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, it_can_begin_in_the_middle);
     tcase_add_test(tcase, wrong_keys_are_refused);
     tcase_add_test(tcase, the_question_suggests_the_next_choice);
+    tcase_add_test(tcase, further_suggestions_are_all_good_for_a_duel);
     tcase_add_test(tcase, a_failed_second_run_stays_behind);
     tcase_add_test(tcase, an_edit_restarts_both);
     tcase_add_test(tcase, changes_in_mid_run_keep_their_time);
