@@ -54,13 +54,16 @@ static void offer_files(ScenarioList *list)
 }
 
 /* What is shown: whatever holds the text in its name or its title. */
-static void narrow(ScenarioList *list, const char *text)
+static void narrow(ScenarioList *list, const char *text, const char *open)
 {
     list->n_shown = 0;
-    list->chosen = -1;
+    list->chosen = list->open = -1;
     for (int i = 0; i < list->count; i++)
-        if (strcasestr(list->entries[i].name, text) || strcasestr(list->entries[i].title, text))
+        if (strcasestr(list->entries[i].name, text) || strcasestr(list->entries[i].title, text)) {
+            if (strcmp(list->entries[i].name, open) == 0)
+                list->open = list->n_shown;
             list->shown[list->n_shown++] = i;
+        }
 }
 
 void ask_scenario(Laboratory *lab)
@@ -72,7 +75,7 @@ void ask_scenario(Laboratory *lab)
         offer(list, builtin->name, scenario_title(builtin, title) ? title : "");
     }
     offer_files(list);
-    narrow(list, "");
+    narrow(list, "", lab->scenario);
     ask(lab, answer_scenario, false, "", "open scenario or file");
     lab->screen.prompt.scenarios = list;
 }
@@ -84,10 +87,21 @@ static void choose(Laboratory *lab, int chosen)
     if (list->n_shown == 0)
         return;
     list->chosen = chosen < 0 ? 0 : chosen < list->n_shown ? chosen : list->n_shown - 1;
-    snprintf(prompt->text, sizeof prompt->text, "%s", list->entries[list->shown[list->chosen]].name);
-    prompt->cursor = text_columns(prompt->text);
-    prompt->problem[0] = prompt->hint[0] = '\0';
-    lab->fresh = true; /* typing begins a new search */
+    fill_prompt(lab, list->entries[list->shown[list->chosen]].name); /* typing begins a new search */
+    prompt->hint[0] = '\0';
+}
+
+/* The row that a first key moves from: the open one, so that the way to the next is short, but what was
+ * searched for begins at its top, or its end. */
+static int where_to_begin(const Laboratory *lab, int rows)
+{
+    const ScenarioList *list = &lab->scenarios;
+    const bool searched = lab->screen.prompt.text[0] != '\0';
+    if (list->chosen >= 0)
+        return list->chosen;
+    if (!searched && list->open >= 0 && list->open + rows >= 0 && list->open + rows < list->n_shown)
+        return list->open;
+    return rows > 0 ? -1 : list->n_shown;
 }
 
 bool choose_scenario(Laboratory *lab, const char *key)
@@ -99,8 +113,7 @@ bool choose_scenario(Laboratory *lab, const char *key)
     const ScenarioList *list = lab->screen.prompt.scenarios;
     for (size_t i = 0; list && i < sizeof moves / sizeof *moves; i++)
         if (strcmp(key, moves[i].key) == 0) {
-            const int from = list->chosen >= 0 ? list->chosen : moves[i].rows > 0 ? -1 : list->n_shown;
-            choose(lab, from + moves[i].rows);
+            choose(lab, where_to_begin(lab, moves[i].rows) + moves[i].rows);
             return true;
         }
     return false;
@@ -109,7 +122,7 @@ bool choose_scenario(Laboratory *lab, const char *key)
 void narrow_scenarios(Laboratory *lab)
 {
     if (lab->screen.prompt.scenarios)
-        narrow(&lab->scenarios, lab->screen.prompt.text);
+        narrow(&lab->scenarios, lab->screen.prompt.text, lab->scenario);
 }
 
 bool answer_open(Laboratory *lab, const char *text)

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIZE_MAX_CELLS = 1000 };
+enum { SIZE_MAX_CELLS = 1000, SCENE_KEYS = 4 };
 
 struct Player {
     Laboratory lab;
@@ -20,6 +20,8 @@ struct Player {
     double rate; /* steps per second; 0: without limit */
     const char *name;
     long line;
+    char scene[80]; /* of a lecture, under way; "": none */
+    int scene_keys; /* that it has cost */
 };
 
 static double now(void *context)
@@ -72,6 +74,9 @@ static bool press_at(Player *player, const char *name, int x, int y, Status *sta
     Key key = {.x = x, .y = y};
     if (player->lab.closed)
         return status_fail(status, STATUS_FAILED, "key %s: the laboratory has been left", name);
+    if (player->scene[0] && ++player->scene_keys > SCENE_KEYS)
+        return status_fail(status, STATUS_FAILED, "key %s: the scene '%s' costs more than %d keys", name,
+                           player->scene, SCENE_KEYS);
     snprintf(key.name, sizeof key.name, "%s", name);
     laboratory_key(&player->lab, &key);
     frame_of_work(player);
@@ -119,6 +124,16 @@ static bool do_type(Player *player, char *rest, Status *status)
             return false;
         rest += length;
     }
+    return true;
+}
+
+/* In front of a class nobody can follow more than a few keys. */
+static bool do_scene(Player *player, char *rest, Status *status)
+{
+    if (!*rest || strlen(rest) >= sizeof player->scene)
+        return status_fail(status, STATUS_USAGE, "scene: a short name is wanted, not: %s", rest);
+    snprintf(player->scene, sizeof player->scene, "%s", rest);
+    player->scene_keys = 0;
     return true;
 }
 
@@ -219,6 +234,9 @@ const ScriptInstruction script_instructions[] = {
     {"key", "NAME...", "presses keys by name: Space, Enter, ^C, ], ...", do_key},
     {"type", "TEXT", "presses the characters of the text one by one", do_type},
     {"click", "X Y", "presses the mouse in a column and a row, from 0", do_click},
+    {"scene", "NAME",
+     "a scene of a lecture begins; until the next one not more than four keys and clicks are pressed",
+     do_scene},
     {"wait", "SECONDS", "lets that much time pass, frame by frame", do_wait},
     {"size", "WIDTHxHEIGHT", "resizes the screen", do_size},
     {"rate", "STEPS", "the engine does that many steps in a second; 0, as at first: as many as are asked for",

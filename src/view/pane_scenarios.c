@@ -1,5 +1,5 @@
-/* The list of scenarios above the line that asks for one: their names, and their titles beside them or, where
- * there is no room, that of the chosen one below. */
+/* The list of scenarios above the line that asks for one: their names, with a mark at the one that is open,
+ * and their titles beside them or, where there is no room, that of the chosen one below. */
 #include "view/panes.h"
 
 #include <string.h>
@@ -31,13 +31,14 @@ void draw_scenarios(const ScenarioList *list, Area area, int bottom)
     const int rows = list->n_shown < room ? list->n_shown : room;
     if (rows < 1)
         return;
-    int first = list->chosen - rows / 2;
+    int first = (list->chosen >= 0 ? list->chosen : list->open) - rows / 2;
     first = first > list->n_shown - rows ? list->n_shown - rows : first;
     first = first > 0 ? first : 0;
     for (int row = 0; row < rows; row++) {
         const int i = first + row, y = bottom - below - rows + row, entry = list->shown[i];
         const Style style = i == list->chosen ? STYLE_SELECTED : STYLE_TITLE;
         fill(area, y, style);
+        area_text(area, 0, y, i == list->open ? ">" : "", style);
         area_text(area, 1, y, list->entries[entry].name, style);
         if (beside)
             area_text(area, 1 + names + 2, y, list->entries[entry].title, style);

@@ -52,6 +52,7 @@ typedef struct ScenarioList {
     int shown[SCENARIOS_MAX]; /* indices of entries */
     int n_shown;
     int chosen; /* of those shown; -1: none */
+    int open;   /* of those shown, the one that is on screen; -1: none */
 } ScenarioList;
 
 /* A line that asks for text, or for yes or no. */

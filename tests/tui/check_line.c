@@ -191,6 +191,14 @@ START_TEST(a_scenario_is_chosen_from_a_list_with_titles)
     type(bench, "uGIMP"); /* the only one left */
     press(bench, "Enter");
     ck_assert_str_eq(bench->lab.scenario, "crossing");
+    /* the list opens where one is */
+    press(bench, "o");
+    ck_assert(shows(bench, ">crossing"));
+    press(bench, "Down");
+    expect_line(bench, "gravity");
+    press_all(bench, "Esc o Up");
+    expect_line(bench, "energy");
+    press(bench, "Esc");
     press(bench, "o");
     type(bench, "beam"); /* several are */
     press(bench, "Enter");
