@@ -88,6 +88,7 @@ struct Laboratory {
     bool in_parts;       /* a step that takes long is under way, in parts: nothing new to look at as yet */
     double part_seconds; /* what it has taken so far */
     int frames_in_time;  /* since the engine was last the limit */
+    bool pasted_line;    /* a pasted line has ended; what is pasted behind it is another word */
     Answer answer;
     int suggestion;         /* for a duel, the one that is offered; -1: what was the last one's */
     int tabbed;             /* candidates that Tab has shown; the next Tab shows those behind them */

@@ -4,6 +4,7 @@
 #include "tui/session.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* --- help ------------------------------------------------------------------------------------------- */
@@ -140,13 +141,49 @@ static bool is_for_everywhere(CommandId id)
     return id == COMMAND_INTERRUPT || id == COMMAND_REDRAW || id == COMMAND_SUSPEND;
 }
 
+static bool takes_text(const Screen *screen)
+{
+    return screen->editing || (screen->prompt.open && !screen->prompt.yes_no);
+}
+
+static void text_key(Laboratory *lab, const char *name)
+{
+    Key key = {.x = -1, .y = -1};
+    snprintf(key.name, sizeof key.name, "%s", name);
+    if (lab->screen.prompt.open)
+        prompt_key(lab, &key);
+    else
+        edit_key(lab, &key);
+}
+
+/* Text that was copied elsewhere is text or nothing, never commands; the end of a line parts words. */
+static void take_pasted(Laboratory *lab, const char *what)
+{
+    const bool ends_line = strcmp(what, "Enter") == 0;
+    if (!takes_text(&lab->screen)) {
+        say(lab, MESSAGE_INFO, "pasted text goes into a field or a question only; : asks for a command");
+        return;
+    }
+    if (!ends_line && lab->pasted_line)
+        text_key(lab, "Space");
+    if (!ends_line)
+        text_key(lab, what);
+    lab->pasted_line = ends_line;
+}
+
 static void take_key(Laboratory *lab, const Key *key)
 {
     const Command *command = command_by_key(key->name);
+    const char *pasted = keys_pasted(key->name);
     drop_part(lab);
     if (lab->recording)
         session_note(lab->recording, lab, key);
     say(lab, MESSAGE_NONE, "%s", "");
+    if (pasted) {
+        take_pasted(lab, pasted);
+        return;
+    }
+    lab->pasted_line = false;
     if (command && is_for_everywhere(command->id))
         laboratory_command(lab, command->id);
     else if (mouse_key(lab, key))

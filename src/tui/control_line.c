@@ -133,10 +133,11 @@ static bool overlay(Laboratory *lab, const char *words)
 
 static bool show(Laboratory *lab, const char *words)
 {
-    int view, variant = 1;
-    char after;
-    const int count = sscanf(words, "%d %d %c", &view, &variant, &after);
-    if (count < 1 || count > 2 || view < 1 || view > 9 || variant < 1 || variant > 99)
+    int view, variant = 1, first = 0, second = 0;
+    const bool sound = sscanf(words, "%d%n", &view, &first) == 1 &&
+                       (!words[first] || sscanf(words + first, "%d%n", &variant, &second) == 1) &&
+                       !words[first + second];
+    if (!sound || view < 1 || view > 9 || variant < 1 || variant > 99)
         return refuse(lab, "a view is wanted, 1 to 9, and its variant, as in show 3 or show 1 2");
     if (screen_view_missing(&lab->screen, view))
         return refuse(lab, screen_view_missing(&lab->screen, view));

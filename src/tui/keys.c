@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ESCAPE_MS = 25, SEQUENCE_MS = 500, PARAMETER_MOST = 9999, NUMBER_MOST = 24 };
+enum { ESCAPE_MS = 25, SEQUENCE_MS = 500, PASTE_MS = 5000, PARAMETER_MOST = 9999, NUMBER_MOST = 24 };
 
 static const char paste_end[] = "\033[201~";
 
@@ -77,6 +77,7 @@ static bool begin(KeyDecoder *decoder, KeyState state)
     decoder->prefix = '\0';
     decoder->n_parameters = 0;
     decoder->matched = 0;
+    decoder->wanted = 0;
     decoder->parameters[0] = -1;
     return false;
 }
@@ -206,16 +207,39 @@ static bool feed_escape(KeyDecoder *decoder, unsigned char byte, Key *key)
     return byte > ' ' && byte < 0x7f && give(key, "M-", (char[]){(char)byte, '\0'});
 }
 
+static bool is_continuation(unsigned char byte)
+{
+    return (byte & 0xc0) == 0x80;
+}
+
+/* False: no character of UTF-8 begins so. */
+static bool begin_character(KeyDecoder *decoder, unsigned char byte)
+{
+    decoder->wanted = byte >= 0xc2 && byte < 0xe0   ? 1
+                      : byte >= 0xe0 && byte < 0xf0 ? 2
+                      : byte >= 0xf0 && byte < 0xf5 ? 3
+                                                    : 0;
+    decoder->text[0] = (char)byte;
+    decoder->length = 1;
+    return decoder->wanted > 0;
+}
+
+/* True: it is complete. */
+static bool continue_character(KeyDecoder *decoder, unsigned char byte)
+{
+    decoder->text[decoder->length++] = (char)byte;
+    decoder->text[decoder->length] = '\0';
+    return --decoder->wanted == 0;
+}
+
 static bool feed_character(KeyDecoder *decoder, unsigned char byte, Key *key)
 {
-    if ((byte & 0xc0) != 0x80) {
+    if (!is_continuation(byte)) {
         decoder->state = KEY_GROUND;
         return keys_feed(decoder, byte, key);
     }
-    decoder->text[decoder->length++] = (char)byte;
-    if (--decoder->wanted > 0)
+    if (!continue_character(decoder, byte))
         return false;
-    decoder->text[decoder->length] = '\0';
     decoder->state = KEY_GROUND;
     return give(key, "", decoder->text);
 }
@@ -230,27 +254,39 @@ static bool feed_ground(KeyDecoder *decoder, unsigned char byte, Key *key)
         return give(key, "", "Space");
     if (byte < 0x80)
         return give(key, "", (char[]){(char)byte, '\0'});
-    decoder->wanted = byte >= 0xc2 && byte < 0xe0   ? 1
-                      : byte >= 0xe0 && byte < 0xf0 ? 2
-                      : byte >= 0xf0 && byte < 0xf5 ? 3
-                                                    : 0;
-    if (decoder->wanted == 0)
-        return false;
-    decoder->state = KEY_CHARACTER;
-    decoder->text[0] = (char)byte;
-    decoder->length = 1;
+    if (begin_character(decoder, byte))
+        decoder->state = KEY_CHARACTER;
     return false;
 }
 
-/* Whether the end of a paste has come; a control byte inside means nothing. */
-static bool feed_paste(KeyDecoder *decoder, unsigned char byte)
+/* Text, but no keys: neither a control byte nor a sequence inside means anything, only the end of the paste.
+ */
+static bool feed_paste(KeyDecoder *decoder, unsigned char byte, Key *key)
 {
-    if (byte == (unsigned char)paste_end[decoder->matched])
-        decoder->matched++;
-    else
-        decoder->matched = byte == (unsigned char)paste_end[0] ? 1 : 0;
-    if (decoder->matched == sizeof paste_end - 1)
-        decoder->state = KEY_GROUND;
+    enum { FOREIGN = sizeof paste_end };
+    if (byte == 0x1b) {
+        decoder->matched = 1;
+        decoder->wanted = 0;
+        return false;
+    }
+    if (decoder->matched > 0) {
+        if (decoder->matched < FOREIGN && byte == (unsigned char)paste_end[decoder->matched])
+            decoder->matched++;
+        else
+            decoder->matched = byte < '@' ? FOREIGN : 0;
+        if (decoder->matched == sizeof paste_end - 1)
+            decoder->state = KEY_GROUND;
+        return false;
+    }
+    if (byte == '\r' || byte == '\n')
+        return give(key, "P-", "Enter");
+    if (byte == ' ' || byte == '\t')
+        return give(key, "P-", "Space");
+    if (byte > ' ' && byte < 0x7f)
+        return give(key, "P-", (char[]){(char)byte, '\0'});
+    if (decoder->wanted > 0 && is_continuation(byte))
+        return continue_character(decoder, byte) && give(key, "P-", decoder->text);
+    begin_character(decoder, byte);
     return false;
 }
 
@@ -290,7 +326,7 @@ bool keys_feed(KeyDecoder *decoder, unsigned char byte, Key *key)
     case KEY_STRING:
         return feed_string(decoder, byte);
     case KEY_PASTE:
-        return feed_paste(decoder, byte);
+        return feed_paste(decoder, byte, key);
     case KEY_MOUSE:
         if (--decoder->wanted == 0)
             decoder->state = KEY_GROUND;
@@ -305,7 +341,16 @@ bool keys_feed(KeyDecoder *decoder, unsigned char byte, Key *key)
 
 int keys_timeout(const KeyDecoder *decoder)
 {
-    return decoder->state == KEY_GROUND ? -1 : decoder->state == KEY_ESCAPE ? ESCAPE_MS : SEQUENCE_MS;
+    switch (decoder->state) {
+    case KEY_GROUND:
+        return -1;
+    case KEY_ESCAPE:
+        return ESCAPE_MS;
+    case KEY_PASTE: /* the rest of it must not become keys where the line is slow */
+        return PASTE_MS;
+    default:
+        return SEQUENCE_MS;
+    }
 }
 
 bool keys_expire(KeyDecoder *decoder, Key *key)
@@ -332,12 +377,19 @@ static bool is_named(const char *name)
     return false;
 }
 
+const char *keys_pasted(const char *name)
+{
+    return name[0] == 'P' && name[1] == '-' && name[2] ? name + 2 : NULL;
+}
+
 bool keys_known(const char *name)
 {
     static const char order[] = "SMC";
     size_t length = 1;
     if (!*name)
         return false;
+    if (keys_pasted(name))
+        return keys_known(name + 2);
     while (((unsigned char)name[length] & 0xc0) == 0x80)
         length++;
     if (!name[length])

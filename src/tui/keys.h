@@ -3,11 +3,12 @@
  * Names: a printing character stands for itself ("q", "?", "Ω"); "Space" "Enter" "Tab" "S-Tab" "Esc"
  * "Backspace" "Delete" "Insert" "Home" "End" "PageUp" "PageDown" "Up" "Down" "Left" "Right" "F1".."F12";
  * "^A" is Control-A; "S-" "M-" "C-" before a named key are Shift, Alt, Control; "Click", "WheelUp" and
- * "WheelDown" carry the cell under the mouse.
+ * "WheelDown" carry the cell under the mouse; "P-" before a character, "Space" or "Enter" says that it was
+ * pasted.
  *
  * Sequences are told apart by their grammar (ECMA-48) rather than by the terminal's description, so Home is
- * Home under any TERM, and what is not understood is swallowed whole: a focus report, a pasted text in
- * brackets or a strange function key never turns into Esc, "[" and digits. */
+ * Home under any TERM, and what is not understood is swallowed whole: a focus report or a strange function key
+ * never turns into Esc, "[" and digits. */
 #ifndef TUI_KEYS_H
 #define TUI_KEYS_H
 
@@ -39,16 +40,19 @@ typedef struct KeyDecoder {
     char prefix;                        /* '<', '?', ... of a CSI; 0: none */
     int parameters[KEY_PARAMETERS_MAX]; /* -1: not given */
     int n_parameters;
-    int wanted;   /* bytes to come, KEY_MOUSE and KEY_CHARACTER */
+    int wanted;   /* bytes to come, KEY_MOUSE, KEY_CHARACTER and KEY_PASTE */
     char text[5]; /* of the character */
     size_t length;
-    size_t matched; /* bytes of the end of a paste or a string seen */
+    size_t matched; /* bytes of the end of a paste or a string seen; more: another sequence in a paste */
 } KeyDecoder;
 
 void keys_reset(KeyDecoder *);
 
 /* Takes one byte. True: it completed a key, which stands in *key. */
 bool keys_feed(KeyDecoder *, unsigned char byte, Key *key);
+
+/* What was pasted, of the name of such a key; NULL: it was pressed. */
+const char *keys_pasted(const char *name);
 
 /* Whether a name is one of those above; the mouse's apart. */
 bool keys_known(const char *name);

@@ -214,6 +214,9 @@ static void compose_enter_and_leave(Terminal *terminal)
     append(terminal->enter, sizeof terminal->enter, capability("smcup"));
     append(terminal->enter, sizeof terminal->enter, capability("smkx"));
     append(terminal->enter, sizeof terminal->enter, terminal->mouse ? "\033[?1000h\033[?1006h" : "");
+    /* pasted text is told from keys; who does not know the mode ignores it */
+    append(terminal->enter, sizeof terminal->enter, "\033[?2004h");
+    append(terminal->leave, sizeof terminal->leave, "\033[?2004l");
     append(terminal->leave, sizeof terminal->leave, terminal->mouse ? "\033[?1006l\033[?1000l" : "");
     append(terminal->leave, sizeof terminal->leave, capability("sgr0"));
     /* without an alternate screen the shell goes on on an empty one */

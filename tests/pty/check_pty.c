@@ -63,6 +63,25 @@ START_TEST(a_still_picture_writes_nothing)
 }
 END_TEST
 
+START_TEST(pasted_text_runs_no_commands)
+{
+    Session session;
+    session_open_paused(&session, 80, 24, NULL);
+    ck_assert_ptr_nonnull(strstr(session.bytes, "\033[?2004h"));
+    session_keys(&session, "\033[200~q\ry n \033[201~");
+    ck_assert(session_shows(&session, "PAUSED"));
+    ck_assert(session_shows(&session, "pasted text"));
+    session_keys(&session, ":\033[200~show 3\r\033[201~");
+    ck_assert(session_shows(&session, ": show 3"));
+    session_keys(&session, "\r");
+    ck_assert(session_shows(&session, "hidden"));
+    session_send(&session, "q");
+    ck_assert_int_eq(session_exit(&session), 0);
+    ck_assert_ptr_nonnull(strstr(session.bytes, "\033[?2004l"));
+    session_close(&session);
+}
+END_TEST
+
 static double cpu_seconds(pid_t child)
 {
     clockid_t clock;
@@ -437,6 +456,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, opens_answers_keys_and_leaves);
     tcase_add_test(tcase, opens_running);
     tcase_add_test(tcase, a_still_picture_writes_nothing);
+    tcase_add_test(tcase, pasted_text_runs_no_commands);
     tcase_add_test(tcase, idle_costs_nothing);
     tcase_add_test(tcase, a_key_is_answered_while_a_crack_runs);
     tcase_add_test(tcase, resizes);
