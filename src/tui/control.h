@@ -196,6 +196,8 @@ void close_lesson(Laboratory *);
 void toggle_lessons(Laboratory *);
 bool lesson_key(Laboratory *, const Key *); /* false: it is not for the lesson */
 void move_in_lesson(Laboratory *, int x, int y);
+void enter_in_lesson(Laboratory *);            /* opens the chosen one, or edits a field of the page */
+bool click_lesson(Laboratory *, int x, int y); /* false: there is none in that cell */
 void continue_lesson(Laboratory *); /* what is left to be done, once the run has come to where it should be */
 
 /* Says in the question that is open why its answer is not taken; returns false. */

@@ -94,7 +94,7 @@ static void click(Laboratory *lab, int x, int y)
             screen->focus = (PaneId)pane;
             screen->cursor_time = NAN;
         }
-    if (screen_choose_row(screen, lab->width, lab->height, x, y) ||
+    if (click_lesson(lab, x, y) || screen_choose_row(screen, lab->width, lab->height, x, y) ||
         screen_choose_event(screen, lab->width, lab->height, x, y) ||
         screen_choose_in_strip(screen, lab->width, lab->height, x, y))
         return;

@@ -271,20 +271,46 @@ static int digit_of(const Key *key)
     return key->name[0] >= '1' && key->name[0] <= '9' && !key->name[1] ? key->name[0] - '1' : -1;
 }
 
+static void open_from_list(Laboratory *lab, int lesson)
+{
+    Status status = {STATUS_DONE, ""};
+    if (lesson >= screen_lesson_count())
+        return;
+    lab->screen.lesson.chosen = lesson;
+    if (!open_lesson(lab, builtin_lessons[lesson].name, &status))
+        say(lab, MESSAGE_ERROR, "%s", status.text);
+}
+
+bool click_lesson(Laboratory *lab, int x, int y)
+{
+    const int lesson = screen_lesson_at(&lab->screen, lab->width, lab->height, x, y);
+    if (lesson >= 0)
+        open_from_list(lab, lesson);
+    return lesson >= 0;
+}
+
+void enter_in_lesson(Laboratory *lab)
+{
+    const LessonPage *page = page_now(lab);
+    if (!page)
+        open_from_list(lab, lab->screen.lesson.chosen);
+    else if (page->n_fields > 0)
+        begin_edit(lab);
+    else if (page->question && lab->screen.lesson.answer < 0)
+        say(lab, MESSAGE_INFO, "a number answers the question: 1 to %d", page->n_choices);
+    else
+        say(lab, MESSAGE_INFO, "there is no field on this page; PageDown and PageUp turn pages");
+}
+
 bool lesson_key(Laboratory *lab, const Key *key)
 {
     const LessonShown *shown = &lab->screen.lesson;
     const LessonPage *page = page_now(lab);
     const int digit = digit_of(key);
-    Status status = {STATUS_DONE, ""};
     if (!shown->open)
         return false;
     if (!page && digit >= 0) {
-        for (int i = 0; i <= digit; i++)
-            if (!builtin_lessons[i].name)
-                return true;
-        if (!open_lesson(lab, builtin_lessons[digit].name, &status))
-            say(lab, MESSAGE_ERROR, "%s", status.text);
+        open_from_list(lab, digit);
         return true;
     }
     if (page && page->question && shown->answer < 0 && digit >= 0) {
@@ -308,8 +334,13 @@ void move_in_lesson(Laboratory *lab, int x, int y)
             nudge_selected(lab, x);
         return;
     }
+    if (!page) {
+        const int chosen = shown->chosen + y, last = screen_lesson_count() - 1;
+        shown->chosen = chosen < 0 ? 0 : chosen > last ? last : chosen;
+        return;
+    }
     const int most = screen_lesson_most(&lab->screen, lab->width, lab->height), to = shown->scroll + y;
-    if (page && page->n_fields > 1 && most == 0) {
+    if (page->n_fields > 1 && most == 0) {
         const Parameter *selected = selected_parameter(lab);
         int at = 0;
         while (selected && at < page->n_fields && strcmp(page->fields[at], selected->key) != 0)

@@ -146,10 +146,10 @@ void command_page_down(Laboratory *lab)
 void command_enter(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
-    if (screen->focus == PANE_PARAMETERS) {
-        if (!screen->lesson.open ||
-            (screen->lesson.lesson && screen->lesson.lesson->pages[screen->lesson.page].n_fields > 0))
-            begin_edit(lab);
+    if (screen->focus == PANE_PARAMETERS && screen->lesson.open) {
+        enter_in_lesson(lab);
+    } else if (screen->focus == PANE_PARAMETERS) {
+        begin_edit(lab);
     } else if (is_time_plot(view_in(screen, screen->focus)) && !isnan(screen->cursor_time)) {
         pause_run(lab);
         seek(lab, lround(screen->cursor_time / experiment_simulation(screen->experiment)->dt), 0);

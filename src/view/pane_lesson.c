@@ -74,13 +74,16 @@ static void write_list(Pen *pen, const Screen *screen)
         Lesson lesson;
         if (!lesson_load(builtin_lessons[i].name, &lesson, NULL))
             continue;
+        const bool chosen = i == screen->lesson.chosen;
+        const Style style = chosen ? STYLE_SELECTED : STYLE_NORMAL;
         char pages[24];
+        for (int x = 1; chosen && x < pen->area.rect.width - 1; x++)
+            area_put(pen->area, x, pen->y, ' ', style);
         snprintf(pages, sizeof pages, "%d/%d", screen->lesson.reached[i], lesson.n_pages);
-        area_print(pen->area, 1, pen->y, STYLE_KEY, "%d", i + 1);
-        area_text(area_part(pen->area, 3, pen->y, pen->area.rect.width - 9, 1), 0, 0, lesson.title,
-                  STYLE_NORMAL);
+        area_print(pen->area, 1, pen->y, chosen ? style : STYLE_KEY, "%d", i + 1);
+        area_text(area_part(pen->area, 3, pen->y, pen->area.rect.width - 9, 1), 0, 0, lesson.title, style);
         area_text_right(pen->area, pen->area.rect.width - 1, pen->y++, screen->lesson.reached[i] ? pages : "",
-                        STYLE_FAINT);
+                        chosen ? style : STYLE_FAINT);
         lesson_free(&lesson);
     }
 }
@@ -99,7 +102,7 @@ static void footer_text(const Screen *screen, char *out, size_t size)
     const LessonShown *shown = &screen->lesson;
     const LessonPage *page = shown->lesson ? &shown->lesson->pages[shown->page] : NULL;
     if (!page) {
-        snprintf(out, size, "a number opens one   T closes");
+        snprintf(out, size, "number or Enter opens   T closes");
         return;
     }
     const LessonUntil *until = &page->until;
@@ -148,6 +151,16 @@ static int lines_of(const Screen *screen, Area area)
     return pen.y;
 }
 
+/* Lines above what is shown: of the list, as many as the chosen one needs to be seen. */
+static int lines_above(const Screen *screen, Area area)
+{
+    const int to_chosen = lines_of(screen, area) - screen_lesson_count() + screen->lesson.chosen + 1;
+    const int rows = area.rect.height - MARGIN_ROWS;
+    if (screen->lesson.lesson)
+        return screen->lesson.scroll;
+    return to_chosen > rows ? to_chosen - rows : 0;
+}
+
 void pane_lesson(const Screen *screen, Area area)
 {
     const LessonShown *shown = &screen->lesson;
@@ -159,7 +172,7 @@ void pane_lesson(const Screen *screen, Area area)
     else
         snprintf(heading, sizeof heading, "Lessons");
     area_rule(area, 0, heading, is_focused(screen, PANE_PARAMETERS) ? STYLE_FOCUS : STYLE_HEADING);
-    Pen pen = {area_part(area, 0, 1, area.rect.width, rows), -shown->scroll};
+    Pen pen = {area_part(area, 0, 1, area.rect.width, rows), -lines_above(screen, area)};
     write_all(&pen, screen);
     footer_text(screen, footer, sizeof footer);
     const int last = area.rect.height - 1, end = area.rect.width - 1;
@@ -170,6 +183,27 @@ void pane_lesson(const Screen *screen, Area area)
             area_text_right(area, end, last, more[i], STYLE_FAINT);
             break;
         }
+}
+
+int screen_lesson_count(void)
+{
+    int count = 0;
+    while (count < LESSONS_MAX && builtin_lessons[count].name)
+        count++;
+    return count;
+}
+
+int screen_lesson_at(const Screen *screen, int width, int height, int x, int y)
+{
+    const Rect pane = screen_pane(screen, width, height, PANE_PARAMETERS);
+    Canvas none = {.width = width, .height = height};
+    const Area area = {&none, pane, screen->glyphs};
+    const bool inside = x >= pane.x && x < pane.x + pane.width && y > pane.y && y < pane.y + pane.height - 1;
+    if (!screen->lesson.open || screen->lesson.lesson || !inside)
+        return -1;
+    const int line = y - pane.y - 1 + lines_above(screen, area);
+    const int row = line - (lines_of(screen, area) - screen_lesson_count());
+    return row >= 0 && row < screen_lesson_count() ? row : -1;
 }
 
 int screen_lesson_most(const Screen *screen, int width, int height)

@@ -90,6 +90,7 @@ enum { BOOKMARKS_MAX = 9 };
 typedef struct LessonShown {
     bool open;
     const Lesson *lesson; /* NULL: the list of lessons */
+    int chosen;           /* in the list */
     int page;
     int answer; /* the choice that was taken; -1: none as yet */
     bool met;   /* what the page waits for has happened */
@@ -205,6 +206,10 @@ int screen_parameter_at(const Screen *, int width, int height, int x, int y);
 
 /* How far the text of a lesson can be scrolled at this size; 0: all is seen. */
 int screen_lesson_most(const Screen *, int width, int height);
+
+/* Lessons in the list, and the one in a cell of it; -1: none. */
+int screen_lesson_count(void);
+int screen_lesson_at(const Screen *, int width, int height, int x, int y);
 
 /* How many pages the help has, and how far the open one can be scrolled. */
 int screen_help_pages(void);
