@@ -42,6 +42,7 @@ struct Terminal {
     KeyDecoder decoder;
     unsigned char input[INPUT_MAX];
     size_t input_first, input_end;
+    double read_at;        /* when the last byte came */
     bool expired;          /* no byte came in time after a beginning of a sequence */
     sigset_t mask_outside; /* the signal mask before we came, in force while sleeping */
     struct sigaction old_ends[N_ENDS], old_crashes[N_CRASHES], old_resize, old_stop, old_continue;
@@ -429,8 +430,16 @@ void terminal_redraw(Terminal *terminal)
     painter_forget(&terminal->painter);
 }
 
+static double now(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
 static void read_input(Terminal *terminal)
 {
+    terminal->read_at = now();
     if (terminal->input_first == terminal->input_end)
         terminal->input_first = terminal->input_end = 0;
     size_t room = INPUT_MAX - terminal->input_end;
@@ -447,17 +456,18 @@ void terminal_wait(Terminal *terminal, double seconds)
 {
     if (terminal->input_first < terminal->input_end)
         seconds = 0;
-    int sequence_ms = keys_timeout(&terminal->decoder);
-    bool in_sequence = sequence_ms >= 0 && (seconds < 0 || sequence_ms < seconds * 1e3);
-    if (in_sequence)
-        seconds = sequence_ms * 1e-3;
+    /* a sequence may be cut short while the engine works and nobody sleeps */
+    const int sequence_ms = keys_timeout(&terminal->decoder);
+    const double expires = terminal->read_at + sequence_ms * 1e-3, left = expires - now();
+    if (sequence_ms >= 0 && (seconds < 0 || left < seconds))
+        seconds = left > 0 ? left : 0;
     struct timespec time = {.tv_sec = (time_t)seconds};
     time.tv_nsec = (long)((seconds - (double)time.tv_sec) * 1e9);
     struct pollfd keyboard = {.fd = STDIN_FILENO, .events = POLLIN};
     int ready = wait_for(&keyboard, 1, seconds < 0 ? NULL : &time, &terminal->mask_outside);
     if (ready > 0)
         read_input(terminal);
-    else if (ready == 0 && in_sequence)
+    else if (ready == 0 && sequence_ms >= 0 && now() >= expires)
         terminal->expired = true;
     if (signal_stop) {
         signal_stop = 0;

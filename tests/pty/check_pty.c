@@ -132,6 +132,24 @@ START_TEST(a_key_is_answered_while_a_crack_runs)
 }
 END_TEST
 
+/* The byte of Esc begins every sequence: that nothing follows must be seen while the engine takes all the
+ * time. */
+START_TEST(escape_is_answered_while_a_crack_runs)
+{
+    Session session;
+    session_open(&session, 80, 24, NULL, (const char *const[]){matvib(), "notched-beam", NULL});
+    session_frame(&session);
+    session_send(&session, "g");
+    session_wait_for(&session, "go to time");
+    session_send(&session, "\033");
+    const double begin = seconds();
+    while (session_shows(&session, "go to time") && seconds() - begin < 5)
+        session_frame(&session);
+    ck_assert(!session_shows(&session, "go to time"));
+    session_close(&session);
+}
+END_TEST
+
 START_TEST(resizes)
 {
     Session session;
@@ -459,6 +477,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, pasted_text_runs_no_commands);
     tcase_add_test(tcase, idle_costs_nothing);
     tcase_add_test(tcase, a_key_is_answered_while_a_crack_runs);
+    tcase_add_test(tcase, escape_is_answered_while_a_crack_runs);
     tcase_add_test(tcase, resizes);
     tcase_add_test(tcase, resizes_while_running);
     tcase_add_loop_test(tcase, signals_end_it_and_restore_the_terminal, 0, 4);
