@@ -128,9 +128,11 @@ static void begin_run(Laboratory *lab)
     screen->selected = first_parameter(screen);
     screen->parameter_scroll = 0;
     lab->resume = screen->state = STATE_RUNNING;
-    const char *advice = experiment_advice(screen->experiment);
-    say(lab, MESSAGE_WARNING, "%s", advice ? advice : "");
+    say(lab, MESSAGE_NONE, "%s", "");
     open_duel(lab);
+    const char *advice = experiment_advice(screen->experiment);
+    if (advice && !screen->message[0])
+        say(lab, MESSAGE_WARNING, "%s", advice);
 }
 
 static void name_scenario(Laboratory *lab, const char *name)

@@ -7,7 +7,9 @@
 
 static bool begin(Laboratory *lab, const Assignment *keys, int n_keys, Status *status)
 {
-    if (!duel_start(&lab->duel, keys, n_keys, status))
+    const bool sound = duel_start(&lab->duel, keys, n_keys, status);
+    say(lab, MESSAGE_NONE, "%s", ""); /* how far it has been built */
+    if (!sound)
         return false;
     memset(lab->rates, 0, sizeof lab->rates);
     lab->screen.cursor_time = NAN;

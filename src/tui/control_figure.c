@@ -19,6 +19,11 @@ static bool write_figure(Laboratory *lab, bool force)
     const int view = view_in_focus(screen);
     Status status = {STATUS_DONE, ""};
     Figure figure;
+    say(lab, MESSAGE_INFO, "drawing %s", lab->export_name); /* a large map takes a moment */
+    if (!lab->host.go_on(lab->host.context)) {
+        say(lab, MESSAGE_INFO, "cancelled");
+        return true;
+    }
     figure_open(&figure, 0, 0);
     const bool sound = figure_add(&figure, screen, view, 1, &status) &&
                        figure_write(&figure, lab->export_name, force, &status);

@@ -140,5 +140,7 @@ bool answer_scenario(Laboratory *lab, const char *text)
     const ScenarioList *list = &lab->scenarios;
     if (text[0] && list->n_shown == 1 && !scenario_builtin(text) && access(text, F_OK) != 0)
         text = list->entries[list->shown[0]].name;
+    if (text[0] && list->n_shown > 1 && !scenario_builtin(text) && access(text, F_OK) != 0)
+        return refuse(lab, "several have that in their name or title: Down chooses one");
     return answer_open(lab, text);
 }
