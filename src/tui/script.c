@@ -1,8 +1,8 @@
 #include "tui/script.h"
 
 #include "tui/control.h"
+#include "tui/description.h"
 #include "tui/session.h"
-#include "tui/terminal.h"
 #include "tui/theme.h"
 
 #include <langinfo.h>
@@ -287,7 +287,7 @@ static bool open_player(Player *player, const LaboratoryOptions *options, Status
     Host host = {now, worked, go_on, nothing, nothing, player, NULL};
     const char *codeset = nl_langinfo(CODESET);
     Glyphs glyphs;
-    if (!terminal_choose_glyphs(options->glyphs, codeset, NULL, &glyphs))
+    if (!description_choose_glyphs(options->glyphs, codeset, NULL, &glyphs))
         return status_fail(status, STATUS_USAGE, "--glyphs: unknown set '%s' (auto, braille, block or ascii)",
                            options->glyphs);
     if (!laboratory_open(&player->lab, options, &host, status))

@@ -1,7 +1,7 @@
 #include "tui/terminal.h"
 
 #include "base/wait.h"
-#include "tui/painter.h"
+#include "tui/description.h"
 #include "tui/theme.h"
 
 #include <errno.h>
@@ -11,15 +11,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/ioctl.h>
 #include <sys/select.h>
 #include <termios.h>
 #include <time.h>
 #include <unistd.h>
-
-#include <curses.h>
-#include <term.h>
 
 /* Signals reach a handler, and a handler reaches only what is static. */
 static volatile sig_atomic_t signal_end, signal_resized, signal_stop, signal_continued;
@@ -37,8 +33,8 @@ struct Terminal {
     int output; /* what is written to */
     bool mouse;
     Glyphs glyphs;
-    const char *stand_in;        /* as which an unknown TERM is treated; NULL: it is known */
-    char enter[128], leave[160]; /* what takes the screen over and gives it back */
+    const char *stand_in; /* as which an unknown TERM is treated; NULL: it is known */
+    ScreenFrame frame;
     KeyDecoder decoder;
     unsigned char input[INPUT_MAX];
     size_t input_first, input_end;
@@ -119,23 +115,6 @@ static void release_signals(Terminal *terminal)
     sigprocmask(SIG_SETMASK, &terminal->mask_outside, NULL);
 }
 
-bool terminal_choose_glyphs(const char *name, const char *codeset, const char *term, Glyphs *glyphs)
-{
-    static const char *const names[] = {"braille", "block", "ascii"};
-    for (int i = 0; name && i < GLYPHS_COUNT; i++)
-        if (strcmp(name, names[i]) == 0) {
-            *glyphs = (Glyphs)i;
-            return true;
-        }
-    if (name && strcmp(name, "auto") != 0)
-        return false;
-    if (!codeset || strcmp(codeset, "UTF-8") != 0)
-        *glyphs = GLYPHS_ASCII;
-    else /* the font of the Linux console has blocks, but no braille */
-        *glyphs = term && strcmp(term, "linux") == 0 ? GLYPHS_BLOCK : GLYPHS_BRAILLE;
-    return true;
-}
-
 static bool read_size(Terminal *terminal)
 {
     struct winsize size;
@@ -148,85 +127,6 @@ static bool read_size(Terminal *terminal)
     terminal->width = width;
     terminal->height = height;
     return changed;
-}
-
-static const char *capability(const char *name)
-{
-    const char *text = tigetstr(name);
-    return text && text != (char *)-1 ? text : "";
-}
-
-static void copy_capability(char *to, size_t size, const char *name)
-{
-    /* what does not fit is no use in part */
-    const char *text = capability(name);
-    snprintf(to, size, "%s", strlen(text) < size ? text : "");
-}
-
-/* The terminal's description as the painter wants it. */
-static void read_capabilities(Capabilities *can)
-{
-    const struct {
-        char *to;
-        size_t size;
-        const char *name;
-    } wanted[] = {
-        {can->move, sizeof can->move, "cup"},
-        {can->clear, sizeof can->clear, "clear"},
-        {can->plain, sizeof can->plain, "sgr0"},
-        {can->bold, sizeof can->bold, "bold"},
-        {can->dim, sizeof can->dim, "dim"},
-        {can->underline, sizeof can->underline, "smul"},
-        {can->reverse, sizeof can->reverse, "rev"},
-        {can->foreground, sizeof can->foreground, "setaf"},
-        {can->background, sizeof can->background, "setab"},
-        {can->hide_cursor, sizeof can->hide_cursor, "civis"},
-        {can->show_cursor, sizeof can->show_cursor, "cnorm"},
-    };
-    for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++)
-        copy_capability(wanted[i].to, wanted[i].size, wanted[i].name);
-    can->margin_scrolls = tigetflag("am") > 0 && tigetflag("xenl") <= 0;
-}
-
-static int count_colours(const Capabilities *can)
-{
-    const char *no_color = getenv("NO_COLOR");
-    int colours = tigetnum("colors");
-    if ((no_color && *no_color) || !can->foreground[0] || !can->background[0])
-        return 0;
-    return colours >= 256 ? 256 : colours >= 8 ? 8 : 0;
-}
-
-/* Appends without padding, "$<5>", which a handler of signals could not wait for either. */
-static void append(char *out, size_t size, const char *text)
-{
-    size_t length = strlen(out);
-    for (; *text && length + 1 < size; text++) {
-        if (strncmp(text, "$<", 2) == 0 && strchr(text, '>'))
-            text = strchr(text, '>');
-        else
-            out[length++] = *text;
-    }
-    out[length] = '\0';
-}
-
-static void compose_enter_and_leave(Terminal *terminal)
-{
-    append(terminal->enter, sizeof terminal->enter, capability("smcup"));
-    append(terminal->enter, sizeof terminal->enter, capability("smkx"));
-    append(terminal->enter, sizeof terminal->enter, terminal->mouse ? "\033[?1000h\033[?1006h" : "");
-    /* pasted text is told from keys; who does not know the mode ignores it */
-    append(terminal->enter, sizeof terminal->enter, "\033[?2004h");
-    append(terminal->leave, sizeof terminal->leave, "\033[?2004l");
-    append(terminal->leave, sizeof terminal->leave, terminal->mouse ? "\033[?1006l\033[?1000l" : "");
-    append(terminal->leave, sizeof terminal->leave, capability("sgr0"));
-    /* without an alternate screen the shell goes on on an empty one */
-    append(terminal->leave, sizeof terminal->leave, capability("rmcup")[0] ? "" : capability("clear"));
-    append(terminal->leave, sizeof terminal->leave, capability("rmkx"));
-    append(terminal->leave, sizeof terminal->leave, capability("cnorm"));
-    append(terminal->leave, sizeof terminal->leave, capability("rmcup"));
-    farewell_length = strlen(terminal->leave);
-    memcpy(farewell, terminal->leave, farewell_length);
 }
 
 /* A terminal that takes nothing any more (a connection that hangs) must not keep the program: so writes do
@@ -273,98 +173,45 @@ static void take_screen(Terminal *terminal)
     raw.c_cc[VMIN] = 1;
     raw.c_cc[VTIME] = 0;
     tcsetattr(STDIN_FILENO, TCSADRAIN, &raw);
-    write_all(terminal, terminal->enter, strlen(terminal->enter));
+    write_all(terminal, terminal->frame.enter, strlen(terminal->frame.enter));
     painter_forget(&terminal->painter);
 }
 
 static void give_screen_back(Terminal *terminal)
 {
-    bool written = write_all(terminal, terminal->leave, strlen(terminal->leave));
+    bool written = write_all(terminal, terminal->frame.leave, strlen(terminal->frame.leave));
     tcsetattr(STDIN_FILENO, written ? TCSADRAIN : TCSANOW, &before);
-}
-
-/* A server's database seldom knows the newest terminals and often not PuTTY; almost all of them understand
- * what a better known one does. The name of the first that is known and whose description is in force then;
- * NULL: none is. */
-static const char *set_up_stand_in(const char *term)
-{
-    static const char *const as_xterm[] = {"xterm-256color", "xterm", "vt100", NULL};
-    static const char *const as_screen[] = {"screen-256color", "screen", "vt100", NULL};
-    static const char *const as_any[] = {"vt100", "ansi", NULL};
-    static const struct {
-        const char *begins;
-        const char *const *stand_ins;
-    } families[] = {
-        {"xterm", as_xterm},   {"putty", as_xterm},   {"rxvt", as_xterm},    {"alacritty", as_xterm},
-        {"foot", as_xterm},    {"gnome", as_xterm},   {"konsole", as_xterm}, {"vte", as_xterm},
-        {"st-", as_xterm},     {"wezterm", as_xterm}, {"ghostty", as_xterm}, {"contour", as_xterm},
-        {"mintty", as_xterm},  {"nsterm", as_xterm},  {"iterm", as_xterm},   {"ms-terminal", as_xterm},
-        {"screen", as_screen}, {"tmux", as_screen},   {"", as_any}, /* any other */
-    };
-    size_t family = 0;
-    while (strncasecmp(term, families[family].begins, strlen(families[family].begins)) != 0)
-        family++;
-    for (const char *const *name = families[family].stand_ins; *name; name++) {
-        int error = 0;
-        if (setupterm(*name, STDOUT_FILENO, &error) == OK)
-            return *name;
-    }
-    return NULL;
-}
-
-/* `stand_in`: the terminal that it is taken for; NULL: it is known itself. */
-static bool is_usable(const char *term, const char **stand_in, Status *status)
-{
-    if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO))
-        return status_fail(status, STATUS_USAGE,
-                           "the laboratory needs a terminal; without one use: matvib run SCENARIO");
-    int error = 0;
-    if (!term || !*term || strcmp(term, "dumb") == 0)
-        return status_fail(status, STATUS_USAGE,
-                           "the laboratory cannot draw on this terminal (TERM=%s); use: matvib run SCENARIO",
-                           term && *term ? term : "unset");
-    *stand_in = NULL;
-    if (setupterm(term, STDOUT_FILENO, &error) != OK && !(*stand_in = set_up_stand_in(term)))
-        return status_fail(status, STATUS_USAGE,
-                           "the terminal TERM=%s is not known on this machine; use: matvib run SCENARIO",
-                           term);
-    const char *move_to = tigetstr("cup");
-    if (!move_to || move_to == (char *)-1) {
-        del_curterm(cur_term);
-        return status_fail(status, STATUS_USAGE,
-                           "the laboratory cannot draw on this terminal (TERM=%s); use: matvib run SCENARIO",
-                           term);
-    }
-    return true;
 }
 
 Terminal *terminal_open(const TerminalOptions *options, Status *status)
 {
     const char *term = getenv("TERM"), *codeset = nl_langinfo(CODESET);
     Glyphs glyphs;
-    if (!terminal_choose_glyphs(options->glyphs, codeset, term, &glyphs)) {
+    if (!description_choose_glyphs(options->glyphs, codeset, term, &glyphs)) {
         status_fail(status, STATUS_USAGE, "--glyphs: unknown set '%s' (auto, braille, block or ascii)",
                     options->glyphs);
         return NULL;
     }
     const char *stand_in = NULL;
-    if (!is_usable(term, &stand_in, status))
+    if (!description_open(term, &stand_in, status))
         return NULL;
     Terminal *terminal = calloc(1, sizeof *terminal);
     if (!terminal) {
-        del_curterm(cur_term);
+        description_close();
         status_fail(status, STATUS_FAILED, "out of memory");
         return NULL;
     }
     Painter *painter = &terminal->painter;
     terminal->glyphs = glyphs;
     terminal->stand_in = stand_in;
-    read_capabilities(&painter->can);
-    painter->colours = count_colours(&painter->can);
+    description_read(&painter->can);
+    painter->colours = description_colours(&painter->can);
     painter->light = theme_is_light(options->theme, getenv("COLORFGBG"));
     painter->utf8 = strcmp(codeset, "UTF-8") == 0;
-    terminal->mouse = options->mouse && capability("kmous")[0];
-    compose_enter_and_leave(terminal);
+    terminal->mouse = options->mouse && description_has_mouse();
+    description_frame(terminal->mouse, &terminal->frame);
+    farewell_length = strlen(terminal->frame.leave);
+    memcpy(farewell, terminal->frame.leave, farewell_length);
     keys_reset(&terminal->decoder);
     tcgetattr(STDIN_FILENO, &before);
     terminal->output = open_output();
@@ -383,7 +230,7 @@ void terminal_close(Terminal *terminal)
     painter_close(&terminal->painter);
     if (terminal->output != STDOUT_FILENO)
         close(terminal->output);
-    del_curterm(cur_term);
+    description_close();
     free(terminal);
 }
 

@@ -1,4 +1,4 @@
-/* The real terminal: the only part of matvib that knows curses, signals and file descriptors of a terminal.
+/* The real terminal: signals, modes, bytes in and out.
  *
  * One can be open at a time. While it is open, SIGWINCH, SIGCONT, SIGTSTP and the signals that ask for an end
  * are blocked and come through only while terminal_wait() sleeps; so none is lost between looking and
@@ -56,8 +56,5 @@ int terminal_signal(const Terminal *);
 
 /* Stops the program as the shell's job control wants it, and comes back on fg. */
 void terminal_suspend(Terminal *);
-
-/* The glyph set for a name, a locale's character set and a TERM; false: the name is unknown. */
-bool terminal_choose_glyphs(const char *name, const char *codeset, const char *term, Glyphs *);
 
 #endif
