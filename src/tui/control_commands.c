@@ -68,7 +68,8 @@ static void redraw(Laboratory *lab)
 
 static void suspend(Laboratory *lab)
 {
-    lab->host.suspend(lab->host.context);
+    if (!lab->replaying) /* it is no part of what is shown again */
+        lab->host.suspend(lab->host.context);
 }
 
 static const Carry carries[COMMAND_COUNT] = {

@@ -44,11 +44,10 @@ static bool open_recording(const LaboratoryOptions *options, Session **recording
     return *recording != NULL;
 }
 
-/* What was asked for, or the last session of a terminal; that this one cannot be kept is no failure. */
+/* What was asked for, and the last session of a terminal; that this one cannot be kept is no failure. */
 static bool keep(const LaboratoryOptions *options, const Session *recording, Status *status)
 {
-    if (options->record)
-        return session_write(recording, options->record, options->force, status);
+    const bool sound = !options->record || session_write(recording, options->record, options->force, status);
     char *last = options->script ? NULL : state_file(last_session, true);
     Status ignored = {0};
     if (last) {
@@ -56,7 +55,7 @@ static bool keep(const LaboratoryOptions *options, const Session *recording, Sta
         session_write(recording, last, true, &ignored);
     }
     free(last);
-    return true;
+    return sound;
 }
 
 int laboratory_main(const LaboratoryOptions *given, Status *status)

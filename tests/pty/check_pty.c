@@ -256,6 +256,25 @@ START_TEST(a_session_that_is_ended_twice_is_kept)
 }
 END_TEST
 
+START_TEST(a_recorded_session_is_the_last_one_too)
+{
+    char folder[] = "/tmp/matvib-XXXXXX", state[64], file[64], command[192];
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+    snprintf(state, sizeof state, "XDG_STATE_HOME=%s", folder);
+    snprintf(file, sizeof file, "%s/mine.session", folder);
+    Session session;
+    session_open(&session, 80, 24, (const char *const[]){state, NULL},
+                 (const char *const[]){matvib(), "mode1", "--paused", "--record", file, NULL});
+    session_idle(&session);
+    session_keys(&session, ".");
+    session_send(&session, "q");
+    ck_assert_int_eq(session_exit(&session), 0);
+    session_close(&session);
+    snprintf(command, sizeof command, "cmp %s %s/matvib/last.session && rm -r %s", file, folder, folder);
+    ck_assert_int_eq(system(command), 0);
+}
+END_TEST
+
 /* Nobody reads what it writes, as when a connection hangs: it stops in the middle of a picture. */
 START_TEST(a_terminal_that_hangs_can_be_left)
 {
@@ -484,6 +503,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, a_running_one_ends_by_signal_too);
     tcase_add_loop_test(tcase, a_terminal_that_goes_away_ends_it, 0, 2);
     tcase_add_test(tcase, a_session_that_is_ended_twice_is_kept);
+    tcase_add_test(tcase, a_recorded_session_is_the_last_one_too);
     tcase_add_test(tcase, a_terminal_that_hangs_can_be_left);
     tcase_add_test(tcase, a_crash_restores_the_terminal);
     tcase_add_test(tcase, control_c_leaves);

@@ -753,6 +753,18 @@ START_TEST(scenarios_are_written_and_opened)
 }
 END_TEST
 
+START_TEST(who_does_a_session_again_is_not_suspended_again)
+{
+    Bench *bench = open_bench("mode1", true);
+    press(bench, "^Z");
+    ck_assert_int_eq(bench->suspended, 1);
+    bench->lab.replaying = true;
+    press(bench, "^Z");
+    ck_assert_int_eq(bench->suspended, 1);
+    close_bench(bench);
+}
+END_TEST
+
 START_TEST(the_command_line_takes_commands_values_and_times)
 {
     Bench *bench = open_bench("mode1", true);
@@ -801,6 +813,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, export_writes_and_does_not_overwrite);
     tcase_add_test(tcase, a_full_disk_costs_nothing_that_was_there);
     tcase_add_test(tcase, scenarios_are_written_and_opened);
+    tcase_add_test(tcase, who_does_a_session_again_is_not_suspended_again);
     tcase_add_test(tcase, the_command_line_takes_commands_values_and_times);
     suite_add_tcase(suite, tcase);
 }

@@ -34,10 +34,15 @@ static void nothing(void *context)
     (void)context;
 }
 
+static void suspend(void *context)
+{
+    ((Bench *)context)->suspended++;
+}
+
 bool bench_open(Bench *bench, const char *scenario, bool paused, Status *status)
 {
     LaboratoryOptions options = {.settings = &bench->settings, .scenario = scenario, .paused = paused};
-    Host host = {now, worked, go_on, nothing, nothing, bench, NULL};
+    Host host = {now, worked, go_on, nothing, suspend, bench, NULL};
     return scenario_load(scenario, &bench->settings, status) &&
            laboratory_open(&bench->lab, &options, &host, status);
 }

@@ -12,6 +12,7 @@ typedef struct Bench {
     double tick;       /* seconds that pass whenever the clock is read */
     bool gives_up;     /* ^C in the middle of long work */
     char progress[80]; /* what that work last said */
+    int suspended;     /* so often */
     int width, height;
 } Bench;
 
