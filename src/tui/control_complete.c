@@ -232,7 +232,8 @@ void complete_prompt(Laboratory *lab)
     lab->tabbed = 0;
     if (!further) {
         const int shown = completion.skipped + completion.listed;
-        snprintf(prompt->hint, sizeof prompt->hint, "%s", completion.list);
+        snprintf(prompt->hint, sizeof prompt->hint, "%s",
+                 completion.list[0] ? completion.list : "no name begins with that");
         if (completion.more) {
             const size_t used = strlen(prompt->hint);
             snprintf(prompt->hint + used, sizeof prompt->hint - used, "  (Tab: %d more)",
