@@ -75,6 +75,12 @@ static int offers_of(const Screen *screen, const Offer **offers)
         {COMMAND_LESSONS, COMMAND_NONE, "close"},     {COMMAND_HELP, COMMAND_NONE, NULL},
         {COMMAND_QUIT, COMMAND_NONE, NULL},           {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
     };
+    static const Offer lessons[] = {
+        {COMMAND_UP, COMMAND_DOWN, "choose"},     {COMMAND_ENTER, COMMAND_NONE, "open"},
+        {COMMAND_LESSONS, COMMAND_NONE, "close"}, {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},
+        {COMMAND_HELP, COMMAND_NONE, NULL},       {COMMAND_QUIT, COMMAND_NONE, NULL},
+        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
+    };
     static const Offer lesson_fields[] = {
         {COMMAND_PAGE_UP, COMMAND_PAGE_DOWN, "page"}, {COMMAND_LEFT, COMMAND_RIGHT, "change"},
         {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},      {COMMAND_LESSONS, COMMAND_NONE, "close"},
@@ -106,7 +112,9 @@ static int offers_of(const Screen *screen, const Offer **offers)
         GIVE(magnified);
     if (in_fields && screen->lesson.open) {
         const LessonShown *shown = &screen->lesson;
-        if (shown->lesson && shown->lesson->pages[shown->page].n_fields > 0)
+        if (!shown->lesson)
+            GIVE(lessons);
+        if (shown->lesson->pages[shown->page].n_fields > 0)
             GIVE(lesson_fields);
         GIVE(lesson);
     }
