@@ -167,22 +167,14 @@ static void bend_supported(const Beam *beam, double x, double y, double u[2])
     u[1] = U * sin(k * x);
 }
 
-/* The first root of 1 + cosh z cos z = 0. */
-static double cantilever_root(void)
-{
-    double z = 1.8751;
-    for (int round = 0; round < 8; round++)
-        z -= (1 + cosh(z) * cos(z)) / (sinh(z) * cos(z) - cosh(z) * sin(z));
-    return z;
-}
-
 /* Eqs. 17, 18; zero inside the channel. */
 static void bend_cantilever(const Beam *beam, double x, double y, double u[2])
 {
     u[0] = u[1] = 0;
     if (x <= 0)
         return;
-    double z = cantilever_root(), k = z / beam->def.length, U = beam->def.amplitude;
+    const double z = 1.8751040687119611; /* the first root of 1 + cosh z cos z = 0 */
+    double k = z / beam->def.length, U = beam->def.amplitude;
     double ratio = (sinh(z) - sin(z)) / (cosh(z) + cos(z));
     u[0] = -U * k * y * (sinh(k * x) + sin(k * x) - ratio * (cosh(k * x) - cos(k * x)));
     u[1] = U * (cosh(k * x) - cos(k * x) - ratio * (sinh(k * x) - sin(k * x)));
