@@ -487,6 +487,26 @@ START_TEST(stages_explain_themselves)
 }
 END_TEST
 
+/* One node between two walls has no other neighbour than its images. */
+START_TEST(a_lonely_node_bursts_too)
+{
+    RodDef def = standard(true, true);
+    def.length = def.spacing = def.horizon = 0.5;
+    double step;
+    Status status = {0};
+    ck_assert(rod_critical(&def, &step, &status));
+    def.dt = 1.1 * step;
+    Simulation *sim = create(&def);
+    long done;
+    ck_assert(!simulation_steps(sim, 10000, NULL, &done, &status));
+    ck_assert_msg(strstr(status.text, "unstable: particle 0 has met or lost its neighbour") == status.text,
+                  "%s", status.text);
+    ck_assert_int_eq(done, sim->step);
+    ck_assert(fabs(of_particle(sim, "u", 0)) < 0.25);
+    simulation_destroy(sim);
+}
+END_TEST
+
 START_TEST(refusals)
 {
     static const struct {
@@ -537,6 +557,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, rewound_sliced_or_whole);
     tcase_add_test(tcase, links_and_bonds);
     tcase_add_test(tcase, stages_explain_themselves);
+    tcase_add_test(tcase, a_lonely_node_bursts_too);
     tcase_add_test(tcase, refusals);
     suite_add_tcase(suite, tcase);
 }

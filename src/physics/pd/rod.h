@@ -72,7 +72,8 @@ bool rod_check(const RodDef *definition, Status *status);
  * Live parameters: load.body_force, load.traction. They belong to the state.
  *
  * A run fails, with particle, step and time in its status, when a node comes a whole spacing nearer to its
- * neighbour, or as much further away: beyond the critical time step that is where it ends. */
+ * neighbour (at a fixed end: its own image), or as much further away: beyond the critical time step that is
+ * where it ends. */
 Simulation *rod_create(const RodDef *definition, Status *status);
 
 /* What the lattice came to. */

@@ -79,22 +79,21 @@ static RangeStage *const range_stages[ROD_STAGES] = {
 };
 
 /* A node that has come a spacing nearer to its neighbour has met it: the stretch is no longer what it says.
- */
+ * At a fixed end the neighbour is the node's own mirror image, which it meets at the support. */
 static bool check_gaps(Rod *rod, int first, int end, Status *status)
 {
     const double *u = rod->u + rod->lattice.reach, h = rod->lattice.h;
-    int wrong = -1;
-    for (int i = first; i < end && i + 1 < rod->lattice.n; i++)
-        if (!(fabs(u[i + 1] - u[i]) < h)) {
+    const int neighbours_end = rod->def.right_fixed ? rod->lattice.n : rod->lattice.n - 1;
+    int wrong = first == 0 && rod->def.left_fixed && !(fabs(u[0] - u[-1]) < h) ? 0 : -1;
+    for (int i = first; wrong < 0 && i < end && i < neighbours_end; i++)
+        if (!(fabs(u[i + 1] - u[i]) < h))
             wrong = i;
-            break;
-        }
     if (wrong < 0)
         return true;
     const long step = rod->sim.step + 1;
     return simulation_fail(&rod->sim, status,
                            "unstable: particle %d has met or lost its neighbour in step %ld, t = %.6g (a "
-                           "smaller time.courant or initial.velocity)",
+                           "smaller time.courant, initial.velocity or load)",
                            wrong, step, (double)step * rod->sim.dt);
 }
 
