@@ -207,3 +207,19 @@ void working_sum(Working *working, const WorkingSum *sum)
             }
         }
 }
+
+void working_change(Working *working, const char *label, double was, double factor, double rate, double now,
+                    const char *unit)
+{
+    WorkingSum sum = {
+        .label = label, .has_base = true, .base = was, .scale = factor, .result = now, .unit = unit};
+    working_add(&sum, 1, rate, 0, 0);
+    working_sum(working, &sum);
+}
+
+double working_before(const void *state, const double *now, const void *before)
+{
+    double value;
+    memcpy(&value, (const char *)before + ((const char *)now - (const char *)state), sizeof value);
+    return value;
+}

@@ -52,4 +52,12 @@ WorkingTerm *working_add(WorkingSum *, int factors, double a, double b, double c
 /* Writes the sum and ends the line. */
 void working_sum(Working *, const WorkingSum *);
 
+/* What a stage changed: "label was + factor × rate = now unit", in a line; unit NULL: none. */
+void working_change(Working *, const char *label, double was, double factor, double rate, double now,
+                    const char *unit);
+
+/* What stood in a number of the state when it was saved: `state` is the block as it is, `before` the bytes as
+ * they were. */
+double working_before(const void *state, const double *now, const void *before);
+
 #endif

@@ -65,7 +65,7 @@ static void fix_node(const BarSubject *subject)
         return;
     }
     if (subject->before)
-        working_number(working, ": ", bar_number_before(subject, &bar->node_momentum[i]));
+        working_number(working, ": ", working_before(bar->block, &bar->node_momentum[i], subject->before));
     working_say(working, " → 0: a support holds the node\n");
     working_number(working, "its mass ", bar->node_mass[i]);
     working_say(working, " stays\n");
@@ -100,13 +100,8 @@ static void strain_particle(const BarSubject *subject)
     working_sum(subject->working, &strain);
 
     const double modulus = bar->def.youngs_modulus;
-    WorkingSum pull = {.label = "σ = σ + E Δε = ",
-                       .has_base = true,
-                       .base = stress - modulus * increment,
-                       .scale = modulus,
-                       .result = stress};
-    working_add(&pull, 1, increment, 0, 0);
-    working_sum(subject->working, &pull);
+    working_change(subject->working, "σ = σ + E Δε = ", stress - modulus * increment, modulus, increment,
+                   stress, NULL);
 
     WorkingSum thin = {.label = "ρ = ρ/(1 + Δε) = ", .result = density};
     working_add(&thin, 1, density * (1 + increment), 0, 0)->divisor = 1 + increment;
@@ -163,13 +158,8 @@ static void say_integrated(const BarSubject *subject, int node)
     const Bar *bar = subject->bar;
     const double force = bar_node_force(bar, node);
     const BarLabel label = bar_label("p", node, " = p + Δt f = ");
-    WorkingSum sum = {.label = label.text,
-                      .has_base = true,
-                      .base = bar->node_momentum[node] - bar->dt * force,
-                      .scale = bar->dt,
-                      .result = bar->node_momentum[node]};
-    working_add(&sum, 1, force, 0, 0);
-    working_sum(subject->working, &sum);
+    const double momentum = bar->node_momentum[node];
+    working_change(subject->working, label.text, momentum - bar->dt * force, bar->dt, force, momentum, NULL);
 }
 
 static void integrate_node(const BarSubject *subject)

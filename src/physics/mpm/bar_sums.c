@@ -1,16 +1,5 @@
 #include "physics/mpm/bar_sums.h"
 
-#include <string.h>
-
-double bar_number_before(const BarSubject *subject, const double *now)
-{
-    double value;
-    memcpy(&value,
-           subject->before + ((const unsigned char *)now - (const unsigned char *)subject->bar->block),
-           sizeof value);
-    return value;
-}
-
 BarLabel bar_label(const char *before, int node, const char *after)
 {
     BarLabel label;

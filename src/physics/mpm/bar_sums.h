@@ -11,7 +11,7 @@ enum { LINKS_MAX = 64 };
 /* What is asked about. */
 typedef struct BarSubject {
     const Bar *bar;
-    const unsigned char *before; /* the state before the stage; NULL: not known */
+    const void *before; /* the state before the stage; NULL: not known */
     int set, index;
     Link links[LINKS_MAX];
     size_t n_links;
@@ -24,9 +24,6 @@ typedef struct BarLabel {
 } BarLabel;
 
 BarLabel bar_label(const char *before, int node, const char *after);
-
-/* A number of the state before the stage; `now` points to where it is at present. */
-double bar_number_before(const BarSubject *, const double *now);
 
 /* What the subject's links give to it: adds terms and scale to the sum, returns what they come to. */
 double bar_add_gifts(const BarSubject *, BarExchange, WorkingSum *);

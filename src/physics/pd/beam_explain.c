@@ -1,5 +1,6 @@
 /* The stages as people read them, and the sum of the stage just done with its numbers. */
 #include "physics/pd/beam_internal.h"
+#include "physics/pd/verlet.h"
 #include "physics/working.h"
 
 #include <math.h>
@@ -8,12 +9,8 @@
 
 /* Of beams on supports. */
 static const Stage stage_table[N_STAGES] = {
-    [STAGE_HALF_KICK] = {"half-kick", "half kick", "v(n+½) = v(n) + Δt/2 a(n),   a = f/ρ",
-                         "v(n+1/2) = v(n) + dt/2 a(n),   a = f/rho", "eq. 9",
-                         "The force of the last step gives every node half a step's worth of new velocity.",
-                         "vx vy fx fy", "vx vy"},
-    [STAGE_DRIFT] = {"drift", "drift", "u(n+1) = u(n) + Δt v(n+½)", "u(n+1) = u(n) + dt v(n+1/2)", "eq. 10",
-                     "Every node moves on with its half-step velocity.", "ux uy vx vy", "ux uy"},
+    [STAGE_HALF_KICK] = VERLET_HALF_KICK("vx vy fx fy", "vx vy"),
+    [STAGE_DRIFT] = VERLET_DRIFT("ux uy vx vy", "ux uy"),
     [STAGE_CONSTRAINTS] = {"constraints", "supports", "u = 0 at supports", "u = 0 at supports", "eqs. 12, 13",
                            "Supported nodes stay where they are.", "ux uy vx vy held", "ux uy vx vy"},
     [STAGE_BONDS] =
@@ -29,10 +26,8 @@ static const Stage stage_table[N_STAGES] = {
                           "f(i) += b(t),   b = −p min(1, t/t0)/Δx on loaded nodes",
                           "f(i) += b(t),   b = -p min(1, t/t0)/dx on loaded nodes", "eq. 8",
                           "The load pushes the nodes of the top row that it rests on.", "loaded fy", "fy"},
-    [STAGE_SECOND_KICK] = {"second-kick", "second half kick", "v(n+1) = v(n+½) + Δt/2 a(n+1)",
-                           "v(n+1) = v(n+1/2) + dt/2 a(n+1)", "eq. 11",
-                           "The new force completes the step's velocity; supports hold again.",
-                           "vx vy fx fy held", "vx vy"},
+    [STAGE_SECOND_KICK] = VERLET_SECOND_KICK(
+        "The new force completes the step's velocity; supports hold again.", "vx vy fx fy held", "vx vy"),
     [STAGE_DAMAGE] = {"damage", "damage", "φ(i) = 1 − Σ μ w V / Σ w V", "phi(i) = 1 - sum mu w V / sum w V",
                       "eqs. 5, 6", "Damage of a node is the share of its family that it has lost.", "broken",
                       "damage"},
@@ -71,12 +66,9 @@ static NodeNow node_now(const Beam *beam, size_t index)
 
 static NodeNow node_before(const Beam *beam, size_t at, const void *before)
 {
-    /* the saved block is laid out as the state is */
     double value[6];
-    for (size_t k = 0; k < 6; k++) {
-        size_t offset = (size_t)((char *)(beam->nodes.ux + k * beam->array + at) - (char *)beam->state);
-        memcpy(&value[k], (const char *)before + offset, sizeof value[k]);
-    }
+    for (size_t k = 0; k < 6; k++)
+        value[k] = working_before(beam->state, beam->nodes.ux + k * beam->array + at, before);
     return (NodeNow){at, value[0], value[1], value[2], value[3], value[4], value[5]};
 }
 
@@ -89,10 +81,7 @@ static void say_change(Working *working, const char *label, double was, double f
         working_say(working, " %s: the node is held\n", unit);
         return;
     }
-    WorkingSum sum = {
-        .label = label, .has_base = true, .base = was, .scale = factor, .result = now, .unit = unit};
-    working_add(&sum, 1, rate, 0, 0);
-    working_sum(working, &sum);
+    working_change(working, label, was, factor, rate, now, unit);
 }
 
 static void say_pair(Working *working, const char *words, double x, double y, const char *unit)

@@ -1,16 +1,11 @@
 /* The stages as people read them, and the sum of the stage just done with its numbers. */
 #include "physics/pd/rod_internal.h"
+#include "physics/pd/verlet.h"
 #include "physics/working.h"
 
-#include <string.h>
-
 const Stage rod_stage_table[ROD_STAGES] = {
-    [ROD_HALF_KICK] = {"half-kick", "half kick", "v(n+½) = v(n) + Δt/2 a(n),   a = f/ρ",
-                       "v(n+1/2) = v(n) + dt/2 a(n),   a = f/rho", "eq. 9",
-                       "The force of the last step gives every node half a step's worth of new velocity.",
-                       "v force acceleration", "v"},
-    [ROD_DRIFT] = {"drift", "drift", "u(n+1) = u(n) + Δt v(n+½)", "u(n+1) = u(n) + dt v(n+1/2)", "eq. 10",
-                   "Every node moves on with its half-step velocity.", "u v", "u x"},
+    [ROD_HALF_KICK] = VERLET_HALF_KICK("v force acceleration", "v"),
+    [ROD_DRIFT] = VERLET_DRIFT("u v", "u x"),
     [ROD_MIRROR] =
         {"mirror", "mirrored ends", "fixed end at 0:  u(−X) = −u(X),   so u(0) = 0",
          "fixed end at 0:  u(-X) = -u(X),   so u(0) = 0", "odd reflection",
@@ -28,27 +23,9 @@ const Stage rod_stage_table[ROD_STAGES] = {
                   "f(i) += rho b,   and +-t/h in the layer at a free end", "eq. 8",
                   "The body force acts on every node, the traction on the last ones at a free end.",
                   "load force", "force"},
-    [ROD_SECOND_KICK] = {"second-kick", "second half kick", "v(n+1) = v(n+½) + Δt/2 a(n+1)",
-                         "v(n+1) = v(n+1/2) + dt/2 a(n+1)", "eq. 11",
-                         "The new force completes the step's velocity.", "v force acceleration", "v"},
+    [ROD_SECOND_KICK] =
+        VERLET_SECOND_KICK("The new force completes the step's velocity.", "v force acceleration", "v"),
 };
-
-/* The same number in the saved block, which is laid out as the state is. */
-static double before_of(const Rod *rod, const double *now, const void *before)
-{
-    double value;
-    memcpy(&value, (const char *)before + ((const char *)now - (const char *)rod->head), sizeof value);
-    return value;
-}
-
-/* "v = 0.1 + 0.005 × 2 = 0.11" */
-static void say_change(Working *working, const char *label, double was, double factor, double rate,
-                       double now)
-{
-    WorkingSum sum = {.label = label, .has_base = true, .base = was, .scale = factor, .result = now};
-    working_add(&sum, 1, rate, 0, 0);
-    working_sum(working, &sum);
-}
 
 static void say_value(Working *working, const char *label, double value)
 {
@@ -62,8 +39,8 @@ static void explain_kick(const Rod *rod, Working *working, int i, const void *be
     working_add(&sum, 1, rod->f[i], 0, 0)->divisor = rod->def.density;
     working_sum(working, &sum);
     if (before)
-        say_change(working, "v = v + Δt/2 a = ", before_of(rod, &rod->v[i], before), rod->sim.dt / 2,
-                   sum.result, rod->v[i]);
+        working_change(working, "v = v + Δt/2 a = ", working_before(rod->head, &rod->v[i], before),
+                       rod->sim.dt / 2, sum.result, rod->v[i], NULL);
     else
         say_value(working, "v = ", rod->v[i]);
 }
@@ -72,7 +49,8 @@ static void explain_drift(const Rod *rod, Working *working, int i, const void *b
 {
     const double *u = &rod->u[rod_at(&rod->lattice, i)];
     if (before)
-        say_change(working, "u = u + Δt v = ", before_of(rod, u, before), rod->sim.dt, rod->v[i], *u);
+        working_change(working, "u = u + Δt v = ", working_before(rod->head, u, before), rod->sim.dt,
+                       rod->v[i], *u, NULL);
     else
         say_value(working, "u = ", *u);
 }
