@@ -26,7 +26,8 @@ typedef struct Family {
     size_t node;
     int i, j, reach;
     Ray rays[LINKS_MAX];
-    int count, broken, most; /* the ray of the most stretched whole bond; -1: none */
+    int count, most; /* the ray of the most stretched whole bond; -1: none */
+    int broken, cut; /* in the run; by the notch */
 } Family;
 
 static double value_of(const Simulation *sim, int field, size_t index)
@@ -101,7 +102,8 @@ static bool family_of(Family *family, const Screen *screen)
         const Ray ray = family->rays[k] = ray_of(family, &links[k]);
         const int reach = abs(ray.p) > abs(ray.q) ? abs(ray.p) : abs(ray.q);
         family->reach = reach > family->reach ? reach : family->reach;
-        family->broken += ray.broken;
+        family->broken += ray.broken && !ray.notch;
+        family->cut += ray.notch;
         if (!ray.broken && (family->most < 0 || ray.stretch > family->rays[family->most].stretch))
             family->most = k;
     }
@@ -161,7 +163,7 @@ static int draw_family(const Family *family, Area area, int cell)
         draw_bond(family, area, &family->rays[k], cell, scale);
     area_put(area, (family->reach + 1) * cell - 1, family->reach, 0x25a0, STYLE_SECOND);
     const int rows = 2 * family->reach + 1;
-    append(caption, sizeof caption, "%s", family->broken ? "  x broken  | notch" : "");
+    append(caption, sizeof caption, "%s", family->broken + family->cut ? "  x broken  | notch" : "");
     area_text(area, 1, rows, caption, STYLE_FAINT);
     return rows + 1;
 }
@@ -344,6 +346,15 @@ static int draw_forces(const Family *family, Area area)
 
 /* --- the pane --------------------------------------------------------------------------------------- */
 
+/* The notch's bonds were cut before the run, the others broke in it. */
+static void append_lost(const Family *family, char *text, size_t size)
+{
+    if (family->cut)
+        append(text, size, ", %d cut by the notch", family->cut);
+    if (family->broken)
+        append(text, size, ", %d broken", family->broken);
+}
+
 static void draw_subject(const Family *family, Area area, bool narrow)
 {
     char text[128];
@@ -351,15 +362,14 @@ static void draw_subject(const Family *family, Area area, bool narrow)
     snprintf(text, sizeof text, "node %zu at %.6g, %.6g mm: %d bonds", family->node,
              1e3 * (body->first[0] + family->i * body->spacing),
              1e3 * (body->first[1] + family->j * body->spacing), family->count);
-    if (family->broken)
-        append(text, sizeof text, ", %d broken", family->broken);
+    append_lost(family, text, sizeof text);
     area_rule(area, 0, text, is_focused(family->screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING);
     const char *hint = !narrow                  ? " ← → ↑ ↓ next node  i closes "
                        : family->screen->zoomed ? " z family "
                                                 : " z forces ";
     if (narrow && 5 + text_columns(text) + text_columns(hint) + 2 > area.rect.width) {
-        snprintf(text, sizeof text, "node %zu: %d bonds, %d broken", family->node, family->count,
-                 family->broken);
+        snprintf(text, sizeof text, "node %zu: %d bonds", family->node, family->count);
+        append_lost(family, text, sizeof text);
         area_rule(area, 0, text, is_focused(family->screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING);
     }
     if (5 + text_columns(text) + text_columns(hint) + 2 <= area.rect.width)

@@ -141,13 +141,29 @@ static int by_pull(const void *a, const void *b)
     return (one < other) - (one > other);
 }
 
+/* How many bonds of a family carry nothing: those that the notch cut are told apart. */
+static void say_lost(const Beam *beam, Working *working, const BondPlace *family, size_t n)
+{
+    size_t broken = 0, cut = 0;
+    for (size_t k = 0; k < n; k++) {
+        const size_t slot = lattice_slot(&beam->lattice, family[k]);
+        if (beam_bit(beam->notched, slot))
+            cut++;
+        else
+            broken += beam_bit(beam->broken, slot);
+    }
+    working_say(working, "%zu of %zu bonds broken", broken, n);
+    if (cut > 0)
+        working_say(working, ", %zu cut by the notch", cut);
+}
+
 /* The strongest bonds first, the rest as one number. */
 static void explain_bonds(const Beam *beam, Working *working, size_t index)
 {
     size_t nx = (size_t)beam->lattice.nx;
     BondPlace family[FAMILY_MAX];
     BondNow bonds[FAMILY_MAX];
-    size_t n = beam_family(beam, (int)(index % nx), (int)(index / nx), family), n_broken = 0;
+    size_t n = beam_family(beam, (int)(index % nx), (int)(index / nx), family);
     WorkingSum sums[2] = {{.label = "fx = ", .unit = "N/m³"}, {.label = "fy = ", .unit = "N/m³"}};
     for (size_t k = 0; k < n; k++) {
         bonds[k] = beam_bond(beam, family[k]);
@@ -156,17 +172,17 @@ static void explain_bonds(const Beam *beam, Working *working, size_t index)
             bonds[k].direction_y = -bonds[k].direction_y;
             bonds[k].b = bonds[k].a;
         }
-        n_broken += bonds[k].broken;
     }
     qsort(bonds, n, sizeof *bonds, by_pull);
+    say_lost(beam, working, family, n);
     if (n > 0 && bonds[0].stretch != 0) {
         const BondNow *first = &bonds[0];
-        working_say(working, "%zu of %zu bonds broken; to %zu: ", n_broken, n, first->b);
+        working_say(working, "; to %zu: ", first->b);
         WorkingSum pull = {.label = "c G w V s = ", .result = first->pull};
         working_add(&pull, 2, first->pull / first->stretch, first->stretch, 0);
         working_sum(working, &pull);
     } else {
-        working_say(working, "%zu of %zu bonds broken, none is stretched\n", n_broken, n);
+        working_say(working, "; none is stretched\n");
     }
     for (size_t k = 0; k < n; k++) {
         const double parts[2] = {bonds[k].direction_x, bonds[k].direction_y};
@@ -203,16 +219,15 @@ static void explain_damage(const Beam *beam, Working *working, size_t index)
 {
     size_t nx = (size_t)beam->lattice.nx;
     BondPlace family[FAMILY_MAX];
-    size_t n = beam_family(beam, (int)(index % nx), (int)(index / nx), family), n_broken = 0;
+    size_t n = beam_family(beam, (int)(index % nx), (int)(index / nx), family);
     double all = 0, broken = 0;
     for (size_t k = 0; k < n; k++) {
         double weight = beam->lattice.offsets[family[k].offset].weight;
         bool gone = beam_bit(beam->broken, lattice_slot(&beam->lattice, family[k]));
         all += weight;
         broken += gone ? weight : 0;
-        n_broken += gone;
     }
-    working_say(working, "%zu of %zu bonds broken", n_broken, n);
+    say_lost(beam, working, family, n);
     working_number(working, "; in weights ", broken);
     working_number(working, " of ", all);
     working_end_line(working);
