@@ -108,7 +108,8 @@ static bool tell_total(const Standing *run, char *label, char *value)
     return put(value, "%.2f %%", 100 * row[total] / record_row(record, 0)[total]);
 }
 
-/* The part of the kinetic energy that the grid does not see, as a mean over a tenth of the run. */
+/* The part of the kinetic energy that the grid does not see, as a mean over a tenth of the run, or what there
+ * is of it. */
 static bool tell_hidden(const Standing *run, char *label, char *value)
 {
     const int kinetic = column_of(run, "kinetic"), grid = column_of(run, "kinetic_grid");
@@ -117,7 +118,10 @@ static bool tell_hidden(const Standing *run, char *label, char *value)
     double all = 0, seen = 0;
     char number[NUMBER_TEXT_MAX];
     text_rounded(number, span, 3);
-    snprintf(label, COMPARISON_TEXT_MAX, "hidden, last t %.8s", number);
+    if (to > span)
+        snprintf(label, COMPARISON_TEXT_MAX, "hidden, last t %.8s", number);
+    else
+        snprintf(label, COMPARISON_TEXT_MAX, "hidden, since t 0");
     if (kinetic < 0 || grid < 0 || record->count == 0)
         return false;
     for (size_t i = record_find(record, to - span); i < record->count && record_row(record, i)[1] <= to;
@@ -170,13 +174,13 @@ static bool tell_length(const Standing *run, char *label, char *value)
 static bool tell_tip_x(const Standing *run, char *label, char *value)
 {
     snprintf(label, COMPARISON_TEXT_MAX, "its tip at x, mm");
-    return run->breaks && put(value, "%.1f", run->crack.measured.x / 1e-3);
+    return run->breaks && run->crack.measured.begun && put(value, "%.1f", run->crack.measured.x / 1e-3);
 }
 
 static bool tell_tip_y(const Standing *run, char *label, char *value)
 {
     snprintf(label, COMPARISON_TEXT_MAX, "and y, mm");
-    return run->breaks && put(value, "%.1f", run->crack.measured.y / 1e-3);
+    return run->breaks && run->crack.measured.begun && put(value, "%.1f", run->crack.measured.y / 1e-3);
 }
 
 static bool tell_work(const Standing *run, char *label, char *value)
