@@ -8,11 +8,11 @@ bool crack_facts(const Simulation *sim, CrackFacts *facts)
 {
     if (!crack_measure(sim, &facts->measured))
         return false;
-    double x, y;
-    const bool begun = crack_path(sim, &x, &y, 1) > 0;
+    double x, y = 0;
+    crack_path(sim, &x, &y, 1);
     for (int i = 0; i < CRACK_ANGLES; i++) {
         /* the first row of the path is the next one above the notch's end */
-        const bool far = begun && facts->measured.y >= y + crack_heights[i];
+        const bool far = facts->measured.begun && facts->measured.y >= y + crack_heights[i];
         facts->angles[i] = far ? crack_angle(sim, crack_heights[i]) : NAN;
     }
     facts->angle = crack_angle(sim, INFINITY);

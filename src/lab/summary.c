@@ -153,8 +153,11 @@ void summary_crack_text(const RunSummary *summary, char out[SUMMARY_MAX])
         any = true;
     }
     add(&writer, "%s", any ? "\n" : "");
-    add(&writer, "tip  x %.1f mm  y %.1f mm  broken bonds %ld\n", 1e3 * crack->x, 1e3 * crack->y,
-        crack->broken);
+    if (crack->begun)
+        add(&writer, "tip  x %.1f mm  y %.1f mm", 1e3 * crack->x, 1e3 * crack->y);
+    else
+        add(&writer, "no crack yet");
+    add(&writer, "  broken bonds %ld\n", crack->broken);
 }
 
 const char *summary_drift_base(const RunSummary *summary)

@@ -79,15 +79,18 @@ static void moving_lines(const Screen *screen, int width, char first[160], char 
 static void crack_lines(const CrackFacts *facts, char first[160], char second[160])
 {
     const Crack *crack = &facts->measured;
-    snprintf(first, 160, "broken bonds %ld  tip at x %.1f, y %.1f mm", crack->broken, crack->x / 1e-3,
-             crack->y / 1e-3);
+    snprintf(first, 160, "broken bonds %ld", crack->broken);
+    if (crack->begun)
+        append(first, 160, "  tip at x %.1f, y %.1f mm", crack->x / 1e-3, crack->y / 1e-3);
+    else
+        append(first, 160, "  no crack yet");
     for (int i = CRACK_ANGLES - 1; i >= 0 && !second[0]; i--)
         if (isfinite(facts->angles[i]))
             snprintf(second, 160, "fit over %.0f mm %.0f deg", crack_heights[i] / 1e-3, facts->angles[i]);
     if (isnan(crack->first_break))
         return;
     append(second, 160, "%s%s %.1f", second[0] ? "  " : "",
-           isnan(crack->arrival) ? "grows from" : "grew from", crack->first_break / 1e-6);
+           isnan(crack->arrival) ? "first break" : "grew from", crack->first_break / 1e-6);
     if (isfinite(crack->arrival))
         append(second, 160, " to %.1f", crack->arrival / 1e-6);
     append(second, 160, " us");

@@ -52,7 +52,7 @@ static void crack_texts(const Map *map, char *tip, char *angle, size_t size)
     tip[0] = angle[0] = '\0';
     if (!crack_facts(map->sim, &facts))
         return;
-    if (facts.measured.length > 0)
+    if (facts.measured.begun)
         snprintf(tip, size, "tip %.1f, %.1f mm", 1e3 * facts.measured.x, 1e3 * facts.measured.y);
     else
         snprintf(tip, size, "no crack yet");

@@ -130,7 +130,7 @@ static void draw_path(const Screen *screen, Area area, Style heading)
     }
     plot_close(&plot);
     CrackFacts facts;
-    if (crack_facts(sim, &facts))
+    if (crack_facts(sim, &facts) && facts.measured.begun)
         axes_mark(inner, &x, &y, facts.measured.x, facts.measured.y, 0x25cf, STYLE_CHANGED);
     draw_lines(screen, area, under);
 }

@@ -110,6 +110,7 @@ result "the energy by the work" says out ' % of the work$'
 result "and no frequency" sh -c '! grep -q frequency out'
 expect "before anything breaks" 0 notched-beam-coarse --steps 5
 result "says that" says out '^crack  first break none  twentieth none  protected zone not yet$'
+result "with no tip yet" says out '^no crack yet  broken bonds 0$'
 result "without an angle" sh -c '! grep -q angle out'
 rm -f ./*.csv ./*.ini
 

@@ -511,6 +511,40 @@ START_TEST(a_bursting_run_stops_at_a_sound_step)
 }
 END_TEST
 
+/* Rows of paths shift as bonds break beside them; what has cracked stays cracked. */
+START_TEST(a_crack_begins_above_the_notch_and_never_shrinks)
+{
+    BeamDef def = small_beam(BEAM_NOTCHED);
+    Simulation *sim = beam_case_create(&def, NULL);
+    double length = 0;
+    long bonds_before = 0;
+    for (int step = 1; step <= 600; step++) {
+        Crack crack;
+        advance(sim, 1);
+        ck_assert(crack_measure(sim, &crack));
+        ck_assert_msg(crack.length >= length, "%.17g after %.17g at step %d", crack.length, length, step);
+        ck_assert(crack.begun == (crack.length > 0));
+        ck_assert_double_eq(series_now(sim, "crack_length"), crack.length);
+        if (!crack.begun) {
+            ck_assert(crack.x == def.notch_position && crack.y == def.notch_depth);
+            bonds_before = crack.broken;
+        } else {
+            ck_assert_double_gt(crack.y, def.notch_depth);
+        }
+        length = crack.length;
+    }
+    ck_assert_msg(bonds_before > 0 && length > 0, "%ld bonds broke before, length %g", bonds_before, length);
+
+    /* and it is part of the state */
+    unsigned char *kept = snapshot_now(sim);
+    advance(sim, 100);
+    simulation_restore(sim, kept);
+    ck_assert_double_eq(series_now(sim, "crack_length"), length);
+    free(kept);
+    simulation_destroy(sim);
+}
+END_TEST
+
 START_TEST(events_tell_of_the_crack)
 {
     BeamDef def = small_beam(BEAM_NOTCHED);
@@ -568,5 +602,6 @@ void add_cases(Suite *suite)
     tcase_add_test(changes, load_and_critical_stretch_change_in_mid_run);
     tcase_add_test(changes, a_bursting_run_stops_at_a_sound_step);
     tcase_add_test(changes, events_tell_of_the_crack);
+    tcase_add_test(changes, a_crack_begins_above_the_notch_and_never_shrinks);
     suite_add_tcase(suite, changes);
 }

@@ -90,8 +90,9 @@ static void report_crack(Beam *beam, long step)
     }
     if (head->twentieth_break < 0 && head->near_tip >= 20) {
         head->twentieth_break = step;
-        report_break(beam, step, "the crack has started: twentieth bond broken");
+        report_break(beam, step, "twentieth bond broke near the notch's end");
     }
+    crack_follow(beam);
     Crack crack;
     if (head->arrival < 0 && crack_measure(&beam->sim, &crack) && beam->def.protected_depth > 0 &&
         crack.y >= beam->def.height - beam->def.protected_depth - beam->def.horizon / 2) {

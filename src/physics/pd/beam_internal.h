@@ -34,6 +34,7 @@ enum { SUPPORTS_MAX = 64, BEAM_SERIES_MAX = 12 };
 typedef struct StateHead {
     double work, dissipated;              /* J */
     double load_stress, critical_stretch; /* live parameters */
+    double crack_length;                  /* of the path, as long as it ever was, m */
     long broken;                          /* bonds that broke in the run; the notch's are not among them */
     long near_tip;                        /* of these with their middle within 2 delta of the notch's end */
     long first_break, twentieth_break;    /* steps at which near_tip reached 1 and 20; -1: not yet */
@@ -45,10 +46,10 @@ typedef struct NodeArrays {
     double *fx, *fy; /* force density, N/m^3 */
 } NodeArrays;
 
-/* The crack as the damage shows it (see crack.h); recomputed when damage has changed. */
+/* The tip of the crack as the damage shows it (see crack.h); recomputed when damage has changed. */
 typedef struct CrackCache {
     bool valid;
-    double x, y, length;
+    double x, y;
 } CrackCache;
 
 /* The state some steps ago; see beam_steps(). */
@@ -153,6 +154,9 @@ bool beam_take_log(Beam *beam, BondLog *log, long step); /* false: memory was sh
 void beam_update_damage(Beam *beam, long step);
 void beam_rebuild_damage(Beam *beam);
 bool beam_bit(const uint8_t *bits, size_t slot);
+
+/* crack.c: to be told of every change of damage, keeps the crack's length at its longest */
+void crack_follow(Beam *beam);
 
 /* beam_state.c */
 size_t beam_state_size(const Simulation *sim);

@@ -61,7 +61,7 @@ static const CrackCache *crack(Beam *beam)
 {
     Crack measured;
     if (!beam->crack.valid && crack_measure(&beam->sim, &measured))
-        beam->crack = (CrackCache){true, measured.x, measured.y, measured.length};
+        beam->crack = (CrackCache){true, measured.x, measured.y};
     return &beam->crack;
 }
 
@@ -77,7 +77,7 @@ static double crack_y(Beam *beam)
 
 static double crack_length(Beam *beam)
 {
-    return crack(beam)->length;
+    return beam->head->crack_length;
 }
 
 typedef struct SeriesEntry {
@@ -92,9 +92,14 @@ static const SeriesEntry series[BEAM_SERIES_MAX] = {
     {{"u_probe", "u", "m", "transverse displacement at the probe"}, u_probe, ALL},
     {{"v_probe", "v", "m/s", "transverse velocity at the probe"}, v_probe, ALL},
     {{"length", "length", "m", "length outside the channel, L0 + v0 t"}, length, 1 << BEAM_MOVING_CANTILEVER},
-    {{"crack_x", "crack x", "m", "the crack's tip along the beam"}, crack_x, 1 << BEAM_NOTCHED},
-    {{"crack_y", "crack y", "m", "the crack's tip above the bottom"}, crack_y, 1 << BEAM_NOTCHED},
-    {{"crack_length", "crack length", "m", "the crack's path from the notch's end to its tip"},
+    {{"crack_x", "crack x", "m", "the crack's tip along the beam; the notch's end before it begins"},
+     crack_x,
+     1 << BEAM_NOTCHED},
+    {{"crack_y", "crack y", "m", "the crack's tip above the bottom; the notch's end before it begins"},
+     crack_y,
+     1 << BEAM_NOTCHED},
+    {{"crack_length", "crack length", "m",
+      "the crack's path from the notch's end to its tip; it never shrinks"},
      crack_length,
      1 << BEAM_NOTCHED},
     {{"kinetic", "kinetic", "J", "kinetic energy"}, kinetic, ALL},

@@ -12,6 +12,12 @@ static const Beam *notched(const Simulation *sim)
     return beam && beam->def.problem == BEAM_NOTCHED ? beam : NULL;
 }
 
+/* Rows in which there can be a crack: a row that lies just at the notch's end is the notch's. */
+static bool is_above_notch(const Beam *beam, int j)
+{
+    return lattice_y(&beam->lattice, j) > beam->def.notch_depth + 1e-6 * beam->lattice.spacing;
+}
+
 /* A cracked node of the region where the crack is looked for. */
 static bool is_cracked(const Beam *beam, int i, int j)
 {
@@ -44,19 +50,18 @@ size_t crack_path(const Simulation *sim, double *x, double *y, size_t max)
     const Beam *beam = notched(sim);
     size_t n = 0;
     for (int j = 0; beam && j < beam->lattice.ny && n < max; j++) {
-        double height = lattice_y(&beam->lattice, j);
-        if (height > beam->def.notch_depth && row_centre(beam, j, &x[n]))
-            y[n++] = height;
+        if (is_above_notch(beam, j) && row_centre(beam, j, &x[n]))
+            y[n++] = lattice_y(&beam->lattice, j);
     }
     return n;
 }
 
-/* The tip: of the highest row with a cracked node the node with most damage. */
-static void find_tip(const Beam *beam, double *x, double *y)
+/* The tip: of the highest row with a cracked node the node with most damage. False: it has not begun. */
+static bool find_tip(const Beam *beam, double *x, double *y)
 {
     *x = beam->def.notch_position;
     *y = beam->def.notch_depth;
-    for (int j = beam->lattice.ny - 1; j >= 0; j--) {
+    for (int j = beam->lattice.ny - 1; j >= 0 && is_above_notch(beam, j); j--) {
         double most = 0;
         for (int i = 0; i < beam->lattice.nx; i++) {
             double damage = beam->damage[(size_t)j * (size_t)beam->lattice.nx + (size_t)i];
@@ -67,9 +72,10 @@ static void find_tip(const Beam *beam, double *x, double *y)
         }
         if (most > 0) {
             *y = lattice_y(&beam->lattice, j);
-            return;
+            return true;
         }
     }
+    return false;
 }
 
 static double path_length(const Beam *beam)
@@ -77,13 +83,18 @@ static double path_length(const Beam *beam)
     double x = beam->def.notch_position, y = beam->def.notch_depth, length = 0;
     for (int j = 0; j < beam->lattice.ny; j++) {
         double next_y = lattice_y(&beam->lattice, j), next_x;
-        if (next_y <= beam->def.notch_depth || !row_centre(beam, j, &next_x))
+        if (!is_above_notch(beam, j) || !row_centre(beam, j, &next_x))
             continue;
         length += hypot(next_x - x, next_y - y);
         x = next_x;
         y = next_y;
     }
     return length;
+}
+
+void crack_follow(Beam *beam)
+{
+    beam->head->crack_length = fmax(beam->head->crack_length, path_length(beam));
 }
 
 static double time_of(const Beam *beam, long step)
@@ -103,8 +114,8 @@ bool crack_measure(const Simulation *sim, Crack *crack)
         .broken = beam->head->broken,
         .notch = (long)beam->facts.notch_bonds,
     };
-    find_tip(beam, &crack->x, &crack->y);
-    crack->length = path_length(beam);
+    crack->begun = find_tip(beam, &crack->x, &crack->y);
+    crack->length = beam->head->crack_length;
     return true;
 }
 

@@ -1,7 +1,8 @@
 /* The crack of the notched beam: what paper P tells of it (figs. 9 and 10), measured.
  *
- * The tip is the highest cracked node between the notch - 10 mm and the load that is not in a protected zone.
- * The path is the damage-weighted centre of the cracked nodes of each row. SI units. */
+ * The crack has begun when a node above the notch's end, between the notch - 10 mm and the load and not in a
+ * protected zone, is cracked; the tip is the highest of these. The path is the damage-weighted centre of the
+ * cracked nodes of each row. SI units. */
 #ifndef PHYSICS_PD_CRACK_H
 #define PHYSICS_PD_CRACK_H
 
@@ -10,18 +11,22 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#define CRACK_DAMAGE 0.35 /* a node with more damage is cracked: one that a crack has passed has 0.4 to 0.5  \
-                           */
+#define CRACK_DAMAGE                                                                                         \
+    0.35 /* a node with more damage is cracked: one that a crack has passed has 0.4 to 0.5                   \
+          */
 
 typedef struct Crack {
     double first_break; /* time of the first broken bond with its middle within 2 delta of the notch's end;
                          * NAN: none */
     double twentieth_break; /* of the twentieth; NAN: fewer */
     double arrival;         /* time at which the tip came to the load's protected zone; NAN: not yet */
-    double x, y;            /* the tip; the notch's end before anything broke */
-    double length;          /* of the path from the notch's end to the tip */
-    long broken;            /* bonds, without the notch's */
-    long notch;             /* bonds cut by the notch */
+    bool begun;
+    double x, y; /* the tip; the notch's end before it has begun */
+    double
+        length;  /* of the path from the notch's end to the tip, at its longest so far: the centres of rows
+                  * shift as bonds beside the path break, but a crack does not heal; 0 before it has begun */
+    long broken; /* bonds, without the notch's */
+    long notch;  /* bonds cut by the notch */
 } Crack;
 
 /* False: the simulation is no beam with a notch. */
