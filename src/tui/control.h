@@ -188,6 +188,9 @@ void recall_line(Laboratory *, int direction);
 /* Whether a file may be written now: not when an earlier session is done again, which is said. */
 bool may_write(Laboratory *, const char *name);
 
+/* An answer that is the name of a file: whether it can be one. If not, the prompt stays and says why. */
+bool name_can_be(Laboratory *, const char *name);
+
 /* control_lesson.c */
 void read_progress(int reached[LESSONS_MAX]);
 bool open_lesson(Laboratory *, const char *name, Status *);

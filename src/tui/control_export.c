@@ -146,7 +146,7 @@ static bool answer_replace(Laboratory *lab, const char *text)
 
 static bool export_named(Laboratory *lab, const char *text)
 {
-    char found[PATH_BYTES + 4], name[NAME_MAX_BYTES];
+    char found[PATH_BYTES + 4], name[NAME_MAX_BYTES], paths[EXPORTS][PATH_BYTES];
     size_t length = strlen(text);
     if (figure_is_name(text))
         return draw_figure(lab, text);
@@ -156,6 +156,9 @@ static bool export_named(Laboratory *lab, const char *text)
         return refuse(lab, "a name is wanted");
     snprintf(name, sizeof name, "%.*s", (int)length, text); /* the text may be the name already */
     memcpy(lab->export_name, name, sizeof name);
+    file_names(lab, 0, name, paths);
+    if (!name_can_be(lab, paths[0]))
+        return false;
     find_existing(lab, lab->export_name, found);
     if (found[0])
         ask(lab, answer_replace, true, "", "%.60s exists: replace?", found);

@@ -52,6 +52,8 @@ bool draw_figure(Laboratory *lab, const char *file)
         return refuse(lab, "a file is wanted: FILE.svg, FILE.pdf or FILE.png");
     if (!figure_allowed(file, &status))
         return refuse(lab, status.text);
+    if (!name_can_be(lab, file))
+        return false;
     pause_run(lab);
     if (lab->screen.state == STATE_COMPUTING)
         return refuse(lab, "wait until the run has come to its time, or cancel with Esc");

@@ -129,6 +129,12 @@ bool may_write(Laboratory *lab, const char *name)
     return !lab->replaying;
 }
 
+bool name_can_be(Laboratory *lab, const char *name)
+{
+    Status status = {STATUS_DONE, ""};
+    return output_may_begin(name, true, &status) || refuse(lab, status.text);
+}
+
 /* The scenario as it was opened and edited, to its own end; not only what has been computed of it. */
 static bool write_scenario(Laboratory *lab, const char *name)
 {
@@ -166,7 +172,9 @@ bool answer_write(Laboratory *lab, const char *text)
 {
     if (!text[0] || output_is_standard(text))
         return refuse(lab, "a file name is wanted");
-    if (access(text, F_OK) != 0)
+    if (!name_can_be(lab, text))
+        return false;
+    if (access(text, F_OK) != 0 || output_is_direct(text))
         return write_scenario(lab, text);
     snprintf(lab->export_name, sizeof lab->export_name, "%s", text);
     ask(lab, answer_replace_scenario, true, "", "%.60s exists: replace it?", text);
