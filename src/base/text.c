@@ -85,6 +85,12 @@ static size_t smaller(size_t a, size_t b)
     return a < b ? a : b;
 }
 
+bool text_stream_close(FILE *stream, char *const *text)
+{
+    const bool written = ferror(stream) == 0;
+    return fclose(stream) == 0 && written && *text;
+}
+
 size_t text_distance(const char *a, const char *b)
 {
     enum { MAX = 64 };

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 enum { NUMBER_TEXT_MAX = 32 };
 
@@ -22,6 +23,10 @@ size_t text_trim_exponent(char *text);
 /* Reads a finite number that fills the whole text, spaces around it allowed. False: it does not. */
 bool text_to_double(const char *text, double *value);
 bool text_to_long(const char *text, long *value);
+
+/* Closes a stream of open_memstream(). Whether all that was written is in `*text`: where memory is short at
+ * the end it is NULL, and fclose() does not tell. `*text` is freed by the caller either way. */
+bool text_stream_close(FILE *stream, char *const *text);
 
 /* The number of edits (insert, delete, replace, swap neighbours) between two words; for "did you mean". */
 size_t text_distance(const char *a, const char *b);

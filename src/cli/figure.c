@@ -197,9 +197,6 @@ int cli_figure(int count, char **arguments, Status *status)
                 output_may_begin(options.output, options.force, status) &&
                 (!options.against || other_settings(&options, &settings, &first, status));
     }
-    char *real = sound && !options.list ? output_real_name(options.output, status) : NULL;
-    sound = sound && (options.list || real); /* its folder is there, before the run begins */
-    free(real);
     if (!sound)
         return (int)status->code;
     Screen screen;

@@ -1,4 +1,5 @@
 /* `matvib sweep SCENARIO --vary KEY=A,B,C ...`: many runs that differ in some parameters, a row for each. */
+#include "base/text.h"
 #include "base/threads.h"
 #include "cli/cli.h"
 #include "cli/options.h"
@@ -106,7 +107,12 @@ static void run_combination(void *context, int combination, RunProgress progress
     Status *why = &result->failure;
     if (!sweep_plan_load(&sweep->plan, sweep->options, combination, false, &settings, why))
         return;
-    if (partial_number(&settings, sweep->options->steps) != sweep->numbers[combination]) {
+    const uint64_t number = partial_number(&settings, sweep->options->steps);
+    if (number == 0) {
+        no_memory(why);
+        return;
+    }
+    if (number != sweep->numbers[combination]) {
         status_fail(why, STATUS_FAILED, "%s has changed since the sweep began", sweep->options->words[0]);
         return;
     }
@@ -246,7 +252,7 @@ static bool write_beside(const Sweep *sweep, const SweepTable *table, int count,
     fputs("\n\nColumns:\n", text);
     table_describe(table, text);
     fputs("\nThe first combination:\n", text);
-    bool written = fclose(text) == 0 &&
+    bool written = (text_stream_close(text, &comment) || no_memory(status)) &&
                    sweep_plan_load(&sweep->plan, sweep->options, 0, true, &settings, status) &&
                    scenario_write(file->stream, &settings, comment, status) && output_finish(file, status);
     free(comment);

@@ -29,9 +29,9 @@ uint64_t partial_number(const Settings *settings, long steps)
     if (!stream)
         return 0;
     bool written = scenario_write(stream, settings, NULL, NULL);
-    written = fclose(stream) == 0 && written;
+    written = text_stream_close(stream, &text) && written;
     int n = snprintf(end, sizeof end, "%ld", steps);
-    uint64_t number = mix(mix(UINT64_C(14695981039346656037), text, size), end, (size_t)n);
+    uint64_t number = written ? mix(mix(UINT64_C(14695981039346656037), text, size), end, (size_t)n) : 0;
     free(text);
     return !written ? 0 : number ? number : 1;
 }

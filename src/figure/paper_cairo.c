@@ -1,7 +1,9 @@
 /* PDF and PNG through cairo. */
 #include "figure/paper.h"
 
+#include <errno.h>
 #include <stdlib.h>
+#include <string.h>
 
 #ifdef HAVE_CAIRO
 
@@ -144,6 +146,8 @@ static bool finish(Paper *paper, Status *status)
         result = cairo_surface_status(page->surface);
     cairo_surface_destroy(page->surface);
     free(page);
+    if (result == CAIRO_STATUS_WRITE_ERROR)
+        return status_fail(status, STATUS_FAILED, "the figure could not be written: %s", strerror(errno));
     return result == CAIRO_STATUS_SUCCESS ||
            status_fail(status, STATUS_FAILED, "the figure could not be drawn: %s",
                        cairo_status_to_string(result));

@@ -308,7 +308,9 @@ static bool write_beside(const Export *export, const Settings *scenario, OutputF
         describe_table(export, table, text);
     else
         describe_series(export, text);
-    bool written = fclose(text) == 0 && scenario_write(beside->stream, scenario, comment, status);
+    bool written = text_stream_close(text, &comment)
+                       ? scenario_write(beside->stream, scenario, comment, status)
+                       : status_fail(status, STATUS_FAILED, "not enough memory to write %s", beside->name);
     free(comment);
     return written && output_finish(beside, status);
 }

@@ -29,28 +29,31 @@ bool output_is_direct(const char *name)
            (stat(name, &what) == 0 && !S_ISREG(what.st_mode) && !S_ISDIR(what.st_mode));
 }
 
+static bool no_memory(Status *status)
+{
+    return status_fail(status, STATUS_FAILED, "not enough memory for the names of files");
+}
+
 char *output_real_name(const char *name, Status *status)
 {
     char *whole = realpath(name, NULL); /* also through a symbolic link */
-    if (whole || errno == ENOMEM)
+    if (whole)
         return whole;
+    if (errno == ENOMEM)
+        return no_memory(status), NULL;
     char *copies[2] = {strdup(name), strdup(name)}, *real = NULL;
     if (copies[0] && copies[1]) {
         char *folder = realpath(dirname(copies[0]), NULL), *base = basename(copies[1]);
         if (!folder)
             cannot_write(name, status);
         else if (asprintf(&real, "%s/%s", strcmp(folder, "/") == 0 ? "" : folder, base) < 0)
-            real = NULL;
+            real = NULL, no_memory(status);
         free(folder);
-    }
+    } else
+        no_memory(status);
     free(copies[0]);
     free(copies[1]);
     return real;
-}
-
-static bool no_memory(Status *status)
-{
-    return status_fail(status, STATUS_FAILED, "not enough memory for the names of files");
 }
 
 bool output_has_folder(const char *name, Status *status)
@@ -61,9 +64,10 @@ bool output_has_folder(const char *name, Status *status)
         return no_memory(status);
     const char *folder = dirname(copy);
     bool there = true;
-    if (stat(folder, &what) != 0 && (errno == ENOENT || errno == ENOTDIR))
+    const bool known = stat(folder, &what) == 0; /* one that may not be looked into is told by who opens */
+    if (!known && (errno == ENOENT || errno == ENOTDIR))
         there = status_fail(status, STATUS_USAGE, "%s: there is no folder %s", name, folder);
-    else if (!S_ISDIR(what.st_mode))
+    else if (known && !S_ISDIR(what.st_mode))
         there = status_fail(status, STATUS_USAGE, "%s: %s is no folder", name, folder);
     free(copy);
     return there;
@@ -76,7 +80,7 @@ static bool folder_takes(const char *name, Status *status)
         return false;
     char *real = output_real_name(name, status);
     if (!real)
-        return *status->text ? false : no_memory(status);
+        return false;
     strrchr(real, '/')[0] = '\0';
     const bool takes = access(*real ? real : "/", W_OK | X_OK) == 0;
     free(real);

@@ -4,6 +4,7 @@
 #include "physics/pd/rod.h"
 #include "theory/rod.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -67,10 +68,15 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     if (!bar_theory_of(settings, &theory, status))
         return false;
     const RodLatticeTheory lattice = rod_lattice_of(settings);
+    /* what theory cannot predict is left out; for want of memory it must not be */
+    errno = 0;
     if (settings->n_changes == 0)
         refs->bar.modes = rod_modes_create(&theory, &lattice);
-    return bar_prepare(refs, settings, sim, predicted_frequency(settings, &theory),
-                       refs->bar.modes ? predicted_v_cm : NULL,
+    const double frequency = predicted_frequency(settings, &theory);
+    if (errno == ENOMEM)
+        return status_fail(status, STATUS_FAILED, "not enough memory to predict the motion of %g nodes",
+                           round(settings->bar.length / lattice.spacing));
+    return bar_prepare(refs, settings, sim, frequency, refs->bar.modes ? predicted_v_cm : NULL,
                        "velocity of the centre of mass predicted for this lattice", status);
 }
 

@@ -117,7 +117,7 @@ static bool write_scenario_lines(FILE *file, const Session *session, Status *sta
     size_t size = 0;
     FILE *memory = open_memstream(&text, &size);
     bool sound = memory && scenario_write(memory, &session->settings, NULL, status);
-    if (memory && fclose(memory) != 0)
+    if (memory && !text_stream_close(memory, &text))
         sound = false;
     for (char *line = text; sound && line && *line;) {
         size_t length = strcspn(line, "\n");
@@ -289,8 +289,8 @@ Session *session_read_stream(FILE *file, const char *name, Status *status)
     if (!sound)
         status_fail(status, STATUS_FAILED, "not enough memory for a session");
     sound = sound && read_lines(session, file, name, scenario, status);
-    if (scenario && fclose(scenario) != 0)
-        sound = false;
+    if (scenario && !text_stream_close(scenario, &text))
+        sound = sound && status_fail(status, STATUS_FAILED, "not enough memory for a session");
     sound = sound && read_scenario(session, name, text, size, status);
     free(text);
     if (sound)
