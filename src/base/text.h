@@ -2,6 +2,8 @@
 #ifndef BASE_TEXT_H
 #define BASE_TEXT_H
 
+#include "base/status.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -27,6 +29,10 @@ bool text_to_long(const char *text, long *value);
 /* Closes a stream of open_memstream(). Whether all that was written is in `*text`: where memory is short at
  * the end it is NULL, and fclose() does not tell. `*text` is freed by the caller either way. */
 bool text_stream_close(FILE *stream, char *const *text);
+
+/* Whether a stream came to its end; after getline(), which says -1 too where memory is short or reading
+ * fails. Otherwise the status says why, by errno. */
+bool text_at_end(FILE *stream, const char *name, Status *);
 
 /* The number of edits (insert, delete, replace, swap neighbours) between two words; for "did you mean". */
 size_t text_distance(const char *a, const char *b);

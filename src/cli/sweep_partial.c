@@ -154,6 +154,9 @@ static long read_rows(SweepPartial *partial, Search *search, SweepResult *result
 static bool resume(SweepPartial *partial, Search *search, bool force, SweepResult *results, Status *status)
 {
     long end = read_rows(partial, search, results);
+    if (end >= 0 &&
+        !text_at_end(partial->stream, partial->name, status)) /* rows must not be cut off for that */
+        return false;
     if (end < 0 && !force)
         return status_fail(status, STATUS_USAGE, "%s: holds rows of another sweep (--force begins anew)",
                            partial->name);

@@ -243,6 +243,7 @@ bool lesson_read(FILE *stream, const char *name, Lesson *lesson, Status *status)
         if (!sound)
             status_prefix(status, "%s:%ld", name, number);
     }
+    sound = sound && text_at_end(stream, name, status);
     free(line);
     if (sound && (!lesson->title || lesson->n_pages == 0))
         sound = status_fail(status, STATUS_USAGE, "%s: is no lesson (@title and a @page are wanted)", name);

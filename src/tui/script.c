@@ -1,5 +1,6 @@
 #include "tui/script.h"
 
+#include "base/text.h"
 #include "tui/control.h"
 #include "tui/description.h"
 #include "tui/session.h"
@@ -278,6 +279,7 @@ static bool play(Player *player, FILE *file, Status *status)
         if (!sound)
             status_prefix(status, "%s:%ld", player->name, player->line);
     }
+    sound = sound && text_at_end(file, player->name, status);
     free(line);
     return sound;
 }

@@ -147,6 +147,9 @@ bool session_write(const Session *session, const char *name, bool force, Status 
         write_event(file.stream, &session->events[i]);
     sound = sound && output_finish(&file, status) && output_commit(&file, status);
     output_close(&file);
+    if (sound && session->full)
+        return status_fail(status, STATUS_FAILED, "%s: memory was short for more than its first %zu keys",
+                           name, session->count);
     return sound;
 }
 
@@ -260,6 +263,7 @@ static bool read_lines(Session *session, FILE *file, const char *name, FILE *sce
         if (!sound)
             status_prefix(status, "%s:%ld", name, number);
     }
+    sound = sound && text_at_end(file, name, status);
     free(line);
     return sound;
 }
