@@ -4,6 +4,7 @@
 #include "figure/page.h"
 #include "lab/output_file.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -150,6 +151,11 @@ void figure_close(Figure *figure)
     figure->count = 0;
 }
 
+static bool no_memory(Status *status)
+{
+    return status_fail(status, STATUS_FAILED, "not enough memory for a figure");
+}
+
 /* --- panels ----------------------------------------------------------------------------------------- */
 
 /* "t 0.1200 ms" as "t = 0.12 ms". */
@@ -171,15 +177,20 @@ bool figure_add(Figure *figure, const Screen *screen, int view, int panels, Stat
         return status_fail(status, STATUS_USAGE, "a page has room for %d pictures", FIGURE_PANELS_MAX);
     FigurePanel *panel = calloc(1, sizeof *panel);
     if (!panel)
-        return status_fail(status, STATUS_FAILED, "not enough memory for a figure");
+        return no_memory(status);
     /* as many ticks as a pane of the terminal of that size has */
     int columns, rows;
     page_panel_cells(figure, panels, &columns, &rows);
+    errno = 0;
     screen_sketch(screen, view, columns, rows, &panel->sketch);
     const Sketch *sketch = &panel->sketch;
-    if (!sketch->has_axes) {
-        status_fail(status, STATUS_FAILED, "%s: nothing to draw%s%s", sketch->heading,
-                    sketch->n_notes > 0 ? ": " : "", sketch->n_notes > 0 ? sketch->notes[0].text : "");
+    const bool in_want = errno == ENOMEM; /* a screen is drawn again, a page is not */
+    if (in_want || !sketch->has_axes) {
+        if (in_want)
+            no_memory(status);
+        else
+            status_fail(status, STATUS_FAILED, "%s: nothing to draw%s%s", sketch->heading,
+                        sketch->n_notes > 0 ? ": " : "", sketch->n_notes > 0 ? sketch->notes[0].text : "");
         sketch_close(&panel->sketch);
         free(panel);
         return false;
@@ -238,8 +249,10 @@ bool figure_write(Figure *figure, const char *name, bool force, Status *status)
                                           : paper_png(file.stream, width, height, status);
     bool sound = paper != NULL;
     if (paper) {
+        errno = 0;
         page_draw(figure, paper);
-        sound = paper_finish(paper, status);
+        const bool in_want = errno == ENOMEM;
+        sound = paper_finish(paper, status) && (!in_want || no_memory(status));
     }
     sound = sound && output_finish(&file, status) && output_commit(&file, status);
     output_close(&file);

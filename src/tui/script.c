@@ -6,6 +6,7 @@
 #include "tui/session.h"
 #include "tui/theme.h"
 
+#include <errno.h>
 #include <langinfo.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -324,12 +325,13 @@ int script_run(const LaboratoryOptions *options, Session *replay, Session *recor
 {
     bool standard = strcmp(options->script, "-") == 0;
     FILE *file = standard ? stdin : fopen(options->script, "r");
+    const int why = errno;
     Player *player = calloc(1, sizeof *player);
     bool sound = false;
     if (!player)
         status_fail(status, STATUS_FAILED, "out of memory");
     else if (!file)
-        status_fail(status, STATUS_USAGE, "%s: cannot be read", options->script);
+        status_fail(status, STATUS_USAGE, "%s: cannot be read: %s", options->script, strerror(why));
     else if (open_player(player, options, status)) {
         player->name = standard ? "standard input" : options->script;
         player->lab.recording = recording;
