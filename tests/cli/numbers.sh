@@ -1,0 +1,131 @@
+#!/bin/sh
+# What the texts say of a run is what the program measures now: each row is a sentence of a scenario, a lesson or the
+# README with one number in it, and where that number comes from.
+number=0
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+
+result() { # NAME COMMAND...
+	number=$((number + 1))
+	name=$1
+	shift
+	if "$@" >out 2>&1; then echo "ok $number - $name"; else
+		echo "not ok $number - $name"
+		sed 's/^/# /' out
+	fi
+}
+
+told_and_failed() { cat summary err && false; }
+
+# The summary of one run as NAME VALUE lines; measured from here on is that of the last one.
+run() { # SCENARIO OPTIONS...
+	"$MATVIB" run "$@" >summary 2>err || result "matvib run $*" told_and_failed
+	awk '
+		function after(word, name,    i) { for (i = 1; i < NF; i++) if ($i == word) print name, $(i + 1) }
+		function before(word, name,    i) { for (i = 4; i <= NF; i++) if ($i == word) print name, $(i - 3) }
+		/^(frequency|period) / { after("measured", "measured"); after("exact", "exact") }
+		/^error / { after("frequency", "frequency_error"); after("period", "period_error")
+			sub(/.*\(frequency predicted/, "mesh"); after("mesh", "predicted_error") }
+		/^(late|early) / { after("by", "periods") }
+		/^energy drift / { after("drift", "drift") }
+		/^crack / { after("break", "first"); after("twentieth", "twentieth"); after("zone", "through") }
+		/^angle / { before("10", "angle10"); before("38", "angle38") }' summary >measured
+}
+
+# Whether the text of FILE holds BEFORE NUMBER AFTER, line ends being spaces, and NUMBER is the measured QUANTITY
+# times FACTOR plus OFFSET, without its sign, rounded to the digits that the text gives.
+agrees() { # FILE BEFORE NUMBER AFTER QUANTITY FACTOR OFFSET
+	tr -s '\n ' '  ' <"$MATVIB_SRCDIR/$1" >text
+	grep -q -F -e "$2$3$4" text || { echo "$1 does not say: $2$3$4" && return 1; }
+	awk -v said="$3" -v name="$5" -v factor="$6" -v offset="$7" '
+		$1 == name { value = $2 * factor + offset; found = 1 }
+		END {
+			value = value < 0 ? -value : value
+			point = index(said, ".")
+			digits = point ? length(said) - point : 0
+			rounded = sprintf("%." digits "f", value)
+			print name, found ? value : "is not in the summary", "and the text says", said
+			exit !found || rounded + 0 != said + 0
+		}' measured
+}
+claim() { result "$1: $2$3$4" agrees "$1" "$2" "$3" "$4" "$5" "${6:-1}" "${7:-0}"; }
+
+scenario=data/scenarios lesson=data/lessons
+
+run mode5
+claim $scenario/mode5.ini "The frequency comes out " 4.2 " % too low" predicted_error
+claim $scenario/mode5-fine.ini "falls from " 4.2 " % to" predicted_error
+claim $scenario/mode10-fine.ini "close to the " 4.2 " % of mode5" predicted_error
+claim $scenario/mode5-peridynamics.ini "material point method loses " 4.2 " %" predicted_error
+claim $lesson/late.lesson "w is " 4.2 " % too low" predicted_error
+claim $lesson/late.lesson "so every period is " 4.4 " % too long" period_error
+claim $lesson/late.lesson "The error was -" 4.239 " %" predicted_error
+claim $lesson/late.lesson "4.2 % of 90 periods are " 3.8 "" periods
+claim README.md "The frequency is " 4.2 " % low" predicted_error
+run mode5 --set time.courant=0.05
+claim $lesson/late.lesson "It gets -" 4.248 " %" predicted_error
+run mode5 --set mesh.particles_per_cell=4
+claim $lesson/late.lesson "from -4.24 % to -" 3.99 " %" predicted_error
+run mode5 --set mesh.particles_per_cell=8
+claim $lesson/late.lesson "it stays near -" 3.9 " %" predicted_error
+run mode5-fine
+claim $lesson/late.lesson "-4.24 % becomes -" 1.07 " %" predicted_error
+claim $scenario/mode5-fine.ini "from 4.2 % to " 1.1 " %" predicted_error
+run mode10
+claim $scenario/mode10.ini "the frequency is " 17.7 " % too low" predicted_error
+claim $scenario/mode10-fine.ini "falls from " 17.7 " % to" predicted_error
+run mode10 --end 20
+claim $scenario/mode10.ini "which is a period " 21.5 " % too long" period_error
+run mode10-fine
+claim $scenario/mode10-fine.ini "from 17.7 % to " 4.7 " %" predicted_error
+claim $lesson/late.lesson "Nearly: " 4.7 " % against" predicted_error
+
+run mode5-peridynamics
+claim $scenario/mode5-peridynamics.ini "The frequency is " 1.2 " % too low" predicted_error
+
+run mode5 --set mpm.algorithm=usl
+claim $lesson/energy.lesson "It loses " 79 " %" drift
+run mode5 --set mpm.algorithm=usl --set time.courant=0.05
+claim $lesson/energy.lesson "half the size: " 55 " %" drift
+run mode5 --set mpm.algorithm=usl --set time.courant=0.025
+claim $lesson/energy.lesson "(0.025): " 33 " %" drift
+run mode1 --set mpm.algorithm=usl
+claim $lesson/energy.lesson "" 0.03 " %. If you" drift
+run crossing
+claim $lesson/crossing.lesson "+" 24 " %, and three quarters" drift
+run crossing --set mpm.shape=gimp
+claim $lesson/crossing.lesson "The energy is back, to " 0.01 " %" drift
+
+run supported-beam-coarse
+claim $scenario/supported-beam-coarse.ini "The period is " 0.865 " ms" measured 1000
+claim $lesson/skin.lesson "The period falls to " 0.865 " ms" measured 1000
+claim $lesson/skin.lesson "within " 0.2 " % of theory" period_error
+claim $lesson/skin.lesson "Bending theory says " 0.864 " ms" exact 1000
+claim $scenario/supported-beam.ini "which counts shear, is " 0.864 " ms" exact 1000
+run supported-beam-coarse --set pd.surface_correction=none
+claim $lesson/skin.lesson "" 1.04 " ms, 21 % too long" measured 1000
+claim $lesson/skin.lesson "1.04 ms, " 21 " % too long" period_error
+
+run notched-beam-coarse
+claim $lesson/crack.lesson "the first break at the notch: " 73.2 "" first
+claim $lesson/crack.lesson "twenty broken bonds there at " 87 "" twentieth
+claim $lesson/crack.lesson "Here it is " 26 " over the first 10 mm" angle10
+claim $lesson/crack.lesson "towards the load: " 35 " degrees over 38 mm" angle38
+claim $lesson/crack.lesson "At " 246 " microseconds" through
+
+# what takes longer: with MATVIB_LONG alone
+if [ -n "$MATVIB_LONG" ]; then
+	run supported-beam
+	for file in supported-beam-coarse supported-beam-uncorrected; do
+		claim $scenario/$file.ini "instead of " 0.854 " ms" measured 1000
+	done
+	claim $scenario/supported-beam.ini "The lattice shows " 0.854 " ms" measured 1000
+	run supported-beam-uncorrected
+	claim $scenario/supported-beam-uncorrected.ini "the period is " 0.981 " ms" measured 1000
+	claim $lesson/skin.lesson "" 0.981 " ms. The skin gets thinner" measured 1000
+	claim $lesson/skin.lesson "still " 14 " % too long" period_error
+	run notched-beam-coarse --set notch.position=0.105
+	claim $lesson/crack.lesson "It starts earlier too, after " 63 " microseconds" first
+fi
+echo "1..$number"
