@@ -24,6 +24,37 @@ while read -r line; do
 	result "$line" sh -c "$line"
 done <commands
 
+# what else the pages and the README tell to type: beams for a few steps, sweeps as plans, the laboratory without keys.
+# Some lines need what an earlier one wrote.
+short() {
+	case $1 in
+	*" sweep supported-beam"*) echo "$1 --plan" ;;
+	*" figure "*" --at "*) echo "$1" | sed 's/notched-beam/notched-beam-coarse/' ;;
+	*" figure supported-beam"* | *" figure moving-cantilever"*) echo "$1 --end 1e-4" ;;
+	*" run supported-beam"* | *" run notched-beam"*) echo "$1 --steps 10" ;;
+	*" verify") echo "$1 M-fig3" ;;
+	"matvib run"* | "matvib figure"* | "matvib verify"* | "matvib sweep"* | "matvib export-lammps"*) echo "$1" ;;
+	"matvib list"* | "matvib params"* | "matvib show"*) echo "$1" ;;
+	*" --last") echo "mkdir -p ../state/matvib && cp a.session ../state/matvib/last.session && $1 --script - </dev/null" ;;
+	*) echo "$1 --script - </dev/null" ;;
+	esac
+}
+XDG_STATE_HOME=$scratch/state
+export XDG_STATE_HOME
+typed() { # FILE OF COMMANDS
+	mkdir "in-$1"
+	while read -r line; do
+		result "$line" sh -c "cd in-$1 && $(short "$line")"
+	done <"$1"
+}
+plain "$man/matvib.1" | awk '/^\.nf/ { on = 1; next } /^\.fi/ { on = 0 } on' | sed -e ':a' -e '/\\$/N; s/\\\n *//; ta' |
+	grep '^matvib ' >commands
+result "matvib.1 has longer examples" test "$(wc -l <commands)" -ge 7
+sed -n 's/^    build\/\(matvib .*\)/\1/p' "$MATVIB_SRCDIR/README.md" | sed 's/   *.*//' >readme
+result "the README has commands" test "$(wc -l <readme)" -ge 19
+typed commands
+typed readme
+
 # every scenario that stands in an example reads back
 examples "$man/matvib.5" | awk '/^\[scenario\]/ { n++ } n { print > ("example" n ".ini") }'
 result "matvib.5 has examples" test -s example3.ini
