@@ -1,20 +1,8 @@
 #!/bin/sh
 # What the texts say of a run is what the program measures now: each row is a sentence of a scenario, a lesson or the
 # README with one number in it, and where that number comes from.
-number=0
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-
-result() { # NAME COMMAND...
-	number=$((number + 1))
-	name=$1
-	shift
-	if "$@" >out 2>&1; then echo "ok $number - $name"; else
-		echo "not ok $number - $name"
-		sed 's/^/# /' out
-	fi
-}
+# shellcheck source=tests/common.sh
+. "$MATVIB_SRCDIR/tests/common.sh"
 
 told_and_failed() { cat summary err && false; }
 
