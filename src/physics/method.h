@@ -70,6 +70,7 @@ typedef struct Link {
     double weight;   /* shape function N of the pair; for a bond its stretch */
     double gradient; /* dN/dx of the pair; for a bond its force density times volume */
     bool broken;     /* a bond that carries nothing any more */
+    long broken_at;  /* of such a one: the step after which it was broken; 0: before the run, by a notch */
     double length;   /* of a bond in one dimension: to the other end at rest, with its sign; else 0 */
     double stiffness; /* likewise its force density per unit of stretch */
 } Link;

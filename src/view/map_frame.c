@@ -17,20 +17,13 @@ enum { LEGEND_ROOM = 19, LEGEND_ROWS = 4 };
 #define MOST_ENLARGED 1e9
 #define NODE_COLUMNS  3.0 /* from that distance on nodes are drawn one by one */
 
-static double first_of(const Simulation *sim, int field, size_t index)
-{
-    double value = 0;
-    sim->method->field(sim, field, index, 1, &value);
-    return value;
-}
-
 bool body_of(const Simulation *sim, Body *body)
 {
     *body = (Body){.count = sim->counts[0]};
     if (sim->dimensions != 2 || body->count < 4)
         return false;
     for (int d = 0; d < 2; d++)
-        body->first[d] = first_of(sim, sim->position[d], 0);
+        body->first[d] = field_at(sim, sim->position[d], 0);
     /* the first row ends where the height changes */
     enum { CHUNK = 256 };
     double height[CHUNK];
@@ -45,7 +38,7 @@ bool body_of(const Simulation *sim, Body *body)
     }
     body->nx = (int)columns;
     body->ny = (int)(body->count / columns);
-    const double last = first_of(sim, sim->position[0], columns - 1);
+    const double last = field_at(sim, sim->position[0], columns - 1);
     body->spacing = columns > 1 ? (last - body->first[0]) / (double)(columns - 1) : 0;
     for (int d = 0; d < 2; d++) {
         body->low[d] = body->first[d] - body->spacing / 2;

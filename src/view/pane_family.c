@@ -1,46 +1,18 @@
 /* The inspector of beams: the chosen node's family, each bond with its stretch as a share of the critical
- * one, the most stretched bond and why it holds, and the forces of the bonds as they add up to the node's. */
-#include "view/map.h"
+ * one, the bond that broke last, the most stretched one and why it holds, and the forces (family_forces.c).
+ */
+#include "view/family.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { LINKS_MAX = 256, REACH_MAX = 8, SIDES = 3, CELL_LEAST = 4, CELL_MOST = 6, WORDS_WIDTH = 43 };
+enum { REACH_MAX = 8, CELL_LEAST = 4, CELL_MOST = 6 };
 
-/* A bond seen from the chosen node. */
-typedef struct Ray {
-    size_t other;
-    int p, q; /* columns and rows from the node to the other end */
-    double stretch, pull;
-    double direction[2]; /* as it is now */
-    bool broken, notch;
-} Ray;
-
-typedef struct Family {
-    const Screen *screen;
-    const Simulation *sim;
-    const BeamDef *beam;
-    Body body;
-    size_t node;
-    int i, j, reach;
-    Ray rays[LINKS_MAX];
-    int count, most; /* the ray of the most stretched whole bond; -1: none */
-    int broken, cut; /* in the run; by the notch */
-} Family;
-
-static double value_of(const Simulation *sim, int field, size_t index)
+double family_field(const Family *family, const char *name, size_t node)
 {
-    double value = 0;
-    if (field >= 0)
-        sim->method->field(sim, field, index, 1, &value);
-    return value;
-}
-
-static double named(const Family *family, const char *name, size_t node)
-{
-    return value_of(family->sim, simulation_find_field(family->sim, 0, name), node);
+    return field_at(family->sim, simulation_find_field(family->sim, 0, name), node);
 }
 
 bool has_families(const Simulation *sim)
@@ -51,59 +23,51 @@ bool has_families(const Simulation *sim)
 
 /* --- what there is ---------------------------------------------------------------------------------- */
 
-/* Whether the notch cut a bond: its ends lie on two sides, and it crosses no higher than the notch's end. */
-static bool is_cut(const Family *family, const Ray *ray)
-{
-    const BeamDef *beam = family->beam;
-    const double little = 1e-6 * family->body.spacing;
-    const double x = family->body.first[0] + family->i * family->body.spacing;
-    const double to_x = x + ray->p * family->body.spacing, at = beam->notch_position;
-    if (beam->problem != BEAM_NOTCHED || (x - at < -little) == (to_x - at < -little))
-        return false;
-    const double share = (at - x) / (to_x - x);
-    const double y = family->body.first[1] + (family->j + share * ray->q) * family->body.spacing;
-    return y <= beam->notch_depth + little;
-}
-
 static Ray ray_of(const Family *family, const Link *link)
 {
     const Simulation *sim = family->sim;
     const long nx = family->body.nx;
-    Ray ray = {.other = link->index, .stretch = link->weight, .broken = link->broken};
+    Ray ray = {
+        .other = link->index, .stretch = link->weight, .broken = link->broken, .broken_at = link->broken_at};
     ray.p = (int)((long)link->index % nx - family->i);
     ray.q = (int)((long)link->index / nx - family->j);
     const int steps[2] = {ray.p, ray.q};
     for (int d = 0; d < 2; d++)
         ray.direction[d] = steps[d] * family->body.spacing +
-                           value_of(sim, sim->displacement[d], link->index) -
-                           value_of(sim, sim->displacement[d], family->node);
+                           field_at(sim, sim->displacement[d], link->index) -
+                           field_at(sim, sim->displacement[d], family->node);
     const double length = hypot(ray.direction[0], ray.direction[1]);
     for (int d = 0; d < 2 && length > 0; d++)
         ray.direction[d] /= length;
     ray.pull = link->gradient / (family->body.spacing * family->body.spacing);
-    ray.notch = ray.broken && is_cut(family, &ray);
     return ray;
 }
 
 static bool family_of(Family *family, const Screen *screen)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
-    *family = (Family){
-        .screen = screen, .sim = sim, .beam = &experiment_settings(screen->experiment)->beam, .most = -1};
+    *family = (Family){.screen = screen,
+                       .sim = sim,
+                       .beam = &experiment_settings(screen->experiment)->beam,
+                       .most = -1,
+                       .last = -1};
     if (!body_of(sim, &family->body) || sim->counts[0] == 0)
         return false;
     family->node = screen->particle < sim->counts[0] ? screen->particle : sim->counts[0] - 1;
     family->i = (int)(family->node % (size_t)family->body.nx);
     family->j = (int)(family->node / (size_t)family->body.nx);
-    Link links[LINKS_MAX];
-    const size_t count = sim->method->links(sim, 0, family->node, links, LINKS_MAX);
-    family->count = (int)(count < LINKS_MAX ? count : LINKS_MAX);
+    Link links[FAMILY_LINKS];
+    const size_t count = sim->method->links(sim, 0, family->node, links, FAMILY_LINKS);
+    family->count = (int)(count < FAMILY_LINKS ? count : FAMILY_LINKS);
     for (int k = 0; k < family->count; k++) {
         const Ray ray = family->rays[k] = ray_of(family, &links[k]);
         const int reach = abs(ray.p) > abs(ray.q) ? abs(ray.p) : abs(ray.q);
         family->reach = reach > family->reach ? reach : family->reach;
-        family->broken += ray.broken && !ray.notch;
-        family->cut += ray.notch;
+        const bool cut = ray.broken && ray.broken_at == 0;
+        family->cut += cut;
+        family->broken += ray.broken && !cut;
+        if (ray.broken && !cut && (family->last < 0 || ray.broken_at > family->rays[family->last].broken_at))
+            family->last = k;
         if (!ray.broken && (family->most < 0 || ray.stretch > family->rays[family->most].stretch))
             family->most = k;
     }
@@ -133,7 +97,7 @@ static void draw_bond(const Family *family, Area area, const Ray *ray, int cell,
     const int end = (family->reach + ray->p + 1) * cell, y = family->reach - ray->q;
     char text[24];
     if (ray->broken) {
-        area_put(area, end - 1, y, ray->notch ? '|' : 'x', STYLE_WARNING);
+        area_put(area, end - 1, y, ray->broken_at == 0 ? '|' : 'x', STYLE_WARNING);
         return;
     }
     snprintf(text, sizeof text, "%.0f", ray->stretch * scale);
@@ -168,8 +132,40 @@ static int draw_family(const Family *family, Area area, int cell)
     return rows + 1;
 }
 
-/* --- the most stretched bond ------------------------------------------------------------------------ */
+/* --- single bonds ----------------------------------------------------------------------------------- */
 
+/* "s = 0.0003878 = 45.6 % of s0 = 0.00085" */
+static void draw_stretch(const Family *family, Area area, int y, const Ray *ray)
+{
+    const double s0 = family->beam->critical_stretch;
+    char text[96], number[NUMBER_TEXT_MAX], share[NUMBER_TEXT_MAX], critical[NUMBER_TEXT_MAX];
+    number_text(ray->stretch, 4, 12, number);
+    number_text(100 * ray->stretch / s0, 4, 8, share);
+    number_text(s0, 4, 12, critical);
+    snprintf(text, sizeof text, "s = %s", number);
+    if (s0 > 0)
+        append(text, sizeof text, " = %s %% of s0 = %s", share, critical);
+    area_text(area, 0, y, text, STYLE_CHANGED);
+}
+
+/* The bond that broke last, with both ends; in the step in which it did with the stretch that broke it.
+ * Returns the rows used. */
+static int draw_last(const Family *family, Area area)
+{
+    if (family->last < 0)
+        return 0;
+    const Ray *ray = &family->rays[family->last];
+    const bool now = ray->broken_at == family->sim->step + (family->sim->stage > 0);
+    char text[96];
+    snprintf(text, sizeof text, now ? "bond %zu-%zu breaks in this step:" : "bond %zu-%zu broke in step %ld",
+             family->node, ray->other, ray->broken_at);
+    area_text(area, 0, 0, text, STYLE_WARNING);
+    if (now)
+        draw_stretch(family, area, 1, ray);
+    return 1 + now;
+}
+
+/* The most stretched bond that is whole. Returns the rows used. */
 static const char *why_it_holds(const Family *family, const Ray *ray)
 {
     const double s0 = family->beam->critical_stretch;
@@ -177,171 +173,23 @@ static const char *why_it_holds(const Family *family, const Ray *ray)
         return "holds: bonds never break here (s0 = 0)";
     if (ray->stretch < s0)
         return "holds: below s0";
-    if (named(family, "protected", family->node) > 0 || named(family, "protected", ray->other) > 0)
+    if (family_field(family, "protected", family->node) > 0 ||
+        family_field(family, "protected", ray->other) > 0)
         return "holds: protected, near load or support";
     return "breaks in the next stage of bond forces";
 }
 
 static int draw_most(const Family *family, Area area)
 {
-    char text[96], number[NUMBER_TEXT_MAX], share[NUMBER_TEXT_MAX];
     if (family->most < 0) {
         area_text(area, 0, 0, "no bond of it is whole", STYLE_WARNING);
         return 1;
     }
     const Ray *ray = &family->rays[family->most];
-    const double s0 = family->beam->critical_stretch;
     area_print(area, 0, 0, STYLE_HEADING, "most stretched: to node %zu", ray->other);
-    number_text(ray->stretch, 4, 12, number);
-    number_text(100 * ray->stretch / s0, 3, 8, share);
-    snprintf(text, sizeof text, "s = %s", number);
-    if (s0 > 0)
-        append(text, sizeof text, " = %s %% of s0", share);
-    area_text(area, 0, 1, text, STYLE_CHANGED);
+    draw_stretch(family, area, 1, ray);
     area_text(area, 0, 2, why_it_holds(family, ray), STYLE_NORMAL);
     return 3;
-}
-
-/* --- the forces ------------------------------------------------------------------------------------- */
-
-enum { FORCE_ROWS_MAX = 8, FORCE_COLUMN = 11 };
-
-/* A row of the sum. */
-typedef struct ForceRow {
-    const char *name;
-    double value[2];
-    bool is_sum, is_changed;
-} ForceRow;
-
-typedef struct ForceSum {
-    ForceRow rows[FORCE_ROWS_MAX]; /* the sides, all bonds, then load and force, or the force alone */
-    double exact[FORCE_ROWS_MAX][2];
-    int count;
-} ForceSum;
-
-static void add_row(ForceSum *sum, const char *name, double x, double y, bool is_sum, bool is_changed)
-{
-    sum->exact[sum->count][0] = x;
-    sum->exact[sum->count][1] = y;
-    sum->rows[sum->count++] = (ForceRow){name, {x, y}, is_sum, is_changed};
-}
-
-/* The load on the node at the time to which its force belongs, N/m^3. */
-static double load_on(const Family *family)
-{
-    const BeamDef *beam = family->beam;
-    const double time = (double)(family->sim->step + (family->sim->stage > 0)) * family->sim->dt;
-    const double share = beam->load_ramp > 0 ? fmin(1, time / beam->load_ramp) : 1;
-    return named(family, "loaded", family->node) > 0 ? -beam->load_stress * share / family->body.spacing : 0;
-}
-
-/* What the force of the node is made of, as far as this step has come. */
-static void sum_forces(const Family *family, ForceSum *sum)
-{
-    static const char *const names[SIDES] = {"bonds to the left", "bonds up and down", "bonds to the right"};
-    const Simulation *sim = family->sim;
-    const int bonds = simulation_find_stage(sim, "bonds"), load = simulation_find_stage(sim, "body-force");
-    const int drift = simulation_find_stage(sim, "drift");
-    double sides[SIDES][2] = {{0}}, total[2] = {0, 0};
-    for (int k = 0; k < family->count; k++) {
-        const Ray *ray = &family->rays[k];
-        for (int d = 0; d < 2; d++) {
-            sides[1 + (ray->p > 0) - (ray->p < 0)][d] += ray->pull * ray->direction[d];
-            total[d] += ray->pull * ray->direction[d];
-        }
-    }
-    *sum = (ForceSum){.count = 0};
-    const bool moved = sim->stage > drift && sim->stage <= bonds; /* the force is still the last step's */
-    const bool just_bonds = sim->stage == bonds + 1, just_load = sim->stage == load + 1;
-    for (int side = 0; side < SIDES; side++)
-        add_row(sum, names[side], sides[side][0], sides[side][1], false, false);
-    add_row(sum, "all its bonds", total[0], total[1], true, just_bonds);
-    const double fx = named(family, "fx", family->node), fy = named(family, "fy", family->node);
-    if (moved) {
-        add_row(sum, "f, of the last step", fx, fy, true, false);
-        return;
-    }
-    if (!just_bonds)
-        add_row(sum, "load on the node", 0, load_on(family), false, just_load);
-    add_row(sum, just_bonds ? "f, without the load" : "f of the node", fx, fy, true, just_bonds || just_load);
-}
-
-/* The terms of a sum are rounded so that a pencil finds the sum as it is printed: those that come nearest to
- * the next number take it. */
-static void round_to_sum(double *terms, int count, double sum, double unit)
-{
-    double rounded[FORCE_ROWS_MAX], missing = sum;
-    for (int i = 0; i < count; i++) {
-        rounded[i] = round(terms[i] / unit) * unit;
-        missing -= rounded[i];
-    }
-    for (int todo = (int)fmin(fabs(round(missing / unit)), count); todo > 0; todo--) {
-        const double way = missing > 0 ? 1 : -1;
-        int best = 0;
-        for (int i = 1; i < count; i++)
-            if (way * (terms[i] - rounded[i]) > way * (terms[best] - rounded[best]))
-                best = i;
-        rounded[best] += way * unit;
-        missing -= way * unit;
-    }
-    memcpy(terms, rounded, (size_t)count * sizeof *terms);
-}
-
-/* The numbers that are printed, in units of 10^exponent. */
-static void round_rows(ForceSum *sum, int exponent, int decimals)
-{
-    enum { ALL = SIDES, LOAD, F };
-    const double unit = pow(10, -decimals);
-    for (int d = 0; d < 2; d++) {
-        double terms[SIDES];
-        for (int i = 0; i < sum->count; i++) {
-            sum->rows[i].value[d] = round(sum->rows[i].value[d] * pow(10, -exponent) / unit) * unit;
-            if (i < SIDES)
-                terms[i] = sum->exact[i][d] * pow(10, -exponent);
-        }
-        /* from the force of the node upwards */
-        if (sum->count > F)
-            sum->rows[ALL].value[d] = sum->rows[F].value[d] - sum->rows[LOAD].value[d];
-        round_to_sum(terms, SIDES, sum->rows[ALL].value[d], unit);
-        for (int i = 0; i < SIDES; i++)
-            sum->rows[i].value[d] = terms[i];
-    }
-}
-
-static int draw_forces(const Family *family, Area area)
-{
-    enum { DECIMALS = 5 };
-    const Simulation *sim = family->sim;
-    ForceSum sum;
-    sum_forces(family, &sum);
-    double most = 0;
-    for (int i = 0; i < sum.count; i++)
-        for (int d = 0; d < 2; d++)
-            most = fmax(most, fabs(sum.rows[i].value[d]));
-    const int exponent = most > 0 && isfinite(most) ? 3 * (int)floor(log10(most) / 3) : 0;
-    const double size = most * pow(10, -exponent);
-    const int decimals = DECIMALS - (size >= 10) - (size >= 100);
-    round_rows(&sum, exponent, decimals);
-    const int name_columns = area.rect.width < WORDS_WIDTH ? area.rect.width - 2 * FORCE_COLUMN : 20;
-    area_text(area, 0, 0, "forces on it", STYLE_HEADING);
-    area_text_right(area, name_columns + FORCE_COLUMN, 0, "fx", STYLE_HEADING);
-    area_text_right(area, name_columns + 2 * FORCE_COLUMN, 0, "fy", STYLE_HEADING);
-    int y = 1;
-    for (int i = 0; i < sum.count; i++, y++) {
-        const ForceRow *row = &sum.rows[i];
-        const Style style = row->is_changed ? STYLE_CHANGED : row->is_sum ? STYLE_HEADING : STYLE_NORMAL;
-        area_text(area, 0, y, row->name, style);
-        for (int d = 0; d < 2; d++) {
-            char text[48];
-            snprintf(text, sizeof text, "%.*f", decimals, row->value[d] + 0.0);
-            area_text_right(area, name_columns + (d + 1) * FORCE_COLUMN, y, text, style);
-        }
-    }
-    const int next = sim->stage;
-    const char *unit = area.glyphs == GLYPHS_ASCII ? "N/m^3" : "N/m³";
-    area_print(area, 0, y, STYLE_FAINT, "x10^%d %s; next: %s", exponent, unit,
-               next < sim->n_stages ? sim->stages[next].name : sim->stages[0].name);
-    return y + 1;
 }
 
 /* --- the pane --------------------------------------------------------------------------------------- */
@@ -363,17 +211,18 @@ static void draw_subject(const Family *family, Area area, bool narrow)
              1e3 * (body->first[0] + family->i * body->spacing),
              1e3 * (body->first[1] + family->j * body->spacing), family->count);
     append_lost(family, text, sizeof text);
-    area_rule(area, 0, text, is_focused(family->screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING);
     const char *hint = !narrow                  ? " ← → ↑ ↓ next node  i closes "
                        : family->screen->zoomed ? " z family "
                                                 : " z forces ";
-    if (narrow && 5 + text_columns(text) + text_columns(hint) + 2 > area.rect.width) {
-        snprintf(text, sizeof text, "node %zu: %d bonds", family->node, family->count);
-        append_lost(family, text, sizeof text);
-        area_rule(area, 0, text, is_focused(family->screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING);
-    }
-    if (5 + text_columns(text) + text_columns(hint) + 2 <= area.rect.width)
-        area_text_right(area, area.rect.width - 1, 0, hint, STYLE_FAINT);
+    const Style heading = is_focused(family->screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING;
+    const int end = area.rect.width - 1;
+    area_rule(area, 0, text, heading);
+    if (draw_heading_hint(family->screen, area, 5 + text_columns(text), end, hint) || !narrow)
+        return;
+    snprintf(text, sizeof text, "node %zu: %d bonds", family->node, family->count);
+    append_lost(family, text, sizeof text);
+    area_rule(area, 0, text, heading);
+    draw_heading_hint(family->screen, area, 5 + text_columns(text), end, hint);
 }
 
 /* Where the node lies: the whole beam, small. */
@@ -396,9 +245,11 @@ static void draw_place(const Screen *screen, Area area)
 static void draw_narrow(const Family *family, Area area, int cell)
 {
     const Area words = area_part(area, 1, 0, area.rect.width - 1, area.rect.height);
-    const int used = family->screen->zoomed ? draw_forces(family, words) : draw_family(family, area, cell);
-    if (used + 3 <= area.rect.height)
-        draw_most(family, area_part(words, 0, used, words.rect.width, words.rect.height - used));
+    const int used = family->screen->zoomed ? family_forces(family, words) : draw_family(family, area, cell);
+    const Area below = area_part(words, 0, used, words.rect.width, words.rect.height - used);
+    const int last = used + 2 <= area.rect.height ? draw_last(family, below) : 0;
+    if (used + last + 3 <= area.rect.height)
+        draw_most(family, area_part(below, 0, last, below.rect.width, below.rect.height - last));
 }
 
 void pane_family(const Screen *screen, Area area)
@@ -408,11 +259,11 @@ void pane_family(const Screen *screen, Area area)
         area_rule(area, 0, "no family to be drawn", STYLE_HEADING);
         return;
     }
-    const int width = 2 * family.reach + 1, room = area.rect.width - WORDS_WIDTH - 1;
+    const int width = 2 * family.reach + 1, room = area.rect.width - FAMILY_WORDS - 1;
     int cell = room / width;
     cell = cell > CELL_MOST ? CELL_MOST : cell < CELL_LEAST ? CELL_LEAST : cell;
     const int left = cell * width + 2;
-    const bool narrow = left + WORDS_WIDTH - 1 > area.rect.width;
+    const bool narrow = left + FAMILY_WORDS - 1 > area.rect.width;
     draw_subject(&family, area, narrow);
     if (narrow) {
         draw_narrow(&family, area_part(area, 0, 1, area.rect.width, area.rect.height - 1), cell);
@@ -421,8 +272,9 @@ void pane_family(const Screen *screen, Area area)
     const int used = 1 + draw_family(&family, area_part(area, 0, 1, left, area.rect.height - 1), cell);
     Area words = area_part(area, left, 1, area.rect.width - left, area.rect.height - 1);
     const bool roomy = area.rect.height >= 16;
-    int y = draw_most(&family, words) + roomy;
-    y += draw_forces(&family, area_part(words, 0, y, words.rect.width, words.rect.height - y));
+    int y = draw_last(&family, words);
+    y += draw_most(&family, area_part(words, 0, y, words.rect.width, words.rect.height - y)) + roomy;
+    y += family_forces(&family, area_part(words, 0, y, words.rect.width, words.rect.height - y));
     if (area.rect.height - used >= 4)
         draw_place(screen, area_part(area, 1, used, left - 3, area.rect.height - used));
 }

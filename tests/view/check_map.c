@@ -290,16 +290,64 @@ START_TEST(the_most_stretched_bond_is_named)
 }
 END_TEST
 
+/* In the step in which the first bond breaks its node says so, with the other end and the stretch that broke
+ * it: that of the two ends as they lie. A step before nothing is said of it, a step later only when it was. */
+START_TEST(the_bond_that_breaks_is_named)
+{
+    enum { FIRST = 732 };
+    char row[256];
+    Scene scene;
+    open_scene(&scene, "notched-beam-coarse 80x24 732 inspect focus 5");
+    const long found = screen_broken_node(&scene.screen, FIRST);
+    ck_assert_int_ge(found, 0);
+    scene.screen.particle = (size_t)found;
+    screen_draw(&scene.screen, &scene.canvas);
+    size_t ends[2] = {0, 0};
+    double said = 0, percent = 0, critical = 0, at[2][2];
+    ck_assert_int_eq(sscanf(find_row(&scene, "bond ", row), "bond %zu-%zu breaks", &ends[0], &ends[1]), 2);
+    ck_assert_uint_eq(ends[0], (size_t)found);
+    ck_assert_int_eq(
+        sscanf(find_row(&scene, "s = ", row), "s = %lf = %lf %% of s0 = %lf", &said, &percent, &critical), 3);
+    const Simulation *sim = experiment_simulation(scene.screen.experiment);
+    double rest[2];
+    for (int d = 0; d < 2; d++) {
+        for (int end = 0; end < 2; end++)
+            sim->method->field(sim, sim->position[d], ends[end], 1, &at[end][d]);
+        rest[d] = at[1][d] - at[0][d];
+        for (int end = 0; end < 2; end++) {
+            double moved;
+            sim->method->field(sim, sim->displacement[d], ends[end], 1, &moved);
+            at[end][d] += moved;
+        }
+    }
+    const double length = hypot(rest[0], rest[1]);
+    const double stretch = hypot(at[1][0] - at[0][0], at[1][1] - at[0][1]) / length - 1;
+    ck_assert_double_eq_tol(said, stretch, 1e-3 * stretch);
+    ck_assert_double_eq(critical, 0.00085);
+    ck_assert_double_ge(stretch, critical);
+    ck_assert_double_eq_tol(percent, 100 * stretch / critical, 0.06);
+    scene_close(&scene);
+    snprintf(row, sizeof row, "notched-beam-coarse 80x24 731 inspect focus 5 particle %ld", found);
+    open_scene(&scene, row);
+    ck_assert_ptr_null(find_row(&scene, "breaks in this step", row));
+    scene_close(&scene);
+    snprintf(row, sizeof row, "notched-beam-coarse 80x24 733 inspect focus 5 particle %ld", found);
+    open_scene(&scene, row);
+    ck_assert_ptr_nonnull(find_row(&scene, "broke in step 732", row));
+    scene_close(&scene);
+}
+END_TEST
+
 /* A node at the notch has lost the bonds that cross it, and says so. */
 START_TEST(the_notch_is_told_from_the_crack)
 {
     char row[256];
     Scene scene;
     open_scene(&scene, "notched-beam-coarse 80x24 0 inspect focus 5 particle 2164"); /* row 10, left of it */
-    ck_assert_ptr_nonnull(find_row(&scene, "48 bonds, 20 broken", row));
+    ck_assert_ptr_nonnull(find_row(&scene, "48 bonds, 20 cut by the notch", row));
     int cut = 0, broken = 0;
     int top = 0;
-    for (row_text(&scene, top, row); !strstr(row, "20 broken"); row_text(&scene, ++top, row))
+    for (row_text(&scene, top, row); !strstr(row, "20 cut"); row_text(&scene, ++top, row))
         ;
     for (int y = top + 1; y <= top + 9; y++) {
         row_text(&scene, y, row);
@@ -362,6 +410,7 @@ void add_cases(Suite *suite)
     tcase_set_timeout(family, 60);
     tcase_add_loop_test(family, the_forces_add_up, 0, 7);
     tcase_add_test(family, the_most_stretched_bond_is_named);
+    tcase_add_test(family, the_bond_that_breaks_is_named);
     tcase_add_test(family, the_notch_is_told_from_the_crack);
     tcase_add_test(family, arrows_go_from_node_to_node);
     suite_add_tcase(suite, family);

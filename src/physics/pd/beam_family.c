@@ -41,33 +41,35 @@ size_t beam_family(const Beam *beam, int i, int j, BondPlace *out)
     return n;
 }
 
+/* A bond as one of its ends sees it. */
+static Link link_from(const Beam *beam, BondPlace place, size_t end)
+{
+    const BondNow bond = beam_bond(beam, place);
+    return (Link){.set = SET_PARTICLE,
+                  .index = bond.a == end ? bond.b : bond.a,
+                  .weight = bond.stretch,
+                  .gradient = bond.pull * beam_volume(beam),
+                  .broken = bond.broken,
+                  .broken_at = bond.broken ? beam->broken_at[lattice_slot(&beam->lattice, place)] : 0};
+}
+
 size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_t max)
 {
     const Beam *beam = (const Beam *)sim;
     if (set == SET_BOND) {
-        BondNow bond = beam_bond(beam, lattice_bond_place(&beam->lattice, index));
-        double gradient = bond.pull * beam_volume(beam);
-        const size_t ends[2] = {bond.a, bond.b};
+        const BondPlace place = lattice_bond_place(&beam->lattice, index);
+        const BondNow bond = beam_bond(beam, place);
+        const size_t others[2] = {bond.b, bond.a}; /* of its ends a and b */
         size_t n = max < 2 ? max : 2;
         for (size_t k = 0; k < n; k++)
-            out[k] = (Link){.set = SET_PARTICLE,
-                            .index = ends[k],
-                            .weight = bond.stretch,
-                            .gradient = gradient,
-                            .broken = bond.broken};
+            out[k] = link_from(beam, place, others[k]);
         return n;
     }
     size_t nx = (size_t)beam->lattice.nx;
     BondPlace family[FAMILY_MAX];
     size_t n = beam_family(beam, (int)(index % nx), (int)(index / nx), family);
     n = n < max ? n : max;
-    for (size_t k = 0; k < n; k++) {
-        BondNow bond = beam_bond(beam, family[k]);
-        out[k] = (Link){.set = SET_PARTICLE,
-                        .index = bond.a == index ? bond.b : bond.a,
-                        .weight = bond.stretch,
-                        .gradient = bond.pull * beam_volume(beam),
-                        .broken = bond.broken};
-    }
+    for (size_t k = 0; k < n; k++)
+        out[k] = link_from(beam, family[k], index);
     return n;
 }
