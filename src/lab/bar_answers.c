@@ -73,6 +73,17 @@ int bar_watched_mode(const BarTheory *theory)
     return 0;
 }
 
+/* Whether a mode moves the centre of mass, which stands still by symmetry in some. */
+static bool moves_centre(const BarTheory *theory, int mode)
+{
+    BarTheory alone = *theory;
+    alone.body_force = alone.traction = 0;
+    alone.n_modes = 1;
+    alone.modes[0].number = mode;
+    alone.modes[0].velocity = 1;
+    return fabs(bar_centre_velocity(&alone, 0)) > 1e-9;
+}
+
 /* By symmetry the centre of mass may stand still, or move evenly: then the strain energy is watched. It
  * swings twice in a period of a mode; under a load that pulls from rest it never turns its sign, and swings
  * once. */
@@ -86,12 +97,7 @@ BarWatch bar_watch(const BarTheory *theory)
             return watch;
         mode = 1;
     } else {
-        BarTheory alone = *theory;
-        alone.body_force = alone.traction = 0;
-        alone.n_modes = 1;
-        alone.modes[0].number = mode;
-        alone.modes[0].velocity = 1;
-        centre = fabs(bar_centre_velocity(&alone, 0)) > 1e-9;
+        centre = moves_centre(theory, mode);
     }
     watch.moving = true;
     watch.mode = mode;
@@ -99,21 +105,69 @@ BarWatch bar_watch(const BarTheory *theory)
         watch.column = "strain";
         watch.times = by_load ? 1 : 2;
     }
-    int in_motion = 0;
-    for (int i = 0; i < theory->n_modes; i++)
-        in_motion += theory->modes[i].velocity != 0 && theory->modes[i].number > 0;
-    watch.whole_periods = is_loaded(theory) || in_motion > 1;
+    watch.ratios[watch.n_lines++] = 1;
     watch.exact = bar_frequency(theory, mode);
     return watch;
 }
 
-/* With what is predicted beside it (NAN: nothing); a run that changes on its way keeps to no formula. */
-static BarWatch predicted_watch(const Settings *settings, const BarTheory *theory, double frequency)
+/* With what is predicted beside it; a run that changes on its way keeps to no formula. */
+static BarWatch predicted_watch(const Settings *settings, const BarTheory *theory, BarFrequency *frequency,
+                                double dt)
 {
     BarWatch watch = bar_watch(theory);
-    watch.predicted = settings->n_changes > 0 ? NAN : frequency;
-    watch.predicted_known = watch.moving && watch.predicted > 0;
+    watch.predicted = watch.moving && frequency && settings->n_changes == 0
+                          ? frequency(settings, theory, dt, watch.mode)
+                          : NAN;
+    watch.predicted_known = watch.predicted > 0;
     return watch;
+}
+
+enum { MODES_FITTED = 6 };
+
+/* The modes that show in the column: the watched one, those that were given a velocity, and the lowest of
+ * those that a load sets in motion. Returns how many. */
+static int modes_shown(const BarTheory *theory, const BarWatch *watch, int modes[MODES_FITTED])
+{
+    enum { BY_LOAD = 12 }; /* modes up to this number; their shares fall as the square of it, or faster */
+    const bool centre = strcmp(watch->column, "v_cm") == 0;
+    int candidates[1 + BAR_MODES_MAX + BY_LOAD] = {watch->mode}, n = 1, count = 0;
+    for (int i = 0; i < theory->n_modes; i++)
+        if (theory->modes[i].velocity != 0 && theory->modes[i].number > 0)
+            candidates[n++] = theory->modes[i].number;
+    for (int mode = 1; is_loaded(theory) && mode <= BY_LOAD; mode++)
+        candidates[n++] = mode;
+    for (int i = 0; i < n && count < MODES_FITTED; i++) {
+        bool known = centre && !moves_centre(theory, candidates[i]);
+        for (int k = 0; k < count; k++)
+            known = known || modes[k] == candidates[i];
+        if (!known)
+            modes[count++] = candidates[i];
+    }
+    return count;
+}
+
+/* Under a load, or with several modes in motion, the column is no pure cosine: its other lines are fitted
+ * beside, at the frequencies that the mesh gives them, else the continuum. The strain energy swings twice as
+ * fast as each mode, and under a load as fast as it too. */
+static void set_lines(BarWatch *watch, const Settings *settings, const BarTheory *theory,
+                      BarFrequency *frequency, double dt)
+{
+    int modes[MODES_FITTED];
+    const int n_modes = modes_shown(theory, watch, modes);
+    const bool squares = strcmp(watch->column, "strain") == 0;
+    if (n_modes == 1 && !is_loaded(theory))
+        return;
+    const double of_mesh = frequency(settings, theory, dt, watch->mode);
+    for (int i = 0; i < n_modes; i++) {
+        double ratio = of_mesh > 0 ? frequency(settings, theory, dt, modes[i]) / of_mesh
+                                   : bar_frequency(theory, modes[i]) / watch->exact;
+        for (int times = 1; times <= 2; times++) {
+            const bool swings = squares ? times == 2 || is_loaded(theory) : times == 1;
+            const bool first = i == 0 && times == (int)watch->times;
+            if (swings && !first && ratio > 0 && watch->n_lines < FREQUENCY_LINES_MAX)
+                watch->ratios[watch->n_lines++] = ratio * times / watch->times;
+        }
+    }
 }
 
 /* --- columns -------------------------------------------------------------------------------------- */
@@ -132,14 +186,16 @@ static bool changes_key(const Settings *settings, const char *section)
     return false;
 }
 
-bool bar_prepare(References *refs, const Settings *settings, const Simulation *sim, double frequency,
+bool bar_prepare(References *refs, const Settings *settings, const Simulation *sim, BarFrequency *frequency,
                  Answer *predicted, const char *meaning, Status *status)
 {
     BarAnswers *bar = &refs->bar;
     if (!bar_theory_of(settings, &bar->theory, status))
         return false;
     bar->exact_known = !changes_key(settings, "load.");
-    bar->watch = predicted_watch(settings, &bar->theory, frequency);
+    bar->watch = predicted_watch(settings, &bar->theory, frequency, sim->dt);
+    if (bar->watch.moving)
+        set_lines(&bar->watch, settings, &bar->theory, frequency, sim->dt);
 
     static const Quantity exact = {"v_cm_exact", "exact", "length/time",
                                    "velocity of the centre of mass of the continuum (eq. 20)"};
@@ -190,15 +246,8 @@ void bar_read_out(const References *refs, const double *rows, size_t n_rows, int
     out->predicted = watch->predicted_known ? watch->predicted : NAN;
     int column = plan_find(refs, watch->column);
     double expected = watch->times * (watch->predicted_known ? watch->predicted : watch->exact);
-    size_t used = n_rows;
-    if (watch->whole_periods && n_rows > 1) {
-        /* harmonics do not shift the fit of whole periods */
-        double dt = (rows[(n_rows - 1) * (size_t)n_columns + 1] - rows[1]) / (double)(n_rows - 1);
-        double in_period = 2 * M_PI / expected / dt;
-        double whole = floor((double)(n_rows - 1) / in_period + 1e-9);
-        used = whole < 1 ? 0 : (size_t)fmin(round(whole * in_period), (double)n_rows);
-    }
-    if (readout_fit(rows, used, n_columns, column, expected, &out->measured)) {
+    if (readout_fit(rows, n_rows, n_columns, column, expected, watch->ratios, watch->n_lines,
+                    &out->measured)) {
         out->measured /= watch->times;
         out->measured_known = true;
     }
@@ -207,9 +256,9 @@ void bar_read_out(const References *refs, const double *rows, size_t n_rows, int
 /* --- derived numbers ------------------------------------------------------------------------------ */
 
 void bar_derived_wave(Derived out[DERIVED_MAX], int *n, const Settings *settings, const BarTheory *theory,
-                      double frequency, double dt)
+                      BarFrequency *frequency, double dt)
 {
-    const BarWatch watch = predicted_watch(settings, theory, frequency);
+    const BarWatch watch = predicted_watch(settings, theory, frequency, dt);
     if (!watch.moving)
         return;
     int mode = bar_watched_mode(theory);

@@ -14,17 +14,20 @@ int bar_watched_mode(const BarTheory *);
 /* Which column shows the frequency, and the exact one; what is predicted is not known yet. */
 BarWatch bar_watch(const BarTheory *);
 
-/* Plans v_cm with its references. `frequency` predicted for the watched mode, NAN: not known; `predicted`
- * v_cm, NULL: not known; `meaning` of that column. */
-bool bar_prepare(References *, const Settings *, const Simulation *, double frequency, Answer *predicted,
+/* The frequency predicted for a mode as a run of time step `dt` shows it; NAN: not known. */
+typedef double BarFrequency(const Settings *, const BarTheory *, double dt, int mode);
+
+/* Plans v_cm with its references. `predicted` v_cm, NULL: not known; `meaning` of that column. */
+bool bar_prepare(References *, const Settings *, const Simulation *, BarFrequency *, Answer *predicted,
                  const char *meaning, Status *);
 
 /* For ProblemRow. */
 double bar_profile(const References *, const char *field, double x, double time);
 void bar_read_out(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);
 
-/* beta, omega, omega_predicted, period, steps_per_period of the watched mode, if one moves. */
-void bar_derived_wave(Derived out[DERIVED_MAX], int *n, const Settings *, const BarTheory *, double frequency,
+/* beta, omega, omega_predicted (if there is a way to predict), period, steps_per_period of the watched mode,
+ * if one moves. */
+void bar_derived_wave(Derived out[DERIVED_MAX], int *n, const Settings *, const BarTheory *, BarFrequency *,
                       double dt);
 
 #endif

@@ -34,13 +34,10 @@ static Simulation *simulate(const Settings *settings, int threads, Status *statu
     return bar_create(&def, status);
 }
 
-/* The frequency that the mesh gives the watched mode; NAN: no formula. */
-static double predicted_frequency(const BarTheory *theory, const BarMesh *mesh)
+static double predicted_frequency(const Settings *settings, const BarTheory *theory, double dt, int mode)
 {
-    const BarWatch watch = bar_watch(theory);
-    if (!watch.moving)
-        return NAN;
-    Dispersion wave = bar_dispersion(theory, mesh, bar_wave_number(theory, watch.mode));
+    const BarMesh mesh = bar_mesh_of(settings, dt);
+    const Dispersion wave = bar_dispersion(theory, &mesh, bar_wave_number(theory, mode));
     return wave.known ? wave.frequency : NAN;
 }
 
@@ -57,8 +54,7 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
         return false;
     refs->bar.mesh = bar_mesh_of(settings, sim->dt);
     const bool whole = bar_centre_velocity_is_predicted(&theory, &refs->bar.mesh);
-    return bar_prepare(refs, settings, sim, predicted_frequency(&theory, &refs->bar.mesh),
-                       whole ? predicted_v_cm : NULL,
+    return bar_prepare(refs, settings, sim, predicted_frequency, whole ? predicted_v_cm : NULL,
                        "velocity of the centre of mass predicted for this mesh", status);
 }
 
@@ -76,7 +72,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     BarMesh mesh = bar_mesh_of(settings, dt);
     derived_add(out, &n, "wave_speed", "wave speed c", "length/time", bar_wave_speed(&theory), false);
     derived_add(out, &n, "dt", "time step dt", "time", dt, false);
-    bar_derived_wave(out, &n, settings, &theory, predicted_frequency(&theory, &mesh), dt);
+    bar_derived_wave(out, &n, settings, &theory, predicted_frequency, dt);
     int mode = bar_watched_mode(&theory);
     if (bar_watch(&theory).moving)
         derived_add(out, &n, "cells_per_wave", "cells/wave", "1",

@@ -165,7 +165,7 @@ static void read_supported(const References *refs, const double *rows, size_t n_
     out->predicted = refs->beam.timoshenko_real;
     double frequency;
     if (readout_fit(rows, n_rows, n_columns, plan_find(refs, "u_probe"), 2 * M_PI / out->predicted,
-                    &frequency)) {
+                    &(double){1}, 1, &frequency)) {
         out->measured = 2 * M_PI / frequency;
         out->measured_known = true;
     }

@@ -5,6 +5,7 @@
 
 #include "lab/problem.h"
 #include "theory/bar.h"
+#include "theory/frequency.h"
 #include "theory/beam.h"
 #include "theory/rod.h"
 
@@ -23,8 +24,10 @@ typedef struct BarWatch {
     bool moving;
     int mode;
     const char *column;
-    double times;       /* the column oscillates so many times as fast as the bar */
-    bool whole_periods; /* it is no pure cosine: only whole periods of it are fitted */
+    double times;                       /* the column oscillates so many times as fast as the bar */
+    double ratios[FREQUENCY_LINES_MAX]; /* the lines of the column against the one that is measured, which is
+                                         * the first */
+    int n_lines;                        /* at least 1 */
     double exact, predicted;
     bool predicted_known;
 } BarWatch;
@@ -81,10 +84,11 @@ void plan_answer(References *, const Quantity *, ColumnKind, const char *of, Ans
 void plan_filter(References *, const Quantity *, const char *of, Answer *); /* an answer that remembers */
 int plan_find(const References *, const char *column);                      /* -1: there is none */
 
-/* One or more cosines in a column fitted by least squares; at most a few thousand of its rows are looked at,
- * spread evenly. `start`: radians per unit time, the frequency expected. False: not yet. */
+/* One or more cosines in a column fitted by least squares (theory/frequency.h); at most a few thousand of its
+ * rows are looked at, spread evenly. `start`: radians per unit time, the frequency expected of the first
+ * line. Several lines need a whole period of it, one a half. False: not yet. */
 bool readout_fit(const double *rows, size_t n_rows, int n_columns, int column, double start,
-                 double *frequency);
+                 const double *ratios, int n_lines, double *frequency);
 
 /* Appends a derived number. */
 void derived_add(Derived out[DERIVED_MAX], int *count, const char *name, const char *label, const char *unit,

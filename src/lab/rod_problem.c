@@ -49,11 +49,11 @@ static Simulation *simulate(const Settings *settings, int threads, Status *statu
     return rod_create(&def, status);
 }
 
-static double predicted_frequency(const Settings *settings, const BarTheory *theory)
+static double predicted_frequency(const Settings *settings, const BarTheory *theory, double dt, int mode)
 {
-    const BarWatch watch = bar_watch(theory);
     const RodLatticeTheory lattice = rod_lattice_of(settings);
-    return watch.moving ? rod_frequency(theory, &lattice, watch.mode) : NAN;
+    (void)dt; /* the lattice knows it */
+    return rod_frequency(theory, &lattice, mode);
 }
 
 static double predicted_v_cm(References *refs, long step, double time, const double *row)
@@ -72,12 +72,13 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     errno = 0;
     if (settings->n_changes == 0)
         refs->bar.modes = rod_modes_create(&theory, &lattice);
-    const double frequency = predicted_frequency(settings, &theory);
+    const bool prepared =
+        bar_prepare(refs, settings, sim, predicted_frequency, refs->bar.modes ? predicted_v_cm : NULL,
+                    "velocity of the centre of mass predicted for this lattice", status);
     if (errno == ENOMEM)
         return status_fail(status, STATUS_FAILED, "not enough memory to predict the motion of %g nodes",
                            round(settings->bar.length / lattice.spacing));
-    return bar_prepare(refs, settings, sim, frequency, refs->bar.modes ? predicted_v_cm : NULL,
-                       "velocity of the centre of mass predicted for this lattice", status);
+    return prepared;
 }
 
 static int derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
@@ -91,8 +92,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
         return 0;
     derived_add(out, &n, "wave_speed", "wave speed c", "length/time", bar_wave_speed(&theory), false);
     derived_add(out, &n, "dt", "time step dt", "time", dt, false);
-    bar_derived_wave(out, &n, settings, &theory,
-                     nodes <= QUICKLY ? predicted_frequency(settings, &theory) : NAN, dt);
+    bar_derived_wave(out, &n, settings, &theory, nodes <= QUICKLY ? predicted_frequency : NULL, dt);
     derived_add(out, &n, "particles", "particles", "1", nodes, true);
     derived_add(out, &n, "lattice_spacing", "spacing h", "length", spacing, false);
     derived_add(out, &n, "lattice_horizon", "horizon delta", "length", lattice_horizon(settings), false);

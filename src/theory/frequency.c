@@ -9,8 +9,14 @@
 #include <gsl/gsl_multifit_nlinear.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-enum { UNKNOWNS = 4, ITERATIONS_MAX = 60, SAMPLES_MIN = 8 };
+enum {
+    LINEAR_MAX = 2 * FREQUENCY_LINES_MAX + 1,
+    UNKNOWNS_MAX = LINEAR_MAX + 1,
+    ITERATIONS_MAX = 60,
+    SAMPLES_MIN = 8
+};
 
 /* --- the spectrum -------------------------------------------------------------------------------- */
 
@@ -80,12 +86,26 @@ bool frequency_spectrum(const double *values, size_t count, double *out)
 /* --- least squares ------------------------------------------------------------------------------- */
 
 /* The record as the fit sees it: its time runs from -1 to 1, its values are of order 1. Angles are then
- * half the record's, and the unknowns hardly depend on each other. Unknowns: angle, cosine, sine, offset. */
+ * half the record's, and the unknowns hardly depend on each other. Unknowns: the first line's angle, cosine
+ * and sine, the offset, cosine and sine of each further line. */
 typedef struct Record {
     const double *values;
     size_t count;
+    const double *ratios;
+    int n_lines;
     double middle, scale; /* value = middle + scale * scaled value */
 } Record;
+
+static size_t unknowns_of(const Record *record)
+{
+    return 2 * (size_t)record->n_lines + 2;
+}
+
+/* Where a line's cosine stands among the unknowns, its sine right behind it. */
+static size_t place_of(int line)
+{
+    return line == 0 ? 1 : 2 * (size_t)line + 2;
+}
 
 static double scaled_time(const Record *record, size_t k)
 {
@@ -97,57 +117,80 @@ static double scaled_value(const Record *record, size_t k)
     return (record->values[k] - record->middle) / record->scale;
 }
 
+/* The fitted curve less the record. */
+static double residual(const Record *record, const double *unknowns, size_t k)
+{
+    double sum = unknowns[3], time = scaled_time(record, k);
+    for (int line = 0; line < record->n_lines; line++) {
+        const double phase = record->ratios[line] * unknowns[0] * time;
+        const double *at = unknowns + place_of(line);
+        sum = sum + at[0] * cos(phase) + at[1] * sin(phase);
+    }
+    return sum - scaled_value(record, k);
+}
+
 static int residuals(const gsl_vector *unknowns, void *context, gsl_vector *out)
 {
     const Record *record = context;
-    double angle = gsl_vector_get(unknowns, 0), a = gsl_vector_get(unknowns, 1);
-    double b = gsl_vector_get(unknowns, 2), offset = gsl_vector_get(unknowns, 3);
-    for (size_t k = 0; k < record->count; k++) {
-        double phase = angle * scaled_time(record, k);
-        gsl_vector_set(out, k, offset + a * cos(phase) + b * sin(phase) - scaled_value(record, k));
-    }
+    double at[UNKNOWNS_MAX];
+    for (size_t j = 0; j < unknowns_of(record); j++)
+        at[j] = gsl_vector_get(unknowns, j);
+    for (size_t k = 0; k < record->count; k++)
+        gsl_vector_set(out, k, residual(record, at, k));
     return GSL_SUCCESS;
 }
 
 static int jacobian(const gsl_vector *unknowns, void *context, gsl_matrix *out)
 {
     const Record *record = context;
-    double angle = gsl_vector_get(unknowns, 0), a = gsl_vector_get(unknowns, 1);
-    double b = gsl_vector_get(unknowns, 2);
     for (size_t k = 0; k < record->count; k++) {
-        double time = scaled_time(record, k);
-        double cosine = cos(angle * time), sine = sin(angle * time);
-        gsl_matrix_set(out, k, 0, time * (b * cosine - a * sine));
-        gsl_matrix_set(out, k, 1, cosine);
-        gsl_matrix_set(out, k, 2, sine);
+        double time = scaled_time(record, k), slope = 0;
+        for (int line = 0; line < record->n_lines; line++) {
+            const size_t at = place_of(line);
+            const double ratio = record->ratios[line], angle = ratio * gsl_vector_get(unknowns, 0);
+            const double a = gsl_vector_get(unknowns, at), b = gsl_vector_get(unknowns, at + 1);
+            const double cosine = cos(angle * time), sine = sin(angle * time);
+            slope += ratio * time * (b * cosine - a * sine);
+            gsl_matrix_set(out, k, at, cosine);
+            gsl_matrix_set(out, k, at + 1, sine);
+        }
+        gsl_matrix_set(out, k, 0, slope);
         gsl_matrix_set(out, k, 3, 1);
     }
     return GSL_SUCCESS;
 }
 
-/* With the angle given, the other unknowns are a linear problem, of three normal equations. Returns the sum
- * of the squares that are left, relative to that of the record; 1 where the equations have no answer. */
-static double linear_part(const Record *record, double angle, double unknowns[UNKNOWNS])
+/* With the angle given, the other unknowns are a linear problem, of normal equations. Returns the sum of the
+ * squares that are left, relative to that of the record; 1 where the equations have no answer. */
+static double linear_part(const Record *record, double angle, double unknowns[UNKNOWNS_MAX])
 {
-    double matrix[9] = {0}, right[3] = {0}, squares = 0;
+    const size_t n = unknowns_of(record) - 1;
+    double matrix[LINEAR_MAX * LINEAR_MAX] = {0}, right[LINEAR_MAX] = {0}, row[LINEAR_MAX], squares = 0;
     for (size_t k = 0; k < record->count; k++) {
         double time = scaled_time(record, k), value = scaled_value(record, k);
-        double row[3] = {cos(angle * time), sin(angle * time), 1};
-        for (int i = 0; i < 3; i++) {
+        row[2] = 1;
+        for (int line = 0; line < record->n_lines; line++) {
+            const double phase = record->ratios[line] * angle * time;
+            row[place_of(line) - 1] = cos(phase);
+            row[place_of(line)] = sin(phase);
+        }
+        for (size_t i = 0; i < n; i++) {
             right[i] += row[i] * value;
-            for (int j = 0; j < 3; j++)
-                matrix[3 * i + j] += row[i] * row[j];
+            for (size_t j = 0; j < n; j++)
+                matrix[n * i + j] += row[i] * row[j];
         }
         squares += value * value;
     }
-    double kept[3] = {right[0], right[1], right[2]};
-    unknowns[0] = angle, unknowns[1] = unknowns[2] = unknowns[3] = 0;
-    gsl_matrix_view view = gsl_matrix_view_array(matrix, 3, 3);
-    gsl_vector_view vector = gsl_vector_view_array(right, 3);
+    double kept[LINEAR_MAX];
+    memcpy(kept, right, sizeof kept);
+    memset(unknowns, 0, UNKNOWNS_MAX * sizeof *unknowns);
+    unknowns[0] = angle;
+    gsl_matrix_view view = gsl_matrix_view_array(matrix, n, n);
+    gsl_vector_view vector = gsl_vector_view_array(right, n);
     if (gsl_linalg_cholesky_decomp1(&view.matrix) != GSL_SUCCESS ||
         gsl_linalg_cholesky_svx(&view.matrix, &vector.vector) != GSL_SUCCESS)
         return 1;
-    for (int i = 0; i < 3; i++) {
+    for (size_t i = 0; i < n; i++) {
         unknowns[1 + i] = right[i];
         squares -= right[i] * kept[i];
     }
@@ -160,7 +203,7 @@ static double step_left(const gsl_multifit_nlinear_workspace *fit, const Record 
     const gsl_vector *left = gsl_multifit_nlinear_residual(fit), *at = gsl_multifit_nlinear_position(fit);
     const gsl_matrix *columns = gsl_multifit_nlinear_jac(fit);
     double worst = 0, size = 0;
-    for (size_t j = 0; j < UNKNOWNS; j++) {
+    for (size_t j = 0; j < unknowns_of(record); j++) {
         double product = 0, square = 0;
         for (size_t k = 0; k < record->count; k++) {
             double entry = gsl_matrix_get(columns, k, j);
@@ -175,16 +218,17 @@ static double step_left(const gsl_multifit_nlinear_workspace *fit, const Record 
 }
 
 /* Levenberg and Marquardt from a start; the end is left in `unknowns`. */
-static bool refine(const Record *record, double unknowns[UNKNOWNS], Status *status)
+static bool refine(const Record *record, double unknowns[UNKNOWNS_MAX], Status *status)
 {
+    const size_t n = unknowns_of(record);
     gsl_multifit_nlinear_parameters parameters = gsl_multifit_nlinear_default_parameters();
     gsl_multifit_nlinear_fdf problem = {
-        .f = residuals, .df = jacobian, .n = record->count, .p = UNKNOWNS, .params = (void *)record};
+        .f = residuals, .df = jacobian, .n = record->count, .p = n, .params = (void *)record};
     gsl_multifit_nlinear_workspace *fit =
-        gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, record->count, UNKNOWNS);
+        gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, record->count, n);
     if (!fit)
         return status_fail(status, STATUS_FAILED, "not enough memory to fit %zu samples", record->count);
-    gsl_vector_view start = gsl_vector_view_array(unknowns, UNKNOWNS);
+    gsl_vector_view start = gsl_vector_view_array(unknowns, n);
     bool done = gsl_multifit_nlinear_init(&start.vector, &problem, fit) == GSL_SUCCESS;
     for (int i = 0; done && i < ITERATIONS_MAX; i++) {
         /* it also ends where no step makes the sum smaller: whether that is a minimum is asked below */
@@ -192,7 +236,7 @@ static bool refine(const Record *record, double unknowns[UNKNOWNS], Status *stat
             break;
         gsl_vector *step = fit->dx, *at = gsl_multifit_nlinear_position(fit);
         double moved = 0, size = 0;
-        for (size_t j = 0; j < UNKNOWNS; j++) {
+        for (size_t j = 0; j < n; j++) {
             moved = fmax(moved, fabs(gsl_vector_get(step, j)));
             size = fmax(size, fabs(gsl_vector_get(at, j)));
         }
@@ -200,7 +244,7 @@ static bool refine(const Record *record, double unknowns[UNKNOWNS], Status *stat
             break;
     }
     done = done && step_left(fit, record) < 1e-8;
-    for (size_t j = 0; done && j < UNKNOWNS; j++)
+    for (size_t j = 0; done && j < n; j++)
         unknowns[j] = gsl_vector_get(gsl_multifit_nlinear_position(fit), j);
     gsl_multifit_nlinear_free(fit);
     return done || status_fail(status, STATUS_FAILED, "the frequency fit does not converge");
@@ -229,7 +273,7 @@ static double find_start(const Record *record)
     free(lines);
     if (peak > 5)
         return place * bin;
-    double best = 0, least = INFINITY, unknowns[UNKNOWNS];
+    double best = 0, least = INFINITY, unknowns[UNKNOWNS_MAX];
     for (int i = 4; i <= 12 * 8 && (double)i / 12 < (double)count / 2; i++) {
         double angle = bin * i / 12;
         double left = linear_part(record, angle, unknowns);
@@ -242,10 +286,11 @@ static double find_start(const Record *record)
 /* The record's middle and half its range. False: it cannot be fitted at all. */
 static bool measure_record(Record *record, Status *status)
 {
-    if (record->count < SAMPLES_MIN)
+    const size_t least = SAMPLES_MIN + 2 * (size_t)(record->n_lines - 1);
+    if (record->count < least)
         return status_fail(status, STATUS_FAILED,
-                           "too short a record to measure a frequency (%zu of %d samples)", record->count,
-                           SAMPLES_MIN);
+                           "too short a record to measure a frequency (%zu of %zu samples)", record->count,
+                           least);
     double low = INFINITY, high = -INFINITY;
     for (size_t k = 0; k < record->count; k++) {
         if (!isfinite(record->values[k]))
@@ -260,7 +305,7 @@ static bool measure_record(Record *record, Status *status)
 }
 
 /* From the scaled unknowns to the caller's units. */
-static void fill_fit(const Record *record, const double unknowns[UNKNOWNS], double t0, double dt,
+static void fill_fit(const Record *record, const double unknowns[UNKNOWNS_MAX], double t0, double dt,
                      FrequencyFit *fit)
 {
     double half = dt * (double)(record->count - 1) / 2, middle = t0 + half;
@@ -273,15 +318,13 @@ static void fill_fit(const Record *record, const double unknowns[UNKNOWNS], doub
     fit->amplitude = hypot(a, b);
     double squares = 0;
     for (size_t k = 0; k < record->count; k++) {
-        double phase = unknowns[0] * scaled_time(record, k);
-        double left =
-            unknowns[3] + unknowns[1] * cos(phase) + unknowns[2] * sin(phase) - scaled_value(record, k);
+        double left = residual(record, unknowns, k);
         squares += left * left;
     }
     fit->residual = sqrt(squares / (double)record->count) * record->scale / fit->amplitude;
 }
 
-static bool fit_record(const Record *record, double half, double start, double unknowns[UNKNOWNS],
+static bool fit_record(const Record *record, double half, double start, double unknowns[UNKNOWNS_MAX],
                        Status *status)
 {
     double angle = start > 0 ? start * half : find_start(record);
@@ -305,12 +348,18 @@ static bool fit_record(const Record *record, double half, double start, double u
 bool frequency_fit(const double *values, size_t count, double t0, double dt, double start, FrequencyFit *fit,
                    Status *status)
 {
-    Record record = {.values = values, .count = count};
+    return frequency_fit_lines(values, count, t0, dt, start, &(double){1}, 1, fit, status);
+}
+
+bool frequency_fit_lines(const double *values, size_t count, double t0, double dt, double start,
+                         const double *ratios, int n_lines, FrequencyFit *fit, Status *status)
+{
+    Record record = {.values = values, .count = count, .ratios = ratios, .n_lines = n_lines};
     if (!(dt > 0) || !isfinite(dt) || !isfinite(t0) || !isfinite(start) || start < 0)
         return status_fail(status, STATUS_FAILED, "no frequency from samples %g apart, start %g", dt, start);
     if (!measure_record(&record, status))
         return false;
-    double unknowns[UNKNOWNS];
+    double unknowns[UNKNOWNS_MAX];
     quiet_begin();
     bool done = fit_record(&record, dt * (double)(count - 1) / 2, start, unknowns, status);
     quiet_end();

@@ -20,6 +20,14 @@ typedef struct FrequencyFit {
 bool frequency_fit(const double *values, size_t count, double t0, double dt, double start, FrequencyFit *fit,
                    Status *status);
 
+enum { FREQUENCY_LINES_MAX = 12 };
+
+/* The same with several lines, whose ratios to the first one's frequency are known (the first is 1): offset +
+ * sum of a_k cos(ratio_k omega t) + b_k sin(ratio_k omega t). omega is the first one's, and so are `cosine`,
+ * `sine` and `amplitude`. */
+bool frequency_fit_lines(const double *values, size_t count, double t0, double dt, double start,
+                         const double *ratios, int n_lines, FrequencyFit *fit, Status *status);
+
 /* Amplitude spectrum of equally spaced samples, their mean taken away, Hann window: out[k] belongs to
  * k * 2 pi / (count dt), k = 0 .. count/2. A sine that fits the record shows its amplitude, and half of it on
  * either neighbour. False: not enough memory. */

@@ -157,6 +157,30 @@ START_TEST(what_cannot_be_fitted)
 }
 END_TEST
 
+/* A line among others is found wherever the record ends; alone it would be off by a percent. */
+START_TEST(lines_of_known_ratios)
+{
+    const double omega = 0.628, ratios[] = {1, 2.99, 4.95};
+    for (size_t count = 1100; count < 6000; count += 371) {
+        double *values = record(count, 0, 0.01, omega, 0.3, 1, 0.2, 0);
+        for (int line = 1; line < 3; line++) {
+            double *more = record(count, 0, 0.01, ratios[line] * omega, 1 - 0.4 * line, -0.3 / line, 0, 0);
+            for (size_t k = 0; k < count; k++)
+                values[k] += more[k];
+            free(more);
+        }
+        FrequencyFit fit;
+        Status status = {0};
+        ck_assert_msg(frequency_fit_lines(values, count, 0, 0.01, omega * 1.01, ratios, 3, &fit, &status),
+                      "%zu samples: %s", count, status.text);
+        ck_assert_double_eq_tol(fit.frequency / omega, 1, 1e-10);
+        ck_assert_double_eq_tol(fit.amplitude, 1, 1e-8);
+        ck_assert_double_eq_tol(fit.offset, 0.2, 1e-8);
+        free(values);
+    }
+}
+END_TEST
+
 static int handled;
 
 static void note_error(const char *reason, const char *file, int line, int number)
@@ -213,6 +237,7 @@ void add_cases(Suite *suite)
     tcase_add_test(fit, the_strongest_line);
     tcase_add_test(fit, what_cannot_be_fitted);
     tcase_add_test(fit, the_error_handler_is_as_it_was);
+    tcase_add_test(fit, lines_of_known_ratios);
     suite_add_tcase(suite, fit);
     TCase *lines = tcase_create("lines");
     tcase_add_test(lines, spectrum_shows_amplitudes);
