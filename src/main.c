@@ -53,7 +53,7 @@ static int open_laboratory(bool for_lesson, int count, char **arguments, Status 
     if (is_slip(scenario, status) || !options_words(&options, 0, 1, "[SCENARIO]", status) ||
         !options_load(&options, scenario, &settings, status))
         return (int)status->code;
-    return laboratory_main(
+    const int result = laboratory_main(
         &(LaboratoryOptions){
             .settings = &settings,
             .scenario = scenario,
@@ -74,6 +74,9 @@ static int open_laboratory(bool for_lesson, int count, char **arguments, Status 
             .height = options.size[1],
         },
         status);
+    if (result != STATUS_DONE && status)
+        options_blame(&options, scenario, status);
+    return result;
 }
 
 static bool asks_for_help(int count, char **arguments)

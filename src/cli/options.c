@@ -338,9 +338,18 @@ bool options_load(const Options *options, const char *scenario, Settings *settin
     double dt;
     overrides[count] = (Override){"--steps", "time.end", end};
     overrides[count + 1] = (Override){"--steps", "output.at", ""};
-    if (!scenario_load_with(scenario, overrides, count + 2, settings, status) ||
-        !problem_time_step(settings, &dt, status))
+    if (!scenario_load_with(scenario, overrides, count + 2, settings, status))
         return false;
+    if (!problem_time_step(settings, &dt, status)) {
+        options_blame(options, scenario, status);
+        return false;
+    }
     text_shortest(end, (double)options->steps * dt);
     return scenario_load_with(scenario, overrides, count + 1, settings, status);
+}
+
+void options_blame(const Options *options, const char *scenario, Status *status)
+{
+    if (status->code == STATUS_USAGE)
+        scenario_blame(scenario, options->overrides, options->n_overrides, status);
 }

@@ -85,6 +85,9 @@ bool options_words(const Options *, int least, int most, const char *expected, S
 /* The settings of a scenario with all that was said of it: --set, --end, --steps, --every, --frames, --at. */
 bool options_load(const Options *, const char *scenario, Settings *, Status *);
 
+/* A refusal that came when the run was made gets the line or the option that said the key which it names. */
+void options_blame(const Options *, const char *scenario, Status *);
+
 /* Prints the options of a command, a line each. */
 void options_print(const char *command);
 int options_count(const char *command);

@@ -76,5 +76,7 @@ int cli_run(int count, char **arguments, Status *status)
         return 128 + progress_signal();
     if ((done || summary.failed) && !options.quiet)
         tell(&options, &settings, &summary, progress_seconds(&progress));
+    if (!done)
+        options_blame(&options, options.words[0], status);
     return done ? STATUS_DONE : (int)status->code;
 }

@@ -15,7 +15,7 @@ int cli_show(int count, char **arguments, Status *status)
         !options_load(&options, options.words[0], &settings, status))
         return (int)status->code;
     if (!derived_text(&settings, comment, sizeof comment, status)) {
-        status_prefix(status, "%s", options.words[0]);
+        options_blame(&options, options.words[0], status);
         return (int)status->code;
     }
     if (!scenario_write(stdout, &settings, comment, status))

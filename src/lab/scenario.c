@@ -199,30 +199,43 @@ static bool names(const char *message, const char *key, bool at_start)
     return false;
 }
 
-static bool entry_named(const Entry *entry, const char *message, bool at_start)
+/* As messages spell it. */
+static void told_key(const Entry *entry, char out[80])
 {
-    char key[80];
     if (strcmp(entry->section, "duel") == 0)
-        snprintf(key, sizeof key, "duel: %s", entry->name);
+        snprintf(out, 80, "duel: %s", entry->name);
     else
-        full_key(entry, key);
-    return names(message, key, at_start);
+        full_key(entry, out);
 }
 
-/* The status of settings_check() gets its origin: what said the key that the message begins with, failing
- * that what said another key of the message, failing that the file's last line. */
-static bool blame(const Source *source, Status *status)
+/* The status of a check gets its origin: what said the key that the message begins with, failing that what
+ * said another key of the message. False: nothing of both. */
+static bool find_origin(const Source *source, Status *status)
 {
-    if (!status)
-        return false;
     for (int at_start = 1; at_start >= 0; at_start--) {
         for (int i = source->n_overrides - 1; i >= 0; i--)
-            if (names(status->text, source->overrides[i].key, at_start))
-                return status_prefix(status, "%s", source->overrides[i].origin);
-        for (int i = 0; i < source->entries.count; i++)
-            if (entry_named(&source->entries.all[i], status->text, at_start))
-                return at_line(source, &source->entries.all[i], status);
+            if (names(status->text, source->overrides[i].key, at_start)) {
+                status_prefix(status, "%s", source->overrides[i].origin);
+                return true;
+            }
+        for (int i = 0; i < source->entries.count; i++) {
+            const Entry *entry = &source->entries.all[i];
+            char key[80];
+            told_key(entry, key);
+            if (!names(status->text, key, at_start))
+                continue;
+            at_line(source, entry, status);
+            return true;
+        }
     }
+    return false;
+}
+
+/* Failing both, what was said last. */
+static bool blame(const Source *source, Status *status)
+{
+    if (!status || find_origin(source, status))
+        return false;
     if (source->n_overrides > 0)
         return status_prefix(status, "%s", source->overrides[source->n_overrides - 1].origin);
     return at_line(source, &source->entries.all[source->entries.count - 1], status);
@@ -283,13 +296,33 @@ static bool not_found(const char *name, Status *status)
     return status_fail(status, STATUS_USAGE, "%s: no such scenario or file (see: matvib list)", name);
 }
 
-bool scenario_load_with(const char *name_or_path, const Override *overrides, int count, Settings *settings,
-                        Status *status)
+static FILE *open_scenario(const char *name_or_path)
 {
     const BuiltinScenario *builtin = scenario_builtin(name_or_path);
     errno = 0;
-    FILE *stream =
-        builtin ? fmemopen((void *)builtin->text, strlen(builtin->text), "r") : fopen(name_or_path, "r");
+    return builtin ? fmemopen((void *)builtin->text, strlen(builtin->text), "r") : fopen(name_or_path, "r");
+}
+
+void scenario_blame(const char *name_or_path, const Override *overrides, int count, Status *status)
+{
+    Source source = {.file = name_or_path, .overrides = overrides, .n_overrides = count};
+    char key[KEY_MAX] = "";
+    const size_t length = strcspn(status->text, ":");
+    if (length < sizeof key)
+        memcpy(key, status->text, length);
+    FILE *stream = parameter_find(key) ? open_scenario(name_or_path) : NULL;
+    if (!stream)
+        return;
+    if (!entries_read(&source.entries, stream, name_or_path, NULL) || !find_origin(&source, status))
+        status_prefix(status, "%s", name_or_path);
+    entries_free(&source.entries);
+    fclose(stream);
+}
+
+bool scenario_load_with(const char *name_or_path, const Override *overrides, int count, Settings *settings,
+                        Status *status)
+{
+    FILE *stream = open_scenario(name_or_path);
     if (!stream)
         return not_found(name_or_path, status);
     bool good = read_with(stream, name_or_path, overrides, count, settings, status);

@@ -29,6 +29,10 @@ bool scenario_load(const char *name_or_path, Settings *settings, Status *status)
 bool scenario_load_with(const char *name_or_path, const Override *overrides, int count, Settings *settings,
                         Status *status);
 
+/* A refusal that came after the file was read, when the run was made, gets its origin: the line that says the
+ * key which it begins with, or another key that it names. One that begins with no key stays as it is. */
+void scenario_blame(const char *name_or_path, const Override *overrides, int count, Status *status);
+
 /* The same from a stream; `name` stands for FILE. */
 bool scenario_read(FILE *stream, const char *name, Settings *settings, Status *status);
 

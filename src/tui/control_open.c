@@ -200,6 +200,8 @@ bool open_scenario(Laboratory *lab, const char *name, Status *status)
         show_building_of(lab, settings);
         experiment = make_experiment(lab, settings, status);
         say(lab, MESSAGE_NONE, "%s", "");
+        if (!experiment && status)
+            scenario_blame(name, NULL, 0, status);
     }
     if (experiment) {
         experiment_destroy(lab->screen.experiment);

@@ -189,11 +189,13 @@ static bool count_nodes(Lattice *lattice, const BeamDef *def, Status *status)
     columns = round(length / dx);
     rows = def->problem == BEAM_NOTCHED ? round(def->height / dx) : floor(def->height / dx + 1e-9);
     if (columns < 4)
-        return status_fail(status, STATUS_USAGE, "pd.spacing: the beam is only %.0f nodes long (at least 4)",
-                           columns);
+        return status_fail(status, STATUS_USAGE,
+                           "pd.spacing: the beam is only %.0f nodes long (at least 4; beam.length is %g)",
+                           columns, def->length);
     if (rows < 2)
-        return status_fail(status, STATUS_USAGE, "pd.spacing: the beam is only %.0f nodes high (at least 2)",
-                           rows);
+        return status_fail(status, STATUS_USAGE,
+                           "pd.spacing: the beam is only %.0f nodes high (at least 2; beam.height is %g)",
+                           rows, def->height);
     /* the largest run that a laboratory can serve: two gigabytes of coefficients, as much of node arrays */
     const double bonds_max = 268435456, nodes_max = 33554432;
     double bonds = columns * rows * lattice->n_offsets;
