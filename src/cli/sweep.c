@@ -140,11 +140,12 @@ static void wipe_bar(const Sweep *sweep)
         fputs("\r\033[K", stderr);
 }
 
-static void tell_left_out(const Sweep *sweep, int combination, const char *why)
+static void tell(const Sweep *sweep, const char *what, int combination, const char *why)
 {
     char values[512];
+    wipe_bar(sweep);
     sweep_plan_describe(&sweep->plan, combination, values, sizeof values);
-    fprintf(stderr, "left out: %s: %s\n", values, why);
+    fprintf(stderr, "%s: %s: %s\n", what, values, why);
 }
 
 static bool take_result(void *context, int combination, const SweepResult *result, Status *status)
@@ -152,10 +153,11 @@ static bool take_result(void *context, int combination, const SweepResult *resul
     Sweep *sweep = context;
     sweep->results[combination] = *result;
     sweep->ready++;
+    if (result->done && result->failure.text[0])
+        tell(sweep, "no frequency", combination, result->failure.text);
     if (result->done)
         return partial_add(&sweep->partial, sweep->numbers[combination], result, status);
-    wipe_bar(sweep);
-    tell_left_out(sweep, combination, result->failure.text);
+    tell(sweep, "left out", combination, result->failure.text);
     sweep->left_out++;
     return true;
 }
@@ -205,25 +207,6 @@ static int run_all(Sweep *sweep, Status *status)
 }
 
 /* --- the table ------------------------------------------------------------------------------------ */
-
-/* Where some runs have a frequency, one without is a run that was too short, or at rest: it has no row. */
-static void leave_out_unmeasured(Sweep *sweep)
-{
-    SweepResult *results = sweep->results;
-    int count = sweep->plan.n_combinations;
-    bool any = false;
-    for (int i = 0; i < count; i++)
-        any = any || (results[i].done && isfinite(results[i].cells[RESULT_MEASURED]));
-    for (int i = 0; any && i < count; i++)
-        if (results[i].done && !isfinite(results[i].cells[RESULT_MEASURED])) {
-            tell_left_out(sweep, i,
-                          isfinite(results[i].cells[RESULT_EXACT])
-                              ? "too short a run to measure what vibrates"
-                              : "nothing that could be measured vibrates");
-            results[i].done = false;
-            sweep->left_out++;
-        }
-}
 
 static char *beside_name(const char *output, Status *status)
 {
@@ -282,18 +265,14 @@ static bool write_files(const Sweep *sweep, const SweepTable *table, int count, 
 
 static int write_all(Sweep *sweep, int count, char **arguments, Status *status)
 {
-    char missing[256];
     const Options *options = sweep->options;
-    leave_out_unmeasured(sweep);
     SweepTable table = {
         .plan = &sweep->plan, .problem = sweep->problem, .keys = sweep->keys, .results = sweep->results};
-    table_choose_columns(&table, missing, sizeof missing);
+    table_choose_columns(&table);
     int all = sweep->plan.n_combinations;
     if (table.rows == 0)
         return status_fail(status, STATUS_FAILED, "no combination has a row (%d left out)", all),
                STATUS_FAILED;
-    if (*missing)
-        fprintf(stderr, "columns left out, for not every row has them: %s\n", missing);
     if (options->output && !write_files(sweep, &table, count, arguments, status))
         return (int)status->code;
     bool terminal = isatty(STDOUT_FILENO);

@@ -1,6 +1,7 @@
 #include "cli/sweep_result.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 typedef struct ColumnText {
@@ -26,7 +27,8 @@ static const ColumnText texts[RESULT_COLUMNS] = {
     [RESULT_CRACK_LENGTH] = {"crack_length", "m", "m", "length of the crack at the end"},
     [RESULT_ENERGY_LEFT] =
         {"energy_left", "1", "1",
-         "total energy at the end less the work of loads, as a share of that at the start"},
+         "energy at the end as a share of that at the start: E* where there is one, else the "
+         "means of total less the work of loads over the first and the last period"},
     [RESULT_STEPS] = {"steps", "1", "1", "time steps done"},
     [RESULT_WALL] = {"wall", "s", "s", "seconds that the run took"},
 };
@@ -92,9 +94,11 @@ void result_of(const RunSummary *summary, const Settings *settings, double wall,
     if (settings->problem != PROBLEM_BAR && settings->beam.critical_stretch > 0)
         cells[RESULT_BROKEN_BONDS] = last_value(summary, "broken_bonds");
     cells[RESULT_CRACK_LENGTH] = last_value(summary, "crack_length");
-    if (summary->energy_start > 0)
-        cells[RESULT_ENERGY_LEFT] = (summary->energy_end - summary->work) / summary->energy_start;
+    if (summary->energy_told != ENERGY_UNTOLD && !summary->energy_of_work)
+        cells[RESULT_ENERGY_LEFT] = 1 + summary->energy_change / 100;
     cells[RESULT_STEPS] = (double)summary->steps;
     cells[RESULT_WALL] = wall;
     result->done = true;
+    if (summary->readout.moving && !summary->readout.measured_known)
+        snprintf(result->failure.text, sizeof result->failure.text, "%s", summary->readout.unmeasured);
 }

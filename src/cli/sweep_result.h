@@ -22,8 +22,8 @@ typedef enum ResultColumn {
 } ResultColumn;
 
 typedef struct SweepResult {
-    bool done; /* else the failure says why there is no row */
-    Status failure;
+    bool done;      /* else the failure says why there is no row */
+    Status failure; /* of a row without a frequency its text says why */
     double cells[RESULT_COLUMNS];
 } SweepResult;
 

@@ -8,21 +8,16 @@
 
 enum { TABLE_COLUMNS_MAX = AXES_MAX + RESULT_COLUMNS };
 
-void table_choose_columns(SweepTable *table, char *missing, size_t size)
+void table_choose_columns(SweepTable *table)
 {
-    size_t used = 0;
     table->rows = 0;
-    *missing = '\0';
     for (int i = 0; i < table->plan->n_combinations; i++)
         table->rows += table->results[i].done;
     for (int column = 0; column < RESULT_COLUMNS; column++) {
-        int there = 0;
+        table->has[column] = false;
         for (int i = 0; i < table->plan->n_combinations; i++)
-            there += table->results[i].done && isfinite(table->results[i].cells[column]);
-        table->has[column] = there > 0 && there == table->rows;
-        if (there > 0 && there < table->rows && used < size)
-            used += (size_t)snprintf(missing + used, size - used, "%s%s", used ? ", " : "",
-                                     result_name((ResultColumn)column));
+            table->has[column] =
+                table->has[column] || (table->results[i].done && isfinite(table->results[i].cells[column]));
     }
 }
 
@@ -78,6 +73,8 @@ static void cell_text(const SweepTable *table, int column, double value, char ou
         column < plan->n_keys ? word_of(plan->keys[column].parameter, table->problem, value) : NULL;
     if (word)
         snprintf(out, VALUE_MAX, "%s", word);
+    else if (isnan(value))
+        snprintf(out, VALUE_MAX, "-");
     else
         text_rounded(out, value, 6);
 }

@@ -14,9 +14,8 @@ typedef struct SweepTable {
     int rows;                 /* combinations with a result */
 } SweepTable;
 
-/* A column is written if every row has a number in it. `missing` gets the names of those that only some rows
- * have, "predicted, exact". */
-void table_choose_columns(SweepTable *, char *missing, size_t size);
+/* A column is written if a row has a number in it; a row that has none leaves its cell empty. */
+void table_choose_columns(SweepTable *);
 
 void table_write_csv(const SweepTable *, Dialect, FILE *);
 

@@ -44,7 +44,7 @@ static bool tell_measured(const Standing *run, char *label, char *value)
     const char *format = experiment_is_flowing(run->experiment) ? "~%.3f" : "%.4f";
     if (tell_answer(run, "measured", format, readout->measured_known, readout->measured, label, value))
         return true;
-    snprintf(value, COMPARISON_TEXT_MAX, "measuring");
+    snprintf(value, COMPARISON_TEXT_MAX, experiment_at_end(run->experiment) ? "none" : "measuring");
     return readout->moving;
 }
 
@@ -102,7 +102,10 @@ static bool tell_total(const Standing *run, char *label, char *value)
     const int total = column_of(run, "total");
     const double *row = experiment_row(run->experiment);
     const Record *record = experiment_record(run->experiment);
+    double now, start;
     snprintf(label, COMPARISON_TEXT_MAX, "energy, of start");
+    if (experiment_invariant(run->experiment, &now, &start))
+        return false; /* it is told by E* */
     if (total < 0 || !row || record->count == 0 || !(record_row(record, 0)[total] > 0))
         return false;
     return put(value, "%.2f %%", 100 * row[total] / record_row(record, 0)[total]);

@@ -37,7 +37,7 @@ void csv_row(FILE *stream, Dialect dialect, const double *row, int count)
 {
     char text[NUMBER_TEXT_MAX];
     for (int i = 0; i < count; i++) {
-        size_t length = write_number(text, row[i]);
+        size_t length = isnan(row[i]) ? 0 : write_number(text, row[i]);
         char *point = dialect == DIALECT_SEMICOLON ? memchr(text, '.', length) : NULL;
         if (point)
             *point = ',';

@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
+/* A number that is not known (NAN) leaves its cell empty. */
 void csv_header(FILE *, Dialect, const char *const *names, int count);
 void csv_row(FILE *, Dialect, const double *row, int count);
 

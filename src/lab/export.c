@@ -1,10 +1,12 @@
 /* A run from its start to its end, written on the way. */
 #include "lab/changes.h"
 #include "lab/export_internal.h"
+#include "lab/invariant.h"
 #include "lab/parameters.h"
 #include "lab/summary.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -109,6 +111,17 @@ static bool end_early(Export *export, Status *status)
 
 /* --- the whole ------------------------------------------------------------------------------------- */
 
+/* E* where the run stands, if it is one by which its whole change can be told. */
+static double invariant_of(const Export *export)
+{
+    Settings then;
+    if (export->adopted || export->sim->failed || export->sim->stage != 0 ||
+        !invariant_exists(export->settings))
+        return NAN;
+    changes_in_force(export->settings, export->sim->step, &then);
+    return invariant_exists(&then) ? invariant_now(export->sim, &then) : NAN;
+}
+
 static void sum_up(const Export *export, RunSummary *summary)
 {
     const Record *record = &export->record;
@@ -120,7 +133,8 @@ static void sum_up(const Export *export, RunSummary *summary)
     references_readout(export->refs, record->rows, rows, record->n_columns, &summary->readout);
     summary->readout.time = summary->time;
     summary->readout.late = readout_late(&summary->readout, summary->time);
-    summary_rows(summary, export->columns, export->n_columns, record->rows, record->count);
+    const double invariant[2] = {export->invariant, invariant_of(export)};
+    summary_rows(summary, export->columns, export->n_columns, record->rows, record->count, invariant);
     if (!export->adopted)
         summary->n_derived = problem_derived(export->settings, export->sim, summary->derived);
     summary->crack_known = crack_facts(export->sim, &summary->crack);
@@ -159,6 +173,7 @@ static bool start(Export *export, Status *status)
     simulation_row(export->sim, export->block);
     if (!take_row(export, export->block, 0, status))
         return false;
+    export->invariant = invariant_of(export);
     return changes_apply(export->settings, export->sim, status) &&
            export_write_due_frame(export, false, status);
 }

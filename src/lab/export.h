@@ -18,17 +18,20 @@ typedef struct Outputs {
     bool force; /* existing files are replaced; else they are refused before the run starts */
 } Outputs;
 
+/* By what the change of a run's energy is told, so that the ripple of kinetic and strain energy, which are
+ * known half a step apart, does not enter: by E* where there is one (lab/invariant.h), else by the means of
+ * total - work over the first and the last period, or tenths of the run where no one period is known. */
+typedef enum EnergyTold { ENERGY_UNTOLD, ENERGY_INVARIANT, ENERGY_PERIOD, ENERGY_TENTH } EnergyTold;
+
 /* What a run came to; printed by `matvib run`, shown by the laboratory at the end. */
 typedef struct RunSummary {
     long steps;
     double time, dt;
     Readout readout;
-    double energy_start, energy_end; /* total */
-    double work;                     /* of loads, at the end */
-    double energy_drift;         /* of total - work, the mean of the last tenth of the rows against that of
-                                  * the first, for kinetic and strain energy are half a step apart and their
-                                  * sum ripples; in percent of the first (of the largest work, if t = 0 has none) */
-    long rows;                   /* of the series */
+    EnergyTold energy_told;
+    bool energy_of_work;  /* the run begins at rest: the change is a share of the largest work of the load */
+    double energy_change; /* from the start to the end, in percent of the start */
+    long rows;            /* of the series */
     Column columns[COLUMNS_MAX]; /* of the series */
     int n_columns;
     double last_row[COLUMNS_MAX];

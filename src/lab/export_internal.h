@@ -36,6 +36,7 @@ typedef struct Export {
     Record record;
     double *block;
     double newest[COLUMNS_MAX]; /* the row of the newest step that has one */
+    double invariant;           /* E* at t = 0; NAN: there is none */
     long rows;
     Status failure; /* of a run that stopped by itself */
 } Export;

@@ -25,29 +25,51 @@ static double mean_energy(const double *rows, size_t count, int n_columns, int t
     return sum / (double)count;
 }
 
-static void take_energies(RunSummary *summary, const Column *columns, int n_columns, const double *rows,
-                          size_t count)
+/* The time over which means are taken. */
+static double span_of(RunSummary *summary, double end)
 {
-    int total = find(columns, n_columns, "total"), work = find(columns, n_columns, "work");
-    if (total < 0 || count == 0)
-        return;
-    const double *newest = rows + (count - 1) * (size_t)n_columns;
-    summary->energy_start = rows[total];
-    summary->energy_end = newest[total];
-    summary->work = work >= 0 ? newest[work] : 0;
-    size_t tenth = count < 20 ? 1 : count / 10;
-    double before = mean_energy(rows, tenth, n_columns, total, work);
-    double after = mean_energy(rows + (count - tenth) * (size_t)n_columns, tenth, n_columns, total, work);
-    double scale = summary->energy_start > 0 ? before : 0;
-    /* the work of a load swings with the body, so its value at the end says little */
-    for (size_t i = 0; i < count && work >= 0 && !(summary->energy_start > 0); i++)
-        scale = fmax(scale, fabs(rows[i * (size_t)n_columns + (size_t)work]));
-    summary->energy_drift = scale > 0 ? 100 * (after - before) / scale : 0;
+    const Readout *readout = &summary->readout;
+    const double turn = readout->predicted_known ? readout->predicted : readout->exact;
+    const double period = readout->is_period ? turn : 2 * M_PI / turn;
+    const bool known = readout->moving && readout->exact_known && !readout->drifting && period > 0;
+    summary->energy_told = known && end >= period ? ENERGY_PERIOD : ENERGY_TENTH;
+    return summary->energy_told == ENERGY_PERIOD ? period : end / 10;
 }
 
-void summary_rows(RunSummary *summary, const Column *columns, int n_columns, const double *rows, size_t count)
+static void take_energy(RunSummary *summary, const Column *columns, int n_columns, const double *rows,
+                        size_t count, const double invariant[2])
 {
-    take_energies(summary, columns, n_columns, rows, count);
+    const size_t width = (size_t)n_columns;
+    int total = find(columns, n_columns, "total"), work = find(columns, n_columns, "work");
+    if (invariant[0] > 0 && isfinite(invariant[1])) {
+        summary->energy_told = ENERGY_INVARIANT;
+        summary->energy_change = 100 * (invariant[1] / invariant[0] - 1);
+        return;
+    }
+    if (total < 0 || count == 0)
+        return;
+    double largest = 0;
+    summary->energy_of_work = !(rows[total] > 0);
+    /* the work of a load swings with the body, so its value at the end says little */
+    for (size_t i = 0; i < count && work >= 0; i++)
+        largest = fmax(largest, fabs(rows[i * width + (size_t)work]));
+    if (summary->energy_of_work && !(largest > 0))
+        return;
+    const double end = rows[(count - 1) * width + 1], span = span_of(summary, end) * (1 - 1e-9);
+    size_t first = 1, last = 1;
+    while (first < count && rows[first * width + 1] < span)
+        first++;
+    while (last < count && rows[(count - last - 1) * width + 1] > end - span)
+        last++;
+    const double before = mean_energy(rows, first, n_columns, total, work);
+    const double after = mean_energy(rows + (count - last) * width, last, n_columns, total, work);
+    summary->energy_change = 100 * (after - before) / (summary->energy_of_work ? largest : before);
+}
+
+void summary_rows(RunSummary *summary, const Column *columns, int n_columns, const double *rows, size_t count,
+                  const double invariant[2])
+{
+    take_energy(summary, columns, n_columns, rows, count, invariant);
     summary->n_columns = n_columns;
     memcpy(summary->columns, columns, (size_t)n_columns * sizeof *columns);
     if (count > 0)
@@ -68,7 +90,11 @@ void summary_of(Experiment *experiment, RunSummary *summary)
     summary->readout.time = summary->time;
     summary->readout.late = readout_late(&summary->readout, summary->time);
     summary->failed = experiment_failed(experiment, &summary->failure);
-    summary_rows(summary, columns, n, record->rows, record->count);
+    double invariant[2] = {NAN, NAN};
+    if (experiment_simulation(experiment)->step != summary->steps ||
+        !experiment_invariant(experiment, &invariant[1], &invariant[0]))
+        invariant[0] = NAN;
+    summary_rows(summary, columns, n, record->rows, record->count, invariant);
     summary->n_derived = experiment_derived(experiment, summary->derived);
     /* the crack is that of the step on screen */
     if (experiment_simulation(experiment)->step == summary->steps)
@@ -104,11 +130,14 @@ static void add_known(Writer *writer, const char *word, bool known, double value
 
 static void add_readout(Writer *writer, const Readout *readout)
 {
-    if (!readout->moving)
+    const char *what = readout->is_period ? "period" : "frequency";
+    if (!readout->moving) {
+        add(writer, "nothing vibrates: no %s to measure\n", what);
         return;
-    add(writer, "%s", readout->is_period ? "period" : "frequency");
+    }
+    add(writer, "%s", what);
     if (!readout->measured_known)
-        add(writer, "  too short a run to measure it");
+        add(writer, "  %s", readout->unmeasured);
     add_known(writer, "measured", readout->measured_known, readout->measured);
     add_known(writer, "predicted", readout->predicted_known, readout->predicted);
     add_known(writer, "exact", readout->exact_known, readout->exact);
@@ -160,9 +189,19 @@ void summary_crack_text(const RunSummary *summary, char out[SUMMARY_MAX])
     add(&writer, "  broken bonds %ld\n", crack->broken);
 }
 
-const char *summary_drift_base(const RunSummary *summary)
+void summary_energy_text(const RunSummary *summary, char out[SUMMARY_MAX])
 {
-    return summary->energy_start > 0 ? "" : " of the work";
+    static const char *const names[] = {[ENERGY_INVARIANT] = "energy E*",
+                                        [ENERGY_PERIOD] = "energy, first period to last,",
+                                        [ENERGY_TENTH] = "energy, first tenth to last,"};
+    const double change = summary->energy_change;
+    Writer writer = {out, 0};
+    out[0] = '\0';
+    if (summary->energy_told == ENERGY_UNTOLD || !isfinite(change))
+        return;
+    add(&writer, fabs(change) < 5e-4 ? "%s %.3f %% of the %s" : "%s %+.3g %% of the %s",
+        names[summary->energy_told], fabs(change) < 5e-4 ? 0 : change,
+        summary->energy_of_work ? "work" : "start");
 }
 
 void summary_text(const RunSummary *summary, const Settings *settings, char out[SUMMARY_MAX])
@@ -175,8 +214,11 @@ void summary_text(const RunSummary *summary, const Settings *settings, char out[
     text_rounded(dt, summary->dt, 6);
     add(&writer, "%ld steps to t = %s%s%s  (dt %s)%s\n", summary->steps, time, facts->si ? " " : "",
         facts->si ? facts->unit_of_time : "", dt, summary->failed ? ", where the run failed" : "");
-    add_readout(&writer, &summary->readout);
-    char crack[SUMMARY_MAX];
-    summary_crack_text(summary, crack);
-    add(&writer, "%senergy drift %+.3g %%%s\n", crack, summary->energy_drift, summary_drift_base(summary));
+    if (!summary->crack_known)
+        add_readout(&writer, &summary->readout);
+    char text[SUMMARY_MAX];
+    summary_crack_text(summary, text);
+    add(&writer, "%s", text);
+    summary_energy_text(summary, text);
+    add(&writer, "%s%s", text, *text ? "\n" : "");
 }

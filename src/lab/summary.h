@@ -7,14 +7,16 @@
 
 enum { SUMMARY_MAX = 1024 };
 
-/* Fills in the energies, the columns and the last row from the rows of a run. */
-void summary_rows(RunSummary *, const Column *columns, int n_columns, const double *rows, size_t count);
+/* Fills in the columns, the last row and the energy from the rows of a run whose readout is known.
+ * `invariant`: E* at the start and at the end, NAN where it is not known. */
+void summary_rows(RunSummary *, const Column *columns, int n_columns, const double *rows, size_t count,
+                  const double invariant[2]);
 
 /* The same numbers for a run on screen, to its newest step. */
 void summary_of(Experiment *, RunSummary *);
 
-/* What drift is measured against: "" (the start) or " of the work", for a run that begins at rest. */
-const char *summary_drift_base(const RunSummary *);
+/* "energy E* -82.5 % of the start": by what it is told, how much, of what. "": there is none to tell. */
+void summary_energy_text(const RunSummary *, char out[SUMMARY_MAX]);
 
 /* The crack in a few lines of at most 76 columns, each ended by '\n'; "": there is none to tell of. */
 void summary_crack_text(const RunSummary *, char out[SUMMARY_MAX]);

@@ -142,14 +142,13 @@ static void draw_summary(const Screen *screen, Area area)
     Status status = {STATUS_DONE, ""};
     if (experiment_failed(screen->experiment, &status) && y < rows)
         y += area_paragraph(area, 1, y, area.rect.width - 2, 2, status.text, STYLE_ERROR);
-    char time[48], number[NUMBER_TEXT_MAX], text[200];
+    char time[48], text[200];
     time_text(screen, experiment_time(screen->experiment), time, sizeof time);
     snprintf(text, sizeof text, "%ld steps to %s", experiment_step(screen->experiment), time);
-    if (screen->summary_known && isfinite(summary->energy_drift)) {
-        number_text(summary->energy_drift, 3, 10, number);
-        append(text, sizeof text, "  energy %s%s %%%s", summary->energy_drift > 0 ? "+" : "", number,
-               *summary_drift_base(summary) ? summary_drift_base(summary) : " against the start");
-    }
+    char energy[SUMMARY_MAX] = "";
+    if (screen->summary_known)
+        summary_energy_text(summary, energy);
+    append(text, sizeof text, "%s%s", *energy ? "  " : "", energy);
     const int width = area.rect.width - 2;
     y += area_phrases(area, 1, y, width, rows - y, text, STYLE_NORMAL);
     if (readout->moving && readout->measured_known && y < rows) {

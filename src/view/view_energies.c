@@ -143,9 +143,11 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
     double sharp, first;
     number_text(now[total], 4, 10, number);
     append(out, 320, "total %s", number);
-    if (start[total] != 0)
+    /* what is kept is told once: the total as a share of the start would tell its ripple as well */
+    const bool known = experiment_invariant(screen->experiment, &sharp, &first) && first > 0;
+    if (start[total] != 0 && !known)
         append(out, 320, " = %.2f %%%s", 100 * now[total] / start[total], wide ? " of the start" : "");
-    if (experiment_invariant(screen->experiment, &sharp, &first) && first > 0) {
+    if (known) {
         const double loss = 100 * (1 - sharp / first);
         number_text(sharp, 4, 10, number);
         append(out, 320, "  E* %s, %s %.3f %%", number, loss < -5e-4 ? "gain" : "loss", fabs(loss));

@@ -36,6 +36,26 @@ expect "unless it may be replaced" 0 mode5 --series a.csv --force --quiet
 result "then it is another" sh -c '! cmp -s a.csv b.csv'
 rm -f ./*.csv ./*.ini
 
+# --- what cannot be measured, and what is kept ---
+expect "a bar at rest" 0 mode5 --set initial.velocity=0 --end 1
+result "has no frequency" says out '^nothing vibrates: no frequency to measure$'
+result "and no energy to keep" sh -c '! grep -q energy out'
+expect "a short run" 0 mode5 --end 1 --set initial.velocity=1e-6
+result "keeps E*" says out '^energy E\* [+-]*[0-9.e-]* % of the start$'
+expect "a bar under a load" 0 pull --end 20
+result "by the work" says out '^energy, first period to last, .* % of the work$'
+
+# --- who said it ---
+printf '[scenario]\nproblem = simply-supported-beam\n[pd]\nhorizon = 2e-3\nspacing = .5e-3\n[time]\nstep = 1e-6\n' >t.ini
+expect "a step too long" 2 t.ini
+result "in its line" says err '^matvib: t.ini:7: time.step: 1e-06 is above the critical'
+printf '[scenario]\nproblem = simply-supported-beam\n[beam]\nheight = 1e-4\n' >t.ini
+expect "a beam too thin" 2 t.ini
+result "in the line of the key that was written" says err '^matvib: t.ini:4: pd.spacing: the beam is only 0 nodes high (at least 2; beam.height is 0.0001)$'
+expect "the same from outside" 2 supported-beam --set beam.height=1e-4
+result "by its option" says err '^matvib: --set: pd.spacing: the beam is only 0 nodes high'
+rm -f ./*.ini
+
 # --- how far ---
 expect "so many steps" 0 mode1 --steps 25 --series - --quiet
 result "and the start" lines out 27

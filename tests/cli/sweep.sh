@@ -61,8 +61,15 @@ expect "unstable steps" 1 mode5 --vary time.courant=0.1,3,0.5 --end 30
 result "the others have rows" test "$(cut -d, -f1 out | tr '\n' ' ')" = 'time.courant 0.1 0.5 '
 result "it says which" says err '^left out: time.courant=3: .*unstable'
 result "it counts" says err '^matvib: 1 of 3 combinations have no row$'
-expect "a run too short" 1 mode5 --vary time.end=0.1,30
-result "has no row" says err '^left out: time.end=0.1: too short'
+expect "a run too short" 0 mode5 --vary time.end=0.1,30
+result "says so" says err '^no frequency: time.end=0.1: too short'
+result "and leaves its cells empty" says out '^0.1,,5.4[0-9]*,5.65[0-9]*,,'
+expect "a motion that decays" 0 mode10 --vary mpm.algorithm=usf,usl
+result "says so too" says err '^no frequency: mpm.algorithm=usl: the motion has decayed'
+result "and keeps its energy" holds out 'v["measured", 2] == "" && v["energy_left", 2] < .05'
+expect "energy that is kept" 0 mode5 --set initial.velocity=1e-6 --vary time.courant=.1,.5,1,1.5 --end 7
+result "at any time step" holds out \
+	'(v["energy_left", 2] - 1) ^ 2 < 1e-8 && (v["energy_left", 3] - 1) ^ 2 < 1e-8 && (v["energy_left", 4] - 1) ^ 2 < 1e-8'
 expect "no row at all" 1 mode5 --vary time.courant=3,4 --output none.csv
 result "no table either" test ! -e none.csv -a ! -e none.csv.partial
 
