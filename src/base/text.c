@@ -120,3 +120,16 @@ size_t text_distance(const char *a, const char *b)
     }
     return last[m];
 }
+
+bool text_list_add(char *list, size_t size, const char *item)
+{
+    static const char more[] = " ...";
+    const size_t used = strlen(list);
+    if (used + strlen(item) + sizeof ", " + sizeof more <= size) {
+        snprintf(list + used, size - used, "%s%s", used ? ", " : "", item);
+        return true;
+    }
+    if (used + sizeof more <= size)
+        snprintf(list + used, size - used, "%s", more + (used == 0));
+    return false;
+}

@@ -37,4 +37,7 @@ bool text_at_end(FILE *stream, const char *name, Status *);
 /* The number of edits (insert, delete, replace, swap neighbours) between two words; for "did you mean". */
 size_t text_distance(const char *a, const char *b);
 
+/* Adds an item to a list "one, two". Where it does not fit whole " ..." is added in its place: false. */
+bool text_list_add(char *list, size_t size, const char *item);
+
 #endif

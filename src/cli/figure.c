@@ -126,7 +126,7 @@ static void read_view(Screen *screen, const Settings *settings, double end)
 /* The settings of the run behind; false: nothing differs. */
 static bool other_settings(const Options *options, const Settings *settings, Settings *other, Status *status)
 {
-    char key[KEY_MAX], differs[LEGEND_MAX];
+    char key[KEY_MAX];
     *other = *settings;
     const char *equals = strchr(options->against, '=');
     if (!equals || equals == options->against || equals - options->against >= KEY_MAX)
@@ -136,7 +136,7 @@ static bool other_settings(const Options *options, const Settings *settings, Set
     Status why = {STATUS_DONE, ""};
     if (!settings_set(other, key, equals + 1, &why) || !settings_check(other, &why))
         return status_fail(status, STATUS_USAGE, "--against: %s", why.text);
-    return !settings_same(settings, other, differs, sizeof differs) ||
+    return !settings_same(settings, other) ||
            status_fail(status, STATUS_USAGE, "--against: %.80s is what the run has already",
                        options->against);
 }

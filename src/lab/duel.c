@@ -1,7 +1,8 @@
 #include "lab/duel.h"
+
+#include "base/text.h"
 #include "lab/parameters.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -107,18 +108,6 @@ static bool second_settings(const Duel *duel, const Settings *first, Settings *o
     return settings_check(out, status) && problem_advice(out, advice, sizeof advice, status);
 }
 
-/* "USL", "hat", "0.5": as the title line spells them. */
-static void name_value(const Settings *settings, const Parameter *parameter, char out[DUEL_NAME_MAX])
-{
-    char value[LIST_MAX];
-    settings_show(settings, parameter, value);
-    snprintf(out, DUEL_NAME_MAX, "%.*s", DUEL_NAME_MAX - 1, value);
-    if (strcmp(parameter->key, "mpm.algorithm") == 0 || strcmp(parameter->key, "mpm.transfer") == 0 ||
-        strcmp(parameter->key, "scenario.method") == 0)
-        for (char *c = out; *c; c++)
-            *c = (char)toupper((unsigned char)*c);
-}
-
 static void write_names(Duel *duel)
 {
     const Settings *settings[2] = {experiment_settings(duel->a), experiment_settings(duel->b)};
@@ -127,17 +116,12 @@ static void write_names(Duel *duel)
         name[0] = '\0';
         for (int i = 0; i < duel->n_keys; i++) {
             const Parameter *parameter = parameter_find(duel->keys[i].key);
-            char value[DUEL_NAME_MAX];
+            char value[LIST_MAX];
             if (!parameter)
                 continue;
-            name_value(settings[run], parameter, value);
-            const size_t used = strlen(name);
-            if (used + strlen(value) + 3 < DUEL_NAME_MAX - 4)
-                snprintf(name + used, DUEL_NAME_MAX - used, "%s%s", used ? ", " : "", value);
-            else if (used + 4 < DUEL_NAME_MAX) {
-                snprintf(name + used, DUEL_NAME_MAX - used, " ...");
+            settings_spell(settings[run], parameter, value);
+            if (!text_list_add(name, DUEL_NAME_MAX, value))
                 break;
-            }
         }
     }
 }
@@ -251,7 +235,7 @@ bool duel_start(Duel *duel, const Assignment *keys, int n_keys, Status *status)
     memcpy(tried.keys, keys, (size_t)n_keys * sizeof *keys);
     const Settings *base = experiment_base(duel->a);
     bool sound = second_settings(&tried, base, settings, status);
-    if (sound && settings_same(base, settings, NULL, 0))
+    if (sound && settings_same(base, settings))
         sound = status_fail(status, STATUS_USAGE, "both runs would be the same: a key must differ");
     free(settings);
     if (!sound)
@@ -396,7 +380,7 @@ static bool restart_second(Duel *duel, Status *status)
     if (!settings)
         return status_fail(status, STATUS_FAILED, "not enough memory");
     bool sound = second_settings(duel, experiment_base(duel->a), settings, status);
-    if (sound && settings_same(settings, experiment_base(duel->b), NULL, 0))
+    if (sound && settings_same(settings, experiment_base(duel->b)))
         sound = experiment_restart(duel->b, false, status);
     else if (sound)
         sound = make_second(duel, status);

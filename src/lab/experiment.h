@@ -15,13 +15,13 @@
 #include "lab/settings.h"
 #include "lab/spectrum.h"
 
-enum { GHOSTS_MAX = 5, LEGEND_MAX = 120 };
+enum { GHOSTS_MAX = 5, LEGEND_MAX = 60 };
 
 /* The curves of an earlier run, kept behind those of the present one. */
 typedef struct Ghost {
     bool used, pinned;       /* not pinned: the curve before the last edit, replaced by the next */
     char letter;             /* 'a', 'b', ... */
-    char legend[LEGEND_MAX]; /* what differs: "cell size 1 -> 0.5" */
+    char legend[LEGEND_MAX]; /* what it is as against the present run: "cell size 1", "USL" */
     Settings settings;
     Record record;
     Column columns[COLUMNS_MAX];

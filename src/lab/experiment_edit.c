@@ -18,19 +18,13 @@ void experiment_drop_ghost(Ghost *ghost)
     memset(ghost, 0, sizeof *ghost);
 }
 
-static bool leads_to_the_same(const Settings *a, const Settings *b)
-{
-    return settings_same(a, b, NULL, 0);
-}
-
 /* Legends tell what differs from the run that is on screen now. */
 static void write_legends(Experiment *experiment)
 {
     for (int i = 0; i < GHOSTS_MAX; i++) {
         Ghost *ghost = &experiment->ghosts[i];
-        if (ghost->used &&
-            settings_same(&ghost->settings, &experiment->trial.base, ghost->legend, sizeof ghost->legend))
-            snprintf(ghost->legend, sizeof ghost->legend, "the same");
+        if (ghost->used)
+            settings_name(&ghost->settings, &experiment->trial.base, ghost->legend, sizeof ghost->legend);
     }
 }
 
@@ -104,7 +98,7 @@ bool experiment_pin(Experiment *experiment, Status *status)
     const Trial *trial = &experiment->trial;
     for (int i = 0; i < GHOSTS_MAX; i++) {
         Ghost *ghost = &experiment->ghosts[i];
-        if (ghost->used && ghost->pinned && leads_to_the_same(&ghost->settings, &trial->base)) {
+        if (ghost->used && ghost->pinned && settings_same(&ghost->settings, &trial->base)) {
             experiment_drop_ghost(ghost);
             return true;
         }
@@ -153,7 +147,7 @@ static bool is_pinned(const Experiment *experiment)
     const Trial *trial = &experiment->trial;
     for (int i = 0; i < GHOSTS_MAX; i++) {
         const Ghost *ghost = &experiment->ghosts[i];
-        if (ghost->used && ghost->pinned && leads_to_the_same(&ghost->settings, &trial->base) &&
+        if (ghost->used && ghost->pinned && settings_same(&ghost->settings, &trial->base) &&
             ghost->record.count >= trial->record.count)
             return true;
     }
@@ -241,7 +235,7 @@ bool experiment_restart(Experiment *experiment, bool keep_ghost, Status *status)
     memcpy(settings.changes, experiment->given, sizeof settings.changes);
     settings.n_changes = experiment->n_given;
     begin_changed_ones(&settings, &trial->base);
-    if (experiment->adopted || leads_to_the_same(&settings, &trial->base))
+    if (experiment->adopted || settings_same(&settings, &trial->base))
         rewind_trial(experiment, keep_ghost);
     else if (!replace_trial(experiment, &settings, keep_ghost, false, status))
         return false;

@@ -160,8 +160,15 @@ void parameter_range(const Parameter *, Problem, char *out, size_t size);
  * cannot be read, mode 0 with a fixed end, ... The status names the key. */
 bool settings_check(const Settings *, Status *);
 
-/* Whether two settings lead to the same run; if not, `out` gets "algorithm usf -> usl, mode 1 -> 5". */
-bool settings_same(const Settings *a, const Settings *b, char *out, size_t size);
+/* Whether two settings lead to the same run. */
+bool settings_same(const Settings *a, const Settings *b);
+
+/* What `a` is as against `b`, for a legend: "USL, cell size 1"; "the same" where nothing differs. What does
+ * not fit whole is left out, and " ..." says so. */
+void settings_name(const Settings *a, const Settings *b, char *out, size_t size);
+
+/* A value as a title or legend spells it: "USL", "hat", "0.5". */
+void settings_spell(const Settings *, const Parameter *, char out[LIST_MAX]);
 
 /* The lists inside texts. */
 enum { OVERTONES_MAX = 15, TIMES_MAX = 64 };

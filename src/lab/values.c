@@ -5,6 +5,7 @@
 #include "lab/changes.h"
 #include "lab/problem.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -394,22 +395,6 @@ bool settings_nudge(Settings *settings, const Parameter *parameter, int directio
 
 /* --- comparison ----------------------------------------------------------------------------------- */
 
-typedef struct Differences {
-    char *out;
-    size_t size, used;
-    int count;
-} Differences;
-
-static void add_difference(Differences *list, const char *what, const char *from, const char *to)
-{
-    list->count++;
-    if (list->used >= list->size)
-        return;
-    int n = snprintf(list->out + list->used, list->size - list->used, "%s%s %s -> %s",
-                     list->count > 1 ? ", " : "", what, *from ? from : "none", *to ? to : "none");
-    list->used += n > 0 ? (size_t)n : 0;
-}
-
 /* What a run writes does not make it another run; of the two handles on breaking only the given one counts.
  */
 static bool matters(const Settings *a, const Settings *b, const Parameter *parameter)
@@ -421,35 +406,66 @@ static bool matters(const Settings *a, const Settings *b, const Parameter *param
     return is_energy(parameter->key) ? by_energy : is_stretch(parameter->key) ? !by_energy : true;
 }
 
-bool settings_same(const Settings *a, const Settings *b, char *out, size_t size)
+static bool differ_in(const Settings *a, const Settings *b, const Parameter *parameter)
 {
-    Differences list = {out, out ? size : 0, 0, 0};
-    if (list.size)
-        *out = '\0';
-    if (a->problem != b->problem) {
-        add_difference(&list, "problem", problem_words[a->problem], problem_words[b->problem]);
+    char from[LIST_MAX], to[LIST_MAX];
+    if (!matters(a, b, parameter))
         return false;
+    settings_get(a, parameter, from);
+    settings_get(b, parameter, to);
+    return strcmp(from, to) != 0;
+}
+
+bool settings_same(const Settings *a, const Settings *b)
+{
+    for (int i = 0; i < n_parameters; i++)
+        if (differ_in(a, b, &parameters[i]))
+            return false;
+    return a->problem == b->problem && changes_same(a, b);
+}
+
+/* Those whose values are known by themselves. */
+static bool is_name(const Parameter *parameter)
+{
+    static const char *const keys[] = {"mpm.algorithm", "mpm.shape", "mpm.transfer", "scenario.method"};
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        if (strcmp(parameter->key, keys[i]) == 0)
+            return true;
+    return false;
+}
+
+void settings_spell(const Settings *settings, const Parameter *parameter, char out[LIST_MAX])
+{
+    settings_show(settings, parameter, out);
+    if (is_name(parameter) && strcmp(parameter->key, "mpm.shape") != 0)
+        for (char *c = out; *c; c++)
+            *c = (char)toupper((unsigned char)*c);
+}
+
+void settings_name(const Settings *a, const Settings *b, char *out, size_t size)
+{
+    *out = '\0';
+    if (a->problem != b->problem) {
+        text_list_add(out, size, problem_words[a->problem]);
+        return;
     }
-    for (int i = 0; i < n_parameters; i++) {
-        const Parameter *parameter = &parameters[i];
-        char from[LIST_MAX], to[LIST_MAX];
-        if (!matters(a, b, parameter))
+    bool room = true;
+    for (int i = 0; i < n_parameters && room; i++) {
+        char value[LIST_MAX], item[LIST_MAX + 64];
+        if (!differ_in(a, b, &parameters[i]))
             continue;
-        settings_get(a, parameter, from);
-        settings_get(b, parameter, to);
-        if (strcmp(from, to) == 0)
-            continue;
-        settings_show(a, parameter, from);
-        settings_show(b, parameter, to);
-        add_difference(&list, parameter->label, from, to);
+        settings_spell(a, &parameters[i], value);
+        snprintf(item, sizeof item, "%s%s%s", is_name(&parameters[i]) ? "" : parameters[i].label,
+                 is_name(&parameters[i]) ? "" : " ", *value ? value : "none");
+        room = text_list_add(out, size, item);
     }
-    if (!changes_same(a, b)) {
-        char from[16], to[16];
-        snprintf(from, sizeof from, "%d", a->n_changes);
-        snprintf(to, sizeof to, "%d", b->n_changes);
-        add_difference(&list, "changes in mid-run", from, to);
+    if (room && !changes_same(a, b)) {
+        char item[48];
+        snprintf(item, sizeof item, a->n_changes == 0 ? "unchanged" : "%d changed in mid-run", a->n_changes);
+        text_list_add(out, size, item);
     }
-    return list.count == 0;
+    if (*out == '\0')
+        snprintf(out, size, "the same");
 }
 
 /* Of a mesh or lattice: it is asked about by a smaller one. */

@@ -36,7 +36,7 @@ void command_question(Laboratory *lab)
     if (!parameter || !settings_answer_otherwise(&settings, parameter))
         say(lab, MESSAGE_INFO, "this scenario asks no question");
     else if (is_second(lab, &settings, parameter) &&
-             (!settings_nudge(&settings, parameter, 1) || settings_same(&before, &settings, NULL, 0)))
+             (!settings_nudge(&settings, parameter, 1) || settings_same(&before, &settings)))
         say(lab, MESSAGE_INFO, "both answers are on screen already; d ends the duel");
     else if (!change_settings(lab, &settings, experiment_rerun, &status))
         say(lab, MESSAGE_ERROR, "%s", status.text);

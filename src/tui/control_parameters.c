@@ -101,7 +101,7 @@ bool change_runs(Laboratory *lab, const Settings *settings, DuelChange verb, Sta
 bool change_settings(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
 {
     Settings old = *experiment_settings(lab->screen.experiment);
-    bool same = settings_same(&old, settings, NULL, 0);
+    bool same = settings_same(&old, settings);
     long step;
     int stage;
     present(lab, &step, &stage);

@@ -100,7 +100,7 @@ const char *short_word(const char *name)
     return strncmp(name, "filtered ", 9) == 0 ? "filt" : name;
 }
 
-enum { NAME_KINDS = 4 };
+enum { NAME_KINDS = 3 };
 
 /* How an entry is named where room is short, by what gives way first; NULL: it is not of that kind. */
 static const char *shorter_name(const Legend *entry, int kind)
@@ -109,10 +109,8 @@ static const char *shorter_name(const Legend *entry, int kind)
     const bool run = (entry->name[0] == 'A' || entry->name[0] == 'B') && entry->name[1] == ' ';
     switch (kind) {
     case 0:
-        return ghost && strncmp(entry->name, "at t ", 5) != 0 ? "before" : NULL;
-    case 1:
         return !run ? NULL : entry->name[0] == 'A' ? "A" : "B";
-    case 2:
+    case 1:
         return short_word(entry->name);
     default:
         return ghost ? "" : NULL; /* its letter has to do */
@@ -133,6 +131,7 @@ static void shorten_legend(int room, int kinds, Legend *legend, int n_legend)
     for (int kind = 0; kind < kinds; kind++)
         for (int i = 0, columns = legend_columns(legend, n_legend); i < n_legend && columns > room; i++) {
             const char *name = shorter_name(&legend[i], kind);
+            columns -= name ? text_columns(legend[i].name) - text_columns(name) : 0;
             legend[i].name = name ? name : legend[i].name;
         }
 }
@@ -151,22 +150,23 @@ static int leave_out_measured(Legend *legend, int n_legend)
 int draw_heading(Area area, Style heading, const char *name, const char *scale, const Legend *legend,
                  int n_legend)
 {
+    enum { SHORT_NAME = 1, NO_MEASURED, LETTERS_ONLY }; /* what gives way, one after the other */
     char text[160];
     Legend shown[LEGENDS_MAX];
     n_legend = n_legend < LEGENDS_MAX ? n_legend : LEGENDS_MAX;
-    int n_shown = n_legend, x = 0, room = 0;
-    /* before the earlier runs are letters only, the name of the picture is shorter */
-    for (int pass = 0; pass < 2; pass++, name = short_word(name)) {
-        snprintf(text, sizeof text, "%s%s%s", name, !scale[0] ? "" : scale[0] == 'x' ? " " : ", ", scale);
+    int n_shown = 0, x = 0;
+    for (int pass = 0; pass <= LETTERS_ONLY; pass++) {
+        const char *title = pass >= SHORT_NAME ? short_word(name) : name;
+        snprintf(text, sizeof text, "%s%s%s", title, !scale[0] ? "" : scale[0] == 'x' ? " " : ", ", scale);
         x = 4 + text_columns(text) + 1;
-        room = legend_room(area) - x;
+        const int room = legend_room(area) - x;
         memcpy(shown, legend, (size_t)n_legend * sizeof *legend);
-        shorten_legend(room, pass == 0 ? NAME_KINDS - 1 : NAME_KINDS, shown, n_shown);
+        shorten_legend(room, NAME_KINDS - 1, shown, n_legend);
+        n_shown = pass >= NO_MEASURED ? leave_out_measured(shown, n_legend) : n_legend;
+        shorten_legend(room, pass >= LETTERS_ONLY ? NAME_KINDS : 0, shown, n_shown);
         if (legend_columns(shown, n_shown) <= room)
             break;
     }
-    if (legend_columns(shown, n_shown) > room)
-        n_shown = leave_out_measured(shown, n_shown);
     area_rule(area, 0, text, heading);
     return draw_legend(area, x, 0, shown, n_shown) + n_legend - n_shown;
 }

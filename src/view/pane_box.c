@@ -2,6 +2,7 @@
  * summary. Paused: the stage box, pane_stage.c. */
 #include "view/panes.h"
 #include "lab/summary.h"
+#include "view/runs.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -174,7 +175,29 @@ static void draw_summary(const Screen *screen, Area area)
                    "Space runs it again, x writes it as CSV, ? explains what is solved.", STYLE_FAINT);
 }
 
-void pane_box(const Screen *screen, Area area)
+/* In the longest free piece of the box's upper edge. */
+static void draw_ghost_names(const Screen *screen, Area area)
+{
+    enum { RULE = 0x2500, LEAST = 6 };
+    const Canvas *canvas = area.canvas;
+    int begin = 0, columns = 0;
+    for (int x = 0, run = 0; x < area.rect.width; x++) {
+        const Cell *cell = &canvas->cells[area.rect.y * canvas->width + area.rect.x + x];
+        run = cell->glyph == RULE ? run + 1 : 0;
+        if (run > columns)
+            columns = run, begin = x + 1 - run;
+    }
+    char text[160];
+    ghost_names(screen, columns - 4, text, sizeof text);
+    if (columns < LEAST || !text[0])
+        return;
+    const int end = begin + columns - 1, width = text_columns(text);
+    area_text_right(area, end, 0, " ", STYLE_FRAME);
+    area_text_right(area, end - 1, 0, text, STYLE_NORMAL);
+    area_text_right(area, end - 1 - width, 0, " ", STYLE_FRAME);
+}
+
+static void draw_box(const Screen *screen, Area area)
 {
     const bool between = experiment_stage(screen->experiment) == 0 && !experiment_before(screen->experiment);
     if (second_run(screen) && between)
@@ -186,4 +209,11 @@ void pane_box(const Screen *screen, Area area)
         draw_summary(screen, area);
     else
         pane_stage(screen, area);
+}
+
+void pane_box(const Screen *screen, Area area)
+{
+    draw_box(screen, area);
+    if (area.rect.height > 0)
+        draw_ghost_names(screen, area);
 }

@@ -3,7 +3,6 @@
 
 #include "base/text.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -23,11 +22,9 @@ static void method_words_of(const Screen *screen, char *out, size_t size)
         if (!parameter || !settings_have(settings, parameter))
             continue;
         char value[LIST_MAX];
-        settings_get(settings, parameter, value);
-        if (i == 2 && strcmp(value, "flip") == 0)
+        settings_spell(settings, parameter, value);
+        if (i == 2 && strcmp(value, "FLIP") == 0)
             continue; /* the usual one goes without saying */
-        for (char *c = value; i != 1 && *c; c++)
-            *c = (char)toupper((unsigned char)*c);
         append(out, size, " %s", value);
     }
 }

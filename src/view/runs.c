@@ -158,3 +158,16 @@ int ghost_legends(const Run *runs, int n_runs, Legend *out)
             out[count++] = run_legend(&runs[i]);
     return count;
 }
+
+void ghost_names(const Screen *screen, int columns, char *out, size_t size)
+{
+    Run runs[RUNS_MAX];
+    const int n_runs = runs_of(screen, runs);
+    out[0] = '\0';
+    for (int i = 0; i < n_runs; i++) {
+        char name[RUN_WORD_MAX + sizeof runs[i].key + 3];
+        snprintf(name, sizeof name, "%s%s %s", out[0] ? "  " : "", runs[i].key, runs[i].word);
+        if (runs[i].ghost >= 0 && text_columns(out) + text_columns(name) <= columns)
+            append(out, size, "%s", name);
+    }
+}

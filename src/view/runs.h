@@ -57,6 +57,10 @@ void time_plot_letter(const Plot *, Area inner, const Run *, int column);
  * colour. */
 void draw_run_letters(const Plot *, Area inner, const Run *, int n_runs, const char *column);
 
+/* "a: cell size 1  b: USL": what the ghosts' letters stand for, for pictures whose legend has no room for it.
+ * "" without ghosts. What does not fit whole is left out. */
+void ghost_names(const Screen *, int columns, char *out, size_t size);
+
 /* Legend entries of the ghosts among these runs. Returns how many there are. */
 int ghost_legends(const Run *, int n_runs, Legend *out);
 
