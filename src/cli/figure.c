@@ -10,7 +10,6 @@
 
 #include <signal.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { HISTORY = 64 << 20, SLICE = 200 };
@@ -111,18 +110,6 @@ static bool draw_frames(Screen *screen, int view, const Frames *frames, const Op
     return sound;
 }
 
-/* What the scenario says of how it is shown. */
-static void read_view(Screen *screen, const Settings *settings, double end)
-{
-    screen->window = end;
-    screen->state = STATE_RUNNING; /* nothing is chosen by hand */
-    if (settings->view.window[0])
-        screen->window = atof(settings->view.window);
-    for (int i = 0; i < SHOW_COUNT; i++)
-        if (strcmp(settings->view.references, reference_words[i]) == 0)
-            screen->references = (ReferencesShown)i;
-}
-
 /* The settings of the run behind; false: nothing differs. */
 static bool other_settings(const Options *options, const Settings *settings, Settings *other, Status *status)
 {
@@ -155,6 +142,8 @@ static bool draw(const Options *options, const Settings *settings, Screen *scree
 {
     Frames frames = {0};
     int view = 0;
+    screen->state = STATE_RUNNING; /* nothing is chosen by hand */
+    screen_read_view(screen, &settings->view);
     bool sound = figure_view(screen, options->view, &view, status) && plan(&frames, screen, settings, status);
     if (sound && frames.count > FIGURE_PANELS_MAX)
         sound = status_fail(status, STATUS_USAGE, "a page has room for %d pictures, not %zu",
@@ -165,8 +154,9 @@ static bool draw(const Options *options, const Settings *settings, Screen *scree
         sound = run_against(screen->experiment, settings, frames.steps[0], progress, status) &&
                 plan(&frames, screen, settings, status);
     if (sound) {
-        const double dt = experiment_simulation(screen->experiment)->dt;
-        read_view(screen, settings, dt * (double)frames.steps[frames.count - 1]);
+        if (!settings->view.window[0])
+            screen->window =
+                experiment_simulation(screen->experiment)->dt * (double)frames.steps[frames.count - 1];
         sound = draw_frames(screen, view, &frames, options, progress, status);
     }
     frames_free(&frames);

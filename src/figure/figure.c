@@ -78,12 +78,12 @@ bool figure_view(Screen *screen, const char *wanted, int *view, Status *status)
         for (int variant = 0; name_of(screen, *view, variant, name), name[0]; variant++) {
             const char *colon = strchr(name, ':');
             const bool whole = strcmp(name, wanted) == 0;
-            const bool first = colon && variant == 0 && strlen(wanted) == (size_t)(colon - name) &&
-                               strncmp(name, wanted, (size_t)(colon - name)) == 0;
-            if (whole || first) {
+            const bool bare = colon && strlen(wanted) == (size_t)(colon - name) &&
+                              strncmp(name, wanted, (size_t)(colon - name)) == 0;
+            if (whole)
                 screen->variant[*view] = variant;
+            if (whole || bare)
                 return true;
-            }
             if (!colon)
                 break;
         }

@@ -29,7 +29,8 @@ bool figure_is_name(const char *file);
 /* Whether a file of that name can be written, by its ending .svg, .pdf or .png. Nothing is touched. */
 bool figure_allowed(const char *file, Status *);
 
-/* The view that a name stands for on this screen: "profile", or "profile:stress" for a variant. */
+/* The view that a name stands for on this screen: "profile:stress" chooses a variant, "profile" has the one
+ * that the screen shows. */
 bool figure_view(Screen *, const char *name, int *view, Status *);
 
 /* The names that figure_view() takes for this screen, one a line, each with what it shows. */

@@ -44,17 +44,11 @@ static void read_view(Laboratory *lab)
         screen->upper = number;
     if (sscanf(view->lower, "%d", &number) == 1 && !screen_view_missing(screen, number))
         screen->lower = number;
-    if (sscanf(view->window, "%lf", &value) == 1 && value > 0)
-        screen->window = value;
     if (sscanf(view->pace, "%lf", &value) == 1 && value > 0) {
         screen->pace = value;
         lab->pace_automatic = false;
     }
-    for (int i = 0; i < SHOW_COUNT; i++)
-        if (strcmp(view->references, reference_words[i]) == 0)
-            screen->references = (ReferencesShown)i;
-    if (screen_beam_variant(view->colour) >= 0)
-        screen->variant[8] = screen_beam_variant(view->colour);
+    screen_read_view(screen, view);
 }
 
 /* The first row that can be edited. */

@@ -23,6 +23,19 @@ void screen_default(Screen *screen)
     };
 }
 
+void screen_read_view(Screen *screen, const ViewSettings *view)
+{
+    double window;
+    if (sscanf(view->window, "%lf", &window) == 1 && window > 0)
+        screen->window = window;
+    for (int i = 0; i < SHOW_COUNT; i++)
+        if (strcmp(view->references, reference_words[i]) == 0)
+            screen->references = (ReferencesShown)i;
+    for (int i = 0; colour_words[i]; i++)
+        if (strcmp(view->colour, colour_words[i]) == 0)
+            screen->variant[8] = i;
+}
+
 /* --- views ---------------------------------------------------------------------------------------- */
 
 static int one_variant(const Screen *screen)

@@ -169,6 +169,9 @@ enum { HELP_PAGES = 3 }; /* keys, curves, what is solved */
 
 void screen_default(Screen *);
 
+/* Takes over window, references and colour of the beam as far as a scenario names them. */
+void screen_read_view(Screen *, const ViewSettings *);
+
 /* Draws everything. Below 40x12 a message. Never fails: what has no room is left out by a fixed order. */
 void screen_draw(const Screen *, Canvas *);
 
@@ -241,9 +244,6 @@ long screen_map_node(const Screen *, int width, int height, int x, int y);
 
 /* The factor by which the beam's map draws displacements; 0: it is not shown. */
 double screen_map_enlargement(const Screen *, int width, int height);
-
-/* The variant of the beam view that a word of view.colour names; -1: none. */
-int screen_beam_variant(const char *colour);
 
 /* The event of the log that is chosen, and the step to go to for it; -1: there is none. */
 int screen_log_chosen(const Screen *);

@@ -27,14 +27,6 @@ size_t screen_middle_particle(const Simulation *sim)
     return (size_t)(body.ny / 2) * (size_t)body.nx + (size_t)(body.nx / 2);
 }
 
-int screen_beam_variant(const char *colour)
-{
-    for (int i = 0; colour_words[i]; i++)
-        if (strcmp(colour, colour_words[i]) == 0)
-            return i;
-    return -1;
-}
-
 /* --- heading --------------------------------------------------------------------------------------- */
 
 /* Appends a part if the heading still has room for it. */

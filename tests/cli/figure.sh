@@ -86,6 +86,11 @@ done
 colours() { grep -o '<polygon fill="#[0-9a-f]*"' "$1" | sort -u | wc -l; }
 result "damage has many colours" test "$(colours crack.svg)" -gt 60
 
+expect "a beam in the colour of its scenario" 0 notched-beam-coarse --view beam --end 1e-5 --output own.svg
+result "which is damage" says own.svg '>damage: '
+expect "or in one that is named" 0 notched-beam-coarse --view beam:uy --end 1e-5 --output named.svg
+result "which is uy" sh -c '! grep -q ">damage: " named.svg && grep -q ">displacement across the beam" named.svg'
+
 # --- the other kinds ---
 if "$MATVIB" figure mode1 --end 1 --view profile --output p.pdf >out 2>err; then
 	result "a PDF" begins p.pdf 5 %PDF-
