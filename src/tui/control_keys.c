@@ -200,6 +200,8 @@ static void take_key(Laboratory *lab, const Key *key)
         laboratory_command(lab, command->id);
     else if (strlen(key->name) == 1 && key->name[0] >= '1' && key->name[0] <= '9')
         laboratory_command(lab, (CommandId)(COMMAND_VIEW_1 + (key->name[0] - '1'))); /* says why not */
+    else if (strlen(key->name) == 1)
+        say(lab, MESSAGE_INFO, "the key %s does nothing; ? tells what the others do", key->name);
 }
 
 void laboratory_key(Laboratory *lab, const Key *key)

@@ -68,6 +68,8 @@ void prompt_key(Laboratory *lab, const Key *key)
         refuse(lab, "y leaves, n stays"); /* neither is certain, and what follows should be no commands */
     } else if (strcmp(name, "Esc") == 0 || strcmp(name, "F10") == 0) {
         close_prompt(lab);
+    } else if (lab->answer == answer_line && prompt->problem[0] && strcmp(name, ":") == 0) {
+        fill_prompt(lab, ""); /* who saw the refusal as a message begins the next line */
     } else if (prompt->yes_no) {
         if (strcmp(name, "y") == 0 || strcmp(name, "Y") == 0 || strcmp(name, "Enter") == 0)
             submit(lab, "yes");
