@@ -3,6 +3,7 @@
 #include "view/panes.h"
 #include "lab/summary.h"
 #include "view/runs.h"
+#include "view/time_plot.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -36,24 +37,33 @@ static const char *hint_of(const Screen *screen)
     return "";
 }
 
+/* " (continuum)" behind the word "exact", and so on; beam theories have names of their own. */
+static const char *gloss_of(const char *label)
+{
+    return strcmp(label, "exact") == 0       ? " (continuum)"
+           : strcmp(label, "predicted") == 0 ? " (this mesh)"
+                                             : "";
+}
+
+/* "Solid: measured.  Dotted: exact (continuum)." as the plots over time draw them. */
 static void line_words(const Screen *screen, char *out, size_t size)
 {
+    static const char *const words[] = {
+        [LINE_SOLID] = "Solid", [LINE_DOTTED] = "Dotted", [LINE_DASHED] = "Dashed"};
     const bool ascii = screen->glyphs == GLYPHS_ASCII;
     int n;
     const Column *columns = experiment_columns(screen->experiment, &n);
-    bool predicted = false, exact = false;
-    for (int i = 0; i < n; i++) {
-        predicted |= columns[i].kind == COLUMN_PREDICTED;
-        exact |= columns[i].kind == COLUMN_EXACT;
-    }
     snprintf(out, size, "%s measured.", ascii ? "*" : "Solid:");
-    if (predicted && shows_predicted(screen))
-        append(out, size, "  %s predicted (this mesh).", ascii ? "-" : "Dashed:");
-    if (exact && shows_exact(screen))
-        append(out, size, "  %s",
-               !shows_bar(screen) ? "Broken lines: beam theory."
-               : ascii            ? ". exact (continuum)."
-                                  : "Dotted: exact (continuum).");
+    for (int i = 0; i < n; i++) {
+        const Legend legend = column_legend(columns, i);
+        if (columns[i].kind == COLUMN_MEASURED || columns[i].of < 0 || !shows_column(screen, &columns[i]) ||
+            strstr(out, legend.name))
+            continue;
+        if (ascii)
+            append(out, size, "  %c %s%s.", legend.letter, legend.name, gloss_of(legend.name));
+        else
+            append(out, size, "  %s: %s%s.", words[legend.line], legend.name, gloss_of(legend.name));
+    }
 }
 
 /* Cuts a text to the whole sentences that fit. Where they would leave a row empty it stays as it is: as much

@@ -144,3 +144,29 @@ const char *time_plot_name(const Screen *screen, const Axis *x, char *out, size_
     snprintf(out, size, scale[0] ? "t, %s" : "t", scale);
     return out;
 }
+
+Legend column_legend(const Column *columns, int column)
+{
+    const char *label = columns[column].quantity.label;
+    int exact_before = 0; /* of the same curve: beams have two theories */
+    for (int i = 0; i < column; i++)
+        exact_before += columns[i].kind == COLUMN_EXACT && columns[i].of == columns[column].of;
+    switch (columns[column].kind) {
+    case COLUMN_EXACT:
+        if (exact_before > 0)
+            return (Legend){LINE_DASHED, '-', STYLE_THIRD, label, NULL};
+        break;
+    case COLUMN_PREDICTED:
+        return (Legend){LINE_DASHED, '-', STYLE_PREDICTED, label, NULL};
+    case COLUMN_MEASURED:
+        return (Legend){LINE_SOLID, 'o', STYLE_SECOND, label, NULL};
+    }
+    return (Legend){LINE_DOTTED, '.', STYLE_EXACT, label, NULL};
+}
+
+bool shows_column(const Screen *screen, const Column *column)
+{
+    return column->kind == COLUMN_EXACT       ? shows_exact(screen)
+           : column->kind == COLUMN_PREDICTED ? shows_predicted(screen)
+                                              : true;
+}

@@ -26,8 +26,8 @@ size_t time_plot_stride(const Record *);
 /* The largest magnitude of a column in the whole record, so that the axis does not depend on the window. */
 double time_plot_reach(const Record *, int column);
 
-/* What the references among the columns will reach: asked for times to come, so that the axis is right from the
- * start. */
+/* What the references among the columns will reach: asked for times to come, so that the axis is right from
+ * the start. */
 void time_plot_reach_to_come(const Screen *, double reach[COLUMNS_MAX]);
 
 /* Marks with thin lines when bonds broke that were told of. */
@@ -38,5 +38,11 @@ void time_plot_now(const Screen *, Area inner, const Axis *x);
 
 /* "t" or "t, ms" for the end of the axis. */
 const char *time_plot_name(const Screen *, const Axis *x, char *out, size_t size);
+
+/* How the column of a record is drawn that answers another one: with which line, under which name. */
+Legend column_legend(const Column *columns, int column);
+
+/* Whether the reference curves that are shown are such as this one. */
+bool shows_column(const Screen *, const Column *);
 
 #endif

@@ -74,25 +74,6 @@ const char *screen_time_curve(const Screen *screen)
     return view == 3 ? "total" : column >= 0 ? columns[column].quantity.name : "";
 }
 
-/* How a column that answers another is drawn; false: it is not shown. */
-static bool legend_of(const Screen *screen, const Column *column, int exact_before, Legend *out)
-{
-    *out = (Legend){LINE_DOTTED, '.', STYLE_EXACT, column->quantity.label, NULL};
-    switch (column->kind) {
-    case COLUMN_EXACT:
-        if (exact_before > 0)
-            *out = (Legend){LINE_DASHED, '-', STYLE_THIRD, column->quantity.label, NULL};
-        return shows_exact(screen);
-    case COLUMN_PREDICTED:
-        *out = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, column->quantity.label, NULL};
-        return shows_predicted(screen);
-    case COLUMN_MEASURED:
-        *out = (Legend){LINE_SOLID, 'o', STYLE_SECOND, column->quantity.label, NULL};
-        return true;
-    }
-    return false;
-}
-
 static bool has_envelope(const Screen *screen, const char *name)
 {
     return shows_exact(screen) &&
@@ -136,15 +117,14 @@ static int add_lines(const Screen *screen, const Run *run, const char *name, Lin
     const bool doubled = shared && run->experiment != screen->experiment && screen->duel->same_exact;
     const int column = run_column(run, name), most = count + 1 + REFERENCES_MAX;
     Line *own = &lines[count++];
-    int exact = 0;
     *own = (Line){run, column, run_legend(run), run->rank, true};
     for (int i = 2; i < run->n_columns && count < most; i++) {
         const ColumnKind kind = run->columns[i].kind;
         Line line = {run, i, {0}, kind == COLUMN_EXACT ? RANK_EXACT : RANK_PREDICTED, false};
         if (run->columns[i].of != column)
             continue;
-        const bool shown = legend_of(screen, &run->columns[i], exact, &line.legend);
-        exact += kind == COLUMN_EXACT;
+        const bool shown = shows_column(screen, &run->columns[i]);
+        line.legend = column_legend(run->columns, i);
         if (kind == COLUMN_MEASURED) {
             line.rank = RANK_SECOND;
             own->rank = RANK_BAND; /* the raw one lies below */
