@@ -192,7 +192,10 @@ bool may_write(Laboratory *, const char *name);
 bool name_can_be(Laboratory *, const char *name);
 
 /* control_lesson.c */
-void read_progress(int reached[LESSONS_MAX]);
+
+/* Raises the pages that were reached to those of the file. False: it may hold more than could be read, or there
+ * is no home. */
+bool read_progress(int reached[LESSONS_MAX]);
 bool open_lesson(Laboratory *, const char *name, Status *);
 bool answer_lesson(Laboratory *, const char *text);
 void close_lesson(Laboratory *);

@@ -5,6 +5,7 @@
 #include "lab/output_file.h"
 #include "tui/state_file.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,26 +14,34 @@
 
 static const char *const progress_file = "lessons";
 
-void read_progress(int reached[LESSONS_MAX])
+bool read_progress(int reached[LESSONS_MAX])
 {
     char *path = state_file(progress_file, false), name[64];
     FILE *file = path ? fopen(path, "re") : NULL;
+    bool known = file || (path && errno == ENOENT);
     int page;
     while (file && fscanf(file, "%63s %d", name, &page) == 2)
         for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
-            if (strcmp(builtin_lessons[i].name, name) == 0 && page >= 0 && page <= LESSON_PAGES_MAX)
+            if (strcmp(builtin_lessons[i].name, name) == 0 && page > reached[i] && page <= LESSON_PAGES_MAX)
                 reached[i] = page;
-    if (file)
+    if (file) {
+        known = ferror(file) == 0;
         fclose(file);
+    }
     free(path);
+    return known;
 }
 
-/* That it cannot be kept does no harm. */
-static void write_progress(const int reached[LESSONS_MAX])
+/* Another laboratory may have come further meanwhile, or a recorded session not as far: nothing is taken
+ * back, and where it is not known how far one came nothing is written. That it cannot be kept does no harm.
+ */
+static void write_progress(const int shown[LESSONS_MAX])
 {
     Status ignored = {0};
     OutputFile file = {0};
-    char *path = state_file(progress_file, true);
+    int reached[LESSONS_MAX];
+    memcpy(reached, shown, sizeof reached);
+    char *path = read_progress(reached) ? state_file(progress_file, true) : NULL;
     if (path && output_open(&file, path, true, &ignored)) {
         for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
             if (reached[i] > 0)

@@ -66,4 +66,15 @@ result "its scenario is judged" grep -q 'wrong.session (scenario):[0-9]*: mesh.c
 result "a session has its own parameters" refused '--replay: a session has its own scenario and parameters' --replay mode5.session --set mesh.cell_size=2
 result "a folder that is not there is told at once" refused 'none/x.session: there is no folder none' mode1 --record none/x.session
 result "no last session as yet" refused "--last: no session has been kept ($scratch/state/matvib/last.session)" --last
+
+# a session knows how far one had come when it was recorded; what was reached since is not taken back
+mkdir -p state/matvib
+echo 'key . T' >lesson.script
+"$MATVIB" lesson late --script lesson.script --record early.session
+result "how far one came is kept" test "$(cat state/matvib/lessons)" = "late 1"
+printf 'late 5\ncrack 3\n' >state/matvib/lessons
+printf 'key T Enter\nwait 0.1\nkey T\n' >again.script
+"$MATVIB" --replay early.session --script again.script
+result "and never taken back" grep -q -x 'late 5' state/matvib/lessons
+result "of no lesson" grep -q -x 'crack 3' state/matvib/lessons
 echo "1..$number"
