@@ -128,13 +128,20 @@ static bool other_settings(const Options *options, const Settings *settings, Set
                        options->against);
 }
 
-/* The steps of the pictures; their number depends on the time step, so those of another run are others. */
-static bool plan(Frames *frames, const Screen *screen, const Settings *settings, Status *status)
+/* The steps of the pictures; their number depends on the time step, so those of another run are others. What
+ * shows the start needs no run. */
+static bool plan(Frames *frames, const Screen *screen, int view, const Settings *settings, Status *status)
 {
     const Experiment *experiment = screen->experiment;
     frames_free(frames);
-    return frames_plan(frames, settings, experiment_simulation(experiment)->dt,
-                       experiment_last_step(experiment), status);
+    if (!frames_plan(frames, settings, experiment_simulation(experiment)->dt,
+                     experiment_last_step(experiment), status))
+        return false;
+    if (screen_shows_start(screen, view)) {
+        frames->count = 1;
+        frames->steps[0] = 0;
+    }
+    return true;
 }
 
 static bool draw(const Options *options, const Settings *settings, Screen *screen, Progress *progress,
@@ -144,7 +151,8 @@ static bool draw(const Options *options, const Settings *settings, Screen *scree
     int view = 0;
     screen->state = STATE_RUNNING; /* nothing is chosen by hand */
     screen_read_view(screen, &settings->view);
-    bool sound = figure_view(screen, options->view, &view, status) && plan(&frames, screen, settings, status);
+    bool sound =
+        figure_view(screen, options->view, &view, status) && plan(&frames, screen, view, settings, status);
     if (sound && frames.count > FIGURE_PANELS_MAX)
         sound = status_fail(status, STATUS_USAGE, "a page has room for %d pictures, not %zu",
                             FIGURE_PANELS_MAX, frames.count);
@@ -152,7 +160,7 @@ static bool draw(const Options *options, const Settings *settings, Screen *scree
         sound = status_fail(status, STATUS_USAGE, "--against: is for one picture, not for several times");
     if (sound && options->against)
         sound = run_against(screen->experiment, settings, frames.steps[0], progress, status) &&
-                plan(&frames, screen, settings, status);
+                plan(&frames, screen, view, settings, status);
     if (sound) {
         if (!settings->view.window[0])
             screen->window =

@@ -14,7 +14,11 @@
 #define SMALL 250.0 /* a plot narrower than this has smaller marks */
 #define NEAR  0.05  /* share of the axis within which nodes share a sign */
 
-enum { SIGN_LOAD = 0x25bc, SIGN_ROLLER = 0x25cb }; /* as on the screen; else it is a support that holds */
+enum {
+    SIGN_LOAD = 0x25bc,
+    SIGN_ROLLER = 0x25cb,
+    SIGN_PROBE = 0x25cf
+}; /* as on the screen; else it is a support that holds */
 
 typedef struct Frame {
     Paper *paper;
@@ -276,13 +280,15 @@ static void draw_letter(const Frame *frame, const SketchMark *mark, double x, do
     frame->paper->kind->text(frame->paper, x + 3, y + 2.5, text, &type);
 }
 
-/* Supports hang below their place, loads stand above it. */
+/* A probe is a dot. Supports hang below their place, loads stand above it. */
 static void draw_sign(const Frame *frame, uint32_t glyph, double x, double y)
 {
     const double size = frame->box.width < SMALL ? 0.7 : 1;
     const double away = size * (glyph == SIGN_LOAD ? -6 : 6), half = 3.2 * size;
     const double corners[] = {x, y, x - half, y + away, x + half, y + away};
-    if (glyph == SIGN_ROLLER)
+    if (glyph == SIGN_PROBE)
+        frame->paper->kind->disc(frame->paper, x, y, 2.4 * size, ink_of(STYLE_MEASURED), NULL);
+    else if (glyph == SIGN_ROLLER)
         frame->paper->kind->disc(frame->paper, x, y + 2.8 * size, 2.6 * size, WHITE,
                                  &(Pencil){.colour = BLACK, .width = 0.9 * size});
     else
@@ -336,6 +342,24 @@ static void draw_marks(const Frame *frame)
     }
 }
 
+/* Of the usual size or, where a drawing had to shrink, as small as it takes: a row of it has the height 1. */
+static void draw_label(const Frame *frame, const SketchLabel *label)
+{
+    const double row = frame->box.height / range_of(&frame->sketch->plot.y);
+    const Type type = {.size = fmin(SIZE_WORDS, 0.8 * row),
+                       .colour = ink_of(label->style),
+                       .align = label->side < 0    ? ALIGN_RIGHT
+                                : label->side == 0 ? ALIGN_CENTRE
+                                                   : ALIGN_LEFT};
+    const double x = x_of(frame, label->x), y = y_of(frame, label->y);
+    if (label->on_line) {
+        const double half = words_width(label->text, &type) / 2 + 2, up = type.size / 2;
+        const double patch[] = {x - half, y - up, x + half, y - up, x + half, y + up, x - half, y + up};
+        frame->paper->kind->fill(frame->paper, patch, 4, WHITE);
+    }
+    draw_words(frame->paper, x, y + 0.36 * type.size, label->text, &type);
+}
+
 /* --- the whole --------------------------------------------------------------------------------------- */
 
 /* What stands around the box of the curves. */
@@ -346,22 +370,24 @@ typedef struct Margins {
 static Margins margins_of(const Sketch *sketch)
 {
     const double labels = widest_label(&sketch->plot.y, &(Type){.size = SIZE_TICKS});
+    if (sketch->bare)
+        return (Margins){0, 0, 0, 0};
     return (Margins){SIZE_WORDS + 5 + labels + GAP + TICK, 12, 4, TICK + SIZE_TICKS + 14};
 }
 
 double draw_plot_height(const Sketch *sketch, double width)
 {
-    if (!sketch->map)
+    if (sketch->stretch <= 0)
         return 0;
     const Margins margins = margins_of(sketch);
     const double scale = (width - margins.left - margins.right) / range_of(&sketch->plot.x);
-    return margins.above + scale * sketch->map->stretch * range_of(&sketch->plot.y) + margins.below;
+    return margins.above + scale * sketch->stretch * range_of(&sketch->plot.y) + margins.below;
 }
 
-/* A map keeps its scale: the box shrinks one way. */
+/* A map or drawing keeps its scale: the box shrinks one way. */
 static void fit(const Sketch *sketch, Box *box)
 {
-    const double x = range_of(&sketch->plot.x), y = sketch->map->stretch * range_of(&sketch->plot.y);
+    const double x = range_of(&sketch->plot.x), y = sketch->stretch * range_of(&sketch->plot.y);
     const double scale = fmin(box->width / x, box->height / y);
     box->width = scale * x;
     box->height = scale * y;
@@ -390,16 +416,20 @@ void draw_plot(Paper *paper, const Sketch *sketch, Box box)
                     box.height - margins.above - margins.below}};
     if (frame.box.width < 20 || frame.box.height < 10)
         return;
-    if (sketch->map) {
+    const bool of_body = sketch->stretch > 0; /* its marks are signs */
+    if (of_body)
         fit(sketch, &frame.box);
-        draw_body(&frame);
-    } else {
+    else
         draw_grid(&frame);
-    }
+    if (sketch->map)
+        draw_body(&frame);
     draw_strokes(&frame);
-    draw_axes(&frame, box.x);
-    if (!sketch->map)
+    if (!sketch->bare)
+        draw_axes(&frame, box.x);
+    if (!of_body)
         draw_marks(&frame);
-    for (size_t i = 0; sketch->map && i < sketch->n_marks;)
+    for (size_t i = 0; of_body && i < sketch->n_marks;)
         i = draw_signs(&frame, i);
+    for (int i = 0; i < sketch->n_labels; i++)
+        draw_label(&frame, &sketch->labels[i]);
 }

@@ -1,13 +1,17 @@
 /* The beam before it moves, as in the papers' figures of the problems: dimensions in mm, supports, channel,
- * notch, load, probe. */
+ * notch, load, probe. On paper it is laid out in the same columns and rows, a row twice as high as a column
+ * is wide, but for rounding. */
 #include "view/map.h"
+#include "view/sketch.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 enum { MARGIN_RIGHT = 11, DIMENSIONS_MAX = 4, LEAST_ROWS = 3 };
 
 #define WORTH_IT 0.6 /* of the width: a drawing to scale may lose so much, else its height is squeezed */
+#define APART    1.3 /* rows from one dimension to the next, on paper */
 
 /* A length between two places, with its row below the beam. */
 typedef struct Dimension {
@@ -20,20 +24,27 @@ struct Drawing {
     const Scenery *scenery;
     const Body *body;
     Area area;
-    double low, scale; /* column = 1 + (x - low) scale */
-    int top, bottom;   /* rows of the upper and lower edge */
+    double low, scale;  /* column = 1 + (x - low) scale */
+    double top, bottom; /* rows of the upper and lower edge */
     Dimension dimensions[DIMENSIONS_MAX];
     int n_dimensions, dimension_rows;
 };
 
-static int column_of(const Drawing *drawing, double x)
+static Sketch *paper_of(const Drawing *drawing)
 {
-    return 1 + (int)lround((x - drawing->low) * drawing->scale);
+    return drawing->area.canvas->sketch;
 }
 
-static int row_of(const Drawing *drawing, double share)
+static double column_of(const Drawing *drawing, double x)
 {
-    return drawing->bottom - (int)lround(share * (drawing->bottom - drawing->top));
+    const double column = 1 + (x - drawing->low) * drawing->scale;
+    return paper_of(drawing) ? column : round(column);
+}
+
+static double row_of(const Drawing *drawing, double share)
+{
+    const double up = share * (drawing->bottom - drawing->top);
+    return drawing->bottom - (paper_of(drawing) ? up : round(up));
 }
 
 static void add(Drawing *drawing, double from, double to, int row)
@@ -49,85 +60,200 @@ static void millimetres(double metres, char *out, size_t size)
     snprintf(out, size, " %s mm ", number);
 }
 
-static void draw_dimension(const Drawing *drawing, const Dimension *dimension, int y)
+/* --- on paper, or in cells --------------------------------------------------------------------------- */
+
+/* Through places on paper, in columns and rows; `kind` as in plot.h. */
+static void trace(const Drawing *drawing, StrokeKind kind, Style style, int count, const double (*places)[2])
 {
-    const int from = column_of(drawing, dimension->from), to = column_of(drawing, dimension->to);
+    Plot *plot = &paper_of(drawing)->plot;
+    plot_begin(plot, kind, LINE_SOLID, style, RANK_EXACT, '|');
+    for (int i = 0; i < count; i++)
+        plot_point(plot, places[i][0], -places[i][1]);
+}
+
+static void put(const Drawing *drawing, double x, double y, uint32_t glyph, Style style)
+{
+    if (paper_of(drawing))
+        sketch_mark(paper_of(drawing), x, -y, glyph, style);
+    else
+        area_put(drawing->area, (int)x, (int)y, glyph, style);
+}
+
+/* Words that begin (side 1), have their middle (0) or end (-1) at a place; those in the middle break a line.
+ * The spaces around them are for cells. */
+static void label(const Drawing *drawing, double x, double y, int side, const char *text, Style style)
+{
+    if (!paper_of(drawing)) {
+        const int columns = text_columns(text);
+        const int from = side > 0 ? (int)x : side < 0 ? (int)x - columns : ((int)(2 * x) + 1 - columns) / 2;
+        area_text(drawing->area, from, (int)y, text, style);
+        return;
+    }
+    SketchLabel out = {.x = x, .y = -y, .side = side, .on_line = side == 0, .style = style};
+    text += strspn(text, " ");
+    size_t length = strlen(text);
+    while (length > 0 && text[length - 1] == ' ')
+        length--;
+    snprintf(out.text, sizeof out.text, "%.*s", (int)length, text);
+    sketch_label(paper_of(drawing), &out);
+}
+
+/* "├────┤", or upright. */
+static void draw_span(const Drawing *drawing, double from, double to, double y)
+{
+    const double places[][2] = {{from, y - 0.25}, {from, y + 0.25}, {from, y},
+                                {to, y},          {to, y - 0.25},   {to, y + 0.25}};
+    if (paper_of(drawing))
+        trace(drawing, STROKE_LINE, STYLE_FAINT, 6, places);
+    else
+        for (double x = from; x <= to; x++)
+            put(drawing, x, y, x == from ? 0x251c : x == to ? 0x2524 : 0x2500, STYLE_FRAME);
+}
+
+static void draw_rise(const Drawing *drawing, double x, double top, double bottom)
+{
+    const double places[][2] = {{x - 0.5, top}, {x + 0.5, top},    {x, top},
+                                {x, bottom},    {x - 0.5, bottom}, {x + 0.5, bottom}};
+    if (paper_of(drawing))
+        trace(drawing, STROKE_LINE, STYLE_FAINT, 6, places);
+    else
+        for (double y = top; y <= bottom; y++)
+            put(drawing, x, y, y == top ? 0x252c : y == bottom ? 0x2534 : 0x2502, STYLE_FRAME);
+}
+
+static void draw_box(const Drawing *drawing, double left, double right, double top, double bottom)
+{
+    const double places[][2] = {{left, top}, {right, top}, {right, bottom}, {left, bottom}, {left, top}};
+    if (paper_of(drawing)) {
+        trace(drawing, STROKE_LINE, STYLE_NORMAL, 5, places);
+        return;
+    }
+    for (double x = left; x <= right; x++) {
+        put(drawing, x, top, x == left ? 0x250c : x == right ? 0x2510 : 0x2500, STYLE_NORMAL);
+        put(drawing, x, bottom, x == left ? 0x2514 : x == right ? 0x2518 : 0x2500, STYLE_NORMAL);
+    }
+    for (double y = top + 1; y < bottom; y++) {
+        put(drawing, left, y, 0x2502, STYLE_NORMAL);
+        put(drawing, right, y, 0x2502, STYLE_NORMAL);
+    }
+}
+
+/* A wall along an edge of the beam: above (side -1) or below it. */
+static void draw_wall(const Drawing *drawing, double from, double to, double edge, int side)
+{
+    const double near = edge + 0.15 * side, far = edge + 0.8 * side;
+    const double places[][2] = {{from, near}, {from, far}, {to, near}, {to, far}};
+    if (paper_of(drawing)) {
+        Plot *plot = &paper_of(drawing)->plot;
+        trace(drawing, STROKE_BAND, STYLE_FRAME, 4, places);
+        plot->strokes[plot->n_strokes - 1].fill = 2; /* no darker than the beam's outline */
+        return;
+    }
+    for (double x = from; x <= to; x++)
+        put(drawing, x, edge + side, side < 0 ? 0x2584 : 0x2580, STYLE_FRAME);
+}
+
+static void draw_notch(const Drawing *drawing, double x, double end)
+{
+    const double places[][2] = {{x, drawing->bottom}, {x, end}};
+    if (paper_of(drawing))
+        trace(drawing, STROKE_LINE, STYLE_HEADING, 2, places);
+    else
+        for (double y = end; y <= drawing->bottom; y++)
+            put(drawing, x, y, y == drawing->bottom ? 0x2534 : 0x2502, STYLE_HEADING);
+}
+
+/* A load that presses on a part of the upper edge. */
+static void draw_load(const Drawing *drawing, double from, double to)
+{
+    const double x = (from + to) / 2, y = drawing->top - 1;
+    const double across[][2] = {{from, y}, {to, y}}, shaft[][2] = {{x, y}, {x, drawing->top - 0.5}};
+    if (!paper_of(drawing)) {
+        for (double column = from; column <= to; column++)
+            put(drawing, column, y, 0x25bc, STYLE_HEADING);
+        return;
+    }
+    trace(drawing, STROKE_LINE, STYLE_HEADING, 2, across);
+    trace(drawing, STROKE_LINE, STYLE_HEADING, 2, shaft);
+    put(drawing, x, drawing->top, 0x25bc, STYLE_HEADING);
+}
+
+/* Below the beam; a sign on paper hangs from its place. */
+static void draw_support(const Drawing *drawing, double x, bool pinned)
+{
+    put(drawing, column_of(drawing, x), drawing->bottom + !paper_of(drawing), pinned ? 0x25b2 : 0x25cb,
+        STYLE_HEADING);
+}
+
+/* --- parts ------------------------------------------------------------------------------------------- */
+
+static void draw_dimension(const Drawing *drawing, const Dimension *dimension, double y)
+{
+    const double from = column_of(drawing, dimension->from), to = column_of(drawing, dimension->to);
     char text[NUMBER_TEXT_MAX + 8];
     millimetres(dimension->to - dimension->from, text, sizeof text);
-    for (int x = from; x <= to; x++)
-        area_put(drawing->area, x, y, x == from ? 0x251c : x == to ? 0x2524 : 0x2500, STYLE_FRAME);
-    const int columns = text_columns(text);
-    const int inside = to - from - 1 >= columns;
-    area_text(drawing->area, inside ? (from + to + 1 - columns) / 2 : to + 1, y, text, STYLE_NORMAL);
+    draw_span(drawing, from, to, y);
+    if (to - from - 1 >= text_columns(text))
+        label(drawing, (from + to) / 2, y, 0, text, STYLE_NORMAL);
+    else
+        label(drawing, to + 1, y, 1, text, STYLE_NORMAL);
 }
 
 static void draw_outline(const Drawing *drawing)
 {
-    const int left = column_of(drawing, drawing->body->low[0]);
-    const int right = column_of(drawing, drawing->body->low[0] + drawing->body->size[0]);
-    const int top = drawing->top, bottom = drawing->bottom;
-    for (int x = left; x <= right; x++) {
-        area_put(drawing->area, x, top, x == left ? 0x250c : x == right ? 0x2510 : 0x2500, STYLE_NORMAL);
-        area_put(drawing->area, x, bottom, x == left ? 0x2514 : x == right ? 0x2518 : 0x2500, STYLE_NORMAL);
-    }
-    for (int y = top + 1; y < bottom; y++) {
-        area_put(drawing->area, left, y, 0x2502, STYLE_NORMAL);
-        area_put(drawing->area, right, y, 0x2502, STYLE_NORMAL);
-    }
+    const double left = column_of(drawing, drawing->body->low[0]);
+    const double right = column_of(drawing, drawing->body->low[0] + drawing->body->size[0]);
     char text[NUMBER_TEXT_MAX + 8];
+    draw_box(drawing, left, right, drawing->top, drawing->bottom);
     millimetres(drawing->beam->height, text, sizeof text);
-    for (int y = top; y <= bottom; y++)
-        area_put(drawing->area, right + 2, y, y == top ? 0x252c : y == bottom ? 0x2534 : 0x2502, STYLE_FRAME);
-    area_text(drawing->area, right + 3, (top + bottom) / 2, text, STYLE_NORMAL);
+    draw_rise(drawing, right + 2, drawing->top, drawing->bottom);
+    label(drawing, right + 3, row_of(drawing, 0.5), 1, text, STYLE_NORMAL);
 }
 
 /* The body behind the clamp goes through a channel with walls. */
 static void draw_channel(const Drawing *drawing)
 {
-    const int from = column_of(drawing, -drawing->beam->channel), to = column_of(drawing, 0);
-    for (int x = from; x <= to; x++) {
-        area_put(drawing->area, x, drawing->top - 1, 0x2584, STYLE_FRAME);
-        area_put(drawing->area, x, drawing->bottom + 1, 0x2580, STYLE_FRAME);
-    }
+    const double from = column_of(drawing, -drawing->beam->channel), to = column_of(drawing, 0);
+    draw_wall(drawing, from, to, drawing->top, -1);
+    draw_wall(drawing, from, to, drawing->bottom, 1);
     char text[48], number[NUMBER_TEXT_MAX];
     text_rounded(number, drawing->beam->speed, 4);
     snprintf(text, sizeof text, "→ %s m/s", number);
-    area_text(drawing->area, from + 2, (drawing->top + drawing->bottom) / 2, text, STYLE_HEADING);
+    label(drawing, from + 2, row_of(drawing, 0.5), 1, text, STYLE_HEADING);
 }
 
 static void draw_notched(const Drawing *drawing)
 {
     const BeamDef *beam = drawing->beam;
-    const int notch = column_of(drawing, beam->notch_position);
-    const int end = row_of(drawing, beam->notch_depth / beam->height);
+    const double notch = column_of(drawing, beam->notch_position);
+    const double end = fmin(row_of(drawing, beam->notch_depth / beam->height),
+                            drawing->bottom - !paper_of(drawing)); /* seen in any case */
     char text[96], number[NUMBER_TEXT_MAX], width[NUMBER_TEXT_MAX];
-    for (int y = end < drawing->bottom ? end : drawing->bottom - 1; y <= drawing->bottom; y++)
-        area_put(drawing->area, notch, y, y == drawing->bottom ? 0x2534 : 0x2502, STYLE_HEADING);
+    draw_notch(drawing, notch, end);
     millimetres(beam->notch_depth, text, sizeof text);
-    area_text(drawing->area, notch + 1, end < drawing->bottom - 1 ? end : drawing->bottom - 1, text,
-              STYLE_NORMAL);
-    const double load[2] = {beam->load_position - beam->load_width / 2,
-                            beam->load_position + beam->load_width / 2};
-    for (int x = column_of(drawing, load[0]); x <= column_of(drawing, load[1]); x++)
-        area_put(drawing->area, x, drawing->top - 1, 0x25bc, STYLE_HEADING);
+    label(drawing, notch + 1, fmin(end, drawing->bottom - 1), 1, text, STYLE_NORMAL);
+    const double from = column_of(drawing, beam->load_position - beam->load_width / 2);
+    const double to = column_of(drawing, beam->load_position + beam->load_width / 2);
+    draw_load(drawing, from, to);
     text_rounded(number, 1e-6 * beam->load_stress, 4);
     text_rounded(width, 1e3 * beam->load_width, 4);
     snprintf(text, sizeof text, "%s MPa on %s mm", number, width);
-    area_text(drawing->area, column_of(drawing, load[1]) + 2, drawing->top - 1, text, STYLE_NORMAL);
-    area_put(drawing->area, column_of(drawing, beam->support_left), drawing->bottom + 1,
-             beam->pinned ? 0x25b2 : 0x25cb, STYLE_HEADING);
-    area_put(drawing->area, column_of(drawing, beam->support_right), drawing->bottom + 1, 0x25cb,
-             STYLE_HEADING);
+    label(drawing, to + 2, drawing->top - 1, 1, text, STYLE_NORMAL);
+    draw_support(drawing, beam->support_left, beam->pinned);
+    draw_support(drawing, beam->support_right, false);
 }
 
 static void draw_probe(const Drawing *drawing)
 {
     const Body *body = drawing->body;
     const double *probe = drawing->scenery->probe;
-    const int column = column_of(drawing, body->low[0] + probe[0] * body->size[0]);
-    const int row = row_of(drawing, probe[1]);
-    area_put(drawing->area, column, row, 0x25cf, STYLE_MEASURED);
-    area_text(drawing->area, probe[1] >= 1 ? column + 1 : column - 6, row, "probe", STYLE_MEASURED);
+    const double column = column_of(drawing, body->low[0] + probe[0] * body->size[0]);
+    const double row = row_of(drawing, probe[1]);
+    const bool above = probe[1] >= 1;
+    put(drawing, column, row, 0x25cf, STYLE_MEASURED);
+    /* a line of cells makes room for words, one on paper does not */
+    label(drawing, above ? column + 1 : column - 1, row + (above && paper_of(drawing)), above ? 1 : -1,
+          "probe", STYLE_MEASURED);
 }
 
 /* "E 71 GPa  density 2700  thickness 5 mm  u(0) 3 µm" */
@@ -150,9 +276,9 @@ static void draw_words(const Drawing *drawing, int y)
 static void draw_supports(const Drawing *drawing)
 {
     const Body *body = drawing->body;
-    const int row = row_of(drawing, 0.5);
-    area_put(drawing->area, column_of(drawing, body->low[0]), row, 0x25b2, STYLE_HEADING);
-    area_put(drawing->area, column_of(drawing, body->low[0] + body->size[0]), row, 0x25cb, STYLE_HEADING);
+    const double row = row_of(drawing, 0.5);
+    put(drawing, column_of(drawing, body->low[0]), row, 0x25b2, STYLE_HEADING);
+    put(drawing, column_of(drawing, body->low[0] + body->size[0]), row, 0x25cb, STYLE_HEADING);
 }
 
 /* --- what the problems add ---------------------------------------------------------------------------- */
@@ -198,6 +324,49 @@ const Scenery map_scenery[PROBLEM_COUNT] = {
 
 /* --- the whole ---------------------------------------------------------------------------------------- */
 
+static void draw_all(const Drawing *drawing, double apart)
+{
+    draw_outline(drawing);
+    drawing->scenery->parts(drawing);
+    draw_probe(drawing);
+    for (int i = 0; i < drawing->n_dimensions; i++)
+        draw_dimension(drawing, &drawing->dimensions[i],
+                       drawing->bottom + 1 + drawing->scenery->around + apart * drawing->dimensions[i].row);
+}
+
+/* "to scale", or by how much the height is not. */
+static void scale_words(double stretch, bool to_scale, const char *times, char *out, size_t size)
+{
+    char number[NUMBER_TEXT_MAX];
+    text_rounded(number, stretch, 2);
+    if (to_scale)
+        snprintf(out, size, "to scale");
+    else
+        snprintf(out, size, "height %s %s", times, number);
+}
+
+/* The page has as much height as the drawing takes. */
+static void draw_on_paper(Drawing *drawing, const Screen *screen)
+{
+    Sketch *sketch = paper_of(drawing);
+    const int columns = drawing->area.rect.width;
+    const double rise = drawing->body->size[1] * drawing->scale / 2;
+    char words[64];
+    drawing->top = drawing->scenery->around + 0.5;
+    drawing->bottom = drawing->top + fmax(rise, LEAST_ROWS - 1);
+    const double end =
+        drawing->bottom + 1 + drawing->scenery->around + APART * (drawing->dimension_rows - 1) + 0.5;
+    const Axis x = axis_make(0, columns, 2), y = axis_make(-end, 0, 2);
+    sketch_axes(sketch, &x, &y, "");
+    sketch->bare = true;
+    sketch->stretch = 2; /* rows, columns */
+    time_text(screen, 0, sketch->time, sizeof sketch->time);
+    draw_all(drawing, APART);
+    scale_words((drawing->bottom - drawing->top) / rise, rise >= LEAST_ROWS - 1, "×", words, sizeof words);
+    area_text(drawing->area, 0, 0, words, STYLE_NORMAL);
+    draw_words(drawing, 0);
+}
+
 void map_drawing(const Screen *screen, Area area, Style heading)
 {
     Body body;
@@ -209,6 +378,11 @@ void map_drawing(const Screen *screen, Area area, Style heading)
         .beam = &settings->beam, .scenery = scenery, .body = &body, .area = area, .low = body.low[0]};
     const int columns = area.rect.width - 2 - MARGIN_RIGHT;
     scenery->dimensions(&drawing);
+    drawing.scale = columns / body.size[0];
+    if (area.canvas->sketch && columns >= 20) {
+        draw_on_paper(&drawing, screen);
+        return;
+    }
     const int around = scenery->around;
     int room = area.rect.height - 1 - 2 * around;
     while (drawing.dimension_rows > 1 && drawing.dimension_rows + LEAST_ROWS > room - 1) {
@@ -219,29 +393,24 @@ void map_drawing(const Screen *screen, Area area, Style heading)
     const int rows = room - drawing.dimension_rows - words;
     if (columns < 20 || rows < LEAST_ROWS) {
         area_rule(area, 0, "drawing", heading);
-        area_text(area, 1, 1, "z gives the drawing the room that it needs", STYLE_FAINT);
+        area_text(area, 1, 1,
+                  area.canvas->sketch ? "it needs a wider page"
+                                      : "z gives the drawing the room that it needs",
+                  STYLE_FAINT);
         return;
     }
-    drawing.scale = columns / body.size[0];
     const double wanted = body.size[1] * drawing.scale / 2;
     if (wanted > rows - 1 && wanted * WORTH_IT < rows - 1)
         drawing.scale *= (rows - 1) / wanted;
     const double rise = fmin(fmax(round(body.size[1] * drawing.scale / 2), LEAST_ROWS - 1), rows - 1);
     drawing.top = 1 + around;
-    drawing.bottom = drawing.top + (int)rise;
+    drawing.bottom = drawing.top + rise;
     const double stretch = rise / (body.size[1] * drawing.scale / 2);
-    char title[96], number[NUMBER_TEXT_MAX];
-    text_rounded(number, stretch, 2);
-    const bool to_scale = fabs(log(stretch)) < 0.2;
-    snprintf(title, sizeof title, "the beam at t = 0  %s%s", to_scale ? "to scale" : "height x ",
-             to_scale ? "" : number);
+    char title[96], scale[64];
+    scale_words(stretch, fabs(log(stretch)) < 0.2, "x", scale, sizeof scale);
+    snprintf(title, sizeof title, "the beam at t = 0  %s", scale);
     area_rule(area, 0, title, heading);
-    draw_outline(&drawing);
-    scenery->parts(&drawing);
-    draw_probe(&drawing);
-    for (int i = 0; i < drawing.n_dimensions; i++)
-        draw_dimension(&drawing, &drawing.dimensions[i],
-                       drawing.bottom + 1 + around + drawing.dimensions[i].row);
+    draw_all(&drawing, 1);
     if (words)
         draw_words(&drawing, area.rect.height - 1);
 }

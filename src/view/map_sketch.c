@@ -61,7 +61,6 @@ static void take_nodes(const Map *map, SketchMap *out)
         out->value[node] = hides && map->damage[node] > CRACK_DAMAGE ? NAN : map->value[node];
     }
     out->size = map->body.spacing / MILLI;
-    out->stretch = map->stretch;
     out->enlarged = map->enlarged;
     out->low = map->low;
     out->high = map->high;
@@ -109,6 +108,7 @@ void map_sketch(Map *map)
     SketchMap *out = sketch_map(sketch, map->body.nx, map->body.ny);
     if (!out)
         return;
+    sketch->stretch = map->stretch;
     take_nodes(map, out);
     take_axes(map, sketch);
     map_draw_lines(map);

@@ -183,6 +183,9 @@ const char *screen_variant_word(const Screen *, int view, int variant);
 /* Whether the view's present variant can be drawn on paper. */
 bool screen_makes_figure(const Screen *, int view);
 
+/* Whether it shows the start of the run whatever the time: the drawing of a beam. */
+bool screen_shows_start(const Screen *, int view);
+
 /* What a view shows at present as strokes and words in place of cells, for a picture as large as so many
  * columns and rows of text. */
 void screen_sketch(const Screen *, int view, int columns, int rows, Sketch *);

@@ -74,6 +74,12 @@ void sketch_rule(Sketch *sketch, double x, Style style)
     sketch_mark(sketch, x, sketch->plot.y.low, SKETCH_RULE, style);
 }
 
+void sketch_label(Sketch *sketch, const SketchLabel *label)
+{
+    if (sketch->n_labels < SKETCH_LABELS_MAX)
+        sketch->labels[sketch->n_labels++] = *label;
+}
+
 void sketch_key(Sketch *sketch, const SketchKey *key)
 {
     if (sketch->n_keys < SKETCH_KEYS_MAX)

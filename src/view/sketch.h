@@ -8,7 +8,7 @@
 
 #include "view/plot.h"
 
-enum { SKETCH_KEYS_MAX = 16, SKETCH_NOTES_MAX = 8, SKETCH_TEXT_MAX = 256 };
+enum { SKETCH_KEYS_MAX = 16, SKETCH_NOTES_MAX = 8, SKETCH_LABELS_MAX = 16, SKETCH_TEXT_MAX = 256 };
 
 /* An entry of the legend. */
 typedef struct SketchKey {
@@ -40,11 +40,19 @@ typedef struct SketchMap {
     double *x, *y, *value; /* value NAN: not drawn */
     double size;           /* of a piece, both ways */
     double enlarged;       /* the factor of the displacements */
-    double stretch;        /* a length upwards is drawn so many times as long as one across */
     double low, high;      /* range of the colours */
     bool is_signed;        /* zero is in the middle */
     char unit[16];         /* SI; "" for a number */
 } SketchMap;
+
+/* Words at a place of the plot, centred on its height, no higher than 1 in its coordinates. */
+typedef struct SketchLabel {
+    double x, y;
+    int side;     /* of the place on which they stand: -1 left, 0 both, 1 right */
+    bool on_line; /* which is broken for them */
+    Style style;
+    char text[64];
+} SketchLabel;
 
 typedef struct Sketch {
     char time[48];                 /* "t 12.34" */
@@ -52,10 +60,14 @@ typedef struct Sketch {
     char heading[SKETCH_TEXT_MAX]; /* what is drawn: the name of the vertical axis where there are axes */
     char x_name[SKETCH_TEXT_MAX];
     bool has_axes;  /* if not, the view had nothing to draw and the notes say why */
+    bool bare;      /* the axes only say where things are: a drawing, with labels */
+    double stretch; /* a length upwards is drawn so many times as long as one across; 0: as there is room */
     Plot plot;      /* its axes, and the strokes of all that was plotted */
     SketchMap *map; /* NULL: it is a plot */
     SketchMark *marks;
     size_t n_marks, marks_room;
+    SketchLabel labels[SKETCH_LABELS_MAX];
+    int n_labels;
     SketchKey keys[SKETCH_KEYS_MAX];
     int n_keys;
     SketchNote notes[SKETCH_NOTES_MAX];
@@ -75,6 +87,7 @@ SketchMap *sketch_map(Sketch *, int nx, int ny);
 
 void sketch_mark(Sketch *, double x, double y, uint32_t glyph, Style);
 void sketch_rule(Sketch *, double x, Style); /* a vertical line across the plot */
+void sketch_label(Sketch *, const SketchLabel *);
 void sketch_key(Sketch *, const SketchKey *);
 void sketch_note(Sketch *, const char *text, bool faint);
 

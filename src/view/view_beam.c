@@ -14,9 +14,13 @@ int view_beam_variants(const Screen *screen)
 
 const char *view_beam_word(const Screen *screen, int variant)
 {
-    const bool coloured =
-        experiment_simulation(screen->experiment)->dimensions == 2 && variant < MAP_COLOURINGS;
-    return coloured ? colour_words[variant] : NULL;
+    return experiment_simulation(screen->experiment)->dimensions == 2 ? colour_words[variant] : NULL;
+}
+
+bool screen_shows_start(const Screen *screen, int view)
+{
+    const bool is_map = view == 8 && experiment_simulation(screen->experiment)->dimensions == 2;
+    return is_map && screen->variant[view] % MAP_VARIANTS == MAP_DRAWING;
 }
 
 size_t screen_middle_particle(const Simulation *sim)
@@ -181,7 +185,7 @@ void view_beam(const Screen *screen, Area area, Style heading, int variant)
         pane_mesh(screen, area);
         return;
     }
-    if (variant == MAP_DRAWING && !area.canvas->sketch) { /* letters and boxes: not for paper */
+    if (variant == MAP_DRAWING) {
         map_drawing(screen, area, heading);
         return;
     }

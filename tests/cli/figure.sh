@@ -91,6 +91,16 @@ result "which is damage" says own.svg '>damage: '
 expect "or in one that is named" 0 notched-beam-coarse --view beam:uy --end 1e-5 --output named.svg
 result "which is uy" sh -c '! grep -q ">damage: " named.svg && grep -q ">displacement across the beam" named.svg'
 
+# the drawing is of the start, so the long run of the fine lattice is not made
+expect "a beam with its dimensions" 0 notched-beam --view beam:drawing --output drawing.svg
+for label in "210 mm" "65 mm" probe "60 MPa on 3 mm" "to scale" "t = 0 ms"; do
+	result "with $label" has_word drawing.svg "$label"
+done
+result "and no axes" sh -c '! grep -q ">x, mm<" drawing.svg'
+sed 's/^colour = .*/colour = drawing/' "$MATVIB_SRCDIR/data/scenarios/notched-beam.ini" >drawn.ini
+expect "that of a scenario" 0 drawn.ini --view beam --output drawn.svg
+result "is the same" cmp -s drawing.svg drawn.svg
+
 # --- the other kinds ---
 if "$MATVIB" figure mode1 --end 1 --view profile --output p.pdf >out 2>err; then
 	result "a PDF" begins p.pdf 5 %PDF-

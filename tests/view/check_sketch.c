@@ -148,6 +148,34 @@ START_TEST(map_is_the_nodes)
 }
 END_TEST
 
+/* The paper's figure of the notched beam: 210 by 70 mm to scale, the notch at 65 mm and a quarter of the
+ * height, the same at any time. */
+START_TEST(drawing_is_to_scale)
+{
+    Drawing drawing;
+    open_drawing(&drawing, "notched-beam-coarse 80x24 3 variant 7", 8, 0);
+    const Sketch *sketch = &drawing.sketch;
+    ck_assert(sketch->has_axes && sketch->bare);
+    ck_assert_str_eq(sketch->time, "t 0.0000 ms");
+    const double *box = sketch->plot.points; /* its first corners: upper left, upper right, lower right */
+    const double length = box[2] - box[0], height = box[3] - box[5];
+    ck_assert_double_eq_tol(length / (sketch->stretch * height), 3, 1e-9);
+    const Stroke *notch = stroke_of(sketch, STYLE_HEADING);
+    ck_assert_ptr_nonnull(notch);
+    const double *ends = sketch->plot.points + 2 * notch->first;
+    ck_assert_double_eq_tol((ends[0] - box[0]) / length, 65 / 210.0, 1e-9);
+    ck_assert_double_eq_tol((ends[3] - ends[1]) / height, 0.25, 1e-9);
+    static const char *const lengths[] = {"70 mm", "17.5 mm", "65 mm", "105 mm", "200 mm", "210 mm"};
+    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++) {
+        int found = 0;
+        for (int k = 0; k < sketch->n_labels; k++)
+            found += strcmp(sketch->labels[k].text, lengths[i]) == 0;
+        ck_assert_msg(found == 1, "%s", lengths[i]);
+    }
+    close_drawing(&drawing);
+}
+END_TEST
+
 START_TEST(view_without_a_picture_says_why)
 {
     Drawing drawing;
@@ -168,6 +196,7 @@ void add_cases(Suite *suite)
     tcase_add_test(cases, particles_are_marks_in_coordinates);
     tcase_add_test(cases, earlier_run_has_its_letter_and_its_words);
     tcase_add_test(cases, map_is_the_nodes);
+    tcase_add_test(cases, drawing_is_to_scale);
     tcase_add_test(cases, view_without_a_picture_says_why);
     suite_add_tcase(suite, cases);
 }
