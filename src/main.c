@@ -105,19 +105,35 @@ static int run(int count, char **arguments, Status *status)
     return command->run(count - 1, arguments + 1, status);
 }
 
+/* Of a write that failed a while ago stdio knows that it failed but no longer why; who tries once more is
+ * told. What stands there is broken already. */
+static const char *why_not_written(void)
+{
+    return write(STDOUT_FILENO, "\n", 1) < 0 ? strerror(errno) : "not all of it was written";
+}
+
+/* Whether all of standard output has arrived; if not, the status says why. */
+static bool close_output(Status *status)
+{
+    const bool lost = ferror(stdout) != 0;
+    const char *why = fflush(stdout) != 0 ? strerror(errno) : lost ? why_not_written() : NULL;
+    if (fclose(stdout) != 0 && !why)
+        why = strerror(errno);
+    return !why || status_fail(status, STATUS_FAILED, "standard output: %s", why);
+}
+
 int main(int count, char **arguments)
 {
-    Status status = {0};
+    Status status = {0}, output = {0};
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a failed write, said in one line */
     signal(SIGXFSZ, SIG_IGN); /* so is a file that grows beyond ulimit -f */
     int result = run(count - 1, arguments + 1, &status);
-    if (result != STATUS_DONE && *status.text)
-        fprintf(stderr, "matvib: %s\n", status.text);
-    errno = 0;
-    bool lost = ferror(stdout) != 0;
-    if ((fclose(stdout) != 0 || lost) && result == STATUS_DONE) {
-        fprintf(stderr, "matvib: standard output: %s\n", strerror(errno ? errno : EIO));
+    const bool complete = close_output(&output);
+    if (!complete && result == STATUS_DONE) {
+        status = output;
         result = STATUS_FAILED;
     }
+    if (result != STATUS_DONE && *status.text)
+        fprintf(stderr, "matvib: %s\n", status.text);
     return result;
 }

@@ -50,7 +50,8 @@ typedef struct Verify {
     struct CrackStory *crack;
 } Verify;
 
-/* The last line, and the exit status: 1, with a status that says so, if anything was missed. */
+/* The last line, and the exit status: 1, with a status that says so, if anything was missed. 0 where nothing
+ * can be written any more, which who closes the stream tells. */
 int verify_end(Verify *verify, Status *status);
 
 /* The head of a table of rows; `quantity` (may be NULL) is what all its numbers are. */

@@ -121,12 +121,24 @@ printf '[scenario]\nproblem = bar\n' >show
 "$MATVIB" show ./show >out 2>err
 result "a file that is named like a command" says out '^problem = bar$'
 
-if test -w /dev/full; then
-	"$MATVIB" list 2>err >/dev/full
+printf 'key .\nscreen\nkey .\nscreen\nkey .\nscreen\n' >screens
+full() { # ARGUMENTS...: whose output, of a few bytes or of many, finds the disk full
+	"$MATVIB" "$@" 2>err >/dev/full
 	got=$?
 	: >out
-	result "a full disk: status 1" test "$got" -eq 1
-	result "a full disk: one line" test "$(cat err)" = 'matvib: standard output: No space left on device'
+	result "a full disk, $*: status 1" test "$got" -eq 1
+	result "a full disk, $*: one line" test "$(wc -l <err) $(grep -c '^matvib: .*: No space left on device$' err)" = '1 1'
+}
+if test -w /dev/full; then
+	full --version
+	full --help
+	full list
+	full lesson --list
+	full params
+	full show notched-beam
+	full run mode1 --steps 400 --series - --quiet
+	full verify M-dt
+	full mode1 --paused --script screens
 fi
 {
 	"$MATVIB" params 2>err
