@@ -5,6 +5,7 @@
 #include "lab/parameters.h"
 #include "lab/summary.h"
 
+#include <errno.h>
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
@@ -122,9 +123,11 @@ static double invariant_of(const Export *export)
     return invariant_exists(&then) ? invariant_now(export->sim, &then) : NAN;
 }
 
-static void sum_up(const Export *export, RunSummary *summary)
+/* What cannot be worked out stays away from a summary; for want of memory it must not. */
+static bool sum_up(const Export *export, RunSummary *summary, Status *status)
 {
     const Record *record = &export->record;
+    errno = 0;
     size_t rows = record->count - (record->loose_last && record->count > 0 ? 1 : 0);
     summary->steps = export->sim->step;
     summary->dt = export->sim->dt;
@@ -138,6 +141,7 @@ static void sum_up(const Export *export, RunSummary *summary)
     if (!export->adopted)
         summary->n_derived = problem_derived(export->settings, export->sim, summary->derived);
     summary->crack_known = crack_facts(export->sim, &summary->crack);
+    return errno != ENOMEM || status_fail(status, STATUS_FAILED, "not enough memory to sum the run up");
 }
 
 static bool prepare(Export *export, int threads, Status *status)
@@ -173,7 +177,10 @@ static bool start(Export *export, Status *status)
     simulation_row(export->sim, export->block);
     if (!take_row(export, export->block, 0, status))
         return false;
+    errno = 0;
     export->invariant = invariant_of(export);
+    if (errno == ENOMEM)
+        return status_fail(status, STATUS_FAILED, "not enough memory for the energy at the start");
     return changes_apply(export->settings, export->sim, status) &&
            export_write_due_frame(export, false, status);
 }
@@ -219,10 +226,10 @@ static bool run_and_write(Export *export, int threads, RunProgress progress, voi
     if (!status)
         status = &why;
     *summary = (RunSummary){0};
-    bool written = prepare(export, threads, status) && run(export, progress, context, summary, status) &&
-                   export_finish_files(export, status) && export_commit_files(export, status);
-    if (written)
-        sum_up(export, summary);
+    const bool written = prepare(export, threads, status) &&
+                         run(export, progress, context, summary, status) &&
+                         export_finish_files(export, status) && export_commit_files(export, status) &&
+                         sum_up(export, summary, status);
     close_all(export);
     if (written && summary->failed)
         *status = summary->failure;
