@@ -72,17 +72,21 @@ static bool take_stretches(const Simulation *sim, double s0, Stretches *all)
     return true;
 }
 
-/* How many nodes lie over each column of dots, as a logarithm: one alone is seen beside thousands. */
-static void add_counts(Plot *plot, const Stretches *all, int dots)
+/* Counts the nodes over each column of dots; returns how many the fullest has. */
+static int count_nodes(const Axis *x, const Stretches *all, int *bins, int dots)
 {
-    int *bins = calloc((size_t)dots, sizeof *bins), most = 0;
-    if (!bins)
-        return;
+    int most = 0;
     for (size_t i = 0; i < all->count; i++) {
-        const int bin = axis_column(&plot->x, all->values[i], dots);
+        const int bin = axis_column(x, all->values[i], dots);
         if (bin >= 0 && ++bins[bin] > most)
             most = bins[bin];
     }
+    return most;
+}
+
+/* The counts as logarithms: one alone is seen beside thousands. */
+static void add_counts(Plot *plot, const int *bins, int dots, int most)
+{
     const double floor_y = plot->y.low, room = (plot->y.high - plot->y.low) / 2;
     plot_begin(plot, STROKE_BAND, LINE_SOLID, STYLE_SECOND, RANK_BAND, '+');
     plot->strokes[plot->n_strokes - 1].fill = 1;
@@ -91,10 +95,10 @@ static void add_counts(Plot *plot, const Stretches *all, int dots)
         plot_point(plot, x, floor_y);
         plot_point(plot, x, floor_y + room * log1p(bins[i]) / log1p(most));
     }
-    free(bins);
 }
 
-static void law_lines(const Screen *screen, const Stretches *all, double s0, char first[160],
+/* `most`: the count at the end of the scale; 0: it is told elsewhere. */
+static void law_lines(const Screen *screen, const Stretches *all, double s0, int most, char first[160],
                       char second[160])
 {
     char number[NUMBER_TEXT_MAX], limit[NUMBER_TEXT_MAX];
@@ -113,8 +117,29 @@ static void law_lines(const Screen *screen, const Stretches *all, double s0, cha
         if (all->most > s0)
             append(second, 160, "  protected bonds reach %.0f %%", 100 * all->most / s0);
     } else {
-        snprintf(second, 160, s0 == 0 ? "s0 is 0: bonds never break here" : "the bonds of a bar never break");
+        snprintf(second, 160, s0 == 0 ? "s0 = 0: bonds never break" : "a bar's bonds never break");
     }
+    if (most > 0)
+        append(second, 160, "  nodes: log scale to %d", most);
+}
+
+/* On paper the legend names the dot and the scale of the counts; on the screen the lines below do. */
+static void draw_law_heading(const Screen *screen, Area area, Style heading, const char *scale, bool breaks,
+                             int most)
+{
+    static const char *const band[GLYPHS_NONE + 1] = {"⢕⢕", "▒▒", "++"};
+    const bool paper = area.canvas->sketch;
+    char nodes[64] = "nodes";
+    if (paper)
+        append(nodes, sizeof nodes, " by their largest s, log scale to %d", most);
+    Legend legend[4] = {{LINE_SOLID, '*', STYLE_MEASURED, "f = c s", NULL}};
+    int n = 1;
+    if (breaks)
+        legend[n++] = (Legend){LINE_DASHED, '-', STYLE_EXACT, "s0", NULL};
+    legend[n++] = (Legend){LINE_SOLID, '+', STYLE_SECOND, nodes, band[area.glyphs]};
+    if (paper)
+        legend[n++] = (Legend){LINE_SOLID, 'O', STYLE_CHANGED, "largest s of all", NULL};
+    draw_heading(area, heading, shows_bar(screen) ? "force of a bond" : "force, N/m^6", scale, legend, n);
 }
 
 void view_bond_law(const Screen *screen, Area area, Style heading)
@@ -133,27 +158,26 @@ void view_bond_law(const Screen *screen, Area area, Style heading)
     /* the law breaks off at s0: it stands at three quarters, unless a protected bond goes further */
     double reach = fmax(fmax(all.most, -all.least), s0 > 0 ? s0 : 0);
     reach = reach > 0 ? axis_round_up(1.15 * reach) : 1e-6;
-    Axis x = axis_make(-reach / 4, reach, area.rect.width / 11);
+    Axis x = axis_make(-reach / 4, reach, area.rect.width / 8);
     Axis y = axis_make(-stiffness * reach / 4, stiffness * reach, plot_area.rect.height < 8 ? 3 : 5);
-    static const char *const band[GLYPHS_NONE + 1] = {"⢕⢕", "▒▒", "++"};
-    const Legend legend[] = {{LINE_SOLID, '*', STYLE_MEASURED, "f = c s", NULL},
-                             {LINE_DASHED, '-', STYLE_EXACT, "s0", NULL},
-                             {LINE_SOLID, '+', STYLE_SECOND, "nodes", band[area.glyphs]}};
-    const Legend unbroken[] = {legend[0], legend[2]};
     char scale[TICK_TEXT_MAX], x_scale[TICK_TEXT_MAX], name[TICK_TEXT_MAX + 8];
     axis_scale_text(&y, "", scale);
     axis_scale_text(&x, "", x_scale);
     snprintf(name, sizeof name, x_scale[0] ? "s, %s" : "s", x_scale);
-    draw_heading(area, heading, shows_bar(screen) ? "force of a bond" : "force, N/m^6", scale,
-                 s0 > 0 ? legend : unbroken, s0 > 0 ? 3 : 2);
     Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
+
+    /* on paper too a bin has enough nodes to be counted */
+    const bool paper = area.canvas->sketch;
+    const int dots = inner.rect.width * (paper ? 1 : plot_dots_across(area.glyphs));
+    int *bins = dots > 0 ? calloc((size_t)dots, sizeof *bins) : NULL;
+    const int most = bins ? count_nodes(&x, &all, bins, dots) : 0;
+    draw_law_heading(screen, area, heading, scale, s0 > 0, most);
 
     Plot plot;
     plot_open(&plot, x, y);
-    /* on paper too a bin has enough nodes to be counted */
-    const int dots = inner.rect.width * (area.canvas->sketch ? 1 : plot_dots_across(area.glyphs));
-    if (dots > 0)
-        add_counts(&plot, &all, dots);
+    if (most > 0)
+        add_counts(&plot, bins, dots, most);
+    free(bins);
     const double end = s0 > 0 ? s0 : x.high;
     plot_begin(&plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
     plot_point(&plot, x.low, stiffness * x.low);
@@ -171,8 +195,12 @@ void view_bond_law(const Screen *screen, Area area, Style heading)
     if (all.foremost < all.count)
         axes_mark(inner, &x, &y, all.largest, stiffness * all.largest, 0x25cf, STYLE_CHANGED);
     char lines[2][160];
-    law_lines(screen, &all, s0, lines[0], lines[1]);
-    for (int i = 0; i < under; i++)
-        area_phrases(area, 1, area.rect.height - under + i, area.rect.width - 2, 1, lines[i], STYLE_NORMAL);
+    law_lines(screen, &all, s0, paper ? 0 : most, lines[0], lines[1]);
+    for (int i = 0; i < under; i++) {
+        const int row = area.rect.height - under + i, dot = i == 0 && lines[i][0] && !paper ? 2 : 0;
+        if (dot)
+            area_put(area, 1, row, 0x25cf, STYLE_CHANGED);
+        area_phrases(area, 1 + dot, row, area.rect.width - 2 - dot, 1, lines[i], STYLE_NORMAL);
+    }
     free_stretches(&all);
 }
