@@ -91,7 +91,7 @@ const char *short_word(const char *name)
         {"measured", "meas"},
         {"displacement", "displ."},
         {"measured, middle row", "meas"},
-        {"error of w, % (root)", "error of w, %"},
+        {"% error, sqrt scale", "error of w, %"},
         {"force, N/m^6", "f, N/m^6"},
     };
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)

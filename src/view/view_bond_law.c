@@ -163,7 +163,7 @@ void view_bond_law(const Screen *screen, Area area, Style heading)
     char scale[TICK_TEXT_MAX], x_scale[TICK_TEXT_MAX], name[TICK_TEXT_MAX + 8];
     axis_scale_text(&y, "", scale);
     axis_scale_text(&x, "", x_scale);
-    snprintf(name, sizeof name, x_scale[0] ? "s, %s" : "s", x_scale);
+    snprintf(name, sizeof name, x_scale[0] ? "s %s" : "s", x_scale);
     Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
 
     /* on paper too a bin has enough nodes to be counted */

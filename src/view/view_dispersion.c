@@ -227,7 +227,7 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
     if (predicted)
         legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "predicted", NULL};
     draw_heading(area, heading,
-                 area.rect.width >= 70 ? "error of w, % (square-root scale)" : "error of w, % (root)", "",
+                 area.rect.width >= 70 ? "error of w, % (square-root scale)" : "% error, sqrt scale", "",
                  legend, n_legend);
     Area inner = axes_draw(plot_area, &x, &y, "mode n", GUTTER);
 

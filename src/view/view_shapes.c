@@ -80,7 +80,7 @@ void view_shapes(const Screen *screen, Area area, Style heading, int variant)
     const double spacing = (to - from) / (double)(last > first ? last - first : 1);
     const int most = area.rect.height - 2 < 5 ? 3 : 5; /* each in a row of its own */
     Axis y = slope ? axis_make(-1.25 / spacing, 1.25 / spacing, most) : axis_make(0, 1.2, 4);
-    const Legend legend[] = {{LINE_SOLID, '*', STYLE_MEASURED, "its", NULL},
+    const Legend legend[] = {{LINE_SOLID, '*', STYLE_MEASURED, "p's nodes", NULL},
                              {LINE_DASHED, ':', STYLE_FAINT, "others", NULL},
                              {LINE_DOTTED, '.', STYLE_EXACT, "sum", NULL}};
     char name[64], scale[TICK_TEXT_MAX];
