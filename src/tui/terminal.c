@@ -22,6 +22,8 @@ static volatile sig_atomic_t signal_end, signal_resized, signal_stop, signal_con
 static struct termios before; /* the terminal's modes when we came */
 static char farewell[256];    /* what restores the screen, for a crash */
 static size_t farewell_length;
+static bool in_use;            /* from before it is opened until it is closed */
+static const Terminal *opened; /* NULL: the screen is the shell's */
 
 static const int ends[] = {SIGTERM, SIGHUP, SIGINT, SIGQUIT, SIGPIPE};
 static const int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
@@ -177,10 +179,39 @@ static void take_screen(Terminal *terminal)
     painter_forget(&terminal->painter);
 }
 
-static void give_screen_back(Terminal *terminal)
+static void give_screen_back(const Terminal *terminal)
 {
     bool written = write_all(terminal, terminal->frame.leave, strlen(terminal->frame.leave));
     tcsetattr(STDIN_FILENO, written ? TCSADRAIN : TCSANOW, &before);
+}
+
+/* A library that finds no memory or no thread may leave by exit(), in the middle of anything: ncurses does,
+ * and the runtime of OpenMP. What it wrote before may have gone with the screen. */
+static void leave(void)
+{
+    if (!in_use)
+        return;
+    if (opened)
+        give_screen_back(opened);
+    fputs("matvib: a library ended the program, most likely for want of memory\n", stderr);
+}
+
+/* The description of the terminal is in force when this returns true; description_close() ends that. */
+static bool describe(const char *term, const char **stand_in, Status *status)
+{
+    static bool prepared;
+    if (!prepared && atexit(leave) != 0)
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    prepared = true;
+    in_use = true;
+    in_use = description_open(term, stand_in, status);
+    return in_use;
+}
+
+static void forget_description(void)
+{
+    description_close();
+    in_use = false;
 }
 
 Terminal *terminal_open(const TerminalOptions *options, Status *status)
@@ -193,11 +224,11 @@ Terminal *terminal_open(const TerminalOptions *options, Status *status)
         return NULL;
     }
     const char *stand_in = NULL;
-    if (!description_open(term, &stand_in, status))
+    if (!describe(term, &stand_in, status))
         return NULL;
     Terminal *terminal = calloc(1, sizeof *terminal);
     if (!terminal) {
-        description_close();
+        forget_description();
         status_fail(status, STATUS_FAILED, "out of memory");
         return NULL;
     }
@@ -217,6 +248,7 @@ Terminal *terminal_open(const TerminalOptions *options, Status *status)
     terminal->output = open_output();
     catch_signals(terminal);
     read_size(terminal);
+    opened = terminal;
     take_screen(terminal);
     return terminal;
 }
@@ -226,11 +258,12 @@ void terminal_close(Terminal *terminal)
     if (!terminal)
         return;
     give_screen_back(terminal);
+    opened = NULL;
     release_signals(terminal);
     painter_close(&terminal->painter);
     if (terminal->output != STDOUT_FILENO)
         close(terminal->output);
-    description_close();
+    forget_description();
     free(terminal);
 }
 

@@ -2,7 +2,7 @@
  *
  * One can be open at a time. While it is open, SIGWINCH, SIGCONT, SIGTSTP and the signals that ask for an end
  * are blocked and come through only while terminal_wait() sleeps; so none is lost between looking and
- * sleeping. On a crash the terminal is restored too. */
+ * sleeping. On a crash, and when a library calls exit(), the terminal is restored too. */
 #ifndef TUI_TERMINAL_H
 #define TUI_TERMINAL_H
 

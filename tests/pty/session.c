@@ -211,6 +211,11 @@ void session_idle(Session *session)
     told(session, "idle");
 }
 
+bool session_idle_or_gone(Session *session)
+{
+    return pump(session, "idle");
+}
+
 void session_frame(Session *session)
 {
     told(session, "frame");

@@ -40,6 +40,9 @@ void session_resize(Session *, int columns, int rows);
 /* Reads until the program has drawn and sleeps. Fails the test after ten seconds. */
 void session_idle(Session *);
 
+/* The same; false: the program is gone. */
+bool session_idle_or_gone(Session *);
+
 /* Reads until at least one more picture has been drawn. */
 void session_frame(Session *);
 
