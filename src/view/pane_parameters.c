@@ -183,7 +183,7 @@ static void draw_hint(const Screen *screen, Area area, const ParameterRow *row, 
         snprintf(range, sizeof range, "read only");
     }
     if (unit[0] && strcmp(unit, "1") != 0)
-        area_print(area, 2, area.rect.height - 2, STYLE_FAINT, real[0] ? "unit: %s, lattice %s" : "unit: %s",
+        area_print(area, 2, area.rect.height - 2, STYLE_FAINT, real[0] ? "in %s, lattice %s" : "unit: %s",
                    unit, real);
     area_text(area, 2, area.rect.height - 1, range, STYLE_FAINT);
 }

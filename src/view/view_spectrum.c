@@ -159,12 +159,21 @@ static double place_of_peak(const double *a, size_t k)
     return left + right < 0 ? (double)k + (left - right) / (2 * (left + right)) : (double)k;
 }
 
-/* The places of the highest peaks, ascending; those of the logarithmic picture at least a fiftieth of the
- * axis apart and a thousandth of the highest. */
+/* What the Hann window shows of a line of amplitude 1 so many bins away, at most: its side lobes. */
+static double side_lobe(double bins)
+{
+    const double away = fmax(fabs(bins), 1.5);
+    return 1 / (M_PI * away * (away * away - 1));
+}
+
+/* The places of the highest peaks, ascending: three bins apart at least, four times what a higher one leaks
+ * there; those of the logarithmic picture at least a fiftieth of the axis apart and a thousandth of the
+ * highest. */
 static int peaks_of(const Picture *picture, bool fast, double peaks[PEAKS_MAX])
 {
     const double *a = picture->spectrum->amplitudes;
-    const size_t end = bins_within(picture), apart = fast ? end / 50 + 1 : 2;
+    const size_t end = bins_within(picture), fiftieth = fast ? end / 50 + 1 : 0,
+                 apart = fiftieth > 3 ? fiftieth : 3;
     const double least = largest_of(picture) * (fast ? 1e-3 : 0.05);
     size_t found[PEAKS_MAX];
     int count = 0;
@@ -173,7 +182,8 @@ static int peaks_of(const Picture *picture, bool fast, double peaks[PEAKS_MAX])
         for (size_t k = 2; k + 1 < end; k++) {
             bool taken = a[k] < a[k - 1] || a[k] < a[k + 1] || a[k] < least || (best && a[k] <= a[best]);
             for (int i = 0; i < count; i++)
-                taken |= k + apart > found[i] && found[i] + apart > k;
+                taken |= (k + apart > found[i] && found[i] + apart > k) ||
+                         a[k] < 4 * a[found[i]] * side_lobe((double)k - (double)found[i]);
             if (!taken)
                 best = k;
         }
@@ -235,15 +245,20 @@ static bool wants_time(const Screen *screen, const Spectrum *spectrum, Choice ch
     return true;
 }
 
-/* "through the height, predicted: 1098, 2038 kHz"; false: there is nothing to predict. */
-static bool thickness_line(const Screen *screen, char out[160])
+/* "predicted through height 1098, 2038 kHz", as many as there is room for; false: there is nothing to tell.
+ */
+static bool thickness_line(const Screen *screen, int width, char out[160])
 {
     double thickness[THICKNESS_LINES_MAX];
-    const int count = references_thickness_lines(experiment_references(screen->experiment), thickness);
-    snprintf(out, 160, "through the height");
-    for (int i = 0; i < count && i < PEAKS_MAX; i++)
-        append(out, 160, "%s %.0f", i > 0 ? "," : "", thickness[i] / (2e3 * M_PI));
-    append(out, 160, " kHz predicted");
+    int count = references_thickness_lines(experiment_references(screen->experiment), thickness);
+    for (count = count < PEAKS_MAX ? count : PEAKS_MAX; count > 0; count--) {
+        snprintf(out, 160, "predicted through height");
+        for (int i = 0; i < count; i++)
+            append(out, 160, "%s %.0f", i > 0 ? "," : "", thickness[i] / (2e3 * M_PI));
+        append(out, 160, " kHz");
+        if (text_columns(out) < width)
+            break;
+    }
     return count > 0;
 }
 
@@ -304,7 +319,8 @@ void view_spectrum(const Screen *screen, Area area, Style heading, int variant)
         return;
     }
 
-    const bool rings = choice.fast && shows_predicted(screen) && thickness_line(screen, lines);
+    const bool rings =
+        choice.fast && shows_predicted(screen) && thickness_line(screen, area.rect.width, lines);
     const int under = area.rect.height < 8             ? 0
                       : area.rect.height < 9 || !rings ? 1
                                                        : 2,
@@ -377,6 +393,6 @@ void view_spectrum(const Screen *screen, Area area, Style heading, int variant)
             *bin = '\0';
         area_text(area, x, area.rect.height - under, text, STYLE_NORMAL);
     }
-    if (under > 1 && (screen->side == SIDE_BOTH || text_columns(lines) < area.rect.width))
+    if (under > 1)
         area_text(area, 1, area.rect.height - 1, lines, STYLE_FAINT);
 }
