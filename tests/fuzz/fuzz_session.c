@@ -52,6 +52,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     KeyDecoder decoder;
     Key key;
     int width = 80, height = 24;
+    /* how far somebody came in the lessons is not a fuzzer's to write, and each fsync() takes its time */
+    unsetenv("XDG_STATE_HOME");
+    unsetenv("HOME");
     FUZZ_ASSERT(scenario_load("mode1", &settings, &status));
     LaboratoryOptions options = {
         .settings = &settings, .scenario = "mode1", .paused = true, .history = 1 << 20};
