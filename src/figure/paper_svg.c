@@ -8,6 +8,7 @@ typedef struct SvgPaper {
     Paper paper;
     int clips; /* so far: each has a name */
     bool clipped;
+    Box box; /* if so, to this */
 } SvgPaper;
 
 #define FAMILY "DejaVu Sans, Verdana, Helvetica, Arial, sans-serif"
@@ -80,9 +81,24 @@ static void put_pencil(FILE *stream, const Pencil *pencil)
     fputc('"', stream);
 }
 
+/* Only what reaches out of the box is clipped: not every program that reads SVG draws what is clipped. */
+static void put_clip(const Paper *paper, const double *points, size_t count)
+{
+    const SvgPaper *svg = (const SvgPaper *)paper;
+    const double near = 0.005; /* less than is written */
+    bool outside = false;
+    for (size_t i = 0; i < count; i++) {
+        const double x = points[2 * i] - svg->box.x, y = points[2 * i + 1] - svg->box.y;
+        outside |= x < -near || y < -near || x > svg->box.width + near || y > svg->box.height + near;
+    }
+    if (svg->clipped && outside)
+        fprintf(paper->stream, " clip-path=\"url(#c%d)\"", svg->clips);
+}
+
 static void svg_line(Paper *paper, const double *points, size_t count, const Pencil *pencil)
 {
     fputs("<polyline fill=\"none\" stroke-linejoin=\"round\"", paper->stream);
+    put_clip(paper, points, count);
     put_pencil(paper->stream, pencil);
     put_points(paper->stream, points, count);
     fputs("/>\n", paper->stream);
@@ -91,6 +107,7 @@ static void svg_line(Paper *paper, const double *points, size_t count, const Pen
 static void svg_fill(Paper *paper, const double *points, size_t count, Colour colour)
 {
     fprintf(paper->stream, "<polygon fill=\"#%06x\"", colour);
+    put_clip(paper, points, count);
     put_points(paper->stream, points, count);
     fputs("/>\n", paper->stream);
 }
@@ -98,6 +115,7 @@ static void svg_fill(Paper *paper, const double *points, size_t count, Colour co
 static void svg_disc(Paper *paper, double x, double y, double radius, Colour colour, const Pencil *edge)
 {
     fprintf(paper->stream, "<circle fill=\"#%06x\"", colour);
+    put_clip(paper, (const double[]){x, y}, 1);
     put_attribute(paper->stream, "cx", x);
     put_attribute(paper->stream, "cy", y);
     put_attribute(paper->stream, "r", radius);
@@ -135,23 +153,21 @@ static void svg_text(Paper *paper, double x, double y, const char *text, const T
 static void svg_clip(Paper *paper, const Box *box)
 {
     SvgPaper *svg = (SvgPaper *)paper;
-    if (svg->clipped)
-        fputs("</g>\n", paper->stream);
     svg->clipped = box != NULL;
     if (!box)
         return;
+    svg->box = *box;
     fprintf(paper->stream, "<clipPath id=\"c%d\"><rect", ++svg->clips);
     put_attribute(paper->stream, "x", box->x);
     put_attribute(paper->stream, "y", box->y);
     put_attribute(paper->stream, "width", box->width);
     put_attribute(paper->stream, "height", box->height);
-    fprintf(paper->stream, "/></clipPath>\n<g clip-path=\"url(#c%d)\">\n", svg->clips);
+    fputs("/></clipPath>\n", paper->stream);
 }
 
 static bool svg_finish(Paper *paper, Status *status)
 {
     (void)status;
-    svg_clip(paper, NULL);
     fputs("</svg>\n", paper->stream);
     free(paper);
     return true; /* whether it was written, its file knows */
@@ -168,7 +184,7 @@ Paper *paper_svg(FILE *stream, double width, double height, const char *title, S
     }
     svg->paper = (Paper){&svg_kind, stream};
     fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
-          "font-family=\"" FAMILY "\" width=\"",
+          "stroke=\"none\" font-family=\"" FAMILY "\" width=\"",
           stream);
     put_number(stream, width * 25.4 / 72);
     fputs("mm\" height=\"", stream);
