@@ -1,6 +1,7 @@
 /* SVG: words stay text, so that they can be searched, restyled and read aloud. */
 #include "figure/paper.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -81,27 +82,78 @@ static void put_pencil(FILE *stream, const Pencil *pencil)
     fputc('"', stream);
 }
 
-/* Only what reaches out of the box is clipped: not every program that reads SVG draws what is clipped. */
-static void put_clip(const Paper *paper, const double *points, size_t count)
+/* Whether something that is clipped reaches out of the box, by more than is written. */
+static bool reaches_out(const SvgPaper *svg, const double *points, size_t count)
 {
-    const SvgPaper *svg = (const SvgPaper *)paper;
-    const double near = 0.005; /* less than is written */
+    const double near = 0.005;
     bool outside = false;
     for (size_t i = 0; i < count; i++) {
         const double x = points[2 * i] - svg->box.x, y = points[2 * i + 1] - svg->box.y;
         outside |= x < -near || y < -near || x > svg->box.width + near || y > svg->box.height + near;
     }
-    if (svg->clipped && outside)
+    return svg->clipped && outside;
+}
+
+static void put_clip(const Paper *paper, const double *points, size_t count)
+{
+    const SvgPaper *svg = (const SvgPaper *)paper;
+    if (reaches_out(svg, points, count))
         fprintf(paper->stream, " clip-path=\"url(#c%d)\"", svg->clips);
 }
 
-static void svg_line(Paper *paper, const double *points, size_t count, const Pencil *pencil)
+static void put_line(Paper *paper, const double *points, size_t count, const Pencil *pencil)
 {
     fputs("<polyline fill=\"none\" stroke-linejoin=\"round\"", paper->stream);
-    put_clip(paper, points, count);
     put_pencil(paper->stream, pencil);
     put_points(paper->stream, points, count);
     fputs("/>\n", paper->stream);
+}
+
+/* The part of a piece of a line, x0, y0, x1, y1, that lies in the box (Liang and Barsky); false: none does.
+ */
+static bool cut(const Box *box, const double *piece, double out[4])
+{
+    double from = 0, to = 1;
+    for (int axis = 0; axis < 2; axis++) {
+        const double start = piece[axis], way = piece[2 + axis] - start;
+        const double low = axis == 0 ? box->x : box->y, high = low + (axis == 0 ? box->width : box->height);
+        if (way == 0 && (start < low || start > high))
+            return false;
+        if (way == 0)
+            continue;
+        const double at_low = (low - start) / way, at_high = (high - start) / way;
+        from = fmax(from, fmin(at_low, at_high));
+        to = fmin(to, fmax(at_low, at_high));
+    }
+    for (int axis = 0; axis < 2; axis++) {
+        const double way = piece[2 + axis] - piece[axis];
+        out[axis] = from > 0 ? piece[axis] + from * way : piece[axis];
+        out[2 + axis] = to < 1 ? piece[axis] + to * way : piece[2 + axis];
+    }
+    return from < to;
+}
+
+/* Lines are cut here: not every program that reads SVG draws what has a clip path. */
+static void svg_line(Paper *paper, const double *points, size_t count, const Pencil *pencil)
+{
+    const SvgPaper *svg = (const SvgPaper *)paper;
+    if (!reaches_out(svg, points, count)) {
+        put_line(paper, points, count, pencil);
+        return;
+    }
+    size_t first = 0; /* of the pieces that lie inside wholly */
+    for (size_t i = 0; i + 1 < count; i++) {
+        double inside[4];
+        if (!reaches_out(svg, points + 2 * i, 2))
+            continue;
+        if (i > first)
+            put_line(paper, points + 2 * first, i - first + 1, pencil);
+        if (cut(&svg->box, points + 2 * i, inside))
+            put_line(paper, inside, 2, pencil);
+        first = i + 1;
+    }
+    if (first + 1 < count)
+        put_line(paper, points + 2 * first, count - first, pencil);
 }
 
 static void svg_fill(Paper *paper, const double *points, size_t count, Colour colour)

@@ -129,6 +129,13 @@ while read -r scenario view; do
 	result "$scenario has $view" grep -q "^$view\(:.*\)*$" out
 done <documented
 
+# --- what leaves the box is cut, not clipped ---
+expect "a curve that falls below its axis" 0 mode5 --end 20 --view spectrum:fast --output cut.svg
+result "has no clip path" sh -c '! grep -q "clip-path=" cut.svg'
+lowest=$(sed -n 's/^<clipPath.* y="\([0-9.]*\)".* height="\([0-9.]*\)".*/\1 \2/p' cut.svg | awk '{ print $1 + $2 + 3 }')
+result "and nothing below the ticks" sh -c "test -n '$lowest' && sed -n 's/^<polyline.* points=\"\(.*\)\".*/\1/p' cut.svg |
+    tr ' ' '\n' | awk -F, '\$2 > $lowest + 0.02 { exit 1 }'"
+
 # --- names and refusals ---
 expect "the names" 0 notched-beam-coarse --list
 result "of a map" says out '^beam:damage$'
