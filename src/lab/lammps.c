@@ -427,8 +427,10 @@ static bool write_all(const Nodes *nodes, const char *folder, bool force, Status
     bool done = true;
     for (int k = 0; k < count && done; k++) {
         char *name;
-        if (asprintf(&name, "%s/%s", folder, file_names[k]) < 0)
-            return status_fail(status, STATUS_FAILED, "not enough memory for the names of files");
+        if (asprintf(&name, "%s/%s", folder, file_names[k]) < 0) {
+            done = status_fail(status, STATUS_FAILED, "not enough memory for the names of files");
+            break; /* the files begun are removed below */
+        }
         done = output_open(&files[k], name, force, status);
         free(name);
     }
