@@ -155,7 +155,7 @@ bool session_write(const Session *session, const char *name, bool force, Status 
 
 bool session_has_keys(const Session *session)
 {
-    return session->count > 0;
+    return session->count > 0 || session->full;
 }
 
 /* --- reading ---------------------------------------------------------------------------------------- */

@@ -52,7 +52,7 @@ void session_note_end(Session *, const Laboratory *);
 /* Writes what was recorded, whole or not at all. */
 bool session_write(const Session *, const char *file, bool force, Status *);
 
-bool session_has_keys(const Session *); /* something has been noted */
+bool session_has_keys(const Session *); /* something has been noted, or would have been with more memory */
 
 /* Reads a session to do again. NULL: "FILE:LINE: what is wrong (what is allowed)". */
 Session *session_read(const char *file, Status *);
