@@ -12,30 +12,31 @@ undefined() { # LIBRARY: the symbols that it wants from elsewhere
 defined() {
 	nm --defined-only "$1" 2>/dev/null | awk 'NF == 3 && $2 ~ /[TDBRC]/ { print $3 }' | sort -u
 }
-lacks() { # LIBRARY PATTERN NAME
-	found=$(undefined "$1" | grep -E -x "$2")
+judge() { # NAME: well if nothing was found
 	if [ -z "$found" ]; then
-		say ok "$3"
+		say ok "$1"
 	else
-		say 'not ok' "$3"
+		say 'not ok' "$1"
 		echo "$found" | sed 's/^/# /'
 	fi
+}
+lacks() { # LIBRARY PATTERN NAME
+	found=$(undefined "$1" | grep -E -x "$2")
+	judge "$3"
+}
+shares_none() { # LIBRARY OTHER ALLOWED NAME: the library wants nothing that the other defines but what is allowed
+	wanted=$(mktemp) given=$(mktemp)
+	undefined "$1" >"$wanted"
+	defined "$2" | grep -v "$3" >"$given"
+	found=$(comm -12 "$wanted" "$given")
+	rm -f "$wanted" "$given"
+	judge "$4"
 }
 below() { # LOWER HIGHER...: the lower library wants nothing that a higher one defines
 	lower=$1
 	shift
 	for higher in "$@"; do
-		wanted=$(mktemp) given=$(mktemp)
-		undefined "$lower" >"$wanted"
-		defined "$higher" >"$given"
-		found=$(comm -12 "$wanted" "$given")
-		rm -f "$wanted" "$given"
-		if [ -z "$found" ]; then
-			say ok "$lower does not need $higher"
-		else
-			say 'not ok' "$lower does not need $higher"
-			echo "$found" | sed 's/^/# /'
-		fi
+		shares_none "$lower" "$higher" '^$' "$lower does not need $higher"
 	done
 }
 curses='initscr|newterm|endwin|wget_wch|wgetch|stdscr|w?add.*str|wrefresh|setupterm|tigetstr|tputs|putp'
@@ -58,25 +59,10 @@ below libfigure.a libtui.a libcli.a
 below libtui.a libcli.a
 # A front end knows a method by method.h alone; what is of one problem it asks the laboratory.
 for library in libview.a libfigure.a libtui.a; do
-	wanted=$(mktemp) given=$(mktemp)
-	undefined $library >"$wanted"
-	defined libphysics.a | grep -v '^simulation_' >"$given"
-	found=$(comm -12 "$wanted" "$given")
-	rm -f "$wanted" "$given"
-	if [ -z "$found" ]; then
-		say ok "$library calls no method by its name"
-	else
-		say 'not ok' "$library calls no method by its name"
-		echo "$found" | sed 's/^/# /'
-	fi
+	shares_none $library libphysics.a '^simulation_' "$library calls no method by its name"
 done
 for folder in view figure tui; do
 	found=$(grep -n '#include "physics/[^"]*/' "${MATVIB_SRCDIR:-..}/src/$folder"/*.[ch])
-	if [ -z "$found" ]; then
-		say ok "src/$folder includes no method's header"
-	else
-		say 'not ok' "src/$folder includes no method's header"
-		echo "$found" | sed 's/^/# /'
-	fi
+	judge "src/$folder includes no method's header"
 done
 echo "1..$number"
