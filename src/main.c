@@ -2,7 +2,7 @@
 #include "base/threads.h"
 #include "cli/cli.h"
 #include "cli/options.h"
-#include "tui/laboratory.h"
+#include "tui/control/laboratory.h"
 
 #include <errno.h>
 #include <signal.h>

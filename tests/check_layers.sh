@@ -62,7 +62,7 @@ for library in libview.a libfigure.a libtui.a; do
 	shares_none $library libphysics.a '^simulation_' "$library calls no method by its name"
 done
 for folder in view figure tui; do
-	found=$(grep -n '#include "physics/[^"]*/' "${MATVIB_SRCDIR:-..}/src/$folder"/*.[ch])
+	found=$(grep -rn '#include "physics/[^"]*/' "${MATVIB_SRCDIR:-..}/src/$folder")
 	judge "src/$folder includes no method's header"
 done
 echo "1..$number"

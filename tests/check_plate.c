@@ -1,6 +1,6 @@
 /* A method that nobody knows, driven through method.h alone: slices, fields, snapshots, an experiment and
  * tables, on 58,800 nodes. */
-#include "lab/export.h"
+#include "lab/export/export.h"
 #include "lab/lab_case.h"
 #include "plate.h"
 #include "suite.h"

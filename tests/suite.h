@@ -7,7 +7,8 @@
 /* Each test program defines it: adds its cases to the suite. */
 void add_cases(Suite *suite);
 
-/* The path of a file of the source tree, e.g. source_path("tests/golden/mpm.txt"); valid until the next call. */
+/* The path of a file of the source tree, e.g. source_path("tests/golden/mpm.txt"); valid until the next call.
+ */
 const char *source_path(const char *relative);
 
 #endif

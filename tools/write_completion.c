@@ -5,9 +5,9 @@
  * asking them. */
 #include "cli/cli.h"
 #include "cli/options.h"
-#include "cli/verify.h"
-#include "lab/lesson.h"
-#include "lab/parameters.h"
+#include "cli/verify/verify.h"
+#include "lab/lessons/lesson.h"
+#include "lab/settings/parameters.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -4,12 +4,12 @@
  * tables say is what the program does, so a page cannot fall behind it. */
 #include "cli/cli.h"
 #include "cli/options.h"
-#include "cli/sweep_result.h"
-#include "lab/lesson.h"
-#include "lab/parameters.h"
-#include "lab/problem.h"
-#include "tui/script.h"
-#include "view/commands.h"
+#include "cli/sweep/sweep_result.h"
+#include "lab/lessons/lesson.h"
+#include "lab/settings/parameters.h"
+#include "lab/answers/problem.h"
+#include "tui/control/script.h"
+#include "view/panes/commands.h"
 
 #include <stdio.h>
 #include <stdlib.h>

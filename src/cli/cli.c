@@ -1,8 +1,8 @@
 #include "cli/cli.h"
 
 #include "cli/options.h"
-#include "cli/verify.h"
-#include "lab/parameters.h"
+#include "cli/verify/verify.h"
+#include "lab/settings/parameters.h"
 
 #include <stdio.h>
 #include <string.h>

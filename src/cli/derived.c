@@ -1,7 +1,7 @@
 #include "cli/derived.h"
 
 #include "base/text.h"
-#include "lab/problem.h"
+#include "lab/answers/problem.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 #define CLI_DERIVED_H
 
 #include "base/status.h"
-#include "lab/settings.h"
+#include "lab/settings/settings.h"
 
 #include <stddef.h>
 

@@ -1,7 +1,7 @@
 /* `matvib export-lammps SCENARIO --output DIR`: a beam as input for LAMMPS. */
 #include "cli/cli.h"
 #include "cli/options.h"
-#include "lab/lammps.h"
+#include "lab/export/lammps.h"
 
 #include <stdio.h>
 

@@ -5,8 +5,8 @@
 #include "cli/cli.h"
 #include "cli/options.h"
 #include "cli/progress.h"
-#include "lab/frames.h"
-#include "lab/output_file.h"
+#include "lab/export/frames.h"
+#include "lab/export/output_file.h"
 
 #include <signal.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* `matvib list`: the built-in scenarios with their titles; `matvib lesson --list`: the lessons. */
 #include "cli/cli.h"
 #include "cli/options.h"
-#include "lab/lesson.h"
+#include "lab/lessons/lesson.h"
 
 #include <stdio.h>
 #include <string.h>

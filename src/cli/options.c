@@ -1,8 +1,8 @@
 #include "cli/options.h"
 
 #include "base/text.h"
-#include "lab/parameters.h"
-#include "lab/problem.h"
+#include "lab/settings/parameters.h"
+#include "lab/answers/problem.h"
 
 #include <math.h>
 #include <stdint.h>

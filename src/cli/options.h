@@ -4,8 +4,8 @@
 #define CLI_OPTIONS_H
 
 #include "base/status.h"
-#include "lab/export.h"
-#include "lab/scenario.h"
+#include "lab/export/export.h"
+#include "lab/settings/scenario.h"
 
 #include <stdbool.h>
 #include <stddef.h>

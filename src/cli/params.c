@@ -2,8 +2,8 @@
 #include "cli/cli.h"
 #include "cli/derived.h"
 #include "cli/options.h"
-#include "lab/parameters.h"
-#include "lab/problem.h"
+#include "lab/settings/parameters.h"
+#include "lab/answers/problem.h"
 
 #include <stdio.h>
 #include <string.h>

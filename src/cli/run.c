@@ -2,8 +2,8 @@
 #include "cli/cli.h"
 #include "cli/options.h"
 #include "cli/progress.h"
-#include "lab/export.h"
-#include "lab/summary.h"
+#include "lab/export/export.h"
+#include "lab/answers/summary.h"
 
 #include <stdio.h>
 #include <string.h>

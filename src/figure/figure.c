@@ -2,7 +2,7 @@
 
 #include "base/text.h"
 #include "figure/page.h"
-#include "lab/output_file.h"
+#include "lab/export/output_file.h"
 
 #include <errno.h>
 #include <math.h>

@@ -1,12 +1,12 @@
-/* Figures for paper: what views show, taken down as sketches (view/sketch.h) and drawn with lines and fonts
- * on one page with title, axes, legend and the parameters of the run, as SVG, PDF or PNG.
+/* Figures for paper: what views show, taken down as sketches (view/draw/sketch.h) and drawn with lines and
+ * fonts on one page with title, axes, legend and the parameters of the run, as SVG, PDF or PNG.
  *
  * Colours are told apart by all kinds of colour vision, and lines by their dashes, so that a copy in black
  * and white says the same. The same figure gives the same bytes. */
 #ifndef FIGURE_FIGURE_H
 #define FIGURE_FIGURE_H
 
-#include "view/screen.h"
+#include "view/panes/screen.h"
 
 enum { FIGURE_PANELS_MAX = 24, FIGURE_TEXT_MAX = 2048 };
 

@@ -3,7 +3,7 @@
 #define FIGURE_INK_H
 
 #include "figure/paper.h"
-#include "view/sketch.h"
+#include "view/draw/sketch.h"
 
 #define BLACK 0x000000u
 #define WHITE 0xffffffu

@@ -40,9 +40,9 @@ typedef struct Set {
 /* A named array over one set. */
 typedef struct Field {
     Quantity quantity;
-    int set;        /* index into Simulation.sets */
-    bool in_table;  /* a column of the set's CSV table (in the order of the field table) */
-    bool integer;   /* values are whole numbers (indices, flags) */
+    int set;       /* index into Simulation.sets */
+    bool in_table; /* a column of the set's CSV table (in the order of the field table) */
+    bool integer;  /* values are whole numbers (indices, flags) */
 } Field;
 
 /* A row of a method's field table. */
@@ -63,20 +63,22 @@ typedef struct Stage {
     const char *writes;
 } Stage;
 
-/* "set_from[index_from] and the other are linked": a particle and a node of its cell, the two ends of a bond. */
+/* "set_from[index_from] and the other are linked": a particle and a node of its cell, the two ends of a bond.
+ */
 typedef struct Link {
-    int set;         /* of the other end */
-    size_t index;    /* of the other end */
-    double weight;   /* shape function N of the pair; for a bond its stretch */
-    double gradient; /* dN/dx of the pair; for a bond its force density times volume */
-    bool broken;     /* a bond that carries nothing any more */
-    long broken_at;  /* of such a one: the step after which it was broken; 0: before the run, by a notch */
-    double length;   /* of a bond in one dimension: to the other end at rest, with its sign; else 0 */
+    int set;          /* of the other end */
+    size_t index;     /* of the other end */
+    double weight;    /* shape function N of the pair; for a bond its stretch */
+    double gradient;  /* dN/dx of the pair; for a bond its force density times volume */
+    bool broken;      /* a bond that carries nothing any more */
+    long broken_at;   /* of such a one: the step after which it was broken; 0: before the run, by a notch */
+    double length;    /* of a bond in one dimension: to the other end at rest, with its sign; else 0 */
     double stiffness; /* likewise its force density per unit of stretch */
 } Link;
 
-/* What linked things give to each other in a stage: for each pair a product of a few numbers. The products that
- * one thing is given add up to a field of it: a node's momentum is the sum of "m v N" of its particles. */
+/* What linked things give to each other in a stage: for each pair a product of a few numbers. The products
+ * that one thing is given add up to a field of it: a node's momentum is the sum of "m v N" of its particles.
+ */
 enum { EXCHANGE_FACTORS_MAX = 4 };
 typedef struct Exchange {
     const char *stage;   /* id of the stage that does it */
@@ -135,20 +137,21 @@ typedef struct Method {
     /* The links of one thing, the first `max` of them; returns how many were written. May be NULL. */
     size_t (*links)(const Simulation *, int set, size_t index, Link *out, size_t max);
 
-    /* The shape functions of the mesh at a place x of a one-dimensional method: one link for each node that has
-     * a part there. NULL: there is no mesh. */
+    /* The shape functions of the mesh at a place x of a one-dimensional method: one link for each node that
+     * has a part there. NULL: there is no mesh. */
     size_t (*shapes)(const Simulation *, double x, Link *out, size_t max);
 
-    /* The factors of what thing `from` gives to thing `to` in an exchange; returns how many there are. 0: they
-     * are not at hand at the present stage, or the pair exchanges nothing. NULL: there are no exchanges. */
+    /* The factors of what thing `from` gives to thing `to` in an exchange; returns how many there are. 0:
+     * they are not at hand at the present stage, or the pair exchanges nothing. NULL: there are no exchanges.
+     */
     int (*exchange)(const Simulation *, int exchange, size_t from, size_t to,
                     double factors[EXCHANGE_FACTORS_MAX]);
 
-    /* The sums behind the stage just done, for one thing, written out with their numbers, which add up as they
-     * stand: "p15 = 0.5 × (0.25 × 0.5 + 0.75 × 0.5) = 0.25". UTF-8, one sum a line, each line ended by '\n', of
-     * any length: it may be broken at spaces (no-break spaces hold terms together). At most `size` bytes. A sum
-     * of more than `terms` terms sums the last of them up (0: never). `before` is the state before the stage as
-     * save() wrote it (NULL: not known). May be NULL: nothing to say. */
+    /* The sums behind the stage just done, for one thing, written out with their numbers, which add up as
+     * they stand: "p15 = 0.5 × (0.25 × 0.5 + 0.75 × 0.5) = 0.25". UTF-8, one sum a line, each line ended by
+     * '\n', of any length: it may be broken at spaces (no-break spaces hold terms together). At most `size`
+     * bytes. A sum of more than `terms` terms sums the last of them up (0: never). `before` is the state
+     * before the stage as save() wrote it (NULL: not known). May be NULL: nothing to say. */
     void (*explain)(const Simulation *, int stage, int set, size_t index, const void *before, int terms,
                     char *out, size_t size);
 
@@ -190,9 +193,9 @@ struct Simulation {
     int displacement[SIMULATION_DIMENSIONS_MAX];
     int velocity[SIMULATION_DIMENSIONS_MAX];
 
-    double dt;  /* the time step in use */
-    long step;  /* whole steps done */
-    int stage;  /* stages of the current step done: 0 between steps */
+    double dt;   /* the time step in use */
+    long step;   /* whole steps done */
+    int stage;   /* stages of the current step done: 0 between steps */
     size_t item; /* items of the current stage done: 0 but in the middle of a sliced stage */
 
     Event events[SIMULATION_EVENTS_MAX]; /* the first ones; later ones are counted only */

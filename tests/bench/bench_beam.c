@@ -2,7 +2,7 @@
  * plain loop over a list of bonds, measured in the same run; all are measured in turn, several times, and the
  * best counts, since the machine may have other work. */
 #include "bench/lammps.h"
-#include "physics/pd/beam_internal.h"
+#include "physics/pd_plane/beam_internal.h"
 
 #include <math.h>
 #include <signal.h>

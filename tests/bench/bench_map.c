@@ -2,7 +2,7 @@
  * of the screen; then seen from near, and the inspector. A frame is at most 33 ms long.
  *
  * Usage: bench_map [SCENARIO [STEPS]] */
-#include "lab/parameters.h"
+#include "lab/settings/parameters.h"
 #include "view/scene.h"
 
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* What verify says of a number, and that it says so with its exit status. */
-#include "cli/verify.h"
-#include "cli/verify_sheet.h"
+#include "cli/verify/verify.h"
+#include "cli/verify/verify_sheet.h"
 #include "suite.h"
 
 #include <math.h>

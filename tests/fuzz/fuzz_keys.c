@@ -1,7 +1,7 @@
 /* Any bytes as keys: every key has a name, and after enough silence nothing is left open. */
 #include "fuzz/fuzz.h"
 
-#include "tui/keys.h"
+#include "tui/terminal/keys.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* Any bytes as a lesson: refused in one line, or read, with at least a title and a page. */
 #include "fuzz/fuzz.h"
 
-#include "lab/lesson.h"
+#include "lab/lessons/lesson.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -2,8 +2,8 @@
  * same. */
 #include "fuzz/fuzz.h"
 
-#include "lab/parameters.h"
-#include "lab/scenario.h"
+#include "lab/settings/parameters.h"
+#include "lab/settings/scenario.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,8 +1,8 @@
 /* Any bytes as what a terminal sends to the laboratory; a zero byte and the two after it resize it. */
 #include "fuzz/fuzz.h"
 
-#include "lab/scenario.h"
-#include "tui/control.h"
+#include "lab/settings/scenario.h"
+#include "tui/control/control.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* Two runs side by side: they stand at the same time whatever their steps are, and each is what it would be
  * alone. */
-#include "lab/duel.h"
-#include "lab/experiment_internal.h"
+#include "lab/run/duel.h"
+#include "lab/run/experiment_internal.h"
 #include "lab/lab_case.h"
 #include "suite.h"
 

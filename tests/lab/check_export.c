@@ -1,7 +1,7 @@
 /* Runs as files: what they hold, that they repeat, that they are written whole or not at all. */
-#include "lab/export.h"
+#include "lab/export/export.h"
 #include "lab/lab_case.h"
-#include "lab/scenario.h"
+#include "lab/settings/scenario.h"
 #include "suite.h"
 
 #include <dirent.h>

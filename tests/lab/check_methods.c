@@ -1,8 +1,8 @@
 /* One bar by two methods: which keys each has, how a scenario changes from one to the other, and what stands
  * beside a run by peridynamics. */
-#include "lab/bar_problem.h"
+#include "lab/answers/bar_problem.h"
 #include "lab/lab_case.h"
-#include "lab/scenario.h"
+#include "lab/settings/scenario.h"
 #include "suite.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* Foreign tables: every dialect reads to the same numbers, what is no table is refused with file and line. */
-#include "lab/overlay.h"
+#include "lab/run/overlay.h"
 #include "suite.h"
 
 #include <math.h>

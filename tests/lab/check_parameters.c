@@ -1,5 +1,5 @@
 /* The parameter table: rows that fit the screen, values that survive the way through text, nudges. */
-#include "lab/parameters.h"
+#include "lab/settings/parameters.h"
 
 #include "base/text.h"
 #include "suite.h"

@@ -1,5 +1,5 @@
 /* Problems with their references: columns, answers, readouts, advice. */
-#include "lab/bar_problem.h"
+#include "lab/answers/bar_problem.h"
 #include "lab/lab_case.h"
 #include "suite.h"
 #include "theory/beam.h"

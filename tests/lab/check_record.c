@@ -1,4 +1,4 @@
-#include "lab/record.h"
+#include "lab/run/record.h"
 #include "suite.h"
 
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* Scenario files: what is read, what is refused and how that is said, what is written reads back. */
-#include "lab/scenario.h"
+#include "lab/settings/scenario.h"
 
-#include "lab/parameters.h"
+#include "lab/settings/parameters.h"
 #include "suite.h"
 
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* The log says what happened and when: against what is known of these runs. */
-#include "lab/experiment.h"
-#include "lab/parameters.h"
-#include "lab/scenario.h"
+#include "lab/run/experiment.h"
+#include "lab/settings/parameters.h"
+#include "lab/settings/scenario.h"
 #include "suite.h"
 
 #include <math.h>

@@ -2,8 +2,8 @@
 #ifndef TESTS_LAB_CASE_H
 #define TESTS_LAB_CASE_H
 
-#include "lab/experiment.h"
-#include "lab/parameters.h"
+#include "lab/run/experiment.h"
+#include "lab/settings/parameters.h"
 
 /* Paper M's bar in a mode, to the end of `end`. */
 Settings bar_settings(int mode, double end);

@@ -2,7 +2,7 @@
 #ifndef TESTS_BAR_CASE_H
 #define TESTS_BAR_CASE_H
 
-#include "physics/mpm/bar.h"
+#include "physics/mpm_bar/bar.h"
 #include "physics/run_case.h"
 
 enum { BAR_CASE_MODES = 4 };

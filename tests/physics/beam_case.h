@@ -2,8 +2,8 @@
 #ifndef TESTS_BEAM_CASE_H
 #define TESTS_BEAM_CASE_H
 
-#include "physics/pd/beam.h"
-#include "physics/pd/beam_internal.h"
+#include "physics/pd_plane/beam.h"
+#include "physics/pd_plane/beam_internal.h"
 #include "physics/run_case.h"
 
 /* Small beams that are done quickly: 100 x 10 nodes that vibrate, 120 x 10 that move, and 100 x 40 with a

@@ -1,5 +1,5 @@
 /* The bar by peridynamics against plain double loops over all pairs of points, and what must hold of it. */
-#include "physics/pd/rod.h"
+#include "physics/pd_bar/rod.h"
 #include "physics/run_case.h"
 #include "suite.h"
 #include "sums.h"

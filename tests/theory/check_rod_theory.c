@@ -1,6 +1,6 @@
 /* The lattice's prediction against the engine, and what counts eigenvalues against a dense solver. */
 #include "base/band.h"
-#include "physics/pd/rod.h"
+#include "physics/pd_bar/rod.h"
 #include "suite.h"
 #include "theory/frequency.h"
 #include "theory/rod.h"

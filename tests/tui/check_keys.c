@@ -1,7 +1,7 @@
 /* Bytes become the keys that were meant, whatever terminal sent them, and nothing that was not meant. */
 #include "suite.h"
-#include "tui/keys.h"
-#include "tui/line_edit.h"
+#include "tui/terminal/keys.h"
+#include "tui/control/line_edit.h"
 
 #include <stdio.h>
 #include <stdint.h>

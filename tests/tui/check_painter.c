@@ -1,7 +1,7 @@
 /* What the painter writes makes a terminal show the canvas, whatever it showed before. */
 #include "suite.h"
-#include "tui/painter.h"
-#include "tui/theme.h"
+#include "tui/terminal/painter.h"
+#include "tui/terminal/theme.h"
 
 #include <math.h>
 #include <stdint.h>

@@ -1,6 +1,6 @@
 #include "tui/tui_case.h"
 
-#include "lab/scenario.h"
+#include "lab/settings/scenario.h"
 #include "suite.h"
 
 #include <stdio.h>

@@ -2,7 +2,7 @@
 #ifndef TESTS_TUI_CASE_H
 #define TESTS_TUI_CASE_H
 
-#include "tui/control.h"
+#include "tui/control/control.h"
 
 typedef struct Bench {
     Laboratory lab;

@@ -1,7 +1,7 @@
 /* A canvas keeps what is put on it, inside its bounds; commands are found by name and key. */
 #include "suite.h"
-#include "view/canvas.h"
-#include "view/commands.h"
+#include "view/draw/canvas.h"
+#include "view/panes/commands.h"
 
 #include <stdlib.h>
 #include <string.h>

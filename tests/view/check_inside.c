@@ -1,6 +1,6 @@
 /* What is shown inside a time step adds up: every sum of the stage box is worked out again from the digits
  * that are printed, and so are the columns of the inspector; the results are the fields of the run. */
-#include "lab/scenario.h"
+#include "lab/settings/scenario.h"
 #include "suite.h"
 #include "sums.h"
 #include "view/scene.h"

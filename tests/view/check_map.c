@@ -1,7 +1,7 @@
 /* The map of a beam, the drawing and the family inspector: what they show is where and what the simulation
  * says, read from the cells as a reader would. */
 #include "suite.h"
-#include "view/map.h"
+#include "view/map/map.h"
 #include "view/scene.h"
 
 #include <math.h>

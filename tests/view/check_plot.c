@@ -1,6 +1,6 @@
 /* Ticks are round, labels agree with them, and a curve's column shows all that its samples do. */
 #include "suite.h"
-#include "view/plot.h"
+#include "view/draw/plot.h"
 
 #include <math.h>
 #include <stdint.h>

@@ -5,7 +5,7 @@
  *
  *     make -C build check_screen && MATVIB_REGENERATE=1 MATVIB_SRCDIR=. build/check_screen all && git diff */
 #include "suite.h"
-#include "view/panes.h"
+#include "view/panes/panes.h"
 #include "view/scene.h"
 
 #include <ctype.h>
@@ -93,7 +93,8 @@ static const Picture pictures[] = {
     {"spectrum-beam", "supported-beam-coarse 132x43 3000 lower 6"},
     {"lattice-stage", "mode5-peridynamics 80x24 1234 stage 4 particle 1"},
     {"lattice-large", "mode5-peridynamics 132x43 1234 lower 5 stage 3 bar.supports=fixed-fixed"},
-    {"lattice-law-ascii", "mode5-peridynamics 80x24 2000 running lower 4 ascii pd.spacing=0.1 pd.horizon=0.3"},
+    {"lattice-law-ascii",
+     "mode5-peridynamics 80x24 2000 running lower 4 ascii pd.spacing=0.1 pd.horizon=0.3"},
     {"lattice-solved", "mode5-peridynamics 80x66 10 help 2"},
     {"timeline", "crossing 100x30 2000 back 700"},
     {"timeline-ascii", "crossing 80x24 900 back 100 ascii"},

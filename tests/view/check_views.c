@@ -1,9 +1,9 @@
 /* What the views of the errors, the spectrum and the timeline show is where theory and the run say: read from
  * the grid alone, by the labels of its axes, as a reader would. */
-#include "lab/scenario.h"
-#include "lab/dispersion.h"
+#include "lab/settings/scenario.h"
+#include "lab/answers/dispersion.h"
 #include "suite.h"
-#include "view/screen.h"
+#include "view/panes/screen.h"
 
 #include <math.h>
 #include <stdlib.h>

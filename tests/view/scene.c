@@ -1,7 +1,7 @@
 #include "view/scene.h"
 
-#include "lab/scenario.h"
-#include "lab/summary.h"
+#include "lab/settings/scenario.h"
+#include "lab/answers/summary.h"
 
 #include <stdio.h>
 #include <stdlib.h>

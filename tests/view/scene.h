@@ -2,14 +2,15 @@
  *
  *     SCENARIO WxH STEPS [key=value]... [word]...
  *
- * words: duel (of the scenario, or with what differs behind it: duel mesh.cell_size=0.5), running, ended, computing, ascii, block, eight and plain (colours), zoom, lecture, none, exact, node, inspect,
- * edit, ghost (an edit behind), and with a number: help, scroll, upper, lower, variant, focus, select, stage,
- * back, window, cursor, particle, magnified, at (x,y in shares of a beam).
+ * words: duel (of the scenario, or with what differs behind it: duel mesh.cell_size=0.5), running, ended,
+ * computing, ascii, block, eight and plain (colours), zoom, lecture, none, exact, node, inspect, edit, ghost
+ * (an edit behind), and with a number: help, scroll, upper, lower, variant, focus, select, stage, back,
+ * window, cursor, particle, magnified, at (x,y in shares of a beam).
  */
 #ifndef TESTS_VIEW_SCENE_H
 #define TESTS_VIEW_SCENE_H
 
-#include "view/screen.h"
+#include "view/panes/screen.h"
 
 typedef struct Scene {
     Screen screen;

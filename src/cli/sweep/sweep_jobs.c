@@ -1,0 +1,244 @@
+#include "cli/sweep/sweep_jobs.h"
+
+#include "base/wait.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+/* What a worker tells its parent. A message is smaller than PIPE_BUF, so it arrives whole. */
+typedef struct Message {
+    bool last;
+    double share;
+    SweepResult result; /* of the last one */
+} Message;
+
+_Static_assert(sizeof(Message) <= 4096, "a message must go through a pipe in one piece");
+
+typedef struct Worker {
+    pid_t process; /* 0: free */
+    int from;      /* what it tells */
+    int combination;
+    double share;
+} Worker;
+
+typedef struct Pool {
+    const SweepWork *work;
+    Worker *workers;
+    struct pollfd *polls;
+    sigset_t outside; /* the signals that were blocked before */
+} Pool;
+
+/* --- signals -------------------------------------------------------------------------------------- */
+
+/* They are blocked but for the moments of waiting, so that none is lost between looking and waiting. */
+static const int watched[] = {SIGINT, SIGTERM, SIGHUP};
+enum { N_WATCHED = sizeof watched / sizeof *watched };
+static volatile sig_atomic_t ended_by;
+
+static void end_sweep(int signal_number)
+{
+    ended_by = signal_number;
+}
+
+static void listen_to_signals(struct sigaction old[N_WATCHED], sigset_t *outside)
+{
+    struct sigaction action = {.sa_handler = end_sweep};
+    sigset_t blocked;
+    sigemptyset(&blocked);
+    sigemptyset(&action.sa_mask);
+    for (int i = 0; i < N_WATCHED; i++)
+        sigaddset(&blocked, watched[i]);
+    ended_by = 0;
+    sigprocmask(SIG_BLOCK, &blocked, outside);
+    for (int i = 0; i < N_WATCHED; i++)
+        if (sigaction(watched[i], NULL, &old[i]) == 0 && old[i].sa_handler != SIG_IGN)
+            sigaction(watched[i], &action, NULL);
+}
+
+static void stop_listening(const struct sigaction old[N_WATCHED], const sigset_t *outside)
+{
+    for (int i = 0; i < N_WATCHED; i++)
+        sigaction(watched[i], &old[i], NULL);
+    sigprocmask(SIG_SETMASK, outside, NULL);
+}
+
+/* --- the worker ----------------------------------------------------------------------------------- */
+
+typedef struct Teller {
+    int to;
+    struct timespec told;
+} Teller;
+
+/* Where nobody listens any more the run stops. */
+static bool tell_share(double share, void *context)
+{
+    Teller *teller = context;
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    double since =
+        (double)(now.tv_sec - teller->told.tv_sec) + 1e-9 * (double)(now.tv_nsec - teller->told.tv_nsec);
+    if (since < 0.1)
+        return true;
+    teller->told = now;
+    Message message;
+    memset(&message, 0, sizeof message);
+    message.share = share;
+    return write(teller->to, &message, sizeof message) == (ssize_t)sizeof message;
+}
+
+static _Noreturn void be_a_worker(const Pool *pool, int combination, int to)
+{
+    for (int i = 0; i < N_WATCHED; i++) {
+        struct sigaction action;
+        if (sigaction(watched[i], NULL, &action) == 0 && action.sa_handler == end_sweep)
+            signal(watched[i], SIG_DFL);
+    }
+    sigprocmask(SIG_SETMASK, &pool->outside, NULL);
+    /* an open end of another's pipe would keep that one from noticing that the parent has gone */
+    for (int i = 0; i < pool->work->jobs; i++)
+        if (pool->workers[i].process > 0)
+            close(pool->workers[i].from);
+    Teller teller = {.to = to};
+    Message message;
+    memset(&message, 0, sizeof message);
+    message.last = true;
+    pool->work->run(pool->work->context, combination, tell_share, &teller, &message.result);
+    bool told = write(to, &message, sizeof message) == (ssize_t)sizeof message;
+    _exit(told ? 0 : 1); /* what stdio holds is the parent's to write */
+}
+
+static bool start_worker(Pool *pool, Worker *worker, int combination, Status *status)
+{
+    int ends[2];
+    if (pipe(ends) != 0)
+        return status_fail(status, STATUS_FAILED, "a worker cannot be started: %s", strerror(errno));
+    pid_t process = fork();
+    if (process == 0) {
+        close(ends[0]);
+        be_a_worker(pool, combination, ends[1]);
+    }
+    int why = errno;
+    close(ends[1]);
+    if (process < 0) {
+        close(ends[0]);
+        return status_fail(status, STATUS_FAILED, "a worker cannot be started: %s", strerror(why));
+    }
+    *worker = (Worker){.process = process, .from = ends[0], .combination = combination};
+    return true;
+}
+
+/* --- the parent ----------------------------------------------------------------------------------- */
+
+static int dismiss(Worker *worker)
+{
+    int how = 0;
+    close(worker->from);
+    while (waitpid(worker->process, &how, 0) < 0 && errno == EINTR)
+        continue;
+    worker->process = 0;
+    return how;
+}
+
+static void stop_workers(Pool *pool)
+{
+    for (int i = 0; i < pool->work->jobs; i++)
+        if (pool->workers[i].process > 0)
+            kill(pool->workers[i].process, SIGTERM);
+    for (int i = 0; i < pool->work->jobs; i++)
+        if (pool->workers[i].process > 0)
+            dismiss(&pool->workers[i]);
+}
+
+static bool finish(Pool *pool, Worker *worker, const SweepResult *result, Status *status)
+{
+    SweepResult lost = {0};
+    int combination = worker->combination, how = dismiss(worker);
+    if (!result) {
+        if (WIFSIGNALED(how))
+            status_fail(&lost.failure, STATUS_FAILED, "the run was ended: %s", strsignal(WTERMSIG(how)));
+        else
+            status_fail(&lost.failure, STATUS_FAILED, "the run ended without a result");
+        result = &lost;
+    }
+    return pool->work->finished(pool->work->context, combination, result, status);
+}
+
+static bool hear(Pool *pool, Worker *worker, Status *status)
+{
+    Message message;
+    ssize_t got = read(worker->from, &message, sizeof message);
+    if (got < 0 && errno == EINTR)
+        return true;
+    if (got != (ssize_t)sizeof message)
+        return finish(pool, worker, NULL, status);
+    if (message.last)
+        return finish(pool, worker, &message.result, status);
+    worker->share = message.share;
+    return true;
+}
+
+static void tell_progress(const Pool *pool)
+{
+    double begun = 0;
+    for (int i = 0; i < pool->work->jobs; i++)
+        if (pool->workers[i].process > 0)
+            begun += pool->workers[i].share;
+    pool->work->progress(pool->work->context, begun);
+}
+
+static bool fill_places(Pool *pool, int *busy, Status *status)
+{
+    *busy = 0;
+    for (int i = 0; i < pool->work->jobs; i++) {
+        Worker *worker = &pool->workers[i];
+        int combination = worker->process > 0 ? 0 : pool->work->next(pool->work->context);
+        if (worker->process == 0 && combination >= 0 && !start_worker(pool, worker, combination, status))
+            return false;
+        *busy += worker->process > 0;
+        pool->polls[i] = (struct pollfd){.fd = worker->process > 0 ? worker->from : -1, .events = POLLIN};
+    }
+    return true;
+}
+
+static bool work_through(Pool *pool, Status *status)
+{
+    for (;;) {
+        int busy;
+        if (ended_by || !fill_places(pool, &busy, status))
+            return false;
+        if (busy == 0)
+            return true;
+        tell_progress(pool);
+        if (wait_for(pool->polls, pool->work->jobs, NULL, &pool->outside) < 0)
+            continue; /* a signal */
+        for (int i = 0; i < pool->work->jobs; i++)
+            if (pool->polls[i].revents && !hear(pool, &pool->workers[i], status))
+                return false;
+    }
+}
+
+int sweep_jobs(const SweepWork *work, Status *status)
+{
+    struct sigaction old[N_WATCHED];
+    Pool pool = {.work = work,
+                 .workers = calloc((size_t)work->jobs, sizeof(Worker)),
+                 .polls = calloc((size_t)work->jobs, sizeof(struct pollfd))};
+    int result = STATUS_FAILED;
+    if (!pool.workers || !pool.polls) {
+        status_fail(status, STATUS_FAILED, "not enough memory for %d jobs", work->jobs);
+    } else {
+        listen_to_signals(old, &pool.outside);
+        bool done = work_through(&pool, status);
+        stop_workers(&pool);
+        stop_listening(old, &pool.outside);
+        result = done ? STATUS_DONE : ended_by ? 128 + (int)ended_by : (int)status->code;
+    }
+    free(pool.workers);
+    free(pool.polls);
+    return result;
+}

@@ -1,0 +1,223 @@
+#include "cli/sweep/sweep_partial.h"
+
+#include "base/text.h"
+#include "lab/settings/scenario.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* --- the number of a combination ------------------------------------------------------------------ */
+
+/* FNV-1a */
+static uint64_t mix(uint64_t number, const char *bytes, size_t size)
+{
+    for (size_t i = 0; i < size; i++)
+        number = (number ^ (unsigned char)bytes[i]) * UINT64_C(1099511628211);
+    return number;
+}
+
+uint64_t partial_number(const Settings *settings, long steps)
+{
+    char *text = NULL, end[24];
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+    if (!stream)
+        return 0;
+    bool written = scenario_write(stream, settings, NULL, NULL);
+    written = text_stream_close(stream, &text) && written;
+    int n = snprintf(end, sizeof end, "%ld", steps);
+    uint64_t number = written ? mix(mix(UINT64_C(14695981039346656037), text, size), end, (size_t)n) : 0;
+    free(text);
+    return !written ? 0 : number ? number : 1;
+}
+
+/* --- lines ---------------------------------------------------------------------------------------- */
+
+enum { LINE_BYTES = 20 + RESULT_COLUMNS * (NUMBER_TEXT_MAX + 1) };
+
+/* Says which columns a row has: another version of the program may have others. */
+static void heading(char out[LINE_BYTES * 2])
+{
+    int n =
+        sprintf(out, "# matvib " PACKAGE_VERSION " sweep: rows so far, for the same command to go on from\n"
+                     "combination");
+    for (int i = 0; i < RESULT_COLUMNS; i++)
+        n += sprintf(out + n, ",%s", result_name((ResultColumn)i));
+    sprintf(out + n, "\n");
+}
+
+static bool read_cells(const char *text, double cells[RESULT_COLUMNS])
+{
+    for (int i = 0; i < RESULT_COLUMNS; i++) {
+        char *end;
+        if (*text++ != ',')
+            return false;
+        cells[i] = strtod(text, &end);
+        if (end == text)
+            return false;
+        text = end;
+    }
+    return strcmp(text, "\n") == 0;
+}
+
+static bool read_line(const char *line, uint64_t *number, double cells[RESULT_COLUMNS])
+{
+    char *end;
+    *number = strtoull(line, &end, 16);
+    return end == line + 16 && read_cells(end, cells);
+}
+
+/* Rows come nearly in the order of the combinations, so the search begins behind the last one found. */
+typedef struct Search {
+    const uint64_t *numbers;
+    int count, at;
+} Search;
+
+static bool put_row(Search *search, uint64_t number, const double cells[RESULT_COLUMNS], SweepResult *results)
+{
+    bool known = false;
+    for (int i = 0; i < search->count; i++) {
+        int at = (search->at + i) % search->count;
+        if (search->numbers[at] != number)
+            continue;
+        known = true;
+        if (results[at].done)
+            continue; /* the same values are there twice */
+        results[at].done = true;
+        memcpy(results[at].cells, cells, sizeof results[at].cells);
+        search->at = (at + 1) % search->count;
+        break;
+    }
+    return known;
+}
+
+/* --- the file ------------------------------------------------------------------------------------- */
+
+static bool cannot_write(const SweepPartial *partial, Status *status)
+{
+    return status_fail(status, STATUS_FAILED, "%s: cannot be written: %s", partial->name, strerror(errno));
+}
+
+/* A lock of this process alone: its workers do not hold it. */
+static bool lock(const SweepPartial *partial, Status *status)
+{
+    struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+    if (fcntl(fileno(partial->stream), F_SETLK, &whole) == 0)
+        return true;
+    if (errno == EACCES || errno == EAGAIN)
+        return status_fail(status, STATUS_USAGE, "%s: another sweep is writing it", partial->name);
+    return cannot_write(partial, status);
+}
+
+static bool begin(SweepPartial *partial, Status *status)
+{
+    char text[LINE_BYTES * 2];
+    heading(text);
+    rewind(partial->stream);
+    return (ftruncate(fileno(partial->stream), 0) == 0 && fputs(text, partial->stream) >= 0 &&
+            fflush(partial->stream) == 0) ||
+           cannot_write(partial, status);
+}
+
+/* Returns where the last whole line ends; the last line may be torn where the computer stopped. -1: there is
+ * a line that does not belong to this sweep. */
+static long read_rows(SweepPartial *partial, Search *search, SweepResult *results)
+{
+    char expected[LINE_BYTES * 2], *line = NULL;
+    size_t room = 0;
+    long end = 0;
+    heading(expected);
+    const char *wanted = expected;
+    for (ssize_t n; (n = getline(&line, &room, partial->stream)) > 0 && line[n - 1] == '\n'; end += n) {
+        uint64_t number;
+        double cells[RESULT_COLUMNS];
+        bool good = *wanted ? strncmp(line, wanted, (size_t)n) == 0
+                            : read_line(line, &number, cells) && put_row(search, number, cells, results);
+        if (!good) {
+            end = -1;
+            break;
+        }
+        if (*wanted)
+            wanted += n;
+        else
+            partial->rows++;
+    }
+    free(line);
+    return *wanted && end > 0 ? 0 : end;
+}
+
+static bool resume(SweepPartial *partial, Search *search, bool force, SweepResult *results, Status *status)
+{
+    long end = read_rows(partial, search, results);
+    if (end >= 0 &&
+        !text_at_end(partial->stream, partial->name, status)) /* rows must not be cut off for that */
+        return false;
+    if (end < 0 && !force)
+        return status_fail(status, STATUS_USAGE, "%s: holds rows of another sweep (--force begins anew)",
+                           partial->name);
+    if (end > 0)
+        return (ftruncate(fileno(partial->stream), end) == 0 && fseek(partial->stream, 0, SEEK_END) == 0) ||
+               cannot_write(partial, status);
+    for (int i = 0; i < search->count; i++)
+        results[i].done = false;
+    partial->rows = 0;
+    return begin(partial, status);
+}
+
+bool partial_open(SweepPartial *partial, const char *output, const uint64_t *numbers, int count, bool force,
+                  SweepResult *results, Status *status)
+{
+    *partial = (SweepPartial){0};
+    if (asprintf(&partial->name, "%s.partial", output) < 0) {
+        partial->name = NULL;
+        return status_fail(status, STATUS_FAILED, "not enough memory for the name of a file");
+    }
+    struct stat what;
+    bool stands_in_the_way = stat(partial->name, &what) == 0 && !S_ISREG(what.st_mode);
+    int descriptor = stands_in_the_way ? -1 : open(partial->name, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    partial->stream = descriptor < 0 ? NULL : fdopen(descriptor, "r+");
+    Search search = {numbers, count, 0};
+    bool opened = partial->stream ? lock(partial, status) && resume(partial, &search, force, results, status)
+                  : stands_in_the_way ? status_fail(status, STATUS_USAGE, "%s: is no file", partial->name)
+                                      : cannot_write(partial, status);
+    if (!opened) {
+        if (partial->stream)
+            fclose(partial->stream);
+        else if (descriptor >= 0)
+            close(descriptor);
+        free(partial->name);
+        *partial = (SweepPartial){0};
+    }
+    return opened;
+}
+
+bool partial_add(SweepPartial *partial, uint64_t number, const SweepResult *result, Status *status)
+{
+    char line[LINE_BYTES];
+    int n = sprintf(line, "%016" PRIx64, number);
+    for (int i = 0; i < RESULT_COLUMNS; i++) {
+        line[n++] = ',';
+        n += (int)text_shortest(line + n, result->cells[i]);
+    }
+    strcpy(line + n, "\n");
+    partial->rows++;
+    return !partial->stream || (fputs(line, partial->stream) >= 0 && fflush(partial->stream) == 0) ||
+           cannot_write(partial, status);
+}
+
+void partial_close(SweepPartial *partial, bool finished)
+{
+    if (partial->stream) {
+        /* before the lock goes with the stream */
+        if (finished || partial->rows == 0)
+            unlink(partial->name);
+        fclose(partial->stream);
+    }
+    free(partial->name);
+    *partial = (SweepPartial){0};
+}

@@ -1,0 +1,33 @@
+/* The rows of a sweep that has not come to its end, in FILE.partial: a row is appended as soon as its run is
+ * done, and a sweep that was interrupted goes on from there. Each row stands behind a number that tells its
+ * combination from every other, worked out from all that the run depends on; so rows are found again whatever
+ * their order, and more values may be added to a sweep without losing those that are there. */
+#ifndef CLI_SWEEP_PARTIAL_H
+#define CLI_SWEEP_PARTIAL_H
+
+#include "cli/sweep/sweep_result.h"
+
+#include <stdint.h>
+#include <stdio.h>
+
+typedef struct SweepPartial {
+    FILE *stream; /* NULL: the rows are not kept */
+    char *name;
+    long rows;
+} SweepPartial;
+
+/* A number for a combination: equal settings and steps, equal number. 0: there was no memory. */
+uint64_t partial_number(const Settings *, long steps);
+
+/* Opens or begins the file beside `output` and puts the rows that are there into the results of the `count`
+ * combinations. A file with rows that belong to none of them is refused, or begun anew with `force`; so is
+ * one that another sweep is writing, always. */
+bool partial_open(SweepPartial *, const char *output, const uint64_t *numbers, int count, bool force,
+                  SweepResult *results, Status *);
+
+bool partial_add(SweepPartial *, uint64_t number, const SweepResult *, Status *);
+
+/* The file goes if it holds nothing or `finished`. */
+void partial_close(SweepPartial *, bool finished);
+
+#endif

@@ -1,0 +1,272 @@
+#include "cli/sweep/sweep_plan.h"
+
+#include "base/text.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* --- values --------------------------------------------------------------------------------------- */
+
+static bool keep_value(SweepKey *key, const char *text, size_t length, Status *status)
+{
+    if (length == 0)
+        return status_fail(status, STATUS_USAGE, "%s: %s: an empty value (A,B,C or LO:HI:N)", key->origin,
+                           key->key);
+    if (length >= VALUE_MAX)
+        return status_fail(status, STATUS_USAGE, "%s: %s: %.40s... is too long for a value", key->origin,
+                           key->key, text);
+    if (key->count == SWEEP_COMBINATIONS_MAX)
+        return status_fail(status, STATUS_USAGE, "%s: %s: too many values (at most %d)", key->origin,
+                           key->key, SWEEP_COMBINATIONS_MAX);
+    if ((key->count & (key->count - 1)) == 0) {
+        size_t room = key->count ? 2 * (size_t)key->count : 1;
+        char(*larger)[VALUE_MAX] = realloc(key->values, room * sizeof *larger);
+        if (!larger)
+            return status_fail(status, STATUS_FAILED, "not enough memory for the values of %s", key->key);
+        key->values = larger;
+    }
+    char *value = key->values[key->count++];
+    memcpy(value, text, length);
+    value[length] = '\0';
+    return true;
+}
+
+static bool read_list(SweepKey *key, const char *text, Status *status)
+{
+    for (;;) {
+        size_t length = strcspn(text, ",");
+        if (!keep_value(key, text, length, status))
+            return false;
+        if (!text[length])
+            return true;
+        text += length + 1;
+    }
+}
+
+static bool split_range(const char *text, char parts[3][VALUE_MAX])
+{
+    for (int i = 0; i < 3; i++) {
+        size_t length = strcspn(text, ":");
+        if (length >= VALUE_MAX || (text[length] == ':') != (i < 2))
+            return false;
+        memcpy(parts[i], text, length);
+        parts[i][length] = '\0';
+        text += length + 1;
+    }
+    return true;
+}
+
+/* LO:HI:N is N values, evenly spaced, both ends among them. Twelve digits keep the sums of tenths readable;
+ * the ends are taken as they were written. */
+static bool read_range(SweepKey *key, const char *text, Status *status)
+{
+    char parts[3][VALUE_MAX], value[NUMBER_TEXT_MAX];
+    double low, high;
+    long count;
+    if (!split_range(text, parts) || !text_to_double(parts[0], &low) || !text_to_double(parts[1], &high) ||
+        !text_to_long(parts[2], &count) || count < 2 || count > SWEEP_COMBINATIONS_MAX)
+        return status_fail(status, STATUS_USAGE, "%s: %s: %.60s is no range (LO:HI:N, N from 2 to %d)",
+                           key->origin, key->key, text, SWEEP_COMBINATIONS_MAX);
+    for (long i = 0; i < count; i++) {
+        text_rounded(value, low + (high - low) * (double)i / (double)(count - 1), 12);
+        const char *kept = i == 0 ? parts[0] : i == count - 1 ? parts[1] : value;
+        if (!keep_value(key, kept, strlen(kept), status))
+            return false;
+    }
+    return true;
+}
+
+/* --- axes ----------------------------------------------------------------------------------------- */
+
+/* A text has no number, and every cell of the table is one. */
+static bool has_a_number(const SweepKey *key, Status *status)
+{
+    bool text = key->parameter ? key->parameter->type == PARAMETER_TEXT : text_key_find(key->key) != NULL;
+    if (text)
+        return status_fail(status, STATUS_USAGE, "%s: %s: is a text (numbers and choices can be varied)",
+                           key->origin, key->key);
+    return strncmp(key->key, "output.", 7) != 0 ||
+           status_fail(status, STATUS_USAGE, "%s: %s: does not change the run (a parameter that does)",
+                       key->origin, key->key);
+}
+
+static bool is_new(const SweepPlan *plan, const SweepKey *key, const Options *options, Status *status)
+{
+    for (int i = 0; i < plan->n_keys; i++)
+        if (strcmp(plan->keys[i].key, key->key) == 0)
+            return status_fail(status, STATUS_USAGE, "%s: %s: is varied twice (once)", key->origin, key->key);
+    if (strcmp(key->key, "time.end") == 0 && options->steps > 0)
+        return status_fail(status, STATUS_USAGE, "%s: time.end: --steps says when the run ends (one of them)",
+                           key->origin);
+    return true;
+}
+
+static bool join_axis(SweepPlan *plan, SweepKey *key, Status *status)
+{
+    if (strcmp(key->origin, "--with") != 0) {
+        key->axis = plan->n_axes++;
+        long all = (long)plan->n_combinations * key->count;
+        if (all > SWEEP_COMBINATIONS_MAX)
+            return status_fail(status, STATUS_USAGE, "--vary: %ld combinations are too many (at most %d)",
+                               all, SWEEP_COMBINATIONS_MAX);
+        plan->n_combinations = (int)all;
+        return true;
+    }
+    if (plan->n_keys == 0)
+        return status_fail(status, STATUS_USAGE, "--with: %s: needs a --vary before it", key->key);
+    const SweepKey *first = &plan->keys[plan->n_keys - 1];
+    key->axis = first->axis;
+    if (key->count != first->count)
+        return status_fail(status, STATUS_USAGE, "--with: %s: has %d values beside %d of %s (as many)",
+                           key->key, key->count, first->count, first->key);
+    return true;
+}
+
+static bool read_key(SweepPlan *plan, const SweepAxis *axis, const Options *options, Status *status)
+{
+    SweepKey *key = &plan->keys[plan->n_keys];
+    const char *equals = strchr(axis->text, '=');
+    *key = (SweepKey){.origin = axis->origin};
+    if (!equals || equals == axis->text || equals - axis->text >= KEY_MAX)
+        return status_fail(status, STATUS_USAGE, "%s: \"%.80s\" varies nothing (KEY=A,B,C or KEY=LO:HI:N)",
+                           axis->origin, axis->text);
+    memcpy(key->key, axis->text, (size_t)(equals - axis->text));
+    key->parameter = parameter_find(key->key);
+    bool range = strchr(equals + 1, ':') != NULL;
+    bool read = is_new(plan, key, options, status) && has_a_number(key, status) &&
+                (range ? read_range : read_list)(key, equals + 1, status) && join_axis(plan, key, status);
+    plan->n_keys++; /* even if it is bad: what it holds is freed with the others */
+    return read;
+}
+
+bool sweep_plan_read(SweepPlan *plan, const Options *options, Status *status)
+{
+    *plan = (SweepPlan){.n_combinations = 1};
+    if (options->n_axes == 0)
+        return status_fail(status, STATUS_USAGE, "--vary is missing (--vary KEY=A,B,C or KEY=LO:HI:N)");
+    for (int i = 0; i < options->n_axes; i++)
+        if (!read_key(plan, &options->axes[i], options, status)) {
+            sweep_plan_free(plan);
+            return false;
+        }
+    return true;
+}
+
+void sweep_plan_free(SweepPlan *plan)
+{
+    for (int i = 0; i < plan->n_keys; i++)
+        free(plan->keys[i].values);
+    *plan = (SweepPlan){0};
+}
+
+/* --- combinations --------------------------------------------------------------------------------- */
+
+static const char *value_of(const SweepPlan *plan, int combination, int key)
+{
+    int axis = plan->keys[key].axis, faster = 1;
+    for (int i = 0, seen = axis; i < plan->n_keys; i++)
+        if (plan->keys[i].axis > seen) {
+            seen = plan->keys[i].axis;
+            faster *= plan->keys[i].count;
+        }
+    return plan->keys[key].values[combination / faster % plan->keys[key].count];
+}
+
+bool sweep_plan_load(const SweepPlan *plan, const Options *options, int combination, bool with_steps,
+                     Settings *settings, Status *status)
+{
+    Options all = *options;
+    if (!with_steps)
+        all.steps = 0;
+    for (int i = 0; i < plan->n_keys; i++) {
+        const SweepKey *key = &plan->keys[i];
+        if (all.n_overrides == OVERRIDES_MAX)
+            return status_fail(status, STATUS_USAGE, "--set: too many values (at most %d with those varied)",
+                               OVERRIDES_MAX);
+        const char *value = value_of(plan, combination, i);
+        all.overrides[all.n_overrides++] = (Override){key->origin, key->key, value};
+    }
+    return options_load(&all, options->words[0], settings, status);
+}
+
+void sweep_plan_describe(const SweepPlan *plan, int combination, char *out, size_t size)
+{
+    size_t used = 0;
+    for (int i = 0; i < plan->n_keys && used < size; i++)
+        used += (size_t)snprintf(out + used, size - used, "%s%s=%s", i ? " " : "", plan->keys[i].key,
+                                 value_of(plan, combination, i));
+}
+
+/* --- as commands ---------------------------------------------------------------------------------- */
+
+void shell_quote(FILE *stream, const char *word)
+{
+    static const char harmless[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
+    if (*word && strspn(word, harmless) == strlen(word)) {
+        fputs(word, stream);
+        return;
+    }
+    fputc('\'', stream);
+    for (; *word; word++)
+        if (*word == '\'')
+            fputs("'\\''", stream);
+        else
+            fputc(*word, stream);
+    fputc('\'', stream);
+}
+
+static void print_word(FILE *stream, const char *word)
+{
+    fputc(' ', stream);
+    shell_quote(stream, word);
+}
+
+static void print_set(FILE *stream, const char *key, const char *value)
+{
+    char assignment[KEY_MAX + LIST_MAX + 1];
+    snprintf(assignment, sizeof assignment, "%s=%s", key, value);
+    fputs(" --set", stream);
+    print_word(stream, assignment);
+}
+
+/* "mode5" of "mode5" and of "lessons/mode5.ini" */
+static void base_name(const char *scenario, char *out, size_t size)
+{
+    const char *slash = strrchr(scenario, '/');
+    snprintf(out, size, "%s", slash ? slash + 1 : scenario);
+    char *dot = strrchr(out, '.');
+    if (dot && dot != out)
+        *dot = '\0';
+}
+
+void sweep_plan_print(const SweepPlan *plan, const Options *options, FILE *stream)
+{
+    char base[128], series[160];
+    int digits = snprintf(NULL, 0, "%d", plan->n_combinations);
+    base_name(options->words[0], base, sizeof base);
+    /* behind "--" the name of a file may begin with a dash */
+    bool behind = *options->words[0] == '-';
+    for (int i = 0; i < plan->n_combinations; i++) {
+        fputs("matvib run", stream);
+        if (!behind)
+            print_word(stream, options->words[0]);
+        for (int k = 0; k < options->n_overrides; k++)
+            print_set(stream, options->overrides[k].key, options->overrides[k].value);
+        for (int k = 0; k < plan->n_keys; k++)
+            print_set(stream, plan->keys[k].key, value_of(plan, i, k));
+        if (options->steps > 0)
+            fprintf(stream, " --steps %ld", options->steps);
+        if (options->threads > 0)
+            fprintf(stream, " --threads %ld", options->threads);
+        if (options->force)
+            fputs(" --force", stream);
+        snprintf(series, sizeof series, "%s-%0*d.csv", base, digits, i + 1);
+        fputs(" --series", stream);
+        print_word(stream, series);
+        if (behind) {
+            fputs(" --", stream);
+            print_word(stream, options->words[0]);
+        }
+        fputc('\n', stream);
+    }
+}

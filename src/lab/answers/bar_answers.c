@@ -1,0 +1,272 @@
+/* What is asked of the bar whatever its method: its theory, which column shows its frequency, exact answers
+ * beside the run. */
+#include "lab/answers/bar_answers.h"
+#include "lab/settings/parameters.h"
+
+#include <math.h>
+#include <string.h>
+
+_Static_assert(OVERTONES_MAX + 1 <= BAR_MODES_MAX, "the theory has room for every overtone");
+
+/* --- settings to theory --------------------------------------------------------------------------- */
+
+bool bar_theory_of(const Settings *settings, BarTheory *theory, Status *status)
+{
+    const BarDef *def = &settings->bar;
+    *theory = (BarTheory){
+        .length = def->length,
+        .youngs_modulus = def->youngs_modulus,
+        .density = def->density,
+        .left_fixed = def->supports == BAR_FIXED_FREE || def->supports == BAR_FIXED_FIXED,
+        .right_fixed = def->supports == BAR_FREE_FIXED || def->supports == BAR_FIXED_FIXED,
+        .body_force = def->body_force,
+        .traction = def->traction,
+    };
+    theory->modes[0].number = settings->mode;
+    theory->modes[0].velocity = settings->velocity;
+    Overtone overtones[OVERTONES_MAX];
+    int count = overtones_read(settings->overtones, overtones, status);
+    if (count < 0)
+        return false;
+    for (int i = 0; i < count; i++) {
+        theory->modes[1 + i].number = overtones[i].mode;
+        theory->modes[1 + i].velocity = overtones[i].velocity;
+    }
+    theory->n_modes = 1 + count;
+    return true;
+}
+
+double bar_time_step(const Settings *settings)
+{
+    const BarDef *def = &settings->bar;
+    return def->courant * def->cell_size / sqrt(def->youngs_modulus / def->density);
+}
+
+double bar_start(double x, const void *theory)
+{
+    return bar_initial_velocity(theory, x);
+}
+
+/* --- what to watch -------------------------------------------------------------------------------- */
+
+static bool is_loaded(const BarTheory *theory)
+{
+    return theory->body_force != 0 || theory->traction != 0;
+}
+
+/* Whether the loads make the bar vibrate, and whether its centre of mass shows it. */
+static bool load_vibrates(const BarTheory *theory, bool *centre)
+{
+    bool free_free = !theory->left_fixed && !theory->right_fixed;
+    bool fixed_fixed = theory->left_fixed && theory->right_fixed;
+    *centre = !free_free;
+    if (free_free)
+        return theory->traction != 0; /* a body force moves the bar as a whole */
+    return theory->body_force != 0 || (theory->traction != 0 && !fixed_fixed);
+}
+
+int bar_watched_mode(const BarTheory *theory)
+{
+    for (int i = 0; i < theory->n_modes; i++)
+        if (theory->modes[i].velocity != 0 && theory->modes[i].number > 0)
+            return theory->modes[i].number;
+    return 0;
+}
+
+/* Whether a mode moves the centre of mass, which stands still by symmetry in some. */
+static bool moves_centre(const BarTheory *theory, int mode)
+{
+    BarTheory alone = *theory;
+    alone.body_force = alone.traction = 0;
+    alone.n_modes = 1;
+    alone.modes[0].number = mode;
+    alone.modes[0].velocity = 1;
+    return fabs(bar_centre_velocity(&alone, 0)) > 1e-9;
+}
+
+/* By symmetry the centre of mass may stand still, or move evenly: then the strain energy is watched. It
+ * swings twice in a period of a mode; under a load that pulls from rest it never turns its sign, and swings
+ * once. */
+BarWatch bar_watch(const BarTheory *theory)
+{
+    BarWatch watch = {.column = "v_cm", .times = 1};
+    int mode = bar_watched_mode(theory);
+    bool centre = true, by_load = mode == 0;
+    if (by_load) {
+        if (!load_vibrates(theory, &centre))
+            return watch;
+        mode = 1;
+    } else {
+        centre = moves_centre(theory, mode);
+    }
+    watch.moving = true;
+    watch.mode = mode;
+    if (!centre) {
+        watch.column = "strain";
+        watch.times = by_load ? 1 : 2;
+    }
+    watch.ratios[watch.n_lines++] = 1;
+    watch.exact = bar_frequency(theory, mode);
+    return watch;
+}
+
+/* With what is predicted beside it; a run that changes on its way keeps to no formula. */
+static BarWatch predicted_watch(const Settings *settings, const BarTheory *theory, BarFrequency *frequency,
+                                double dt)
+{
+    BarWatch watch = bar_watch(theory);
+    watch.predicted = watch.moving && frequency && settings->n_changes == 0
+                          ? frequency(settings, theory, dt, watch.mode)
+                          : NAN;
+    watch.predicted_known = watch.predicted > 0;
+    return watch;
+}
+
+enum { MODES_FITTED = 6 };
+
+/* The modes that show in the column: the watched one, those that were given a velocity, and the lowest of
+ * those that a load sets in motion. Returns how many. */
+static int modes_shown(const BarTheory *theory, const BarWatch *watch, int modes[MODES_FITTED])
+{
+    enum { BY_LOAD = 12 }; /* modes up to this number; their shares fall as the square of it, or faster */
+    const bool centre = strcmp(watch->column, "v_cm") == 0;
+    int candidates[1 + BAR_MODES_MAX + BY_LOAD] = {watch->mode}, n = 1, count = 0;
+    for (int i = 0; i < theory->n_modes; i++)
+        if (theory->modes[i].velocity != 0 && theory->modes[i].number > 0)
+            candidates[n++] = theory->modes[i].number;
+    for (int mode = 1; is_loaded(theory) && mode <= BY_LOAD; mode++)
+        candidates[n++] = mode;
+    for (int i = 0; i < n && count < MODES_FITTED; i++) {
+        bool known = centre && !moves_centre(theory, candidates[i]);
+        for (int k = 0; k < count; k++)
+            known = known || modes[k] == candidates[i];
+        if (!known)
+            modes[count++] = candidates[i];
+    }
+    return count;
+}
+
+/* Under a load, or with several modes in motion, the column is no pure cosine: its other lines are fitted
+ * beside, at the frequencies that the mesh gives them, else the continuum. The strain energy swings twice as
+ * fast as each mode, and under a load as fast as it too. */
+static void set_lines(BarWatch *watch, const Settings *settings, const BarTheory *theory,
+                      BarFrequency *frequency, double dt)
+{
+    int modes[MODES_FITTED];
+    const int n_modes = modes_shown(theory, watch, modes);
+    const bool squares = strcmp(watch->column, "strain") == 0;
+    if (n_modes == 1 && !is_loaded(theory))
+        return;
+    const double of_mesh = frequency(settings, theory, dt, watch->mode);
+    for (int i = 0; i < n_modes; i++) {
+        double ratio = of_mesh > 0 ? frequency(settings, theory, dt, modes[i]) / of_mesh
+                                   : bar_frequency(theory, modes[i]) / watch->exact;
+        for (int times = 1; times <= 2; times++) {
+            const bool swings = squares ? times == 2 || is_loaded(theory) : times == 1;
+            const bool first = i == 0 && times == (int)watch->times;
+            if (swings && !first && ratio > 0 && watch->n_lines < FREQUENCY_LINES_MAX)
+                watch->ratios[watch->n_lines++] = ratio * times / watch->times;
+        }
+    }
+}
+
+/* --- columns -------------------------------------------------------------------------------------- */
+
+static double exact_v_cm(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)row;
+    return bar_centre_velocity(&refs->bar.theory, time);
+}
+
+static bool changes_key(const Settings *settings, const char *section)
+{
+    for (int i = 0; i < settings->n_changes; i++)
+        if (strncmp(settings->changes[i].to.key, section, strlen(section)) == 0)
+            return true;
+    return false;
+}
+
+bool bar_prepare(References *refs, const Settings *settings, const Simulation *sim, BarFrequency *frequency,
+                 Answer *predicted, const char *meaning, Status *status)
+{
+    BarAnswers *bar = &refs->bar;
+    if (!bar_theory_of(settings, &bar->theory, status))
+        return false;
+    bar->exact_known = !changes_key(settings, "load.");
+    bar->watch = predicted_watch(settings, &bar->theory, frequency, sim->dt);
+    if (bar->watch.moving)
+        set_lines(&bar->watch, settings, &bar->theory, frequency, sim->dt);
+
+    static const Quantity exact = {"v_cm_exact", "exact", "length/time",
+                                   "velocity of the centre of mass of the continuum (eq. 20)"};
+    const Quantity of_mesh = {"v_cm_predicted", "predicted", "length/time", meaning};
+    plan_method(refs, sim, "v_cm");
+    if (bar->exact_known)
+        plan_answer(refs, &exact, COLUMN_EXACT, "v_cm", exact_v_cm);
+    if (settings->n_changes == 0 && predicted)
+        plan_answer(refs, &of_mesh, COLUMN_PREDICTED, "v_cm", predicted);
+    return true;
+}
+
+double bar_profile(const References *refs, const char *field, double x, double time)
+{
+    const BarTheory *theory = &refs->bar.theory;
+    if (!refs->bar.exact_known || !(x >= 0 && x <= theory->length))
+        return NAN;
+    if (strcmp(field, "u") == 0)
+        return bar_displacement(theory, x, time);
+    if (strcmp(field, "x") == 0)
+        return x + bar_displacement(theory, x, time);
+    if (strcmp(field, "v") == 0)
+        return bar_velocity(theory, x, time);
+    if (strcmp(field, "stress") == 0)
+        return bar_stress(theory, x, time);
+    double strain = bar_stress(theory, x, time) / theory->youngs_modulus;
+    if (strcmp(field, "strain") == 0)
+        return strain;
+    if (strcmp(field, "density") == 0)
+        return theory->density / (1 + strain);
+    return NAN;
+}
+
+/* --- readout -------------------------------------------------------------------------------------- */
+
+void bar_read_out(const References *refs, const double *rows, size_t n_rows, int n_columns, Readout *out)
+{
+    const BarWatch *watch = &refs->bar.watch;
+    out->moving = watch->moving;
+    out->column = watch->column;
+    out->times = watch->times;
+    out->mode = watch->mode;
+    if (!watch->moving)
+        return;
+    out->exact_known = true;
+    out->exact = watch->exact;
+    out->predicted_known = watch->predicted_known;
+    out->predicted = watch->predicted_known ? watch->predicted : NAN;
+    int column = plan_find(refs, watch->column);
+    double expected = watch->times * (watch->predicted_known ? watch->predicted : watch->exact);
+    if (readout_fit(rows, n_rows, n_columns, column, expected, watch->ratios, watch->n_lines,
+                    &out->measured)) {
+        out->measured /= watch->times;
+        out->measured_known = true;
+    }
+}
+
+/* --- derived numbers ------------------------------------------------------------------------------ */
+
+void bar_derived_wave(Derived out[DERIVED_MAX], int *n, const Settings *settings, const BarTheory *theory,
+                      BarFrequency *frequency, double dt)
+{
+    const BarWatch watch = predicted_watch(settings, theory, frequency, dt);
+    if (!watch.moving)
+        return;
+    int mode = bar_watched_mode(theory);
+    derived_add(out, n, "beta", "wave number", "1/length", bar_wave_number(theory, mode > 0 ? mode : 1),
+                false);
+    derived_add(out, n, "omega", "frequency w", "1/time", watch.exact, false);
+    if (watch.predicted_known)
+        derived_add(out, n, "omega_predicted", "w of this mesh", "1/time", watch.predicted, false);
+    derived_add(out, n, "period", "period", "time", 2 * M_PI / watch.exact, false);
+    derived_add(out, n, "steps_per_period", "steps/period", "1", 2 * M_PI / watch.exact / dt, false);
+}

@@ -1,0 +1,24 @@
+/* The bar between its settings and its theory: for whoever wants to ask the theory further questions (a
+ * dispersion plot, a table of verification). */
+#ifndef LAB_BAR_PROBLEM_H
+#define LAB_BAR_PROBLEM_H
+
+#include "lab/settings/settings.h"
+#include "physics/pd_bar/rod.h"
+#include "theory/bar.h"
+#include "theory/rod.h"
+
+/* The bar with its modes and loads. False: its overtones cannot be read. */
+bool bar_theory_of(const Settings *, BarTheory *, Status *);
+
+/* The mesh on which it is predicted; `dt` as the simulation has it. */
+BarMesh bar_mesh_of(const Settings *, double dt);
+
+/* The same bar on a lattice of bonded nodes: for the engine (at rest) and for its theory. */
+RodDef rod_definition(const Settings *);
+RodLatticeTheory rod_lattice_of(const Settings *);
+
+/* dt = courant * dx / c, eq. 21. */
+double bar_time_step(const Settings *);
+
+#endif

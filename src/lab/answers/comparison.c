@@ -1,0 +1,277 @@
+#include "lab/answers/comparison.h"
+
+#include "base/text.h"
+#include "lab/settings/parameters.h"
+#include "lab/answers/summary.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* A run at its present step. */
+typedef struct Standing {
+    Experiment *experiment;
+    const Readout *readout;
+    CrackFacts crack;
+    bool breaks; /* `crack` is known */
+} Standing;
+
+/* A row: its label for this run and, if there is one, its value. False: the run has no such number. */
+typedef bool Tell(const Standing *, char *label, char *value);
+
+static bool put(char *value, const char *format, double number)
+{
+    snprintf(value, COMPARISON_TEXT_MAX, format, number);
+    return true;
+}
+
+/* --- frequency or period --------------------------------------------------------------------------- */
+
+static bool tell_answer(const Standing *run, const char *word, const char *format, bool known, double answer,
+                        char *label, char *value)
+{
+    const Readout *readout = run->readout;
+    if (!readout->moving)
+        return false;
+    snprintf(label, COMPARISON_TEXT_MAX, readout->is_period ? "T %s, ms" : "w %s", word);
+    return known && put(value, format, readout->is_period ? answer / 1e-3 : answer);
+}
+
+static bool tell_measured(const Standing *run, char *label, char *value)
+{
+    const Readout *readout = run->readout;
+    /* while rows come in the fit is a little behind them, see experiment_rest() */
+    const char *format = experiment_is_flowing(run->experiment) ? "~%.3f" : "%.4f";
+    if (tell_answer(run, "measured", format, readout->measured_known, readout->measured, label, value))
+        return true;
+    snprintf(value, COMPARISON_TEXT_MAX, experiment_at_end(run->experiment) ? "none" : "measuring");
+    return readout->moving;
+}
+
+static bool tell_predicted(const Standing *run, char *label, char *value)
+{
+    return tell_answer(run, "predicted", "%.4f", run->readout->predicted_known, run->readout->predicted,
+                       label, value);
+}
+
+static bool tell_exact(const Standing *run, char *label, char *value)
+{
+    return tell_answer(run, "exact", "%.4f", run->readout->exact_known, run->readout->exact, label, value);
+}
+
+static bool tell_error(const Standing *run, char *label, char *value)
+{
+    const Readout *readout = run->readout;
+    snprintf(label, COMPARISON_TEXT_MAX, readout->is_period ? "T off by" : "w off by");
+    return readout->moving && readout->measured_known && readout->exact_known &&
+           put(value, experiment_is_flowing(run->experiment) ? "~%+.1f %%" : "%+.2f %%",
+               readout->is_period ? readout->error_period : readout->error_frequency);
+}
+
+static bool tell_late(const Standing *run, char *label, char *value)
+{
+    const Readout *readout = run->readout;
+    snprintf(label, COMPARISON_TEXT_MAX, "late, periods");
+    return readout->moving && readout->measured_known && isfinite(readout->late) &&
+           put(value, "%.2f", readout->late);
+}
+
+/* --- energy ---------------------------------------------------------------------------------------- */
+
+static int column_of(const Standing *run, const char *name)
+{
+    int n;
+    const Column *columns = experiment_columns(run->experiment, &n);
+    for (int i = 0; i < n; i++)
+        if (strcmp(columns[i].quantity.name, name) == 0)
+            return i;
+    return -1;
+}
+
+/* Without the ripple of staggered velocities and stresses where it can be told from a loss. */
+static bool tell_loss(const Standing *run, char *label, char *value)
+{
+    double now, start;
+    snprintf(label, COMPARISON_TEXT_MAX, "energy E* change");
+    return experiment_invariant(run->experiment, &now, &start) && start > 0 &&
+           put(value, "%+.3f %%", 100 * (now / start - 1));
+}
+
+static bool tell_total(const Standing *run, char *label, char *value)
+{
+    const int total = column_of(run, "total");
+    const double *row = experiment_row(run->experiment);
+    const Record *record = experiment_record(run->experiment);
+    double now, start;
+    snprintf(label, COMPARISON_TEXT_MAX, "energy, of start");
+    if (experiment_invariant(run->experiment, &now, &start))
+        return false; /* it is told by E* */
+    if (total < 0 || !row || record->count == 0 || !(record_row(record, 0)[total] > 0))
+        return false;
+    return put(value, "%.2f %%", 100 * row[total] / record_row(record, 0)[total]);
+}
+
+/* The part of the kinetic energy that the grid does not see, as a mean over a tenth of the run, or what there
+ * is of it. */
+static bool tell_hidden(const Standing *run, char *label, char *value)
+{
+    const int kinetic = column_of(run, "kinetic"), grid = column_of(run, "kinetic_grid");
+    const Record *record = experiment_record(run->experiment);
+    const double to = experiment_time(run->experiment), span = experiment_settings(run->experiment)->end / 10;
+    double all = 0, seen = 0;
+    char number[NUMBER_TEXT_MAX];
+    text_rounded(number, span, 3);
+    if (to > span)
+        snprintf(label, COMPARISON_TEXT_MAX, "hidden, last t %.8s", number);
+    else
+        snprintf(label, COMPARISON_TEXT_MAX, "hidden, since t 0");
+    if (kinetic < 0 || grid < 0 || record->count == 0)
+        return false;
+    for (size_t i = record_find(record, to - span); i < record->count && record_row(record, i)[1] <= to;
+         i++) {
+        all += record_row(record, i)[kinetic];
+        seen += record_row(record, i)[grid];
+    }
+    return all > 0 && put(value, "%.2f %%", 100 * (1 - seen / all));
+}
+
+/* --- what happened --------------------------------------------------------------------------------- */
+
+static bool tell_crossing(const Standing *run, char *label, char *value)
+{
+    int count;
+    const Simulation *sim = experiment_simulation(run->experiment);
+    const Event *events = experiment_events(run->experiment, &count);
+    snprintf(label, COMPARISON_TEXT_MAX, "first crossing");
+    if (column_of(run, "kinetic_grid") < 0)
+        return false; /* there is no grid */
+    for (int i = 0; i < count; i++)
+        if (events[i].kind == EVENT_CROSSING && events[i].step <= sim->step)
+            return put(value, "t %.2f", (double)events[i].step * sim->dt);
+    snprintf(value, COMPARISON_TEXT_MAX, "none yet");
+    return true;
+}
+
+static bool tell_broken(const Standing *run, char *label, char *value)
+{
+    snprintf(label, COMPARISON_TEXT_MAX, "broken bonds");
+    return run->breaks && put(value, "%.0f", (double)run->crack.measured.broken);
+}
+
+static bool tell_first_break(const Standing *run, char *label, char *value)
+{
+    snprintf(label, COMPARISON_TEXT_MAX, "first break, us");
+    if (run->breaks && isnan(run->crack.measured.first_break)) {
+        snprintf(value, COMPARISON_TEXT_MAX, "none yet");
+        return true;
+    }
+    return run->breaks && put(value, "%.1f", run->crack.measured.first_break / 1e-6);
+}
+
+static bool tell_length(const Standing *run, char *label, char *value)
+{
+    snprintf(label, COMPARISON_TEXT_MAX, "crack's length, mm");
+    return run->breaks && put(value, "%.1f", run->crack.measured.length / 1e-3);
+}
+
+static bool tell_tip_x(const Standing *run, char *label, char *value)
+{
+    snprintf(label, COMPARISON_TEXT_MAX, "its tip at x, mm");
+    return run->breaks && run->crack.measured.begun && put(value, "%.1f", run->crack.measured.x / 1e-3);
+}
+
+static bool tell_tip_y(const Standing *run, char *label, char *value)
+{
+    snprintf(label, COMPARISON_TEXT_MAX, "and y, mm");
+    return run->breaks && run->crack.measured.begun && put(value, "%.1f", run->crack.measured.y / 1e-3);
+}
+
+static bool tell_work(const Standing *run, char *label, char *value)
+{
+    const int work = column_of(run, "work");
+    const double *row = experiment_row(run->experiment);
+    snprintf(label, COMPARISON_TEXT_MAX, "work of the load");
+    return work >= 0 && row && fabs(row[work]) > 0 && put(value, "%.4g", row[work]);
+}
+
+/* Where one of the two stands apart: it failed. */
+static bool tell_stop(const Standing *run, char *label, char *value)
+{
+    const Simulation *sim = experiment_simulation(run->experiment);
+    const ProblemFacts *facts = &problem_facts[experiment_settings(run->experiment)->problem];
+    snprintf(label, COMPARISON_TEXT_MAX, "stopped at t%s%s", facts->si ? "," : "", facts->told_time_unit);
+    return experiment_failed(run->experiment, NULL) &&
+           put(value, "%.4g", (double)experiment_newest(run->experiment) * sim->dt / facts->told_time);
+}
+
+static bool tell_step(const Standing *run, char *label, char *value)
+{
+    snprintf(label, COMPARISON_TEXT_MAX, "time step");
+    return put(value, "%.4g", experiment_simulation(run->experiment)->dt);
+}
+
+static const struct {
+    Tell *tell;
+    ColumnKind kind;
+    bool if_different; /* else it is not worth a row */
+} tells[] = {
+    {tell_stop, COLUMN_MEASURED, false},       {tell_measured, COLUMN_MEASURED, false},
+    {tell_predicted, COLUMN_PREDICTED, false}, {tell_exact, COLUMN_EXACT, false},
+    {tell_broken, COLUMN_MEASURED, false},     {tell_first_break, COLUMN_MEASURED, false},
+    {tell_length, COLUMN_MEASURED, false},     {tell_tip_x, COLUMN_MEASURED, false},
+    {tell_tip_y, COLUMN_MEASURED, false},      {tell_loss, COLUMN_MEASURED, false},
+    {tell_hidden, COLUMN_MEASURED, false},     {tell_crossing, COLUMN_MEASURED, false},
+    {tell_error, COLUMN_EXACT, false},         {tell_late, COLUMN_EXACT, false},
+    {tell_total, COLUMN_MEASURED, false},      {tell_work, COLUMN_MEASURED, false},
+    {tell_step, COLUMN_MEASURED, true},
+};
+enum { TELLS = sizeof tells / sizeof *tells };
+
+/* --- the table ------------------------------------------------------------------------------------- */
+
+static Standing standing_of(Experiment *experiment)
+{
+    Standing run = {.experiment = experiment, .readout = experiment_readout(experiment)};
+    run.breaks = crack_facts(experiment_simulation(experiment), &run.crack);
+    return run;
+}
+
+static int add_keys(const Duel *duel, Comparison *rows)
+{
+    const Settings *settings[2] = {experiment_settings(duel->a), experiment_settings(duel->b)};
+    int count = 0;
+    for (int i = 0; i < duel->n_keys; i++) {
+        const Parameter *parameter = parameter_find(duel->keys[i].key);
+        char value[LIST_MAX];
+        if (!parameter)
+            continue;
+        Comparison *row = &rows[count++];
+        *row = (Comparison){.kind = COLUMN_MEASURED};
+        snprintf(row->label, sizeof row->label, "%s", parameter->label);
+        for (int run = 0; run < 2; run++) {
+            settings_show(settings[run], parameter, value);
+            snprintf(row->values[run], sizeof row->values[run], "%.*s", COMPARISON_TEXT_MAX - 1, value);
+        }
+    }
+    return count;
+}
+
+int duel_compare(const Duel *duel, Comparison rows[COMPARISONS_MAX])
+{
+    if (!duel->b)
+        return 0;
+    const Standing runs[2] = {standing_of(duel->a), standing_of(duel->b)};
+    int count = add_keys(duel, rows);
+    for (int i = 0; i < TELLS; i++) {
+        Comparison row = {.kind = tells[i].kind};
+        bool any = false;
+        for (int run = 0; run < 2; run++)
+            if (tells[i].tell(&runs[run], row.label, row.values[run]))
+                any = true;
+            else
+                strcpy(row.values[run], "-");
+        if (any && !(tells[i].if_different && strcmp(row.values[0], row.values[1]) == 0))
+            rows[count++] = row;
+    }
+    return count;
+}

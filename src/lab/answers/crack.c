@@ -1,0 +1,25 @@
+#include "lab/answers/crack.h"
+
+#include <math.h>
+
+const double crack_heights[CRACK_ANGLES] = {0.010, 0.020, 0.038};
+
+bool crack_facts(const Simulation *sim, CrackFacts *facts)
+{
+    if (!crack_measure(sim, &facts->measured))
+        return false;
+    double x, y = 0;
+    crack_path(sim, &x, &y, 1);
+    for (int i = 0; i < CRACK_ANGLES; i++) {
+        /* the first row of the path is the next one above the notch's end */
+        const bool far = facts->measured.begun && facts->measured.y >= y + crack_heights[i];
+        facts->angles[i] = far ? crack_angle(sim, crack_heights[i]) : NAN;
+    }
+    facts->angle = crack_angle(sim, INFINITY);
+    return true;
+}
+
+size_t crack_line(const Simulation *sim, double *x, double *y, size_t max)
+{
+    return crack_path(sim, x, y, max);
+}

@@ -1,0 +1,30 @@
+/* The crack of the notched beam as it is told on screen, on paper and in tables: what the method measures of
+ * it, and what paper P says of it (figs. 9 and 10). Front ends ask here, not the method. SI units; angles in
+ * degrees between the notch and the way that the crack goes, positive towards larger x. */
+#ifndef LAB_CRACK_H
+#define LAB_CRACK_H
+
+#include "physics/pd_plane/crack.h"
+
+/* Paper P, section 3.3: the crack leaves the notch at about this angle. */
+#define CRACK_PAPER_ANGLE 30.0
+
+/* Heights above the notch's end (m) over which the angle is told, as in figure 10. */
+enum { CRACK_ANGLES = 3 };
+extern const double crack_heights[CRACK_ANGLES];
+
+typedef struct CrackFacts {
+    Crack measured;              /* tip, length, counts of bonds, times */
+    double angles[CRACK_ANGLES]; /* over crack_heights; NAN: the tip has not come so far */
+    double angle;                /* over the whole path; NAN: it has fewer than two rows */
+} CrackFacts;
+
+/* False: the simulation has no notch that a crack could begin at. At any stage of a step: bonds count as
+ * broken from the stage of bond forces on, tip and path follow at the stage of damage. */
+bool crack_facts(const Simulation *, CrackFacts *);
+
+/* The path from the notch's end upwards: x and y (m) of at most `max` rows of the lattice; returns how many.
+ */
+size_t crack_line(const Simulation *, double *x, double *y, size_t max);
+
+#endif

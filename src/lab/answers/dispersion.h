@@ -1,0 +1,37 @@
+/* Every mode of a bar on its mesh or lattice: what a dispersion plot shows, with the reasons for its error
+ * apart.
+ *
+ * Source: the discrete dispersion relations of theory/bar.h and theory/rod.h. Units: any consistent system.
+ */
+#ifndef LAB_DISPERSION_H
+#define LAB_DISPERSION_H
+
+#include "lab/settings/settings.h"
+
+#include <stdbool.h>
+
+enum { MODE_FACTORS_MAX = 3 };
+
+/* One of the reasons for which predicted/exact is not 1. */
+typedef struct ModeFactor {
+    const char *name;    /* "mesh K" */
+    const char *meaning; /* NULL: the name says it */
+    double value;
+} ModeFactor;
+
+/* One mode. predicted/exact is the product of the factors. */
+typedef struct ModeOnMesh {
+    double exact;     /* omega_n of the continuum, radians per unit time */
+    double predicted; /* of this mesh and time step, away from free ends; NAN: no formula, or such a wave does
+                       * not swing */
+    int n_factors;
+    ModeFactor factors[MODE_FACTORS_MAX];
+} ModeOnMesh;
+
+/* How many modes the mesh can carry, one for each cell or for each node of a lattice; 0: there is neither. */
+int dispersion_modes(const Settings *);
+
+/* Mode number 1 to dispersion_modes(). False: no such mode. */
+bool dispersion_mode(const Settings *, int number, ModeOnMesh *);
+
+#endif

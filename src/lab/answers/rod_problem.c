@@ -1,0 +1,139 @@
+/* The bar by peridynamics: settings to simulation, exact and predicted answers beside. */
+#include "lab/answers/bar_answers.h"
+#include "lab/settings/parameters.h"
+#include "physics/pd_bar/rod.h"
+#include "theory/rod.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+
+RodDef rod_definition(const Settings *settings)
+{
+    const BarDef *bar = &settings->bar;
+    return (RodDef){
+        .length = bar->length,
+        .youngs_modulus = bar->youngs_modulus,
+        .density = bar->density,
+        .left_fixed = bar->supports == BAR_FIXED_FREE || bar->supports == BAR_FIXED_FIXED,
+        .right_fixed = bar->supports == BAR_FREE_FIXED || bar->supports == BAR_FIXED_FIXED,
+        .spacing = lattice_spacing(settings),
+        .horizon = lattice_horizon(settings),
+        .surface_correction = settings->beam.surface_correction,
+        .volume_correction = settings->beam.volume_correction,
+        .body_force = bar->body_force,
+        .traction = bar->traction,
+        .traction_layer = bar->traction_layer,
+        .dt = bar_time_step(settings),
+    };
+}
+
+RodLatticeTheory rod_lattice_of(const Settings *settings)
+{
+    return (RodLatticeTheory){.spacing = lattice_spacing(settings),
+                              .horizon = lattice_horizon(settings),
+                              .partial_volumes = settings->beam.volume_correction == VOLUME_PARTIAL,
+                              .energy_correction = settings->beam.surface_correction == SURFACE_ENERGY,
+                              .dt = bar_time_step(settings)};
+}
+
+static Simulation *simulate(const Settings *settings, int threads, Status *status)
+{
+    (void)threads; /* a bar is too small to be shared */
+    BarTheory theory;
+    if (!bar_theory_of(settings, &theory, status))
+        return NULL;
+    RodDef def = rod_definition(settings);
+    def.initial_velocity = bar_start;
+    def.initial_context = &theory;
+    return rod_create(&def, status);
+}
+
+static double predicted_frequency(const Settings *settings, const BarTheory *theory, double dt, int mode)
+{
+    const RodLatticeTheory lattice = rod_lattice_of(settings);
+    (void)dt; /* the lattice knows it */
+    return rod_frequency(theory, &lattice, mode);
+}
+
+static double predicted_v_cm(References *refs, long step, double time, const double *row)
+{
+    (void)time, (void)row;
+    return rod_centre_velocity(refs->bar.modes, step);
+}
+
+static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
+{
+    BarTheory theory;
+    if (!bar_theory_of(settings, &theory, status))
+        return false;
+    const RodLatticeTheory lattice = rod_lattice_of(settings);
+    /* what theory cannot predict is left out; for want of memory it must not be */
+    errno = 0;
+    if (settings->n_changes == 0)
+        refs->bar.modes = rod_modes_create(&theory, &lattice);
+    const bool prepared =
+        bar_prepare(refs, settings, sim, predicted_frequency, refs->bar.modes ? predicted_v_cm : NULL,
+                    "velocity of the centre of mass predicted for this lattice", status);
+    if (errno == ENOMEM)
+        return status_fail(status, STATUS_FAILED, "not enough memory to predict the motion of %g nodes",
+                           round(settings->bar.length / lattice.spacing));
+    return prepared;
+}
+
+static int derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
+{
+    enum { QUICKLY = 2000 }; /* nodes for which the eigenvalue is found in no time */
+    const double dt = sim ? sim->dt : bar_time_step(settings), spacing = lattice_spacing(settings);
+    const double nodes = round(settings->bar.length / spacing);
+    int n = 0;
+    BarTheory theory;
+    if (!bar_theory_of(settings, &theory, NULL))
+        return 0;
+    derived_add(out, &n, "wave_speed", "wave speed c", "length/time", bar_wave_speed(&theory), false);
+    derived_add(out, &n, "dt", "time step dt", "time", dt, false);
+    bar_derived_wave(out, &n, settings, &theory, nodes <= QUICKLY ? predicted_frequency : NULL, dt);
+    derived_add(out, &n, "particles", "particles", "1", nodes, true);
+    derived_add(out, &n, "lattice_spacing", "spacing h", "length", spacing, false);
+    derived_add(out, &n, "lattice_horizon", "horizon delta", "length", lattice_horizon(settings), false);
+    if (!sim)
+        return n;
+    RodFacts facts;
+    rod_facts(sim, &facts);
+    derived_add(out, &n, "family", "bonds of a node", "1", (double)facts.family, true);
+    derived_add(out, &n, "micromodulus", "micromodulus c", "force/length^4", facts.micromodulus, false);
+    derived_add(out, &n, "bulk_modulus", "E of the bonds", "force/area", facts.bulk_modulus, false);
+    derived_add(out, &n, "end_factor", "g at a free end", "1", facts.end_factor, false);
+    derived_add(out, &n, "dt_crit", "critical dt", "time", facts.critical_step, false);
+    derived_add(out, &n, "largest_courant", "courant limit", "1",
+                settings->bar.courant * facts.critical_step / dt, false);
+    return n;
+}
+
+static bool advice(const Settings *settings, char *text, size_t size, Status *status)
+{
+    const RodDef def = rod_definition(settings);
+    const double courant = settings->bar.courant;
+    double critical;
+    if (!rod_critical(&def, &critical, status))
+        return false;
+    if (def.dt > critical)
+        return status_fail(status, STATUS_USAGE,
+                           "time.courant: the time step %.6g is above the critical one, %.6g (courant at "
+                           "most %.5g)",
+                           def.dt, critical, courant * critical / def.dt);
+    if (def.dt > 0.95 * critical)
+        snprintf(text, size, "time step %.4g is near the critical one, %.5g", def.dt, critical);
+    return true;
+}
+
+const ProblemRow bar_pd_row = {
+    .problem = PROBLEM_BAR,
+    .method = METHOD_PD,
+    .simulate = simulate,
+    .prepare = prepare,
+    .profile = bar_profile,
+    .readout = bar_read_out,
+    .derived = derived,
+    .advice = advice,
+};

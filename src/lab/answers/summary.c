@@ -1,0 +1,224 @@
+#include "lab/answers/summary.h"
+#include "base/text.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+static int find(const Column *columns, int n_columns, const char *name)
+{
+    for (int i = 0; i < n_columns; i++)
+        if (strcmp(columns[i].quantity.name, name) == 0)
+            return i;
+    return -1;
+}
+
+/* The mean over `count` rows of what is there without the work of loads. */
+static double mean_energy(const double *rows, size_t count, int n_columns, int total, int work)
+{
+    double sum = 0;
+    for (size_t i = 0; i < count; i++) {
+        const double *row = rows + i * (size_t)n_columns;
+        sum += row[total] - (work >= 0 ? row[work] : 0);
+    }
+    return sum / (double)count;
+}
+
+/* The time over which means are taken. */
+static double span_of(RunSummary *summary, double end)
+{
+    const Readout *readout = &summary->readout;
+    const double turn = readout->predicted_known ? readout->predicted : readout->exact;
+    const double period = readout->is_period ? turn : 2 * M_PI / turn;
+    const bool known = readout->moving && readout->exact_known && !readout->drifting && period > 0;
+    summary->energy_told = known && end >= period ? ENERGY_PERIOD : ENERGY_TENTH;
+    return summary->energy_told == ENERGY_PERIOD ? period : end / 10;
+}
+
+static void take_energy(RunSummary *summary, const Column *columns, int n_columns, const double *rows,
+                        size_t count, const double invariant[2])
+{
+    const size_t width = (size_t)n_columns;
+    int total = find(columns, n_columns, "total"), work = find(columns, n_columns, "work");
+    if (invariant[0] > 0 && isfinite(invariant[1])) {
+        summary->energy_told = ENERGY_INVARIANT;
+        summary->energy_change = 100 * (invariant[1] / invariant[0] - 1);
+        return;
+    }
+    if (total < 0 || count == 0)
+        return;
+    double largest = 0;
+    summary->energy_of_work = !(rows[total] > 0);
+    /* the work of a load swings with the body, so its value at the end says little */
+    for (size_t i = 0; i < count && work >= 0; i++)
+        largest = fmax(largest, fabs(rows[i * width + (size_t)work]));
+    if (summary->energy_of_work && !(largest > 0))
+        return;
+    const double end = rows[(count - 1) * width + 1], span = span_of(summary, end) * (1 - 1e-9);
+    size_t first = 1, last = 1;
+    while (first < count && rows[first * width + 1] < span)
+        first++;
+    while (last < count && rows[(count - last - 1) * width + 1] > end - span)
+        last++;
+    const double before = mean_energy(rows, first, n_columns, total, work);
+    const double after = mean_energy(rows + (count - last) * width, last, n_columns, total, work);
+    summary->energy_change = 100 * (after - before) / (summary->energy_of_work ? largest : before);
+}
+
+void summary_rows(RunSummary *summary, const Column *columns, int n_columns, const double *rows, size_t count,
+                  const double invariant[2])
+{
+    take_energy(summary, columns, n_columns, rows, count, invariant);
+    summary->n_columns = n_columns;
+    memcpy(summary->columns, columns, (size_t)n_columns * sizeof *columns);
+    if (count > 0)
+        memcpy(summary->last_row, rows + (count - 1) * (size_t)n_columns, (size_t)n_columns * sizeof *rows);
+}
+
+void summary_of(Experiment *experiment, RunSummary *summary)
+{
+    const Record *record = experiment_record(experiment);
+    int n;
+    const Column *columns = experiment_columns(experiment, &n);
+    *summary = (RunSummary){0};
+    summary->dt = experiment_simulation(experiment)->dt;
+    summary->steps = experiment_newest(experiment);
+    summary->time = (double)summary->steps * summary->dt;
+    summary->rows = summary->steps + 1;
+    summary->readout = *experiment_readout(experiment);
+    summary->readout.time = summary->time;
+    summary->readout.late = readout_late(&summary->readout, summary->time);
+    summary->failed = experiment_failed(experiment, &summary->failure);
+    double invariant[2] = {NAN, NAN};
+    if (experiment_simulation(experiment)->step != summary->steps ||
+        !experiment_invariant(experiment, &invariant[1], &invariant[0]))
+        invariant[0] = NAN;
+    summary_rows(summary, columns, n, record->rows, record->count, invariant);
+    summary->n_derived = experiment_derived(experiment, summary->derived);
+    /* the crack is that of the step on screen */
+    if (experiment_simulation(experiment)->step == summary->steps)
+        summary->crack_known = crack_facts(experiment_simulation(experiment), &summary->crack);
+}
+
+typedef struct Writer {
+    char *out;
+    size_t used;
+} Writer;
+
+static void add(Writer *writer, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+static void add(Writer *writer, const char *format, ...)
+{
+    if (writer->used >= SUMMARY_MAX)
+        return;
+    va_list arguments;
+    va_start(arguments, format);
+    int n = vsnprintf(writer->out + writer->used, SUMMARY_MAX - writer->used, format, arguments);
+    va_end(arguments);
+    writer->used += n > 0 ? (size_t)n : 0;
+}
+
+static void add_known(Writer *writer, const char *word, bool known, double value)
+{
+    char text[NUMBER_TEXT_MAX];
+    if (!known)
+        return;
+    text_rounded(text, value, 7);
+    add(writer, "  %s %s", word, text);
+}
+
+static void add_readout(Writer *writer, const Readout *readout)
+{
+    const char *what = readout->is_period ? "period" : "frequency";
+    if (!readout->moving) {
+        add(writer, "nothing vibrates: no %s to measure\n", what);
+        return;
+    }
+    add(writer, "%s", what);
+    if (!readout->measured_known)
+        add(writer, "  %s", readout->unmeasured);
+    add_known(writer, "measured", readout->measured_known, readout->measured);
+    add_known(writer, "predicted", readout->predicted_known, readout->predicted);
+    add_known(writer, "exact", readout->exact_known, readout->exact);
+    if (readout->is_period && (readout->measured_known || readout->predicted_known || readout->exact_known))
+        add(writer, "  s");
+    add(writer, "\n");
+    if (!readout->measured_known || !readout->exact_known)
+        return;
+    add(writer, "error  frequency %+.4g %%  period %+.4g %%", readout->error_frequency,
+        readout->error_period);
+    if (readout->predicted_known)
+        add(writer, "  (frequency predicted %+.4g %%)", readout->predicted_error_frequency);
+    add(writer, "\n%s by %.3g periods%s\n", readout->late < 0 ? "early" : "late", fabs(readout->late),
+        strcmp(readout->column, "strain") == 0 ? " (measured on the strain energy)" : "");
+}
+
+static void add_time(Writer *writer, const char *word, double seconds, const char *never)
+{
+    if (isnan(seconds))
+        add(writer, "%s %s", word, never);
+    else
+        add(writer, "%s %.2f us", word, 1e6 * seconds);
+}
+
+void summary_crack_text(const RunSummary *summary, char out[SUMMARY_MAX])
+{
+    Writer writer = {out, 0};
+    const Crack *crack = &summary->crack.measured;
+    out[0] = '\0';
+    if (!summary->crack_known)
+        return;
+    add_time(&writer, "crack  first break", crack->first_break, "none");
+    add_time(&writer, "  twentieth", crack->twentieth_break, "none");
+    add_time(&writer, "  protected zone", crack->arrival, "not yet");
+    add(&writer, "\n");
+    bool any = false;
+    for (int i = 0; i < CRACK_ANGLES; i++) {
+        if (isnan(summary->crack.angles[i]))
+            continue;
+        add(&writer, "%s%.1f deg over %.0f mm", any ? "  " : "angle  ", summary->crack.angles[i],
+            1e3 * crack_heights[i]);
+        any = true;
+    }
+    add(&writer, "%s", any ? "\n" : "");
+    if (crack->begun)
+        add(&writer, "tip  x %.1f mm  y %.1f mm", 1e3 * crack->x, 1e3 * crack->y);
+    else
+        add(&writer, "no crack yet");
+    add(&writer, "  broken bonds %ld\n", crack->broken);
+}
+
+void summary_energy_text(const RunSummary *summary, char out[SUMMARY_MAX])
+{
+    static const char *const names[] = {[ENERGY_INVARIANT] = "energy E*",
+                                        [ENERGY_PERIOD] = "energy, first period to last,",
+                                        [ENERGY_TENTH] = "energy, first tenth to last,"};
+    const double change = summary->energy_change;
+    Writer writer = {out, 0};
+    out[0] = '\0';
+    if (summary->energy_told == ENERGY_UNTOLD || !isfinite(change))
+        return;
+    add(&writer, fabs(change) < 5e-4 ? "%s %.3f %% of the %s" : "%s %+.3g %% of the %s",
+        names[summary->energy_told], fabs(change) < 5e-4 ? 0 : change,
+        summary->energy_of_work ? "work" : "start");
+}
+
+void summary_text(const RunSummary *summary, const Settings *settings, char out[SUMMARY_MAX])
+{
+    Writer writer = {out, 0};
+    const ProblemFacts *facts = &problem_facts[settings->problem];
+    out[0] = '\0';
+    char time[NUMBER_TEXT_MAX], dt[NUMBER_TEXT_MAX];
+    text_rounded(time, summary->time, 8);
+    text_rounded(dt, summary->dt, 6);
+    add(&writer, "%ld steps to t = %s%s%s  (dt %s)%s\n", summary->steps, time, facts->si ? " " : "",
+        facts->si ? facts->unit_of_time : "", dt, summary->failed ? ", where the run failed" : "");
+    if (!summary->crack_known)
+        add_readout(&writer, &summary->readout);
+    char text[SUMMARY_MAX];
+    summary_crack_text(summary, text);
+    add(&writer, "%s", text);
+    summary_energy_text(summary, text);
+    add(&writer, "%s%s", text, *text ? "\n" : "");
+}

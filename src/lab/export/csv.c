@@ -1,0 +1,47 @@
+#include "lab/export/csv.h"
+#include "base/text.h"
+
+#include <math.h>
+#include <string.h>
+
+static char separator(Dialect dialect)
+{
+    return dialect == DIALECT_SEMICOLON ? ';' : ',';
+}
+
+void csv_header(FILE *stream, Dialect dialect, const char *const *names, int count)
+{
+    for (int i = 0; i < count; i++)
+        fprintf(stream, "%s%c", names[i], i + 1 < count ? separator(dialect) : '\n');
+}
+
+/* Whole numbers make up much of a table, and need no search for the shortest text. */
+static size_t write_number(char *out, double value)
+{
+    if (!(fabs(value) < 1e15) || value != floor(value) || (value == 0 && signbit(value)))
+        return text_shortest(out, value);
+    char digits[NUMBER_TEXT_MAX];
+    size_t n = 0, length = 0;
+    unsigned long long rest = (unsigned long long)fabs(value);
+    do
+        digits[n++] = (char)('0' + rest % 10);
+    while ((rest /= 10) > 0);
+    if (value < 0)
+        out[length++] = '-';
+    while (n > 0)
+        out[length++] = digits[--n];
+    return length;
+}
+
+void csv_row(FILE *stream, Dialect dialect, const double *row, int count)
+{
+    char text[NUMBER_TEXT_MAX];
+    for (int i = 0; i < count; i++) {
+        size_t length = isnan(row[i]) ? 0 : write_number(text, row[i]);
+        char *point = dialect == DIALECT_SEMICOLON ? memchr(text, '.', length) : NULL;
+        if (point)
+            *point = ',';
+        fwrite(text, 1, length, stream);
+        fputc(i + 1 < count ? separator(dialect) : '\n', stream);
+    }
+}

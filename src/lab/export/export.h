@@ -1,0 +1,61 @@
+/* A run as files: CSV tables with their .csv.ini beside. Column contract: manual page matvib(1).
+ *
+ * Files are written whole or not at all: a temporary file in the same folder, fsync, rename. */
+#ifndef LAB_EXPORT_H
+#define LAB_EXPORT_H
+
+#include "base/status.h"
+#include "lab/answers/crack.h"
+#include "lab/answers/problem.h"
+#include "lab/settings/settings.h"
+
+typedef enum Dialect { DIALECT_COMMA, DIALECT_SEMICOLON } Dialect;
+
+/* What a run writes; a NULL name is not written, "-" is standard output. */
+typedef struct Outputs {
+    const char *series, *particles, *nodes, *bonds, *vtk;
+    Dialect dialect;
+    bool force; /* existing files are replaced; else they are refused before the run starts */
+} Outputs;
+
+/* By what the change of a run's energy is told, so that the ripple of kinetic and strain energy, which are
+ * known half a step apart, does not enter: by E* where there is one (lab/answers/invariant.h), else by the
+ * means of total - work over the first and the last period, or tenths of the run where no one period is
+ * known. */
+typedef enum EnergyTold { ENERGY_UNTOLD, ENERGY_INVARIANT, ENERGY_PERIOD, ENERGY_TENTH } EnergyTold;
+
+/* What a run came to; printed by `matvib run`, shown by the laboratory at the end. */
+typedef struct RunSummary {
+    long steps;
+    double time, dt;
+    Readout readout;
+    EnergyTold energy_told;
+    bool energy_of_work;  /* the run begins at rest: the change is a share of the largest work of the load */
+    double energy_change; /* from the start to the end, in percent of the start */
+    long rows;            /* of the series */
+    Column columns[COLUMNS_MAX]; /* of the series */
+    int n_columns;
+    double last_row[COLUMNS_MAX];
+    Derived derived[DERIVED_MAX]; /* of the simulation that ran */
+    int n_derived;
+    bool crack_known; /* a beam with a notch */
+    CrackFacts crack;
+    bool failed;
+    Status failure;
+} RunSummary;
+
+/* Called now and then with the share done in [0, 1]; returns false to stop the run (^C). May be NULL. */
+typedef bool (*RunProgress)(double share, void *context);
+
+/* Runs settings from 0 to the end without keeping more than it must and writes the outputs as it goes; the
+ * laboratory's export and `matvib run` are this function, so they write the same bytes. A run that fails on
+ * its way still writes everything up to there, then returns false with the failure. */
+bool export_run(const Settings *, const Outputs *, int threads, RunProgress, void *context, RunSummary *,
+                Status *);
+
+/* The same with a simulation of any method, taken over in any case, for trials of methods that no problem
+ * knows. Of the settings only time.end, output.* and texts are read. */
+bool export_simulation(const Settings *, Simulation *, const Outputs *, RunProgress, void *context,
+                       RunSummary *, Status *);
+
+#endif

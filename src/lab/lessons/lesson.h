@@ -1,0 +1,83 @@
+/* Lessons: pages of text beside the live laboratory, from a text file. Format: manual page matvib(5).
+ *
+ * A line that begins with '@' says something of the lesson or of a page, '#' begins a comment line, all else
+ * is text: lines are joined, an empty line parts paragraphs.
+ *
+ *     @title TEXT           @about TEXT             of the lesson, before its first page
+ *     @page TITLE           a page begins
+ *     @do LINE              what the laboratory does when the page is opened, as behind `:`
+ *     @field KEY            a parameter to be changed beside the text
+ *     @ask QUESTION         then two to four choices, one of them right:
+ *     @choice TEXT          @right TEXT
+ *     @reveal               what follows, text and @do, waits for the answer
+ *     @until CONDITION      step N | time T | stage N | end | command NAME | value KEY VALUE */
+#ifndef LAB_LESSON_H
+#define LAB_LESSON_H
+
+#include "lab/settings/settings.h"
+
+#include <stdio.h>
+
+enum { LESSON_CHOICES_MAX = 4, LESSON_FIELDS_MAX = 3, LESSON_PAGES_MAX = 64 };
+
+/* A part of a page: shown, and done. */
+typedef struct LessonPart {
+    char *text; /* paragraphs parted by '\n'; NULL: none */
+    char **actions;
+    int n_actions;
+} LessonPart;
+
+typedef enum UntilKind {
+    UNTIL_NOTHING,
+    UNTIL_STEP,    /* so many whole steps have been done: number */
+    UNTIL_TIME,    /* number */
+    UNTIL_STAGE,   /* in the middle of a step, so many of its stages: number */
+    UNTIL_END,     /* of the run */
+    UNTIL_COMMAND, /* a command of that name has been used: word */
+    UNTIL_VALUE    /* a parameter has a value: word, value */
+} UntilKind;
+
+/* What a page waits for before the next one. */
+typedef struct LessonUntil {
+    UntilKind kind;
+    double number;
+    char word[KEY_MAX], value[VALUE_MAX];
+} LessonUntil;
+
+typedef struct LessonPage {
+    char *title;
+    LessonPart first, revealed; /* the second once the question is answered */
+    char *question;             /* NULL: none */
+    char *choices[LESSON_CHOICES_MAX];
+    int n_choices, right;
+    char fields[LESSON_FIELDS_MAX][KEY_MAX];
+    int n_fields;
+    LessonUntil until;
+} LessonPage;
+
+typedef struct Lesson {
+    char *title, *about; /* one line each */
+    LessonPage *pages;
+    int n_pages;
+} Lesson;
+
+/* A lesson that is part of the program, from data/lessons. */
+typedef struct BuiltinLesson {
+    const char *name; /* "one-step" */
+    const char *text;
+} BuiltinLesson;
+
+extern const BuiltinLesson builtin_lessons[]; /* generated; ended by a NULL name */
+
+/* Reads a lesson by built-in name or, failing that, by path. False: "FILE:LINE: what is wrong (what is
+ * allowed)"; nothing is left to be freed. */
+bool lesson_load(const char *name_or_path, Lesson *lesson, Status *status);
+
+/* The same from a stream; `name` stands for FILE. */
+bool lesson_read(FILE *stream, const char *name, Lesson *lesson, Status *status);
+
+void lesson_free(Lesson *lesson); /* also an empty one */
+
+const BuiltinLesson *lesson_builtin(const char *name); /* NULL: there is none */
+
+#endif

@@ -1,0 +1,223 @@
+#include "lab/run/story.h"
+#include "base/text.h"
+#include "lab/settings/changes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+void story_forget(Story *story)
+{
+    story->begun = false;
+}
+
+static void add(Event *events, int *count, int most, long step, EventKind kind, const char *text)
+{
+    if (*count == most)
+        return;
+    Event *event = &events[(*count)++];
+    event->step = step;
+    event->kind = kind;
+    snprintf(event->text, sizeof event->text, "%.119s", text);
+}
+
+/* --- what was known beforehand, and what was changed --------------------------------------------------- */
+
+static void tell_advice(Story *story, const Settings *settings, long step, char last[160])
+{
+    char advice[160] = "";
+    if (!problem_advice(settings, advice, sizeof advice, NULL) || strcmp(advice, last) == 0)
+        return;
+    memcpy(last, advice, sizeof advice);
+    if (advice[0])
+        add(story->told, &story->n_told, STORY_TOLD_MAX, step, EVENT_ADVICE, advice);
+}
+
+static void tell_changes(Story *story, const Settings *settings)
+{
+    char last[160] = "", text[KEY_MAX + VALUE_MAX + 8];
+    Settings then;
+    changes_in_force(settings, -1, &then);
+    tell_advice(story, &then, 0, last);
+    for (int i = 0; i < settings->n_changes; i++) {
+        const Change *change = &settings->changes[i];
+        snprintf(text, sizeof text, "%s = %s", change->to.key, change->to.value);
+        add(story->told, &story->n_told, STORY_TOLD_MAX, change->step, EVENT_CHANGE, text);
+        changes_in_force(settings, change->step, &then);
+        tell_advice(story, &then, change->step, last);
+    }
+}
+
+/* --- energy ------------------------------------------------------------------------------------------- */
+
+/* A drift is told when it is beyond a level in two periods in a row: the sum of energies that are half a step
+ * apart ripples. */
+static const double levels[] = {.01, .02, .05, .1, .2, .5, 1, 2, 5, 10, 100, 1000};
+enum { LEVELS = sizeof levels / sizeof *levels };
+
+static int column_of(const Trial *trial, const char *name)
+{
+    for (int i = 0; i < trial->n_columns; i++)
+        if (strcmp(trial->columns[i].quantity.name, name) == 0)
+            return i;
+    return -1;
+}
+
+static bool crossed_before(const Trial *trial, long step)
+{
+    for (int i = 0; i < trial->n_events; i++)
+        if (trial->events[i].kind == EVENT_CROSSING)
+            return trial->events[i].step <= step;
+    return false;
+}
+
+/* Why the energy drifts, as far as it is known. */
+static const char *cause_of(const Trial *trial, long step, bool gain)
+{
+    Settings then;
+    changes_in_force(&trial->base, step, &then);
+    const bool mpm = then.problem == PROBLEM_BAR && then.method == METHOD_MPM;
+    if (mpm && !gain && then.bar.transfer == MPM_FLIP && then.bar.flip_fraction < 1)
+        return ": PIC damping";
+    if (mpm && !gain && then.bar.transfer == MPM_APIC)
+        return ": APIC filters velocities";
+    if (mpm && !gain && then.bar.algorithm == MPM_USL)
+        return ": USL damping";
+    return crossed_before(trial, step) ? ": cell crossing" : "";
+}
+
+static void tell_drift(EnergyWatch *watch, const Trial *trial, double drift)
+{
+    const double least = fmin(fabs(drift), fabs(watch->before));
+    if (drift * watch->before <= 0 || watch->level == LEVELS || least < levels[watch->level])
+        return;
+    while (watch->level < LEVELS && least >= levels[watch->level])
+        watch->level++;
+    char number[NUMBER_TEXT_MAX], text[120];
+    text_rounded(number, 100 * fabs(watch->before), 2);
+    snprintf(text, sizeof text, "energy %s %% %s the start%s", number, drift > 0 ? "above" : "below",
+             cause_of(trial, watch->before_step, drift > 0));
+    add(watch->events, &watch->n_events, STORY_DRIFTS_MAX, watch->before_step, EVENT_ENERGY, text);
+}
+
+static void end_block(EnergyWatch *watch, const Trial *trial, long step)
+{
+    const double mean = watch->sum / (double)watch->count;
+    if (watch->block == 0)
+        watch->first = mean;
+    const double drift = watch->first > 0 ? mean / watch->first - 1 : 0;
+    tell_drift(watch, trial, drift);
+    watch->before = drift;
+    watch->before_step = step;
+    watch->sum = 0;
+    watch->count = 0;
+}
+
+static void watch_energy(EnergyWatch *watch, const Trial *trial, const Readout *readout)
+{
+    const Record *record = &trial->record;
+    const int total = column_of(trial, "total"), work = column_of(trial, "work");
+    const size_t rows = record->count - (record->loose_last && record->count > 0);
+    if (rows < watch->rows || record->spacing != watch->spacing) {
+        /* the period that the run really has is the mesh's own: it holds whole ripples */
+        const double turn = readout->predicted_known ? readout->predicted : readout->exact;
+        const bool known = readout->moving && readout->exact_known && !readout->drifting && turn > 0;
+        *watch = (EnergyWatch){.spacing = record->spacing,
+                               .period = !known               ? 0
+                                         : readout->is_period ? turn
+                                                              : 2 * M_PI / turn};
+    }
+    if (!(watch->period > 0) || total < 0)
+        return;
+    for (; watch->rows < rows; watch->rows++) {
+        const double *row = record_row(record, watch->rows);
+        const long block = (long)floor(row[1] / watch->period);
+        if (block != watch->block && watch->count > 0)
+            end_block(watch, trial, (long)record_row(record, watch->rows - 1)[0]);
+        watch->block = block;
+        watch->sum += row[total] - (work >= 0 ? row[work] : 0);
+        watch->count++;
+    }
+}
+
+/* --- the lag ------------------------------------------------------------------------------------------ */
+
+/* Periods that the run falls behind in a unit of time; 0: not known. What the mesh predicts does not change
+ * while the run goes on; it counts where the run does as predicted. */
+static double lag_per_time(const Readout *readout)
+{
+    Readout steady = *readout;
+    if (!readout->measured_known || !readout->exact_known || readout->drifting)
+        return 0;
+    if (readout->predicted_known && fabs(readout->measured / readout->predicted - 1) < 0.01)
+        steady.measured = readout->predicted;
+    return readout_late(&steady, 1);
+}
+
+static void tell_lags(Story *story, const Trial *trial)
+{
+    static const struct {
+        double periods;
+        const char *words;
+    } lags[STORY_LAGS_MAX] = {{.5, "half a period"}, {1, "a whole period"}, {2, "two periods"},
+                              {5, "five periods"},   {10, "ten periods"},   {20, "twenty periods"}};
+    for (int i = 0; i < STORY_LAGS_MAX && story->late != 0; i++) {
+        const double step = lags[i].periods / fabs(story->late) / trial->sim->dt;
+        char text[120];
+        if (step > (double)trial->newest)
+            return;
+        snprintf(text, sizeof text, "%s %s against exact", lags[i].words, story->late > 0 ? "late" : "early");
+        add(story->events, &story->count, STORY_MAX, lround(step), EVENT_LATE, text);
+    }
+}
+
+/* --- together ----------------------------------------------------------------------------------------- */
+
+/* Whether another event of the story says the same, or says it better. */
+static bool is_told(const Story *story, const Event *event)
+{
+    const double seen = (double)(story->energy.before_step);
+    return event->kind == EVENT_CHANGE ||
+           (event->kind == EVENT_ENERGY && story->energy.period > 0 && (double)event->step <= seen);
+}
+
+static void sort(Event *events, int count)
+{
+    for (int i = 1; i < count; i++) { /* mostly in order already, and equal ones keep theirs */
+        const Event event = events[i];
+        int at = i;
+        for (; at > 0 && events[at - 1].step > event.step; at--)
+            events[at] = events[at - 1];
+        events[at] = event;
+    }
+}
+
+void story_tell(Story *story, const Trial *trial, const Readout *readout)
+{
+    if (!story->begun) {
+        *story = (Story){.begun = true, .newest = -1};
+        tell_changes(story, &trial->base);
+    }
+    const double late = lag_per_time(readout);
+    if (story->newest == trial->newest && story->failed == trial->failed &&
+        story->n_reported == trial->n_events && !(story->late < late) && !(story->late > late))
+        return;
+    story->late = late;
+    story->newest = trial->newest;
+    story->failed = trial->failed;
+    story->n_reported = trial->n_events;
+    watch_energy(&story->energy, trial, readout);
+    story->count = 0;
+    for (int i = 0; i < story->n_told; i++)
+        if (story->told[i].step <= trial->newest)
+            story->events[story->count++] = story->told[i];
+    for (int i = 0; i < trial->n_events; i++)
+        if (!is_told(story, &trial->events[i]))
+            story->events[story->count++] = trial->events[i];
+    for (int i = 0; i < story->energy.n_events; i++)
+        story->events[story->count++] = story->energy.events[i];
+    tell_lags(story, trial);
+    sort(story->events, story->count);
+    if (trial->failed)
+        add(story->events, &story->count, STORY_MAX, trial->newest, EVENT_FAILURE, trial->failure.text);
+}

@@ -1,0 +1,46 @@
+/* What happened in a run, in plain words with their steps: what the method reported, the changes that were
+ * made, and what only the record tells beside theory: energy that drifts, a lag behind the exact answer. */
+#ifndef LAB_STORY_H
+#define LAB_STORY_H
+
+#include "lab/run/trial.h"
+
+enum { STORY_TOLD_MAX = 2 * CHANGES_MAX + 2, STORY_DRIFTS_MAX = 16, STORY_LAGS_MAX = 6 };
+enum { STORY_MAX = SIMULATION_EVENTS_MAX + STORY_TOLD_MAX + STORY_DRIFTS_MAX + STORY_LAGS_MAX + 1 };
+
+/* The mean energy of each period beside that of the first. */
+typedef struct EnergyWatch {
+    double period;    /* 0: there is none, nothing is watched */
+    size_t rows;      /* of the record that are in */
+    long spacing;     /* of these */
+    long block;       /* the period that is being summed up */
+    double sum;       /* of its rows */
+    size_t count;     /* how many they are */
+    double first;     /* mean of the first period */
+    double before;    /* drift of the period before, a share of the first */
+    long before_step; /* its last step */
+    int level;        /* how many levels were reported */
+    Event events[STORY_DRIFTS_MAX];
+    int n_events;
+} EnergyWatch;
+
+typedef struct Story {
+    bool begun;
+    Event told[STORY_TOLD_MAX]; /* advice and changes */
+    int n_told;
+    EnergyWatch energy;
+    Event events[STORY_MAX]; /* all, ascending in step */
+    int count;
+    long newest; /* the step that it goes to */
+    bool failed;
+    int n_reported;
+    double late; /* the lag per time that it was told with */
+} Story;
+
+/* Forgets everything: the run is another one, or part of it was cut off. */
+void story_forget(Story *);
+
+/* Brings it up to the newest step. */
+void story_tell(Story *, const Trial *, const Readout *);
+
+#endif

@@ -1,0 +1,190 @@
+/* The parameter table: one row for each key of a scenario file that has a value. The scenario reader and
+ * writer, --set, the fields on screen, `matvib params`, completion and the manual page read this table;
+ * none repeats it. To add a parameter: one row here and the member it fills in settings.h. */
+#ifndef LAB_PARAMETERS_H
+#define LAB_PARAMETERS_H
+
+#include "base/status.h"
+#include "lab/settings/settings.h"
+
+#include <stddef.h>
+
+typedef enum ParameterType {
+    PARAMETER_REAL,
+    PARAMETER_INTEGER,
+    PARAMETER_CHOICE, /* an enum; values are indices into choices */
+    PARAMETER_FLAG,   /* a bool: yes | no */
+    PARAMETER_TEXT    /* LIST_MAX bytes */
+} ParameterType;
+
+typedef enum Nudge {
+    NUDGE_NONE,
+    NUDGE_ONE,     /* +1, -1 */
+    NUDGE_DOUBLE,  /* x2, /2 */
+    NUDGE_1_2_5,   /* 1, 2, 5, 10, ...; 0 and then negative below the least rung, where these are allowed */
+    NUDGE_SPACING, /* one lattice spacing more or less: places and sizes of a beam */
+    NUDGE_NEXT     /* next choice */
+} Nudge;
+
+typedef enum ParameterMethod { OF_EVERY_METHOD, OF_MPM, OF_PD } ParameterMethod;
+
+typedef struct Parameter {
+    const char *key;       /* "bar.youngs_modulus": section.key of the scenario file */
+    const char *group;     /* heading on screen: "Bar", "Start", "Mesh", "Method", "Time", ... */
+    const char *label;     /* on screen, at most 15 columns: "Young's modulus" */
+    const char *unit_bar;  /* dimension in the bar's consistent units: "force/area"; "" for a number */
+    const char *unit_beam; /* SI: "Pa" */
+    ParameterType type;
+    size_t offset;              /* of the member in Settings */
+    double least, most;         /* inclusive range */
+    bool above_least;           /* the least itself is not allowed */
+    const char *const *choices; /* ended by NULL */
+    int bar_choices;            /* on the bar only so many of them, the first ones; 0: all */
+    const char *automatic;      /* a word that stands for 0, "auto"; NULL: none */
+    bool automatic_on_bar;      /* and only there: a beam wants a number */
+    Nudge nudge;
+    bool live;                      /* may change in mid-run */
+    ParameterMethod only;           /* the bar has two methods, and some parameters one */
+    const char *help;               /* one line */
+    const char *help_moving;        /* of the moving cantilever; NULL: the same */
+    double defaults[PROBLEM_COUNT]; /* NAN: not a parameter of that problem */
+} Parameter;
+
+extern const Parameter parameters[];
+extern const int n_parameters;
+
+/* What a text may be; empty is always allowed. */
+typedef enum TextRule {
+    TEXT_ANY,
+    TEXT_VIEW,       /* the number of a view, 1 to 9 */
+    TEXT_POSITIVE,   /* a number > 0 */
+    TEXT_REFERENCES, /* one of reference_words */
+    TEXT_COLOUR      /* one of colour_words */
+} TextRule;
+
+/* Keys of a scenario file that hold words and are no parameters of the run: title, question, view. */
+typedef struct TextKey {
+    const char *key;
+    size_t offset; /* of the char array in Settings */
+    size_t size;
+    const char *help;
+    TextRule rule;
+} TextKey;
+
+extern const TextKey text_keys[];
+extern const int n_text_keys;
+
+/* The words of a scenario file for Problem and MethodKind, ended by NULL. */
+extern const char *const problem_words[];
+extern const char *const method_words[];
+extern const char *const method_titles[]; /* on screen: "MPM" */
+
+/* The words of view.references, ended by NULL. */
+extern const char *const reference_words[];
+
+/* The words of view.colour, ended by NULL, in the order in which the beam view goes through them. */
+extern const char *const colour_words[];
+
+/* The row of a key; NULL: unknown. */
+const Parameter *parameter_find(const char *key);
+const TextKey *text_key_find(const char *key);
+
+/* The known key of this problem nearest to a wrong one, for "did you mean"; NULL: nothing is near. */
+const char *parameter_nearest(Problem problem, const char *key);
+
+/* The unit for this problem: in the bar's consistent units a dimension; "": a number. */
+const char *parameter_unit(const Parameter *, Problem);
+
+/* The line of help for this problem. */
+const char *parameter_help(const Parameter *, Problem);
+
+/* The nearest of some words (ended by NULL) to a wrong one; NULL: nothing is near. */
+const char *nearest_word(const char *const *words, const char *wrong);
+
+bool parameter_applies(const Parameter *, Problem); /* has a default for that problem, by any method */
+
+/* Whether a run of these settings reads it: of their problem and of their method. */
+bool settings_have(const Settings *, const Parameter *);
+
+/* All values at the defaults of a problem, method as usual for it, texts empty. */
+void settings_default(Settings *, Problem);
+
+/* Spacing and horizon of the lattice, with what stands for "auto" on the bar: one node where each particle
+ * of the cells would be, and three spacings. */
+double lattice_spacing(const Settings *);
+double lattice_horizon(const Settings *);
+
+/* Sets one value from text as it stands in a scenario file or after --set; parameters and text keys. False:
+ * unknown key (with the nearest one), not used by this problem or its method, not a number, out of range: the
+ * status's text is "KEY: what is wrong (what is allowed)", and nothing is changed. */
+bool settings_set(Settings *, const char *key, const char *text, Status *);
+
+/* Sets the method alone, where it is among the keys: which of the others there are depends on it, so it comes
+ * first wherever it stands. */
+bool settings_set_method(Settings *, const Assignment *keys, int n_keys, Status *);
+
+/* The value as text that settings_set() reads back to the same value. */
+void settings_get(const Settings *, const Parameter *, char out[LIST_MAX]);
+
+/* The same for people: at most six digits. */
+void settings_show(const Settings *, const Parameter *, char out[LIST_MAX]);
+
+/* The value as number: index for a choice, 0 or 1 for a flag; NAN for a text. */
+double settings_number(const Settings *, const Parameter *);
+
+/* The next value upwards (+1) or downwards (-1) by the parameter's nudge, kept in its range and such that
+ * settings_check() allows it. False: there is none, nothing is changed. */
+bool settings_nudge(Settings *, const Parameter *, int direction);
+
+/* The word that stands for 0 in this problem; NULL: none. */
+const char *parameter_automatic(const Parameter *, Problem);
+
+/* What a scenario asks about: its question.key, or what its method leaves open. NULL: nothing. */
+const Parameter *settings_question(const Settings *);
+
+/* Whether a scenario can ask about it: it has choices, or it is a size of the mesh or lattice. */
+bool settings_can_ask(const Parameter *, Problem);
+
+/* To the other answer to a question: what can be left out ("none") is taken away and put back, a size goes
+ * one rung down from the usual one or back to it, of other things the next value is taken. False: there is
+ * none. */
+bool settings_answer_otherwise(Settings *, const Parameter *);
+
+/* How many of its choices there are in this problem, the first ones; 0: it has no choices. */
+int parameter_choices(const Parameter *, Problem);
+
+/* What is allowed, in words: "> 0", "1 to 8", "usf | usl | musl". */
+void parameter_range(const Parameter *, Problem, char *out, size_t size);
+
+/* What no single value shows: both handles given, notch outside the beam, load off the beam, overtones that
+ * cannot be read, mode 0 with a fixed end, ... The status names the key. */
+bool settings_check(const Settings *, Status *);
+
+/* Whether two settings lead to the same run. */
+bool settings_same(const Settings *a, const Settings *b);
+
+/* What `a` is as against `b`, for a legend: "USL, cell size 1"; "the same" where nothing differs. What does
+ * not fit whole is left out, and " ..." says so. */
+void settings_name(const Settings *a, const Settings *b, char *out, size_t size);
+
+/* A value as a title or legend spells it: "USL", "hat", "0.5". */
+void settings_spell(const Settings *, const Parameter *, char out[LIST_MAX]);
+
+/* The lists inside texts. */
+enum { OVERTONES_MAX = 15, TIMES_MAX = 64 };
+
+typedef struct Overtone {
+    int mode;
+    double velocity;
+} Overtone;
+
+/* "3:0.03,7:0.01": how many there are, -1 if the text cannot be read (the status says why). */
+int overtones_read(const char *text, Overtone out[OVERTONES_MAX], Status *);
+
+/* "0,1e-4,2e-4", ascending: how many there are, or -1. */
+int times_read(const char *text, double out[TIMES_MAX], Status *);
+
+/* One line of UTF-8 without control characters. */
+bool text_is_clean(const char *text);
+
+#endif

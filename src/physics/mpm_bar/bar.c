@@ -1,0 +1,332 @@
+/* A bar is made, copied out, put back and changed. */
+#include "physics/axial.h"
+#include "physics/mpm_bar/bar_state.h"
+#include "physics/mpm_bar/kernels.h"
+#include "physics/mpm_bar/shape.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool bar_has_done(const Bar *bar, BarOp op)
+{
+    const BarSchedule *schedule = bar_schedule(bar->head, bar->def.shape);
+    for (int i = 0; i < bar->sim.stage; i++)
+        if (schedule->ops[i] == op)
+            return true;
+    return false;
+}
+
+bool bar_node_is_fixed(const Bar *bar, int node)
+{
+    return node < bar->fixed_left || node >= bar->n_nodes - bar->fixed_right;
+}
+
+double bar_node_position(const Bar *bar, int node)
+{
+    int cell = node < bar->n_cells ? node : bar->n_cells - 1;
+    double offset = shape_node_offset(bar->def.shape, bar->n_cells, cell, node - cell);
+    return ((cell - bar->origin) + offset) * bar->dx;
+}
+
+int bar_cell_of(const Bar *bar, int particle)
+{
+    int low = 0, high = bar->n_cells; /* first[low] <= particle < first[high] */
+    while (high - low > 1) {
+        int middle = low + (high - low) / 2;
+        if (bar->first[middle] <= particle)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* --- memory --------------------------------------------------------------------------------------- */
+
+/* Arrays of one block, placed so that no two begin at the same distance from a multiple of 4096 bytes:
+ * processors take a load for dependent on an earlier store when these agree. */
+typedef struct Layout {
+    size_t size;
+    bool taken[64]; /* 64-byte lines of a page on which an array begins, or next to one that does */
+    int free;
+} Layout;
+
+static size_t place(Layout *layout, size_t bytes)
+{
+    size_t offset = (layout->size + 63) / 64 * 64;
+    if (layout->free == 0) {
+        memset(layout->taken, 0, sizeof layout->taken);
+        layout->free = 64;
+    }
+    while (layout->taken[offset / 64 % 64])
+        offset += 64;
+    size_t line = offset / 64 % 64;
+    for (size_t i = line + 63; i <= line + 65; i++) {
+        layout->free -= !layout->taken[i % 64];
+        layout->taken[i % 64] = true;
+    }
+    layout->size = offset + bytes;
+    return offset;
+}
+
+/* Where each array of a bar stands in the state block; called twice: to measure, then to set pointers. */
+static void lay_out(Bar *bar, unsigned char *block)
+{
+    Layout layout = {.size = 0, .free = 64};
+    const size_t places = (size_t)bar->places * sizeof(double), nodes = (size_t)bar->n_nodes * sizeof(double);
+#define ARRAY(pointer, bytes)                                                                                \
+    do {                                                                                                     \
+        size_t offset_ = place(&layout, bytes);                                                              \
+        if (block)                                                                                           \
+            (pointer) = (void *)(block + offset_);                                                           \
+    } while (0)
+    ARRAY(bar->head, sizeof(BarHead));
+    ARRAY(bar->first, ((size_t)bar->n_cells + 1) * sizeof(int32_t));
+    ARRAY(bar->crossed, ((size_t)bar->n_particles + 63) / 64 * sizeof(uint64_t));
+    for (int j = 0; j < bar->slots; j++) {
+        ARRAY(bar->s[j], places);
+        ARRAY(bar->v[j], places);
+        ARRAY(bar->stress[j], places);
+        ARRAY(bar->volume[j], places);
+    }
+    bar->bytes_flip = layout.size;
+    for (int j = 0; j < bar->slots; j++)
+        ARRAY(bar->affine[j], places);
+    bar->bytes_apic = layout.size;
+    for (int j = 0; j < bar->slots; j++)
+        ARRAY(bar->moved[j], places);
+    double **node_arrays[] = {&bar->node_mass,  &bar->node_inverse, &bar->node_momentum, &bar->node_f_int,
+                              &bar->node_f_ext, &bar->node_kick,    &bar->node_drift};
+    for (size_t i = 0; i < sizeof node_arrays / sizeof node_arrays[0]; i++)
+        ARRAY(*node_arrays[i], nodes);
+    bar->bytes_whole = layout.size;
+    /* scratch stands behind, in the same block of memory */
+    const size_t cells = ((size_t)bar->n_cells + 8) * sizeof(double);
+    for (int q = 0; q < 2; q++)
+        for (int a = 0; a < bar->support; a++) {
+            ARRAY(bar->part[q][a], cells);
+            if (block)
+                bar->part[q][a] += 4;
+        }
+    ARRAY(bar->node_velocity, nodes);
+    ARRAY(bar->odd, ((size_t)bar->n_cells / BAR_CELL_BLOCK + 1) * sizeof(int16_t));
+    ARRAY(bar->old_first, ((size_t)bar->n_cells + 1) * sizeof(int32_t));
+    ARRAY(bar->backup, bar->bytes_apic);
+    bar->bytes_memory = layout.size + 64; /* room to begin at a multiple of 64 */
+#undef ARRAY
+}
+
+/* --- life ----------------------------------------------------------------------------------------- */
+
+static void destroy(Simulation *sim)
+{
+    Bar *bar = bar_of(sim);
+    free(bar->memory);
+    free(bar);
+}
+
+static void take_schedule(Bar *bar)
+{
+    const BarSchedule *schedule = bar_schedule(bar->head, bar->def.shape);
+    bar->sim.stages = schedule->stages;
+    bar->sim.n_stages = schedule->count;
+    bar->sim.sets = schedule->sets;
+    bar->sim.exchanges = bar_exchanges(bar->head, &bar->sim.n_exchanges);
+}
+
+static size_t saved_bytes(const Bar *bar, const BarHead *head)
+{
+    if (bar->sim.stage != 0)
+        return bar->bytes_whole;
+    return head->transfer == MPM_APIC ? bar->bytes_apic : bar->bytes_flip;
+}
+
+static size_t state_size(const Simulation *sim)
+{
+    const Bar *bar = bar_of_const(sim);
+    return saved_bytes(bar, bar->head);
+}
+
+static void save(const Simulation *sim, void *bytes)
+{
+    const Bar *bar = bar_of_const(sim);
+    memcpy(bytes, bar->block, saved_bytes(bar, bar->head));
+}
+
+static void load(Simulation *sim, const void *bytes)
+{
+    Bar *bar = bar_of(sim);
+    BarHead head; /* it stands first, but the bytes may not be aligned */
+    memcpy(&head, bytes, sizeof head);
+    size_t size = saved_bytes(bar, &head);
+    memcpy(bar->block, bytes, size);
+    if (size == bar->bytes_flip)
+        memset((char *)bar->block + size, 0, bar->bytes_apic - size);
+    bar_count_odd_cells(bar);
+    take_schedule(bar);
+}
+
+static bool change(Simulation *sim, const char *key, double value, Status *status)
+{
+    Bar *bar = bar_of(sim);
+    BarHead *head = bar->head;
+    if (sim->stage != 0 || sim->item != 0)
+        return status_fail(status, STATUS_USAGE, "%s: can be changed between steps only", key);
+    if (strcmp(key, "mpm.algorithm") == 0 || strcmp(key, "mpm.transfer") == 0) {
+        bool algorithm = strcmp(key, "mpm.algorithm") == 0;
+        int last = algorithm ? MPM_MUSL : MPM_APIC;
+        if (!(value >= 0 && value <= last && value == floor(value)))
+            return status_fail(status, STATUS_USAGE, "%s: %g is no choice (0 to %d)", key, value, last);
+        if (algorithm)
+            head->algorithm = (MpmAlgorithm)value;
+        else if (head->transfer != (MpmTransfer)value) {
+            head->transfer = (MpmTransfer)value;
+            for (int j = 0; j < bar->slots; j++)
+                memset(bar->affine[j], 0, (size_t)bar->places * sizeof(double));
+        }
+        take_schedule(bar);
+        return true;
+    }
+    if (strcmp(key, "mpm.flip_fraction") == 0) {
+        if (!(value >= 0.0 && value <= 1.0))
+            return status_fail(status, STATUS_USAGE, "%s: %g is out of range (0 to 1)", key, value);
+        head->flip_fraction = value;
+        take_schedule(bar);
+        return true;
+    }
+    double *load = strcmp(key, "load.body_force") == 0 ? &head->body_force
+                   : strcmp(key, "load.traction") == 0 ? &head->traction
+                                                       : NULL;
+    if (!load)
+        return status_fail(status, STATUS_USAGE, "%s: cannot be changed in mid-run", key);
+    if (!isfinite(value))
+        return status_fail(status, STATUS_USAGE, "%s: %g is no finite number", key, value);
+    *load = value;
+    return true;
+}
+
+static const Method method = {
+    .name = "mpm",
+    .title = "material point method",
+    .destroy = destroy,
+    .stage = bar_stage,
+    .steps = bar_steps,
+    .row = bar_row,
+    .field = bar_field,
+    .links = bar_links,
+    .shapes = bar_shapes,
+    .exchange = bar_exchange,
+    .explain = bar_explain,
+    .state_size = state_size,
+    .save = save,
+    .load = load,
+    .change = change,
+};
+
+/* Numbers of the model that follow from the definition. */
+static void derive(Bar *bar)
+{
+    const BarDef *def = &bar->def;
+    bool left = def->supports == BAR_FIXED_FREE || def->supports == BAR_FIXED_FIXED;
+    bool right = def->supports == BAR_FREE_FIXED || def->supports == BAR_FIXED_FIXED;
+    bar->slots = def->particles_per_cell;
+    bar->places = (int)round(def->length / def->cell_size);
+    bar->n_particles = bar->places * bar->slots;
+    bar->origin = left ? 0 : def->padding;
+    bar->n_cells = bar->places + bar->origin + (right ? 0 : def->padding);
+    bar->support = shape_support(def->shape);
+    bar->n_nodes = bar->n_cells + bar->support - 1;
+    /* uGIMP: the ghost node beyond the support is held as well */
+    int held = def->shape == MPM_GIMP ? 2 : 1;
+    bar->fixed_left = left ? held : 0;
+    bar->fixed_right = right ? held : 0;
+
+    bar->dx = def->length / bar->places;
+    bar->dt = def->courant * bar->dx / sqrt(def->youngs_modulus / def->density);
+    bar->mass = def->density * bar->dx / bar->slots;
+    bar->mass_floor = 1e-12 * def->density * bar->dx;
+    bar->gimp_half = 0.5 / bar->slots;
+
+    double spacing = bar->dx / bar->slots;
+    bar->layer = def->traction_layer > 0.0 ? def->traction_layer : spacing;
+    int in_layer = axial_particles_in_layer(bar->layer, spacing, bar->n_particles);
+    bar->layer_left = left ? 0 : in_layer;
+    bar->layer_right = right ? 0 : in_layer;
+}
+
+/* The state at t = 0. */
+static bool begin(Bar *bar, Status *status)
+{
+    const BarDef *def = &bar->def;
+    *bar->head = (BarHead){.algorithm = def->algorithm,
+                           .transfer = def->transfer,
+                           .flip_fraction = def->flip_fraction,
+                           .body_force = def->body_force,
+                           .traction = def->traction};
+    for (int c = 0; c <= bar->n_cells; c++) {
+        int place = c - bar->origin;
+        place = place < 0 ? 0 : place > bar->places ? bar->places : place;
+        bar->first[c] = place * bar->slots;
+    }
+    bar_count_odd_cells(bar);
+    bar->head->cell_sum = (int64_t)bar->slots * bar->places * (bar->places - 1) / 2;
+    for (int j = 0; j < bar->slots; j++) {
+        double s = (j + 0.5) / bar->slots;
+        for (int k = 0; k < bar->places; k++) {
+            double x = (k + s) * bar->dx;
+            bar->s[j][k] = s;
+            bar->v[j][k] = def->initial_velocity ? def->initial_velocity(x, def->initial_context) : 0.0;
+            bar->volume[j][k] = bar->mass / def->density;
+            if (!isfinite(bar->v[j][k]))
+                return status_fail(status, STATUS_USAGE, "initial.velocity: no finite number at x = %g", x);
+        }
+    }
+    bar->energy_start = bar_energy(bar);
+    if (!isfinite(bar->energy_start))
+        return status_fail(status, STATUS_USAGE, "initial.velocity: the kinetic energy is no finite number");
+    return true;
+}
+
+Simulation *bar_create(const BarDef *definition, Status *status)
+{
+    if (!bar_check(definition, status))
+        return NULL;
+    Bar *bar = calloc(1, sizeof *bar);
+    if (!bar) {
+        status_fail(status, STATUS_FAILED, "not enough memory for the bar");
+        return NULL;
+    }
+    bar->def = *definition;
+    derive(bar);
+    lay_out(bar, NULL);
+    bar->memory = calloc(1, bar->bytes_memory); /* pages that are never written cost nothing */
+    if (!bar->memory) {
+        status_fail(status, STATUS_FAILED, "not enough memory for a bar of %d particles (%zu MB)",
+                    bar->n_particles, bar->bytes_memory / 1000000 + 1);
+        free(bar);
+        return NULL;
+    }
+    bar->block = (unsigned char *)bar->memory + (64 - (uintptr_t)bar->memory % 64);
+    lay_out(bar, bar->block);
+    bar->kernels = bar_kernels(cpu_best());
+
+    Simulation *sim = &bar->sim;
+    sim->method = &method;
+    sim->stage_items = (size_t)bar->n_cells;
+    sim->n_sets = BAR_SETS;
+    sim->counts[BAR_PARTICLES] = (size_t)bar->n_particles;
+    sim->counts[BAR_NODES] = (size_t)bar->n_nodes;
+    sim->fields = bar_fields;
+    sim->n_fields = BAR_FIELDS;
+    sim->series = bar_series;
+    sim->n_series = BAR_SERIES;
+    axial_set_motion(sim);
+    sim->dt = bar->dt;
+    if (!begin(bar, status)) {
+        simulation_destroy(sim);
+        return NULL;
+    }
+    take_schedule(bar);
+    return sim;
+}

@@ -1,0 +1,227 @@
+/* Forget the grid: particles find their cells, and what may stop them. */
+#include "physics/mpm_bar/bar_state.h"
+#include "physics/mpm_bar/kernels.h"
+
+#include "base/text.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* " in step 13, t = 1.3" for the step that is going on. */
+void bar_step_words(const Bar *bar, char *out, size_t size)
+{
+    char time[NUMBER_TEXT_MAX];
+    text_rounded(time, (double)(bar->sim.step + 1) * bar->dt, 6);
+    snprintf(out, size, "in step %ld, t = %s", bar->sim.step + 1, time);
+}
+
+bool bar_fail_particle(Bar *bar, Status *status, int particle, const char *what)
+{
+    char when[80];
+    bar_step_words(bar, when, sizeof when);
+    return simulation_fail(&bar->sim, status, "particle %d %s %s", particle, what, when);
+}
+
+/* Events become true with the step that is going on, which the driver has not counted yet. */
+void bar_report(Bar *bar, EventKind kind, const char *text)
+{
+    int before = bar->sim.n_events;
+    simulation_report(&bar->sim, kind, text);
+    if (bar->sim.n_events > before)
+        bar->sim.events[before].step = bar->sim.step + 1;
+}
+
+static void tell_crossing(Bar *bar, int particle, int cell)
+{
+    if (bar->sim.n_events == SIMULATION_EVENTS_MAX) {
+        bar->sim.events_beyond++;
+        return;
+    }
+    char text[80];
+    snprintf(text, sizeof text, "particle %d crossed into cell %d", particle, cell);
+    bar_report(bar, EVENT_CROSSING, text);
+}
+
+static int by_step_and_particle(const void *left, const void *right)
+{
+    const BarCrossing *a = left, *b = right;
+    return a->step != b->step ? (a->step < b->step ? -1 : 1)
+                              : (a->particle > b->particle) - (a->particle < b->particle);
+}
+
+/* In the order in which steps done one by one would have met them. */
+void bar_report_crossings(Bar *bar)
+{
+    const long start = bar->sim.step;
+    qsort(bar->crossings, (size_t)bar->n_crossings, sizeof bar->crossings[0], by_step_and_particle);
+    for (int i = 0; i < bar->n_crossings; i++) {
+        bar->sim.step = start + bar->crossings[i].step;
+        tell_crossing(bar, bar->crossings[i].particle, bar->crossings[i].cell);
+    }
+    bar->sim.step = start;
+    bar->n_crossings = 0;
+}
+
+/* The first crossing of each particle is told. */
+static bool note_crossing(Bar *bar, int particle, int cell)
+{
+    uint64_t bit = (uint64_t)1 << (particle % 64);
+    if (bar->crossed[particle / 64] & bit)
+        return true;
+    bar->crossed[particle / 64] |= bit;
+    if (bar->keeps_crossings) {
+        int room = SIMULATION_EVENTS_MAX - bar->sim.n_events;
+        if (room == 0)
+            bar->sim.events_beyond++;
+        else if (bar->n_crossings == room)
+            return false; /* which of them come first is not known yet */
+        else
+            bar->crossings[bar->n_crossings++] = (BarCrossing){bar->step_in_flight, particle, cell};
+        return true;
+    }
+    tell_crossing(bar, particle, cell);
+    return true;
+}
+
+void bar_count_odd_cells(Bar *bar)
+{
+    memset(bar->odd, 0, ((size_t)bar->n_cells / BAR_CELL_BLOCK + 1) * sizeof *bar->odd);
+    for (int c = 0; c < bar->n_cells; c++)
+        if (bar->first[c + 1] - bar->first[c] != bar->slots)
+            bar->odd[c / BAR_CELL_BLOCK]++;
+}
+
+static bool is_odd(const Bar *bar, int c)
+{
+    return bar->first[c + 1] - bar->first[c] != bar->slots;
+}
+
+/* Cell c begins with another particle: this changes how many it and the cell before it hold. */
+static void set_first(Bar *bar, int c, int particle)
+{
+    for (int side = c - 1; side <= c; side++)
+        if (is_odd(bar, side))
+            bar->odd[side / BAR_CELL_BLOCK]--;
+    bar->first[c] = particle;
+    for (int side = c - 1; side <= c; side++)
+        if (is_odd(bar, side))
+            bar->odd[side / BAR_CELL_BLOCK]++;
+}
+
+/* --- forget the grid: particles find their cells -------------------------------------------------- */
+
+/* Counts the cell edges passed; s comes back to [0, 1). */
+static int pass_edges(double *s)
+{
+    double edges = floor(*s);
+    *s -= edges;
+    if (*s >= 1.0) { /* a hair left of an edge, which is the edge itself in double precision */
+        *s = 0.0;
+        edges += 1.0;
+    }
+    return (int)edges;
+}
+
+/* The particles of one cell. Those that stay or go to a neighbour are settled; a jump over a whole cell is
+ * left to the end of the stage. */
+static bool settle_cell(Bar *bar, int c, Status *status)
+{
+    const int begin = bar->first[c], end = bar->first[c + 1];
+    double before = -INFINITY;
+    for (int p = begin; p < end; p++) {
+        double moved = bar->moved[p % bar->slots][p / bar->slots];
+        if (!(moved >= before))
+            return bar_fail_particle(bar, status, p, "was overtaken by its neighbour (1 + de <= 0)");
+        before = moved;
+        bar->jumped = bar->jumped || moved < -1.0 || moved >= 2.0;
+    }
+    if (bar->jumped)
+        return true;
+    int into_left = begin, from_right = end;
+    for (int p = begin; p < end; p++) {
+        int j = p % bar->slots, k = p / bar->slots;
+        double moved = bar->moved[j][k];
+        if (moved >= 0.0 && moved < 1.0) {
+            bar->s[j][k] = moved;
+            continue;
+        }
+        double s = moved;
+        int target = c + pass_edges(&s);
+        if (target < 0 || target >= bar->n_cells)
+            return bar_fail_particle(bar, status, p, "left the mesh");
+        if (target < c) {
+            if (p > 0 && bar->first[c - 1] < p && !(s >= bar->s[(p - 1) % bar->slots][(p - 1) / bar->slots]))
+                return bar_fail_particle(bar, status, p, "was overtaken by its neighbour (1 + de <= 0)");
+            into_left = p + 1;
+        } else if (target > c && from_right == end)
+            from_right = p;
+        bar->s[j][k] = bar->moved[j][k] = s;
+        if (target != c) {
+            bar->head->cell_sum += target - c;
+            if (!note_crossing(bar, p, target))
+                return false;
+        }
+    }
+    if (into_left != begin)
+        set_first(bar, c, into_left);
+    if (from_right != end)
+        set_first(bar, c + 1, from_right);
+    return true;
+}
+
+/* After a jump: all particles from where they were, in one go. */
+static bool settle_all(Bar *bar, Status *status)
+{
+    memcpy(bar->old_first, bar->first, ((size_t)bar->n_cells + 1) * sizeof *bar->first);
+    int next = 0; /* the next cell whose first particle is not known */
+    int last_cell = 0;
+    double last_s = 0.0;
+    for (int c = 0; c < bar->n_cells; c++)
+        for (int p = bar->old_first[c]; p < bar->old_first[c + 1]; p++) {
+            int j = p % bar->slots, k = p / bar->slots;
+            double s = bar->moved[j][k];
+            if (!(s >= -(double)c && s < (double)(bar->n_cells - c)))
+                return bar_fail_particle(bar, status, p, "left the mesh");
+            int target = c + pass_edges(&s);
+            if (target == bar->n_cells)
+                return bar_fail_particle(bar, status, p, "left the mesh");
+            if (target < last_cell || (target == last_cell && s < last_s))
+                return bar_fail_particle(bar, status, p, "was overtaken by its neighbour (1 + de <= 0)");
+            last_cell = target;
+            last_s = s;
+            while (next <= target)
+                bar->first[next++] = p;
+            bar->s[j][k] = bar->moved[j][k] = s;
+            if (target != c) {
+                bar->head->cell_sum += target - c;
+                if (!note_crossing(bar, p, target))
+                    return false;
+            }
+        }
+    while (next <= bar->n_cells)
+        bar->first[next++] = bar->n_particles;
+    bar_count_odd_cells(bar);
+    return true;
+}
+
+bool bar_settle(Bar *bar, int first, int end, Status *status)
+{
+    if (first == 0)
+        bar->jumped = false;
+    for (int c = first; c < end && !bar->jumped;) {
+        int limit = c + BAR_CELL_BLOCK < end ? c + BAR_CELL_BLOCK : end, run = bar_run_end(bar, c, limit) - c;
+        if (run > 0 && bar->kernels->settle(bar, run, bar->first[c])) {
+            c += run;
+            continue;
+        }
+        int stop = run > 0 ? c + run : c + 1;
+        for (; c < stop && !bar->jumped; c++)
+            if (!settle_cell(bar, c, status))
+                return false;
+    }
+    if (bar->jumped && bar->keeps_crossings)
+        return false; /* not in the middle of tiles */
+    return end < bar->n_cells || !bar->jumped || settle_all(bar, status);
+}

@@ -1,0 +1,88 @@
+/* The definition of a bar: what it is where nobody says, and whether it is sound. Each line names the key as
+ * in a scenario file, what is wrong and what is allowed. */
+#include "physics/axial.h"
+#include "physics/mpm_bar/bar_state.h"
+
+#include <math.h>
+
+BarDef bar_default(void)
+{
+    return (BarDef){
+        .length = 25.0,
+        .youngs_modulus = 100.0,
+        .density = 1.0,
+        .supports = BAR_FIXED_FREE,
+        .cell_size = 1.0,
+        .particles_per_cell = 2,
+        .padding = 4,
+        .algorithm = MPM_USF,
+        .shape = MPM_HAT,
+        .transfer = MPM_FLIP,
+        .flip_fraction = 1.0,
+        .courant = 0.1,
+    };
+}
+
+static bool positive(double value, const char *key, Status *status)
+{
+    if (value > 0.0 && isfinite(value))
+        return true;
+    return status_fail(status, STATUS_USAGE, "%s: %g is no positive number", key, value);
+}
+
+static bool finite_number(double value, const char *key, Status *status)
+{
+    return isfinite(value) || status_fail(status, STATUS_USAGE, "%s: %g is no finite number", key, value);
+}
+
+static bool whole(int value, int low, int high, const char *key, Status *status)
+{
+    if (value >= low && value <= high)
+        return true;
+    return status_fail(status, STATUS_USAGE, "%s: %d is out of range (%d to %d)", key, value, low, high);
+}
+
+/* A particle takes some 150 bytes. */
+enum { CELLS_MAX = 20000000, PARTICLES_MAX = 20000000 };
+
+bool bar_check(const BarDef *def, Status *status)
+{
+    bool good = positive(def->length, "bar.length", status) &&
+                positive(def->youngs_modulus, "bar.youngs_modulus", status) &&
+                positive(def->density, "bar.density", status) &&
+                positive(def->cell_size, "mesh.cell_size", status) &&
+                positive(def->courant, "time.courant", status) &&
+                whole(def->particles_per_cell, 1, BAR_SLOTS_MAX, "mesh.particles_per_cell", status) &&
+                whole(def->padding, 0, CELLS_MAX, "mesh.padding", status) &&
+                whole((int)def->supports, BAR_FIXED_FREE, BAR_FREE_FREE, "bar.supports", status) &&
+                whole((int)def->algorithm, MPM_USF, MPM_MUSL, "mpm.algorithm", status) &&
+                whole((int)def->shape, MPM_HAT, MPM_BSPLINE3, "mpm.shape", status) &&
+                whole((int)def->transfer, MPM_FLIP, MPM_APIC, "mpm.transfer", status) &&
+                finite_number(def->body_force, "load.body_force", status) &&
+                finite_number(def->traction, "load.traction", status) &&
+                finite_number(def->traction_layer, "load.traction_layer", status);
+    if (!good)
+        return false;
+    if (!(def->flip_fraction >= 0.0 && def->flip_fraction <= 1.0))
+        return status_fail(status, STATUS_USAGE, "mpm.flip_fraction: %g is out of range (0 to 1)",
+                           def->flip_fraction);
+    const double speed = sqrt(def->youngs_modulus / def->density), dt = def->courant * def->cell_size / speed;
+    if (!(dt > 0.0 && isfinite(dt) && speed > 0.0))
+        return status_fail(status, STATUS_USAGE,
+                           "bar.youngs_modulus: %g over the density %g makes waves of speed %g: no time step",
+                           def->youngs_modulus, def->density, speed);
+    double cells = def->length / def->cell_size;
+    if (!(cells <= CELLS_MAX))
+        return status_fail(status, STATUS_USAGE,
+                           "mesh.cell_size: %g makes more than %d cells of a bar of length %g",
+                           def->cell_size, CELLS_MAX, def->length);
+    if (!(fabs(cells - round(cells)) <= 1e-9 * fmax(cells, 1.0)) || cells < 0.5)
+        return status_fail(status, STATUS_USAGE,
+                           "mesh.cell_size: the length %g must be a whole number of cells, not %.10g",
+                           def->length, cells);
+    if ((long)round(cells) * def->particles_per_cell > PARTICLES_MAX)
+        return status_fail(status, STATUS_USAGE,
+                           "mesh.particles_per_cell: more than %d particles are not possible", PARTICLES_MAX);
+    return axial_check_layer(def->traction_layer, def->cell_size / def->particles_per_cell, def->length,
+                             status);
+}

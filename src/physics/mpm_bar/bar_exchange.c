@@ -1,0 +1,149 @@
+/* What a particle and a node of its cell give to each other, factor by factor: the terms of the sums of
+ * eqs. 2, 3, 4, 10, 11, 14 and 15. */
+#include "physics/mpm_bar/bar_state.h"
+#include "physics/mpm_bar/shape.h"
+
+#define TABLE(momentum, momentum_ascii, momentum_note, taken, taken_ascii, taken_note, taken_adds)           \
+    {                                                                                                        \
+        [GIVE_MASS] = {"map", BAR_PARTICLES, BAR_NODES, "mass", false, "m N", "m N", NULL},                  \
+        [GIVE_MOMENTUM] = {"map", BAR_PARTICLES, BAR_NODES,      "momentum",                                 \
+                           false, momentum,      momentum_ascii, momentum_note},                             \
+        [GIVE_F_INT] =                                                                                       \
+            {"force", BAR_PARTICLES, BAR_NODES, "f_int", false, "-N′ σ V", "-N' s V", "V = m/rho"},          \
+        [GIVE_F_EXT] = {"force", BAR_PARTICLES, BAR_NODES, "f_ext",                                          \
+                        false,   "N load",      "N load",  "load = m b + t V/h"},                            \
+        [GIVE_MOMENTUM_AGAIN] = {"map_again", BAR_PARTICLES, BAR_NODES,      "momentum",                     \
+                                 false,       momentum,      momentum_ascii, momentum_note},                 \
+        [TAKE_STRAIN] = {"strain", BAR_NODES, BAR_PARTICLES, "strain_increment",                             \
+                         false,    "Δt N′ v", "dt N' v",     NULL},                                          \
+        [TAKE_VELOCITY] = {"update",   BAR_NODES, BAR_PARTICLES, "v",                                        \
+                           taken_adds, taken,     taken_ascii,   taken_note},                                \
+        [TAKE_PLACE] = {"update", BAR_NODES, BAR_PARTICLES, "x", true, "Δt N v", "dt N v", NULL},            \
+    }
+
+static const Exchange flip_exchanges[BAR_EXCHANGES] =
+    TABLE("m v N", "m v N", NULL, "Δt N a", "dt N a", "a = f/m", true);
+static const Exchange blend_exchanges[BAR_EXCHANGES] =
+    TABLE("m v N", "m v N", NULL, "N gain", "N gain", "gain = alpha dt f/m + (1 - alpha)(v_i - v_p)", true);
+static const Exchange pic_exchanges[BAR_EXCHANGES] = TABLE("m v N", "m v N", NULL, "N v", "N v", NULL, false);
+static const Exchange apic_exchanges[BAR_EXCHANGES] =
+    TABLE("m w N", "m w N", "w = v + C (x_i - x_p)", "N v", "N v", NULL, false);
+
+const Exchange *bar_exchanges(const BarHead *head, int *count)
+{
+    *count = BAR_EXCHANGES;
+    return head->transfer == MPM_APIC   ? apic_exchanges
+           : head->flip_fraction == 1.0 ? flip_exchanges
+           : head->flip_fraction == 0.0 ? pic_exchanges
+                                        : blend_exchanges;
+}
+
+/* Whether the numbers of an exchange are still (or already) those that it was, or will be, made of. */
+static bool at_hand(const Bar *bar, BarExchange exchange)
+{
+    const bool updated = bar_has_done(bar, OP_UPDATE), strained = bar_has_done(bar, OP_STRAIN);
+    const bool forced = bar_has_done(bar, OP_FORCE);
+    switch (exchange) {
+    case GIVE_MASS:
+        return true;
+    case GIVE_MOMENTUM:
+        return !updated;
+    case GIVE_F_INT:
+        return forced && (bar->head->algorithm == MPM_USF || !strained);
+    case GIVE_F_EXT:
+        return forced && bar_is_loaded(bar) && (bar->head->algorithm == MPM_USF || !strained);
+    case GIVE_MOMENTUM_AGAIN:
+        return updated && bar->head->algorithm == MPM_MUSL && bar_has_done(bar, OP_MAP_AGAIN);
+    case TAKE_STRAIN:
+        return strained;
+    case TAKE_VELOCITY:
+    case TAKE_PLACE:
+        return updated;
+    case BAR_EXCHANGES:
+        break;
+    }
+    return false;
+}
+
+/* The velocity with which a particle comes to a node. */
+static double given_velocity(const Bar *bar, int particle, int cell, int a, double s)
+{
+    const int slot = particle % bar->slots, k = particle / bar->slots;
+    if (bar->head->transfer != MPM_APIC)
+        return bar->v[slot][k];
+    double arm = shape_node_offset(bar->def.shape, bar->n_cells, cell, a) - s;
+    return bar->v[slot][k] + bar->affine[slot][k] * (bar->dx * arm);
+}
+
+/* Gravity and the particle's part of the traction, eq. 11. */
+static double load_on(const Bar *bar, int particle, double volume)
+{
+    int side = (particle >= bar->n_particles - bar->layer_right) - (particle < bar->layer_left);
+    return bar->mass * bar->head->body_force + side * bar->head->traction * volume / bar->layer;
+}
+
+/* What part of a blend's new velocity comes from a node, beyond the old velocity: the N of the nodes add up
+ * to 1. */
+static double blended_gain(const Bar *bar, const double n[], int cell, int particle, int a)
+{
+    const double alpha = bar->head->flip_fraction, speed = bar->dx / bar->dt;
+    const double now = bar->v[particle % bar->slots][particle / bar->slots];
+    double kick = 0, mean = 0;
+    for (int i = 0; i < bar->support; i++) {
+        kick += n[i] * bar->node_kick[cell + i];
+        mean += n[i] * bar->node_drift[cell + i] * speed;
+    }
+    /* now = alpha (old + kick) + (1 - alpha) mean */
+    const double old = (now - (1 - alpha) * mean) / alpha - kick;
+    return alpha * bar->node_kick[cell + a] + (1 - alpha) * (bar->node_drift[cell + a] * speed - old);
+}
+
+int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
+                 double factors[EXCHANGE_FACTORS_MAX])
+{
+    const Bar *bar = bar_of_const(sim);
+    if (!at_hand(bar, (BarExchange)exchange))
+        return 0;
+    const bool gives = bar->sim.exchanges[exchange].from == BAR_PARTICLES;
+    const int particle = (int)(gives ? from : to), node = (int)(gives ? to : from);
+    const int cell = bar_cell_of(bar, particle), a = node - cell;
+    if (a < 0 || a >= bar->support)
+        return 0;
+    const int slot = particle % bar->slots, k = particle / bar->slots;
+    const double s = bar->s[slot][k], volume = bar->volume[slot][k];
+    double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX], v[BAR_SUPPORT_MAX];
+    shape_at(bar->def.shape, bar->gimp_half, bar->n_cells, cell, s, n, dn);
+#define FACTORS(count, ...)                                                                                  \
+    do {                                                                                                     \
+        const double list[] = {__VA_ARGS__};                                                                 \
+        for (int i = 0; i < (count); i++)                                                                    \
+            factors[i] = list[i];                                                                            \
+        return count;                                                                                        \
+    } while (0)
+    switch ((BarExchange)exchange) {
+    case GIVE_MASS:
+        FACTORS(2, bar->mass, n[a]);
+    case GIVE_MOMENTUM:
+    case GIVE_MOMENTUM_AGAIN:
+        FACTORS(3, bar->mass, given_velocity(bar, particle, cell, a, s), n[a]);
+    case GIVE_F_INT:
+        FACTORS(3, -dn[a] / bar->dx, bar->stress[slot][k], volume);
+    case GIVE_F_EXT:
+        FACTORS(2, n[a], load_on(bar, particle, volume));
+    case TAKE_STRAIN:
+        bar_strain_velocities(bar, cell, v);
+        FACTORS(3, bar->dt, dn[a] / bar->dx, v[a]);
+    case TAKE_VELOCITY:
+        if (bar->head->transfer == MPM_APIC || bar->head->flip_fraction == 0.0)
+            FACTORS(2, n[a], bar_integrated_velocity(bar, node));
+        if (bar->head->flip_fraction != 1.0)
+            FACTORS(2, n[a], blended_gain(bar, n, cell, particle, a));
+        FACTORS(3, bar->dt, n[a], bar->node_kick[node] / bar->dt);
+    case TAKE_PLACE:
+        FACTORS(3, bar->dt, n[a], bar_integrated_velocity(bar, node));
+    case BAR_EXCHANGES:
+        break;
+    }
+#undef FACTORS
+    return 0;
+}

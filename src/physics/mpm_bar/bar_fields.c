@@ -1,0 +1,259 @@
+/* What front ends read of a bar: fields, series, links. */
+#include "physics/axial.h"
+#include "physics/mpm_bar/bar_state.h"
+#include "physics/mpm_bar/shape.h"
+
+/* One list for the table of fields and for the functions that fill them; it begins with those of axial.h. */
+enum FieldIndex {
+    P_CELL = AXIAL_FIELDS,
+    P_NATURAL,
+    P_STRAIN_INCREMENT,
+    P_MOMENTUM,
+    P_AFFINE,
+    N_X,
+    N_MASS,
+    N_MOMENTUM,
+    N_VELOCITY,
+    N_F_INT,
+    N_F_EXT,
+    N_F,
+    N_ACCELERATION,
+    N_ACTIVE,
+    N_FIXED
+};
+
+#define SHOWN(name, label, unit, meaning) FIELD_ROW(BAR_PARTICLES, false, false, name, label, unit, meaning)
+#define NODE(name, label, unit, meaning)  FIELD_ROW(BAR_NODES, true, false, name, label, unit, meaning)
+
+const Field bar_fields[BAR_FIELDS] = {
+    AXIAL_FIELD_ROWS("axial stress, tension positive", "sum of the strain increments"),
+    [P_CELL] = FIELD_ROW(BAR_PARTICLES, false, true, "cell", "cell", "1",
+                         "cell of the mesh that the particle is in"),
+    [P_NATURAL] = SHOWN("natural", "place in cell", "1", "0 at the left edge of its cell, 1 at the right"),
+    [P_STRAIN_INCREMENT] =
+        SHOWN("strain_increment", "strain increment", "1", "strain of this time step; 0 before its stage"),
+    [P_MOMENTUM] = SHOWN("momentum", "momentum", "mass/(length*time)", "mass times velocity"),
+    [P_AFFINE] = SHOWN("affine", "slope C", "1/time", "slope of the velocity that APIC carries"),
+    [N_X] = NODE("x", "x", "length", "position of the node (Greville abscissa of a B-spline)"),
+    [N_MASS] = NODE("mass", "mass", "mass/length^2", "mass mapped from the particles"),
+    [N_MOMENTUM] = NODE("momentum", "momentum", "mass/(length*time)", "momentum"),
+    [N_VELOCITY] =
+        NODE("velocity", "velocity", "length/time", "momentum over mass; 0 where the node is inactive"),
+    [N_F_INT] = NODE("f_int", "internal force", "force/length^2", "force of the particles' stress"),
+    [N_F_EXT] = NODE("f_ext", "external force", "force/length^2", "force of body force and traction"),
+    [N_F] = NODE("f", "force", "force/length^2", "whole force; 0 at fixed nodes"),
+    [N_ACCELERATION] = FIELD_ROW(BAR_NODES, false, false, "acceleration", "acceleration", "length/time^2",
+                                 "force over mass"),
+    [N_ACTIVE] = FIELD_ROW(BAR_NODES, false, true, "active", "active", "1", "1: the node has mass"),
+    [N_FIXED] = FIELD_ROW(BAR_NODES, false, true, "fixed", "fixed", "1", "1: a support holds the node"),
+};
+
+const Quantity bar_series[BAR_SERIES] = {
+    AXIAL_SERIES_BEGIN,
+    {"kinetic_grid", "seen by grid", "force/length",
+     "the part of it that the grid sees: sum p^2/(2m) of the nodes, boundary applied"},
+    {"strain", "strain", "force/length", "strain energy of the particles"},
+    AXIAL_SERIES_END,
+};
+
+double bar_node_velocity(const Bar *bar, int node)
+{
+    return bar->node_momentum[node] * bar->node_inverse[node];
+}
+
+double bar_integrated_velocity(const Bar *bar, int node)
+{
+    return bar->node_drift[node] * (bar->dx / bar->dt);
+}
+
+double bar_node_force(const Bar *bar, int node)
+{
+    if (bar_node_is_fixed(bar, node))
+        return 0.0;
+    return bar_is_loaded(bar) ? bar->node_f_int[node] + bar->node_f_ext[node] : bar->node_f_int[node];
+}
+
+void bar_strain_velocities(const Bar *bar, int cell, double *v)
+{
+    /* update stress first: those of before the momentum was integrated */
+    const bool integrated = bar->head->algorithm == MPM_USF && bar_has_done(bar, OP_INTEGRATE);
+    for (int a = 0, node = cell; a < bar->support; a++, node++)
+        v[a] = integrated ? bar_integrated_velocity(bar, node) - bar->node_kick[node]
+                          : bar_node_velocity(bar, node);
+    if (bar->def.shape == MPM_HAT)
+        bar_lend_velocity(bar, cell, v);
+}
+
+static double strain_increment(const Bar *bar, int cell, double s)
+{
+    double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX], v[BAR_SUPPORT_MAX], gradient = 0.0;
+    shape_at(bar->def.shape, bar->gimp_half, bar->n_cells, cell, s, n, dn);
+    bar_strain_velocities(bar, cell, v);
+    for (int a = 0; a < bar->support; a++)
+        gradient += dn[a] * v[a];
+    return bar->dt / bar->dx * gradient;
+}
+
+static void particle_field(const Bar *bar, int field, int first, int count, double *out)
+{
+    const bool moved = bar_has_done(bar, OP_UPDATE), strained = bar_has_done(bar, OP_STRAIN);
+    int cell = bar_cell_of(bar, first);
+    for (int i = 0; i < count; i++) {
+        int p = first + i, j = p % bar->slots, k = p / bar->slots;
+        while (bar->first[cell + 1] <= p)
+            cell++;
+        double s = bar->s[j][k], place = moved ? bar->moved[j][k] : s, start = (j + 0.5) / bar->slots;
+        switch (field) {
+        case AXIAL_X0:
+            out[i] = (k + start) * bar->dx;
+            break;
+        case AXIAL_X:
+            out[i] = ((cell - bar->origin) + place) * bar->dx;
+            break;
+        case AXIAL_U:
+            out[i] = ((cell - bar->origin - k) + (place - start)) * bar->dx;
+            break;
+        case AXIAL_V:
+            out[i] = bar->v[j][k];
+            break;
+        case AXIAL_STRESS:
+            out[i] = bar->stress[j][k];
+            break;
+        case AXIAL_STRAIN:
+            out[i] = bar->stress[j][k] / bar->def.youngs_modulus;
+            break;
+        case AXIAL_DENSITY:
+            out[i] = bar->mass / bar->volume[j][k];
+            break;
+        case AXIAL_MASS:
+            out[i] = bar->mass;
+            break;
+        case P_CELL:
+            out[i] = cell;
+            break;
+        case P_NATURAL:
+            out[i] = place;
+            break;
+        case P_STRAIN_INCREMENT:
+            out[i] = strained ? strain_increment(bar, cell, s) : 0.0;
+            break;
+        case P_MOMENTUM:
+            out[i] = bar->mass * bar->v[j][k];
+            break;
+        case P_AFFINE:
+            out[i] = bar->affine[j][k];
+            break;
+        default:
+            out[i] = 0.0;
+        }
+    }
+}
+
+/* The grid is forgotten between steps, and each of its fields is 0 before its stage. */
+static void node_field(const Bar *bar, int field, int first, int count, double *out)
+{
+    const bool mapped = bar->sim.stage > 0 && bar_has_done(bar, OP_MAP);
+    const bool forced = bar_has_done(bar, OP_FORCE);
+    for (int n = 0; n < count; n++) {
+        int i = first + n;
+        double force = forced ? bar_node_force(bar, i) : 0.0;
+        switch (field) {
+        case N_X:
+            out[n] = bar_node_position(bar, i);
+            break;
+        case N_MASS:
+            out[n] = mapped ? bar->node_mass[i] : 0.0;
+            break;
+        case N_MOMENTUM:
+            out[n] = mapped ? bar->node_momentum[i] : 0.0;
+            break;
+        case N_VELOCITY:
+            out[n] = mapped ? bar_node_velocity(bar, i) : 0.0;
+            break;
+        case N_F_INT:
+            out[n] = forced ? bar->node_f_int[i] : 0.0;
+            break;
+        case N_F_EXT:
+            out[n] = forced && bar_is_loaded(bar) ? bar->node_f_ext[i] : 0.0;
+            break;
+        case N_F:
+            out[n] = force;
+            break;
+        case N_ACCELERATION:
+            out[n] = mapped ? force * bar->node_inverse[i] : 0.0;
+            break;
+        case N_ACTIVE:
+            out[n] = mapped && bar->node_inverse[i] > 0.0;
+            break;
+        case N_FIXED:
+            out[n] = bar_node_is_fixed(bar, i);
+            break;
+        default:
+            out[n] = 0.0;
+        }
+    }
+}
+
+void bar_field(const Simulation *sim, int field, size_t first, size_t count, double *out)
+{
+    const Bar *bar = bar_of_const(sim);
+    if (count == 0)
+        return;
+    if (bar_fields[field].set == BAR_PARTICLES)
+        particle_field(bar, field, (int)first, (int)count, out);
+    else
+        node_field(bar, field, (int)first, (int)count, out);
+}
+
+static Link link_of(const Bar *bar, int set, int index, int particle, int cell, int node)
+{
+    double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
+    double s = bar->s[particle % bar->slots][particle / bar->slots];
+    shape_at(bar->def.shape, bar->gimp_half, bar->n_cells, cell, s, n, dn);
+    return (Link){
+        .set = set, .index = (size_t)index, .weight = n[node - cell], .gradient = dn[node - cell] / bar->dx};
+}
+
+/* During a step shape functions are those of its beginning. A uGIMP particle far from a ghost node has no
+ * part in it: such pairs are left out. */
+size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t max)
+{
+    const Bar *bar = bar_of_const(sim);
+    size_t count = 0;
+    if (set == BAR_PARTICLES) {
+        int cell = bar_cell_of(bar, (int)index);
+        for (int node = cell; node < cell + bar->support && count < max; node++) {
+            Link link = link_of(bar, BAR_NODES, node, (int)index, cell, node);
+            if (link.weight != 0.0 || link.gradient != 0.0)
+                out[count++] = link;
+        }
+        return count;
+    }
+    int node = (int)index, low = node - bar->support + 1, high = node;
+    low = low < 0 ? 0 : low;
+    high = high < bar->n_cells ? high : bar->n_cells - 1;
+    for (int cell = low; cell <= high; cell++)
+        for (int p = bar->first[cell]; p < bar->first[cell + 1] && count < max; p++) {
+            Link link = link_of(bar, BAR_PARTICLES, p, p, cell, node);
+            if (link.weight != 0.0 || link.gradient != 0.0)
+                out[count++] = link;
+        }
+    return count;
+}
+
+size_t bar_shapes(const Simulation *sim, double x, Link *out, size_t max)
+{
+    const Bar *bar = bar_of_const(sim);
+    double place = x / bar->dx + bar->origin;
+    if (!(place >= 0.0 && place <= bar->n_cells))
+        return 0;
+    int cell = (int)place < bar->n_cells ? (int)place : bar->n_cells - 1;
+    double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
+    shape_at(bar->def.shape, bar->gimp_half, bar->n_cells, cell, place - cell, n, dn);
+    size_t count = 0;
+    for (int a = 0; a < bar->support && count < max; a++)
+        if (n[a] != 0.0 || dn[a] != 0.0)
+            out[count++] = (Link){
+                .set = BAR_NODES, .index = (size_t)(cell + a), .weight = n[a], .gradient = dn[a] / bar->dx};
+    return count;
+}

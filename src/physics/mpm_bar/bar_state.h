@@ -1,0 +1,256 @@
+/* The inside of a bar simulation: model, state, scratch. For the files of this folder only.
+ *
+ * Particles never change places: those of a bar stay in the order in which they were made, as long as
+ * 1 + de > 0. So a cell owns a range of particles, first[cell] to first[cell + 1], and no list of indices is
+ * needed. A particle's place is its cell and its natural coordinate s in [0, 1) there,
+ *     x = (cell - origin + s) dx;
+ * the shape functions depend on s alone, and small displacements keep all their digits.
+ *
+ * Storage is by slot: particle p stands in array p % P at p / P, P particles per cell. In a run of cells that
+ * hold P particles each, the j-th particles of all cells then lie side by side, whatever crossed before.
+ *
+ * A cell touches `support` nodes, numbered cell to cell + support - 1 for every shape (uGIMP's first node is
+ * the ghost one). What a cell gives to its a-th node is summed in part[a][cell] in the order of particles,
+ * then a node adds the cells in their order: this fixes every bit, however the cells are divided up. */
+#ifndef PHYSICS_MPM_BAR_STATE_H
+#define PHYSICS_MPM_BAR_STATE_H
+
+#include "physics/mpm_bar/bar.h"
+
+#include <stdint.h>
+
+enum {
+    BAR_SLOTS_MAX = 8,   /* particles per cell */
+    BAR_SUPPORT_MAX = 4, /* nodes that a cell touches */
+    BAR_LANES = 8,       /* partial sums of a sum over all: place k counts in lane k % BAR_LANES */
+    BAR_CELL_BLOCK = 64, /* cells of a block of which it is known whether all hold P particles */
+    BAR_CHECK_EVERY = 64 /* the energy is looked at after each step that is a multiple of this */
+};
+
+/* The work of a stage. Stage tables are lists of these. */
+typedef enum BarOp {
+    OP_MAP,
+    OP_FIX,
+    OP_STRAIN,
+    OP_FORCE,
+    OP_INTEGRATE,
+    OP_UPDATE,
+    OP_MAP_AGAIN,
+    OP_FORGET,
+    OP_COUNT
+} BarOp;
+
+/* The part of the state that is no array. Live parameters belong to it, so that a restored snapshot goes on
+ * with the parameters of its own time. */
+typedef struct BarHead {
+    MpmAlgorithm algorithm;
+    MpmTransfer transfer;
+    double flip_fraction, body_force, traction;
+    double work;      /* of the external force so far */
+    double peak_work; /* largest magnitude of it seen by the energy check */
+    int energy_level; /* how many thresholds of growth were reported */
+    int64_t cell_sum; /* sum of the particles' cells: exact, for x_cm */
+} BarHead;
+
+/* Sums over all particles. Their order is that of the lanes, whatever the width of the machine's vectors. */
+typedef struct BarSums {
+    double v[BAR_LANES];
+    double s[BAR_LANES];
+    double square[BAR_LANES]; /* v^2 */
+    double strain[BAR_LANES]; /* stress^2 volume */
+} BarSums;
+
+/* A particle's first crossing of a cell's edge, not yet reported. */
+typedef struct BarCrossing {
+    int step; /* counted from the beginning of the tiled steps */
+    int particle, cell;
+} BarCrossing;
+
+typedef struct Bar Bar;
+typedef struct BarKernels BarKernels;
+
+struct Bar {
+    Simulation sim; /* first: a Bar is a Simulation */
+    const BarKernels *kernels;
+
+    /* model: constant */
+    BarDef def;
+    int slots; /* P */
+    int n_particles;
+    int n_cells; /* of the mesh, padding included */
+    int n_nodes; /* n_cells + support - 1 */
+    int origin;  /* the cell that begins at x = 0 */
+    int support;
+    int places;     /* length of a slot's array: cells of the bar */
+    int fixed_left; /* nodes [0, fixed_left) and the last fixed_right ones are held */
+    int fixed_right;
+    int layer_left; /* particles [0, layer_left) and the last layer_right ones bear the traction */
+    int layer_right;
+    double layer;        /* its thickness h */
+    double dx, dt, mass; /* mass of one particle */
+    double mass_floor;   /* nodes not heavier than this are inactive */
+    double gimp_half;    /* half-width of a uGIMP particle over dx */
+    double energy_start;
+
+    /* state: one block; what lies beyond the particle part exists only within a step */
+    void *memory; /* what was allocated: the block, then scratch */
+    void *block;
+    size_t bytes_flip, bytes_apic, bytes_whole; /* to the end of the FLIP part, the APIC part, everything */
+    BarHead *head;
+    int32_t *first;    /* of each cell: its first particle; n_cells + 1 */
+    uint64_t *crossed; /* one bit per particle: has crossed a cell's edge */
+    double *s[BAR_SLOTS_MAX];
+    double *v[BAR_SLOTS_MAX];
+    double *stress[BAR_SLOTS_MAX];
+    double *volume[BAR_SLOTS_MAX];    /* m / rho: needs no division to be updated */
+    double *affine[BAR_SLOTS_MAX];    /* C of APIC */
+    double *moved[BAR_SLOTS_MAX];     /* s after the step, still counted from the old cell */
+    double *node_mass, *node_inverse; /* the inverse is 0 where the node is inactive */
+    double *node_momentum, *node_f_int, *node_f_ext;
+    double *node_kick;  /* dt f / m */
+    double *node_drift; /* dt p / (m dx) with the integrated momentum */
+
+    /* follows from `first`: how many cells of each block of cells have not P particles */
+    int16_t *odd;
+
+    /* scratch of one stage */
+    double *part[2][BAR_SUPPORT_MAX]; /* what cells give to their nodes; 0 from -4 to -1, n_cells to n_cells +
+                                         3 */
+    double *node_velocity;            /* p / m, for the strain */
+    int32_t *old_first;
+    unsigned char *backup; /* the particle part at the beginning of a batch of steps */
+    bool jumped;           /* a particle jumped over a whole cell in this step */
+    size_t bytes_memory;
+
+    /* Steps done tile by tile meet crossings out of order: they are kept and reported when the steps are done
+     */
+    bool keeps_crossings;
+    int step_in_flight;
+    int n_crossings;
+    BarCrossing crossings[SIMULATION_EVENTS_MAX];
+};
+
+static inline Bar *bar_of(Simulation *sim)
+{
+    return (Bar *)sim;
+}
+
+static inline const Bar *bar_of_const(const Simulation *sim)
+{
+    return (const Bar *)sim;
+}
+
+/* For hats, where the bar ends: an inactive node of the last cell with particles moves with the other one. A
+ * hat's slope is not small where the function itself is: a particle that has just passed a node would see the
+ * empty node beyond at rest, and be strained by v dt / dx in a bar that merely drifts. (The slopes of the
+ * smoother shapes vanish with the functions.) */
+static inline void bar_lend_velocity(const Bar *bar, int cell, double *v)
+{
+    const int32_t *first = bar->first + cell;
+    if (bar->node_inverse[cell] == 0.0 && (cell == 0 || first[-1] == first[0]))
+        v[0] = v[1];
+    else if (bar->node_inverse[cell + 1] == 0.0 && (cell + 1 == bar->n_cells || first[1] == first[2]))
+        v[1] = v[0];
+}
+
+/* Whether a load acts: only then are there external forces. */
+static inline bool bar_is_loaded(const Bar *bar)
+{
+    return bar->head->body_force != 0.0 || bar->head->traction != 0.0;
+}
+
+/* The end of the run of cells from c on, before `end`, that hold P particles each. */
+static inline int bar_run_end(const Bar *bar, int c, int end)
+{
+    while (c < end) {
+        if (bar->odd[c / BAR_CELL_BLOCK] == 0) {
+            c = (c / BAR_CELL_BLOCK + 1) * BAR_CELL_BLOCK;
+            continue;
+        }
+        if (bar->first[c + 1] - bar->first[c] != bar->slots)
+            break;
+        c++;
+    }
+    return c < end ? c : end;
+}
+
+/* Counts the odd cells anew, after `first` was put back. */
+void bar_count_odd_cells(Bar *bar);
+
+/* The stages of an algorithm: tables of equal length, what people read and what is done. */
+typedef struct BarSchedule {
+    const Stage *stages;
+    const BarOp *ops;
+    int count;
+    const Set *sets;
+} BarSchedule;
+
+const BarSchedule *bar_schedule(const BarHead *head, MpmShape shape);
+enum { BAR_PARTICLES, BAR_NODES, BAR_SETS };
+
+/* Whether the stage that does `op` is done in the step that is going on. */
+bool bar_has_done(const Bar *bar, BarOp op);
+
+/* Node i as counted in stage functions: held by a support, and where it lies (the Greville abscissa of a
+ * B-spline). */
+bool bar_node_is_fixed(const Bar *bar, int node);
+double bar_node_position(const Bar *bar, int node);
+
+/* Of a node while the stage functions' numbers stand: p/m at present (0 before the map); p/m of the
+ * integrated momentum, with which particles move; the whole force, eq. 12, none at a support. */
+double bar_node_velocity(const Bar *bar, int node);
+double bar_integrated_velocity(const Bar *bar, int node);
+double bar_node_force(const Bar *bar, int node);
+
+/* p/m of a cell's nodes that the strain of this step was (or is going to be) made of, `support` of them. */
+void bar_strain_velocities(const Bar *bar, int cell, double *v);
+
+/* The cell in which a particle is (during a step: in which it began it). */
+int bar_cell_of(const Bar *bar, int particle);
+
+/* bar_fields.c, bar_exchange.c, bar_explain.c: what front ends read. */
+enum { BAR_FIELDS = 23, BAR_SERIES = 7 };
+extern const Field bar_fields[BAR_FIELDS];
+extern const Quantity bar_series[BAR_SERIES];
+void bar_field(const Simulation *sim, int field, size_t first, size_t count, double *out);
+size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t max);
+size_t bar_shapes(const Simulation *sim, double x, Link *out, size_t max);
+typedef enum BarExchange {
+    GIVE_MASS,
+    GIVE_MOMENTUM,
+    GIVE_F_INT,
+    GIVE_F_EXT,
+    GIVE_MOMENTUM_AGAIN,
+    TAKE_STRAIN,
+    TAKE_VELOCITY,
+    TAKE_PLACE,
+    BAR_EXCHANGES
+} BarExchange;
+int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
+                 double factors[EXCHANGE_FACTORS_MAX]);
+const Exchange *bar_exchanges(const BarHead *head, int *count);
+void bar_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
+                 char *out, size_t size);
+
+/* bar_steps.c: stages, whole steps, rows. */
+bool bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status);
+bool bar_steps(Simulation *sim, long count, double *rows, long *done, Status *status);
+void bar_row(Simulation *sim, double *row);
+double bar_energy(const Bar *bar);
+bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status);
+void bar_write_row(const Bar *bar, const BarSums *sums, const double *grid_lanes, int64_t cell_sum,
+                   double *row);
+
+/* bar_cells.c: particles find their cells. False: the run fails, or a particle jumped (bar->jumped). */
+bool bar_settle(Bar *bar, int first, int end, Status *status);
+void bar_report_crossings(Bar *bar);
+bool bar_fail_particle(Bar *bar, Status *status, int particle, const char *what);
+void bar_report(Bar *bar, EventKind kind, const char *text);
+void bar_step_words(const Bar *bar, char *out, size_t size);
+
+/* bar_tiles.c: whole steps tile by tile. False: something happened that is better looked at step by step; the
+ * state is then of no use. */
+bool bar_tiles_pay(const Bar *bar, bool with_rows);
+bool bar_tiled_steps(Bar *bar, long count, double *rows);
+
+#endif

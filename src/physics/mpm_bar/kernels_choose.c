@@ -1,0 +1,25 @@
+/* The kernels that were compiled, by level. */
+#include "physics/mpm_bar/kernels.h"
+
+extern const BarKernels bar_kernels_plain;
+#ifdef HAVE_X86_KERNELS
+extern const BarKernels bar_kernels_avx2;
+extern const BarKernels bar_kernels_avx512;
+#endif
+
+const BarKernels *bar_kernels(CpuLevel level)
+{
+#ifdef HAVE_X86_KERNELS
+    static const BarKernels *const table[CPU_LEVELS] = {&bar_kernels_plain, &bar_kernels_avx2,
+                                                        &bar_kernels_avx512};
+    return table[level];
+#else
+    (void)level;
+    return &bar_kernels_plain;
+#endif
+}
+
+void bar_use_kernels(Simulation *sim, CpuLevel level)
+{
+    bar_of(sim)->kernels = bar_kernels(level);
+}

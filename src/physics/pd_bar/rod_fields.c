@@ -1,0 +1,354 @@
+/* What front ends read of the bar by peridynamics: fields, series, links. */
+#include "physics/axial.h"
+#include "physics/pd_bar/rod_internal.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const Set sets[ROD_SETS] = {
+    [ROD_PARTICLE] = {"particle", "particles", 0},
+    [ROD_BOND] = {"bond", "bonds", 0},
+};
+
+/* --- a node and its family ------------------------------------------------------------------------ */
+
+static double displacement(const Rod *rod, int i)
+{
+    return rod->u[rod_at(&rod->lattice, i)];
+}
+
+/* The bond from node i to the right (m > 0) or to the left (m < 0), seen from its left end. */
+typedef struct BondAt {
+    int k, m; /* left end, distance */
+    double elongation, stiffness;
+} BondAt;
+
+static BondAt bond_at(const Rod *rod, int i, int m)
+{
+    const int k = m < 0 ? i + m : i, distance = abs(m);
+    return (BondAt){k, distance, rod_elongation(rod, k, distance), rod_stiffness(rod, k, distance)};
+}
+
+/* Half of the energy of the node's bonds. */
+static double strain_energy(const Rod *rod, int i)
+{
+    double sum = 0;
+    for (int m = -rod->lattice.reach; m <= rod->lattice.reach; m++)
+        if (m != 0) {
+            BondAt bond = bond_at(rod, i, m);
+            sum += bond.stiffness * bond.elongation * bond.elongation;
+        }
+    return sum * rod->lattice.h / 4;
+}
+
+static double strain(const Rod *rod, int i)
+{
+    double stretched = 0, length = 0;
+    for (int m = -rod->lattice.reach; m <= rod->lattice.reach; m++) {
+        if (m == 0)
+            continue;
+        BondAt bond = bond_at(rod, i, m);
+        double weight = bond.stiffness > 0 ? rod->lattice.weight[bond.m - 1] : 0;
+        stretched += weight * bond.elongation;
+        length += weight * bond.m;
+    }
+    return length > 0 ? stretched / (length * rod->lattice.h) : 0;
+}
+
+/* The force of all bonds through the section between nodes i - 1 and i. */
+static double section_force(const Rod *rod, int i)
+{
+    double sum = 0;
+    for (int m = 1; m <= rod->lattice.reach; m++)
+        for (int k = i - m; k < i; k++)
+            sum += rod_stiffness(rod, k, m) * rod_elongation(rod, k, m);
+    return sum * rod->lattice.h;
+}
+
+static double largest_stretch(const Rod *rod, int i)
+{
+    double most = -HUGE_VAL;
+    for (int m = -rod->lattice.reach; m <= rod->lattice.reach; m++) {
+        if (m == 0)
+            continue;
+        BondAt bond = bond_at(rod, i, m);
+        if (bond.stiffness > 0)
+            most = fmax(most, bond.elongation / (bond.m * rod->lattice.h));
+    }
+    return most > -HUGE_VAL ? most : 0;
+}
+
+static double family_size(const Rod *rod, int i)
+{
+    int count = 0;
+    for (int m = -rod->lattice.reach; m <= rod->lattice.reach; m++)
+        count += m != 0 && bond_at(rod, i, m).stiffness > 0;
+    return count;
+}
+
+/* --- bonds: numbered by their left end, then by distance ------------------------------------------ */
+
+/* Bonds of the left ends below i. Each of the last `reach` nodes has as many as there are nodes behind it. */
+static size_t bonds_before(const RodLattice *lattice, int i)
+{
+    const int whole = lattice->n - lattice->reach; /* from there on the families are cut */
+    if (i <= whole)
+        return (size_t)i * (size_t)lattice->reach;
+    const size_t beyond = (size_t)(i - whole), reach = (size_t)lattice->reach;
+    return (size_t)whole * reach + beyond * reach - beyond * (beyond + 1) / 2;
+}
+
+static BondAt bond_number(const Rod *rod, size_t number)
+{
+    const RodLattice *lattice = &rod->lattice;
+    int i = (int)(number / (size_t)lattice->reach);
+    while (bonds_before(lattice, i + 1) <= number)
+        i++;
+    return bond_at(rod, i, (int)(number - bonds_before(lattice, i)) + 1);
+}
+
+/* --- fields: one row each; the value of one thing ------------------------------------------------- */
+
+static double p_x0(const Rod *rod, int i)
+{
+    return rod_position(&rod->lattice, i);
+}
+
+static double p_x(const Rod *rod, int i)
+{
+    return p_x0(rod, i) + displacement(rod, i);
+}
+
+static double p_v(const Rod *rod, int i)
+{
+    return rod->v[i];
+}
+
+static double p_stress(const Rod *rod, int i)
+{
+    return (section_force(rod, i) + section_force(rod, i + 1)) / 2;
+}
+
+static double p_density(const Rod *rod, int i)
+{
+    return rod->def.density / (1 + strain(rod, i));
+}
+
+static double p_mass(const Rod *rod, int i)
+{
+    (void)i;
+    return rod->def.density * rod->lattice.h;
+}
+
+static double p_factor(const Rod *rod, int i)
+{
+    return rod->lattice.factor[rod_at(&rod->lattice, i)];
+}
+
+static double p_force(const Rod *rod, int i)
+{
+    return rod->f[i];
+}
+
+static double p_acceleration(const Rod *rod, int i)
+{
+    return rod->f[i] / rod->def.density;
+}
+
+static double b_i(const Rod *rod, const BondAt *bond)
+{
+    (void)rod;
+    return bond->k;
+}
+
+static double b_j(const Rod *rod, const BondAt *bond)
+{
+    (void)rod;
+    return bond->k + bond->m;
+}
+
+static double b_x_i(const Rod *rod, const BondAt *bond)
+{
+    return p_x0(rod, bond->k);
+}
+
+static double b_x_j(const Rod *rod, const BondAt *bond)
+{
+    return p_x0(rod, bond->k + bond->m);
+}
+
+static double b_stretch(const Rod *rod, const BondAt *bond)
+{
+    return bond->elongation / (bond->m * rod->lattice.h);
+}
+
+static double b_pull(const Rod *rod, const BondAt *bond)
+{
+    (void)rod;
+    return bond->stiffness * bond->elongation;
+}
+
+static double b_energy(const Rod *rod, const BondAt *bond)
+{
+    return bond->stiffness * bond->elongation * bond->elongation * rod->lattice.h / 2;
+}
+
+typedef double NodeValue(const Rod *rod, int i);
+typedef double BondValue(const Rod *rod, const BondAt *bond);
+
+/* Those of axial.h come first. */
+enum FieldIndex {
+    P_STRAIN_ENERGY = AXIAL_FIELDS,
+    P_FACTOR,
+    P_FORCE,
+    P_LOAD,
+    P_STRETCH,
+    P_FAMILY,
+    P_ACCELERATION,
+    B_I,
+    B_J,
+    B_X_I,
+    B_X_J,
+    B_STRETCH,
+    B_PULL,
+    B_ENERGY,
+    N_FIELDS
+};
+
+#define PARTICLE(name, label, unit, meaning, table, whole)                                                   \
+    FIELD_ROW(ROD_PARTICLE, table, whole, name, label, unit, meaning)
+#define BOND(name, label, unit, meaning, table, whole)                                                       \
+    FIELD_ROW(ROD_BOND, table, whole, name, label, unit, meaning)
+
+static const Field fields[N_FIELDS] = {
+    AXIAL_FIELD_ROWS("force of all bonds through a section, mean of the sections beside the node",
+                     "mean stretch of the node's bonds, weighted with length"),
+    [P_STRAIN_ENERGY] = PARTICLE("strain_energy", "strain energy", "force/length",
+                                 "half of the energy of the node's bonds", true, false),
+    [P_FACTOR] =
+        PARTICLE("surface_factor", "surface factor", "1", "surface correction g of the node", true, false),
+    [P_FORCE] = PARTICLE("force", "force", "force/length^3",
+                         "force density: of the bonds, then with the loads", false, false),
+    [P_LOAD] =
+        PARTICLE("load", "load", "force/length^3", "force density of body force and traction", false, false),
+    [P_STRETCH] = PARTICLE("stretch", "stretch", "1", "largest stretch of the node's bonds", false, false),
+    [P_FAMILY] =
+        PARTICLE("family", "family", "1", "number of bonds, those to mirrored nodes included", false, true),
+    [P_ACCELERATION] =
+        PARTICLE("acceleration", "acceleration", "length/time^2", "force density over density", false, false),
+    [B_I] = BOND("i", "i", "1", "particle at the left end", true, true),
+    [B_J] = BOND("j", "j", "1", "particle at the right end", true, true),
+    [B_X_I] = BOND("x_i", "x_i", "length", "position of particle i at the start", true, false),
+    [B_X_J] = BOND("x_j", "x_j", "length", "position of particle j at the start", true, false),
+    [B_STRETCH] = BOND("stretch", "stretch", "1", "stretch s between the two particles", true, false),
+    [B_PULL] = BOND("pull", "pull", "force/length^3", "force density on its ends, positive in tension", false,
+                    false),
+    [B_ENERGY] = BOND("energy", "energy", "force/length", "strain energy of the bond", false, false),
+};
+
+static NodeValue *const node_values[N_FIELDS] = {
+    [AXIAL_X0] = p_x0,
+    [AXIAL_X] = p_x,
+    [AXIAL_U] = displacement,
+    [AXIAL_V] = p_v,
+    [AXIAL_STRESS] = p_stress,
+    [AXIAL_STRAIN] = strain,
+    [AXIAL_DENSITY] = p_density,
+    [AXIAL_MASS] = p_mass,
+    [P_FACTOR] = p_factor,
+    [P_FORCE] = p_force,
+    [P_LOAD] = rod_load,
+    [P_STRETCH] = largest_stretch,
+    [P_FAMILY] = family_size,
+    [P_STRAIN_ENERGY] = strain_energy,
+    [P_ACCELERATION] = p_acceleration,
+};
+
+static BondValue *const bond_values[N_FIELDS] = {
+    [B_I] = b_i,       [B_J] = b_j,           [B_X_I] = b_x_i, [B_X_J] = b_x_j, [B_STRETCH] = b_stretch,
+    [B_PULL] = b_pull, [B_ENERGY] = b_energy,
+};
+
+void rod_field(const Simulation *sim, int field, size_t first, size_t count, double *out)
+{
+    const Rod *rod = (const Rod *)sim;
+    for (size_t k = 0; k < count; k++) {
+        if (fields[field].set == ROD_PARTICLE) {
+            out[k] = node_values[field](rod, (int)(first + k));
+            continue;
+        }
+        BondAt bond = bond_number(rod, first + k);
+        out[k] = bond_values[field](rod, &bond);
+    }
+}
+
+size_t rod_links(const Simulation *sim, int set, size_t index, Link *out, size_t max)
+{
+    const Rod *rod = (const Rod *)sim;
+    const double h = rod->lattice.h;
+    size_t count = 0;
+    if (set == ROD_BOND) {
+        BondAt bond = bond_number(rod, index);
+        double stretch = b_stretch(rod, &bond), pull = b_pull(rod, &bond) * h;
+        const int ends[2] = {bond.k, bond.k + bond.m};
+        for (; count < 2 && count < max; count++)
+            out[count] = (Link){
+                .set = ROD_PARTICLE, .index = (size_t)ends[count], .weight = stretch, .gradient = pull};
+        return count;
+    }
+    for (int m = -rod->lattice.reach; m <= rod->lattice.reach && count < max; m++) {
+        if (m == 0)
+            continue;
+        const int i = (int)index;
+        BondAt bond = bond_at(rod, i, m);
+        if (!(bond.stiffness > 0))
+            continue;
+        out[count++] = (Link){.set = ROD_PARTICLE,
+                              .index = (size_t)rod_partner(&rod->lattice, i + m),
+                              .weight = b_stretch(rod, &bond),
+                              .gradient = b_pull(rod, &bond) * h,
+                              .length = m * h,
+                              .stiffness = bond.stiffness * bond.m * h};
+    }
+    return count;
+}
+
+/* --- series --------------------------------------------------------------------------------------- */
+
+static const Quantity series[ROD_SERIES] = {
+    AXIAL_SERIES_BEGIN,
+    {"strain", "strain", "force/length", "strain energy of the bonds"},
+    AXIAL_SERIES_END,
+};
+
+void rod_row(Simulation *sim, double *row)
+{
+    const Rod *rod = (const Rod *)sim;
+    const int n = rod->lattice.n;
+    double momentum = 0, moved = 0, square = 0, stored = 0;
+    for (int i = 0; i < n; i++) {
+        momentum += rod->v[i];
+        moved += displacement(rod, i);
+        square += rod->v[i] * rod->v[i];
+        stored += strain_energy(rod, i);
+    }
+    const double kinetic = square * rod->def.density * rod->lattice.h / 2;
+    const double values[ROD_SERIES] = {
+        momentum / n, rod->def.length / 2 + moved / n, kinetic, stored, rod->head->work, kinetic + stored};
+    for (int k = 0; k < ROD_SERIES; k++)
+        row[k] = values[k];
+}
+
+void rod_set_fields(Rod *rod)
+{
+    Simulation *sim = &rod->sim;
+    sim->sets = sets;
+    sim->n_sets = ROD_SETS;
+    sim->counts[ROD_PARTICLE] = (size_t)rod->lattice.n;
+    sim->counts[ROD_BOND] = bonds_before(&rod->lattice, rod->lattice.n);
+    sim->fields = fields;
+    sim->n_fields = N_FIELDS;
+    sim->series = series;
+    sim->n_series = ROD_SERIES;
+    axial_set_motion(sim);
+}

@@ -1,0 +1,156 @@
+/* The lattice of the bar: families with their ends, surface factors, bond stiffnesses, and the critical time
+ * step. */
+#include "physics/axial.h"
+#include "physics/pd_bar/rod_internal.h"
+
+#include "base/band.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+_Static_assert((int)ROD_REACH_MAX <= (int)BAND_WIDTH_MAX, "the matrix of the lattice fits a band");
+
+/* Whether there is a node or a mirrored one at k. */
+static bool exists(const RodDef *def, const RodLattice *lattice, int k)
+{
+    return (k >= 0 || def->left_fixed) && (k < lattice->n || def->right_fixed);
+}
+
+static double micromodulus(const RodDef *def)
+{
+    return 2 * def->youngs_modulus / (def->horizon * def->horizon);
+}
+
+/* |xi| <= delta is decided with a tolerance, as on the lattice of the beams. */
+static int reach_of(const RodDef *def)
+{
+    return (int)floor(def->horizon / def->spacing * (1 + 1e-9));
+}
+
+static double weight(const RodDef *def, double h, int m)
+{
+    if (def->volume_correction == VOLUME_NONE || m * h <= def->horizon - h / 2)
+        return 1;
+    return (def->horizon + h / 2 - m * h) / h;
+}
+
+/* The energy of a unit strain that the family of node i should hold, over what it holds. */
+static double energy_factor(const RodDef *def, const RodLattice *lattice, int i)
+{
+    double held = 0;
+    for (int m = 1; m <= lattice->reach; m++) {
+        int partners = exists(def, lattice, i - m) + exists(def, lattice, i + m);
+        held += partners * micromodulus(def) * lattice->weight[m - 1] * lattice->h * (m * lattice->h) / 4;
+    }
+    return def->youngs_modulus / 2 / held;
+}
+
+static void make_factors(const RodDef *def, RodLattice *lattice)
+{
+    for (int i = 0; i < lattice->n; i++)
+        lattice->factor[rod_at(lattice, i)] =
+            def->surface_correction == SURFACE_ENERGY ? energy_factor(def, lattice, i) : 1;
+    for (int k = -lattice->reach; k < 0; k++)
+        lattice->factor[rod_at(lattice, k)] = lattice->factor[rod_at(lattice, rod_partner(lattice, k))];
+    for (int k = lattice->n; k < lattice->n + lattice->reach; k++)
+        lattice->factor[rod_at(lattice, k)] = lattice->factor[rod_at(lattice, rod_partner(lattice, k))];
+}
+
+static void make_stiffness(const RodDef *def, RodLattice *lattice, int m)
+{
+    const double whole = micromodulus(def) * lattice->weight[m - 1] * lattice->h / (m * lattice->h);
+    for (int k = -m; k < lattice->n; k++) {
+        double factor = (lattice->factor[rod_at(lattice, k)] + lattice->factor[rod_at(lattice, k + m)]) / 2;
+        bool bonded = exists(def, lattice, k) && exists(def, lattice, k + m);
+        lattice->stiffness[m - 1][rod_at(lattice, k)] = bonded ? factor * whole : 0;
+    }
+}
+
+void *rod_lattice(const RodDef *def, RodLattice *lattice)
+{
+    *lattice = (RodLattice){.n = (int)round(def->length / def->spacing), .reach = reach_of(def)};
+    lattice->h = def->length / lattice->n;
+    lattice->padded = (size_t)(lattice->n + 2 * lattice->reach);
+    double *memory = calloc(lattice->padded * (size_t)(lattice->reach + 1), sizeof *memory);
+    if (!memory)
+        return NULL;
+    lattice->factor = memory;
+    for (int m = 1; m <= lattice->reach; m++) {
+        lattice->weight[m - 1] = weight(def, lattice->h, m);
+        lattice->stiffness[m - 1] = memory + (size_t)m * lattice->padded;
+    }
+    make_factors(def, lattice);
+    for (int m = 1; m <= lattice->reach; m++)
+        make_stiffness(def, lattice, m);
+    lattice->layer = def->traction_layer > 0 ? def->traction_layer : lattice->h;
+    const int in_layer = axial_particles_in_layer(lattice->layer, lattice->h, lattice->n);
+    lattice->layer_left = def->left_fixed ? 0 : in_layer;
+    lattice->layer_right = def->right_fixed ? 0 : in_layer;
+    return memory;
+}
+
+/* omega_max^2 is the largest eigenvalue of the stiffness over the density. A mirrored node is minus its
+ * partner, which lies nearer to the end than the horizon: the matrix stays a band. */
+static double critical_step(const RodDef *def, const RodLattice *lattice)
+{
+    const size_t n = (size_t)lattice->n, width = (size_t)lattice->reach;
+    double *rows = calloc(n * (width + 1), sizeof *rows);
+    if (!rows)
+        return NAN;
+    for (int i = 0; i < lattice->n; i++)
+        for (int m = -lattice->reach; m <= lattice->reach; m++) {
+            if (m == 0)
+                continue;
+            double k = lattice->stiffness[abs(m) - 1][rod_at(lattice, m < 0 ? i + m : i)] / def->density;
+            int j = rod_partner(lattice, i + m);
+            double *row = rows + (size_t)i * (width + 1);
+            row[0] += k;
+            if (j <= i)
+                row[i - j] += j == i + m ? -k : k;
+        }
+    const Band band = {n, lattice->reach, rows};
+    double largest = band_eigenvalue(&band, n - 1);
+    free(rows);
+    return 2 / sqrt(largest);
+}
+
+/* A long bar has the ends of a shorter one, and to 1e-6 its largest frequency. */
+static RodDef shorter(const RodDef *def)
+{
+    enum { NODES = 2000 };
+    RodDef part = *def;
+    if (part.length > NODES * part.spacing)
+        part.length = NODES * part.spacing, part.traction_layer = 0;
+    return part;
+}
+
+bool rod_critical(const RodDef *def, double *step, Status *status)
+{
+    RodLattice lattice;
+    if (!rod_check(def, status))
+        return false;
+    const RodDef part = shorter(def);
+    void *memory = rod_lattice(&part, &lattice);
+    *step = memory ? critical_step(&part, &lattice) : NAN;
+    free(memory);
+    return isfinite(*step) ||
+           status_fail(status, STATUS_FAILED, "not enough memory for the lattice of the bar");
+}
+
+void rod_facts(const Simulation *sim, RodFacts *facts)
+{
+    const Rod *rod = (const Rod *)sim;
+    const RodDef *def = &rod->def;
+    const RodLattice *lattice = &rod->lattice;
+    double moment = 0;
+    for (int m = 1; m <= lattice->reach; m++)
+        moment += lattice->weight[m - 1] * m;
+    const int last = def->right_fixed ? 0 : lattice->n - 1;
+    const double ratio = def->horizon / lattice->h;
+    *facts = (RodFacts){.micromodulus = micromodulus(def),
+                        .nodes = (size_t)lattice->n,
+                        .family = 2 * (size_t)lattice->reach,
+                        .bulk_modulus = def->youngs_modulus * 2 * moment / (ratio * ratio),
+                        .end_factor = lattice->factor[rod_at(lattice, last)],
+                        .critical_step = rod->critical_step};
+}

@@ -1,0 +1,89 @@
+/* Bond-based peridynamics on beams, two-dimensional (plane stress, Poisson's ratio 1/3).
+ *
+ * Source: Chen, Liu, Yang, "The application of peridynamics in predicting beam vibration and impact damage"
+ * (2015; paper P); equation numbers are its. SI units; forces and energies are those of the beam, that is per
+ * unit thickness times the thickness. */
+#ifndef PHYSICS_PD_BEAM_H
+#define PHYSICS_PD_BEAM_H
+
+#include "physics/method.h"
+
+typedef enum BeamProblem { BEAM_SIMPLY_SUPPORTED, BEAM_MOVING_CANTILEVER, BEAM_NOTCHED } BeamProblem;
+typedef enum SurfaceCorrection { SURFACE_NONE, SURFACE_ENERGY, SURFACE_VOLUME } SurfaceCorrection;
+typedef enum VolumeCorrection { VOLUME_NONE, VOLUME_PARTIAL } VolumeCorrection;
+typedef enum Clamp { CLAMP_FULL, CLAMP_GUIDE } Clamp;
+
+typedef struct BeamDef {
+    BeamProblem problem;
+    double length, height, thickness; /* m */
+    double youngs_modulus, density;   /* Pa, kg/m^3 */
+
+    double horizon, spacing; /* delta and dx, m */
+    SurfaceCorrection surface_correction;
+    VolumeCorrection volume_correction;
+    double critical_stretch; /* s0; 0: bonds never break */
+    double protected_depth;  /* bonds nearer than this to load or supports never break, m */
+
+    double amplitude; /* U of eqs. 15 to 18, m; beams that vibrate */
+
+    double speed, channel; /* v0 and the length behind the clamp; moving cantilever */
+    Clamp clamp;
+
+    double notch_position, notch_depth; /* notched beam */
+    double load_stress, load_ramp, load_position, load_width;
+    double support_left, support_right;
+    bool pinned; /* ux of the left support is fixed too */
+
+    double dt;   /* s; 0: half the critical time step */
+    double end;  /* s: the channel must hold the beam until then; moving cantilever */
+    int threads; /* at least 1 */
+
+    /* Asked while the beam is being built, with the share that is done, 0 first; false: give up. NULL:
+     * nobody. */
+    bool (*go_on)(double share, void *context);
+    void *go_on_context;
+} BeamDef;
+
+/* The defaults of the problem, as in the manual page on scenario files. */
+BeamDef beam_default(BeamProblem problem);
+
+/* Is the definition sound? Else the status names the key as in a scenario file, what is wrong, what is
+ * allowed. beam_create() asks first; a front end asks before it takes a value over. */
+bool beam_check(const BeamDef *definition, Status *status);
+
+/* Builds the simulation at t = 0. NULL: the status names the scenario key that is wrong ("notch.position:
+ * ..."), or says that there is not enough memory.
+ *
+ * Sets: 0 particles (the nodes of the lattice), 1 bonds. Fields in tables: particles x0 y0 ux uy vx vy damage
+ * surface_factor strain_energy; bonds i j x_i y_i x_j y_j (reference positions) stretch broken broken_at (the
+ * step after which the bond was broken: 0 the notch, -1 not broken). On screen also, for particles: fx fy
+ * (force density) speed stretch (largest of its live bonds) family surface_x surface_y held loaded probe
+ * protected; for bonds: notch pull energy.
+ *
+ * Series: u_probe v_probe; length (moving) or crack_x crack_y crack_length (notched); kinetic strain work
+ * dissipated total broken_bonds. total = kinetic + strain + dissipated; less the work it keeps its value.
+ * broken_bonds leaves out the notch's. Live parameters: load.stress, pd.critical_stretch.
+ *
+ * The crack as the paper speaks of it (first break, tip, angle, arrival): physics/pd_plane/crack.h. */
+Simulation *beam_create(const BeamDef *definition, Status *status);
+
+/* What the lattice came to; for the read-only rows and the tables. */
+typedef struct BeamFacts {
+    double micromodulus;  /* c of eq. 4, N/m^6 */
+    int nx, ny;           /* columns and rows of nodes */
+    double real_height;   /* ny dx */
+    double real_span;     /* distance of the supports as the nodes lie */
+    size_t family;        /* bonds of a node in the bulk */
+    size_t bonds;         /* each counted once, before the notch */
+    size_t notch_bonds;   /* of these cut by the notch */
+    double critical_step; /* 2 / omega_max by power iteration with no node held, s */
+} BeamFacts;
+
+void beam_facts(const Simulation *beam, BeamFacts *facts);
+
+/* How the rows hold each other where all columns move alike across the beam, whole bonds and small motion:
+ * the force density on row j is minus the sum of matrix[j ny + k] times the displacement of row k, N/m^4. The
+ * caller has ny x ny numbers. False: the simulation is no beam. */
+bool beam_row_stiffness(const Simulation *beam, double *matrix);
+
+#endif

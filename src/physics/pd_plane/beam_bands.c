@@ -1,0 +1,127 @@
+/* Bond forces and energies of all rows, a band of rows at a time. Forces on rows above a band go to the
+ * band's halo and are added in the order of bands, so that it does not matter which thread did which band. */
+#include "physics/pd_plane/beam_internal.h"
+
+#include <string.h>
+
+void beam_run(Beam *beam, PoolWork *work, int chunks)
+{
+    if (beam->pool)
+        pool_run(beam->pool, work, beam, chunks);
+    else
+        for (int chunk = 0; chunk < chunks; chunk++)
+            work(beam, chunk, 0);
+}
+
+/* Row `row` above the band's end, in the band's halo: its column 0. */
+static double *halo_row(const Beam *beam, int band, int component, int row)
+{
+    size_t reach = (size_t)beam->lattice.reach, stride = beam->lattice.stride;
+    return beam->halo + (((size_t)band * 2 + (size_t)component) * reach + (size_t)row) * stride +
+           LATTICE_BLOCK;
+}
+
+static void clear_band(Beam *beam, int band)
+{
+    int first = beam->band_first[band], rows = beam->band_first[band + 1] - first;
+    size_t stride = beam->lattice.stride, bytes = stride * sizeof(double);
+    memset(beam->nodes.fx + (size_t)first * stride, 0, (size_t)rows * bytes);
+    memset(beam->nodes.fy + (size_t)first * stride, 0, (size_t)rows * bytes);
+    memset(halo_row(beam, band, 0, 0) - LATTICE_BLOCK, 0, 2 * (size_t)beam->lattice.reach * bytes);
+}
+
+void beam_bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy)
+{
+    int band = beam->band_of_row[j], end = beam->band_first[band + 1];
+    if (j == beam->band_first[band])
+        clear_band(beam, band);
+    double *fx[LATTICE_REACH_MAX + 1], *fy[LATTICE_REACH_MAX + 1];
+    for (int q = 0; q <= beam->lattice.reach; q++) {
+        bool inside = j + q < end;
+        size_t at = inside ? lattice_at(&beam->lattice, 0, j + q) : 0;
+        fx[q] = inside ? beam->nodes.fx + at : halo_row(beam, band, 0, j + q - end);
+        fy[q] = inside ? beam->nodes.fy + at : halo_row(beam, band, 1, j + q - end);
+    }
+    beam->kernels->forces(&beam->system, j, fx, fy, log, with_energy ? &beam->row_energy[j] : NULL);
+}
+
+/* What the bands below have for this row. */
+void beam_add_halos(Beam *beam, int j)
+{
+    size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
+    int own = beam->band_of_row[j], reach = beam->lattice.reach;
+    for (int band = j > reach ? beam->band_of_row[j - reach] : 0; band < own; band++) {
+        int above = j - beam->band_first[band + 1];
+        if (above >= reach)
+            continue;
+        beam->kernels->add(beam->nodes.fx + row, halo_row(beam, band, 0, above), 1, count);
+        beam->kernels->add(beam->nodes.fy + row, halo_row(beam, band, 1, above), 1, count);
+    }
+}
+
+static void bonds_of_band(Beam *beam, int band, int worker, bool with_energy)
+{
+    BondLog *log = &beam->band_logs[band];
+    log->scratch = beam->scratch + (size_t)worker * BONDS_SCRATCH;
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
+        beam_bonds_of_row(beam, j, log, with_energy);
+}
+
+static void bonds_chunk(void *context, int band, int worker)
+{
+    bonds_of_band(context, band, worker, false);
+}
+
+static void bonds_and_energy_chunk(void *context, int band, int worker)
+{
+    bonds_of_band(context, band, worker, true);
+}
+
+static void halos_chunk(void *context, int band, int worker)
+{
+    (void)worker;
+    Beam *beam = context;
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
+        beam_add_halos(beam, j);
+}
+
+static void energy_chunk(void *context, int band, int worker)
+{
+    (void)worker;
+    Beam *beam = context;
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
+        beam->row_energy[j] = beam->kernels->energy(&beam->system, j);
+}
+
+static double sum_of_rows(const Beam *beam)
+{
+    double sum = 0;
+    for (int j = 0; j < beam->lattice.ny; j++)
+        sum += beam->row_energy[j];
+    return sum;
+}
+
+void beam_bond_forces(Beam *beam, bool with_energy)
+{
+    beam_run(beam, with_energy ? bonds_and_energy_chunk : bonds_chunk, beam->n_bands);
+    if (with_energy) {
+        beam->strain = sum_of_rows(beam);
+        beam->strain_known = true;
+    }
+}
+
+void beam_all_forces(Beam *beam)
+{
+    beam_bond_forces(beam, false);
+    beam_run(beam, halos_chunk, beam->n_bands);
+}
+
+double beam_strain(Beam *beam)
+{
+    if (!beam->strain_known) {
+        beam_run(beam, energy_chunk, beam->n_bands);
+        beam->strain = sum_of_rows(beam);
+        beam->strain_known = true;
+    }
+    return beam->strain;
+}

@@ -1,0 +1,147 @@
+/* Broken bonds: the list of when they broke, and the damage of nodes (eqs. 5, 6). */
+#include "physics/pd_plane/beam_internal.h"
+#include "physics/pd_plane/crack.h"
+
+#include <math.h>
+#include <string.h>
+
+bool beam_bit(const uint8_t *bits, size_t slot)
+{
+    return bits[slot / 8] >> slot % 8 & 1;
+}
+
+static void mark_dirty(Beam *beam, size_t node)
+{
+    if (!beam->is_dirty[node]) {
+        beam->is_dirty[node] = 1;
+        beam->dirty[beam->n_dirty++] = (uint32_t)node;
+    }
+}
+
+static void mark_ends(Beam *beam, BondPlace place)
+{
+    const Offset *offset = &beam->lattice.offsets[place.offset];
+    size_t nx = (size_t)beam->lattice.nx;
+    mark_dirty(beam, (size_t)place.j * nx + (size_t)place.i);
+    mark_dirty(beam, (size_t)(place.j + offset->q) * nx + (size_t)(place.i + offset->p));
+}
+
+/* A bond counts for the start of the crack if its middle is within two horizons of the notch's end. */
+static bool is_near_tip(const Beam *beam, BondPlace place)
+{
+    if (beam->def.problem != BEAM_NOTCHED)
+        return false;
+    const Offset *offset = &beam->lattice.offsets[place.offset];
+    double x = lattice_x(&beam->lattice, place.i) + offset->x / 2 - beam->def.notch_position;
+    double y = lattice_y(&beam->lattice, place.j) + offset->y / 2 - beam->def.notch_depth;
+    double limit = 2 * beam->def.horizon * (1 + 1e-9);
+    return x * x + y * y <= limit * limit;
+}
+
+bool beam_take_log(Beam *beam, BondLog *log, long step)
+{
+    bool written = !log->no_memory;
+    for (size_t k = 0; k < log->n_breaks; k++) {
+        BondPlace place = lattice_slot_place(&beam->lattice, log->breaks[k].slot);
+        beam->broken_at[log->breaks[k].slot] = (int32_t)(step + 1);
+        beam->head->broken++;
+        beam->head->dissipated += log->breaks[k].energy;
+        beam->head->near_tip += is_near_tip(beam, place);
+        mark_ends(beam, place);
+    }
+    log->n_breaks = 0;
+    log->no_memory = false;
+    return written;
+}
+
+/* Eq. 5: the share of the family, weighted with w V, whose bonds have broken until a step. */
+static double node_damage(const Beam *beam, size_t node, long step)
+{
+    const Lattice *lattice = &beam->lattice;
+    int i = (int)(node % (size_t)lattice->nx), j = (int)(node / (size_t)lattice->nx);
+    BondPlace family[FAMILY_MAX];
+    size_t n = beam_family(beam, i, j, family);
+    double all = 0, broken = 0;
+    for (size_t k = 0; k < n; k++) {
+        double weight = lattice->offsets[family[k].offset].weight;
+        all += weight;
+        size_t slot = lattice_slot(lattice, family[k]);
+        if (beam_bit(beam->broken, slot) && beam->broken_at[slot] <= step)
+            broken += weight;
+    }
+    return n ? broken / all : 0;
+}
+
+static void report_break(Beam *beam, long step, const char *text)
+{
+    Simulation *sim = &beam->sim;
+    int before = sim->n_events;
+    simulation_report(sim, EVENT_BREAK, text);
+    if (sim->n_events > before)
+        sim->events[before].step = step;
+}
+
+static void report_crack(Beam *beam, long step)
+{
+    StateHead *head = beam->head;
+    if (head->first_break < 0 && head->near_tip >= 1) {
+        head->first_break = step;
+        report_break(beam, step, "first bond broke near the notch's end");
+    }
+    if (head->twentieth_break < 0 && head->near_tip >= 20) {
+        head->twentieth_break = step;
+        report_break(beam, step, "twentieth bond broke near the notch's end");
+    }
+    crack_follow(beam);
+    Crack crack;
+    if (head->arrival < 0 && crack_measure(&beam->sim, &crack) && beam->def.protected_depth > 0 &&
+        crack.y >= beam->def.height - beam->def.protected_depth - beam->def.horizon / 2) {
+        head->arrival = step;
+        report_break(beam, step, "the crack reached the protected zone of the load");
+    }
+}
+
+void beam_update_damage(Beam *beam, long step)
+{
+    if (beam->n_dirty == 0)
+        return;
+    for (size_t k = 0; k < beam->n_dirty; k++) {
+        size_t node = beam->dirty[k];
+        beam->damage[node] = node_damage(beam, node, step);
+        beam->is_dirty[node] = 0;
+    }
+    beam->n_dirty = 0;
+    beam->crack.valid = false;
+    if (beam->def.problem == BEAM_NOTCHED)
+        report_crack(beam, step);
+    else if (beam->head->first_break < 0 && beam->head->broken > 0) {
+        beam->head->first_break = step;
+        report_break(beam, step, "first bond broke");
+    }
+}
+
+/* Damage as it was after the last damage stage: in the middle of a step the bonds that broke in it do not
+ * count yet, but their ends are due. */
+void beam_rebuild_damage(Beam *beam)
+{
+    const Lattice *lattice = &beam->lattice;
+    long step = beam->sim.step;
+    memset(beam->is_dirty, 0, lattice_nodes(lattice));
+    memset(beam->damage, 0, lattice_nodes(lattice) * sizeof *beam->damage);
+    beam->n_dirty = 0;
+    for (size_t byte = 0; byte < lattice_slots(lattice) / 8; byte++)
+        for (size_t bit = 0; beam->broken[byte] >> bit != 0; bit++)
+            if (beam->broken[byte] >> bit & 1)
+                mark_ends(beam, lattice_slot_place(lattice, 8 * byte + bit));
+    for (size_t k = 0; k < beam->n_dirty; k++)
+        beam->damage[beam->dirty[k]] = node_damage(beam, beam->dirty[k], step);
+    size_t n_due = 0;
+    for (size_t k = 0; k < beam->n_dirty; k++) {
+        uint32_t node = beam->dirty[k];
+        beam->is_dirty[node] = node_damage(beam, node, step + 1) > beam->damage[node];
+        if (beam->is_dirty[node])
+            beam->dirty[n_due++] = node;
+    }
+    beam->n_dirty = n_due;
+    beam->crack.valid = false;
+}

@@ -1,0 +1,290 @@
+/* The stages as people read them, and the sum of the stage just done with its numbers. */
+#include "physics/pd_plane/beam_internal.h"
+#include "physics/pd_plane/verlet.h"
+#include "physics/working.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Of beams on supports. */
+static const Stage stage_table[N_STAGES] = {
+    [STAGE_HALF_KICK] = VERLET_HALF_KICK("vx vy fx fy", "vx vy"),
+    [STAGE_DRIFT] = VERLET_DRIFT("ux uy vx vy", "ux uy"),
+    [STAGE_CONSTRAINTS] = {"constraints", "supports", "u = 0 at supports", "u = 0 at supports", "eqs. 12, 13",
+                           "Supported nodes stay where they are.", "ux uy vx vy held", "ux uy vx vy"},
+    [STAGE_BONDS] =
+        {"bonds", "bond forces",
+         "s = (|ξ+η| − |ξ|)/|ξ|,   s ≥ s0: broken for ever\n"
+         "f(i) = Σ c G w s V (ξ+η)/|ξ+η|",
+         "s = (|xi+eta| - |xi|)/|xi|,   s >= s0: broken for ever\n"
+         "f(i) = sum c G w s V (xi+eta)/|xi+eta|",
+         "eqs. 2, 3, 6, 8",
+         "Each bond pulls as much as it is stretched, or breaks; a node feels the sum of its family.",
+         "ux uy", "fx fy stretch broken broken_at"},
+    [STAGE_BODY_FORCE] = {"body-force", "body force",
+                          "f(i) += b(t),   b = −p min(1, t/t0)/Δx on loaded nodes",
+                          "f(i) += b(t),   b = -p min(1, t/t0)/dx on loaded nodes", "eq. 8",
+                          "The load pushes the nodes of the top row that it rests on.", "loaded fy", "fy"},
+    [STAGE_SECOND_KICK] = VERLET_SECOND_KICK(
+        "The new force completes the step's velocity; supports hold again.", "vx vy fx fy held", "vx vy"),
+    [STAGE_DAMAGE] = {"damage", "damage", "φ(i) = 1 − Σ μ w V / Σ w V", "phi(i) = 1 - sum mu w V / sum w V",
+                      "eqs. 5, 6", "Damage of a node is the share of its family that it has lost.", "broken",
+                      "damage"},
+};
+
+void beam_set_stages(Beam *beam)
+{
+    memcpy(beam->stages, stage_table, sizeof beam->stages);
+    if (beam->def.problem == BEAM_MOVING_CANTILEVER) {
+        Stage *constraints = &beam->stages[STAGE_CONSTRAINTS];
+        constraints->name = "clamp";
+        constraints->equation = "in the channel uy = 0, with a full clamp ux = v0t";
+        constraints->ascii = "in the channel uy = 0, with a full clamp ux = v0 t";
+        constraints->sentence = "The channel guides the nodes inside it.";
+        beam->stages[STAGE_SECOND_KICK].sentence =
+            "The new force completes the step's velocity; the clamp holds again.";
+    }
+    beam->sim.stages = beam->stages;
+    beam->sim.n_stages = N_STAGES;
+}
+
+/* A node, now and before the stage. */
+typedef struct NodeNow {
+    size_t at; /* in padded arrays */
+    double ux, uy, vx, vy, fx, fy;
+} NodeNow;
+
+static NodeNow node_now(const Beam *beam, size_t index)
+{
+    size_t nx = (size_t)beam->lattice.nx;
+    size_t at = lattice_at(&beam->lattice, (int)(index % nx), (int)(index / nx));
+    const NodeArrays *nodes = &beam->nodes;
+    return (NodeNow){at,           nodes->ux[at], nodes->uy[at], nodes->vx[at], nodes->vy[at], nodes->fx[at],
+                     nodes->fy[at]};
+}
+
+static NodeNow node_before(const Beam *beam, size_t at, const void *before)
+{
+    double value[6];
+    for (size_t k = 0; k < 6; k++)
+        value[k] = working_before(beam->state, beam->nodes.ux + k * beam->array + at, before);
+    return (NodeNow){at, value[0], value[1], value[2], value[3], value[4], value[5]};
+}
+
+/* "vx = 0.1 + 2e-11 × 5 = 0.2 m/s" */
+static void say_change(Working *working, const char *label, double was, double factor, double rate,
+                       double now, const char *unit)
+{
+    if (fabs(was + factor * rate - now) > 1e-9 * fmax(fabs(was), fabs(factor * rate))) {
+        working_number(working, label, now);
+        working_say(working, " %s: the node is held\n", unit);
+        return;
+    }
+    working_change(working, label, was, factor, rate, now, unit);
+}
+
+static void say_pair(Working *working, const char *words, double x, double y, const char *unit)
+{
+    working_number(working, words, x);
+    working_number(working, ", ", y);
+    working_say(working, " %s\n", unit);
+}
+
+static void explain_kick(const Beam *beam, Working *working, const NodeNow *now, const NodeNow *was)
+{
+    const double factor = beam->sim.dt / (2 * beam->def.density);
+    if (was) {
+        say_change(working, "vx = vx + Δt/(2ρ) fx = ", was->vx, factor, was->fx, now->vx, "m/s");
+        say_change(working, "vy = vy + Δt/(2ρ) fy = ", was->vy, factor, was->fy, now->vy, "m/s");
+    } else {
+        say_pair(working, "vx, vy = ", now->vx, now->vy, "m/s");
+    }
+}
+
+static void explain_drift(const Beam *beam, Working *working, const NodeNow *now, const NodeNow *was)
+{
+    if (was) {
+        say_change(working, "ux = ux + Δt vx = ", was->ux, beam->sim.dt, was->vx, now->ux, "m");
+        say_change(working, "uy = uy + Δt vy = ", was->uy, beam->sim.dt, was->vy, now->uy, "m");
+    } else {
+        say_pair(working, "ux, uy = ", now->ux, now->uy, "m");
+    }
+}
+
+static void explain_constraints(const Beam *beam, Working *working, size_t index, const NodeNow *now)
+{
+    size_t nx = (size_t)beam->lattice.nx;
+    double time = (double)(beam->sim.step + 1) * beam->sim.dt;
+    if ((int)(index % nx) < beam_held_columns(beam, time)) {
+        if (beam->def.clamp == CLAMP_FULL)
+            working_number(working, "in the channel: uy = 0, ux = v0 t = ", now->ux);
+        else
+            working_number(working, "in the channel: uy = 0, free to slide: ux = ", now->ux);
+        working_say(working, " m\n");
+        return;
+    }
+    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
+        if ((size_t)s->j * nx + (size_t)s->i == index) {
+            working_say(working, "at a support: %s\n",
+                        s->x && s->y ? "ux = uy = 0"
+                        : s->x       ? "ux = 0"
+                                     : "uy = 0");
+            return;
+        }
+    working_say(working, "free: nothing holds this node\n");
+}
+
+static int by_pull(const void *a, const void *b)
+{
+    const double one = fabs(((const BondNow *)a)->pull), other = fabs(((const BondNow *)b)->pull);
+    return (one < other) - (one > other);
+}
+
+/* How many bonds of a family carry nothing: those that the notch cut are told apart. */
+static void say_lost(const Beam *beam, Working *working, const BondPlace *family, size_t n)
+{
+    size_t broken = 0, cut = 0;
+    for (size_t k = 0; k < n; k++) {
+        const size_t slot = lattice_slot(&beam->lattice, family[k]);
+        if (beam_bit(beam->notched, slot))
+            cut++;
+        else
+            broken += beam_bit(beam->broken, slot);
+    }
+    working_say(working, "%zu of %zu bonds broken", broken, n);
+    if (cut > 0)
+        working_say(working, ", %zu cut by the notch", cut);
+}
+
+/* The strongest bonds first, the rest as one number. */
+static void explain_bonds(const Beam *beam, Working *working, size_t index)
+{
+    size_t nx = (size_t)beam->lattice.nx;
+    BondPlace family[FAMILY_MAX];
+    BondNow bonds[FAMILY_MAX];
+    size_t n = beam_family(beam, (int)(index % nx), (int)(index / nx), family);
+    WorkingSum sums[2] = {{.label = "fx = ", .unit = "N/m³"}, {.label = "fy = ", .unit = "N/m³"}};
+    for (size_t k = 0; k < n; k++) {
+        bonds[k] = beam_bond(beam, family[k]);
+        if (bonds[k].a != index) { /* seen from this end */
+            bonds[k].direction_x = -bonds[k].direction_x;
+            bonds[k].direction_y = -bonds[k].direction_y;
+            bonds[k].b = bonds[k].a;
+        }
+    }
+    qsort(bonds, n, sizeof *bonds, by_pull);
+    say_lost(beam, working, family, n);
+    if (n > 0 && bonds[0].stretch != 0) {
+        const BondNow *first = &bonds[0];
+        working_say(working, "; to %zu: ", first->b);
+        WorkingSum pull = {.label = "c G w V s = ", .result = first->pull};
+        working_add(&pull, 2, first->pull / first->stretch, first->stretch, 0);
+        working_sum(working, &pull);
+    } else {
+        working_say(working, "; none is stretched\n");
+    }
+    for (size_t k = 0; k < n; k++) {
+        const double parts[2] = {bonds[k].direction_x, bonds[k].direction_y};
+        for (int d = 0; d < 2; d++) {
+            if (bonds[k].pull == 0)
+                continue;
+            sums[d].result += bonds[k].pull * parts[d];
+            working_add(&sums[d], 2, bonds[k].pull, parts[d], 0);
+        }
+    }
+    working_sum(working, &sums[0]);
+    working_sum(working, &sums[1]);
+}
+
+static void explain_body_force(const Beam *beam, Working *working, size_t index, const NodeNow *now)
+{
+    size_t nx = (size_t)beam->lattice.nx;
+    int i = (int)(index % nx);
+    if ((int)(index / nx) != beam->lattice.ny - 1 || i < beam->load_first || i >= beam->load_end) {
+        say_pair(working, "no load on this node: f stays ", now->fx, now->fy, "N/m³");
+        return;
+    }
+    const double force = beam_body_force(beam, (double)(beam->sim.step + 1) * beam->sim.dt);
+    WorkingSum sum = {.label = "fy = fy + b = ",
+                      .has_base = true,
+                      .base = now->fy - force,
+                      .result = now->fy,
+                      .unit = "N/m³"};
+    working_add(&sum, 1, force, 0, 0);
+    working_sum(working, &sum);
+}
+
+static void explain_damage(const Beam *beam, Working *working, size_t index)
+{
+    size_t nx = (size_t)beam->lattice.nx;
+    BondPlace family[FAMILY_MAX];
+    size_t n = beam_family(beam, (int)(index % nx), (int)(index / nx), family);
+    double all = 0, broken = 0;
+    for (size_t k = 0; k < n; k++) {
+        double weight = beam->lattice.offsets[family[k].offset].weight;
+        bool gone = beam_bit(beam->broken, lattice_slot(&beam->lattice, family[k]));
+        all += weight;
+        broken += gone ? weight : 0;
+    }
+    say_lost(beam, working, family, n);
+    working_number(working, "; in weights ", broken);
+    working_number(working, " of ", all);
+    working_end_line(working);
+    WorkingSum sum = {.label = "φ = ", .result = beam->damage[index]};
+    working_add(&sum, 1, broken, 0, 0)->divisor = all;
+    working_sum(working, &sum);
+}
+
+static void explain_bond(const Beam *beam, Working *working, size_t index)
+{
+    BondNow bond = beam_bond(beam, lattice_bond_place(&beam->lattice, index));
+    working_say(working, "bond %zu to %zu: ", bond.a, bond.b);
+    working_number(working, "s = ", bond.stretch);
+    if (beam->head->critical_stretch > 0)
+        working_number(working, " of s0 = ", beam->head->critical_stretch);
+    if (bond.broken) {
+        working_say(working, "; broken: it carries nothing\n");
+        return;
+    }
+    working_number(working, ", pull ", bond.pull);
+    working_number(working, " N/m³, energy ", bond.energy);
+    working_say(working, " J\n");
+}
+
+void beam_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
+                  char *out, size_t size)
+{
+    const Beam *beam = (const Beam *)sim;
+    Working text;
+    working_open(&text, out, size, terms);
+    if (set == SET_BOND) {
+        explain_bond(beam, &text, index);
+        return;
+    }
+    NodeNow now = node_now(beam, index), earlier, *was = NULL;
+    if (before) {
+        earlier = node_before(beam, now.at, before);
+        was = &earlier;
+    }
+    switch (stage) {
+    case STAGE_HALF_KICK:
+    case STAGE_SECOND_KICK:
+        explain_kick(beam, &text, &now, was);
+        break;
+    case STAGE_DRIFT:
+        explain_drift(beam, &text, &now, was);
+        break;
+    case STAGE_CONSTRAINTS:
+        explain_constraints(beam, &text, index, &now);
+        break;
+    case STAGE_BONDS:
+        explain_bonds(beam, &text, index);
+        break;
+    case STAGE_BODY_FORCE:
+        explain_body_force(beam, &text, index, &now);
+        break;
+    default:
+        explain_damage(beam, &text, index);
+    }
+}

@@ -1,0 +1,207 @@
+/* What the files of this folder share: the model and the state of a beam. Not for front ends. */
+#ifndef PHYSICS_PD_BEAM_INTERNAL_H
+#define PHYSICS_PD_BEAM_INTERNAL_H
+
+#include "physics/pd_plane/beam.h"
+#include "physics/pd_plane/bonds.h"
+#include "physics/pd_plane/lattice.h"
+#include "physics/pd_plane/pool.h"
+
+/* The stages of a step (velocity Verlet, eqs. 9 to 11). */
+enum {
+    STAGE_HALF_KICK,
+    STAGE_DRIFT,
+    STAGE_CONSTRAINTS,
+    STAGE_BONDS,
+    STAGE_BODY_FORCE,
+    STAGE_SECOND_KICK,
+    STAGE_DAMAGE,
+    N_STAGES
+};
+
+/* See beam_fields.c. */
+enum { SET_PARTICLE, SET_BOND, N_SETS };
+
+/* A node of which a component is held at rest. */
+typedef struct Support {
+    int i, j;
+    bool x, y;
+} Support;
+
+enum { SUPPORTS_MAX = 64, BEAM_SERIES_MAX = 12 };
+
+/* The head of the state: single numbers that change. */
+typedef struct StateHead {
+    double work, dissipated;              /* J */
+    double load_stress, critical_stretch; /* live parameters */
+    double crack_length;                  /* of the path, as long as it ever was, m */
+    long broken;                          /* bonds that broke in the run; the notch's are not among them */
+    long near_tip;                        /* of these with their middle within 2 delta of the notch's end */
+    long first_break, twentieth_break;    /* steps at which near_tip reached 1 and 20; -1: not yet */
+    long arrival; /* step at which the crack reached the protected zone; -1: not yet */
+} StateHead;
+
+typedef struct NodeArrays {
+    double *ux, *uy, *vx, *vy;
+    double *fx, *fy; /* force density, N/m^3 */
+} NodeArrays;
+
+/* The tip of the crack as the damage shows it (see crack.h); recomputed when damage has changed. */
+typedef struct CrackCache {
+    bool valid;
+    double x, y;
+} CrackCache;
+
+/* The state some steps ago; see beam_steps(). */
+typedef struct Rescue {
+    void *state;
+    bool valid; /* only whole steps have been done since */
+    long step, events_beyond;
+    int n_events;
+} Rescue;
+
+typedef struct Beam {
+    Simulation sim; /* first */
+    BeamDef def;
+    Lattice lattice;
+    BondSystem system;
+    const BondKernels *kernels;
+    BeamFacts facts;
+    Quantity series[BEAM_SERIES_MAX]; /* of this problem */
+    int series_entry[BEAM_SERIES_MAX];
+    Stage stages[N_STAGES]; /* likewise */
+
+    /* the model */
+    double *coefficient;  /* of the intact or broken bonds now: it follows the state's bits */
+    uint8_t *notched;     /* per slot one bit: cut by the notch */
+    uint8_t *unbreakable; /* per node */
+    Support supports[SUPPORTS_MAX];
+    int n_supports;
+    int load_first, load_end; /* loaded columns of the top row */
+    int probe_i[2], probe_j[2];
+    bool free_body; /* nothing holds or loads it; for tests */
+
+    /* the state: one block that begins with its head; then six node arrays and the bits of broken bonds */
+    void *state;
+    size_t state_size;
+    StateHead *head;
+    NodeArrays nodes;
+    size_t array; /* doubles in a node array */
+    uint8_t *broken;
+
+    /* per slot the step after which its bond was broken; it means something only where the state's bit is
+     * set, so a restore need not touch it */
+    int32_t *broken_at;
+
+    /* follows from the state */
+    double *damage;  /* per node, as of the last damage stage */
+    uint32_t *dirty; /* nodes whose bonds broke since */
+    size_t n_dirty;
+    uint8_t *is_dirty;
+    CrackCache crack;
+    double strain; /* J; valid while strain_known */
+    bool strain_known;
+
+    /* bands of rows: what a thread takes at once. Forces on rows above the band go to the band's own halo and
+     * are added in the order of bands, so that the number of threads leaves no trace. */
+    int n_bands;
+    int *band_first; /* first row of each band; one more: ny */
+    int *band_of_row;
+    double *halo; /* per band: reach rows of fx, then of fy */
+    double *row_energy;
+    BondLog *band_logs; /* one per band */
+    double *scratch;    /* one per worker */
+    Pool *pool;         /* NULL: one thread */
+    Rescue rescue;
+} Beam;
+
+/* For tests: a kernel level by force, a body that nothing holds or loads, and any initial motion. */
+typedef struct BeamOptions {
+    bool force_level;
+    CpuLevel level;
+    bool free_body;
+    void (*initial)(double x, double y, double u[2], double v[2], const void *context);
+    const void *context;
+} BeamOptions;
+
+Simulation *beam_create_with(const BeamDef *definition, const BeamOptions *options, Status *status);
+
+/* beam_critical.c: 2 / omega_max of the body as if nothing held it; the displacements and forces are zero
+ * afterwards. */
+bool beam_critical_step(Beam *beam, double *step, Status *status);
+
+/* beam_problem.c */
+bool beam_set_bonds(Beam *beam, Status *); /* coefficients, and the notch */
+bool beam_set_problem(Beam *beam, Status *status);
+void beam_set_motion(Beam *beam, const BeamOptions *options);
+
+/* beam_bands.c */
+void beam_run(Beam *beam, PoolWork *work, int chunks); /* context: the beam */
+void beam_bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy);
+void beam_add_halos(Beam *beam, int j);              /* what the bands below have for row j */
+void beam_bond_forces(Beam *beam, bool with_energy); /* all bands; halos are still to be added */
+void beam_all_forces(Beam *beam);                    /* with halos */
+double beam_strain(Beam *beam);
+
+/* beam_step.c */
+bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status);
+bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *status);
+int beam_held_columns(const Beam *beam, double time);  /* columns inside the channel */
+double beam_body_force(const Beam *beam, double time); /* on a loaded node, N/m^3 */
+
+/* beam_break.c */
+bool beam_take_log(Beam *beam, BondLog *log, long step); /* false: memory was short */
+void beam_update_damage(Beam *beam, long step);
+void beam_rebuild_damage(Beam *beam);
+bool beam_bit(const uint8_t *bits, size_t slot);
+
+/* crack.c: to be told of every change of damage, keeps the crack's length at its longest */
+void crack_follow(Beam *beam);
+
+/* beam_state.c */
+size_t beam_state_size(const Simulation *sim);
+void beam_save(const Simulation *sim, void *bytes);
+void beam_load(Simulation *sim, const void *bytes);
+bool beam_change(Simulation *sim, const char *key, double value, Status *status);
+
+/* beam_series.c */
+void beam_set_series(Beam *beam);
+void beam_row(Simulation *sim, double *row);
+
+/* beam_fields.c */
+void beam_set_fields(Beam *beam);
+void beam_field(const Simulation *sim, int field, size_t first, size_t count, double *out);
+
+/* beam_shares.c: half of the energy of the bonds of nodes [first, first + count), J; the largest stretch of
+ * their live bonds, 0 where none is left. `count` is at least 1. */
+void beam_strain_energies(const Beam *beam, size_t first, size_t count, double *out);
+void beam_largest_stretches(const Beam *beam, size_t first, size_t count, double *out);
+
+/* beam_family.c: one bond as it stands. */
+typedef struct BondNow {
+    size_t a, b; /* nodes: the owner and the other end */
+    double stretch;
+    double direction_x, direction_y; /* from a to b as they are now, of length 1 */
+    double pull;                     /* force density, N/m^3: positive in tension, 0 when broken */
+    double energy;                   /* J; 0 when broken */
+    bool broken, notch;
+} BondNow;
+
+BondNow beam_bond(const Beam *beam, BondPlace place);
+
+/* The bonds of a node, by the row of the other end and then by its column; returns how many there are. */
+size_t beam_family(const Beam *beam, int i, int j, BondPlace *out);
+enum { FAMILY_MAX = 2 * LATTICE_OFFSETS_MAX };
+size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_t max);
+
+/* beam_explain.c */
+void beam_set_stages(Beam *);
+void beam_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
+                  char *out, size_t size);
+
+static inline double beam_volume(const Beam *beam)
+{
+    return beam->lattice.spacing * beam->lattice.spacing;
+}
+
+#endif

@@ -1,0 +1,211 @@
+/* What makes the three problems: notch, supports, load, protected zones, probe, and the shape at t = 0. */
+#include "physics/pd_plane/beam_internal.h"
+
+#include <math.h>
+
+/* A bond between the two sides of the notch is cut if it passes at or below the notch's end. Decided once for
+ * each bond: many pass exactly through the end. */
+static bool is_cut(const Beam *beam, BondPlace place)
+{
+    const Lattice *lattice = &beam->lattice;
+    const Offset *offset = &lattice->offsets[place.offset];
+    double tolerance = 1e-6 * lattice->spacing, at = beam->def.notch_position;
+    double x = lattice_x(lattice, place.i), y = lattice_y(lattice, place.j);
+    double other_x = lattice_x(lattice, place.i + offset->p),
+           other_y = lattice_y(lattice, place.j + offset->q);
+    bool left = x - at < -tolerance, other_left = other_x - at < -tolerance;
+    if (left == other_left)
+        return false;
+    double height = y + (at - x) / (other_x - x) * (other_y - y);
+    return height <= beam->def.notch_depth + tolerance;
+}
+
+bool beam_set_bonds(Beam *beam, Status *status)
+{
+    const Lattice *lattice = &beam->lattice;
+    bool has_notch = beam->def.problem == BEAM_NOTCHED && beam->def.notch_depth > 0 && !beam->free_body;
+    int row = 0;
+    for (BondPlace bond = lattice_next_bond(lattice, (BondPlace){0, 0, -1}); bond.j < lattice->ny;
+         bond = lattice_next_bond(lattice, bond)) {
+        if (bond.j > row) {
+            double share = (double)bond.j / lattice->ny;
+            if (!lattice_go_on(&beam->def, BUILDING_BONDS + (BUILDING_CRITICAL - BUILDING_BONDS) * share,
+                               status))
+                return false;
+            row = bond.j;
+        }
+        size_t slot = lattice_slot(lattice, bond);
+        if (has_notch && is_cut(beam, bond)) {
+            uint8_t bit = (uint8_t)(1u << slot % 8);
+            beam->notched[slot / 8] |= bit;
+            beam->broken[slot / 8] |= bit;
+            beam->facts.notch_bonds++;
+        } else {
+            beam->coefficient[slot] = lattice_coefficient(lattice, bond);
+        }
+    }
+    beam->system = (BondSystem){
+        .lattice = lattice,
+        .ux = beam->nodes.ux,
+        .uy = beam->nodes.uy,
+        .coefficient = beam->coefficient,
+        .broken = beam->broken,
+        .unbreakable = beam->unbreakable,
+        .energy_scale = beam_volume(beam) / 2 * beam->def.thickness,
+    };
+    bonds_set_limits(&beam->system, beam->def.critical_stretch);
+    return true;
+}
+
+static bool support(Beam *beam, int i, int j, bool x, bool y, Status *status)
+{
+    if (beam->n_supports == SUPPORTS_MAX)
+        return status_fail(status, STATUS_USAGE, "supports: more than %d nodes", SUPPORTS_MAX);
+    beam->supports[beam->n_supports++] = (Support){i, j, x, y};
+    return true;
+}
+
+/* One node at each end, at mid-height. */
+static bool set_simple_supports(Beam *beam, Status *status)
+{
+    int j = (beam->lattice.ny - 1) / 2, last = beam->lattice.nx - 1;
+    beam->facts.real_span = last * beam->lattice.spacing;
+    return support(beam, 0, j, true, true, status) && support(beam, last, j, false, true, status);
+}
+
+/* Nodes of the bottom row within half a spacing of the support: two where it lies between two. */
+static bool set_bottom_supports(Beam *beam, Status *status)
+{
+    const Lattice *lattice = &beam->lattice;
+    const double at[2] = {beam->def.support_left, beam->def.support_right};
+    double middle[2];
+    for (int end = 0; end < 2; end++) {
+        int found = 0;
+        middle[end] = 0;
+        for (int i = 0; i < lattice->nx; i++)
+            if (fabs(lattice_x(lattice, i) - at[end]) <= lattice->spacing * (0.5 + 1e-6)) {
+                if (!support(beam, i, 0, beam->def.pinned && end == 0, true, status))
+                    return false;
+                middle[end] += lattice_x(lattice, i);
+                found++;
+            }
+        if (!found)
+            return status_fail(status, STATUS_USAGE, "supports.%s: no node lies at %g",
+                               end ? "right" : "left", at[end]);
+        middle[end] /= found;
+    }
+    beam->facts.real_span = middle[1] - middle[0];
+    return true;
+}
+
+static bool set_load(Beam *beam, Status *status)
+{
+    const Lattice *lattice = &beam->lattice;
+    double reach = beam->def.load_width / 2 + 1e-6 * lattice->spacing;
+    for (int i = 0; i < lattice->nx; i++)
+        if (fabs(lattice_x(lattice, i) - beam->def.load_position) <= reach) {
+            if (beam->load_end == 0)
+                beam->load_first = i;
+            beam->load_end = i + 1;
+        }
+    if (beam->load_end == 0)
+        return status_fail(status, STATUS_USAGE,
+                           "load.width: %g at %g holds no node of the top row (at least pd.spacing = %g)",
+                           beam->def.load_width, beam->def.load_position, lattice->spacing);
+    return true;
+}
+
+/* Nodes nearer than pd.protected to the load or a support: none of their bonds ever breaks. */
+static void protect(Beam *beam)
+{
+    const Lattice *lattice = &beam->lattice;
+    double p = beam->def.protected_depth, tolerance = 1e-6 * lattice->spacing;
+    if (p <= 0)
+        return;
+    double top = beam->def.height - p + tolerance, bottom = p - tolerance;
+    double beside_load = beam->def.load_width / 2 + p - tolerance;
+    for (int j = 0; j < lattice->ny; j++)
+        for (int i = 0; i < lattice->nx; i++) {
+            double x = lattice_x(lattice, i), y = lattice_y(lattice, j);
+            bool near_load = y > top && fabs(x - beam->def.load_position) < beside_load;
+            bool near_support = y < bottom && (fabs(x - beam->def.support_left) < bottom ||
+                                               fabs(x - beam->def.support_right) < bottom);
+            beam->unbreakable[(size_t)j * (size_t)lattice->nx + (size_t)i] = near_load || near_support;
+        }
+}
+
+bool beam_set_problem(Beam *beam, Status *status)
+{
+    const Lattice *lattice = &beam->lattice;
+    int nx = lattice->nx, ny = lattice->ny;
+    beam->probe_j[0] = (ny - 1) / 2;
+    beam->probe_j[1] = ny / 2;
+    beam->probe_i[0] = beam->probe_i[1] = nx - 1;
+    if (beam->def.problem == BEAM_SIMPLY_SUPPORTED) {
+        beam->probe_i[0] = (nx - 1) / 2;
+        beam->probe_i[1] = nx / 2;
+    }
+    if (beam->def.problem == BEAM_NOTCHED) {
+        beam->probe_i[0] = beam->probe_i[1] = nx / 2;
+        beam->probe_j[0] = beam->probe_j[1] = ny - 1;
+    }
+    if (beam->free_body)
+        return true;
+    if (beam->def.problem == BEAM_SIMPLY_SUPPORTED)
+        return set_simple_supports(beam, status);
+    if (beam->def.problem == BEAM_MOVING_CANTILEVER)
+        return true;
+    protect(beam);
+    return set_bottom_supports(beam, status) && set_load(beam, status);
+}
+
+/* Eqs. 15, 16. */
+static void bend_supported(const Beam *beam, double x, double y, double u[2])
+{
+    double k = M_PI / beam->def.length, U = beam->def.amplitude;
+    u[0] = -y * U * k * cos(k * x);
+    u[1] = U * sin(k * x);
+}
+
+/* Eqs. 17, 18; zero inside the channel. */
+static void bend_cantilever(const Beam *beam, double x, double y, double u[2])
+{
+    u[0] = u[1] = 0;
+    if (x <= 0)
+        return;
+    const double z = 1.8751040687119611; /* the first root of 1 + cosh z cos z = 0 */
+    double k = z / beam->def.length, U = beam->def.amplitude;
+    double ratio = (sinh(z) - sin(z)) / (cosh(z) + cos(z));
+    u[0] = -U * k * y * (sinh(k * x) + sin(k * x) - ratio * (cosh(k * x) - cos(k * x)));
+    u[1] = U * (cosh(k * x) - cos(k * x) - ratio * (sinh(k * x) - sin(k * x)));
+}
+
+void beam_set_motion(Beam *beam, const BeamOptions *options)
+{
+    const Lattice *lattice = &beam->lattice;
+    for (int j = 0; j < lattice->ny; j++)
+        for (int i = 0; i < lattice->nx; i++) {
+            double x = lattice_x(lattice, i), y = lattice_y(lattice, j), u[2] = {0, 0}, v[2] = {0, 0};
+            if (beam->def.problem == BEAM_SIMPLY_SUPPORTED)
+                bend_supported(beam, x, y, u);
+            if (beam->def.problem == BEAM_MOVING_CANTILEVER) {
+                bend_cantilever(beam, x, y, u);
+                v[0] = beam->def.speed;
+            }
+            if (options && options->initial)
+                options->initial(x, y, u, v, options->context);
+            size_t at = lattice_at(lattice, i, j);
+            beam->nodes.ux[at] = u[0];
+            beam->nodes.uy[at] = u[1];
+            beam->nodes.vx[at] = v[0];
+            beam->nodes.vy[at] = v[1];
+        }
+    /* before the first force, or the energy jumps */
+    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++) {
+        size_t at = lattice_at(lattice, s->i, s->j);
+        if (s->x)
+            beam->nodes.ux[at] = beam->nodes.vx[at] = 0;
+        if (s->y)
+            beam->nodes.uy[at] = beam->nodes.vy[at] = 0;
+    }
+}

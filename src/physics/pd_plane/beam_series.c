@@ -1,0 +1,131 @@
+/* The numbers of a step: probe, energies, crack. */
+#include "physics/pd_plane/beam_internal.h"
+#include "physics/pd_plane/crack.h"
+
+static double probe(const Beam *beam, const double *array)
+{
+    double sum = 0;
+    for (int b = 0; b < 2; b++)
+        for (int a = 0; a < 2; a++)
+            sum += array[lattice_at(&beam->lattice, beam->probe_i[a], beam->probe_j[b])];
+    return sum / 4;
+}
+
+static double u_probe(Beam *beam)
+{
+    return probe(beam, beam->nodes.uy);
+}
+
+static double v_probe(Beam *beam)
+{
+    return probe(beam, beam->nodes.vy);
+}
+
+static double kinetic(Beam *beam)
+{
+    double sum = 0;
+    for (int j = 0; j < beam->lattice.ny; j++) {
+        size_t first = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
+        sum += beam->kernels->dot(beam->nodes.vx + first, beam->nodes.vx + first, count);
+        sum += beam->kernels->dot(beam->nodes.vy + first, beam->nodes.vy + first, count);
+    }
+    return sum * beam->def.density / 2 * beam_volume(beam) * beam->def.thickness;
+}
+
+static double work(Beam *beam)
+{
+    return beam->head->work;
+}
+
+static double dissipated(Beam *beam)
+{
+    return beam->head->dissipated;
+}
+
+static double total(Beam *beam)
+{
+    return kinetic(beam) + beam_strain(beam) + beam->head->dissipated;
+}
+
+static double broken_bonds(Beam *beam)
+{
+    return (double)beam->head->broken;
+}
+
+static double length(Beam *beam)
+{
+    return beam->def.length + beam->def.speed * simulation_time(&beam->sim);
+}
+
+static const CrackCache *crack(Beam *beam)
+{
+    Crack measured;
+    if (!beam->crack.valid && crack_measure(&beam->sim, &measured))
+        beam->crack = (CrackCache){true, measured.x, measured.y};
+    return &beam->crack;
+}
+
+static double crack_x(Beam *beam)
+{
+    return crack(beam)->x;
+}
+
+static double crack_y(Beam *beam)
+{
+    return crack(beam)->y;
+}
+
+static double crack_length(Beam *beam)
+{
+    return beam->head->crack_length;
+}
+
+typedef struct SeriesEntry {
+    Quantity quantity;
+    double (*value)(Beam *beam);
+    unsigned problems; /* bits of BeamProblem */
+} SeriesEntry;
+
+enum { ALL = 1 << BEAM_SIMPLY_SUPPORTED | 1 << BEAM_MOVING_CANTILEVER | 1 << BEAM_NOTCHED };
+
+static const SeriesEntry series[BEAM_SERIES_MAX] = {
+    {{"u_probe", "u", "m", "transverse displacement at the probe"}, u_probe, ALL},
+    {{"v_probe", "v", "m/s", "transverse velocity at the probe"}, v_probe, ALL},
+    {{"length", "length", "m", "length outside the channel, L0 + v0 t"}, length, 1 << BEAM_MOVING_CANTILEVER},
+    {{"crack_x", "crack x", "m", "the crack's tip along the beam; the notch's end before it begins"},
+     crack_x,
+     1 << BEAM_NOTCHED},
+    {{"crack_y", "crack y", "m", "the crack's tip above the bottom; the notch's end before it begins"},
+     crack_y,
+     1 << BEAM_NOTCHED},
+    {{"crack_length", "crack length", "m",
+      "the crack's path from the notch's end to its tip; it never shrinks"},
+     crack_length,
+     1 << BEAM_NOTCHED},
+    {{"kinetic", "kinetic", "J", "kinetic energy"}, kinetic, ALL},
+    {{"strain", "strain", "J", "energy of the bonds"}, beam_strain, ALL},
+    {{"work", "work", "J", "work of the load"}, work, ALL},
+    {{"dissipated", "dissipated", "J", "energy of the bonds when they broke"}, dissipated, ALL},
+    {{"total", "total", "J", "kinetic + strain + dissipated; less the work it keeps its value"}, total, ALL},
+    {{"broken_bonds", "broken bonds", "1", "bonds broken in the run, without the notch's"},
+     broken_bonds,
+     ALL},
+};
+
+void beam_row(Simulation *sim, double *out)
+{
+    Beam *beam = (Beam *)sim;
+    for (int k = 0; k < sim->n_series; k++)
+        out[k] = series[beam->series_entry[k]].value(beam);
+}
+
+void beam_set_series(Beam *beam)
+{
+    Simulation *sim = &beam->sim;
+    for (int k = 0; k < BEAM_SERIES_MAX; k++)
+        if (series[k].problems >> beam->def.problem & 1) {
+            beam->series_entry[sim->n_series] = k;
+            beam->series[sim->n_series++] = series[k].quantity;
+        }
+    sim->series = beam->series;
+}

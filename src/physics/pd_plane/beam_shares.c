@@ -1,0 +1,129 @@
+/* Fields of nodes that come from their bonds. A screen may colour by them at every frame, so bonds are taken
+ * row by row, a direction at a time, and each gives its value to both ends. */
+#include "physics/pd_plane/beam_internal.h"
+
+#include <limits.h>
+
+/* What a node has of its bonds: the sum of their energies, or the largest of their stretches. */
+typedef enum FamilyValue { BOND_ENERGY, LARGEST_STRETCH } FamilyValue;
+
+#define NO_STRETCH (-1.0) /* what no live bond has */
+
+/* The nodes of one row that are asked for: columns from .. end - 1, and where their values stand. */
+typedef struct RowSlice {
+    int from, end;
+    double *out; /* of column `from`; NULL: none is asked for */
+} RowSlice;
+
+static RowSlice row_slice(const Beam *beam, int j, size_t first, size_t count, double *out)
+{
+    size_t nx = (size_t)beam->lattice.nx, start = (size_t)j * nx, stop = start + nx;
+    size_t low = start > first ? start : first, high = stop < first + count ? stop : first + count;
+    if (low >= high)
+        return (RowSlice){0, 0, NULL};
+    return (RowSlice){(int)(low - start), (int)(high - start), out + (low - first)};
+}
+
+static int smaller(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+static int larger(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+/* Values of `count` bonds from their stretches, in place. A broken bond has the coefficient zero. */
+static void bond_values_of(FamilyValue what, const double *coefficient, double length, int count,
+                           double *values)
+{
+    if (what == BOND_ENERGY)
+        for (int k = 0; k < count; k++)
+            values[k] = coefficient[k] * values[k] * values[k] * length / 2;
+    else
+        for (int k = 0; k < count; k++)
+            values[k] = coefficient[k] != 0 ? values[k] : NO_STRETCH;
+}
+
+/* Gives the values of `count` bonds to their ends, of which the first is in column `first`. */
+static void share(FamilyValue what, const double *restrict values, int first, int count, RowSlice slice)
+{
+    int from = larger(first, slice.from), end = smaller(first + count, slice.end);
+    if (from >= end)
+        return;
+    double *restrict out = slice.out + (from - slice.from);
+    values += from - first;
+    if (what == BOND_ENERGY)
+        for (int k = 0; k < end - from; k++)
+            out[k] += values[k];
+    else
+        for (int k = 0; k < end - from; k++)
+            out[k] = values[k] > out[k] ? values[k] : out[k];
+}
+
+/* The bonds from row j in direction o that end in a slice. */
+static void share_direction(const Beam *beam, FamilyValue what, int j, int o, RowSlice owners,
+                            RowSlice others)
+{
+    const Lattice *lattice = &beam->lattice;
+    int p = lattice->offsets[o].p, tile_columns = (int)lattice->tile_columns;
+    int from = INT_MAX, end = 0;
+    if (owners.out)
+        from = owners.from, end = owners.end;
+    if (others.out)
+        from = smaller(from, others.from - p), end = larger(end, others.end - p);
+    /* bonds have both ends on the lattice */
+    from = larger(from, larger(0, -p));
+    end = smaller(end, smaller(lattice->nx, lattice->nx - p));
+    while (from < end) {
+        int stop = smaller(end, (from / tile_columns + 1) * tile_columns);
+        BondPlace place = {from, j, o};
+        double values[LATTICE_TILE];
+        beam->kernels->stretches(&beam->system, place, (size_t)(stop - from), values);
+        bond_values_of(what, beam->coefficient + lattice_slot(lattice, place), lattice->offsets[o].length,
+                       stop - from, values);
+        share(what, values, from, stop - from, owners);
+        share(what, values, from + p, stop - from, others);
+        from = stop;
+    }
+}
+
+/* A node meets its bonds in the same order whatever the slice, so that its sum has the same bits. */
+static void family_field(const Beam *beam, FamilyValue what, size_t first, size_t count, double *out)
+{
+    const Lattice *lattice = &beam->lattice;
+    const RowSlice none = {0, 0, NULL};
+    for (size_t k = 0; k < count; k++)
+        out[k] = what == BOND_ENERGY ? 0 : NO_STRETCH;
+    size_t nx = (size_t)lattice->nx;
+    int last = (int)((first + count - 1) / nx);
+    for (int j = larger(0, (int)(first / nx) - lattice->reach); j <= last; j++) {
+        RowSlice owners = row_slice(beam, j, first, count, out);
+        for (int q = 0; q <= lattice->reach && j + q < lattice->ny; q++) {
+            RowSlice others = row_slice(beam, j + q, first, count, out);
+            for (int o = lattice->first[q]; o < lattice->first[q + 1]; o++) {
+                /* within a row one end after the other, or the order would depend on where tiles and slices
+                 * begin */
+                share_direction(beam, what, j, o, owners, q == 0 ? none : others);
+                if (q == 0)
+                    share_direction(beam, what, j, o, none, others);
+            }
+        }
+    }
+}
+
+void beam_strain_energies(const Beam *beam, size_t first, size_t count, double *out)
+{
+    family_field(beam, BOND_ENERGY, first, count, out);
+    for (size_t k = 0; k < count; k++)
+        out[k] *= beam->system.energy_scale;
+}
+
+void beam_largest_stretches(const Beam *beam, size_t first, size_t count, double *out)
+{
+    family_field(beam, LARGEST_STRETCH, first, count, out);
+    for (size_t k = 0; k < count; k++)
+        if (out[k] <= NO_STRETCH)
+            out[k] = 0;
+}

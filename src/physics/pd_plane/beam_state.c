@@ -1,0 +1,87 @@
+/* The state as bytes, and the parameters that may change in mid-run. */
+#include "physics/pd_plane/beam_internal.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+size_t beam_state_size(const Simulation *sim)
+{
+    return ((const Beam *)sim)->state_size;
+}
+
+void beam_save(const Simulation *sim, void *bytes)
+{
+    const Beam *beam = (const Beam *)sim;
+    memcpy(bytes, beam->state, beam->state_size);
+}
+
+/* Coefficients follow the bits: a bond whose bit differs is broken or made whole again. */
+static void follow_bits(Beam *beam, const uint8_t *bits)
+{
+    for (size_t byte = 0; byte < lattice_slots(&beam->lattice) / 8; byte++) {
+        unsigned differ = beam->broken[byte] ^ bits[byte];
+        for (size_t bit = 0; differ >> bit != 0; bit++)
+            if (differ >> bit & 1) {
+                size_t slot = 8 * byte + bit;
+                BondPlace place = lattice_slot_place(&beam->lattice, slot);
+                beam->coefficient[slot] =
+                    beam_bit(bits, slot) ? 0 : lattice_coefficient(&beam->lattice, place);
+            }
+    }
+}
+
+void beam_load(Simulation *sim, const void *bytes)
+{
+    Beam *beam = (Beam *)sim;
+    size_t head = (size_t)((char *)beam->broken - (char *)beam->state);
+    follow_bits(beam, (const uint8_t *)bytes + head);
+    memcpy(beam->state, bytes, beam->state_size);
+    bonds_set_limits(&beam->system, beam->head->critical_stretch);
+    beam_rebuild_damage(beam);
+    beam->strain_known = false;
+    beam->rescue.valid = false;
+}
+
+typedef struct LiveParameter {
+    const char *key;
+    size_t offset; /* in the state's head */
+    bool (*allowed)(const Beam *beam, double value);
+    const char *what;
+} LiveParameter;
+
+static bool any_stress(const Beam *beam, double value)
+{
+    return beam->def.problem == BEAM_NOTCHED && isfinite(value);
+}
+
+static bool any_stretch(const Beam *beam, double value)
+{
+    (void)beam;
+    return value >= 0 && value < 0.5;
+}
+
+static const LiveParameter live_parameters[] = {
+    {"load.stress", offsetof(StateHead, load_stress), any_stress, "a stress in Pa, on the notched beam"},
+    {"pd.critical_stretch", offsetof(StateHead, critical_stretch), any_stretch, "0 to below 0.5"},
+};
+
+bool beam_change(Simulation *sim, const char *key, double value, Status *status)
+{
+    Beam *beam = (Beam *)sim;
+    if (sim->stage != 0 || sim->item != 0)
+        return status_fail(status, STATUS_USAGE, "%s: can be changed between steps only", key);
+    for (size_t k = 0; k < sizeof live_parameters / sizeof *live_parameters; k++) {
+        const LiveParameter *live = &live_parameters[k];
+        if (strcmp(live->key, key) != 0)
+            continue;
+        if (!live->allowed(beam, value))
+            return status_fail(status, STATUS_USAGE, "%s: %g is not allowed (%s)", key, value, live->what);
+        memcpy((char *)beam->head + live->offset, &value, sizeof value);
+        bonds_set_limits(&beam->system, beam->head->critical_stretch);
+        beam->rescue.valid = false;
+        return true;
+    }
+    return status_fail(status, STATUS_USAGE,
+                       "%s: cannot change in mid-run (load.stress and pd.critical_stretch can)", key);
+}

@@ -1,0 +1,307 @@
+/* One time step, eqs. 9 to 11: each stage is a function of one lattice row; the fast path calls the same
+ * functions for bands of rows, several threads at once, and joins the end of one step to the start of the
+ * next. */
+#include "physics/pd_plane/beam_internal.h"
+
+#include <math.h>
+
+/* A node is held at time t while it is inside the channel; the tolerance decides when one is released. */
+int beam_held_columns(const Beam *beam, double time)
+{
+    if (beam->def.problem != BEAM_MOVING_CANTILEVER || beam->free_body)
+        return 0;
+    double limit = -1e-6 * beam->lattice.spacing;
+    int low = 0, high = beam->lattice.nx;
+    while (low < high) {
+        int middle = low + (high - low) / 2;
+        if (lattice_x(&beam->lattice, middle) + beam->def.speed * time < limit)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+double beam_body_force(const Beam *beam, double time)
+{
+    double ramp = beam->def.load_ramp > 0 ? fmin(1, time / beam->def.load_ramp) : 1;
+    return -beam->head->load_stress * ramp / beam->lattice.spacing;
+}
+
+/* --- what the stages do to one row; `step` is the number of whole steps before this one --- */
+
+static void constrain_velocity(Beam *beam, int j, double time)
+{
+    const NodeArrays *nodes = &beam->nodes;
+    size_t row = lattice_at(&beam->lattice, 0, j);
+    size_t held = (size_t)beam_held_columns(beam, time);
+    for (size_t i = row; i < row + held; i++) {
+        nodes->vy[i] = 0;
+        if (beam->def.clamp == CLAMP_FULL)
+            nodes->vx[i] = beam->def.speed;
+    }
+    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
+        if (s->j == j) {
+            if (s->x)
+                nodes->vx[row + (size_t)s->i] = 0;
+            if (s->y)
+                nodes->vy[row + (size_t)s->i] = 0;
+        }
+}
+
+static void constrain_displacement(Beam *beam, int j, double time)
+{
+    const NodeArrays *nodes = &beam->nodes;
+    size_t row = lattice_at(&beam->lattice, 0, j);
+    size_t held = (size_t)beam_held_columns(beam, time);
+    for (size_t i = row; i < row + held; i++) {
+        nodes->uy[i] = 0;
+        if (beam->def.clamp == CLAMP_FULL)
+            nodes->ux[i] = beam->def.speed * time;
+    }
+    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
+        if (s->j == j) {
+            if (s->x)
+                nodes->ux[row + (size_t)s->i] = 0;
+            if (s->y)
+                nodes->uy[row + (size_t)s->i] = 0;
+        }
+}
+
+static void kick(Beam *beam, int j)
+{
+    size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
+    double factor = beam->sim.dt / (2 * beam->def.density);
+    beam->kernels->add(beam->nodes.vx + row, beam->nodes.fx + row, factor, count);
+    beam->kernels->add(beam->nodes.vy + row, beam->nodes.fy + row, factor, count);
+}
+
+static void half_kick(Beam *beam, int j, long step)
+{
+    kick(beam, j);
+    constrain_velocity(beam, j, (double)step * beam->sim.dt);
+}
+
+static bool is_loaded_row(const Beam *beam, int j)
+{
+    return j == beam->lattice.ny - 1 && beam->load_end > beam->load_first;
+}
+
+static void drift(Beam *beam, int j, long step)
+{
+    size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
+    double dt = beam->sim.dt;
+    beam->kernels->add(beam->nodes.ux + row, beam->nodes.vx + row, dt, count);
+    beam->kernels->add(beam->nodes.uy + row, beam->nodes.vy + row, dt, count);
+    if (is_loaded_row(beam, j)) {
+        /* the load at the midpoint times v^{n+1/2} dt */
+        double force = beam_body_force(beam, ((double)step + 0.5) * dt), work = 0;
+        for (int i = beam->load_first; i < beam->load_end; i++)
+            work += force * beam->nodes.vy[row + (size_t)i];
+        beam->head->work += work * beam_volume(beam) * beam->def.thickness * dt;
+    }
+}
+
+static void constraints(Beam *beam, int j, long step)
+{
+    double time = (double)(step + 1) * beam->sim.dt;
+    constrain_displacement(beam, j, time);
+    constrain_velocity(beam, j, time);
+}
+
+static void body_force(Beam *beam, int j, long step)
+{
+    if (!is_loaded_row(beam, j))
+        return;
+    size_t row = lattice_at(&beam->lattice, 0, j);
+    double force = beam_body_force(beam, (double)(step + 1) * beam->sim.dt);
+    for (int i = beam->load_first; i < beam->load_end; i++)
+        beam->nodes.fy[row + (size_t)i] += force;
+}
+
+static void second_kick(Beam *beam, int j, long step)
+{
+    kick(beam, j);
+    constrain_velocity(beam, j, (double)(step + 1) * beam->sim.dt);
+}
+
+/* Breaks go to the list; what went wrong becomes the run's failure. */
+static bool take_log(Beam *beam, BondLog *log, long step, Status *status)
+{
+    bool written = beam_take_log(beam, log, step);
+    if (log->unstable) {
+        log->unstable = false;
+        BondPlace place = lattice_slot_place(&beam->lattice, log->unstable_slot);
+        return simulation_fail(
+            &beam->sim, status,
+            "unstable: at node %zu a bond has doubled its length or collapsed in step %ld, "
+            "t = %.6g s (a smaller time.step or a smaller load)",
+            (size_t)place.j * (size_t)beam->lattice.nx + (size_t)place.i, step + 1,
+            (double)(step + 1) * beam->sim.dt);
+    }
+    if (!written)
+        return simulation_fail(&beam->sim, status,
+                               "not enough memory for the list of broken bonds in step %ld", step + 1);
+    return true;
+}
+
+/* --- stage by stage --- */
+
+typedef void RowStage(Beam *beam, int j, long step);
+
+static RowStage *const row_stages[N_STAGES] = {
+    [STAGE_HALF_KICK] = half_kick,     [STAGE_DRIFT] = drift,
+    [STAGE_CONSTRAINTS] = constraints, [STAGE_BODY_FORCE] = body_force,
+    [STAGE_SECOND_KICK] = second_kick,
+};
+
+static bool bonds_stage(Beam *beam, int first, int end, Status *status)
+{
+    BondLog *log = &beam->band_logs[0];
+    log->scratch = beam->scratch;
+    for (int j = first; j < end; j++)
+        beam_bonds_of_row(beam, j, log, false);
+    if (!take_log(beam, log, beam->sim.step, status))
+        return false;
+    if (end == beam->lattice.ny)
+        for (int j = 0; j < beam->lattice.ny; j++)
+            beam_add_halos(beam, j);
+    return true;
+}
+
+bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status)
+{
+    Beam *beam = (Beam *)sim;
+    beam->strain_known = false;
+    beam->rescue.valid = false;
+    if (stage == STAGE_BONDS)
+        return bonds_stage(beam, (int)first, (int)end, status);
+    if (stage == STAGE_DAMAGE) {
+        if (end == sim->stage_items)
+            beam_update_damage(beam, sim->step + 1);
+        return true;
+    }
+    for (size_t j = first; j < end; j++)
+        row_stages[stage](beam, (int)j, sim->step);
+    return true;
+}
+
+/* --- whole steps --- */
+
+static void begin_row(Beam *beam, int j, long step)
+{
+    half_kick(beam, j, step);
+    drift(beam, j, step);
+    constraints(beam, j, step);
+}
+
+static void end_row(Beam *beam, int j, long step)
+{
+    beam_add_halos(beam, j);
+    body_force(beam, j, step);
+    second_kick(beam, j, step);
+}
+
+static void begin_chunk(void *context, int band, int worker)
+{
+    (void)worker;
+    Beam *beam = context;
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
+        begin_row(beam, j, beam->sim.step);
+}
+
+static void end_chunk(void *context, int band, int worker)
+{
+    (void)worker;
+    Beam *beam = context;
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
+        end_row(beam, j, beam->sim.step);
+}
+
+/* The end of this step and the start of the next, while the row is at hand. */
+static void turn_chunk(void *context, int band, int worker)
+{
+    (void)worker;
+    Beam *beam = context;
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++) {
+        end_row(beam, j, beam->sim.step);
+        begin_row(beam, j, beam->sim.step + 1);
+    }
+}
+
+/* Whole steps; on failure the state is in the middle of the step that failed. */
+static bool run_steps(Beam *beam, long count, double *rows, long *done, Status *status)
+{
+    Simulation *sim = &beam->sim;
+    bool begun = false;
+    for (*done = 0; *done < count; ++*done) {
+        beam->strain_known = false;
+        if (!begun)
+            beam_run(beam, begin_chunk, beam->n_bands);
+
+        beam_bond_forces(beam, rows != NULL);
+        bool sound = true;
+        for (int band = 0; band < beam->n_bands; band++)
+            sound = take_log(beam, &beam->band_logs[band], sim->step, status) && sound;
+        if (!sound)
+            return false;
+
+        bool pause = rows || *done + 1 == count;
+        beam_run(beam, pause ? end_chunk : turn_chunk, beam->n_bands);
+        begun = !pause;
+        beam_update_damage(beam, sim->step + 1);
+        sim->step++;
+        if (rows)
+            beam_row(sim, rows + *done * sim->n_series);
+    }
+    return true;
+}
+
+/* --- a run that bursts stands at its last sound step: a copy of the state from a few steps before, and
+ * replay --- */
+
+enum { RESCUE_EVERY = 64 };
+
+static void keep_rescue(Beam *beam)
+{
+    Rescue *rescue = &beam->rescue;
+    rescue->valid = true;
+    beam_save(&beam->sim, rescue->state);
+    rescue->step = beam->sim.step;
+    rescue->n_events = beam->sim.n_events;
+    rescue->events_beyond = beam->sim.events_beyond;
+}
+
+static void go_back(Beam *beam)
+{
+    Simulation *sim = &beam->sim;
+    Status failure = sim->failure;
+    long sound = sim->step, done;
+    sim->step = beam->rescue.step;
+    sim->n_events = beam->rescue.n_events;
+    sim->events_beyond = beam->rescue.events_beyond;
+    beam_load(sim, beam->rescue.state);
+    run_steps(beam, sound - sim->step, NULL, &done, NULL);
+    sim->failed = true;
+    sim->failure = failure;
+}
+
+bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
+{
+    Beam *beam = (Beam *)sim;
+    *done = 0;
+    while (*done < count) {
+        if (!beam->rescue.valid || sim->step >= beam->rescue.step + RESCUE_EVERY)
+            keep_rescue(beam);
+        long left = count - *done, until = beam->rescue.step + RESCUE_EVERY - sim->step, part;
+        if (until < left)
+            left = until;
+        bool sound = run_steps(beam, left, rows ? rows + *done * sim->n_series : NULL, &part, status);
+        *done += part;
+        if (!sound) {
+            go_back(beam);
+            return false;
+        }
+    }
+    return true;
+}

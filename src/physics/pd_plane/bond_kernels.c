@@ -1,0 +1,417 @@
+/* See bonds.h. Compiled once for each CpuLevel, with KERNEL_NAME(x) giving the level's suffix.
+ *
+ * Vectors are those of the compiler (one type, as wide as the level allows); blocks are always eight columns,
+ * and every sum keeps eight partial sums, so that the width leaves no trace. */
+#include "physics/pd_plane/bonds.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#if defined(__AVX512F__)
+enum { LANES = 8 };
+#define LEVEL   CPU_AVX512
+#define KERNELS bond_kernels_avx512
+#elif defined(__AVX2__)
+enum { LANES = 4 };
+#define LEVEL   CPU_AVX2
+#define KERNELS bond_kernels_avx2
+#else
+enum { LANES = 2 };
+#define LEVEL   CPU_PLAIN
+#define KERNELS bond_kernels_plain
+#endif
+
+enum { PARTS = LATTICE_BLOCK / LANES };
+
+typedef double Vector __attribute__((vector_size(LANES * sizeof(double))));
+typedef double Loose __attribute__((vector_size(LANES * sizeof(double)), aligned(sizeof(double))));
+typedef int64_t Mask __attribute__((vector_size(LANES * sizeof(double))));
+
+#define INLINE static inline __attribute__((always_inline))
+
+#if defined(__clang__)
+#define UNROLL _Pragma("unroll")
+#else
+#define UNROLL _Pragma("GCC unroll 8")
+#endif
+
+INLINE Vector load(const double *from)
+{
+    return *(const Loose *)from;
+}
+
+INLINE void store(double *to, Vector value)
+{
+    *(Loose *)to = value;
+}
+
+INLINE bool any(Mask mask)
+{
+    int64_t all = 0;
+    for (int lane = 0; lane < LANES; lane++)
+        all |= mask[lane];
+    return all != 0;
+}
+
+/* The eight partial sums of a block, always added up in this order. */
+static double sum_lanes(const double *lanes)
+{
+    return ((lanes[0] + lanes[1]) + (lanes[2] + lanes[3])) + ((lanes[4] + lanes[5]) + (lanes[6] + lanes[7]));
+}
+
+/* Bonds of one direction whose owners stand side by side. */
+typedef struct Segment {
+    const Offset *direction;
+    double series_limit, break_limit;
+    const double *ux, *uy; /* of the owners */
+    const double *vx, *vy; /* of the other ends */
+    double *coefficient;
+    size_t count; /* whole blocks */
+} Segment;
+
+/* The series over a segment: forces into fx, fy, the sum of c G w V s^2 into eight parts. False: a
+ * live bond lies beyond the series' range or may break, and the segment is to be done bond by bond. */
+INLINE bool by_series(const Segment *segment, bool with_forces, bool with_energy, double *restrict fx,
+                      double *restrict fy, double *sums)
+{
+    const Offset *direction = segment->direction;
+    const double *restrict coefficient = segment->coefficient;
+    const double *restrict ux = segment->ux, *restrict uy = segment->uy;
+    const double *restrict vx = segment->vx, *restrict vy = segment->vy;
+    const double x = direction->x, y = direction->y, squared = direction->squared;
+    const double c0 = direction->series[0], c1 = direction->series[1], c2 = direction->series[2];
+    const double c3 = direction->series[3], c4 = direction->series[4], c5 = direction->series[5];
+    const Vector limit = (Vector){0} + segment->series_limit * segment->series_limit;
+    Mask beyond = {0};
+    Vector sum[PARTS];
+    for (int part = 0; part < PARTS; part++)
+        sum[part] = (Vector){0};
+
+    for (size_t i = 0; i < segment->count; i += LATTICE_BLOCK) {
+        UNROLL for (int part = 0; part < PARTS; part++)
+        {
+            const size_t at = i + (size_t)(part * LANES);
+            const Vector ex = load(vx + at) - load(ux + at), ey = load(vy + at) - load(uy + at);
+            const Vector rx = x + ex, ry = y + ey;
+            const Vector d = ex * (x + rx) + ey * (y + ry);
+            const Vector k = load(coefficient + at);
+            __builtin_prefetch(coefficient + at + 256);
+            const Vector dd = d * d;
+            /* written so that a d which is no number counts as beyond */
+            beyond |= ~(dd < limit) & (k != 0);
+            const Vector series = c0 + c1 * d + dd * (c2 + c3 * d + dd * (c4 + c5 * d));
+            const Vector g = k * d * series;
+            if (with_forces) {
+                store(fx + at, g * rx);
+                store(fy + at, g * ry);
+            }
+            if (with_energy) /* s^2 = (t |xi|)^2 (1 + e) */
+                sum[part] += g * (d * series) * (squared + d);
+        }
+    }
+    if (with_energy)
+        for (int part = 0; part < PARTS; part++)
+            store(sums + part * LANES, sum[part]);
+    return !any(beyond);
+}
+
+/* One bond with the root: eta, d and the length. */
+typedef struct Bond {
+    double rx, ry, d, stretch, length;
+} Bond;
+
+static Bond bond_at(const Segment *segment, size_t i)
+{
+    const Offset *direction = segment->direction;
+    double ex = segment->vx[i] - segment->ux[i], ey = segment->vy[i] - segment->uy[i];
+    Bond bond = {.rx = direction->x + ex, .ry = direction->y + ey};
+    bond.d = ex * (direction->x + bond.rx) + ey * (direction->y + bond.ry);
+    bond.length = sqrt(bond.rx * bond.rx + bond.ry * bond.ry);
+    bond.stretch = bond.d / (direction->length * (bond.length + direction->length));
+    return bond;
+}
+
+static double bond_energy(const Segment *segment, size_t i, const Bond *bond)
+{
+    return segment->coefficient[i] * bond->stretch * bond->stretch;
+}
+
+static void write_down(BondLog *log, size_t slot, double energy)
+{
+    if (log->n_breaks == log->capacity) {
+        size_t capacity = log->capacity ? 2 * log->capacity : 256;
+        BondBreak *breaks = realloc(log->breaks, capacity * sizeof *breaks);
+        if (!breaks) {
+            log->no_memory = true;
+            return;
+        }
+        log->breaks = breaks;
+        log->capacity = capacity;
+    }
+    log->breaks[log->n_breaks++] = (BondBreak){(uint32_t)slot, energy};
+}
+
+/* The bond has reached s0; whether it breaks is up to its ends. */
+static bool may_break(const BondSystem *system, BondPlace bond)
+{
+    const Offset *direction = &system->lattice->offsets[bond.offset];
+    size_t nx = (size_t)system->lattice->nx;
+    size_t a = (size_t)bond.j * nx + (size_t)bond.i;
+    size_t b = (size_t)(bond.j + direction->q) * nx + (size_t)(bond.i + direction->p);
+    return !system->unbreakable[a] && !system->unbreakable[b];
+}
+
+/* Bond by bond with the root: breaks what has to break and writes the forces of the rest. */
+static void by_root(const BondSystem *system, const Segment *segment, BondPlace first, double *fx, double *fy,
+                    BondLog *log)
+{
+    const Offset *direction = segment->direction;
+    for (size_t i = 0; i < segment->count; i++) {
+        fx[i] = fy[i] = 0;
+        if (segment->coefficient[i] == 0)
+            continue;
+        Bond bond = bond_at(segment, i);
+        BondPlace place = {first.i + (int)i, first.j, first.offset};
+        if (bond.d >= segment->break_limit && may_break(system, place)) {
+            size_t slot = lattice_slot(system->lattice, place);
+            double energy = bond_energy(segment, i, &bond) * direction->length * system->energy_scale;
+            segment->coefficient[i] = 0;
+            system->broken[slot / 8] = (uint8_t)(system->broken[slot / 8] | 1u << slot % 8);
+            write_down(log, slot, energy);
+            continue;
+        }
+        if (!(bond.d < 3 * direction->squared && bond.d > -0.99 * direction->squared) && !log->unstable) {
+            log->unstable = true;
+            log->unstable_slot = lattice_slot(system->lattice, place);
+        }
+        double g = segment->coefficient[i] * bond.stretch / bond.length;
+        fx[i] = g * bond.rx;
+        fy[i] = g * bond.ry;
+    }
+}
+
+static void energy_by_root(const Segment *segment, double *sums)
+{
+    for (int lane = 0; lane < LATTICE_BLOCK; lane++)
+        sums[lane] = 0;
+    for (size_t i = 0; i < segment->count; i++)
+        if (segment->coefficient[i] != 0) {
+            Bond bond = bond_at(segment, i);
+            sums[i % LATTICE_BLOCK] += bond_energy(segment, i, &bond);
+        }
+}
+
+/* The energy of a segment as a function of displacements and coefficients alone, however it is asked for. */
+static double segment_energy(const BondSystem *system, const Segment *segment, const double *by_series_sums)
+{
+    const Offset *direction = segment->direction;
+    double sums[LATTICE_BLOCK];
+    if (by_series_sums || by_series(segment, false, true, NULL, NULL, sums))
+        return sum_lanes(by_series_sums ? by_series_sums : sums) * direction->length * system->energy_scale;
+    energy_by_root(segment, sums);
+    return sum_lanes(sums) * direction->length * system->energy_scale;
+}
+
+INLINE Segment segment_of(const BondSystem *system, int j, int o, size_t from, size_t count,
+                          double *coefficient)
+{
+    const Lattice *lattice = system->lattice;
+    const Offset *direction = &lattice->offsets[o];
+    size_t own = lattice_at(lattice, 0, j) + from;
+    ptrdiff_t shift = (ptrdiff_t)lattice->stride * direction->q + direction->p;
+    return (Segment){direction,
+                     system->series_limit[o],
+                     system->break_limit[o],
+                     system->ux + own,
+                     system->uy + own,
+                     system->ux + own + shift,
+                     system->uy + own + shift,
+                     coefficient,
+                     count};
+}
+
+/* Where the forces of a row distance come together: two padded arrays with a row of BONDS_SPAN per direction,
+ * of which `count` from LATTICE_BLOCK on hold forces and the rest zeros. */
+typedef struct Parts {
+    double *x, *y;
+    int n; /* directions */
+    const Offset *offsets;
+    size_t count;
+} Parts;
+
+/* Every bond's force to its owner. */
+INLINE void add_own(const Parts *parts, int n, double *restrict fx, double *restrict fy)
+{
+    const double *restrict px = parts->x + BONDS_MARGIN, *restrict py = parts->y + BONDS_MARGIN;
+    for (size_t i = 0; i < parts->count; i += LANES) {
+        Vector x = load(fx + i), y = load(fy + i);
+        for (int o = 0; o < n; o++) {
+            x += load(px + o * BONDS_SPAN + i);
+            y += load(py + o * BONDS_SPAN + i);
+        }
+        store(fx + i, x);
+        store(fy + i, y);
+    }
+}
+
+/* And, reversed, to its other end, p columns on. */
+INLINE void subtract_other(const Parts *parts, int n, double *restrict fx, double *restrict fy)
+{
+    const double *restrict px = parts->x, *restrict py = parts->y;
+    ptrdiff_t shift[2 * LATTICE_REACH_MAX + 1];
+    for (int o = 0; o < n; o++)
+        shift[o] = o * BONDS_SPAN + BONDS_MARGIN - LATTICE_BLOCK - parts->offsets[o].p;
+    for (size_t i = 0; i < parts->count + 2 * LATTICE_BLOCK; i += LANES) {
+        Vector x = load(fx + i - LATTICE_BLOCK), y = load(fy + i - LATTICE_BLOCK);
+        for (int o = 0; o < n; o++) {
+            x -= load(px + (ptrdiff_t)i + shift[o]);
+            y -= load(py + (ptrdiff_t)i + shift[o]);
+        }
+        store(fx + i - LATTICE_BLOCK, x);
+        store(fy + i - LATTICE_BLOCK, y);
+    }
+}
+
+INLINE void gather(const Parts *parts, int n, double *fx, double *fy, double *other_x, double *other_y)
+{
+    add_own(parts, n, fx, fy);
+    subtract_other(parts, n, other_x, other_y);
+}
+
+/* The same with the number of directions known beforehand, for the families people use. */
+static void gather_parts(const Parts *parts, double *fx, double *fy, double *other_x, double *other_y)
+{
+    switch (parts->n) {
+    case 1:
+        gather(parts, 1, fx, fy, other_x, other_y);
+        break;
+    case 3:
+        gather(parts, 3, fx, fy, other_x, other_y);
+        break;
+    case 4:
+        gather(parts, 4, fx, fy, other_x, other_y);
+        break;
+    case 5:
+        gather(parts, 5, fx, fy, other_x, other_y);
+        break;
+    case 7:
+        gather(parts, 7, fx, fy, other_x, other_y);
+        break;
+    default:
+        gather(parts, parts->n, fx, fy, other_x, other_y);
+    }
+}
+
+/* What stands behind the forces; what stands before them is never written. */
+static void clear_margin(const Parts *parts)
+{
+    for (int o = 0; o < parts->n; o++)
+        for (int i = 0; i < BONDS_MARGIN; i += LANES) {
+            size_t at = (size_t)(o * BONDS_SPAN + BONDS_MARGIN + i) + parts->count;
+            store(parts->x + at, (Vector){0});
+            store(parts->y + at, (Vector){0});
+        }
+}
+
+/* All bonds from columns [from, from + count) of row j to row j + q. */
+INLINE double tile(const BondSystem *system, int j, int q, size_t from, size_t count, double *const *fx,
+                   double *const *fy, BondLog *log, bool with_energy)
+{
+    const Lattice *lattice = system->lattice;
+    const int first = lattice->first[q];
+    const Parts parts = {log->scratch, log->scratch + BONDS_SCRATCH / 2, lattice->first[q + 1] - first,
+                         lattice->offsets + first, count};
+    double *coefficient = system->coefficient + lattice_slot(lattice, (BondPlace){(int)from, j, first});
+    double energy = 0, sums[LATTICE_BLOCK];
+
+    clear_margin(&parts);
+    for (int o = 0; o < parts.n; o++, coefficient += count) {
+        Segment segment = segment_of(system, j, first + o, from, count, coefficient);
+        double *px = parts.x + o * BONDS_SPAN + BONDS_MARGIN, *py = parts.y + o * BONDS_SPAN + BONDS_MARGIN;
+        bool fine = by_series(&segment, true, with_energy, px, py, sums);
+        if (!fine)
+            by_root(system, &segment, (BondPlace){(int)from, j, first + o}, px, py, log);
+        if (with_energy)
+            energy += segment_energy(system, &segment, fine ? sums : NULL);
+    }
+    gather_parts(&parts, fx[0] + from, fy[0] + from, fx[q] + from, fy[q] + from);
+    return energy;
+}
+
+static int rows_above(const Lattice *lattice, int j)
+{
+    int above = lattice->ny - 1 - j;
+    return above < lattice->reach ? above : lattice->reach;
+}
+
+static void forces(const BondSystem *system, int j, double *const *fx, double *const *fy, BondLog *log,
+                   double *energy)
+{
+    const Lattice *lattice = system->lattice;
+    double sum = 0;
+    for (size_t t = 0; t < lattice->n_tiles; t++) {
+        size_t from = lattice_tile(lattice, t), count = lattice_tile(lattice, t + 1) - from;
+        for (int q = 0; q <= rows_above(lattice, j); q++)
+            if (energy)
+                sum += tile(system, j, q, from, count, fx, fy, log, true);
+            else
+                tile(system, j, q, from, count, fx, fy, log, false);
+    }
+    if (energy)
+        *energy = sum;
+}
+
+static double energy_of_row(const BondSystem *system, int j)
+{
+    const Lattice *lattice = system->lattice;
+    double sum = 0;
+    for (size_t t = 0; t < lattice->n_tiles; t++) {
+        size_t from = lattice_tile(lattice, t), count = lattice_tile(lattice, t + 1) - from;
+        for (int q = 0; q <= rows_above(lattice, j); q++) {
+            double part = 0;
+            double *coefficient =
+                system->coefficient + lattice_slot(lattice, (BondPlace){(int)from, j, lattice->first[q]});
+            for (int o = lattice->first[q]; o < lattice->first[q + 1]; o++, coefficient += count) {
+                Segment segment = segment_of(system, j, o, from, count, coefficient);
+                part += segment_energy(system, &segment, NULL);
+            }
+            sum += part;
+        }
+    }
+    return sum;
+}
+
+static void stretches(const BondSystem *system, BondPlace first, size_t count, double *restrict out)
+{
+    const Lattice *lattice = system->lattice;
+    const Offset *offset = &lattice->offsets[first.offset];
+    size_t own = lattice_at(lattice, first.i, first.j);
+    size_t other = lattice_at(lattice, first.i + offset->p, first.j + offset->q);
+    const double *own_x = system->ux + own, *other_x = system->ux + other;
+    const double *own_y = system->uy + own, *other_y = system->uy + other;
+    for (size_t k = 0; k < count; k++)
+        out[k] = offset_stretch(offset, other_x[k] - own_x[k], other_y[k] - own_y[k]);
+}
+
+static void add(double *y, const double *x, double factor, size_t count)
+{
+    for (size_t i = 0; i < count; i += LANES)
+        store(y + i, load(y + i) + factor * load(x + i));
+}
+
+static double dot(const double *x, const double *y, size_t count)
+{
+    Vector sum[PARTS];
+    double lanes[LATTICE_BLOCK];
+    for (int part = 0; part < PARTS; part++)
+        sum[part] = (Vector){0};
+    for (size_t i = 0; i < count; i += LATTICE_BLOCK)
+        for (int part = 0; part < PARTS; part++)
+            sum[part] += load(x + i + part * LANES) * load(y + i + part * LANES);
+    for (int part = 0; part < PARTS; part++)
+        store(lanes + part * LANES, sum[part]);
+    return sum_lanes(lanes);
+}
+
+extern const BondKernels KERNELS;
+const BondKernels KERNELS = {LEVEL, forces, energy_of_row, stretches, add, dot};

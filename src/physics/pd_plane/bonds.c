@@ -1,0 +1,28 @@
+#include "physics/pd_plane/bonds.h"
+
+#include <math.h>
+
+extern const BondKernels bond_kernels_plain, bond_kernels_avx2, bond_kernels_avx512;
+
+const BondKernels *bond_kernels(CpuLevel level)
+{
+    if (!cpu_has(level))
+        return NULL;
+#ifdef HAVE_X86_KERNELS
+    if (level == CPU_AVX2)
+        return &bond_kernels_avx2;
+    if (level == CPU_AVX512)
+        return &bond_kernels_avx512;
+#endif
+    return &bond_kernels_plain;
+}
+
+void bonds_set_limits(BondSystem *system, double critical_stretch)
+{
+    for (int o = 0; o < system->lattice->n_offsets; o++) {
+        double squared = system->lattice->offsets[o].squared;
+        double breaks = squared * (2 * critical_stretch + critical_stretch * critical_stretch);
+        system->break_limit[o] = critical_stretch > 0 ? breaks : INFINITY;
+        system->series_limit[o] = fmin(squared / 256, system->break_limit[o]);
+    }
+}

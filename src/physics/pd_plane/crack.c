@@ -1,0 +1,141 @@
+#include "physics/pd_plane/crack.h"
+#include "physics/pd_plane/beam_internal.h"
+
+#include <math.h>
+
+#define BEFORE_NOTCH 0.01  /* m; the crack is looked for from here */
+#define ABOVE_NOTCH  0.002 /* m; the angle is measured from here */
+
+static const Beam *notched(const Simulation *sim)
+{
+    const Beam *beam = sim->method->field == beam_field ? (const Beam *)sim : NULL;
+    return beam && beam->def.problem == BEAM_NOTCHED ? beam : NULL;
+}
+
+/* Rows in which there can be a crack: a row that lies just at the notch's end is the notch's. */
+static bool is_above_notch(const Beam *beam, int j)
+{
+    return lattice_y(&beam->lattice, j) > beam->def.notch_depth + 1e-6 * beam->lattice.spacing;
+}
+
+/* A cracked node of the region where the crack is looked for. */
+static bool is_cracked(const Beam *beam, int i, int j)
+{
+    size_t node = (size_t)j * (size_t)beam->lattice.nx + (size_t)i;
+    if (beam->damage[node] <= CRACK_DAMAGE || beam->unbreakable[node])
+        return false;
+    double x = lattice_x(&beam->lattice, i);
+    double notch = beam->def.notch_position, load = beam->def.load_position;
+    double low = load < notch ? load : notch - BEFORE_NOTCH;
+    double high = load < notch ? notch + BEFORE_NOTCH : load;
+    return x >= low && x <= high;
+}
+
+/* The damage-weighted centre of a row's cracked nodes. False: there are none. */
+static bool row_centre(const Beam *beam, int j, double *centre)
+{
+    double sum = 0, weights = 0;
+    for (int i = 0; i < beam->lattice.nx; i++)
+        if (is_cracked(beam, i, j)) {
+            double damage = beam->damage[(size_t)j * (size_t)beam->lattice.nx + (size_t)i];
+            sum += damage * lattice_x(&beam->lattice, i);
+            weights += damage;
+        }
+    *centre = weights > 0 ? sum / weights : 0;
+    return weights > 0;
+}
+
+size_t crack_path(const Simulation *sim, double *x, double *y, size_t max)
+{
+    const Beam *beam = notched(sim);
+    size_t n = 0;
+    for (int j = 0; beam && j < beam->lattice.ny && n < max; j++) {
+        if (is_above_notch(beam, j) && row_centre(beam, j, &x[n]))
+            y[n++] = lattice_y(&beam->lattice, j);
+    }
+    return n;
+}
+
+/* The tip: of the highest row with a cracked node the node with most damage. False: it has not begun. */
+static bool find_tip(const Beam *beam, double *x, double *y)
+{
+    *x = beam->def.notch_position;
+    *y = beam->def.notch_depth;
+    for (int j = beam->lattice.ny - 1; j >= 0 && is_above_notch(beam, j); j--) {
+        double most = 0;
+        for (int i = 0; i < beam->lattice.nx; i++) {
+            double damage = beam->damage[(size_t)j * (size_t)beam->lattice.nx + (size_t)i];
+            if (is_cracked(beam, i, j) && damage > most) {
+                most = damage;
+                *x = lattice_x(&beam->lattice, i);
+            }
+        }
+        if (most > 0) {
+            *y = lattice_y(&beam->lattice, j);
+            return true;
+        }
+    }
+    return false;
+}
+
+static double path_length(const Beam *beam)
+{
+    double x = beam->def.notch_position, y = beam->def.notch_depth, length = 0;
+    for (int j = 0; j < beam->lattice.ny; j++) {
+        double next_y = lattice_y(&beam->lattice, j), next_x;
+        if (!is_above_notch(beam, j) || !row_centre(beam, j, &next_x))
+            continue;
+        length += hypot(next_x - x, next_y - y);
+        x = next_x;
+        y = next_y;
+    }
+    return length;
+}
+
+void crack_follow(Beam *beam)
+{
+    beam->head->crack_length = fmax(beam->head->crack_length, path_length(beam));
+}
+
+static double time_of(const Beam *beam, long step)
+{
+    return step < 0 ? NAN : (double)step * beam->sim.dt;
+}
+
+bool crack_measure(const Simulation *sim, Crack *crack)
+{
+    const Beam *beam = notched(sim);
+    if (!beam)
+        return false;
+    *crack = (Crack){
+        .first_break = time_of(beam, beam->head->first_break),
+        .twentieth_break = time_of(beam, beam->head->twentieth_break),
+        .arrival = time_of(beam, beam->head->arrival),
+        .broken = beam->head->broken,
+        .notch = (long)beam->facts.notch_bonds,
+    };
+    crack->begun = find_tip(beam, &crack->x, &crack->y);
+    crack->length = beam->head->crack_length;
+    return true;
+}
+
+double crack_angle(const Simulation *sim, double height)
+{
+    const Beam *beam = notched(sim);
+    if (!beam)
+        return NAN;
+    double low = beam->def.notch_depth + ABOVE_NOTCH, tolerance = 1e-6 * beam->lattice.spacing;
+    double n = 0, sx = 0, sy = 0, sxy = 0, syy = 0;
+    for (int j = 0; j < beam->lattice.ny; j++) {
+        double y = lattice_y(&beam->lattice, j), x;
+        if (y < low - tolerance || y > low + height + tolerance || !row_centre(beam, j, &x))
+            continue;
+        n += 1;
+        sx += x;
+        sy += y;
+        sxy += x * y;
+        syy += y * y;
+    }
+    double spread = n * syy - sy * sy;
+    return n < 2 ? NAN : atan((n * sxy - sx * sy) / spread) * 180 / M_PI;
+}

@@ -1,0 +1,266 @@
+/* Families: |xi| <= delta (1 + 1e-9). At delta = 4 dx the nodes at exactly that distance depend on the
+ * tolerance. Partial areas: w = 1 for |xi| <= delta - dx/2, else (delta + dx/2 - |xi|)/dx. */
+#include "physics/pd_plane/lattice.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* (1 - (1 + e)^(-1/2))/e for |e| <= 2^-8, as its Chebyshev series cut after the fifth power and written in
+ * powers of e: off by at most 4.7e-17, relative to 1/2. */
+static const double inverse_root_series[LATTICE_SERIES] = {0.5,
+                                                           -0.37500000000000006,
+                                                           0.3124999999725654,
+                                                           -0.27343749995999106,
+                                                           0.2460985445241859,
+                                                           -0.22559118152047733};
+
+static void add_offset(Lattice *lattice, const BeamDef *def, int p, int q)
+{
+    Offset *offset = &lattice->offsets[lattice->n_offsets++];
+    double dx = lattice->spacing, delta = def->horizon;
+    offset->p = p;
+    offset->q = q;
+    offset->x = p * dx;
+    offset->y = q * dx;
+    offset->squared = offset->x * offset->x + offset->y * offset->y;
+    offset->length = sqrt(offset->squared);
+    bool whole = def->volume_correction == VOLUME_NONE || offset->length <= delta - dx / 2;
+    offset->weight = whole ? 1 : (delta + dx / 2 - offset->length) / dx;
+    double scale = 1 / offset->length;
+    for (int k = 0; k < LATTICE_SERIES; k++) {
+        scale /= offset->squared;
+        offset->series[k] = inverse_root_series[k] * scale;
+    }
+}
+
+static void add_offsets(Lattice *lattice, const BeamDef *def)
+{
+    double dx = lattice->spacing, limit = def->horizon * (1 + 1e-9);
+    lattice->reach = (int)(limit / dx);
+    for (int q = 0; q <= lattice->reach; q++) {
+        lattice->first[q] = lattice->n_offsets;
+        for (int p = q == 0 ? 1 : -lattice->reach; p <= lattice->reach; p++)
+            if (hypot(p * dx, q * dx) <= limit)
+                add_offset(lattice, def, p, q);
+    }
+    lattice->first[lattice->reach + 1] = lattice->n_offsets;
+}
+
+static void energy_factors(const Lattice *lattice, int i, int j, double *factor_x, double *factor_y)
+{
+    double volume = lattice->spacing * lattice->spacing, sum_x = 0, sum_y = 0;
+    for (int o = 0; o < lattice->n_offsets; o++) {
+        const Offset *offset = &lattice->offsets[o];
+        int ends = lattice_has(lattice, i + offset->p, j + offset->q) +
+                   lattice_has(lattice, i - offset->p, j - offset->q);
+        double nx = offset->x / offset->length, ny = offset->y / offset->length;
+        double share = ends * lattice->micromodulus * offset->length * offset->weight * volume / 4;
+        sum_x += nx * nx * nx * nx * share;
+        sum_y += ny * ny * ny * ny * share;
+    }
+    /* the energy density that classical theory has in uniaxial strain of unit size, over what the family has
+     */
+    *factor_x = 9.0 / 16 * lattice->youngs_modulus / sum_x;
+    *factor_y = 9.0 / 16 * lattice->youngs_modulus / sum_y;
+}
+
+static double family_area(const Lattice *lattice, int i, int j)
+{
+    double area = 0;
+    for (int o = 0; o < lattice->n_offsets; o++) {
+        const Offset *offset = &lattice->offsets[o];
+        int ends = lattice_has(lattice, i + offset->p, j + offset->q) +
+                   lattice_has(lattice, i - offset->p, j - offset->q);
+        area += ends * offset->weight * lattice->spacing * lattice->spacing;
+    }
+    return area;
+}
+
+bool lattice_go_on(const BeamDef *def, double share, Status *status)
+{
+    return !def->go_on || def->go_on(share, def->go_on_context) ||
+           status_fail(status, STATUS_FAILED, "the building of the beam was given up");
+}
+
+static bool set_factors(Lattice *lattice, const BeamDef *def, Status *status)
+{
+    size_t node = 0;
+    for (int j = 0; j < lattice->ny; j++) {
+        if (!lattice_go_on(def, BUILDING_BONDS * j / lattice->ny, status))
+            return false;
+        for (int i = 0; i < lattice->nx; i++, node++) {
+            lattice->factor_x[node] = lattice->factor_y[node] = 1;
+            if (lattice->correction == SURFACE_ENERGY)
+                energy_factors(lattice, i, j, &lattice->factor_x[node], &lattice->factor_y[node]);
+            if (lattice->correction == SURFACE_VOLUME)
+                lattice->factor_x[node] = lattice->factor_y[node] =
+                    M_PI * lattice->horizon * lattice->horizon / family_area(lattice, i, j);
+        }
+    }
+    return true;
+}
+
+static void number_bonds(Lattice *lattice)
+{
+    size_t node = 0;
+    uint32_t number = 0;
+    for (int j = 0; j < lattice->ny; j++)
+        for (int i = 0; i < lattice->nx; i++) {
+            lattice->first_bond[node++] = number;
+            for (int o = 0; o < lattice->n_offsets; o++)
+                number += lattice_has(lattice, i + lattice->offsets[o].p, j + lattice->offsets[o].q);
+        }
+    lattice->first_bond[node] = number;
+}
+
+double lattice_coefficient(const Lattice *lattice, BondPlace bond)
+{
+    const Offset *offset = &lattice->offsets[bond.offset];
+    size_t a = (size_t)bond.j * (size_t)lattice->nx + (size_t)bond.i;
+    size_t b = (size_t)(bond.j + offset->q) * (size_t)lattice->nx + (size_t)(bond.i + offset->p);
+    double factor = 1;
+    if (lattice->correction == SURFACE_ENERGY) {
+        double nx = offset->x / offset->length, ny = offset->y / offset->length;
+        double x = nx / ((lattice->factor_x[a] + lattice->factor_x[b]) / 2);
+        double y = ny / ((lattice->factor_y[a] + lattice->factor_y[b]) / 2);
+        factor = 1 / sqrt(x * x + y * y);
+    } else if (lattice->correction == SURFACE_VOLUME) {
+        /* 2 pi delta^2 / (V_a + V_b) from pi delta^2 / V of both ends */
+        factor = 2 / (1 / lattice->factor_x[a] + 1 / lattice->factor_x[b]);
+    }
+    return lattice->micromodulus * factor * offset->weight * lattice->spacing * lattice->spacing;
+}
+
+BondPlace lattice_slot_place(const Lattice *lattice, size_t slot)
+{
+    size_t n_offsets = (size_t)lattice->n_offsets, row = n_offsets * lattice->columns, within = slot % row;
+    size_t tile = within / n_offsets / lattice->tile_columns;
+    size_t from = lattice_tile(lattice, tile), count = lattice_tile(lattice, tile + 1) - from;
+    within -= from * n_offsets;
+    return (BondPlace){(int)(from + within % count), (int)(slot / row), (int)(within / count)};
+}
+
+static bool exists(const Lattice *lattice, BondPlace bond)
+{
+    const Offset *offset = &lattice->offsets[bond.offset];
+    return lattice_has(lattice, bond.i + offset->p, bond.j + offset->q);
+}
+
+BondPlace lattice_next_bond(const Lattice *lattice, BondPlace bond)
+{
+    do {
+        if (++bond.offset == lattice->n_offsets) {
+            bond.offset = 0;
+            if (++bond.i == lattice->nx) {
+                bond.i = 0;
+                bond.j++;
+            }
+        }
+    } while (bond.j < lattice->ny && !exists(lattice, bond));
+    return bond;
+}
+
+BondPlace lattice_bond_place(const Lattice *lattice, size_t number)
+{
+    /* the last node whose first bond is not beyond the number; nodes that own nothing are skipped */
+    size_t low = 0, high = lattice_nodes(lattice);
+    while (high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        if (lattice->first_bond[middle] <= number)
+            low = middle;
+        else
+            high = middle;
+    }
+    BondPlace bond = {(int)(low % (size_t)lattice->nx), (int)(low / (size_t)lattice->nx), -1};
+    for (size_t left = number - lattice->first_bond[low] + 1; left > 0; left--)
+        bond = lattice_next_bond(lattice, bond);
+    return bond;
+}
+
+static bool count_nodes(Lattice *lattice, const BeamDef *def, Status *status)
+{
+    double dx = def->spacing, length = def->length;
+    double columns, rows;
+    lattice->x0 = 0;
+    if (def->problem == BEAM_MOVING_CANTILEVER) {
+        lattice->x0 = -def->channel;
+        length += def->channel;
+    }
+    columns = round(length / dx);
+    rows = def->problem == BEAM_NOTCHED ? round(def->height / dx) : floor(def->height / dx + 1e-9);
+    if (columns < 4)
+        return status_fail(status, STATUS_USAGE,
+                           "pd.spacing: the beam is only %.0f nodes long (at least 4; beam.length is %g)",
+                           columns, def->length);
+    if (rows < 2)
+        return status_fail(status, STATUS_USAGE,
+                           "pd.spacing: the beam is only %.0f nodes high (at least 2; beam.height is %g)",
+                           rows, def->height);
+    /* the largest run that a laboratory can serve: two gigabytes of coefficients, as much of node arrays */
+    const double bonds_max = 268435456, nodes_max = 33554432;
+    double bonds = columns * rows * lattice->n_offsets;
+    if (bonds > bonds_max)
+        return status_fail(status, STATUS_USAGE,
+                           "pd.spacing: %.3g bonds are too many for memory (at most %.3g: a larger spacing "
+                           "or a smaller horizon)",
+                           bonds, bonds_max);
+    /* rows are padded: a high beam of a few columns takes as much as a wider one */
+    if ((columns + 3 * LATTICE_BLOCK) * rows > nodes_max)
+        return status_fail(status, STATUS_USAGE,
+                           "pd.spacing: %.3g rows of %.3g nodes are too many for memory (a larger spacing)",
+                           rows, columns);
+    lattice->nx = (int)columns;
+    lattice->ny = (int)rows;
+    lattice->y0 = def->problem == BEAM_NOTCHED ? 0 : -(lattice->ny * dx / 2);
+    return true;
+}
+
+bool lattice_measure(Lattice *lattice, const BeamDef *def, Status *status)
+{
+    *lattice = (Lattice){.spacing = def->spacing,
+                         .horizon = def->horizon,
+                         .youngs_modulus = def->youngs_modulus,
+                         .correction = def->surface_correction};
+    /* eq. 4 with Poisson's ratio 1/3 */
+    lattice->micromodulus =
+        6 * def->youngs_modulus / (M_PI * def->horizon * def->horizon * def->horizon * (1 - 1.0 / 3));
+    add_offsets(lattice, def);
+    return count_nodes(lattice, def, status);
+}
+
+bool lattice_init(Lattice *lattice, const BeamDef *def, Status *status)
+{
+    if (!lattice_measure(lattice, def, status))
+        return false;
+    lattice->columns = ((size_t)lattice->nx + LATTICE_BLOCK - 1) / LATTICE_BLOCK * LATTICE_BLOCK;
+    size_t tiles = (lattice->columns + LATTICE_TILE - 1) / LATTICE_TILE,
+           blocks = lattice->columns / LATTICE_BLOCK;
+    lattice->tile_columns = (blocks + tiles - 1) / tiles * LATTICE_BLOCK;
+    lattice->n_tiles = (lattice->columns + lattice->tile_columns - 1) / lattice->tile_columns;
+    lattice->stride = lattice->columns + 2 * LATTICE_BLOCK;
+    if (lattice->stride % 512 == 0)
+        lattice->stride += LATTICE_BLOCK; /* rows a page apart would share their places in the cache */
+
+    size_t nodes = lattice_nodes(lattice);
+    lattice->factor_x = malloc(nodes * sizeof *lattice->factor_x);
+    lattice->factor_y = malloc(nodes * sizeof *lattice->factor_y);
+    lattice->first_bond = malloc((nodes + 1) * sizeof *lattice->first_bond);
+    if (!lattice->factor_x || !lattice->factor_y || !lattice->first_bond) {
+        lattice_free(lattice);
+        return status_fail(status, STATUS_FAILED, "not enough memory for %zu nodes", nodes);
+    }
+    number_bonds(lattice);
+    if (set_factors(lattice, def, status))
+        return true;
+    lattice_free(lattice);
+    return false;
+}
+
+void lattice_free(Lattice *lattice)
+{
+    free(lattice->factor_x);
+    free(lattice->factor_y);
+    free(lattice->first_bond);
+    lattice->factor_x = lattice->factor_y = NULL;
+    lattice->first_bond = NULL;
+}

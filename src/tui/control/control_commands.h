@@ -1,0 +1,55 @@
+/* The functions of the command table, a file for each kind; private to src/tui. */
+#ifndef TUI_CONTROL_COMMANDS_H
+#define TUI_CONTROL_COMMANDS_H
+
+#include "tui/control/control.h"
+
+/* control_time.c */
+void command_run_or_pause(Laboratory *);
+void command_step_forward(Laboratory *);
+void command_step_back(Laboratory *);
+void command_step_forward_ten(Laboratory *);
+void command_step_back_ten(Laboratory *);
+void command_stage_forward(Laboratory *);
+void command_stage_back(Laboratory *);
+void command_faster(Laboratory *);
+void command_slower(Laboratory *);
+void command_to_start(Laboratory *);
+void command_to_newest(Laboratory *);
+void command_go_to(Laboratory *);
+void command_restart(Laboratory *);
+void command_bookmark(Laboratory *);
+void command_jump(Laboratory *);
+
+/* control_move.c */
+void command_next_pane(Laboratory *);
+void command_previous_pane(Laboratory *);
+int view_in(const Screen *, PaneId); /* the number of the view in a pane; 0: it is no plot */
+void command_up(Laboratory *);
+void command_down(Laboratory *);
+void command_left(Laboratory *);
+void command_right(Laboratory *);
+void command_page_up(Laboratory *);
+void command_page_down(Laboratory *);
+void command_enter(Laboratory *);
+void close_inspector(Laboratory *);
+void command_inspect(Laboratory *);
+bool close_top(Laboratory *); /* what lies on top; false: there is nothing */
+void command_cancel(Laboratory *);
+
+/* control_views.c */
+void command_zoom(Laboratory *);
+void command_lecture(Laboratory *);
+void command_narrower(Laboratory *);
+void command_wider(Laboratory *);
+void command_automatic(Laboratory *);
+void command_cycle_references(Laboratory *);
+void command_cycle_glyphs(Laboratory *);
+
+/* control_compare.c */
+void command_question(Laboratory *);
+void command_pin(Laboratory *);
+void command_undo(Laboratory *);
+void command_redo(Laboratory *);
+
+#endif

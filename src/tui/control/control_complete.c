@@ -1,0 +1,252 @@
+/* Tab in a question: what has been typed is completed as far as it is certain, else what there is is shown.
+ */
+#include "tui/control/control.h"
+
+#include "lab/settings/scenario.h"
+
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+typedef struct Completion {
+    const char *start; /* what stands there */
+    char common[sizeof((Prompt *)0)->text];
+    char list[sizeof((Prompt *)0)->hint];
+    char tail[2]; /* follows if there is one candidate only */
+    int found;
+    int skipped; /* candidates that have been shown before */
+    int listed;
+    bool more; /* the list has no room for the others */
+} Completion;
+
+/* "  (Tab: 12 more)" stands behind a list that is not the last part. */
+enum { TAIL_ROOM = 24 };
+
+static void offer(Completion *completion, const char *candidate, const char *tail)
+{
+    if (strncmp(candidate, completion->start, strlen(completion->start)) != 0)
+        return;
+    const size_t used = strlen(completion->list);
+    completion->more |= used + strlen(candidate) + TAIL_ROOM >= sizeof completion->list;
+    if (completion->found >= completion->skipped && !completion->more) {
+        snprintf(completion->list + used, sizeof completion->list - used, "%s%s", used ? "  " : "",
+                 candidate);
+        completion->listed++;
+    }
+    if (completion->found++ == 0) {
+        snprintf(completion->common, sizeof completion->common, "%s", candidate);
+        snprintf(completion->tail, sizeof completion->tail, "%s", tail);
+        return;
+    }
+    size_t same = 0;
+    while (completion->common[same] && completion->common[same] == candidate[same])
+        same++;
+    completion->common[same] = '\0';
+}
+
+static void offer_keys(Completion *completion, const Laboratory *lab, const char *tail)
+{
+    for (int i = 0; i < n_parameters; i++)
+        if (settings_have(experiment_settings(lab->screen.experiment), &parameters[i]))
+            offer(completion, parameters[i].key, tail);
+}
+
+/* The words that a parameter may be; of a number, in the hint, what is allowed. */
+static void offer_values(Completion *completion, Problem problem, const char *key, size_t length)
+{
+    char name[KEY_MAX];
+    snprintf(name, sizeof name, "%.*s", (int)length, key);
+    const Parameter *parameter = parameter_find(name);
+    if (!parameter)
+        return;
+    for (int i = 0; parameter->type == PARAMETER_CHOICE && i < parameter_choices(parameter, problem); i++)
+        offer(completion, parameter->choices[i], "");
+    if (parameter->type == PARAMETER_FLAG) {
+        offer(completion, "yes", "");
+        offer(completion, "no", "");
+    }
+    const char *automatic = parameter_automatic(parameter, problem);
+    if (automatic && *completion->start)
+        offer(completion, automatic, "");
+    if (completion->found == 0) {
+        char range[96];
+        parameter_range(parameter, problem, range, sizeof range);
+        snprintf(completion->list, sizeof completion->list, "%s: %s", range,
+                 parameter_help(parameter, problem));
+    }
+}
+
+static int by_name(const struct dirent **a, const struct dirent **b)
+{
+    return strcmp((*a)->d_name, (*b)->d_name);
+}
+
+static bool is_table(const char *name)
+{
+    const size_t length = strlen(name);
+    return length > 4 && strcmp(name + length - 4, ".csv") == 0;
+}
+
+/* By name; with `tables` those of CSV first. */
+static void offer_files(Completion *completion, bool tables)
+{
+    const char *slash = strrchr(completion->start, '/');
+    const size_t folder = slash ? (size_t)(slash - completion->start) + 1 : 0;
+    char path[512];
+    snprintf(path, sizeof path, "%.*s", (int)folder, completion->start);
+    struct dirent **entries;
+    const int count = scandir(folder ? path : ".", &entries, NULL, by_name);
+    for (int i = 0; i < 2 * count; i++) {
+        const char *name = entries[i % count]->d_name;
+        struct stat file;
+        if ((name[0] == '.' && completion->start[folder] != '.') || (i < count) != (tables && is_table(name)))
+            continue;
+        snprintf(path, sizeof path, "%.*s%s", (int)folder, completion->start, name);
+        if (strlen(path) + 2 < sizeof path && stat(path, &file) == 0 && S_ISDIR(file.st_mode))
+            strcat(path, "/");
+        offer(completion, path, "");
+    }
+    for (int i = 0; i < count; i++)
+        free(entries[i]);
+    if (count >= 0)
+        free(entries);
+}
+
+static void offer_scenarios(Completion *completion)
+{
+    for (const BuiltinScenario *builtin = builtin_scenarios; builtin->name; builtin++)
+        offer(completion, builtin->name, "");
+    if (*completion->start)
+        offer_files(completion, false);
+}
+
+/* Their numbers are what is typed, so all that helps is what they mean. */
+static void tell_views(Completion *completion, const Screen *screen)
+{
+    for (int view = 1; view <= 9 && !*completion->start; view++) {
+        const Command *command = command_find((CommandId)(COMMAND_VIEW_1 + view - 1));
+        const size_t used = strlen(completion->list);
+        if (command && !screen_view_missing(screen, view))
+            snprintf(completion->list + used, sizeof completion->list - used, "%s%d %s", used ? "   " : "",
+                     view, command->brief);
+    }
+}
+
+/* KEY=VALUE ...: the last of them. */
+static void offer_assignments(Completion *completion, const Laboratory *lab)
+{
+    const char *space = strrchr(completion->start, ' ');
+    const char *word = space ? space + 1 : completion->start;
+    const size_t key = strcspn(word, "=");
+    completion->start = word;
+    if (!word[key]) {
+        offer_keys(completion, lab, "=");
+        return;
+    }
+    completion->start = word + key + 1;
+    offer_values(completion, experiment_settings(lab->screen.experiment)->problem, word, key);
+}
+
+/* The words after a verb; `start` is what stands behind it. */
+static void offer_arguments(Completion *completion, const Laboratory *lab, LineArgument kind)
+{
+    const char *words = completion->start;
+    const size_t key = strcspn(words, " =");
+    switch (kind) {
+    case ARGUMENT_KEY:
+        if (!words[key]) {
+            offer_keys(completion, lab, " ");
+            break;
+        }
+        completion->start = words + key + strspn(words + key, " =");
+        offer_values(completion, experiment_settings(lab->screen.experiment)->problem, words, key);
+        break;
+    case ARGUMENT_KEYS:
+        offer_assignments(completion, lab);
+        break;
+    case ARGUMENT_SCENARIO:
+        offer_scenarios(completion);
+        break;
+    case ARGUMENT_FILE:
+    case ARGUMENT_SERIES:
+        offer_files(completion, kind == ARGUMENT_SERIES);
+        break;
+    case ARGUMENT_VIEW:
+        tell_views(completion, &lab->screen);
+        break;
+    case ARGUMENT_REFERENCES:
+        for (int i = 0; reference_words[i]; i++)
+            offer(completion, reference_words[i], "");
+        break;
+    case ARGUMENT_LESSON:
+        for (const BuiltinLesson *lesson = builtin_lessons; lesson->name; lesson++)
+            offer(completion, lesson->name, "");
+        break;
+    case ARGUMENT_OTHER:
+        break;
+    }
+}
+
+static void offer_line(Completion *completion, const Laboratory *lab)
+{
+    const char *line = completion->start;
+    const size_t word = strcspn(line, " =");
+    const LineVerb *verb = line[word] == ' ' ? line_verb_find(line, word) : NULL;
+    if (verb) {
+        completion->start = line + word + strspn(line + word, " ");
+        offer_arguments(completion, lab, verb->argument);
+    } else if (line[word]) {
+        offer_arguments(completion, lab, ARGUMENT_KEY);
+    } else {
+        for (int i = 0; i < n_line_verbs; i++)
+            offer(completion, line_verbs[i].name, " ");
+        for (int i = 0; i < n_commands; i++)
+            if (!line_verb_find(commands[i].name, strlen(commands[i].name)))
+                offer(completion, commands[i].name, "");
+        offer_keys(completion, lab, "=");
+    }
+}
+
+void complete_prompt(Laboratory *lab)
+{
+    Prompt *prompt = &lab->screen.prompt;
+    Completion completion = {.start = prompt->text, .skipped = lab->tabbed};
+    if (lab->answer == answer_line)
+        offer_line(&completion, lab);
+    else if (lab->answer == answer_duel)
+        offer_assignments(&completion, lab);
+    else if (lab->answer == answer_scenario)
+        offer_scenarios(&completion);
+    else if (lab->answer == answer_write)
+        offer_files(&completion, false);
+    else
+        return;
+    const size_t before = (size_t)(completion.start - prompt->text), had = strlen(completion.start);
+    const bool further = completion.found == 1 || strlen(completion.common) > had;
+    prompt->problem[0] = prompt->hint[0] = '\0';
+    lab->fresh = false;
+    if (!further && prompt->scenarios && prompt->scenarios->n_shown > 0)
+        return; /* they stand there, with their titles */
+    lab->tabbed = 0;
+    if (!further) {
+        const int shown = completion.skipped + completion.listed;
+        snprintf(prompt->hint, sizeof prompt->hint, "%s",
+                 completion.list[0] ? completion.list : "no name begins with that");
+        if (completion.more) {
+            const size_t used = strlen(prompt->hint);
+            snprintf(prompt->hint + used, sizeof prompt->hint - used, "  (Tab: %d more)",
+                     completion.found - shown);
+            lab->tabbed = shown;
+        }
+    } else if (before + strlen(completion.common) + 2 < sizeof prompt->text) {
+        snprintf(prompt->text + before, sizeof prompt->text - before, "%s%s", completion.common,
+                 completion.found == 1 ? completion.tail : "");
+        prompt->cursor = text_columns(prompt->text);
+        const BuiltinScenario *scenario = completion.found == 1 ? scenario_builtin(completion.common) : NULL;
+        char title[TITLE_MAX];
+        if (scenario && !prompt->scenarios && scenario_title(scenario, title))
+            snprintf(prompt->hint, sizeof prompt->hint, "%s", title);
+    }
+}

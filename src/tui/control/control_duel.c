@@ -1,0 +1,90 @@
+/* The duel: a second run beside the first one. */
+#include "tui/control/control.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static bool begin(Laboratory *lab, const Assignment *keys, int n_keys, Status *status)
+{
+    const bool sound = duel_start(&lab->duel, keys, n_keys, status);
+    say(lab, MESSAGE_NONE, "%s", ""); /* how far it has been built */
+    if (!sound)
+        return false;
+    memset(lab->rates, 0, sizeof lab->rates);
+    lab->screen.cursor_time = NAN;
+    lab->screen.summary_known = false;
+    settle(lab);
+    return true;
+}
+
+void open_duel(Laboratory *lab)
+{
+    const Settings *settings = experiment_settings(lab->screen.experiment);
+    Status status = {STATUS_DONE, ""};
+    if (settings->n_duel > 0 && !begin(lab, settings->duel, settings->n_duel, &status))
+        say(lab, MESSAGE_WARNING, "no duel: %s", status.text);
+}
+
+bool answer_duel(Laboratory *lab, const char *words)
+{
+    Assignment keys[DUEL_MAX];
+    Status status = {STATUS_DONE, ""};
+    const int n_keys = duel_read_keys(words, keys, &status);
+    if (n_keys == 0)
+        return refuse(lab, "KEY=VALUE is wanted, as in mpm.algorithm=usl; Tab completes");
+    return (n_keys > 0 && begin(lab, keys, n_keys, &status)) || refuse(lab, status.text);
+}
+
+void toggle_duel(Laboratory *lab)
+{
+    Duel *duel = &lab->duel;
+    const Settings *settings = experiment_settings(lab->screen.experiment);
+    Assignment keys[DUEL_MAX];
+    char text[sizeof lab->screen.prompt.text];
+    if (duel->b) {
+        duel_end(duel);
+        memset(lab->rates, 0, sizeof lab->rates);
+        settle(lab);
+        say(lab, MESSAGE_INFO, "the duel is over: the curve of B stays until the next change");
+        return;
+    }
+    if (settings->n_duel > 0) {
+        open_duel(lab);
+        return;
+    }
+    /* what was the last one is asked for again, else what the scenario asks about */
+    lab->suggestion = duel->n_keys > 0 ? -1 : 0;
+    const int n_keys = duel->n_keys > 0 ? duel->n_keys : duel_suggest(settings, 0, keys);
+    duel_write_keys(duel->n_keys > 0 ? duel->keys : keys, n_keys, text, sizeof text);
+    ask(lab, answer_duel, false, text, "in B is");
+    snprintf(lab->screen.prompt.hint, sizeof lab->screen.prompt.hint,
+             "in what the second run differs; Down offers others, Tab completes, Enter begins the duel");
+}
+
+void suggest_duel(Laboratory *lab, int direction)
+{
+    const int to = lab->suggestion + direction;
+    Assignment keys[DUEL_MAX];
+    if (to < 0 || duel_suggest(experiment_settings(lab->screen.experiment), to, keys) == 0)
+        return;
+    lab->suggestion = to;
+    char text[sizeof lab->screen.prompt.text];
+    duel_write_keys(keys, 1, text, sizeof text);
+    fill_prompt(lab, text);
+}
+
+void tell_second(Laboratory *lab)
+{
+    Status why = {STATUS_DONE, ""};
+    const bool ended = lab->duel.b && experiment_failed(lab->duel.b, &why);
+    if (ended && !lab->second_ended)
+        say(lab, MESSAGE_WARNING, "B stopped: %s; A goes on", why.text);
+    lab->second_ended = ended;
+}
+
+void duel_over(Laboratory *lab, const Status *status)
+{
+    if (status->text[0] && !lab->duel.b)
+        say(lab, MESSAGE_WARNING, "the duel is over: %s", status->text);
+}

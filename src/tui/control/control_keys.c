@@ -1,0 +1,211 @@
+/* Where a key goes: to the question that is open, the field under edit, the help, or the table of commands.
+ */
+#include "tui/control/control.h"
+#include "tui/control/session.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* --- help ------------------------------------------------------------------------------------------- */
+
+static void turn_page(Laboratory *lab, int direction)
+{
+    Screen *screen = &lab->screen;
+    int pages = screen_help_pages();
+    screen->help_page = (screen->help_page + direction + pages) % pages;
+    screen->help_scroll = 0;
+}
+
+static void scroll_help(Laboratory *lab, int lines)
+{
+    int most = screen_help_most(&lab->screen, lab->width, lab->height);
+    int to = lab->screen.help_scroll + lines;
+    lab->screen.help_scroll = to < 0 ? 0 : to > most ? most : to;
+}
+
+static void help_command(Laboratory *lab, CommandId id)
+{
+    int page = lab->height > 6 ? lab->height - 5 : 1;
+    switch (id) {
+    case COMMAND_UP:
+        scroll_help(lab, -1);
+        break;
+    case COMMAND_DOWN:
+        scroll_help(lab, 1);
+        break;
+    case COMMAND_PAGE_UP:
+        scroll_help(lab, -page);
+        break;
+    case COMMAND_PAGE_DOWN:
+    case COMMAND_RUN_PAUSE: /* Space, as in a pager */
+        scroll_help(lab, page);
+        break;
+    case COMMAND_RIGHT:
+    case COMMAND_NEXT_PANE:
+    case COMMAND_HELP:
+        turn_page(lab, 1);
+        break;
+    case COMMAND_LEFT:
+    case COMMAND_PREVIOUS_PANE:
+        turn_page(lab, -1);
+        break;
+    case COMMAND_CANCEL:
+    case COMMAND_QUIT:
+    case COMMAND_ENTER:
+        lab->screen.help = false;
+        break;
+    default:
+        break;
+    }
+}
+
+/* --- the mouse --------------------------------------------------------------------------------------- */
+
+static bool holds(Rect rect, int x, int y)
+{
+    return x >= rect.x && x < rect.x + rect.width && y >= rect.y && y < rect.y + rect.height;
+}
+
+/* A key in the bottom bar is pressed, a place of the timeline is gone to, a field is chosen (and, once
+ * chosen, edited), a row of a table or of the log, a particle or a node is chosen, a pane takes the focus. */
+static void click(Laboratory *lab, int x, int y)
+{
+    Screen *screen = &lab->screen;
+    if (y == lab->height - 1) {
+        CommandId id = screen_bar_command(screen, lab->width, x);
+        if (screen->help)
+            help_command(lab, id);
+        else if (id != COMMAND_NONE)
+            laboratory_command(lab, id);
+        return;
+    }
+    if (screen->help)
+        return;
+    const long step = screen_timeline_step(screen, lab->width, lab->height, x, y);
+    if (step >= 0) {
+        pause_run(lab);
+        seek(lab, step, 0);
+        return;
+    }
+    for (int pane = 0; pane < PANE_COUNT; pane++)
+        if (holds(screen_pane(screen, lab->width, lab->height, (PaneId)pane), x, y) &&
+            screen->focus != (PaneId)pane) {
+            screen->focus = (PaneId)pane;
+            screen->cursor_time = NAN;
+        }
+    if (click_lesson(lab, x, y) || screen_choose_row(screen, lab->width, lab->height, x, y) ||
+        screen_choose_event(screen, lab->width, lab->height, x, y) ||
+        screen_choose_in_strip(screen, lab->width, lab->height, x, y))
+        return;
+    const long node = screen_map_node(screen, lab->width, lab->height, x, y);
+    if (node >= 0) {
+        screen->particle = (size_t)node;
+        screen->node_chosen = false;
+    }
+    int row = screen_parameter_at(screen, lab->width, lab->height, x, y);
+    if (row < 0)
+        return;
+    if (row == screen->selected)
+        laboratory_command(lab, COMMAND_ENTER);
+    screen->selected = row;
+}
+
+static void wheel(Laboratory *lab, int direction, int x, int y)
+{
+    enum { LINES = 3 };
+    if (lab->screen.help)
+        scroll_help(lab, LINES * direction);
+    else if (!screen_scroll_log(&lab->screen, lab->width, lab->height, x, y, LINES * direction))
+        laboratory_command(lab, direction < 0 ? COMMAND_UP : COMMAND_DOWN);
+}
+
+/* False: not the mouse. In the middle of a field or a question the mouse does nothing. */
+static bool mouse_key(Laboratory *lab, const Key *key)
+{
+    bool busy = lab->screen.prompt.open || lab->screen.editing;
+    if (strcmp(key->name, "Click") == 0) {
+        if (!busy)
+            click(lab, key->x, key->y);
+    } else if (strcmp(key->name, "WheelUp") == 0 || strcmp(key->name, "WheelDown") == 0) {
+        if (!busy)
+            wheel(lab, key->name[5] == 'U' ? -1 : 1, key->x, key->y);
+    } else
+        return false;
+    return true;
+}
+
+/* These work wherever the user is. */
+static bool is_for_everywhere(CommandId id)
+{
+    return id == COMMAND_INTERRUPT || id == COMMAND_REDRAW || id == COMMAND_SUSPEND;
+}
+
+static bool takes_text(const Screen *screen)
+{
+    return screen->editing || (screen->prompt.open && !screen->prompt.yes_no);
+}
+
+static void text_key(Laboratory *lab, const char *name)
+{
+    Key key = {.x = -1, .y = -1};
+    snprintf(key.name, sizeof key.name, "%s", name);
+    if (lab->screen.prompt.open)
+        prompt_key(lab, &key);
+    else
+        edit_key(lab, &key);
+}
+
+/* Text that was copied elsewhere is text or nothing, never commands; the end of a line parts words. */
+static void take_pasted(Laboratory *lab, const char *what)
+{
+    const bool ends_line = strcmp(what, "Enter") == 0;
+    if (!takes_text(&lab->screen)) {
+        say(lab, MESSAGE_INFO, "pasted text goes into a field or a question only; : asks for a command");
+        return;
+    }
+    if (!ends_line && lab->pasted_line)
+        text_key(lab, "Space");
+    if (!ends_line)
+        text_key(lab, what);
+    lab->pasted_line = ends_line;
+}
+
+static void take_key(Laboratory *lab, const Key *key)
+{
+    const Command *command = command_by_key(key->name);
+    const char *pasted = keys_pasted(key->name);
+    drop_part(lab);
+    if (lab->recording)
+        session_note(lab->recording, lab, key);
+    say(lab, MESSAGE_NONE, "%s", "");
+    if (pasted) {
+        take_pasted(lab, pasted);
+        return;
+    }
+    lab->pasted_line = false;
+    if (command && is_for_everywhere(command->id))
+        laboratory_command(lab, command->id);
+    else if (mouse_key(lab, key))
+        return;
+    else if (lab->screen.prompt.open)
+        prompt_key(lab, key);
+    else if (lab->screen.editing)
+        edit_key(lab, key);
+    else if (lab->screen.help)
+        help_command(lab, command ? command->id : COMMAND_NONE);
+    else if (lesson_key(lab, key))
+        return;
+    else if (command)
+        laboratory_command(lab, command->id);
+    else if (strlen(key->name) == 1 && key->name[0] >= '1' && key->name[0] <= '9')
+        laboratory_command(lab, (CommandId)(COMMAND_VIEW_1 + (key->name[0] - '1'))); /* says why not */
+    else if (strlen(key->name) == 1)
+        say(lab, MESSAGE_INFO, "the key %s does nothing; ? tells what the others do", key->name);
+}
+
+void laboratory_key(Laboratory *lab, const Key *key)
+{
+    take_key(lab, key);
+    continue_lesson(lab);
+}

@@ -1,0 +1,237 @@
+/* The command line behind `:`: commands by name, KEY=VALUE, a time, and verbs that take arguments. */
+#include "tui/control/control.h"
+
+#include "base/text.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* --- what was entered before ------------------------------------------------------------------------ */
+
+static void remember(Laboratory *lab, const char *text)
+{
+    LineHistory *past = &lab->past;
+    if (past->count > 0 && strcmp(past->lines[past->count - 1], text) == 0)
+        return;
+    if (past->count == LINE_HISTORY_MAX) {
+        memmove(past->lines[0], past->lines[1], sizeof past->lines - sizeof past->lines[0]);
+        past->count--;
+    }
+    snprintf(past->lines[past->count++], sizeof past->lines[0], "%s", text);
+}
+
+void recall_line(Laboratory *lab, int direction)
+{
+    LineHistory *past = &lab->past;
+    Prompt *prompt = &lab->screen.prompt;
+    const int to = past->at + direction;
+    if (to < 0 || to > past->count)
+        return;
+    if (past->at == past->count)
+        memcpy(past->unfinished, prompt->text, sizeof past->unfinished);
+    past->at = to;
+    memcpy(prompt->text, to == past->count ? past->unfinished : past->lines[to], sizeof prompt->text);
+    prompt->cursor = text_columns(prompt->text);
+    prompt->problem[0] = prompt->hint[0] = '\0';
+    lab->fresh = false;
+}
+
+void ask_line(Laboratory *lab)
+{
+    lab->past.at = lab->past.count;
+    ask(lab, answer_line, false, "", ":");
+}
+
+/* --- verbs ------------------------------------------------------------------------------------------ */
+
+static bool assign(Laboratory *lab, const char *key, const char *value)
+{
+    Settings settings = *experiment_settings(lab->screen.experiment);
+    Status status = {STATUS_DONE, ""};
+    return (settings_set(&settings, key, value, &status) &&
+            change_settings(lab, &settings, experiment_edit, &status)) ||
+           refuse(lab, status.text);
+}
+
+/* "KEY = VALUE" and, behind `set`, also "KEY VALUE". */
+static bool set(Laboratory *lab, const char *words)
+{
+    char key[KEY_MAX];
+    const size_t length = strcspn(words, " =");
+    const char *value = words + length + strspn(words + length, " ");
+    if (*value == '=')
+        value += 1 + strspn(value + 1, " ");
+    if (length == 0 || length >= sizeof key || !*value)
+        return refuse(lab, "a key and a value are wanted, as in set initial.mode 5");
+    snprintf(key, sizeof key, "%.*s", (int)length, words);
+    return assign(lab, key, value);
+}
+
+static bool export_as(Laboratory *lab, const char *words)
+{
+    return ask_export(lab, words);
+}
+
+/* The next word, or what stands between quotes; false: there is none. */
+static bool take_word(const char **words, char *out, size_t size)
+{
+    *words += strspn(*words, " ");
+    const bool quoted = **words == '"';
+    *words += quoted;
+    const size_t length = strcspn(*words, quoted ? "\"" : " ");
+    snprintf(out, size, "%.*s", (int)length, *words);
+    *words += length;
+    *words += quoted && **words == '"';
+    return length > 0;
+}
+
+static bool reading(double share, void *context)
+{
+    Laboratory *lab = context;
+    say(lab, MESSAGE_INFO, "reading %d %%   ^C cancels", (int)(100 * share));
+    return lab->host.go_on(lab->host.context);
+}
+
+static void drop_overlay(Laboratory *lab)
+{
+    overlay_close(&lab->overlay);
+    lab->screen.overlay = NULL;
+}
+
+static bool overlay(Laboratory *lab, const char *words)
+{
+    char path[NAME_MAX_BYTES], x[OVERLAY_NAME_MAX], y[OVERLAY_NAME_MAX];
+    Screen *screen = &lab->screen;
+    Overlay read;
+    Status status = {STATUS_DONE, ""};
+    if (!take_word(&words, path, sizeof path)) {
+        say(lab, MESSAGE_INFO, screen->overlay ? "%s is taken away" : "no series lies over the plots",
+            lab->overlay.file);
+        drop_overlay(lab);
+        return true;
+    }
+    const bool x_given = take_word(&words, x, sizeof x), y_given = take_word(&words, y, sizeof y);
+    if (!overlay_load(&read, path, reading, lab, &status))
+        return refuse(lab, status.text);
+    if (!overlay_choose(&read, x_given ? x : NULL, y_given ? y : NULL, screen_time_curve(screen),
+                        screen_profile_curve(screen), &status)) {
+        overlay_close(&read);
+        return refuse(lab, status.text);
+    }
+    drop_overlay(lab);
+    lab->overlay = read;
+    screen->overlay = &lab->overlay;
+    const double *place = read.columns[read.x].values;
+    char from[NUMBER_TEXT_MAX], to[NUMBER_TEXT_MAX];
+    text_rounded(from, read.count ? place[0] : NAN, 5);
+    text_rounded(to, read.count ? place[read.count - 1] : NAN, 5);
+    say(lab, MESSAGE_INFO, "%s: %zu rows, %s from %s to %s; :overlay alone takes it away", read.file,
+        read.count, read.along ? "x" : "t", from, to);
+    return true;
+}
+
+static bool show(Laboratory *lab, const char *words)
+{
+    int view, variant = 1, first = 0, second = 0;
+    const bool sound = sscanf(words, "%d%n", &view, &first) == 1 &&
+                       (!words[first] || sscanf(words + first, "%d%n", &variant, &second) == 1) &&
+                       !words[first + second];
+    if (!sound || view < 1 || view > 9 || variant < 1 || variant > 99)
+        return refuse(lab, "a view is wanted, 1 to 9, and its variant, as in show 3 or show 1 2");
+    if (screen_view_missing(&lab->screen, view))
+        return refuse(lab, screen_view_missing(&lab->screen, view));
+    show_view(lab, view);
+    lab->screen.variant[view] = variant - 1;
+    return true;
+}
+
+static bool references(Laboratory *lab, const char *words)
+{
+    for (int i = 0; i < SHOW_COUNT; i++)
+        if (strcmp(words, reference_words[i]) == 0) {
+            lab->screen.references = (ReferencesShown)i;
+            return true;
+        }
+    return refuse(lab, "which reference curves? (all | exact | predicted | none)");
+}
+
+static bool particle(Laboratory *lab, const char *words)
+{
+    const long count = (long)experiment_simulation(lab->screen.experiment)->counts[0];
+    long number;
+    char why[64];
+    snprintf(why, sizeof why, "which particle? (0 to %ld)", count - 1);
+    if (!text_to_long(words, &number) || number < 0 || number >= count)
+        return refuse(lab, why);
+    lab->screen.particle = (size_t)number;
+    lab->screen.node_chosen = false;
+    return true;
+}
+
+static bool (*const verbs[LINE_COUNT])(Laboratory *, const char *words) = {
+    [LINE_SET] = set,
+    [LINE_OPEN] = answer_open,
+    [LINE_WRITE] = answer_write,
+    [LINE_EXPORT] = export_as,
+    [LINE_GO_TO] = answer_go_to,
+    [LINE_OVERLAY] = overlay,
+    [LINE_SHOW] = show,
+    [LINE_REFERENCES] = references,
+    [LINE_PARTICLE] = particle,
+    [LINE_LESSON] = answer_lesson,
+    [LINE_DUEL] = answer_duel,
+    [LINE_FIGURE] = draw_figure,
+};
+
+/* --- the line --------------------------------------------------------------------------------------- */
+
+bool answer_line(Laboratory *lab, const char *text)
+{
+    text += strspn(text, " :");
+    char line[sizeof lab->screen.prompt.text];
+    snprintf(line, sizeof line, "%s", text);
+    for (size_t end = strlen(line); end > 0 && line[end - 1] == ' ';)
+        line[--end] = '\0';
+    if (!*line)
+        return true;
+    remember(lab, line);
+    return run_line(lab, line);
+}
+
+/* An unknown first word, with the nearest one that there is. */
+static bool refuse_word(Laboratory *lab, const char *line, const char *end)
+{
+    enum { MOST = COMMAND_COUNT + LINE_COUNT };
+    const char *known[MOST + 1] = {NULL}, *nearest;
+    char word[64], why[200];
+    int count = 0;
+    for (int i = 0; i < n_line_verbs && count < MOST; i++)
+        known[count++] = line_verbs[i].name;
+    for (int i = 0; i < n_commands && count < MOST; i++)
+        known[count++] = commands[i].name;
+    snprintf(word, sizeof word, "%.*s", (int)(end - line), line);
+    nearest = nearest_word(known, word);
+    snprintf(why, sizeof why, "%s: unknown%s%s%s: a command (Tab completes), KEY=VALUE or a time is wanted",
+             word, nearest ? " (did you mean " : "", nearest ? nearest : "", nearest ? "?)" : "");
+    return refuse(lab, why);
+}
+
+bool run_line(Laboratory *lab, const char *line)
+{
+    const char *words = line + strcspn(line, " ");
+    const LineVerb *verb = line_verb_find(line, (size_t)(words - line));
+    words += strspn(words, " ");
+    const Command *command = command_by_name(line);
+    double time;
+    if (verb && (*words || !command))
+        return verbs[verb->id](lab, words);
+    if (command) {
+        laboratory_command(lab, command->id);
+        return true;
+    }
+    if (strchr(line, '='))
+        return set(lab, line);
+    return line[0] == '#' || text_to_double(line, &time) ? answer_go_to(lab, line)
+                                                         : refuse_word(lab, line, words);
+}

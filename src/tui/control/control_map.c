@@ -1,0 +1,135 @@
+/* The map of a beam under the user's hands: magnified and moved, displacements drawn larger or smaller. */
+#include "tui/control/control.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { MAP_VIEW = 8 };
+
+#define FIRST_MAGNIFIED 4.0
+#define STRIDE          0.2 /* of what is seen, for an arrow */
+
+static const Simulation *simulation_of(const Laboratory *lab)
+{
+    return experiment_simulation(lab->screen.experiment);
+}
+
+/* The lattice's columns: the nodes of the first row. */
+static size_t lattice_columns(const Simulation *simulation)
+{
+    double first, here;
+    size_t columns = 1;
+    simulation->method->field(simulation, simulation->position[1], 0, 1, &first);
+    for (; columns < simulation->counts[0]; columns++) {
+        simulation->method->field(simulation, simulation->position[1], columns, 1, &here);
+        if (here != first)
+            break;
+    }
+    return columns;
+}
+
+/* The place of a node as shares of the beam's length and height. */
+static void look_at_node(Screen *screen, const Simulation *simulation, size_t node)
+{
+    const size_t nx = lattice_columns(simulation), ny = simulation->counts[0] / nx;
+    screen->looked_at[0] = ((double)(node % nx) + 0.5) / (double)nx;
+    screen->looked_at[1] = ((double)(node / nx) + 0.5) / (double)ny;
+}
+
+/* The crack's tip is what there is to see of a beam that cracks; else the chosen node. */
+static void look_at_something(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    const BeamDef *beam = &experiment_settings(screen->experiment)->beam;
+    const double *row = experiment_row(screen->experiment);
+    int count, x = -1, y = -1;
+    const Column *columns = experiment_columns(screen->experiment, &count);
+    for (int i = 0; i < count; i++) {
+        x = strcmp(columns[i].quantity.name, "crack_x") == 0 ? i : x;
+        y = strcmp(columns[i].quantity.name, "crack_y") == 0 ? i : y;
+    }
+    if (x >= 0 && y >= 0 && row) {
+        screen->looked_at[0] = row[x] / beam->length;
+        screen->looked_at[1] = row[y] / beam->height;
+    } else
+        look_at_node(screen, simulation_of(lab), screen->particle);
+}
+
+static double limited(double value, double least, double most)
+{
+    return value < least ? least : value > most ? most : value;
+}
+
+void map_whole(Laboratory *lab)
+{
+    lab->screen.zooming = false;
+    lab->screen.magnified = 1;
+}
+
+void map_magnify(Laboratory *lab, int direction)
+{
+    Screen *screen = &lab->screen;
+    const double most = fmax(FIRST_MAGNIFIED, (double)lattice_columns(simulation_of(lab)) / 4);
+    const double wanted = direction > 0 ? 2 * screen->magnified : screen->magnified / 2;
+    screen->magnified = limited(wanted, 1, exp2(ceil(log2(most))));
+}
+
+void map_pan(Laboratory *lab, int x, int y)
+{
+    Screen *screen = &lab->screen;
+    const BeamDef *beam = &experiment_settings(screen->experiment)->beam;
+    const double stride = STRIDE / screen->magnified;
+    screen->looked_at[0] = limited(screen->looked_at[0] + x * stride, 0, 1);
+    /* a pane is not as high as it is wide */
+    const double upwards = fmin(0.25, stride * beam->length / beam->height / 2);
+    screen->looked_at[1] = limited(screen->looked_at[1] - y * upwards, 0, 1);
+}
+
+void map_zoom(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    if (simulation_of(lab)->dimensions != 2) {
+        say(lab, MESSAGE_INFO, "Z magnifies the map of a beam; n and N change the time window of a plot");
+        return;
+    }
+    if (screen->zooming) {
+        map_whole(lab);
+        return;
+    }
+    if (screen->upper != MAP_VIEW && screen->lower != MAP_VIEW)
+        screen->upper = MAP_VIEW;
+    screen->focus = screen->upper == MAP_VIEW ? PANE_UPPER : PANE_LOWER;
+    screen->zooming = true;
+    screen->magnified = FIRST_MAGNIFIED;
+    look_at_something(lab);
+}
+
+bool map_is_focused(const Laboratory *lab)
+{
+    const Screen *screen = &lab->screen;
+    return simulation_of(lab)->dimensions == 2 &&
+           ((screen->focus == PANE_UPPER && screen->upper == MAP_VIEW) ||
+            (screen->focus == PANE_LOWER && screen->lower == MAP_VIEW));
+}
+
+/* The size of displacements is part of the scenario's view, which an edit changes without a new run. */
+void map_enlarge(Laboratory *lab, int direction)
+{
+    Screen *screen = &lab->screen;
+    Settings settings = *experiment_settings(screen->experiment);
+    const double now = screen_map_enlargement(screen, lab->width, lab->height);
+    Status status = {STATUS_DONE, ""};
+    if (direction == 0)
+        settings.view.exaggeration[0] = '\0';
+    else
+        snprintf(settings.view.exaggeration, sizeof settings.view.exaggeration, "%.15g",
+                 next_125(now > 0 ? now : 1, direction));
+    if (!experiment_edit(screen->experiment, &settings, &status))
+        say(lab, MESSAGE_ERROR, "%s", status.text);
+    else if (direction == 0)
+        say(lab, MESSAGE_INFO, "displacements are drawn as large as the pane allows");
+    else
+        say(lab, MESSAGE_INFO, "displacements are drawn x %s (a: as the pane allows)",
+            settings.view.exaggeration);
+}

@@ -1,0 +1,224 @@
+/* The commands that move: panes, rows, cursors, the inspector; Enter and Esc. */
+#include "tui/control/control_commands.h"
+
+#include <math.h>
+
+static void focus_by(Laboratory *lab, int direction)
+{
+    Screen *screen = &lab->screen;
+    Screen whole = *screen;
+    whole.zoomed = false; /* a pane that fills the screen can be left for any that the whole picture has */
+    int focus = (int)screen->focus;
+    for (int i = 0; i < PANE_COUNT; i++) {
+        focus = (focus + direction + PANE_COUNT) % PANE_COUNT;
+        whole.focus = (PaneId)focus; /* a small screen has the one that is asked for */
+        if (screen_pane(&whole, lab->width, lab->height, (PaneId)focus).width > 0)
+            break;
+    }
+    screen->focus = (PaneId)focus;
+    screen->cursor_time = NAN;
+}
+
+void command_next_pane(Laboratory *lab)
+{
+    focus_by(lab, 1);
+}
+
+void command_previous_pane(Laboratory *lab)
+{
+    focus_by(lab, -1);
+}
+
+static void choose_particle(Laboratory *lab, int direction, size_t by)
+{
+    Screen *screen = &lab->screen;
+    const Simulation *simulation = experiment_simulation(screen->experiment);
+    bool node = screen->node_chosen && simulation->n_sets > 1;
+    size_t *chosen = node ? &screen->node : &screen->particle;
+    size_t count = simulation->counts[node ? 1 : 0];
+    if (count == 0)
+        return;
+    if (direction < 0)
+        *chosen = *chosen > by ? *chosen - by : 0;
+    else
+        *chosen = *chosen + by < count ? *chosen + by : count - 1;
+}
+
+int view_in(const Screen *screen, PaneId pane)
+{
+    return pane == PANE_UPPER ? screen->upper : pane == PANE_LOWER ? screen->lower : 0;
+}
+
+static bool is_time_plot(int view)
+{
+    return view == 2 || view == 3;
+}
+
+/* Moves the cursor of a time plot by about a column. */
+static void move_cursor(Laboratory *lab, int columns)
+{
+    Screen *screen = &lab->screen;
+    double from, to;
+    screen_time_window(screen, &from, &to);
+    int width = screen_pane(screen, lab->width, lab->height, screen->focus).width - 10;
+    double column = (to - from) / (width > 20 ? width : 20);
+    if (isnan(screen->cursor_time))
+        screen->cursor_time = experiment_time(screen->experiment);
+    else
+        screen->cursor_time += columns * column;
+    if (screen->cursor_time < from)
+        screen->cursor_time = from;
+    if (screen->cursor_time > to)
+        screen->cursor_time = to;
+}
+
+enum { TABLE_VIEW = 7, LOG_VIEW = 9 };
+
+static void move(Laboratory *lab, int x, int y, int page)
+{
+    Screen *screen = &lab->screen;
+    int view = view_in(screen, screen->focus);
+    const bool map = map_is_focused(lab);
+    if (screen->zooming && map) {
+        map_pan(lab, x, y);
+        return;
+    }
+    if ((screen->focus == PANE_INSPECTOR || map) && screen_move_inspector(screen, x, y, page))
+        return;
+    if (screen->focus == PANE_PARAMETERS && screen->lesson.open) {
+        move_in_lesson(lab, x, y);
+    } else if (screen->focus == PANE_PARAMETERS) {
+        if (x)
+            nudge_selected(lab, x);
+        else
+            move_selection(lab, y * page);
+    } else if (view == TABLE_VIEW) {
+        /* the rows are those of the set that the table shows */
+        const int sets = experiment_simulation(screen->experiment)->n_sets;
+        screen->node_chosen = screen->variant[TABLE_VIEW] % sets == 1;
+        if (y)
+            choose_particle(lab, y, (size_t)page);
+        else
+            screen_scroll_table(screen, lab->width, lab->height, x);
+    } else if (view == LOG_VIEW) {
+        if (y)
+            screen_move_in_log(screen, lab->width, lab->height, y * page);
+    } else if (is_time_plot(view)) {
+        move_cursor(lab, x ? x : y * page);
+    } else if (x || page > 1) {
+        screen->node_chosen &= experiment_simulation(screen->experiment)->method->shapes != NULL;
+        choose_particle(lab, x ? x : y, (size_t)page);
+    } else {
+        screen_choose_across(screen, y < 0);
+    }
+}
+
+void command_up(Laboratory *lab)
+{
+    move(lab, 0, -1, 1);
+}
+
+void command_down(Laboratory *lab)
+{
+    move(lab, 0, 1, 1);
+}
+
+void command_left(Laboratory *lab)
+{
+    move(lab, -1, 0, 1);
+}
+
+void command_right(Laboratory *lab)
+{
+    move(lab, 1, 0, 1);
+}
+
+void command_page_up(Laboratory *lab)
+{
+    move(lab, 0, -1, 10);
+}
+
+void command_page_down(Laboratory *lab)
+{
+    move(lab, 0, 1, 10);
+}
+
+void command_enter(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    if (screen->focus == PANE_PARAMETERS && screen->lesson.open) {
+        enter_in_lesson(lab);
+    } else if (screen->focus == PANE_PARAMETERS) {
+        begin_edit(lab);
+    } else if (is_time_plot(view_in(screen, screen->focus)) && !isnan(screen->cursor_time)) {
+        pause_run(lab);
+        seek(lab, lround(screen->cursor_time / experiment_simulation(screen->experiment)->dt), 0);
+        screen->cursor_time = NAN;
+    } else if (view_in(screen, screen->focus) == LOG_VIEW && screen_log_chosen(screen) >= 0) {
+        const long step = screen_log_step(screen), broken = screen_broken_node(screen, step);
+        if (broken >= 0) { /* where it happened is what one wants to look at */
+            screen->particle = (size_t)broken;
+            screen->node_chosen = false;
+        }
+        pause_run(lab);
+        seek(lab, step, 0);
+    }
+}
+
+void close_inspector(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    screen->inspecting = false;
+    screen->zoomed = false;
+    if (screen->focus == PANE_INSPECTOR)
+        screen->focus = screen->before_inspector;
+}
+
+void command_inspect(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    if (screen->inspecting) {
+        close_inspector(lab);
+    } else if (!screen_has_inspector(screen)) {
+        say(lab, MESSAGE_INFO, "there is no inspector for this method");
+    } else {
+        screen->inspecting = true;
+        screen->before_inspector = screen->focus;
+        screen->focus = PANE_INSPECTOR;
+        screen->cursor_time = NAN;
+    }
+}
+
+/* Closes what lies on top; false: there is nothing. */
+bool close_top(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    if (screen->help)
+        screen->help = false;
+    else if (screen->prompt.open)
+        close_prompt(lab);
+    else if (screen->editing)
+        screen->editing = false;
+    else if (!isnan(screen->cursor_time))
+        screen->cursor_time = NAN;
+    else if (screen->zooming)
+        map_whole(lab);
+    else if (screen->zoomed)
+        screen->zoomed = false;
+    else if (screen->inspecting)
+        close_inspector(lab);
+    else if (screen->filter[0])
+        screen->filter[0] = '\0';
+    else
+        return false;
+    return true;
+}
+
+void command_cancel(Laboratory *lab)
+{
+    if (lab->screen.state == STATE_COMPUTING) {
+        duel_cancel(&lab->duel);
+        pause_run(lab);
+    } else
+        close_top(lab);
+}

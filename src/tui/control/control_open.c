@@ -1,0 +1,216 @@
+/* Opening the laboratory and other scenarios in it: what a run is begun with, and at which pace. */
+#include "tui/control/control.h"
+
+#include "lab/settings/scenario.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* One exact period should last this long on screen; a run without a period, this long as a whole. */
+#define PERIOD_SECONDS 3.0
+#define RUN_SECONDS    15.0
+
+static const double tau = 6.283185307179586;
+
+void choose_pace(Laboratory *lab)
+{
+    Experiment *experiment = lab->screen.experiment;
+    const Readout *readout = experiment_readout(experiment);
+    double dt = experiment_simulation(experiment)->dt;
+    double frames = PERIOD_SECONDS / FRAME_SECONDS, steps = 0;
+    if (readout->moving && readout->exact_known && readout->exact > 0)
+        steps = (readout->is_period ? readout->exact : tau / readout->exact) / dt;
+    if (!(steps > 0) || !isfinite(steps)) {
+        frames = RUN_SECONDS / FRAME_SECONDS;
+        steps = (double)experiment_last_step(experiment);
+    }
+    double pace = steps / frames;
+    /* whole steps per frame look steady; below one it is frames per step that are counted */
+    lab->screen.pace = pace >= 1 ? round(pace) : pace > 0 ? 1 / round(1 / pace) : 1;
+}
+
+static void read_view(Laboratory *lab)
+{
+    const ViewSettings *view = &experiment_settings(lab->screen.experiment)->view;
+    Screen *screen = &lab->screen;
+    double value;
+    int number;
+    /* of a beam there is more to see than its middle row */
+    if (experiment_simulation(screen->experiment)->dimensions == 2)
+        screen->upper = 8;
+    if (sscanf(view->upper, "%d", &number) == 1 && !screen_view_missing(screen, number))
+        screen->upper = number;
+    if (sscanf(view->lower, "%d", &number) == 1 && !screen_view_missing(screen, number))
+        screen->lower = number;
+    if (sscanf(view->pace, "%lf", &value) == 1 && value > 0) {
+        screen->pace = value;
+        lab->pace_automatic = false;
+    }
+    screen_read_view(screen, view);
+}
+
+/* The first row that can be edited. */
+static int first_parameter(const Screen *screen)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    int count = screen_parameter_rows(screen, rows);
+    for (int i = 0; i < count; i++)
+        if (rows[i].parameter)
+            return i;
+    return 0;
+}
+
+static size_t history_size(const Laboratory *lab)
+{
+    return lab->options.history ? lab->options.history : (size_t)256 << 20;
+}
+
+static int threads_of(const Laboratory *lab)
+{
+    return lab->options.threads > 0 ? lab->options.threads : 1;
+}
+
+/* What belongs to a run and not to the way it is looked at; for a run that takes the place of another. */
+static void begin_run(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    lab->pace_automatic = true;
+    lab->n_undo = lab->n_redo = 0;
+    lab->changed = false;
+    lab->anchor_step = screen->log_event = -1;
+    screen->n_bookmarks = screen->log_first = 0;
+    lab->owed = 0;
+    memset(lab->rates, 0, sizeof lab->rates);
+    lab->frames_in_time = 0;
+    screen->at_limit = false;
+    screen->summary_known = false;
+    screen->cursor_time = NAN;
+    if (screen->inspecting && screen->focus == PANE_INSPECTOR)
+        screen->focus = screen->before_inspector;
+    screen->inspecting = false;
+    const Simulation *simulation = experiment_simulation(screen->experiment);
+    screen->particle = screen_middle_particle(simulation);
+    screen->node = simulation->n_sets > 1 ? simulation->counts[1] / 2 : 0;
+    choose_pace(lab);
+    read_view(lab);
+    screen->duel = &lab->duel;
+    duel_open(&lab->duel, screen->experiment, history_size(lab), threads_of(lab));
+    lab->second_ended = false;
+    screen->selected = first_parameter(screen);
+    screen->parameter_scroll = 0;
+    lab->resume = screen->state = STATE_RUNNING;
+    say(lab, MESSAGE_NONE, "%s", "");
+    open_duel(lab);
+    const char *advice = experiment_advice(screen->experiment);
+    if (advice && !screen->message[0])
+        say(lab, MESSAGE_WARNING, "%s", advice);
+}
+
+static void name_scenario(Laboratory *lab, const char *name)
+{
+    snprintf(lab->scenario, sizeof lab->scenario, "%s", name ? name : "");
+    lab->screen.scenario = lab->scenario;
+}
+
+/* What takes no longer is not worth a picture. */
+#define BUILDING_SECONDS 0.15
+
+static bool show_building(double share, void *context)
+{
+    Laboratory *lab = context;
+    double now = lab->host.now(lab->host.context);
+    if (share <= 0)
+        lab->built_at = now;
+    if (now < lab->built_at + BUILDING_SECONDS)
+        return true;
+    say(lab, MESSAGE_INFO, "building the beam: %d %%   ^C gives up", (int)(100 * share));
+    return lab->host.go_on(lab->host.context);
+}
+
+/* Settings whose simulation shows on the screen how far its building has come; copies of them do too. */
+static void show_building_of(Laboratory *lab, Settings *settings)
+{
+    settings->beam.go_on = show_building;
+    settings->beam.go_on_context = lab;
+}
+
+static Experiment *make_experiment(const Laboratory *lab, const Settings *settings, Status *status)
+{
+    return experiment_create(settings, history_size(lab), threads_of(lab), status);
+}
+
+bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Host *host, Status *status)
+{
+    *lab = (Laboratory){.host = *host, .options = *options, .overlay = {.y = -1}, .run_limit = -1};
+    lab->utf8 = true;
+    lab->undo = calloc(UNDO_MAX, sizeof *lab->undo);
+    lab->redo = calloc(UNDO_MAX, sizeof *lab->redo);
+    if (!lab->undo || !lab->redo) {
+        laboratory_close(lab);
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    }
+    screen_default(&lab->screen);
+    Settings settings = *options->settings;
+    show_building_of(lab, &settings);
+    lab->screen.experiment = make_experiment(lab, &settings, status);
+    if (!lab->screen.experiment) {
+        laboratory_close(lab);
+        return false;
+    }
+    name_scenario(lab, options->scenario);
+    begin_run(lab);
+    if (options->paused)
+        lab->resume = lab->screen.state = STATE_PAUSED;
+    if (options->reached)
+        memcpy(lab->screen.lesson.reached, options->reached, sizeof lab->screen.lesson.reached);
+    if (options->lesson && !open_lesson(lab, options->lesson, status)) {
+        laboratory_close(lab);
+        return false;
+    }
+    return true;
+}
+
+void laboratory_close(Laboratory *lab)
+{
+    close_lesson(lab);
+    duel_close(&lab->duel);
+    experiment_destroy(lab->screen.experiment);
+    overlay_close(&lab->overlay);
+    free(lab->undo);
+    free(lab->redo);
+    lab->screen.experiment = NULL;
+    lab->undo = lab->redo = NULL;
+}
+
+bool open_scenario(Laboratory *lab, const char *name, Status *status)
+{
+    Settings *settings = malloc(sizeof *settings);
+    if (!settings)
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    Experiment *experiment = NULL;
+    if (scenario_load(name, settings, status) && settings_check(settings, status)) {
+        show_building_of(lab, settings);
+        experiment = make_experiment(lab, settings, status);
+        say(lab, MESSAGE_NONE, "%s", "");
+        if (!experiment && status)
+            scenario_blame(name, NULL, 0, status);
+    }
+    if (experiment) {
+        experiment_destroy(lab->screen.experiment);
+        lab->screen.experiment = experiment;
+        Screen fresh;
+        screen_default(&fresh);
+        lab->screen.upper = fresh.upper;
+        lab->screen.lower = fresh.lower;
+        memcpy(lab->screen.variant, fresh.variant, sizeof fresh.variant);
+        lab->screen.window = fresh.window;
+        lab->screen.references = fresh.references;
+        map_whole(lab);
+        name_scenario(lab, name);
+        begin_run(lab);
+    }
+    free(settings);
+    return experiment != NULL;
+}

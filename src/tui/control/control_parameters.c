@@ -1,0 +1,207 @@
+/* The parameter pane: choosing, nudging and editing in place. */
+#include "tui/control/control.h"
+#include "tui/control/line_edit.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+const Parameter *selected_parameter(const Laboratory *lab)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    int count = screen_parameter_rows(&lab->screen, rows);
+    int selected = lab->screen.selected;
+    return selected >= 0 && selected < count ? rows[selected].parameter : NULL;
+}
+
+void move_selection(Laboratory *lab, int by)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    int count = screen_parameter_rows(&lab->screen, rows);
+    int direction = by < 0 ? -1 : 1, at = lab->screen.selected, last = at;
+    for (int left = by * direction; left > 0;) {
+        at += direction;
+        if (at < 0 || at >= count)
+            break;
+        if (rows[at].heading)
+            continue;
+        last = at;
+        left--;
+    }
+    lab->screen.selected = last < 0 ? 0 : last >= count && count > 0 ? count - 1 : last;
+}
+
+/* A run that begins anew seeks the time that the first of these edits found on screen. */
+static void return_to_time(Laboratory *lab)
+{
+    Experiment *experiment = lab->screen.experiment;
+    if (experiment_pending(experiment, NULL)) {
+        const double step = round(lab->anchor_time / experiment_simulation(experiment)->dt);
+        const long last = experiment_last_step(experiment);
+        lab->goal_step = step < (double)last ? (long)step : last;
+        lab->goal_stage = 0;
+        duel_seek(&lab->duel, lab->goal_step, 0);
+        lab->anchor_step = lab->goal_step;
+    } else
+        lab->anchor_step = experiment_step(experiment);
+}
+
+void settings_changed(Laboratory *lab)
+{
+    lab->changed = true;
+    lab->screen.summary_known = false;
+    memset(lab->rates, 0, sizeof lab->rates); /* a step may take longer now */
+    say(lab, MESSAGE_NONE, "%s", "");
+    if (lab->pace_automatic)
+        choose_pace(lab);
+    settle(lab);
+    const char *advice = experiment_advice(lab->screen.experiment);
+    if (advice && *advice)
+        say(lab, MESSAGE_WARNING, "%s", advice);
+}
+
+/* Where a particle was at first, in each dimension. */
+static void place_of(const Simulation *sim, size_t particle, double place[SIMULATION_DIMENSIONS_MAX])
+{
+    for (int d = 0; d < sim->dimensions; d++)
+        sim->method->field(sim, sim->position[d], particle, 1, &place[d]);
+}
+
+static size_t nearest_to(const Simulation *sim, const double place[SIMULATION_DIMENSIONS_MAX])
+{
+    size_t nearest = 0;
+    double least = INFINITY;
+    for (size_t i = 0; i < sim->counts[0]; i++) {
+        double here[SIMULATION_DIMENSIONS_MAX] = {0}, square = 0;
+        place_of(sim, i, here);
+        for (int d = 0; d < sim->dimensions; d++)
+            square += (here[d] - place[d]) * (here[d] - place[d]);
+        if (square < least)
+            least = square, nearest = i;
+    }
+    return nearest;
+}
+
+bool change_runs(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
+{
+    size_t *chosen = &lab->screen.particle;
+    const Simulation *sim = experiment_simulation(lab->screen.experiment);
+    const size_t before = sim->counts[0];
+    double place[SIMULATION_DIMENSIONS_MAX] = {0};
+    if (*chosen < before)
+        place_of(sim, *chosen, place);
+    if (!duel_change(&lab->duel, settings, verb, status))
+        return false;
+    sim = experiment_simulation(lab->screen.experiment);
+    if (*chosen < before && sim->counts[0] != before)
+        *chosen = nearest_to(sim, place);
+    return true;
+}
+
+bool change_settings(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
+{
+    Settings old = *experiment_settings(lab->screen.experiment);
+    bool same = settings_same(&old, settings);
+    long step;
+    int stage;
+    present(lab, &step, &stage);
+    /* a time on screen is a multiple of the time step, which changes: without this, it would wander */
+    if (step != lab->anchor_step)
+        lab->anchor_time = (double)step * experiment_simulation(lab->screen.experiment)->dt;
+    /* what was at its end comes back to its end, which may lie a part of a step later */
+    if (step >= experiment_last_step(lab->screen.experiment) && settings->end == old.end)
+        lab->anchor_time = 2 * old.end;
+    Status said = {STATUS_DONE, ""};
+    bool taken = change_runs(lab, settings, verb, &said);
+    say(lab, MESSAGE_NONE, "%s", ""); /* how far it has been built */
+    if (!taken) {
+        *status = said;
+        return false;
+    }
+    if (same)
+        return true;
+    return_to_time(lab);
+    if (lab->n_undo == UNDO_MAX)
+        memmove(lab->undo, lab->undo + 1, (size_t)--lab->n_undo * sizeof *lab->undo);
+    lab->undo[lab->n_undo++] = old;
+    lab->n_redo = 0;
+    settings_changed(lab);
+    duel_over(lab, &said);
+    return true;
+}
+
+void nudge_selected(Laboratory *lab, int direction)
+{
+    const Parameter *parameter = selected_parameter(lab);
+    if (!parameter)
+        return;
+    Settings settings = *experiment_settings(lab->screen.experiment);
+    Status status = {STATUS_DONE, ""};
+    if (!settings_nudge(&settings, parameter, direction)) {
+        char range[96];
+        parameter_range(parameter, settings.problem, range, sizeof range);
+        if (parameter->nudge == NUDGE_NONE)
+            say(lab, MESSAGE_INFO, "%s: Enter edits it", parameter->label);
+        else
+            say(lab, MESSAGE_INFO, "%s: %s", parameter->label, range);
+    } else if (!change_settings(lab, &settings, experiment_edit, &status))
+        say(lab, MESSAGE_ERROR, "%s", status.text);
+}
+
+void begin_edit(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    const Parameter *parameter = selected_parameter(lab);
+    if (!parameter)
+        return;
+    if (parameter->type == PARAMETER_CHOICE || parameter->type == PARAMETER_FLAG) {
+        Settings settings = *experiment_settings(lab->screen.experiment);
+        Status status = {STATUS_DONE, ""};
+        if (!settings_nudge(&settings, parameter, 1) ||
+            !change_settings(lab, &settings, experiment_edit, &status))
+            say(lab, MESSAGE_ERROR, "%s", status.text);
+        return;
+    }
+    settings_get(experiment_settings(lab->screen.experiment), parameter, screen->edit_text);
+    screen->edit_cursor = text_columns(screen->edit_text);
+    screen->edit_problem[0] = '\0';
+    screen->editing = true;
+    lab->fresh = true;
+}
+
+/* True: taken, the editor is closed. */
+static bool accept_edit(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    const Parameter *parameter = selected_parameter(lab);
+    Settings settings = *experiment_settings(lab->screen.experiment);
+    Status status = {STATUS_DONE, ""};
+    if (parameter && (!settings_set(&settings, parameter->key, screen->edit_text, &status) ||
+                      !change_settings(lab, &settings, experiment_edit, &status))) {
+        snprintf(screen->edit_problem, sizeof screen->edit_problem, "%.159s", status.text);
+        return false;
+    }
+    screen->editing = false;
+    return true;
+}
+
+void edit_key(Laboratory *lab, const Key *key)
+{
+    Screen *screen = &lab->screen;
+    const char *name = key->name;
+    if (strcmp(name, "Enter") == 0)
+        accept_edit(lab);
+    else if (strcmp(name, "Esc") == 0 || strcmp(name, "F10") == 0)
+        screen->editing = false;
+    else if (strcmp(name, "Up") == 0 || strcmp(name, "S-Tab") == 0) {
+        if (accept_edit(lab))
+            move_selection(lab, -1);
+    } else if (strcmp(name, "Down") == 0 || strcmp(name, "Tab") == 0) {
+        if (accept_edit(lab))
+            move_selection(lab, 1);
+    } else if (line_key(screen->edit_text, sizeof screen->edit_text, &screen->edit_cursor, name,
+                        lab->fresh)) {
+        lab->fresh = false;
+        screen->edit_problem[0] = '\0';
+    }
+}

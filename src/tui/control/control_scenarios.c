@@ -1,0 +1,146 @@
+/* Opening a scenario: from a list with titles, that shrinks to what is typed, or by a path. */
+#include "tui/control/control.h"
+
+#include "base/text.h"
+#include "lab/settings/scenario.h"
+
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static bool offer(ScenarioList *list, const char *name, const char *title)
+{
+    if (list->count == SCENARIOS_MAX || strlen(name) >= SCENARIO_NAME_MAX)
+        return false;
+    snprintf(list->entries[list->count].name, SCENARIO_NAME_MAX, "%s", name);
+    snprintf(list->entries[list->count].title, TITLE_MAX, "%s", title);
+    list->count++;
+    return true;
+}
+
+/* A file of the folder that can be opened; not the ones beside tables, which are many. */
+static void offer_file(ScenarioList *list, const char *name, Settings *settings)
+{
+    struct stat file;
+    Status status = {STATUS_DONE, ""};
+    const size_t length = strlen(name);
+    if (length < 5 || strcmp(name + length - 4, ".ini") != 0 ||
+        (length > 8 && strcmp(name + length - 8, ".csv.ini") == 0))
+        return;
+    if (stat(name, &file) == 0 && S_ISREG(file.st_mode) && scenario_load(name, settings, &status))
+        offer(list, name, settings->title);
+}
+
+static int by_name(const struct dirent **a, const struct dirent **b)
+{
+    return strcmp((*a)->d_name, (*b)->d_name);
+}
+
+static void offer_files(ScenarioList *list)
+{
+    struct dirent **names;
+    Settings *settings = malloc(sizeof *settings);
+    const int count = settings ? scandir(".", &names, NULL, by_name) : -1;
+    for (int i = 0; i < count; i++) {
+        offer_file(list, names[i]->d_name, settings);
+        free(names[i]);
+    }
+    if (count >= 0)
+        free(names);
+    free(settings);
+}
+
+/* What is shown: whatever holds the text in its name or its title. */
+static void narrow(ScenarioList *list, const char *text, const char *open)
+{
+    list->n_shown = 0;
+    list->chosen = list->open = -1;
+    for (int i = 0; i < list->count; i++)
+        if (strcasestr(list->entries[i].name, text) || strcasestr(list->entries[i].title, text)) {
+            if (strcmp(list->entries[i].name, open) == 0)
+                list->open = list->n_shown;
+            list->shown[list->n_shown++] = i;
+        }
+}
+
+void ask_scenario(Laboratory *lab)
+{
+    ScenarioList *list = &lab->scenarios;
+    list->count = 0;
+    for (const BuiltinScenario *builtin = builtin_scenarios; builtin->name; builtin++) {
+        char title[TITLE_MAX];
+        offer(list, builtin->name, scenario_title(builtin, title) ? title : "");
+    }
+    offer_files(list);
+    narrow(list, "", lab->scenario);
+    ask(lab, answer_scenario, false, "", "open scenario or file");
+    lab->screen.prompt.scenarios = list;
+}
+
+static void choose(Laboratory *lab, int chosen)
+{
+    ScenarioList *list = &lab->scenarios;
+    Prompt *prompt = &lab->screen.prompt;
+    if (list->n_shown == 0)
+        return;
+    list->chosen = chosen < 0 ? 0 : chosen < list->n_shown ? chosen : list->n_shown - 1;
+    fill_prompt(lab, list->entries[list->shown[list->chosen]].name); /* typing begins a new search */
+    prompt->hint[0] = '\0';
+}
+
+/* The row that a first key moves from: the open one, so that the way to the next is short, but what was
+ * searched for begins at its top, or its end. */
+static int where_to_begin(const Laboratory *lab, int rows)
+{
+    const ScenarioList *list = &lab->scenarios;
+    const bool searched = lab->screen.prompt.text[0] != '\0';
+    if (list->chosen >= 0)
+        return list->chosen;
+    if (!searched && list->open >= 0 && list->open + rows >= 0 && list->open + rows < list->n_shown)
+        return list->open;
+    return rows > 0 ? -1 : list->n_shown;
+}
+
+bool choose_scenario(Laboratory *lab, const char *key)
+{
+    static const struct {
+        const char *key;
+        int rows;
+    } moves[] = {{"Up", -1}, {"Down", 1}, {"PageUp", -8}, {"PageDown", 8}};
+    const ScenarioList *list = lab->screen.prompt.scenarios;
+    for (size_t i = 0; list && i < sizeof moves / sizeof *moves; i++)
+        if (strcmp(key, moves[i].key) == 0) {
+            choose(lab, where_to_begin(lab, moves[i].rows) + moves[i].rows);
+            return true;
+        }
+    return false;
+}
+
+void narrow_scenarios(Laboratory *lab)
+{
+    if (lab->screen.prompt.scenarios)
+        narrow(&lab->scenarios, lab->screen.prompt.text, lab->scenario);
+}
+
+bool answer_open(Laboratory *lab, const char *text)
+{
+    Status status = {STATUS_DONE, ""};
+    if (!text[0])
+        return true;
+    return open_scenario(lab, text, &status) || refuse(lab, status.text);
+}
+
+/* What was typed is a name or a path; where it is neither, but one scenario is left in the list, that is
+ * meant. */
+bool answer_scenario(Laboratory *lab, const char *text)
+{
+    const ScenarioList *list = &lab->scenarios;
+    if (text[0] && list->n_shown == 1 && !scenario_builtin(text) && access(text, F_OK) != 0)
+        text = list->entries[list->shown[0]].name;
+    if (text[0] && list->n_shown > 1 && !scenario_builtin(text) && access(text, F_OK) != 0)
+        return refuse(lab, "several have that in their name or title: Down chooses one");
+    return answer_open(lab, text);
+}

@@ -1,0 +1,275 @@
+/* The commands of time: run, step, go back, bookmarks. */
+#include "tui/control/control_commands.h"
+
+#include "base/text.h"
+
+#include <math.h>
+#include <string.h>
+
+#define AGAIN_SECONDS 2.0 /* of computing; a finished run that took longer is not given up unasked */
+
+/* To t = 0 with the same parameters. */
+static void begin_again(Laboratory *lab, bool running)
+{
+    Status status = {STATUS_DONE, ""};
+    if (!duel_restart(&lab->duel, false, &status)) {
+        say(lab, MESSAGE_ERROR, "%s", status.text);
+        return;
+    }
+    say(lab, MESSAGE_NONE, "%s", "");
+    lab->resume = running ? STATE_RUNNING : STATE_PAUSED;
+    lab->owed = 0;
+    lab->screen.summary_known = false;
+    lab->screen.cursor_time = NAN;
+    settle(lab);
+    duel_over(lab, &status);
+}
+
+static bool answer_again(Laboratory *lab, const char *text)
+{
+    (void)text;
+    begin_again(lab, true);
+    return true;
+}
+
+/* A run that is soon computed again begins anew at once; one that took long is not thrown away by a slip. */
+static void run_again(Laboratory *lab)
+{
+    const double rate = lab->rates[RATE_RUN];
+    double seconds = rate > 0 ? (double)experiment_last_step(lab->screen.experiment) / rate : 0;
+    char takes[NUMBER_TEXT_MAX];
+    if (seconds < AGAIN_SECONDS) {
+        begin_again(lab, true);
+        return;
+    }
+    text_rounded(takes, seconds, 2);
+    ask(lab, answer_again, true, "", "run again from t = 0? it takes about %s s", takes);
+}
+
+void command_run_or_pause(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    if (screen->state == STATE_ENDED)
+        run_again(lab);
+    else if (screen->state == STATE_FAILED)
+        say(lab, MESSAGE_INFO, "the run cannot go on: change a parameter, step back, or r to begin again");
+    else if (screen->state == STATE_COMPUTING)
+        lab->resume = lab->resume == STATE_RUNNING ? STATE_PAUSED : STATE_RUNNING;
+    else if (screen->state == STATE_RUNNING)
+        pause_run(lab);
+    else {
+        lab->resume = STATE_RUNNING;
+        lab->owed = 0;
+        screen->rate = 0;
+        settle(lab);
+    }
+}
+
+/* A step that has begun counts as one of those that are done. */
+static void step_by(Laboratory *lab, long steps)
+{
+    long step;
+    int stage;
+    present(lab, &step, &stage);
+    pause_run(lab);
+    if (steps < 0 && stage > 0)
+        steps++;
+    if (steps < 0 && step == 0 && stage == 0)
+        say(lab, MESSAGE_INFO, "this is t = 0");
+    else if (steps > 0 && step >= experiment_last_step(lab->screen.experiment))
+        say(lab, MESSAGE_INFO, "this is the end of the run");
+    else
+        seek(lab, step + steps, 0);
+}
+
+void command_step_forward(Laboratory *lab)
+{
+    step_by(lab, 1);
+}
+
+void command_step_back(Laboratory *lab)
+{
+    step_by(lab, -1);
+}
+
+void command_step_forward_ten(Laboratory *lab)
+{
+    step_by(lab, 10);
+}
+
+void command_step_back_ten(Laboratory *lab)
+{
+    step_by(lab, -10);
+}
+
+void command_stage_forward(Laboratory *lab)
+{
+    Experiment *experiment = lab->screen.experiment;
+    long step;
+    int stage;
+    present(lab, &step, &stage);
+    pause_run(lab);
+    if (experiment_at_end(experiment)) {
+        say(lab, MESSAGE_INFO, "this is the end of the run");
+        return;
+    }
+    if (lab->screen.state == STATE_COMPUTING) {
+        bool whole = stage + 1 >= experiment_simulation(experiment)->n_stages;
+        seek(lab, whole ? step + 1 : step, whole ? 0 : stage + 1);
+        return;
+    }
+    Status status = {STATUS_DONE, ""};
+    duel_next_stage(&lab->duel, &status);
+    settle(lab);
+    if (status.text[0])
+        say(lab, MESSAGE_ERROR, "%s", status.text);
+    else if (lab->duel.b && experiment_stage(experiment) == 1)
+        say(lab, MESSAGE_INFO, "A goes by stages; B waits at its step %ld, before A's step ends",
+            experiment_step(lab->duel.b));
+}
+
+void command_stage_back(Laboratory *lab)
+{
+    long step;
+    int stage;
+    present(lab, &step, &stage);
+    pause_run(lab);
+    if (stage > 0)
+        seek(lab, step, stage - 1);
+    else if (step > 0)
+        seek(lab, step - 1, experiment_simulation(lab->screen.experiment)->n_stages - 1);
+    else
+        say(lab, MESSAGE_INFO, "this is t = 0");
+}
+
+double next_125(double value, int direction)
+{
+    static const double mantissas[] = {1, 2, 5};
+    double best = 0;
+    for (int decade = -3; decade <= 9; decade++)
+        for (int i = 0; i < 3; i++) {
+            double candidate = mantissas[i] * pow(10, decade);
+            if (direction > 0 && candidate > value * (1 + 1e-9) && (best <= 0 || candidate < best))
+                best = candidate;
+            if (direction < 0 && candidate < value * (1 - 1e-9) && candidate > best)
+                best = candidate;
+        }
+    return best > 0 ? best : value;
+}
+
+static void change_pace(Laboratory *lab, int direction)
+{
+    Screen *screen = &lab->screen;
+    if (screen->zooming && map_is_focused(lab)) {
+        map_magnify(lab, direction);
+        return;
+    }
+    double pace = next_125(screen->pace, direction);
+    if (pace < 0.01 || pace > 1e7)
+        return;
+    screen->pace = pace;
+    screen->at_limit = false;
+    lab->pace_automatic = false;
+    lab->owed = 0;
+    if (pace >= 1)
+        say(lab, MESSAGE_INFO, "%g steps a frame", pace);
+    else
+        say(lab, MESSAGE_INFO, "a step every %g frames", round(1 / pace));
+}
+
+void command_faster(Laboratory *lab)
+{
+    change_pace(lab, 1);
+}
+
+void command_slower(Laboratory *lab)
+{
+    change_pace(lab, -1);
+}
+
+void command_to_start(Laboratory *lab)
+{
+    pause_run(lab);
+    seek(lab, 0, 0);
+}
+
+void command_to_newest(Laboratory *lab)
+{
+    pause_run(lab);
+    seek(lab, experiment_newest(lab->screen.experiment), 0);
+}
+
+void command_go_to(Laboratory *lab)
+{
+    ask(lab, answer_go_to, false, "", "go to time (or #step)");
+}
+
+void command_restart(Laboratory *lab)
+{
+    bool computing = lab->screen.state == STATE_COMPUTING;
+    begin_again(lab, (computing ? lab->resume : lab->screen.state) == STATE_RUNNING);
+}
+
+/* The first bookmark that is not before a place. */
+static int bookmark_from(const Screen *screen, long step, int stage)
+{
+    int at = 0;
+    while (at < screen->n_bookmarks &&
+           (screen_bookmark_step(screen, at) < step ||
+            (screen_bookmark_step(screen, at) == step && screen->bookmarks[at].stage < stage)))
+        at++;
+    return at;
+}
+
+static bool is_bookmark(const Screen *screen, int at, long step, int stage)
+{
+    return at < screen->n_bookmarks && screen_bookmark_step(screen, at) == step &&
+           screen->bookmarks[at].stage == stage;
+}
+
+/* Where there is one already it is taken away. */
+void command_bookmark(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    long step;
+    int stage;
+    present(lab, &step, &stage);
+    const int at = bookmark_from(screen, step, stage);
+    Bookmark *place = &screen->bookmarks[at];
+    const size_t after = (size_t)(screen->n_bookmarks - at);
+    if (is_bookmark(screen, at, step, stage)) {
+        memmove(place, place + 1, (after - 1) * sizeof *place);
+        screen->n_bookmarks--;
+        say(lab, MESSAGE_INFO, "the bookmark at step %ld is gone", step);
+    } else if (screen->n_bookmarks == BOOKMARKS_MAX) {
+        say(lab, MESSAGE_INFO, "there is room for %d bookmarks: m on one of them takes it away",
+            BOOKMARKS_MAX);
+    } else {
+        memmove(place + 1, place, after * sizeof *place);
+        *place = (Bookmark){(double)step * experiment_simulation(screen->experiment)->dt, stage};
+        screen->n_bookmarks++;
+        say(lab, MESSAGE_INFO, "bookmark at step %ld: ' comes back here, m again takes it away", step);
+    }
+}
+
+/* To the next one in the run, from the last one to the first. */
+void command_jump(Laboratory *lab)
+{
+    const Screen *screen = &lab->screen;
+    const int n_stages = experiment_simulation(screen->experiment)->n_stages;
+    long step;
+    int stage;
+    if (screen->n_bookmarks == 0) {
+        say(lab, MESSAGE_INFO, "no bookmark yet: m sets one");
+        return;
+    }
+    present(lab, &step, &stage);
+    int at = bookmark_from(screen, step, stage);
+    at += is_bookmark(screen, at, step, stage);
+    at %= screen->n_bookmarks;
+    stage = screen->bookmarks[at].stage;
+    pause_run(lab);
+    seek(lab, screen_bookmark_step(screen, at), stage < n_stages ? stage : 0);
+    if (screen->n_bookmarks > 1)
+        say(lab, MESSAGE_INFO, "bookmark %d of %d", at + 1, screen->n_bookmarks);
+}

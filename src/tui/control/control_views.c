@@ -1,0 +1,123 @@
+/* The commands that choose what is shown, and how. */
+#include "tui/control/control_commands.h"
+
+#include <math.h>
+
+/* Pictures over x are at home above, pictures over time below. */
+static PaneId home_of(int view)
+{
+    return view == 1 || view == 4 || view == 7 || view == 8 ? PANE_UPPER : PANE_LOWER;
+}
+
+void show_view(Laboratory *lab, int view)
+{
+    Screen *screen = &lab->screen;
+    /* where panes are seen one at a time, who asks for a view wants to see it */
+    const bool alone = screen->zoomed || (lab->width > 0 && !screen_is_whole(lab->width, lab->height));
+    const char *missing = screen_view_missing(screen, view);
+    if (missing) {
+        say(lab, MESSAGE_INFO, "view %d: %s", view, missing);
+        return;
+    }
+    if (screen->inspecting) /* it lies over the plots: who asks for one wants to see it */
+        close_inspector(lab);
+    bool in_plot = screen->focus == PANE_UPPER || screen->focus == PANE_LOWER;
+    if (screen->upper == view || screen->lower == view) {
+        PaneId at = in_plot && view_in(screen, screen->focus) == view ? screen->focus
+                    : screen->upper == view                           ? PANE_UPPER
+                                                                      : PANE_LOWER;
+        if (alone && screen->focus != at)
+            screen->focus = at;
+        else
+            screen->variant[view]++;
+        return;
+    }
+    PaneId pane = in_plot ? screen->focus : home_of(view);
+    if (pane == PANE_UPPER)
+        screen->upper = view;
+    else
+        screen->lower = view;
+    if (alone)
+        screen->focus = pane;
+    screen->table_column = 0;
+    screen->cursor_time = NAN;
+}
+
+void command_zoom(Laboratory *lab)
+{
+    lab->screen.zoomed = !lab->screen.zoomed;
+}
+
+void command_lecture(Laboratory *lab)
+{
+    lab->screen.lecture = !lab->screen.lecture;
+    if (lab->screen.lecture && lab->screen.lesson.open)
+        say(lab, MESSAGE_INFO, "a lesson keeps its page; the rest gets large when T closes it");
+    else if (lab->screen.lecture && !screen_is_whole(lab->width, lab->height))
+        say(lab, MESSAGE_INFO, "large letters want 80x24 at least; the curves are thick");
+}
+
+static void change_window(Laboratory *lab, int direction)
+{
+    Screen *screen = &lab->screen;
+    double from, to;
+    if (map_is_focused(lab)) {
+        map_enlarge(lab, direction);
+        return;
+    }
+    screen_time_window(screen, &from, &to);
+    double length = screen->window > 0 ? screen->window : to - from;
+    const double dt = experiment_simulation(screen->experiment)->dt, least = 10 * dt;
+    const double end = dt * (double)experiment_last_step(screen->experiment);
+    double window = next_125(length, direction);
+    /* the table of 1, 2, 5 does not reach into the microseconds of a crack */
+    if (length < 1e-2)
+        window = 1e-6 * next_125(1e6 * length, direction);
+    if (window < least || (direction > 0 && length >= end)) {
+        say(lab, MESSAGE_INFO,
+            direction < 0 ? "the time window has ten steps, no fewer"
+                          : "the time window holds the whole run");
+        return;
+    }
+    screen->window = window;
+    const ProblemFacts *facts = &problem_facts[experiment_settings(screen->experiment)->problem];
+    say(lab, MESSAGE_INFO, "time window %g%s", window / facts->told_time, facts->told_time_unit);
+}
+
+void command_narrower(Laboratory *lab)
+{
+    change_window(lab, -1);
+}
+
+void command_wider(Laboratory *lab)
+{
+    change_window(lab, 1);
+}
+
+void command_automatic(Laboratory *lab)
+{
+    if (map_is_focused(lab)) {
+        map_enlarge(lab, 0);
+        return;
+    }
+    lab->screen.window = 0;
+    say(lab, MESSAGE_INFO, "time window automatic");
+}
+
+void command_cycle_references(Laboratory *lab)
+{
+    static const char *const texts[SHOW_COUNT] = {"all", "exact only", "predicted only", "none"};
+    lab->screen.references = (ReferencesShown)((lab->screen.references + 1) % SHOW_COUNT);
+    say(lab, MESSAGE_INFO, "reference curves: %s", texts[lab->screen.references]);
+}
+
+void command_cycle_glyphs(Laboratory *lab)
+{
+    static const char *const texts[GLYPHS_COUNT] = {"braille", "block", "ASCII"};
+    if (!lab->utf8) {
+        say(lab, MESSAGE_INFO, "this locale has ASCII only");
+        return;
+    }
+    lab->screen.glyphs = (Glyphs)((lab->screen.glyphs + 1) % GLYPHS_COUNT);
+    say(lab, MESSAGE_INFO, "glyphs: %s", texts[lab->screen.glyphs]);
+}

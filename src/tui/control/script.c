@@ -1,0 +1,349 @@
+#include "tui/control/script.h"
+
+#include "base/text.h"
+#include "tui/control/control.h"
+#include "tui/terminal/description.h"
+#include "tui/control/session.h"
+#include "tui/terminal/theme.h"
+
+#include <errno.h>
+#include <langinfo.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIZE_MAX_CELLS = 1000, SCENE_KEYS = 4 };
+
+struct Player {
+    Laboratory lab;
+    Canvas canvas;
+    int width, height;
+    double time; /* virtual */
+    double rate; /* steps per second; 0: without limit */
+    const char *name;
+    long line;
+    char scene[80]; /* of a lecture, under way; "": none */
+    int scene_keys; /* that it has cost */
+};
+
+static double now(void *context)
+{
+    return ((const Player *)context)->time;
+}
+
+static void worked(void *context, long steps)
+{
+    Player *player = context;
+    if (player->rate > 0)
+        player->time += (double)steps / player->rate;
+}
+
+static bool go_on(void *context)
+{
+    (void)context;
+    return true;
+}
+
+static void nothing(void *context)
+{
+    (void)context;
+}
+
+static bool draw(Player *player, Status *status)
+{
+    if (!laboratory_draw(&player->lab, &player->canvas, player->width, player->height))
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    return true;
+}
+
+static void frame(Player *player)
+{
+    double begin = player->time;
+    laboratory_frame(&player->lab, begin + FRAME_SECONDS);
+    if (player->time < begin + FRAME_SECONDS)
+        player->time = begin + FRAME_SECONDS;
+}
+
+static void frame_of_work(Player *player)
+{
+    if (player->lab.screen.state == STATE_COMPUTING)
+        frame(player);
+}
+
+/* As the event loop does it: work that a key asks for begins in the same frame, and the screen is drawn. */
+static bool press_at(Player *player, const char *name, int x, int y, Status *status)
+{
+    Key key = {.x = x, .y = y};
+    if (player->lab.closed)
+        return status_fail(status, STATUS_FAILED, "key %s: the laboratory has been left", name);
+    if (player->scene[0] && ++player->scene_keys > SCENE_KEYS)
+        return status_fail(status, STATUS_FAILED, "key %s: the scene '%s' costs more than %d keys", name,
+                           player->scene, SCENE_KEYS);
+    snprintf(key.name, sizeof key.name, "%s", name);
+    laboratory_key(&player->lab, &key);
+    frame_of_work(player);
+    return draw(player, status);
+}
+
+static bool press(Player *player, const char *name, Status *status)
+{
+    return press_at(player, name, -1, -1, status);
+}
+
+/* --- instructions ----------------------------------------------------------------------------------- */
+
+static bool do_key(Player *player, char *rest, Status *status)
+{
+    char *place;
+    for (char *name = strtok_r(rest, " \t", &place); name; name = strtok_r(NULL, " \t", &place))
+        if (!keys_known(name))
+            return status_fail(status, STATUS_USAGE,
+                               "key: %.40s is no key (a character, Space, Enter, Esc, Up, F1, ^C, ...)",
+                               name);
+        else if (!press(player, name, status))
+            return false;
+    return true;
+}
+
+static bool do_click(Player *player, char *rest, Status *status)
+{
+    int x, y;
+    char end;
+    if (sscanf(rest, "%d %d%c", &x, &y, &end) != 2)
+        return status_fail(status, STATUS_USAGE, "click: a column and a row are wanted, not: %s", rest);
+    return press_at(player, "Click", x, y, status);
+}
+
+static bool do_type(Player *player, char *rest, Status *status)
+{
+    while (*rest) {
+        char name[8];
+        size_t length = 1;
+        while (((unsigned char)rest[length] & 0xc0) == 0x80 && length < 4)
+            length++;
+        snprintf(name, sizeof name, "%.*s", (int)length, rest);
+        if (!press(player, strcmp(name, " ") == 0 ? "Space" : name, status))
+            return false;
+        rest += length;
+    }
+    return true;
+}
+
+/* In front of a class nobody can follow more than a few keys. */
+static bool do_scene(Player *player, char *rest, Status *status)
+{
+    if (!*rest || strlen(rest) >= sizeof player->scene)
+        return status_fail(status, STATUS_USAGE, "scene: a short name is wanted, not: %s", rest);
+    snprintf(player->scene, sizeof player->scene, "%s", rest);
+    player->scene_keys = 0;
+    return true;
+}
+
+static bool do_wait(Player *player, char *rest, Status *status)
+{
+    double seconds;
+    char end;
+    if (sscanf(rest, "%lf%c", &seconds, &end) != 1 || seconds < 0 || seconds > 1e6)
+        return status_fail(status, STATUS_USAGE, "wait: not a number of seconds: %s", rest);
+    /* half a frame of grace, so that rounding does not decide about a frame */
+    for (double until = player->time + seconds - FRAME_SECONDS / 2; player->time < until;)
+        frame(player);
+    return draw(player, status);
+}
+
+static bool read_size(const char *text, int *width, int *height)
+{
+    char end;
+    return sscanf(text, "%dx%d%c", width, height, &end) == 2 && *width > 0 && *height > 0 &&
+           *width <= SIZE_MAX_CELLS && *height <= SIZE_MAX_CELLS;
+}
+
+static bool do_size(Player *player, char *rest, Status *status)
+{
+    if (!read_size(rest, &player->width, &player->height))
+        return status_fail(status, STATUS_USAGE, "size: not a size: %s (as in 80x24)", rest);
+    return draw(player, status);
+}
+
+static bool do_rate(Player *player, char *rest, Status *status)
+{
+    char end;
+    if (sscanf(rest, "%lf%c", &player->rate, &end) != 1 || player->rate < 0)
+        return status_fail(status, STATUS_USAGE, "rate: not a number of steps: %s", rest);
+    for (int i = 0; i < RATES; i++)
+        player->lab.rates[i] = player->rate;
+    return true;
+}
+
+static bool print(Player *player, const char *name, bool styles, Status *status)
+{
+    if (!draw(player, status))
+        return false;
+    char *text = styles ? canvas_dump_styles(&player->canvas) : canvas_dump(&player->canvas);
+    if (!text)
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    if (*name)
+        printf("--- %s\n", name);
+    fputs(text, stdout);
+    free(text);
+    return true;
+}
+
+static bool do_screen(Player *player, char *rest, Status *status)
+{
+    return print(player, rest, false, status);
+}
+
+static bool do_styles(Player *player, char *rest, Status *status)
+{
+    return print(player, rest, true, status);
+}
+
+static bool look_for(Player *player, const char *text, bool wanted, Status *status)
+{
+    if (!draw(player, status))
+        return false;
+    char *dump = canvas_dump(&player->canvas);
+    if (!dump)
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    bool found = strstr(dump, text) != NULL;
+    if (found != wanted)
+        fputs(dump, stdout);
+    free(dump);
+    if (found == wanted)
+        return true;
+    return status_fail(status, STATUS_FAILED, "'%s' is %s", text,
+                       found ? "on the screen" : "not on the screen");
+}
+
+static bool do_expect(Player *player, char *rest, Status *status)
+{
+    return look_for(player, rest, true, status);
+}
+
+static bool do_reject(Player *player, char *rest, Status *status)
+{
+    return look_for(player, rest, false, status);
+}
+
+static bool do_closed(Player *player, char *rest, Status *status)
+{
+    (void)rest;
+    return player->lab.closed || status_fail(status, STATUS_FAILED, "the laboratory is still open");
+}
+
+const ScriptInstruction script_instructions[] = {
+    {"key", "NAME...", "presses keys by name: Space, Enter, ^C, ], ...", do_key},
+    {"type", "TEXT", "presses the characters of the text one by one", do_type},
+    {"click", "X Y", "presses the mouse in a column and a row, from 0", do_click},
+    {"scene", "NAME",
+     "a scene of a lecture begins; until the next one not more than four keys and clicks are pressed",
+     do_scene},
+    {"wait", "SECONDS", "lets that much time pass, frame by frame", do_wait},
+    {"size", "WIDTHxHEIGHT", "resizes the screen", do_size},
+    {"rate", "STEPS", "the engine does that many steps in a second; 0, as at first: as many as are asked for",
+     do_rate},
+    {"screen", "[NAME]", "prints the screen, under a line with the name", do_screen},
+    {"styles", "[NAME]", "prints its styles, one letter a cell", do_styles},
+    {"expect", "TEXT", "the text is on the screen, within one line", do_expect},
+    {"reject", "TEXT", "the text is not on the screen", do_reject},
+    {"closed", "", "the laboratory has been left", do_closed},
+    {NULL, NULL, NULL, NULL},
+};
+
+static bool play_line(Player *player, char *line, Status *status)
+{
+    line[strcspn(line, "\r\n")] = '\0';
+    line += strspn(line, " \t");
+    if (!*line || *line == '#')
+        return true;
+    size_t length = strcspn(line, " ");
+    char *rest = line + length + (line[length] == ' ');
+    for (const ScriptInstruction *row = script_instructions; row->name; row++)
+        if (strlen(row->name) == length && strncmp(line, row->name, length) == 0)
+            return row->run(player, rest, status);
+    char known[128] = "";
+    size_t used = 0;
+    for (const ScriptInstruction *row = script_instructions; row->name && used < sizeof known; row++)
+        used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", used ? " | " : "", row->name);
+    return status_fail(status, STATUS_USAGE, "unknown instruction: %.60s (%s)", line, known);
+}
+
+static bool play(Player *player, FILE *file, Status *status)
+{
+    char *line = NULL;
+    size_t room = 0;
+    bool sound = draw(player, status);
+    while (sound && getline(&line, &room, file) >= 0) {
+        player->line++;
+        sound = play_line(player, line, status);
+        if (!sound)
+            status_prefix(status, "%s:%ld", player->name, player->line);
+    }
+    sound = sound && text_at_end(file, player->name, status);
+    free(line);
+    return sound;
+}
+
+static bool open_player(Player *player, const LaboratoryOptions *options, Status *status)
+{
+    Host host = {now, worked, go_on, nothing, nothing, player, NULL};
+    const char *codeset = nl_langinfo(CODESET);
+    Glyphs glyphs;
+    if (!description_choose_glyphs(options->glyphs, codeset, NULL, &glyphs))
+        return status_fail(status, STATUS_USAGE, "--glyphs: unknown set '%s' (auto, braille, block or ascii)",
+                           options->glyphs);
+    if (!laboratory_open(&player->lab, options, &host, status))
+        return false;
+    player->lab.screen.glyphs = glyphs;
+    player->lab.screen.colours = 256;
+    player->lab.screen.light = theme_is_light(options->theme, NULL);
+    player->lab.utf8 = strcmp(codeset, "UTF-8") == 0;
+    player->width = options->width > 0 ? options->width : 80;
+    player->height = options->height > 0 ? options->height : 24;
+    return true;
+}
+
+/* The session first, as fast as it can; the script goes on where it was left. */
+static bool replay_all(Player *player, Session *replay, Status *status)
+{
+    bool sound = true;
+    for (const SessionEvent *event; sound && replay && (event = session_next(replay));) {
+        if (event->width > 0 && event->height > 0 && event->width <= SIZE_MAX_CELLS &&
+            event->height <= SIZE_MAX_CELLS) {
+            player->width = event->width;
+            player->height = event->height;
+        }
+        sound = draw(player, status);
+        if (sound && session_replay(replay, &player->lab, player->time + FRAME_SECONDS))
+            frame_of_work(player);
+    }
+    return sound && draw(player, status);
+}
+
+int script_run(const LaboratoryOptions *options, Session *replay, Session *recording, Status *status)
+{
+    bool standard = strcmp(options->script, "-") == 0;
+    FILE *file = standard ? stdin : fopen(options->script, "r");
+    const int why = errno;
+    Player *player = calloc(1, sizeof *player);
+    bool sound = false;
+    if (!player)
+        status_fail(status, STATUS_FAILED, "out of memory");
+    else if (!file)
+        status_fail(status, STATUS_USAGE, "%s: cannot be read: %s", options->script, strerror(why));
+    else if (open_player(player, options, status)) {
+        player->name = standard ? "standard input" : options->script;
+        player->lab.recording = recording;
+        session_note_start(recording, &player->lab);
+        sound = replay_all(player, replay, status);
+        sound = sound && play(player, file, status);
+        session_note_end(recording, &player->lab);
+        laboratory_close(&player->lab);
+        canvas_close(&player->canvas);
+    }
+    if (file && !standard)
+        fclose(file);
+    free(player);
+    return sound ? 0 : (int)status->code;
+}

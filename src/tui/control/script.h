@@ -1,0 +1,24 @@
+/* The laboratory without a terminal: keys from a file, screens to standard output, a clock that only frames
+ * and steps move. The same script gives the same screens, always.
+ *
+ * One instruction a line, as the table below has them; empty lines and lines that begin with # are skipped.
+ * The first instruction that misses ends the script: "FILE:LINE: ..." and exit status 1. */
+#ifndef TUI_SCRIPT_H
+#define TUI_SCRIPT_H
+
+#include "tui/control/laboratory.h"
+#include "tui/control/session.h"
+
+typedef struct Player Player; /* a script that is being played */
+
+/* A row of the table of instructions, ended by a NULL name; the manual page is made from it. */
+typedef struct ScriptInstruction {
+    const char *name, *arguments, *help;
+    bool (*run)(Player *, char *arguments, Status *);
+} ScriptInstruction;
+
+extern const ScriptInstruction script_instructions[];
+
+int script_run(const LaboratoryOptions *, Session *replay, Session *recording, Status *);
+
+#endif

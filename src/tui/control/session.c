@@ -1,0 +1,402 @@
+#include "tui/control/session.h"
+
+#include "base/text.h"
+#include "lab/export/output_file.h"
+#include "lab/settings/scenario.h"
+#include "tui/control/control.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { EVENTS_MAX = 1000000, SIZE_MOST = 10000 };
+
+struct Session {
+    Settings settings;
+    char scenario[SESSION_NAME_MAX], lesson[SESSION_NAME_MAX];
+    int reached[LESSONS_MAX];
+    bool paused;
+    SessionEvent *events;
+    size_t count, room, next;
+    bool full;
+    bool sought; /* the place of the next event was gone to */
+    double last; /* when the last event came, by the host's clock */
+};
+
+/* --- recording -------------------------------------------------------------------------------------- */
+
+static bool append_event(Session *session, const SessionEvent *event)
+{
+    if (session->count == session->room) {
+        size_t room = session->room ? 2 * session->room : 64;
+        SessionEvent *events =
+            room <= 2 * (size_t)EVENTS_MAX ? realloc(session->events, room * sizeof *events) : NULL;
+        if (!events)
+            return false;
+        session->events = events;
+        session->room = room;
+    }
+    session->events[session->count++] = *event;
+    return true;
+}
+
+Session *session_begin(const LaboratoryOptions *options, Status *status)
+{
+    Session *session = calloc(1, sizeof *session);
+    if (!session) {
+        status_fail(status, STATUS_FAILED, "not enough memory for a session");
+        return NULL;
+    }
+    session->settings = *options->settings;
+    session->paused = options->paused;
+    snprintf(session->scenario, sizeof session->scenario, "%s", options->scenario);
+    snprintf(session->lesson, sizeof session->lesson, "%s", options->lesson ? options->lesson : "");
+    if (options->reached)
+        memcpy(session->reached, options->reached, sizeof session->reached);
+    return session;
+}
+
+static SessionEvent event_now(const Session *session, const Laboratory *lab, double now)
+{
+    const Experiment *experiment = lab->screen.experiment;
+    return (SessionEvent){.on_the_way = lab->screen.state == STATE_COMPUTING,
+                          .step = experiment_step(experiment),
+                          .stage = experiment_stage(experiment),
+                          .seconds = now > session->last ? now - session->last : 0,
+                          .width = lab->width,
+                          .height = lab->height,
+                          .key = {.x = -1, .y = -1}};
+}
+
+/* With a hole in it the rest would mean something else. */
+static void note(Session *session, const SessionEvent *event, double now)
+{
+    if (!session->full)
+        session->full = !append_event(session, event);
+    session->last = now;
+}
+
+void session_note_start(Session *session, const Laboratory *lab)
+{
+    session->last = lab->host.now(lab->host.context);
+}
+
+void session_note(Session *session, const Laboratory *lab, const Key *key)
+{
+    double now = lab->host.now(lab->host.context);
+    SessionEvent event = event_now(session, lab, now);
+    event.key = *key;
+    note(session, &event, now);
+}
+
+void session_note_end(Session *session, const Laboratory *lab)
+{
+    double now = lab->host.now(lab->host.context);
+    SessionEvent event = event_now(session, lab, now);
+    event.is_end = true;
+    note(session, &event, now);
+}
+
+static void write_event(FILE *file, const SessionEvent *event)
+{
+    fprintf(file, "%s %s%ld", event->is_end ? "end" : "at", event->on_the_way ? "~" : "", event->step);
+    if (event->stage > 0)
+        fprintf(file, "/%d", event->stage);
+    fprintf(file, " %.3f %dx%d", event->seconds, event->width, event->height);
+    if (!event->is_end)
+        fprintf(file, " %s", event->key.name);
+    if (!event->is_end && event->key.x >= 0)
+        fprintf(file, " %d %d", event->key.x, event->key.y);
+    fputc('\n', file);
+}
+
+static bool write_scenario_lines(FILE *file, const Session *session, Status *status)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *memory = open_memstream(&text, &size);
+    bool sound = memory && scenario_write(memory, &session->settings, NULL, status);
+    if (memory && !text_stream_close(memory, &text))
+        sound = false;
+    for (char *line = text; sound && line && *line;) {
+        size_t length = strcspn(line, "\n");
+        fprintf(file, "|%s%.*s\n", length ? " " : "", (int)length, line);
+        line += length + (line[length] == '\n');
+    }
+    free(text);
+    if (!sound && !*status->text)
+        status_fail(status, STATUS_FAILED, "not enough memory for a session");
+    return sound;
+}
+
+bool session_write(const Session *session, const char *name, bool force, Status *status)
+{
+    OutputFile file;
+    if (!output_open(&file, name, force, status))
+        return false;
+    fprintf(file.stream, "# matvib session: matvib --replay FILE does it again\nscenario %s\n%s",
+            session->scenario, session->paused ? "paused\n" : "");
+    if (*session->lesson)
+        fprintf(file.stream, "lesson %s\n", session->lesson);
+    for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
+        if (session->reached[i] > 0)
+            fprintf(file.stream, "reached %s %d\n", builtin_lessons[i].name, session->reached[i]);
+    bool sound = write_scenario_lines(file.stream, session, status);
+    for (size_t i = 0; i < session->count; i++)
+        write_event(file.stream, &session->events[i]);
+    sound = sound && output_finish(&file, status) && output_commit(&file, status);
+    output_close(&file);
+    if (sound && session->full)
+        return status_fail(status, STATUS_FAILED, "%s: memory was short for more than its first %zu keys",
+                           name, session->count);
+    return sound;
+}
+
+bool session_has_keys(const Session *session)
+{
+    return session->count > 0 || session->full;
+}
+
+/* --- reading ---------------------------------------------------------------------------------------- */
+
+static const char *const allowed =
+    "scenario NAME | paused | lesson NAME | reached NAME PAGE | \"| ...\" | at ... | end ...";
+
+static bool read_place(char *word, SessionEvent *event)
+{
+    char *stage = strchr(word, '/');
+    long number = 0;
+    event->on_the_way = *word == '~';
+    word += event->on_the_way;
+    if (stage)
+        *stage++ = '\0';
+    if (!text_to_long(word, &event->step) || event->step < 0 || (stage && !text_to_long(stage, &number)) ||
+        number < 0 || number > 1000)
+        return false;
+    event->stage = (int)number;
+    return true;
+}
+
+static bool read_event(char *line, bool is_end, SessionEvent *event)
+{
+    enum { PLACE, SECONDS, SIZE, NAME, X, Y, WORDS };
+    char *words[WORDS + 1] = {NULL}, *rest, after;
+    int count = 0;
+    for (char *word = strtok_r(line, " ", &rest); word && count <= WORDS; word = strtok_r(NULL, " ", &rest))
+        words[count++] = word;
+    *event = (SessionEvent){.is_end = is_end, .key = {.x = -1, .y = -1}};
+    if (is_end ? count != NAME : count != X && count != WORDS)
+        return false;
+    if (!read_place(words[PLACE], event) || !text_to_double(words[SECONDS], &event->seconds) ||
+        event->seconds < 0 || strlen(words[SIZE]) > 12 ||
+        sscanf(words[SIZE], "%dx%d%c", &event->width, &event->height, &after) != 2 || event->width < 0 ||
+        event->height < 0 || event->width > SIZE_MOST || event->height > SIZE_MOST)
+        return false;
+    if (is_end)
+        return true;
+    long x = -1, y = -1;
+    if (strlen(words[NAME]) >= sizeof event->key.name ||
+        (count == WORDS && (!text_to_long(words[X], &x) || !text_to_long(words[Y], &y) || x < 0 ||
+                            x > SIZE_MOST || y < 0 || y > SIZE_MOST)))
+        return false;
+    strcpy(event->key.name, words[NAME]);
+    event->key.x = (int)x;
+    event->key.y = (int)y;
+    return true;
+}
+
+static bool read_reached(Session *session, const char *text, Status *status)
+{
+    char name[64], after;
+    int page;
+    if (sscanf(text, "%63s %d %c", name, &page, &after) != 2 || page < 0 || page > LESSON_PAGES_MAX)
+        return status_fail(status, STATUS_USAGE, "not a page of a lesson (reached NAME PAGE)");
+    for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
+        if (strcmp(builtin_lessons[i].name, name) == 0)
+            session->reached[i] = page;
+    return true;
+}
+
+/* One line; those of the scenario go on to `scenario`. */
+static bool read_line(Session *session, char *line, FILE *scenario, Status *status)
+{
+    SessionEvent event;
+    if (!*line || *line == '#')
+        return true;
+    if (*line == '|') {
+        fprintf(scenario, "%s\n", line + 1 + (line[1] == ' '));
+        return true;
+    }
+    if (strncmp(line, "scenario ", 9) == 0 && line[9] && strlen(line + 9) < sizeof session->scenario)
+        return strcpy(session->scenario, line + 9);
+    if (strncmp(line, "lesson ", 7) == 0 && line[7] && strlen(line + 7) < sizeof session->lesson)
+        return strcpy(session->lesson, line + 7);
+    if (strncmp(line, "reached ", 8) == 0)
+        return read_reached(session, line + 8, status);
+    if (strcmp(line, "paused") == 0)
+        return session->paused = true;
+    bool is_end = strncmp(line, "end ", 4) == 0;
+    if (!is_end && strncmp(line, "at ", 3) != 0)
+        return status_fail(status, STATUS_USAGE, "unknown line: %.40s (%s)", line, allowed);
+    if (!read_event(line + (is_end ? 4 : 3), is_end, &event))
+        return status_fail(status, STATUS_USAGE,
+                           "not a place of a session (%s STEP[/STAGE] SECONDS WIDTHxHEIGHT%s)",
+                           is_end ? "end" : "at", is_end ? "" : " KEY [X Y]");
+    if (session->count && session->events[session->count - 1].is_end)
+        return status_fail(status, STATUS_USAGE, "comes after the end");
+    return append_event(session, &event) ||
+           status_fail(status, STATUS_FAILED, "not enough memory for a session of this length");
+}
+
+static bool read_lines(Session *session, FILE *file, const char *name, FILE *scenario, Status *status)
+{
+    char *line = NULL;
+    size_t room = 0;
+    ssize_t length;
+    bool sound = true;
+    for (long number = 1; sound && (length = getline(&line, &room, file)) >= 0; number++) {
+        if (strlen(line) != (size_t)length)
+            sound = status_fail(status, STATUS_USAGE, "holds a zero byte");
+        line[strcspn(line, "\r\n")] = '\0';
+        sound = sound && read_line(session, line, scenario, status);
+        if (!sound)
+            status_prefix(status, "%s:%ld", name, number);
+    }
+    sound = sound && text_at_end(file, name, status);
+    free(line);
+    return sound;
+}
+
+static bool read_scenario(Session *session, const char *name, const char *text, size_t size, Status *status)
+{
+    if (size == 0)
+        return status_fail(status, STATUS_USAGE, "%s: is no session (its scenario is missing)", name);
+    FILE *memory = fmemopen((void *)text, size, "r");
+    char origin[SESSION_NAME_MAX];
+    snprintf(origin, sizeof origin, "%.200s (scenario)", name);
+    bool sound = memory && scenario_read(memory, origin, &session->settings, status);
+    if (memory)
+        fclose(memory);
+    if (!sound && !*status->text)
+        status_fail(status, STATUS_FAILED, "not enough memory for a session");
+    return sound;
+}
+
+Session *session_read_stream(FILE *file, const char *name, Status *status)
+{
+    Session *session = calloc(1, sizeof *session);
+    char *text = NULL;
+    size_t size = 0;
+    FILE *scenario = open_memstream(&text, &size);
+    bool sound = session && scenario;
+    if (!sound)
+        status_fail(status, STATUS_FAILED, "not enough memory for a session");
+    sound = sound && read_lines(session, file, name, scenario, status);
+    if (scenario && !text_stream_close(scenario, &text))
+        sound = sound && status_fail(status, STATUS_FAILED, "not enough memory for a session");
+    sound = sound && read_scenario(session, name, text, size, status);
+    free(text);
+    if (sound)
+        return session;
+    session_free(session);
+    return NULL;
+}
+
+Session *session_read(const char *name, Status *status)
+{
+    FILE *file = fopen(name, "re");
+    if (!file) {
+        status_fail(status, STATUS_USAGE, "%s: cannot be read: %s", name, strerror(errno));
+        return NULL;
+    }
+    Session *session = session_read_stream(file, name, status);
+    fclose(file);
+    return session;
+}
+
+void session_options(const Session *session, LaboratoryOptions *options)
+{
+    options->settings = &session->settings;
+    options->scenario = session->scenario;
+    options->paused = session->paused;
+    options->lesson = *session->lesson ? session->lesson : NULL;
+    options->reached = session->reached;
+}
+
+/* --- doing it again --------------------------------------------------------------------------------- */
+
+const SessionEvent *session_next(const Session *session)
+{
+    return session->next < session->count ? &session->events[session->next] : NULL;
+}
+
+static bool is_there(const Laboratory *lab, const SessionEvent *event)
+{
+    const Experiment *experiment = lab->screen.experiment;
+    return experiment_step(experiment) == event->step && experiment_stage(experiment) == event->stage;
+}
+
+/* To the event's place: the run goes on, or else it is gone to, once; a run that ends or fails earlier than
+ * it did stands where it is. False: it is on its way. */
+static bool approach(Session *session, Laboratory *lab, const SessionEvent *event, double deadline)
+{
+    while (lab->screen.state == STATE_COMPUTING || !is_there(lab, event)) {
+        const long ahead = event->step - experiment_step(lab->screen.experiment);
+        if (lab->screen.state == STATE_RUNNING && ahead > 0) {
+            lab->run_limit = event->step;
+            lab->owed = (double)ahead;
+        } else if (lab->screen.state != STATE_COMPUTING) {
+            if (session->sought)
+                return true;
+            session->sought = true;
+            seek(lab, event->step, event->stage);
+        }
+        laboratory_frame(lab, deadline);
+        lab->run_limit = -1;
+        if (lab->host.now(lab->host.context) >= deadline)
+            return lab->screen.state != STATE_COMPUTING && is_there(lab, event);
+    }
+    return true;
+}
+
+static bool takes_text(const Screen *screen)
+{
+    return screen->prompt.open || screen->editing || screen->help;
+}
+
+bool session_replay(Session *session, Laboratory *lab, double deadline)
+{
+    const SessionEvent *event = session_next(session);
+    if (!event->on_the_way && !approach(session, lab, event, deadline))
+        return false;
+    session->next++;
+    session->sought = false;
+    static const Key space = {.name = "Space", .x = -1, .y = -1};
+    const Key *key = event->is_end ? &space : &event->key;
+    /* who opens it again finds it paused; as by a key, so that this too can be done again */
+    if (event->is_end && (lab->screen.state != STATE_RUNNING || takes_text(&lab->screen)))
+        return true;
+    /* a click means the cell of the screen that it was made on */
+    if (event->key.x >= 0 && event->width > 0) {
+        lab->width = event->width;
+        lab->height = event->height;
+    }
+    lab->replaying = true;
+    laboratory_key(lab, key);
+    lab->replaying = false;
+    lab->closed = false; /* it is the end of the session, not of this one */
+    return true;
+}
+
+void session_stop(Session *session)
+{
+    session->next = session->count;
+}
+
+void session_free(Session *session)
+{
+    if (session)
+        free(session->events);
+    free(session);
+}

@@ -1,0 +1,76 @@
+/* A session: the scenario that the laboratory was opened with and every key since, each with the step of the
+ * run at which it came. Doing them again gives the same run to the last bit, however fast the machine is.
+ *
+ * The file is text. "scenario NAME" and lines "| ..." hold the resolved scenario; "paused" that it opened
+ * paused; "lesson NAME" that it opened with a lesson, "reached NAME PAGE" how far one had come in it; then
+ * one line a key,
+ *
+ *     at STEP[/STAGE] SECONDS WIDTHxHEIGHT NAME [X Y]
+ *
+ * with the seconds since the line before, for those who replay at the same pace, the size of the screen, and
+ * the cell of a mouse key; "~" before the step says that the run was on its way elsewhere (the key did not
+ * wait for it). "end STEP[/STAGE] SECONDS WIDTHxHEIGHT" says where the session was left. */
+#ifndef TUI_SESSION_H
+#define TUI_SESSION_H
+
+#include "base/status.h"
+#include "lab/settings/settings.h"
+#include "tui/terminal/keys.h"
+#include "tui/control/laboratory.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+
+typedef struct Laboratory Laboratory;
+typedef struct Session Session;
+
+enum { SESSION_NAME_MAX = 256 };
+
+/* One key, and where it came. */
+typedef struct SessionEvent {
+    bool is_end; /* no key: the session was left here */
+    bool on_the_way;
+    long step;
+    int stage;
+    double seconds; /* since the event before */
+    int width, height;
+    Key key;
+} SessionEvent;
+
+/* Begins to record. NULL: the scenario cannot be written, or no memory. */
+Session *session_begin(const LaboratoryOptions *, Status *);
+
+/* The laboratory is open: from now on time counts. */
+void session_note_start(Session *, const Laboratory *);
+
+/* Notes a key that comes now; where memory is short or the session very long, no more keys are noted. */
+void session_note(Session *, const Laboratory *, const Key *);
+
+/* Notes that the session is left now. */
+void session_note_end(Session *, const Laboratory *);
+
+/* Writes what was recorded, whole or not at all. */
+bool session_write(const Session *, const char *file, bool force, Status *);
+
+bool session_has_keys(const Session *); /* something has been noted, or would have been with more memory */
+
+/* Reads a session to do again. NULL: "FILE:LINE: what is wrong (what is allowed)". */
+Session *session_read(const char *file, Status *);
+Session *session_read_stream(FILE *, const char *name, Status *);
+
+/* Makes the options those of the session: settings, scenario, paused, lesson, reached. */
+void session_options(const Session *, LaboratoryOptions *);
+
+/* The next event; NULL: all has been done. */
+const SessionEvent *session_next(const Session *);
+
+/* Goes on towards the next event as fast as it can, until `deadline` by the host's clock, and carries it out
+ * when the run is there. True: it was carried out. */
+bool session_replay(Session *, Laboratory *, double deadline);
+
+/* The rest is not done. */
+void session_stop(Session *);
+
+void session_free(Session *); /* NULL is allowed */
+
+#endif

@@ -1,0 +1,115 @@
+/* The lines under a beam's plots: what its run is judged by. Phrases are parted by two spaces, what matters
+ * most first; what has no room is left out whole. */
+#include "view/panes/panes.h"
+
+#include "lab/answers/crack.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static double percent(double ratio)
+{
+    return 100 * (ratio - 1);
+}
+
+/* The periods of earlier runs, by the letters of their curves. */
+static void append_ghosts(const Screen *screen, char line[160])
+{
+    const Ghost *ghosts = experiment_ghosts(screen->experiment);
+    for (int i = 0; i < GHOSTS_MAX; i++)
+        if (ghosts[i].used && ghosts[i].readout.is_period && ghosts[i].readout.measured_known)
+            append(line, 160, "  %c: %.4f", ghosts[i].letter, ghosts[i].readout.measured / 1e-3);
+}
+
+static void supported_lines(const Screen *screen, int width, char first[160], char second[160])
+{
+    const bool narrow = width < 60;
+    const Readout *readout = experiment_readout(screen->experiment);
+    const double euler = derived_value(screen, "period_euler"), timoshenko = readout->exact;
+    char theory[80] = ""; /* where the first line has no room for it, it begins the second */
+    if (readout->measured_known) {
+        snprintf(first, 160, "T %s%.4f ms", narrow ? "" : "measured ", readout->measured / 1e-3);
+        if (shows_exact(screen)) {
+            append(first, 160, "  Euler %+.2f %%", percent(readout->measured / euler));
+            snprintf(theory, sizeof theory, "Timoshenko %+.2f %%", percent(readout->measured / timoshenko));
+        }
+    } else {
+        snprintf(first, 160, "T measuring");
+        if (shows_exact(screen)) {
+            append(first, 160, "  Euler %.4f ms", euler / 1e-3);
+            snprintf(theory, sizeof theory, "Timoshenko %.4f ms", timoshenko / 1e-3);
+        }
+    }
+    if (theory[0] && text_columns(first) + 2 + text_columns(theory) <= width)
+        append(first, 160, "  %s", theory);
+    else
+        snprintf(second, 160, "%s", theory);
+    if (isfinite(readout->by_zeros))
+        append(second, 160, "%sby its zeros %.4f ms", second[0] ? "  " : "", readout->by_zeros / 1e-3);
+    append_ghosts(screen, second);
+    if (shows_predicted(screen) && readout->predicted_known)
+        append(second, 160, "%s%s %.4f ms", second[0] ? "  " : "", "predicted", readout->predicted / 1e-3);
+}
+
+static void moving_lines(const Screen *screen, int width, char first[160], char second[160])
+{
+    const bool narrow = width < 52;
+    const Readout *readout = experiment_readout(screen->experiment);
+    const int length = find_column(screen, "length");
+    const double *row = experiment_row(screen->experiment);
+    const double standing = references_standing_frequency(experiment_references(screen->experiment),
+                                                          experiment_time(screen->experiment));
+    if (length >= 0 && row)
+        snprintf(first, 160, narrow ? "length %.1f mm" : "length %.2f mm", row[length] / 1e-3);
+    if (readout->measured_known) {
+        append(first, 160, narrow ? "  f %.1f Hz" : "  f measured %.1f Hz", 1 / readout->measured);
+        if (shows_exact(screen))
+            append(first, 160, "  modal %.1f", 1 / readout->exact);
+        if (shows_exact(screen))
+            append(second, 160, "last swing T %+.2f %%  %s by %.3f T", readout->error_period,
+                   readout->late < 0 ? "early" : "late", fabs(readout->late));
+    } else {
+        append(first, 160, "  f measuring");
+    }
+    if (shows_exact(screen))
+        append(second, 160, "%sat fixed length %.1f Hz", second[0] ? "  " : "", standing);
+}
+
+/* What a beam that breaks is judged by. */
+static void crack_lines(const CrackFacts *facts, char first[160], char second[160])
+{
+    const Crack *crack = &facts->measured;
+    snprintf(first, 160, "broken bonds %ld", crack->broken);
+    if (crack->begun)
+        append(first, 160, "  tip at x %.1f, y %.1f mm", crack->x / 1e-3, crack->y / 1e-3);
+    else
+        append(first, 160, "  no crack yet");
+    for (int i = CRACK_ANGLES - 1; i >= 0 && !second[0]; i--)
+        if (isfinite(facts->angles[i]))
+            snprintf(second, 160, "fit over %.0f mm %.0f deg", crack_heights[i] / 1e-3, facts->angles[i]);
+    if (isnan(crack->first_break))
+        return;
+    append(second, 160, "%s%s %.1f", second[0] ? "  " : "",
+           isnan(crack->arrival) ? "first break" : "grew from", crack->first_break / 1e-6);
+    if (isfinite(crack->arrival))
+        append(second, 160, " to %.1f", crack->arrival / 1e-6);
+    append(second, 160, " us");
+}
+
+bool beam_lines(const Screen *screen, int width, char first[160], char second[160])
+{
+    const Problem problem = experiment_settings(screen->experiment)->problem;
+    first[0] = second[0] = '\0';
+    CrackFacts facts;
+    if (crack_facts(experiment_simulation(screen->experiment), &facts))
+        crack_lines(&facts, first, second);
+    else if (problem == PROBLEM_BAR)
+        return false;
+    else if (!experiment_readout(screen->experiment)->moving)
+        snprintf(first, 160, "nothing vibrates: no period to measure");
+    else if (problem == PROBLEM_SUPPORTED_BEAM)
+        supported_lines(screen, width, first, second);
+    else
+        moving_lines(screen, width, first, second);
+    return true;
+}

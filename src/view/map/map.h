@@ -1,0 +1,153 @@
+/* The map of a beam: the nodes of a two-dimensional simulation as they lie, deformed, on a grid of cells. Any
+ * experiment's beam can be drawn into any area: all that is read is the Screen that is handed over. Private
+ * to src/view. Lengths in m; columns and rows are cells of the area, a row counted downwards. */
+#ifndef VIEW_MAP_H
+#define VIEW_MAP_H
+
+#include "view/panes/panes.h"
+
+/* The lattice of nodes: node k lies in column k % nx and row k / nx, row 0 below. */
+typedef struct Body {
+    size_t count;
+    int nx, ny;
+    double spacing;
+    double first[2]; /* reference position of node 0 */
+    double low[2], size[2];
+} Body;
+
+/* What the nodes are coloured by: a row of the table in map_colour.c. */
+typedef struct Colouring {
+    const char *field, *label, *meaning, *unit;
+    bool is_signed; /* zero in the middle of the ramp */
+} Colouring;
+
+/* What lies over a cell: dots of lines, or the letter that stands for them where there are no dots. */
+typedef struct MapMark {
+    uint8_t dots, rank;
+    uint16_t style;
+    uint32_t letter;
+} MapMark;
+
+typedef struct Map Map;
+typedef struct Drawing Drawing;
+
+/* What a problem adds to the picture of its beam: a row of the table in map_drawing.c. */
+typedef struct Scenery {
+    bool leaves;  /* it comes out of a channel: the picture has room for its way, and displacements along it
+                   * are drawn as they are */
+    bool pressed; /* a load above, supports below: it is deep, and keeps its shape when it bends */
+    bool pinned;  /* its left support holds both ways; else supports.pinned says so */
+    int around;   /* rows above and below the beam that a drawing of it needs */
+    double probe[2];                /* where the motion is measured: shares of length and height */
+    void (*lines)(Map *);           /* over the map; NULL: none */
+    void (*dimensions)(Drawing *);  /* of the drawing, the most important first */
+    void (*parts)(const Drawing *); /* likewise supports, load, channel, notch */
+} Scenery;
+
+extern const Scenery map_scenery[PROBLEM_COUNT];
+
+/* A piece of a cell, and the nodes that cover it. */
+typedef struct Pixel {
+    float sum, count, broken;
+} Pixel;
+
+struct Map {
+    const Screen *screen;
+    const Simulation *sim;
+    const Settings *settings;
+    Area area;
+    Body body;
+    const Scenery *scenery;
+    int legend_at; /* column from which the lines are named; 0: no room */
+
+    /* where things are drawn */
+    double scale_x, scale_y; /* columns and rows for a metre */
+    double middle[2];        /* the place that stands in the middle of the area */
+    double stretch;          /* of the height; 1: to scale */
+    double enlarged;         /* factor of the displacements */
+    bool nodes_seen;         /* so large that nodes are dots and bonds lines */
+
+    /* fields of all nodes, in one block */
+    double *block;
+    double *ux, *uy, *value, *damage;
+    const Colouring *colouring;
+    double low, high; /* range of the ramp */
+    bool open_ended;  /* some values lie above it */
+
+    /* pixels of the heat map, marks of cells, in one block */
+    bool coloured;    /* a cell shows two colours, one above the other */
+    int across, down; /* pixels in a cell */
+    Pixel *pixels;
+    MapMark *marks;
+};
+
+/* The words of view.colour in their order; the last is the drawing with its dimensions. */
+typedef enum MapVariant {
+    MAP_UY,
+    MAP_UX,
+    MAP_VELOCITY,
+    MAP_ENERGY,
+    MAP_DAMAGE,
+    MAP_FAMILY,
+    MAP_SURFACE,
+    MAP_COLOURINGS,
+    MAP_DRAWING = MAP_COLOURINGS,
+    MAP_VARIANTS
+} MapVariant;
+
+/* Fills values and range of the ramp, whose ends are round. False: the nodes have no such field. */
+bool map_colour(Map *, MapVariant);
+
+/* Lattice, fields but map->value, and scales. False: this is no beam, or no memory. map_close() in any case.
+ */
+bool map_open(Map *, const Screen *, Area);
+void map_close(Map *);
+
+bool body_of(const Simulation *, Body *);
+
+/* Where a place is drawn that is displaced by (ux, uy). */
+void map_place(const Map *, double x, double y, double ux, double uy, double *column, double *row);
+void map_node_place(const Map *, size_t node, double *column, double *row);
+
+/* Where a place of the undeformed body is drawn now: it goes with the nodes around it. */
+void map_body_place(const Map *, double x, double y, double *column, double *row);
+
+/* The node drawn nearest to the middle of a cell; -1: none is near. */
+long map_node_at(const Map *, int x, int y);
+
+/* How far a field will reach in this run, as far as can be known: so that scales keep still. */
+double map_reach(const Map *, int field, const double *now);
+
+/* A line between two places of the area in cells, drawn with dots (every n-th) or a letter; letter 0: one
+ * that shows the direction. Of two marks in a cell that of higher rank is seen. */
+typedef struct Pen {
+    Style style;
+    int rank, every;
+    uint32_t letter;
+} Pen;
+void map_line(Map *, double from_x, double from_y, double to_x, double to_y, Pen);
+
+/* The parts of the picture, in the order in which they are drawn. */
+void map_draw_heat(Map *);
+void map_draw_bonds(Map *);
+void map_draw_lines(Map *);  /* the scenery's, with the bonds' */
+void map_notch_lines(Map *); /* notch, protected zones, crack, the paper's angle */
+void map_channel_lines(Map *);
+void map_draw_nodes(Map *);
+void map_draw_signs(Map *); /* supports, load, chosen node */
+
+/* The picture on paper; and how lines and signs go into it, at places in columns and rows of the area. */
+void map_sketch(Map *);
+void map_sketch_line(Map *, double from_x, double from_y, double to_x, double to_y, Style, int every);
+void map_sketch_sign(Map *, double column, double row, uint32_t glyph);
+
+/* The beam before it moves, with its dimensions. */
+void map_drawing(const Screen *, Area, Style heading);
+
+/* The glyph for a step of the ramp where colours are few, and beside colours: more ink for more; of a signed
+ * field those below and above zero differ. */
+uint32_t map_letter(const Map *, int step);
+int map_step(const Map *, double value); /* 0 to RAMP_STEPS - 1 */
+Style map_ink(int step);                 /* what is seen on a cell of that colour */
+
+#endif

@@ -1,0 +1,100 @@
+/* What the nodes of a beam can be coloured by, and the range of the ramp for it. */
+#include "view/map/map.h"
+
+#include <math.h>
+
+static const Colouring colourings[MAP_COLOURINGS] = {
+    [MAP_UY] = {"uy", "uy", "displacement across the beam", "m", true},
+    [MAP_UX] = {"ux", "ux", "displacement along the beam", "m", true},
+    [MAP_VELOCITY] = {"vy", "vy", "velocity across the beam", "m/s", true},
+    [MAP_ENERGY] = {"strain_energy", "energy density", "strain energy density", "J/m³", false},
+    [MAP_DAMAGE] = {"damage", "damage", "damage: broken share of the family", "", false},
+    [MAP_FAMILY] = {"family", "family", "share of a whole family that is left", "", false},
+    [MAP_SURFACE] = {"surface_factor", "surface factor", "surface factor: the soft skin stiffened", "",
+                     false},
+};
+
+/* The range that values have, with round ends. */
+static void round_range(Map *map, double least, double most)
+{
+    if (most - least < 1e-9 * fabs(most))
+        least = 0;
+    const Axis axis = axis_make(least, most, 5);
+    map->low = floor(least / axis.step + 1e-9) * axis.step;
+    map->high = ceil(most / axis.step - 1e-9) * axis.step;
+}
+
+/* The share of a whole family that a node has: it lacks what lies beyond a surface, and what is broken. */
+static void share_of_family(Map *map)
+{
+    const size_t count = map->body.count;
+    double whole = 1;
+    for (size_t i = 0; i < count; i++)
+        whole = fmax(whole, map->value[i]);
+    for (size_t i = 0; i < count; i++)
+        map->value[i] *= (1 - map->damage[i]) / whole;
+    map->low = 0;
+    map->high = 1;
+}
+
+/* A value that all but a few nodes keep below: a load's edge or a crack's tip must not leave the rest of the
+ * beam without colour. */
+static double most_values(const Map *map, double most)
+{
+    enum { BINS = 256, PASSES = 3 };
+    const size_t few = map->body.count / 100;
+    for (int pass = 0; pass < PASSES && most > 0; pass++) {
+        size_t bins[BINS] = {0}, above = 0;
+        for (size_t i = 0; i < map->body.count; i++) {
+            const double share = map->value[i] / most * BINS;
+            bins[share >= BINS ? BINS - 1 : share > 0 ? (int)share : 0]++;
+        }
+        int bin = BINS - 1;
+        while (bin > 0 && above + bins[bin] <= few)
+            above += bins[bin--];
+        most *= (bin + 1.0) / BINS;
+        if (bin > BINS / 8)
+            break;
+    }
+    return most;
+}
+
+bool map_colour(Map *map, MapVariant variant)
+{
+    const Colouring *colouring = map->colouring = &colourings[variant < MAP_COLOURINGS ? variant : MAP_UY];
+    const int field = simulation_find_field(map->sim, 0, colouring->field);
+    const size_t count = map->body.count;
+    if (field < 0)
+        return false;
+    map->sim->method->field(map->sim, field, 0, count, map->value);
+    double least = INFINITY, most = -INFINITY;
+    for (size_t i = 0; i < count; i++) {
+        least = map->value[i] < least ? map->value[i] : least;
+        most = map->value[i] > most ? map->value[i] : most;
+    }
+    if (!isfinite(least) || !isfinite(most))
+        return false;
+    if (variant == MAP_FAMILY) {
+        share_of_family(map);
+    } else if (variant == MAP_SURFACE) {
+        round_range(map, least, most_values(map, most));
+        map->open_ended = most > map->high;
+    } else if (variant == MAP_DAMAGE) {
+        /* a crack right through leaves half of the family at best */
+        map->low = 0;
+        map->high = 0.5;
+        map->open_ended = most > map->high;
+    } else {
+        double reach = map_reach(map, field, map->value), scale = 1;
+        if (variant == MAP_ENERGY)
+            scale = 1 / (map->body.spacing * map->body.spacing * map->settings->beam.thickness);
+        for (size_t i = 0; i < count && variant == MAP_ENERGY; i++)
+            map->value[i] *= scale;
+        if (variant == MAP_ENERGY)
+            reach = most_values(map, scale * most);
+        map->high = reach > 0 ? axis_round_up(reach) : 1;
+        map->low = colouring->is_signed ? -map->high : 0;
+        map->open_ended = most * scale > map->high;
+    }
+    return true;
+}

@@ -1,0 +1,416 @@
+/* The beam before it moves, as in the papers' figures of the problems: dimensions in mm, supports, channel,
+ * notch, load, probe. On paper it is laid out in the same columns and rows, a row twice as high as a column
+ * is wide, but for rounding. */
+#include "view/map/map.h"
+#include "view/draw/sketch.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { MARGIN_RIGHT = 11, DIMENSIONS_MAX = 4, LEAST_ROWS = 3 };
+
+#define WORTH_IT 0.6 /* of the width: a drawing to scale may lose so much, else its height is squeezed */
+#define APART    1.3 /* rows from one dimension to the next, on paper */
+
+/* A length between two places, with its row below the beam. */
+typedef struct Dimension {
+    double from, to; /* m */
+    int row;
+} Dimension;
+
+struct Drawing {
+    const BeamDef *beam;
+    const Scenery *scenery;
+    const Body *body;
+    Area area;
+    double low, scale;  /* column = 1 + (x - low) scale */
+    double top, bottom; /* rows of the upper and lower edge */
+    Dimension dimensions[DIMENSIONS_MAX];
+    int n_dimensions, dimension_rows;
+};
+
+static Sketch *paper_of(const Drawing *drawing)
+{
+    return drawing->area.canvas->sketch;
+}
+
+static double column_of(const Drawing *drawing, double x)
+{
+    const double column = 1 + (x - drawing->low) * drawing->scale;
+    return paper_of(drawing) ? column : round(column);
+}
+
+static double row_of(const Drawing *drawing, double share)
+{
+    const double up = share * (drawing->bottom - drawing->top);
+    return drawing->bottom - (paper_of(drawing) ? up : round(up));
+}
+
+static void add(Drawing *drawing, double from, double to, int row)
+{
+    drawing->dimensions[drawing->n_dimensions++] = (Dimension){from, to, row};
+    drawing->dimension_rows = row + 1 > drawing->dimension_rows ? row + 1 : drawing->dimension_rows;
+}
+
+static void millimetres(double metres, char *out, size_t size)
+{
+    char number[NUMBER_TEXT_MAX];
+    text_rounded(number, 1e3 * metres, 4);
+    snprintf(out, size, " %s mm ", number);
+}
+
+/* --- on paper, or in cells --------------------------------------------------------------------------- */
+
+/* Through places on paper, in columns and rows; `kind` as in plot.h. */
+static void trace(const Drawing *drawing, StrokeKind kind, Style style, int count, const double (*places)[2])
+{
+    Plot *plot = &paper_of(drawing)->plot;
+    plot_begin(plot, kind, LINE_SOLID, style, RANK_EXACT, '|');
+    for (int i = 0; i < count; i++)
+        plot_point(plot, places[i][0], -places[i][1]);
+}
+
+static void put(const Drawing *drawing, double x, double y, uint32_t glyph, Style style)
+{
+    if (paper_of(drawing))
+        sketch_mark(paper_of(drawing), x, -y, glyph, style);
+    else
+        area_put(drawing->area, (int)x, (int)y, glyph, style);
+}
+
+/* Words that begin (side 1), have their middle (0) or end (-1) at a place; those in the middle break a line.
+ * The spaces around them are for cells. */
+static void label(const Drawing *drawing, double x, double y, int side, const char *text, Style style)
+{
+    if (!paper_of(drawing)) {
+        const int columns = text_columns(text);
+        const int from = side > 0 ? (int)x : side < 0 ? (int)x - columns : ((int)(2 * x) + 1 - columns) / 2;
+        area_text(drawing->area, from, (int)y, text, style);
+        return;
+    }
+    SketchLabel out = {.x = x, .y = -y, .side = side, .on_line = side == 0, .style = style};
+    text += strspn(text, " ");
+    size_t length = strlen(text);
+    while (length > 0 && text[length - 1] == ' ')
+        length--;
+    snprintf(out.text, sizeof out.text, "%.*s", (int)length, text);
+    sketch_label(paper_of(drawing), &out);
+}
+
+/* "├────┤", or upright. */
+static void draw_span(const Drawing *drawing, double from, double to, double y)
+{
+    const double places[][2] = {{from, y - 0.25}, {from, y + 0.25}, {from, y},
+                                {to, y},          {to, y - 0.25},   {to, y + 0.25}};
+    if (paper_of(drawing))
+        trace(drawing, STROKE_LINE, STYLE_FAINT, 6, places);
+    else
+        for (double x = from; x <= to; x++)
+            put(drawing, x, y, x == from ? 0x251c : x == to ? 0x2524 : 0x2500, STYLE_FRAME);
+}
+
+static void draw_rise(const Drawing *drawing, double x, double top, double bottom)
+{
+    const double places[][2] = {{x - 0.5, top}, {x + 0.5, top},    {x, top},
+                                {x, bottom},    {x - 0.5, bottom}, {x + 0.5, bottom}};
+    if (paper_of(drawing))
+        trace(drawing, STROKE_LINE, STYLE_FAINT, 6, places);
+    else
+        for (double y = top; y <= bottom; y++)
+            put(drawing, x, y, y == top ? 0x252c : y == bottom ? 0x2534 : 0x2502, STYLE_FRAME);
+}
+
+static void draw_box(const Drawing *drawing, double left, double right, double top, double bottom)
+{
+    const double places[][2] = {{left, top}, {right, top}, {right, bottom}, {left, bottom}, {left, top}};
+    if (paper_of(drawing)) {
+        trace(drawing, STROKE_LINE, STYLE_NORMAL, 5, places);
+        return;
+    }
+    for (double x = left; x <= right; x++) {
+        put(drawing, x, top, x == left ? 0x250c : x == right ? 0x2510 : 0x2500, STYLE_NORMAL);
+        put(drawing, x, bottom, x == left ? 0x2514 : x == right ? 0x2518 : 0x2500, STYLE_NORMAL);
+    }
+    for (double y = top + 1; y < bottom; y++) {
+        put(drawing, left, y, 0x2502, STYLE_NORMAL);
+        put(drawing, right, y, 0x2502, STYLE_NORMAL);
+    }
+}
+
+/* A wall along an edge of the beam: above (side -1) or below it. */
+static void draw_wall(const Drawing *drawing, double from, double to, double edge, int side)
+{
+    const double near = edge + 0.15 * side, far = edge + 0.8 * side;
+    const double places[][2] = {{from, near}, {from, far}, {to, near}, {to, far}};
+    if (paper_of(drawing)) {
+        Plot *plot = &paper_of(drawing)->plot;
+        trace(drawing, STROKE_BAND, STYLE_FRAME, 4, places);
+        plot->strokes[plot->n_strokes - 1].fill = 2; /* no darker than the beam's outline */
+        return;
+    }
+    for (double x = from; x <= to; x++)
+        put(drawing, x, edge + side, side < 0 ? 0x2584 : 0x2580, STYLE_FRAME);
+}
+
+static void draw_notch(const Drawing *drawing, double x, double end)
+{
+    const double places[][2] = {{x, drawing->bottom}, {x, end}};
+    if (paper_of(drawing))
+        trace(drawing, STROKE_LINE, STYLE_HEADING, 2, places);
+    else
+        for (double y = end; y <= drawing->bottom; y++)
+            put(drawing, x, y, y == drawing->bottom ? 0x2534 : 0x2502, STYLE_HEADING);
+}
+
+/* A load that presses on a part of the upper edge. */
+static void draw_load(const Drawing *drawing, double from, double to)
+{
+    const double x = (from + to) / 2, y = drawing->top - 1;
+    const double across[][2] = {{from, y}, {to, y}}, shaft[][2] = {{x, y}, {x, drawing->top - 0.5}};
+    if (!paper_of(drawing)) {
+        for (double column = from; column <= to; column++)
+            put(drawing, column, y, 0x25bc, STYLE_HEADING);
+        return;
+    }
+    trace(drawing, STROKE_LINE, STYLE_HEADING, 2, across);
+    trace(drawing, STROKE_LINE, STYLE_HEADING, 2, shaft);
+    put(drawing, x, drawing->top, 0x25bc, STYLE_HEADING);
+}
+
+/* Below the beam; a sign on paper hangs from its place. */
+static void draw_support(const Drawing *drawing, double x, bool pinned)
+{
+    put(drawing, column_of(drawing, x), drawing->bottom + !paper_of(drawing), pinned ? 0x25b2 : 0x25cb,
+        STYLE_HEADING);
+}
+
+/* --- parts ------------------------------------------------------------------------------------------- */
+
+static void draw_dimension(const Drawing *drawing, const Dimension *dimension, double y)
+{
+    const double from = column_of(drawing, dimension->from), to = column_of(drawing, dimension->to);
+    char text[NUMBER_TEXT_MAX + 8];
+    millimetres(dimension->to - dimension->from, text, sizeof text);
+    draw_span(drawing, from, to, y);
+    if (to - from - 1 >= text_columns(text))
+        label(drawing, (from + to) / 2, y, 0, text, STYLE_NORMAL);
+    else
+        label(drawing, to + 1, y, 1, text, STYLE_NORMAL);
+}
+
+static void draw_outline(const Drawing *drawing)
+{
+    const double left = column_of(drawing, drawing->body->low[0]);
+    const double right = column_of(drawing, drawing->body->low[0] + drawing->body->size[0]);
+    char text[NUMBER_TEXT_MAX + 8];
+    draw_box(drawing, left, right, drawing->top, drawing->bottom);
+    millimetres(drawing->beam->height, text, sizeof text);
+    draw_rise(drawing, right + 2, drawing->top, drawing->bottom);
+    label(drawing, right + 3, row_of(drawing, 0.5), 1, text, STYLE_NORMAL);
+}
+
+/* The body behind the clamp goes through a channel with walls. */
+static void draw_channel(const Drawing *drawing)
+{
+    const double from = column_of(drawing, -drawing->beam->channel), to = column_of(drawing, 0);
+    draw_wall(drawing, from, to, drawing->top, -1);
+    draw_wall(drawing, from, to, drawing->bottom, 1);
+    char text[48], number[NUMBER_TEXT_MAX];
+    text_rounded(number, drawing->beam->speed, 4);
+    snprintf(text, sizeof text, "→ %s m/s", number);
+    label(drawing, from + 2, row_of(drawing, 0.5), 1, text, STYLE_HEADING);
+}
+
+static void draw_notched(const Drawing *drawing)
+{
+    const BeamDef *beam = drawing->beam;
+    const double notch = column_of(drawing, beam->notch_position);
+    const double end = fmin(row_of(drawing, beam->notch_depth / beam->height),
+                            drawing->bottom - !paper_of(drawing)); /* seen in any case */
+    char text[96], number[NUMBER_TEXT_MAX], width[NUMBER_TEXT_MAX];
+    draw_notch(drawing, notch, end);
+    millimetres(beam->notch_depth, text, sizeof text);
+    label(drawing, notch + 1, fmin(end, drawing->bottom - 1), 1, text, STYLE_NORMAL);
+    const double from = column_of(drawing, beam->load_position - beam->load_width / 2);
+    const double to = column_of(drawing, beam->load_position + beam->load_width / 2);
+    draw_load(drawing, from, to);
+    text_rounded(number, 1e-6 * beam->load_stress, 4);
+    text_rounded(width, 1e3 * beam->load_width, 4);
+    snprintf(text, sizeof text, "%s MPa on %s mm", number, width);
+    label(drawing, to + 2, drawing->top - 1, 1, text, STYLE_NORMAL);
+    draw_support(drawing, beam->support_left, beam->pinned);
+    draw_support(drawing, beam->support_right, false);
+}
+
+static void draw_probe(const Drawing *drawing)
+{
+    const Body *body = drawing->body;
+    const double *probe = drawing->scenery->probe;
+    const double column = column_of(drawing, body->low[0] + probe[0] * body->size[0]);
+    const double row = row_of(drawing, probe[1]);
+    const bool above = probe[1] >= 1;
+    put(drawing, column, row, 0x25cf, STYLE_MEASURED);
+    /* a line of cells makes room for words, one on paper does not */
+    label(drawing, above ? column + 1 : column - 1, row + (above && paper_of(drawing)), above ? 1 : -1,
+          "probe", STYLE_MEASURED);
+}
+
+/* "E 71 GPa  density 2700  thickness 5 mm  u(0) 3 µm" */
+static void draw_words(const Drawing *drawing, int y)
+{
+    const BeamDef *beam = drawing->beam;
+    char text[160], a[NUMBER_TEXT_MAX], b[NUMBER_TEXT_MAX], c[NUMBER_TEXT_MAX];
+    text_rounded(a, 1e-9 * beam->youngs_modulus, 4);
+    text_rounded(b, beam->density, 5);
+    text_rounded(c, 1e3 * beam->thickness, 4);
+    snprintf(text, sizeof text, "E %s GPa  density %s kg/m³  thickness %s mm", a, b, c);
+    if (!drawing->scenery->pressed) {
+        text_rounded(a, 1e6 * beam->amplitude, 4);
+        append(text, sizeof text, "  U %s µm", a);
+    }
+    area_phrases(drawing->area, 1, y, drawing->area.rect.width - 2, 1, text, STYLE_FAINT);
+}
+
+/* The ends of a beam that vibrates are held at half its height. */
+static void draw_supports(const Drawing *drawing)
+{
+    const Body *body = drawing->body;
+    const double row = row_of(drawing, 0.5);
+    put(drawing, column_of(drawing, body->low[0]), row, 0x25b2, STYLE_HEADING);
+    put(drawing, column_of(drawing, body->low[0] + body->size[0]), row, 0x25cb, STYLE_HEADING);
+}
+
+/* --- what the problems add ---------------------------------------------------------------------------- */
+
+static void length_alone(Drawing *drawing)
+{
+    add(drawing, 0, drawing->beam->length, 0);
+}
+
+static void channel_and_length(Drawing *drawing)
+{
+    add(drawing, -drawing->beam->channel, 0, 0);
+    add(drawing, 0, drawing->beam->length, 0);
+}
+
+static void notch_load_supports(Drawing *drawing)
+{
+    const BeamDef *beam = drawing->beam;
+    add(drawing, 0, beam->notch_position, 0);
+    add(drawing, 0, beam->load_position, 1);
+    add(drawing, beam->support_left, beam->support_right, 2);
+    add(drawing, 0, beam->length, 3);
+}
+
+const Scenery map_scenery[PROBLEM_COUNT] = {
+    [PROBLEM_SUPPORTED_BEAM] = {.pinned = true,
+                                .probe = {0.5, 0.5},
+                                .dimensions = length_alone,
+                                .parts = draw_supports},
+    [PROBLEM_MOVING_CANTILEVER] = {.leaves = true,
+                                   .around = 1,
+                                   .probe = {1, 0.5},
+                                   .lines = map_channel_lines,
+                                   .dimensions = channel_and_length,
+                                   .parts = draw_channel},
+    [PROBLEM_NOTCHED_BEAM] = {.pressed = true,
+                              .around = 1,
+                              .probe = {0.5, 1},
+                              .lines = map_notch_lines,
+                              .dimensions = notch_load_supports,
+                              .parts = draw_notched},
+};
+
+/* --- the whole ---------------------------------------------------------------------------------------- */
+
+static void draw_all(const Drawing *drawing, double apart)
+{
+    draw_outline(drawing);
+    drawing->scenery->parts(drawing);
+    draw_probe(drawing);
+    for (int i = 0; i < drawing->n_dimensions; i++)
+        draw_dimension(drawing, &drawing->dimensions[i],
+                       drawing->bottom + 1 + drawing->scenery->around + apart * drawing->dimensions[i].row);
+}
+
+/* "to scale", or by how much the height is not. */
+static void scale_words(double stretch, bool to_scale, const char *times, char *out, size_t size)
+{
+    char number[NUMBER_TEXT_MAX];
+    text_rounded(number, stretch, 2);
+    if (to_scale)
+        snprintf(out, size, "to scale");
+    else
+        snprintf(out, size, "height %s %s", times, number);
+}
+
+/* The page has as much height as the drawing takes. */
+static void draw_on_paper(Drawing *drawing, const Screen *screen)
+{
+    Sketch *sketch = paper_of(drawing);
+    const int columns = drawing->area.rect.width;
+    const double rise = drawing->body->size[1] * drawing->scale / 2;
+    char words[64];
+    drawing->top = drawing->scenery->around + 0.5;
+    drawing->bottom = drawing->top + fmax(rise, LEAST_ROWS - 1);
+    const double end =
+        drawing->bottom + 1 + drawing->scenery->around + APART * (drawing->dimension_rows - 1) + 0.5;
+    const Axis x = axis_make(0, columns, 2), y = axis_make(-end, 0, 2);
+    sketch_axes(sketch, &x, &y, "");
+    sketch->bare = true;
+    sketch->stretch = 2; /* rows, columns */
+    time_text(screen, 0, sketch->time, sizeof sketch->time);
+    draw_all(drawing, APART);
+    scale_words((drawing->bottom - drawing->top) / rise, rise >= LEAST_ROWS - 1, "×", words, sizeof words);
+    area_text(drawing->area, 0, 0, words, STYLE_NORMAL);
+    draw_words(drawing, 0);
+}
+
+void map_drawing(const Screen *screen, Area area, Style heading)
+{
+    Body body;
+    if (!body_of(experiment_simulation(screen->experiment), &body))
+        return;
+    const Settings *settings = experiment_settings(screen->experiment);
+    const Scenery *scenery = &map_scenery[settings->problem];
+    Drawing drawing = {
+        .beam = &settings->beam, .scenery = scenery, .body = &body, .area = area, .low = body.low[0]};
+    const int columns = area.rect.width - 2 - MARGIN_RIGHT;
+    scenery->dimensions(&drawing);
+    drawing.scale = columns / body.size[0];
+    if (area.canvas->sketch && columns >= 20) {
+        draw_on_paper(&drawing, screen);
+        return;
+    }
+    const int around = scenery->around;
+    int room = area.rect.height - 1 - 2 * around;
+    while (drawing.dimension_rows > 1 && drawing.dimension_rows + LEAST_ROWS > room - 1) {
+        drawing.n_dimensions--;
+        drawing.dimension_rows = drawing.dimensions[drawing.n_dimensions - 1].row + 1;
+    }
+    const bool words = room > drawing.dimension_rows + LEAST_ROWS;
+    const int rows = room - drawing.dimension_rows - words;
+    if (columns < 20 || rows < LEAST_ROWS) {
+        area_rule(area, 0, "drawing", heading);
+        area_text(area, 1, 1,
+                  area.canvas->sketch ? "it needs a wider page"
+                                      : "z gives the drawing the room that it needs",
+                  STYLE_FAINT);
+        return;
+    }
+    const double wanted = body.size[1] * drawing.scale / 2;
+    if (wanted > rows - 1 && wanted * WORTH_IT < rows - 1)
+        drawing.scale *= (rows - 1) / wanted;
+    const double rise = fmin(fmax(round(body.size[1] * drawing.scale / 2), LEAST_ROWS - 1), rows - 1);
+    drawing.top = 1 + around;
+    drawing.bottom = drawing.top + rise;
+    const double stretch = rise / (body.size[1] * drawing.scale / 2);
+    char title[96], scale[64];
+    scale_words(stretch, fabs(log(stretch)) < 0.2, "x", scale, sizeof scale);
+    snprintf(title, sizeof title, "the beam at t = 0  %s", scale);
+    area_rule(area, 0, title, heading);
+    draw_all(&drawing, 1);
+    if (words)
+        draw_words(&drawing, area.rect.height - 1);
+}

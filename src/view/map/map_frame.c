@@ -1,0 +1,238 @@
+/* Where the nodes of a beam are drawn: lengths to scale; the displacement enlarged so that it is seen; the
+ * height stretched where the beam is too slender for the pane. */
+#include "view/map/map.h"
+#include "view/views/time_plot.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define LEAST_ROWS   2.0 /* a beam is stretched that would have fewer */
+#define SLENDER_PART 0.4 /* of the pane's height for a stretched beam; the rest is for its motion */
+#define TALL_PART    0.82
+enum { LEGEND_ROOM = 19, LEGEND_ROWS = 4 };
+
+#define FAR           1e6 /* cells */
+#define BENT_PART     0.08
+#define MOST_ENLARGED 1e9
+#define NODE_COLUMNS  3.0 /* from that distance on nodes are drawn one by one */
+
+bool body_of(const Simulation *sim, Body *body)
+{
+    *body = (Body){.count = sim->counts[0]};
+    if (sim->dimensions != 2 || body->count < 4)
+        return false;
+    for (int d = 0; d < 2; d++)
+        body->first[d] = field_at(sim, sim->position[d], 0);
+    /* the first row ends where the height changes */
+    enum { CHUNK = 256 };
+    double height[CHUNK];
+    size_t columns = 0;
+    for (bool same = true; same && columns < body->count;) {
+        size_t count = body->count - columns < CHUNK ? body->count - columns : CHUNK, i = 0;
+        sim->method->field(sim, sim->position[1], columns, count, height);
+        while (i < count && height[i] == body->first[1])
+            i++;
+        same = i == count;
+        columns += i;
+    }
+    body->nx = (int)columns;
+    body->ny = (int)(body->count / columns);
+    const double last = field_at(sim, sim->position[0], columns - 1);
+    body->spacing = columns > 1 ? (last - body->first[0]) / (double)(columns - 1) : 0;
+    for (int d = 0; d < 2; d++) {
+        body->low[d] = body->first[d] - body->spacing / 2;
+        body->size[d] = body->spacing * (d == 0 ? body->nx : body->ny);
+    }
+    return body->spacing > 0;
+}
+
+/* --- places --------------------------------------------------------------------------------------- */
+
+void map_place(const Map *map, double x, double y, double ux, double uy, double *column, double *row)
+{
+    const double along = map->scenery->leaves ? 1 : map->enlarged;
+    const double right = (x + along * ux - map->middle[0]) * map->scale_x;
+    const double up = (y + map->enlarged * uy - map->middle[1]) * map->scale_y;
+    /* a run that has become unstable has nodes anywhere and nowhere */
+    *column = fabs(right) < FAR ? map->area.rect.width / 2.0 + right : -FAR;
+    *row = fabs(up) < FAR ? map->area.rect.height / 2.0 - up : -FAR;
+}
+
+void map_node_place(const Map *map, size_t node, double *column, double *row)
+{
+    const Body *body = &map->body;
+    const size_t nx = (size_t)body->nx;
+    map_place(map, body->first[0] + (double)(node % nx) * body->spacing,
+              body->first[1] + (double)(node / nx) * body->spacing, map->ux[node], map->uy[node], column,
+              row);
+}
+
+/* The nearest whole number from 0 to count - 1. */
+static int within(double value, int count)
+{
+    return value < 0 ? 0 : value > count - 1 ? count - 1 : (int)lround(value);
+}
+
+void map_body_place(const Map *map, double x, double y, double *column, double *row)
+{
+    /* a crack parts the nodes: its place is between its sides */
+    enum { ASIDE = 3 };
+    const Body *body = &map->body;
+    const double i = (x - body->first[0]) / body->spacing, j = (y - body->first[1]) / body->spacing;
+    const size_t from = (size_t)within(j, body->ny) * (size_t)body->nx;
+    const size_t a = from + (size_t)within(i - ASIDE, body->nx),
+                 b = from + (size_t)within(i + ASIDE, body->nx);
+    map_place(map, x, y, (map->ux[a] + map->ux[b]) / 2, (map->uy[a] + map->uy[b]) / 2, column, row);
+}
+
+long map_node_at(const Map *map, int x, int y)
+{
+    long nearest = -1;
+    double least = INFINITY;
+    for (size_t node = 0; node < map->body.count; node++) {
+        double column, row;
+        map_node_place(map, node, &column, &row);
+        const double dx = column - x - 0.5, dy = 2 * (row - y - 0.5), distance = dx * dx + dy * dy;
+        if (distance < least) {
+            least = distance;
+            nearest = (long)node;
+        }
+    }
+    const double reach = 2 + map->body.spacing * map->scale_x;
+    return least <= reach * reach ? nearest : -1;
+}
+
+/* --- scales --------------------------------------------------------------------------------------- */
+
+double map_reach(const Map *map, int field, const double *now)
+{
+    static const char *const probes[][2] = {{"uy", "u_probe"}, {"vy", "v_probe"}};
+    double reach = field_reach(map->screen, field, now, map->body.count);
+    for (size_t i = 0; i < sizeof probes / sizeof *probes; i++) {
+        if (strcmp(map->sim->fields[field].quantity.name, probes[i][0]) != 0)
+            continue;
+        /* what the probe did, and what theory says that it will do */
+        const int column = find_column(map->screen, probes[i][1]);
+        References *refs = experiment_references(map->screen->experiment);
+        const double envelope = references_envelope(refs, probes[i][1], map->settings->end);
+        if (column >= 0)
+            reach = fmax(reach, time_plot_reach(experiment_record(map->screen->experiment), column));
+        if (isfinite(envelope))
+            reach = fmax(reach, envelope);
+    }
+    return reach;
+}
+
+/* The factor that fills the room beside the beam with the largest displacement of the run. */
+static double choose_enlargement(const Map *map, double rows)
+{
+    const double given = atof(map->settings->view.exaggeration);
+    if (given > 0)
+        return fmin(given, MOST_ENLARGED);
+    double reach = map_reach(map, map->sim->displacement[1], map->uy);
+    reach = reach > 0 ? axis_round_up(reach) : 0;
+    double room = fmax(0.5, (map->area.rect.height - rows) / 2 - 0.5);
+    /* a deep beam keeps its shape, and a crack its angle */
+    if (map->scenery->pressed)
+        room = fmin(room, BENT_PART * rows);
+    const double factor = reach > 0 ? room / (reach * map->scale_y) : 1;
+    return factor > 1 ? step_round_down(factor) : 1;
+}
+
+static void choose_scales(Map *map)
+{
+    const Screen *screen = map->screen;
+    const Body *body = &map->body;
+    const int width = map->area.rect.width, height = map->area.rect.height;
+    /* a beam on its way out of its channel moves across the picture, which stays */
+    const double travel = map->scenery->leaves ? map->settings->beam.speed * map->settings->end : 0;
+    const double length = body->size[0] + travel;
+    map->scale_x = width / length;
+    double rows = body->size[1] * map->scale_x / 2;
+    /* rows that the load above and the supports below take */
+    const bool pressed = map->scenery->pressed;
+    const double most = fmax(1, fmin(TALL_PART * height, pressed ? height - 2 : height));
+    if (rows > most) {
+        map->scale_x *= most / rows;
+        rows = most;
+    }
+    map->stretch = 1;
+    if (rows < LEAST_ROWS && SLENDER_PART * height > rows)
+        map->stretch = step_round_down(SLENDER_PART * height / rows);
+    map->stretch = map->stretch > 1 ? map->stretch : 1;
+    map->scale_y = map->scale_x / 2 * map->stretch;
+    map->enlarged = choose_enlargement(map, rows * map->stretch);
+    map->middle[0] = body->low[0] + length / 2;
+    map->middle[1] = body->low[1] + body->size[1] / 2;
+    if (screen->magnified <= 1) {
+        /* a beam that leaves much of the pane free stands at the left, words beside it */
+        const int columns = (int)ceil(length * map->scale_x);
+        if (pressed && width - columns >= LEGEND_ROOM && height >= LEGEND_ROWS + 2) {
+            map->legend_at = columns + 2;
+            map->middle[0] += (width - columns - 1) / 2.0 / map->scale_x;
+        }
+        return;
+    }
+    map->scale_x *= screen->magnified;
+    rows *= screen->magnified;
+    const double stretch = rows < SLENDER_PART * height ? step_round_down(SLENDER_PART * height / rows) : 1;
+    map->stretch = stretch < map->stretch ? stretch : map->stretch;
+    map->scale_y = map->scale_x / 2 * map->stretch;
+    /* what is looked at stays in the middle while it moves */
+    const double i = screen->looked_at[0] * body->nx, j = screen->looked_at[1] * body->ny;
+    const size_t node =
+        (size_t)within(j - 0.5, body->ny) * (size_t)body->nx + (size_t)within(i - 0.5, body->nx);
+    map->middle[0] =
+        body->low[0] + i * body->spacing + (map->scenery->leaves ? 1 : map->enlarged) * map->ux[node];
+    map->middle[1] = body->low[1] + j * body->spacing + map->enlarged * map->uy[node];
+    map->nodes_seen = body->spacing * map->scale_x >= NODE_COLUMNS && map->stretch <= 1;
+}
+
+static void fetch(const Simulation *sim, int field, size_t count, double *out)
+{
+    if (field >= 0)
+        sim->method->field(sim, field, 0, count, out);
+    else
+        for (size_t i = 0; i < count; i++)
+            out[i] = 0;
+}
+
+bool map_open(Map *map, const Screen *screen, Area area)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    *map = (Map){.screen = screen,
+                 .sim = sim,
+                 .settings = experiment_settings(screen->experiment),
+                 .area = area,
+                 .coloured = screen->colours >= 256 && area.glyphs != GLYPHS_ASCII};
+    if (area.rect.width < 4 || area.rect.height < 2 || !body_of(sim, &map->body))
+        return false;
+    map->scenery = &map_scenery[map->settings->problem];
+    map->across = !map->coloured && area.glyphs == GLYPHS_BRAILLE ? 2 : 1;
+    map->down = map->coloured ? 2 : area.glyphs == GLYPHS_BRAILLE ? 4 : 1;
+    const size_t count = map->body.count, cells = (size_t)area.rect.width * (size_t)area.rect.height;
+    const size_t pixels = cells * (size_t)(map->across * map->down);
+    map->block = malloc(4 * count * sizeof *map->block);
+    map->pixels = calloc(1, pixels * sizeof *map->pixels + cells * sizeof *map->marks);
+    if (!map->block || !map->pixels)
+        return false;
+    map->marks = (MapMark *)(map->pixels + pixels);
+    map->ux = map->block;
+    map->uy = map->ux + count;
+    map->value = map->uy + count;
+    map->damage = map->value + count;
+    fetch(sim, sim->displacement[0], count, map->ux);
+    fetch(sim, sim->displacement[1], count, map->uy);
+    fetch(sim, simulation_find_field(sim, 0, "damage"), count, map->damage);
+    choose_scales(map);
+    return true;
+}
+
+void map_close(Map *map)
+{
+    free(map->block);
+    free(map->pixels);
+    map->block = NULL;
+    map->pixels = NULL;
+}

@@ -1,0 +1,293 @@
+/* What is drawn over the map: notch, protected zones, channel and crack as lines; supports, load and the
+ * chosen node as signs. */
+#include "view/map/map.h"
+
+#include "lab/answers/crack.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { RANK_ZONE = 1, RANK_ANGLE, RANK_WALL, RANK_NOTCH, RANK_PATH };
+
+/* The letters are none of the ramp's. */
+
+/* --- lines ---------------------------------------------------------------------------------------- */
+
+static void mark_dot(Map *map, double x, double y, const Pen *pen, uint32_t letter)
+{
+    static const uint8_t bits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
+    const int column = (int)floor(x), row = (int)floor(y);
+    if (column < 0 || row < 0 || column >= map->area.rect.width || row >= map->area.rect.height)
+        return;
+    MapMark *mark = &map->marks[(size_t)row * (size_t)map->area.rect.width + (size_t)column];
+    mark->dots |= bits[(int)(4 * (y - row))][(int)(2 * (x - column))];
+    if (pen->rank < mark->rank)
+        return;
+    mark->rank = (uint8_t)pen->rank;
+    mark->style = (uint16_t)pen->style;
+    /* where lines cross neither direction stands for both */
+    mark->letter = mark->letter && mark->letter != letter && !pen->letter ? 'x' : letter;
+}
+
+/* A line's direction as a letter; a cell is twice as high as wide. */
+static uint32_t direction(double dx, double dy)
+{
+    const double across = fabs(dx), down = 2 * fabs(dy);
+    return across > 2 * down ? '-' : down > 2 * across ? '|' : (dx > 0) == (dy > 0) ? '\\' : '/';
+}
+
+void map_line(Map *map, double from_x, double from_y, double to_x, double to_y, Pen pen)
+{
+    const double dx = to_x - from_x, dy = to_y - from_y;
+    const double length = fmax(2 * fabs(dx), 4 * fabs(dy));
+    const bool dots = map->area.glyphs == GLYPHS_BRAILLE;
+    const uint32_t letter = pen.letter ? pen.letter : direction(dx, dy);
+    if (!(length < 1e5))
+        return;
+    if (map->area.canvas->sketch) {
+        map_sketch_line(map, from_x, from_y, to_x, to_y, pen.style, pen.every);
+        return;
+    }
+    const int steps = (int)ceil(length), every = dots && pen.every > 1 ? pen.every : 1;
+    for (int i = 0; i <= steps; i += every)
+        mark_dot(map, from_x + dx * i / (steps ? steps : 1), from_y + dy * i / (steps ? steps : 1), &pen,
+                 letter);
+}
+
+/* A line between two places of the body, bent with it. */
+static void body_line(Map *map, const double from[2], const double to[2], Pen pen)
+{
+    const double length = hypot(to[0] - from[0], to[1] - from[1]);
+    /* each piece begins with a dot: one of a dotted line must hold some of its gaps */
+    const double dots = 2 * length * map->scale_x, gaps = 2 * (pen.every > 1 ? pen.every : 1);
+    const int pieces = 1 + (int)fmin(fmin(40, length / (4 * map->body.spacing)), dots / gaps);
+    double x, y;
+    map_body_place(map, from[0], from[1], &x, &y);
+    for (int i = 1; i <= pieces; i++) {
+        const double share = (double)i / pieces;
+        double next_x, next_y;
+        map_body_place(map, from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1]), &next_x,
+                       &next_y);
+        map_line(map, x, y, next_x, next_y, pen);
+        x = next_x, y = next_y;
+    }
+}
+
+static void draw_marks(Map *map)
+{
+    const Area area = map->area;
+    for (int y = 0; y < area.rect.height; y++)
+        for (int x = 0; x < area.rect.width; x++) {
+            const MapMark *mark = &map->marks[(size_t)y * (size_t)area.rect.width + (size_t)x];
+            if (!mark->dots)
+                continue;
+            const uint32_t glyph = area.glyphs == GLYPHS_BRAILLE ? 0x2800u + mark->dots : mark->letter;
+            const Cell *cell = &area.canvas->cells[(size_t)(area.rect.y + y) * (size_t)area.canvas->width +
+                                                   (size_t)(area.rect.x + x)];
+            if (!map->coloured || cell->style < STYLE_RAMP_0)
+                area_put(area, x, y, glyph, (Style)mark->style);
+            else
+                area_put_back(area, x, y, glyph, map_ink(cell->style - STYLE_RAMP_0), (Style)cell->style);
+        }
+    memset(map->marks, 0, (size_t)area.rect.width * (size_t)area.rect.height * sizeof *map->marks);
+}
+
+/* --- the notched beam ----------------------------------------------------------------------------- */
+
+static void draw_zone(Map *map, double left, double right, double edge, double inner)
+{
+    const Pen pen = {STYLE_FRAME, RANK_ZONE, 2, '~'};
+    body_line(map, (double[]){left, edge}, (double[]){left, inner}, pen);
+    body_line(map, (double[]){left, inner}, (double[]){right, inner}, pen);
+    body_line(map, (double[]){right, inner}, (double[]){right, edge}, pen);
+}
+
+static void draw_crack(Map *map)
+{
+    enum { ROWS_MAX = 512 };
+    double x[ROWS_MAX], y[ROWS_MAX];
+    const size_t count = crack_line(map->sim, x, y, ROWS_MAX);
+    const Pen pen = {STYLE_CHANGED, RANK_PATH, 1, '*'};
+    double from[2] = {map->settings->beam.notch_position, map->settings->beam.notch_depth};
+    for (size_t i = 0; i < count; i++) {
+        const double to[2] = {x[i], y[i]};
+        body_line(map, from, to, pen);
+        from[0] = to[0], from[1] = to[1];
+    }
+}
+
+void map_notch_lines(Map *map)
+{
+    const BeamDef *beam = &map->settings->beam;
+    const double depth = beam->protected_depth, top = beam->height;
+    const double end[2] = {beam->notch_position, beam->notch_depth};
+    if (depth > 0) {
+        const double half = beam->load_width / 2 + depth;
+        draw_zone(map, beam->load_position - half, beam->load_position + half, top, top - depth);
+        draw_zone(map, beam->support_left - depth, beam->support_left + depth, 0, depth);
+        draw_zone(map, beam->support_right - depth, beam->support_right + depth, 0, depth);
+    }
+    /* the paper's angle, from the notch towards the load */
+    const double side = beam->load_position < end[0] ? -1 : 1, rise = top - depth - end[1];
+    body_line(map, end, (double[]){end[0] + side * rise * tan(CRACK_PAPER_ANGLE * M_PI / 180), end[1] + rise},
+              (Pen){STYLE_FAINT, RANK_ANGLE, 4, '\''});
+    body_line(map, (double[]){end[0], 0}, end, (Pen){STYLE_HEADING, RANK_NOTCH, 1, '|'});
+    /* on paper the damage itself is seen well enough, and the line would hide it */
+    if (!map->area.canvas->sketch || strcmp(map->colouring->field, "damage") != 0)
+        draw_crack(map);
+}
+
+enum { TALL_MAP = 12 };
+
+static bool is_blank(Area area, int x, int y, int width)
+{
+    for (int i = x; i < x + width && i < area.rect.width; i++)
+        if (area.canvas
+                ->cells[(size_t)(area.rect.y + y) * (size_t)area.canvas->width + (size_t)(area.rect.x + i)]
+                .glyph > ' ')
+            return false;
+    return true;
+}
+
+/* What the lines are: beside the beam or, in a large map, in a row of their own. */
+static void name_lines(const Map *map)
+{
+    enum { LINES = 4 };
+    const bool dots = map->area.glyphs == GLYPHS_BRAILLE;
+    const Legend lines[LINES] = {
+        {LINE_SOLID, 0, STYLE_CHANGED, "crack's path", dots ? "⠔⠊" : "**"},
+        {LINE_SOLID, 0, STYLE_FAINT, "30° (paper)", dots ? "⠠⠂" : "''"},
+        {LINE_SOLID, 0, STYLE_HEADING, "notch", dots ? "⢸ " : "| "},
+        {LINE_SOLID, 0, STYLE_FRAME, "protected", dots ? "⠒⠂" : "~~"},
+    };
+    const Area area = map->area;
+    if (map->legend_at > 0)
+        for (int i = 0; i < LINES; i++)
+            draw_legend(area_part(area, map->legend_at, area.rect.height - 5, area.rect.width, LINES), 0, i,
+                        &lines[i], 1);
+    else if (area.rect.height >= TALL_MAP && is_blank(area, 0, 0, area.rect.width))
+        draw_legend(area, 0, 0, lines, LINES);
+}
+
+/* --- the channel ---------------------------------------------------------------------------------- */
+
+/* Its walls stand still, above and below the beam. */
+void map_channel_lines(Map *map)
+{
+    const Body *body = &map->body;
+    const Pen pen = {STYLE_HEADING, RANK_WALL, 1, '='};
+    for (int side = -1; side <= 1; side += 2) {
+        double from, to, y;
+        map_place(map, -map->settings->beam.channel, side * body->size[1] / 2, 0, 0, &from, &y);
+        map_place(map, 0, side * body->size[1] / 2, 0, 0, &to, &y);
+        y += side > 0 ? -0.3 : 0.3;
+        y = side > 0 ? floor(y) + 0.8 - 1e-6 : ceil(y) - 1 + 0.1;
+        map_line(map, from, y, to, y, pen);
+        map_line(map, to, y, to, y + (side > 0 ? -0.6 : 0.6), pen);
+    }
+}
+
+void map_draw_lines(Map *map)
+{
+    if (map->scenery->lines)
+        map->scenery->lines(map);
+    if (!map->area.canvas->sketch)
+        draw_marks(map);
+}
+
+/* --- signs ---------------------------------------------------------------------------------------- */
+
+enum { SUPPORT_FIXED = 0x25b2, SUPPORT_ROLLER = 0x25cb, LOAD = 0x25bc };
+
+/* Flags of the nodes of a row; NULL: no such field, or no memory. */
+static double *flags_of(const Map *map, const char *name, int row)
+{
+    const int field = simulation_find_field(map->sim, 0, name);
+    const size_t nx = (size_t)map->body.nx;
+    double *flags = field >= 0 ? malloc(nx * sizeof *flags) : NULL;
+    if (flags)
+        map->sim->method->field(map->sim, field, (size_t)row * nx, nx, flags);
+    return flags;
+}
+
+/* A support that holds both ways is a triangle, one that lets the beam slide a roller. */
+static void draw_supports(Map *map, int row)
+{
+    const bool pinned = map->scenery->pinned || map->settings->beam.pinned;
+    double *held = flags_of(map, "held", row), column, y;
+    const size_t nx = (size_t)map->body.nx;
+    for (size_t i = 0; held && i < nx; i++) {
+        if (held[i] <= 0)
+            continue;
+        map_node_place(map, (size_t)row * nx + i, &column, &y);
+        if (map->area.canvas->sketch) {
+            y += row == 0 ? map->body.spacing * map->scale_y / 2 : 0;
+            map_sketch_sign(map, column, y, pinned && i < nx / 2 ? SUPPORT_FIXED : SUPPORT_ROLLER);
+            continue;
+        }
+        if (row == 0) /* just below the lowest row of nodes */
+            y = fmin(floor(y + map->body.spacing * map->scale_y / 2 + 0.75), map->area.rect.height - 1);
+        area_put(map->area, (int)floor(column), (int)floor(y),
+                 pinned && i < nx / 2 ? SUPPORT_FIXED : SUPPORT_ROLLER, STYLE_HEADING);
+    }
+    free(held);
+}
+
+/* Arrows on the loaded nodes; beside them how much of the load has come. */
+static void draw_load(Map *map)
+{
+    const BeamDef *beam = &map->settings->beam;
+    const size_t nx = (size_t)map->body.nx;
+    double *loaded = flags_of(map, "loaded", map->body.ny - 1), column, y;
+    int last = -1, last_row = 0;
+    for (size_t i = 0; loaded && i < nx; i++) {
+        if (loaded[i] <= 0)
+            continue;
+        map_node_place(map, (size_t)(map->body.ny - 1) * nx + i, &column, &y);
+        if (map->area.canvas->sketch) {
+            map_sketch_sign(map, column, y - map->body.spacing * map->scale_y / 2, LOAD);
+            continue;
+        }
+        last = (int)floor(column);
+        last_row = (int)fmax(floor(y - map->body.spacing * map->scale_y / 2 - 0.75), 0);
+        area_put(map->area, last, last_row, LOAD, STYLE_HEADING);
+    }
+    free(loaded);
+    if (last < 0)
+        return;
+    const double time = simulation_time(map->sim);
+    const double share = beam->load_ramp > 0 ? fmin(1, time / beam->load_ramp) : 1;
+    char text[64], stress[NUMBER_TEXT_MAX];
+    while (last_row > 0 && !is_blank(map->area, last + 2, last_row, 14))
+        last_row--;
+    number_text(beam->load_stress * 1e-6, 4, 8, stress);
+    snprintf(text, sizeof text, "%s MPa", stress);
+    if (share < 1)
+        append(text, sizeof text, " x %.2f", share);
+    area_text_whole(map->area, last + 2, last_row, map->area.rect.width - last - 2, text, STYLE_NORMAL);
+}
+
+static void draw_chosen(Map *map)
+{
+    const Screen *screen = map->screen;
+    if (screen->particle >= map->body.count || screen->state == STATE_RUNNING)
+        return;
+    double column, row;
+    map_node_place(map, screen->particle, &column, &row);
+    if (column >= 0 && row >= 0)
+        area_put(map->area, (int)column, (int)row, 0x25a0, STYLE_CHANGED);
+}
+
+void map_draw_signs(Map *map)
+{
+    draw_load(map);
+    if (map->scenery->pressed && !map->nodes_seen && !map->area.canvas->sketch)
+        name_lines(map);
+    if (!map->scenery->leaves) {
+        draw_supports(map, 0);
+        draw_supports(map, (map->body.ny - 1) / 2);
+    }
+    draw_chosen(map);
+}

@@ -1,0 +1,246 @@
+/* The help: keys by group, what the curves mean, and what is solved, with every equation and every slip of
+ * the papers. */
+#include "view/panes/help_text.h"
+#include "view/panes/panes.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { TEXT_MAX = 24000, LINES_MAX = 400 };
+
+/* Lines of text with a style each. Too many: the last ones are left out. */
+typedef struct Sheet {
+    char text[TEXT_MAX];
+    size_t used;
+    struct {
+        size_t at;
+        Style style;
+    } lines[LINES_MAX];
+    int count;
+} Sheet;
+
+static void put_line(Sheet *sheet, Style style, const char *text)
+{
+    size_t length = strlen(text) + 1;
+    if (sheet->count == LINES_MAX || sheet->used + length > TEXT_MAX)
+        return;
+    memcpy(sheet->text + sheet->used, text, length);
+    sheet->lines[sheet->count].at = sheet->used;
+    sheet->lines[sheet->count++].style = style;
+    sheet->used += length;
+}
+
+/* A paragraph, broken into lines of `width` columns, further ones indented like the first. */
+static void put_text(Sheet *sheet, Style style, int width, int indent, const char *text)
+{
+    const int least = indent + 8;
+    width = width > least ? width : least;
+    while (*text) {
+        char line[512];
+        const char *rest;
+        const size_t length = paragraph_line(text, width - indent, &rest);
+        snprintf(line, sizeof line, "%*s%.*s", indent, "", (int)length, text);
+        put_line(sheet, style, line);
+        text = rest;
+    }
+}
+
+/* --- keys ----------------------------------------------------------------------------------------- */
+
+static void write_verbs(Sheet *sheet, int width)
+{
+    put_line(sheet, STYLE_NORMAL, "");
+    put_line(sheet, STYLE_HEADING, "Behind :");
+    for (int i = 0; i < n_line_verbs; i++) {
+        char line[256];
+        snprintf(line, sizeof line, "  %s %s", line_verbs[i].name, line_verbs[i].arguments);
+        put_line(sheet, STYLE_NORMAL, line);
+        put_text(sheet, STYLE_NORMAL, width, 13 < width / 3 ? 13 : 4, line_verbs[i].help);
+    }
+}
+
+/* The keys, and what they do beside them or, on a narrow screen, below. */
+static void put_key(Sheet *sheet, int width, const char *keys, const char *help)
+{
+    enum { COLUMN = 13 };
+    char line[256];
+    const bool beside = COLUMN < width / 3 && text_columns(keys) < COLUMN - 2;
+    const char *rest = help;
+    if (beside) {
+        const size_t length = paragraph_line(help, width - COLUMN, &rest);
+        snprintf(line, sizeof line, "  %-10s %.*s", keys, (int)length, help);
+    } else {
+        snprintf(line, sizeof line, "  %s", keys);
+    }
+    put_line(sheet, STYLE_NORMAL, line);
+    put_text(sheet, STYLE_NORMAL, width, beside ? COLUMN : 4, rest);
+}
+
+/* What there is to see: the caption has room for its first sentences only. */
+static void write_about(Sheet *sheet, const Settings *settings, int width)
+{
+    put_text(sheet, STYLE_HEADING, width, 0,
+             settings->title[0] ? settings->title : problem_facts[settings->problem].title);
+    if (settings->about[0])
+        put_text(sheet, STYLE_NORMAL, width, 2, settings->about);
+    put_line(sheet, STYLE_NORMAL, "");
+}
+
+static void write_keys(Sheet *sheet, int width)
+{
+    const char *group = "";
+    for (int i = 0; i < n_commands; i++) {
+        if (strcmp(commands[i].group, group) != 0) {
+            if (*group)
+                put_line(sheet, STYLE_NORMAL, "");
+            put_line(sheet, STYLE_HEADING, group = commands[i].group);
+        }
+        put_key(sheet, width, commands[i].keys, commands[i].help);
+    }
+    write_verbs(sheet, width);
+}
+
+/* --- curves --------------------------------------------------------------------------------------- */
+
+static void write_curves(Sheet *sheet, int width, const HelpText *text)
+{
+    static const struct {
+        const char *word, *meaning;
+    } words[] = {
+        {"measured", "what this run does: solid. A number with ~ is a little behind while the run goes on. "
+                     "In a time plot each column shows the least and the largest of "
+                     "its rows, so no peak is lost."},
+        {"predicted",
+         "what theory says this mesh and this time step must do: dashed. It holds the error of the "
+         "method, worked out beforehand."},
+        {"exact",
+         "the continuum without mesh and time step: dotted. Where two beam theories are known both are "
+         "drawn, by name."},
+        {"faint",
+         "curves of an earlier run: the one before the last edit, or pinned ones with their letter."},
+    };
+    static const struct {
+        const char *word, *meaning;
+    } last_words[] = {
+        {"timeline",
+         "under the plots, from 0 to the end of the run: the line is what has been computed, the "
+         "dot is where we are. x: a particle crossed into another cell; b: bonds broke, in the plots over "
+         "time too; L: late or early by half a period, by whole ones; E: the energy left "
+         "its range; c: a "
+         "parameter was changed; !: the run stopped."},
+        {"spectrum",
+         "view 6: how large each sine in the record is. A record of the length t shows no line finer than "
+         "2 pi/t: a longer one is sharper."},
+    };
+    put_line(sheet, STYLE_HEADING, "What the curves mean");
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        put_line(sheet, STYLE_FOCUS, words[i].word);
+        put_text(sheet, STYLE_NORMAL, width, 4, words[i].meaning);
+    }
+    put_line(sheet, STYLE_NORMAL, "");
+    for (size_t i = 0; i < text->n_words; i++) {
+        put_line(sheet, STYLE_FOCUS, text->words[i].word);
+        put_text(sheet, STYLE_NORMAL, width, 4, text->words[i].meaning);
+    }
+    put_line(sheet, STYLE_NORMAL, "");
+    for (size_t i = 0; i < sizeof last_words / sizeof *last_words; i++) {
+        put_line(sheet, STYLE_FOCUS, last_words[i].word);
+        put_text(sheet, STYLE_NORMAL, width, 4, last_words[i].meaning);
+    }
+}
+
+/* --- what is solved ------------------------------------------------------------------------------- */
+
+static void write_passages(Sheet *sheet, int width, bool ascii, const HelpPassage *passages, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        const char *text = ascii && passages[i].ascii ? passages[i].ascii : passages[i].text;
+        if (passages[i].heading && sheet->count > 0)
+            put_line(sheet, STYLE_NORMAL, "");
+        if (passages[i].heading)
+            put_text(sheet, STYLE_HEADING, width, 0, text);
+        else
+            put_text(sheet, STYLE_NORMAL, width, 2, text);
+    }
+}
+
+static void write_solved(Sheet *sheet, const Screen *screen, int width, const HelpText *text)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const bool ascii = screen->glyphs == GLYPHS_ASCII;
+    const HelpPassage step = {true, text->step, NULL};
+    write_passages(sheet, width, ascii, text->before, text->n_before);
+    write_passages(sheet, width, ascii, text->answers, text->n_answers);
+    write_passages(sheet, width, ascii, &step, 1);
+    for (int i = 0; i < sim->n_stages; i++) {
+        const Stage *stage = &sim->stages[i];
+        char line[160];
+        snprintf(line, sizeof line, "%d %s   (%s)", i + 1, stage->name, stage->source);
+        put_text(sheet, STYLE_FOCUS, width, 2, line);
+        put_text(sheet, STYLE_NORMAL, width, 4, ascii ? stage->ascii : stage->equation);
+        put_text(sheet, STYLE_FAINT, width, 4, stage->sentence);
+    }
+    write_passages(sheet, width, ascii, text->after, text->n_after);
+}
+
+static int page_of(const Screen *screen)
+{
+    return screen->help_page < 0 ? 0 : screen->help_page >= HELP_PAGES ? HELP_PAGES - 1 : screen->help_page;
+}
+
+/* The lines of the page that is open, for a screen of this width. */
+static void write_page(Sheet *sheet, const Screen *screen, int screen_width)
+{
+    const int width = screen_width - 2 < 100 ? screen_width - 2 : 100, page = page_of(screen);
+    const HelpText *text = help_text_of(experiment_settings(screen->experiment));
+    sheet->used = 0;
+    sheet->count = 0;
+    if (page == 0) {
+        write_about(sheet, experiment_settings(screen->experiment), width);
+        write_keys(sheet, width);
+    }
+    if (page == 1)
+        write_curves(sheet, width, text);
+    if (page == 2)
+        write_solved(sheet, screen, width, text);
+}
+
+int screen_help_pages(void)
+{
+    return HELP_PAGES;
+}
+
+int screen_help_most(const Screen *screen, int width, int height)
+{
+    Sheet sheet;
+    if (layout_make(screen, width, height).kind == LAYOUT_TOO_SMALL)
+        return 0; /* nothing of it is shown, and its lines need some width */
+    write_page(&sheet, screen, width);
+    const int room = height - 3; /* without title, heading and bar */
+    return sheet.count > room ? sheet.count - room : 0;
+}
+
+void pane_help(const Screen *screen, Area area)
+{
+    static const char *const names[HELP_PAGES] = {"this scenario, the keys", "the curves", "what is solved"};
+    const int page = page_of(screen), room = area.rect.height - 1;
+    Sheet sheet;
+    write_page(&sheet, screen, area.rect.width);
+
+    int first = screen->help_scroll;
+    if (first > sheet.count - room)
+        first = sheet.count - room;
+    if (first < 0)
+        first = 0;
+    char heading[96];
+    snprintf(heading, sizeof heading, "Help %d of %d: %s", page + 1, HELP_PAGES, names[page]);
+    area_rule(area, 0, heading, STYLE_FOCUS);
+    if (sheet.count > room) {
+        snprintf(heading, sizeof heading, " lines %d-%d of %d ", first + 1,
+                 first + room < sheet.count ? first + room : sheet.count, sheet.count);
+        if (text_columns(heading) + 30 < area.rect.width)
+            area_text_right(area, area.rect.width - 2, 0, heading, STYLE_FAINT);
+    }
+    for (int y = 0; y < room && first + y < sheet.count; y++)
+        area_text(area, 1, 1 + y, sheet.text + sheet.lines[first + y].at, sheet.lines[first + y].style);
+}

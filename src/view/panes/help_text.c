@@ -1,0 +1,210 @@
+#include "view/panes/help_text.h"
+
+/* --- words of the curves --------------------------------------------------------------------------- */
+
+static const HelpWord bar_words[] = {
+    {"w", "the frequency in radians per time, by least squares of cosine, sine and offset. T is the period: "
+          "its error has the other sign."},
+    {"late", "by how many periods the run is behind the exact answer now: a small error of frequency grows "
+             "into a large lag."},
+    {"v_cm", "the velocity of the centre of mass. Its amplitude may fall while the energy is still there: "
+             "it then sits in particle velocities that cancel within a cell."},
+    {"hidden",
+     "the part of the kinetic energy that the grid cannot see: what is left when the particles are "
+     "mapped to the nodes and back. The share below the energies is the mean over what the plot shows."},
+    {"ripple",
+     "velocities and stresses are known half a step apart, so their sum ripples by about half of "
+     "w times the time step. It is no loss: E* takes velocity and stress where they belong together, and "
+     "does not ripple. What E* loses is lost."},
+    {"K and F",
+     "view 5, the two reasons for the error of w. K: the masses are lumped on the nodes. F: what is left "
+     "of a wave that goes from the particles to the nodes and back. Its axis goes by square roots, so "
+     "that an error that grows like the square of n is a straight line."},
+};
+
+static const HelpWord rod_words[] = {
+    {"w", "the frequency in radians per time, by least squares of cosine, sine and offset. T is the period: "
+          "its error has the other sign."},
+    {"late", "by how many periods the run is behind the exact answer now: a small error of frequency grows "
+             "into a large lag."},
+    {"v_cm", "the velocity of the centre of mass. Predicted: the start is resolved into all modes of the "
+             "lattice with its ends, and each swings at its own frequency."},
+    {"lattice",
+     "view 5, the error of w far from the ends: bonds forgive short waves. free end: what the nodes "
+     "there add, which lack partners, or were stiffened to make up for it. The curve leaves it out."},
+    {"stress",
+     "the force of all bonds through a section, the mean of the sections beside a node. At a free end "
+     "half of it is missing: beyond the last node no bond goes through."},
+    {"strain", "the mean stretch of a node's bonds, weighted with their lengths: a mean over the horizon."},
+    {"force", "view 4: what a bond answers to its stretch s. Nodes stand where their most stretched bond is; "
+              "heights are logarithms of how many."},
+    {"mirrored",
+     "beyond a fixed end lie mirror images of the nodes, with the opposite displacement. So the end "
+     "itself stays where it is, and sines are exact modes of a bar fixed at both ends."},
+};
+
+static const HelpWord beam_words[] = {
+    {"probe", "the mid-point of a supported beam, the tip of a cantilever."},
+    {"Euler", "Euler-Bernoulli: plane sections stay at right angles. Timoshenko adds shear and rotation: "
+              "what a two-dimensional body should give."},
+    {"T", "the period, by least squares. The lattice makes the beam a little thinner and shorter than asked "
+          "for: predicted is Timoshenko's period of the beam as it lies."},
+    {"zeros", "the same period from the zeros of the swing alone: where the two differ the record is short "
+              "or no pure sine."},
+    {"modal", "the moving cantilever by its first bending modes on the growing length. Filtered: the end of "
+              "the straight line through the last 0.1 ms, which has no thickness modes."},
+    {"~L^1/2", "how far a swing reaches as the beam grows slowly: the displacement as the root of its "
+               "length, the velocity as L^-3/2, for energy over frequency is kept."},
+    {"section", "view 1, the last: the displacement along the beam through its height at the chosen "
+                "particle. On the line -y duy/dx sections stay plane and upright."},
+    {"force", "view 4: what a bond answers to its stretch s, and s0 where it breaks. Nodes stand where their "
+              "most stretched bond is; heights are logarithms of how many."},
+    {"G0", "the energy that a crack should cost for its area, and s0 follow from each other: edit either. "
+           "View 3, again: what the crack has cost so far."},
+    {"residual", "kinetic + strain + dissipated energy less the work of the load: 0 but for the time step."},
+    {"height", "view 6: the predicted lines are rows of the lattice that ring against each other through "
+               "the beam's height."},
+    {"damage", "the share of a node's bonds that is broken. A crack right through reads 0.4 to 0.5, not 1."},
+    {"horizon",
+     "view 5: the period over the reach of the bonds, with the two beam theories. Each earlier run with "
+     "another horizon leaves its dot."},
+};
+
+/* --- what is solved -------------------------------------------------------------------------------- */
+
+static const HelpPassage bar_before[] = {
+    {true, "What is solved: axial vibration of a bar", NULL},
+    {false, "Momentum and Hooke's law along a line, small strains:", NULL},
+    {false, "ρ dv/dt = dσ/dx + ρ b      dσ/dt = E dv/dx", "rho dv/dt = ds/dx + rho b      ds/dt = E dv/dx"},
+    {false, "Weak form, with a test function w that vanishes where the bar is held:", NULL},
+    {false, "∫ w ρ dv/dt dx = -∫ w′ σ dx + ∫ w ρ b dx + w t at the ends",
+     "int w rho dv/dt dx = -int w' s dx + int w rho b dx + w t at the ends"},
+    {false, "The integrals become sums over particles of mass m and volume m/ρ.",
+     "The integrals become sums over particles of mass m and volume m/rho."},
+};
+
+static const HelpPassage rod_before[] = {
+    {true, "What is solved: axial vibration of a bar, by bonds", NULL},
+    {false, "ρ d²u/dt² = Σ c G w s V sign(ξ+η) + ρ b      s = (|ξ+η| - |ξ|)/|ξ|",
+     "rho d2u/dt2 = sum c G w s V sign(xi+eta) + rho b      s = (|xi+eta| - |xi|)/|xi|"},
+    {false,
+     "The sum runs over the family: all nodes nearer than the horizon δ. ξ is where the other lies at first, "
+     "η how far the two have moved apart; c = 2E/(A δ²), from equal strain energy in a stretched bar, with "
+     "cross-section A = 1.",
+     "The sum runs over the family: all nodes nearer than the horizon delta. xi is where the other lies at "
+     "first, eta how far the two have moved apart; c = 2E/(A delta^2), from equal strain energy in a "
+     "stretched "
+     "bar, with cross-section A = 1."},
+    {false, "On a line the stretch is linear in the displacements, at any amplitude.", NULL},
+    {false,
+     "w counts a node at the edge of the horizon by the part of its cell inside. G is the mean of the two "
+     "nodes' surface factors: the energy of a uniform strain over what their families hold.",
+     NULL},
+};
+
+static const HelpPassage bar_exact[] = {
+    {true, "The exact answer", NULL},
+    {false, "v = A φ(x) cos ωt    u = A/ω φ(x) sin ωt    ω = β c,  c = √(E/ρ)",
+     "v = A f(x) cos wt    u = A/w f(x) sin wt    w = beta c,  c = sqrt(E/rho)"},
+    {false,
+     "φ = sin βx if the left end is held, cos βx if it is free; β = (2n-1)π/2L with one free end, nπ/L "
+     "with two equal ends. Several modes add up.",
+     "f = sin(beta x) if the left end is held, cos(beta x) if it is free; beta = (2n-1) pi/2L with one free "
+     "end, "
+     "n pi/L with two equal ends. Several modes add up."},
+};
+
+static const HelpPassage bar_after[] = {
+    {true, "What this mesh makes of a wave (hat, uGIMP)", NULL},
+    {false, "ω² = (c/Δx)² F K    K = 4 sin²(βΔx/2)\nF = 1 - (1/3 + 1/(6P²))(1 - cos βΔx)",
+     "w^2 = (c/dx)^2 F K    K = 4 sin^2(beta dx/2)\nF = 1 - (1/3 + 1/(6P^2))(1 - cos(beta dx))"},
+    {false,
+     "K is the usual dispersion of linear elements; F, what particle to node to particle leaves of a wave, "
+     "is the larger part of the error. P: particles per cell.",
+     NULL},
+    {true, "Slips of the paper, and what is done instead", NULL},
+    {false,
+     "eqs. 5, 6: as printed they are no tensor expressions. In one dimension the strain increment is "
+     "Δt Σ N′v without the 1/2, and the vorticity increment is 0: a line cannot spin.",
+     "eqs. 5, 6: as printed they are no tensor expressions. In one dimension the strain increment is dt sum "
+     "N'v "
+     "without the 1/2, and the vorticity increment is 0: a line cannot spin."},
+    {false, "eq. 7: the density is the particle's.", NULL},
+    {false, "eq. 9: a stray t.", NULL},
+    {false, "eqs. 14, 15: they start from the particle's own velocity and place.", NULL},
+    {false, "eq. 17: L is a length. \"In elements\" is true only where a cell has the size 1.", NULL},
+    {false, "A particle gives to two nodes here, to four in two dimensions, to eight in three.", NULL},
+};
+
+static const HelpPassage rod_after[] = {
+    {true, "What this lattice makes of a wave", NULL},
+    {false, "ω² = 8E/(ρδ²) Σ (w_m/m) sin²(mβh/2)      sin(ΩΔt/2) = ωΔt/2",
+     "w^2 = 8E/(rho delta^2) sum (w_m/m) sin^2(m beta h/2)      sin(W dt/2) = w dt/2"},
+    {false,
+     "m counts the spacings h within the horizon, Ω is what the run shows. For long waves ω = βc (1 - "
+     "β²(δ² + h²)/48): the horizon sets the error, more than the spacing.",
+     "m counts the spacings h within the horizon, W is what the run shows. For long waves w = beta c (1 - "
+     "beta^2 (delta^2 + h^2)/48): the horizon sets the error, more than the spacing."},
+    {false,
+     "Exact for a bar fixed at both ends. With a free end the frequencies are eigenvalues of the lattice as "
+     "it lies.",
+     NULL},
+};
+
+static const HelpPassage beam_before[] = {
+    {true, "What is solved: a beam of points that pull at each other", NULL},
+    {false, "ρ d²u/dt² = Σ c G w s V (ξ+η)/|ξ+η| + b      s = (|ξ+η| - |ξ|)/|ξ|",
+     "rho d2u/dt2 = sum c G w s V (xi+eta)/|xi+eta| + b      s = (|xi+eta| - |xi|)/|xi|"},
+    {false,
+     "The sum runs over the family: all points nearer than the horizon δ. ξ is where the other lies at "
+     "first, η how far the two have moved apart; c = 6E/(πδ³(1-ν)) with ν = 1/3, the only value that "
+     "this theory has in two dimensions.",
+     "The sum runs over the family: all points nearer than the horizon delta. xi is where the other lies at "
+     "first, "
+     "eta how far the two have moved apart; c = 6E/(pi delta^3 (1-nu)) with nu = 1/3, the only value that "
+     "this "
+     "theory has in two dimensions."},
+    {false,
+     "w counts a point at the edge of the horizon by the part of its area inside (partial volume). "
+     "G makes up for what bonds near a surface lack (surface correction).",
+     NULL},
+    {false, "A bond breaks for ever at the critical stretch: s₀ = √(4πG₀/(9Eδ)).",
+     "A bond breaks for ever at the critical stretch: s0 = sqrt(4 pi G0/(9 E delta))."},
+};
+
+static const HelpPassage beam_after[] = {
+    {true, "The right answers", NULL},
+    {false, "Euler-Bernoulli: T = 2L²/π / √(Eh²/12ρ). Timoshenko: the same with shear and rotation, κ = 5/6.",
+     "Euler-Bernoulli: T = 2L^2/pi / sqrt(E h^2/(12 rho)). Timoshenko: the same with shear and rotation, "
+     "kappa = 5/6."},
+    {false,
+     "Moving cantilever: bending modes of the length outside the channel, L(t) = L0 + v0 t; its amplitude "
+     "grows and it swings ever more slowly.",
+     NULL},
+    {true, "Slips of the paper, and what is done instead", NULL},
+    {false, "Before eq. 9: \"Eq. (5)\" means eq. 8.", NULL},
+    {false, "ν = .33 of the notched beam is 1/3.", "nu = .33 of the notched beam is 1/3."},
+    {false, "Velocity Verlet and central differences give the same positions.", NULL},
+    {false, "The time step of 1e-8 s is far below the critical one; periods do not depend on it.", NULL},
+    {false,
+     "Table 1 is not monotone because a beam of floor(h/dx) layers is up to 4 % thinner and the supports "
+     "lie a spacing nearer: see real height and real span.",
+     NULL},
+};
+
+/* --- by problem and method ------------------------------------------------------------------------- */
+
+#define LIST(list) list, sizeof list / sizeof *list
+
+const HelpText *help_text_of(const Settings *settings)
+{
+    static const HelpText bar = {"One time step", LIST(bar_words), LIST(bar_before), LIST(bar_exact),
+                                 LIST(bar_after)};
+    static const HelpText rod = {"One time step (velocity Verlet)", LIST(rod_words), LIST(rod_before),
+                                 LIST(bar_exact), LIST(rod_after)};
+    static const HelpText beam = {
+        "One time step (velocity Verlet)", LIST(beam_words), LIST(beam_before), NULL, 0, LIST(beam_after)};
+    if (settings->problem != PROBLEM_BAR)
+        return &beam;
+    return settings->method == METHOD_PD ? &rod : &bar;
+}

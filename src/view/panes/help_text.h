@@ -1,0 +1,32 @@
+/* What the help tells of a problem and its method: the words of its curves, and what is solved. */
+#ifndef VIEW_HELP_TEXT_H
+#define VIEW_HELP_TEXT_H
+
+#include "lab/settings/settings.h"
+
+#include <stddef.h>
+
+typedef struct HelpWord {
+    const char *word, *meaning;
+} HelpWord;
+
+typedef struct HelpPassage {
+    bool heading;
+    const char *text, *ascii; /* ascii NULL: the text is */
+} HelpPassage;
+
+typedef struct HelpText {
+    const char *step; /* heading of the stages, which stand between `answers` and `after` */
+    const HelpWord *words;
+    size_t n_words;
+    const HelpPassage *before;
+    size_t n_before;
+    const HelpPassage *answers;
+    size_t n_answers;
+    const HelpPassage *after;
+    size_t n_after;
+} HelpText;
+
+const HelpText *help_text_of(const Settings *);
+
+#endif

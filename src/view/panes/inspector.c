@@ -1,0 +1,38 @@
+/* Which inspector a method has: one row for each, the first that fits is taken. */
+#include "view/panes/panes.h"
+
+static const Inspector inspectors[] = {
+    {has_mesh, pane_mesh_inspector, move_mesh_inspector},
+    {is_lattice_bar, pane_bonds, move_bonds},
+    {has_families, pane_family, move_node},
+};
+
+const Inspector *inspector_find(const Screen *screen)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    for (size_t i = 0; i < sizeof inspectors / sizeof *inspectors; i++)
+        if (inspectors[i].fits(sim))
+            return &inspectors[i];
+    return NULL;
+}
+
+bool screen_has_inspector(const Screen *screen)
+{
+    return inspector_find(screen) != NULL;
+}
+
+void screen_choose_across(Screen *screen, bool node)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    if (has_mesh(sim))
+        move_mesh_inspector(screen, 0, node ? -1 : 1, 1);
+}
+
+bool screen_move_inspector(Screen *screen, int x, int y, int page)
+{
+    const Inspector *inspector = inspector_find(screen);
+    if (!inspector || !inspector->move)
+        return false;
+    inspector->move(screen, x, y, page);
+    return true;
+}

@@ -1,0 +1,140 @@
+/* Where panes lie. The two plots keep their places whether the run goes on or not: the caption of a running
+ * experiment and the stage box of a paused one are of one size. Only the timeline, where it has no row of its
+ * own, takes one from the lower plot while we are back in time. */
+#include "view/panes/panes.h"
+
+enum {
+    LEAST_WIDTH = 40,
+    LEAST_HEIGHT = 12,
+    FULL_WIDTH = 80,
+    FULL_HEIGHT = 20,
+    PAIR_WIDTH = 60, /* from here on both plots are seen, without parameters */
+    PAIR_HEIGHT = 20,
+    WIDE = 120, /* from here on there is a column at the right */
+    WIDER = 130,
+    PARAMETERS_WIDTH = 25,
+    WIDE_PARAMETERS_WIDTH = 28,
+    LESSON_WIDTH = 37,
+    WIDE_LESSON_WIDTH = 46,
+    LECTURE_FIELD_WIDTH = 40,
+    SIDE_HEIGHT = 30,
+    INSPECTOR_WIDTH = 79,
+    TIMELINE_WIDTH = 100,
+    TIMELINE_HEIGHT = 30,
+    LEGEND_HEIGHT = 40
+};
+
+#define TALL_SHARE 0.2 /* height over length */
+
+static void lay_out_full(const Screen *screen, int width, int height, Layout *layout)
+{
+    const int box = height < 22 ? 4 : height < 27 ? 5 : height < 30 ? 6 : height < 40 ? 9 : 10;
+    /* a beam that stands in a plot pane is not drawn twice */
+    const bool drawn = experiment_simulation(screen->experiment)->dimensions == 2 &&
+                       (screen->upper == 8 || screen->lower == 8);
+    const int mesh = drawn ? 0 : height < 28 ? 2 : height < 40 ? 3 : 4;
+    const int top = 1 + mesh, middle = height - 2 - box - mesh;
+    const int fields = screen->lesson.open ? width < WIDE ? LESSON_WIDTH : WIDE_LESSON_WIDTH
+                       : width < WIDER     ? PARAMETERS_WIDTH
+                                           : WIDE_PARAMETERS_WIDTH;
+    /* two runs side by side take what else joins at the right */
+    const bool side = width >= WIDE && height >= SIDE_HEIGHT && !second_run(screen);
+    const int side_width = side ? (width < WIDER ? 39 : width < 150 ? 45 : width * 3 / 10) : 0;
+    const int left = fields + 1, plots = width - left - (side ? side_width + 1 : 0);
+    /* the map of a beam that is no rod wants height more than the curve below it */
+    const BeamDef *beam = &experiment_settings(screen->experiment)->beam;
+    const bool tall = drawn && screen->upper == 8 && beam->height > TALL_SHARE * beam->length;
+    const int lower = tall ? middle * 4 / 9 + 1 : (middle + 3) / 2, upper = middle - lower;
+    /* on a large screen with a row for what its marks are */
+    const bool own = width >= TIMELINE_WIDTH && height >= TIMELINE_HEIGHT;
+    const int timeline = own && height >= LEGEND_HEIGHT ? 2 : own || is_rewound(screen);
+
+    layout->kind = LAYOUT_FULL;
+    layout->panes[PANE_MESH] = (Rect){0, 1, mesh ? width : 0, mesh};
+    layout->panes[PANE_PARAMETERS] = (Rect){0, top, fields, middle};
+    layout->panes[PANE_UPPER] = (Rect){left, top, plots, upper};
+    layout->panes[PANE_LOWER] = (Rect){left, top + upper, plots, lower - timeline};
+    if (timeline)
+        layout->timeline = (Rect){left, top + middle - timeline, plots, timeline};
+    layout->panes[PANE_BOX] = (Rect){0, top + middle, width, box};
+    if (screen->inspecting) {
+        /* over the plots, and where its columns need the room over the fields too */
+        const bool beside = width >= INSPECTOR_WIDTH + fields + 1;
+        layout->panes[PANE_INSPECTOR] =
+            (Rect){beside ? left : 0, top, beside ? width - left : width, middle - timeline};
+        layout->panes[PANE_UPPER] = layout->panes[PANE_LOWER] = (Rect){0};
+        if (!beside) {
+            layout->panes[PANE_PARAMETERS] = (Rect){0};
+            if (timeline)
+                layout->timeline = (Rect){0, top + middle - timeline, width, timeline};
+        }
+        return;
+    }
+    if (side) {
+        const int x = width - side_width, third = middle / 3;
+        const int sets = experiment_simulation(screen->experiment)->n_sets > 1 ? 2 : 1;
+        const int energies = sets == 2 ? middle - 2 * third : middle / 2;
+        const int rest = middle - energies;
+        layout->sides[0] = (Rect){x, top, side_width, energies};
+        layout->sides[1] = (Rect){x, top + energies, side_width, sets == 2 ? rest / 2 : rest};
+        if (sets == 2)
+            layout->sides[2] = (Rect){x, top + energies + rest / 2, side_width, rest - rest / 2};
+    }
+}
+
+/* What is far away is read in few and large things: time and state, two plots, the parameter under the
+ * arrows; in the middle of a step its stage. */
+static void lay_out_lecture(const Screen *screen, int width, int height, Layout *layout)
+{
+    const bool inside = experiment_stage(screen->experiment) > 0 || screen->state == STATE_FAILED;
+    const int banner = banner_rows(screen, width, height);
+    const int box = !inside ? 0 : height < LECTURE_LARGE_HEIGHT ? 5 : 9;
+    const int top = 1 + banner, middle = height - top - 2 - box, upper = (middle - 1) / 2;
+    layout->kind = LAYOUT_FULL;
+    layout->banner = (Rect){0, 1, width, banner};
+    layout->panes[PANE_UPPER] = (Rect){0, top + 1, width, upper};
+    layout->panes[PANE_LOWER] = (Rect){0, top + 1 + upper, width, middle - 1 - upper};
+    layout->panes[PANE_PARAMETERS] = (Rect){0, top + middle, LECTURE_FIELD_WIDTH, 1};
+    layout->panes[PANE_BOX] = (Rect){0, height - 1 - box, box ? width : 0, box};
+    if (screen->inspecting) {
+        layout->panes[PANE_INSPECTOR] = (Rect){0, top + 1, width, middle - 1};
+        layout->panes[PANE_UPPER] = layout->panes[PANE_LOWER] = (Rect){0};
+    }
+}
+
+Layout layout_make(const Screen *screen, int width, int height)
+{
+    Layout layout = {.kind = LAYOUT_TOO_SMALL};
+    if (width < LEAST_WIDTH || height < LEAST_HEIGHT)
+        return layout;
+    layout.title = (Rect){0, 0, width, 1};
+    layout.bar = (Rect){0, height - 1, width, 1};
+    if (width >= FULL_WIDTH && height >= FULL_HEIGHT && !screen->zoomed) {
+        if (screen->lecture && !screen->lesson.open)
+            lay_out_lecture(screen, width, height, &layout);
+        else
+            lay_out_full(screen, width, height, &layout);
+        return layout;
+    }
+    layout.kind = LAYOUT_ONE_PANE;
+    PaneId focus = screen->focus < PANE_COUNT ? screen->focus : PANE_PARAMETERS;
+    layout.panes[focus] = (Rect){0, 1, width, height - 2};
+    if (!screen->zoomed && width >= PAIR_WIDTH && height >= PAIR_HEIGHT &&
+        (focus == PANE_UPPER || focus == PANE_LOWER)) {
+        const int upper = (height - 2) / 2;
+        layout.panes[PANE_UPPER] = (Rect){0, 1, width, upper};
+        layout.panes[PANE_LOWER] = (Rect){0, 1 + upper, width, height - 2 - upper};
+    }
+    return layout;
+}
+
+bool screen_is_whole(int width, int height)
+{
+    return width >= FULL_WIDTH && height >= FULL_HEIGHT;
+}
+
+Rect screen_pane(const Screen *screen, int width, int height, PaneId pane)
+{
+    Layout layout = layout_make(screen, width, height);
+    return pane < PANE_COUNT ? layout.panes[pane] : (Rect){0};
+}

@@ -1,0 +1,229 @@
+/* The box at the bottom. Of a duel: its readout, but within a time step. Running: a caption. At the end: the
+ * summary. Paused: the stage box, pane_stage.c. */
+#include "view/panes/panes.h"
+#include "lab/answers/summary.h"
+#include "view/views/runs.h"
+#include "view/views/time_plot.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* --- caption while running ------------------------------------------------------------------------ */
+
+/* A hint stands until its command was used, then the next one comes. */
+static const char *hint_of(const Screen *screen)
+{
+    static const struct {
+        CommandId id;
+        const char *text;
+    } hints[] = {
+        {COMMAND_RUN_PAUSE, "Space pauses; then ] goes through the stages of one time step."},
+        {COMMAND_RIGHT, "Left and Right change the marked parameter; the old curve stays behind, faint."},
+        {COMMAND_INSPECT, "i, when paused, shows what a particle and its nodes give each other."},
+        {COMMAND_REFERENCES, "e takes the exact and the predicted curve away: let the class guess first."},
+        {COMMAND_VIEW_3, "3 shows the energies, 1 the fields along it; again: the next one."},
+        {COMMAND_QUESTION, "t toggles what this scenario asks about."},
+        {COMMAND_EXPORT, "x writes this run as CSV."},
+        {COMMAND_HELP, "? explains the keys and what is solved."},
+    };
+    for (size_t i = 0; i < sizeof hints / sizeof *hints; i++) {
+        const bool right =
+            hints[i].id == COMMAND_RIGHT && (screen->lesson.open || screen->used & (1ull << COMMAND_LEFT));
+        const bool nothing = hints[i].id == COMMAND_INSPECT && !screen_has_inspector(screen);
+        if (command_find(hints[i].id) && !(screen->used & (1ull << hints[i].id)) && !right && !nothing)
+            return hints[i].text;
+    }
+    return "";
+}
+
+/* " (continuum)" behind the word "exact", and so on; beam theories have names of their own. */
+static const char *gloss_of(const char *label)
+{
+    return strcmp(label, "exact") == 0       ? " (continuum)"
+           : strcmp(label, "predicted") == 0 ? " (this mesh)"
+                                             : "";
+}
+
+/* "Solid: measured.  Dotted: exact (continuum)." as the plots over time draw them. */
+static void line_words(const Screen *screen, char *out, size_t size)
+{
+    static const char *const words[] = {
+        [LINE_SOLID] = "Solid", [LINE_DOTTED] = "Dotted", [LINE_DASHED] = "Dashed"};
+    const bool ascii = screen->glyphs == GLYPHS_ASCII;
+    int n;
+    const Column *columns = experiment_columns(screen->experiment, &n);
+    snprintf(out, size, "%s measured.", ascii ? "*" : "Solid:");
+    for (int i = 0; i < n; i++) {
+        const Legend legend = column_legend(columns, i);
+        if (columns[i].kind == COLUMN_MEASURED || columns[i].of < 0 || !shows_column(screen, &columns[i]) ||
+            strstr(out, legend.name))
+            continue;
+        if (ascii)
+            append(out, size, "  %c %s%s.", legend.letter, legend.name, gloss_of(legend.name));
+        else
+            append(out, size, "  %s: %s%s.", words[legend.line], legend.name, gloss_of(legend.name));
+    }
+}
+
+/* Cuts a text to the whole sentences that fit. Where they would leave a row empty it stays as it is: as much
+ * as there is room for is shown, and the help has all of it. */
+static void keep_sentences(char *text, int width, int rows)
+{
+    char cut[ABOUT_MAX];
+    snprintf(cut, sizeof cut, "%s", text);
+    size_t end = strlen(cut);
+    while (end > 0 && paragraph_lines(width, cut) > rows) {
+        do
+            end--;
+        while (end > 0 && !(strchr(".?!", cut[end - 1]) && cut[end] == ' '));
+        cut[end] = '\0';
+    }
+    if (paragraph_lines(width, cut) == rows)
+        text[end] = '\0';
+}
+
+/* " 4200 steps/s, about 9 s left ": known after the first frames, for pace and machine as they are. */
+static void rate_text(const Screen *screen, char *out, size_t size)
+{
+    const Experiment *experiment = screen->experiment;
+    const double rate = screen->rate * FRAMES_PER_SECOND;
+    const long left = experiment_last_step(experiment) - experiment_step(experiment);
+    out[0] = '\0';
+    if (screen->state != STATE_RUNNING || !(rate > 0) || left < 1)
+        return;
+    const double seconds = (double)left / rate;
+    const double grain = pow(10, floor(log10(rate)) - 1); /* two digits: the third would dance */
+    snprintf(out, size, rate < 10 ? " %.1f steps/s, " : " %.0f steps/s, ", round(rate / grain) * grain);
+    if (seconds < 100)
+        append(out, size, "about %.0f s left ", fmax(1, seconds));
+    else
+        append(out, size, "about %.0f min left ", ceil(seconds / 60));
+}
+
+static void draw_caption(const Screen *screen, Area area)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const int width = area.rect.width - 2, rows = area.rect.height;
+    const char *title = settings->title[0] ? settings->title : problem_facts[settings->problem].title;
+    area_rule(area, 0, title, STYLE_HEADING);
+    char rate[64];
+    rate_text(screen, rate, sizeof rate);
+    if (5 + text_columns(title) + text_columns(rate) + 2 <= area.rect.width)
+        area_text_right(area, area.rect.width - 1, 0, rate, STYLE_FAINT);
+
+    int last = rows - 1, y = 1;
+    char text[256];
+    const char *hint = hint_of(screen);
+    if (hint[0] && last > y)
+        area_text(area, 1, last--, hint, STYLE_FAINT);
+    int count;
+    const Event *events = experiment_events(screen->experiment, &count);
+    while (count > 0 && events[count - 1].step > experiment_step(screen->experiment))
+        count--; /* what is still to come, or to come again */
+    if (count > 0 && last > y) {
+        char time[48];
+        time_text(screen, sim->dt * (double)events[count - 1].step, time, sizeof time);
+        snprintf(text, sizeof text, "%s: %s", time, events[count - 1].text);
+        area_text(area, 1, last--, text, STYLE_NORMAL);
+    } else if (experiment_advice(screen->experiment)[0] && last > y) {
+        area_text(area, 1, last--, experiment_advice(screen->experiment), STYLE_WARNING);
+    }
+    line_words(screen, text, sizeof text);
+    area_text(area, 1, y++, text, STYLE_NORMAL);
+    char about[ABOUT_MAX];
+    memcpy(about, settings->about, sizeof about);
+    keep_sentences(about, width, last - y + 1);
+    if (about[0])
+        area_paragraph(area, 1, y, width, last - y + 1, about, STYLE_NORMAL);
+}
+
+/* --- summary -------------------------------------------------------------------------------------- */
+
+static void draw_summary(const Screen *screen, Area area)
+{
+    const bool failed = screen->state == STATE_FAILED;
+    const RunSummary *summary = &screen->summary;
+    const Readout *readout = experiment_readout(screen->experiment);
+    const int rows = area.rect.height;
+    area_rule(area, 0, failed ? "The run stopped" : "The run is complete",
+              failed ? STYLE_ERROR : STYLE_HEADING);
+    int y = 1;
+    Status status = {STATUS_DONE, ""};
+    if (experiment_failed(screen->experiment, &status) && y < rows)
+        y += area_paragraph(area, 1, y, area.rect.width - 2, 2, status.text, STYLE_ERROR);
+    char time[48], text[200];
+    time_text(screen, experiment_time(screen->experiment), time, sizeof time);
+    snprintf(text, sizeof text, "%ld steps to %s", experiment_step(screen->experiment), time);
+    char energy[SUMMARY_MAX] = "";
+    if (screen->summary_known)
+        summary_energy_text(summary, energy);
+    append(text, sizeof text, "%s%s", *energy ? "  " : "", energy);
+    const int width = area.rect.width - 2;
+    y += area_phrases(area, 1, y, width, rows - y, text, STYLE_NORMAL);
+    if (readout->moving && readout->measured_known && y < rows) {
+        const double unit = readout->is_period ? 1e-3 : 1;
+        const char *tail = readout->is_period ? " ms" : "";
+        snprintf(text, sizeof text, "%s measured %.5f", readout->is_period ? "period" : "frequency w",
+                 readout->measured / unit);
+        if (readout->predicted_known && shows_predicted(screen))
+            append(text, sizeof text, "  predicted %.5f", readout->predicted / unit);
+        if (readout->exact_known && shows_exact(screen))
+            append(text, sizeof text, "  exact %.5f%s  %+.3f %%", readout->exact / unit, tail,
+                   readout->is_period ? readout->error_period : readout->error_frequency);
+        y += area_phrases(area, 1, y, width, rows - y, text, STYLE_NORMAL);
+    }
+    char crack[SUMMARY_MAX] = "", *line = crack;
+    if (screen->summary_known)
+        summary_crack_text(summary, crack);
+    for (char *end; y < rows && (end = strchr(line, '\n')); line = end + 1) {
+        *end = '\0';
+        y += area_phrases(area, 1, y, width, rows - y, line, STYLE_NORMAL);
+    }
+    area_paragraph(area, 1, y, width, rows - y,
+                   "Space runs it again, x writes it as CSV, ? explains what is solved.", STYLE_FAINT);
+}
+
+/* In the longest free piece of the box's upper edge. */
+static void draw_ghost_names(const Screen *screen, Area area)
+{
+    enum { RULE = 0x2500, LEAST = 6 };
+    const Canvas *canvas = area.canvas;
+    int begin = 0, columns = 0;
+    for (int x = 0, run = 0; x < area.rect.width; x++) {
+        const Cell *cell = &canvas->cells[area.rect.y * canvas->width + area.rect.x + x];
+        run = cell->glyph == RULE ? run + 1 : 0;
+        if (run > columns)
+            columns = run, begin = x + 1 - run;
+    }
+    char text[160];
+    ghost_names(screen, columns - 4, text, sizeof text);
+    if (columns < LEAST || !text[0])
+        return;
+    const int end = begin + columns - 1, width = text_columns(text);
+    area_text_right(area, end, 0, " ", STYLE_FRAME);
+    area_text_right(area, end - 1, 0, text, STYLE_NORMAL);
+    area_text_right(area, end - 1 - width, 0, " ", STYLE_FRAME);
+}
+
+static void draw_box(const Screen *screen, Area area)
+{
+    const bool between = experiment_stage(screen->experiment) == 0 && !experiment_before(screen->experiment);
+    if (second_run(screen) && between)
+        pane_duel(screen, area);
+    else if (screen->state == STATE_RUNNING || screen->state == STATE_COMPUTING)
+        draw_caption(screen, area);
+    else if ((screen->state == STATE_ENDED || screen->state == STATE_FAILED) &&
+             experiment_stage(screen->experiment) == 0)
+        draw_summary(screen, area);
+    else
+        pane_stage(screen, area);
+}
+
+void pane_box(const Screen *screen, Area area)
+{
+    draw_box(screen, area);
+    if (area.rect.height > 0)
+        draw_ghost_names(screen, area);
+}

@@ -1,0 +1,218 @@
+/* A lesson: a page of text in place of the parameters, with the question it asks, the parameters it offers,
+ * and in the last row what is to be done to go on. */
+#include "view/panes/panes.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* Writes down the pane from a row on, which may lie above it. */
+typedef struct Pen {
+    Area area;
+    int y;
+} Pen;
+
+static void write_paragraphs(Pen *pen, const char *text, Style style)
+{
+    const int width = pen->area.rect.width - 2;
+    while (text && *text) {
+        char paragraph[1024];
+        const size_t length = strcspn(text, "\n");
+        snprintf(paragraph, sizeof paragraph, "%.*s", (int)length, text);
+        const int lines = paragraph_lines(width, paragraph);
+        area_paragraph(pen->area, 1, pen->y, width, lines, paragraph, style);
+        pen->y += lines + 1;
+        text += length + (text[length] == '\n');
+    }
+}
+
+static void write_question(Pen *pen, const Screen *screen, const LessonPage *page)
+{
+    const int answer = screen->lesson.answer, width = pen->area.rect.width - 2;
+    write_paragraphs(pen, page->question, STYLE_HEADING);
+    if (answer < 0)
+        pen->y--; /* the choices stand close to it */
+    for (int i = 0; i < page->n_choices && answer < 0; i++) {
+        const int lines = paragraph_lines(width - 3, page->choices[i]);
+        area_print(pen->area, 2, pen->y, STYLE_KEY, "%d", i + 1);
+        area_paragraph(pen->area, 4, pen->y, width - 3, lines, page->choices[i], STYLE_NORMAL);
+        pen->y += lines;
+    }
+    if (answer < 0)
+        return;
+    char text[512];
+    if (answer == page->right)
+        snprintf(text, sizeof text, "Right: %.400s.", page->choices[answer]);
+    else
+        snprintf(text, sizeof text, "You said: %.200s. It is: %.200s.", page->choices[answer],
+                 page->choices[page->right]);
+    write_paragraphs(pen, text, answer == page->right ? STYLE_CHANGED : STYLE_WARNING);
+}
+
+static void write_page(Pen *pen, const Screen *screen)
+{
+    const LessonPage *page = &screen->lesson.lesson->pages[screen->lesson.page];
+    write_paragraphs(pen, page->title, STYLE_HEADING);
+    write_paragraphs(pen, page->first.text, STYLE_NORMAL);
+    if (page->question)
+        write_question(pen, screen, page);
+    if (screen->lesson.answer >= 0 || !page->question)
+        write_paragraphs(pen, page->revealed.text, STYLE_NORMAL);
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    const int count = page->n_fields ? screen_parameter_rows(screen, rows) : 0;
+    for (int i = 0; i < page->n_fields; i++) {
+        const Parameter *parameter = parameter_find(page->fields[i]);
+        const bool chosen = screen->selected >= 0 && screen->selected < count &&
+                            rows[screen->selected].parameter == parameter;
+        draw_parameter(screen, pen->area, pen->y++, parameter, chosen);
+    }
+}
+
+static void write_list(Pen *pen, const Screen *screen)
+{
+    write_paragraphs(pen, "What shall we look at?", STYLE_NORMAL);
+    for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++) {
+        Lesson lesson;
+        if (!lesson_load(builtin_lessons[i].name, &lesson, NULL))
+            continue;
+        const bool chosen = i == screen->lesson.chosen;
+        const Style style = chosen ? STYLE_SELECTED : STYLE_NORMAL;
+        char pages[24];
+        for (int x = 1; chosen && x < pen->area.rect.width - 1; x++)
+            area_put(pen->area, x, pen->y, ' ', style);
+        snprintf(pages, sizeof pages, "%d/%d", screen->lesson.reached[i], lesson.n_pages);
+        area_print(pen->area, 1, pen->y, chosen ? style : STYLE_KEY, "%d", i + 1);
+        area_text(area_part(pen->area, 3, pen->y, pen->area.rect.width - 9, 1), 0, 0, lesson.title, style);
+        area_text_right(pen->area, pen->area.rect.width - 1, pen->y++, screen->lesson.reached[i] ? pages : "",
+                        chosen ? style : STYLE_FAINT);
+        lesson_free(&lesson);
+    }
+}
+
+static void write_all(Pen *pen, const Screen *screen)
+{
+    if (screen->lesson.lesson)
+        write_page(pen, screen);
+    else
+        write_list(pen, screen);
+}
+
+/* What is to be done to go on. */
+static void footer_text(const Screen *screen, char *out, size_t size)
+{
+    const LessonShown *shown = &screen->lesson;
+    const LessonPage *page = shown->lesson ? &shown->lesson->pages[shown->page] : NULL;
+    if (!page) {
+        snprintf(out, size, "number or Enter opens   T closes");
+        return;
+    }
+    const LessonUntil *until = &page->until;
+    const Command *command = until->kind == UNTIL_COMMAND ? command_by_name(until->word) : NULL;
+    const Parameter *parameter = until->kind == UNTIL_VALUE ? parameter_find(until->word) : NULL;
+    char key[COMMAND_KEY_MAX] = "", time[48];
+    if (command)
+        command_first_key(command, key);
+    if (page->question && shown->answer < 0)
+        snprintf(out, size, "1 %s %d: your answer", page->n_choices == 2 ? "or" : "to", page->n_choices);
+    else if (until->kind != UNTIL_NOTHING && !shown->met)
+        switch (until->kind) {
+        case UNTIL_STEP:
+            snprintf(out, size, "goes on from step %.0f", until->number);
+            break;
+        case UNTIL_TIME:
+            time_text(screen, until->number, time, sizeof time);
+            snprintf(out, size, "goes on from %s", time);
+            break;
+        case UNTIL_STAGE:
+            snprintf(out, size, "goes on after stage %.0f", until->number);
+            break;
+        case UNTIL_COMMAND:
+            snprintf(out, size, "goes on after %s", key);
+            break;
+        case UNTIL_VALUE:
+            snprintf(out, size, "goes on with %s %s", parameter ? parameter->label : until->word,
+                     until->value);
+            break;
+        default:
+            snprintf(out, size, "goes on at the end of the run");
+        }
+    else if (shown->page + 1 == shown->lesson->n_pages)
+        snprintf(out, size, "the end   T closes the lesson");
+    else
+        snprintf(out, size, "%sPageDown goes on", until->kind != UNTIL_NOTHING ? "done   " : "");
+}
+
+/* Heading and footer. */
+enum { MARGIN_ROWS = 2 };
+
+static int lines_of(const Screen *screen, Area area)
+{
+    Pen pen = {area_part(area, 0, 0, area.rect.width, 0), 0};
+    write_all(&pen, screen);
+    return pen.y;
+}
+
+/* Lines above what is shown: of the list, as many as the chosen one needs to be seen. */
+static int lines_above(const Screen *screen, Area area)
+{
+    const int to_chosen = lines_of(screen, area) - screen_lesson_count() + screen->lesson.chosen + 1;
+    const int rows = area.rect.height - MARGIN_ROWS;
+    if (screen->lesson.lesson)
+        return screen->lesson.scroll;
+    return to_chosen > rows ? to_chosen - rows : 0;
+}
+
+void pane_lesson(const Screen *screen, Area area)
+{
+    const LessonShown *shown = &screen->lesson;
+    const int rows = area.rect.height - MARGIN_ROWS;
+    char heading[160], footer[192];
+    if (shown->lesson)
+        snprintf(heading, sizeof heading, "%.120s  %d/%d", shown->lesson->title, shown->page + 1,
+                 shown->lesson->n_pages);
+    else
+        snprintf(heading, sizeof heading, "Lessons");
+    area_rule(area, 0, heading, is_focused(screen, PANE_PARAMETERS) ? STYLE_FOCUS : STYLE_HEADING);
+    Pen pen = {area_part(area, 0, 1, area.rect.width, rows), -lines_above(screen, area)};
+    write_all(&pen, screen);
+    footer_text(screen, footer, sizeof footer);
+    const int last = area.rect.height - 1, end = area.rect.width - 1;
+    const int used = area_text(area, 1, last, footer, STYLE_KEY) + 2;
+    static const char *const more[] = {"more below", "more", "↓"};
+    for (size_t i = 0; pen.y > rows + 1 && i < sizeof more / sizeof *more; i++)
+        if (used + text_columns(more[i]) < end) {
+            area_text_right(area, end, last, more[i], STYLE_FAINT);
+            break;
+        }
+}
+
+int screen_lesson_count(void)
+{
+    int count = 0;
+    while (count < LESSONS_MAX && builtin_lessons[count].name)
+        count++;
+    return count;
+}
+
+int screen_lesson_at(const Screen *screen, int width, int height, int x, int y)
+{
+    const Rect pane = screen_pane(screen, width, height, PANE_PARAMETERS);
+    Canvas none = {.width = width, .height = height};
+    const Area area = {&none, pane, screen->glyphs};
+    const bool inside = x >= pane.x && x < pane.x + pane.width && y > pane.y && y < pane.y + pane.height - 1;
+    if (!screen->lesson.open || screen->lesson.lesson || !inside)
+        return -1;
+    const int line = y - pane.y - 1 + lines_above(screen, area);
+    const int row = line - (lines_of(screen, area) - screen_lesson_count());
+    return row >= 0 && row < screen_lesson_count() ? row : -1;
+}
+
+int screen_lesson_most(const Screen *screen, int width, int height)
+{
+    const Rect pane = screen_pane(screen, width, height, PANE_PARAMETERS);
+    Canvas none = {.width = width, .height = height};
+    if (!screen->lesson.open || pane.width == 0)
+        return 0;
+    const int lines = lines_of(screen, (Area){&none, pane, screen->glyphs});
+    const int most = lines - 1 - (pane.height - MARGIN_ROWS);
+    return most > 0 ? most : 0;
+}

@@ -1,0 +1,353 @@
+/* The strip: the bar as it lies. Above, the grid: cell edges, nodes, supports; below, the particles at
+ * x0 + k u. The chosen particle and its nodes are marked, and in each stage who gives to whom. A beam is
+ * drawn as it lies, to the scale of the strip. */
+#include "view/panes/panes.h"
+
+#include "lab/answers/crack.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { CAPTION_WIDTH = 25, NODES_OF_PARTICLE_MAX = 8 };
+
+static double *field_of(const Simulation *sim, int field, size_t count)
+{
+    double *values = malloc((count + 1) * sizeof *values);
+    if (values && field >= 0)
+        sim->method->field(sim, field, 0, count, values);
+    else if (values)
+        memset(values, 0, (count + 1) * sizeof *values);
+    return values;
+}
+
+double exaggeration(double reach, double room)
+{
+    if (!(reach > 0))
+        return 1;
+    /* a coarse step: a scale that changes is worse than one that is a little small */
+    double factor = room / step_round_up(reach);
+    return factor < 1 ? 1 : step_round_down(factor);
+}
+
+/* --- a bar ---------------------------------------------------------------------------------------- */
+
+typedef struct Strip {
+    double low, cell;  /* x of the left edge; size of a cell */
+    int per_cell;      /* columns */
+    int columns;       /* of the strip */
+    long first, shown; /* cells: the first one, how many */
+    long cells;        /* of the bar */
+} Strip;
+
+/* In columns of the strip, to the left of it below 0. */
+static double column_of_x(const Strip *strip, double x)
+{
+    return (x - strip->low) / strip->cell * strip->per_cell;
+}
+
+static int strip_column(const Strip *strip, double x)
+{
+    const double place = column_of_x(strip, x);
+    if (!(place > -0.5 && place < strip->columns))
+        return -1;
+    return (int)floor(place + 1e-9);
+}
+
+static Strip strip_of(int columns, double place, double length, double spacing)
+{
+    Strip strip = {.cell = spacing, .cells = lround(length / spacing)};
+    strip.per_cell = (int)((columns - 1) / (strip.cells + 1));
+    if (strip.per_cell > 6)
+        strip.per_cell = 6;
+    if (strip.per_cell >= 2) {
+        strip.shown = strip.cells;
+        strip.columns = (int)(strip.cells + 1) * strip.per_cell;
+    } else {
+        strip.per_cell = 2;
+        strip.shown = (columns - 1) / 2;
+        strip.columns = (int)strip.shown * 2 + 1;
+        /* of a longer bar a part around the place; at its end a cell more, into which it may stretch */
+        const long most = strip.cells > strip.shown ? strip.cells + 1 - strip.shown : 0;
+        strip.first = (long)floor(place / spacing) - strip.shown / 2;
+        if (strip.first > most)
+            strip.first = most;
+        if (strip.first < 0)
+            strip.first = 0;
+    }
+    strip.low = (double)strip.first * spacing;
+    return strip;
+}
+
+/* Where there is room: the shares by which the chosen particle and its nodes give to each other. */
+static void list_links(Area area, const Simulation *sim, size_t chosen, const Link *links, size_t count)
+{
+    const int node_x = simulation_find_field(sim, 1, "x");
+    area_print(area, 0, 0, STYLE_HEADING, "particle %zu and its nodes", chosen);
+    for (size_t i = 0; i < count && i < NODES_OF_PARTICLE_MAX; i++) {
+        char place[NUMBER_TEXT_MAX], weight[NUMBER_TEXT_MAX], slope[NUMBER_TEXT_MAX];
+        number_text(field_at(sim, node_x, links[i].index), 5, 10, place);
+        number_text(links[i].weight, 4, 10, weight);
+        number_text(links[i].gradient, 4, 10, slope);
+        char line[128];
+        snprintf(line, sizeof line, "node %zu  x %s  N %s  N' %s", links[i].index, place, weight, slope);
+        area_phrases(area, 0, 1 + (int)i, area.rect.width, 1, line, STYLE_NORMAL);
+    }
+}
+
+/* What is drawn where. */
+typedef struct BarPicture {
+    const Simulation *sim;
+    size_t particles, nodes, chosen;
+    double *x0, *u, k; /* particles are drawn at x0 + k u */
+    int node_x;
+    double spacing, length;
+    Strip strip;
+    int grid_row, particle_row;
+} BarPicture;
+
+enum { MARGIN = 2 }; /* room for hatching at the left; words stand at the right */
+
+static void close_picture(BarPicture *bar)
+{
+    free(bar->x0), free(bar->u);
+}
+
+/* False: there is nothing to be drawn. */
+static bool open_picture(const Screen *screen, int width, int rows, BarPicture *bar)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    *bar = (BarPicture){.sim = sim,
+                        .particles = sim->counts[0],
+                        .nodes = sim->n_sets > 1 ? sim->counts[1] : 0,
+                        .node_x = simulation_find_field(sim, 1, "x"),
+                        .grid_row = rows >= 4 ? 1 : 0,
+                        .particle_row = rows > 6 ? 4 : rows - 1};
+    bar->x0 = field_of(sim, sim->position[0], bar->particles);
+    bar->u = field_of(sim, sim->displacement[0], bar->particles);
+    if (!bar->x0 || !bar->u || bar->nodes < 2 || bar->particles < 1 || bar->node_x < 0) {
+        close_picture(bar);
+        return false;
+    }
+    bar->spacing =
+        field_at(sim, bar->node_x, bar->nodes / 2) - field_at(sim, bar->node_x, bar->nodes / 2 - 1);
+    const double gap = bar->particles > 1 ? bar->x0[1] - bar->x0[0] : bar->spacing;
+    bar->length = bar->x0[bar->particles - 1] + gap / 2;
+    bar->chosen = screen->particle < bar->particles ? screen->particle : bar->particles - 1;
+    bar->strip =
+        strip_of(width - MARGIN - CAPTION_WIDTH - 1, bar->x0[bar->chosen], bar->length, bar->spacing);
+    bar->k = exaggeration(field_reach(screen, sim->displacement[0], bar->u, bar->particles), bar->spacing);
+    return true;
+}
+
+static bool choose_in_bar(Screen *screen, Rect rect, int x, int y)
+{
+    BarPicture bar;
+    if (!open_picture(screen, rect.width, rect.height, &bar))
+        return false;
+    const double column = x - rect.x - MARGIN + 0.5;
+    const bool among_nodes = 2 * (y - rect.y) < bar.grid_row + bar.particle_row;
+    const bool inside = y - rect.y >= bar.grid_row && y - rect.y <= bar.particle_row && column > -MARGIN &&
+                        column < bar.strip.columns + 1;
+    double least = INFINITY;
+    for (size_t i = 0; i < (among_nodes ? bar.nodes : bar.particles) && inside; i++) {
+        /* a node is drawn in the column that begins at it */
+        const double at = among_nodes ? column_of_x(&bar.strip, field_at(bar.sim, bar.node_x, i)) + 0.5
+                                      : column_of_x(&bar.strip, bar.x0[i] + bar.k * bar.u[i]);
+        if (fabs(at - column) < least && at >= 0 && at < bar.strip.columns + 1) {
+            least = fabs(at - column);
+            *(among_nodes ? &screen->node : &screen->particle) = i;
+            screen->node_chosen = among_nodes;
+        }
+    }
+    close_picture(&bar);
+    return isfinite(least);
+}
+
+static void draw_bar(const Screen *screen, Area area)
+{
+    BarPicture bar;
+    if (!open_picture(screen, area.rect.width, area.rect.height, &bar))
+        return;
+    const Simulation *sim = bar.sim;
+    const size_t particles = bar.particles, nodes = bar.nodes, chosen = bar.chosen;
+    const double *x0 = bar.x0, *u = bar.u, k = bar.k, spacing = bar.spacing, length = bar.length;
+    const int rows = area.rect.height, grid_row = bar.grid_row, particle_row = bar.particle_row,
+              node_x = bar.node_x, node_fixed = simulation_find_field(sim, 1, "fixed");
+    const Strip strip = bar.strip;
+    Area part = area_part(area, MARGIN, 0, strip.columns, rows);
+    if (rows >= 4)
+        area_rule(area, 0, "the bar: its grid, and its particles",
+                  is_focused(screen, PANE_MESH) ? STYLE_FOCUS : STYLE_HEADING);
+    bool done;
+    const int stage = box_stage(screen, &done);
+    const bool inside = screen->state != STATE_RUNNING && done;
+    const Flow flow = inside ? stage_flow(sim, &sim->stages[stage]) : FLOW_NONE;
+    const bool grid_there = experiment_stage(screen->experiment) > 0;
+
+    /* the grid: an edge line with a tick at each node; between steps it is empty, and drawn faint */
+    for (int x = 0; x < strip.columns; x++)
+        area_put(part, x, grid_row, 0x2500, STYLE_FRAME);
+    for (size_t i = 0; i < nodes; i++) {
+        int column = strip_column(&strip, field_at(sim, node_x, i));
+        if (column < 0)
+            continue;
+        area_put(part, column, grid_row, 0x253c, grid_there ? STYLE_NORMAL : STYLE_FRAME);
+        if (node_fixed >= 0 && field_at(sim, node_fixed, i) > 0 && field_at(sim, node_x, i) > -spacing / 2 &&
+            field_at(sim, node_x, i) < length + spacing / 2) {
+            const bool left = field_at(sim, node_x, i) < length / 2;
+            for (int y = grid_row; y <= particle_row; y++)
+                area_put(area, MARGIN + column + (left ? -1 : 1), y, 0x2592, STYLE_FRAME);
+        }
+    }
+    /* particles: a dot each; where they are denser than the columns, braille dots show how they lie */
+    for (size_t i = 0; i < particles; i++) {
+        double place = column_of_x(&strip, x0[i] + k * u[i]);
+        if (!(place >= 0 && place < strip.columns))
+            continue;
+        int column = (int)place, half = (int)((place - column) * 2);
+        if (area.glyphs == GLYPHS_BRAILLE) {
+            Cell *cell =
+                &part.canvas->cells[(size_t)(part.rect.y + particle_row) * (size_t)part.canvas->width +
+                                    (size_t)(part.rect.x + column)];
+            uint32_t dots = cell->glyph >= 0x2800 && cell->glyph <= 0x28ff ? cell->glyph : 0x2800;
+            area_put(part, column, particle_row, dots | (half ? 0x30u : 0x06u), STYLE_MEASURED);
+        } else {
+            area_put(part, column, particle_row, area.glyphs == GLYPHS_BLOCK ? 0x00b7 : 'o', STYLE_MEASURED);
+        }
+    }
+
+    /* the chosen particle, its nodes, and what passes between them */
+    Link links[NODES_OF_PARTICLE_MAX];
+    size_t n_links =
+        sim->method->links ? sim->method->links(sim, 0, chosen, links, NODES_OF_PARTICLE_MAX) : 0;
+    const int own = strip_column(&strip, x0[chosen] + k * u[chosen]);
+    const uint32_t arrow = flow == FLOW_TO_NODES ? 0x2191 : flow == FLOW_TO_PARTICLES ? 0x2193 : 0x00b7;
+    for (size_t i = 0; i < n_links && i < NODES_OF_PARTICLE_MAX && screen->state != STATE_RUNNING; i++) {
+        int column = strip_column(&strip, field_at(sim, node_x, links[i].index));
+        if (column < 0)
+            continue;
+        area_put(part, column, grid_row, 0x25cf, flow == FLOW_TO_NODES ? STYLE_CHANGED : STYLE_SECOND);
+        for (int y = grid_row + 1; y < particle_row; y++)
+            area_put(part, column, y, arrow,
+                     flow == FLOW_NONE || flow == FLOW_FORGET ? STYLE_FRAME : STYLE_CHANGED);
+    }
+    if (screen->state != STATE_RUNNING)
+        area_put(part, own, particle_row, 0x25cf, flow == FLOW_TO_PARTICLES ? STYLE_CHANGED : STYLE_SECOND);
+    if (screen->node_chosen && screen->state != STATE_RUNNING && screen->node < nodes)
+        area_put(part, strip_column(&strip, field_at(sim, node_x, screen->node)), grid_row, 0x25a0,
+                 STYLE_CHANGED);
+
+    /* words */
+    static const char *const flows[] = {[FLOW_NONE] = "",
+                                        [FLOW_TO_NODES] = "↑ particles give to nodes",
+                                        [FLOW_TO_PARTICLES] = "↓ particles take",
+                                        [FLOW_FORGET] = "the grid is put back"};
+    Area words = area_part(area, MARGIN + strip.columns + 1, 0, area.rect.width, rows);
+    char text[64], number[NUMBER_TEXT_MAX];
+    if (flow != FLOW_NONE)
+        area_text(words, 0, grid_row, flows[flow], STYLE_CHANGED);
+    else if (strip.shown < strip.cells)
+        area_print(words, 0, grid_row, STYLE_FAINT, "cells %ld-%ld of %ld", strip.first,
+                   strip.first + strip.shown - 1, strip.cells);
+    else
+        area_print(words, 0, grid_row, STYLE_FAINT, "%ld cells", strip.cells);
+    text_rounded(number, k, 3);
+    snprintf(text, sizeof text, "%sparticles at x0 + %s%su", second_run(screen) ? "A: " : "",
+             k == 1 ? "" : number, k == 1 ? "" : " ");
+    area_text(words, 0, particle_row, text, STYLE_FAINT);
+    if (rows > particle_row + 2)
+        list_links(area_part(area, 1, particle_row + 2, area.rect.width - 2, rows - particle_row - 2), sim,
+                   chosen, links, n_links);
+    close_picture(&bar);
+}
+
+/* --- a beam --------------------------------------------------------------------------------------- */
+
+static void draw_beam(const Screen *screen, Area area)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const size_t count = sim->counts[0];
+    double *at[4] = {field_of(sim, sim->position[0], count), field_of(sim, sim->position[1], count),
+                     field_of(sim, sim->displacement[0], count), field_of(sim, sim->displacement[1], count)};
+    const int damage_field = simulation_find_field(sim, 0, "damage");
+    double *damage = field_of(sim, damage_field, count);
+    const int rows = area.rect.height, width = area.rect.width - CAPTION_WIDTH - 1;
+    const bool tall = rows >= 4;
+    Area part = area_part(area, 1, tall ? 1 : 0, width - 2, rows - (tall ? 1 : 0));
+    if (!at[0] || !at[1] || !at[2] || !at[3] || !damage || count == 0 || part.rect.width < 4) {
+        for (int i = 0; i < 4; i++)
+            free(at[i]);
+        free(damage);
+        return;
+    }
+    double low[2] = {at[0][0], at[1][0]}, high[2] = {at[0][0], at[1][0]}, moved = 0;
+    for (size_t i = 0; i < count; i++) {
+        for (int d = 0; d < 2; d++) {
+            low[d] = fmin(low[d], at[d][i] + (d == 0 ? at[2][i] : 0));
+            high[d] = fmax(high[d], at[d][i] + (d == 0 ? at[2][i] : 0));
+        }
+        moved = fmax(moved, fabs(at[3][i]));
+    }
+    /* no more dots across than the lattice has columns: else some stay dark */
+    size_t columns = 1;
+    while (columns < count && at[1][columns] == at[1][0])
+        columns++;
+    const int most = (int)columns / plot_dots_across(area.glyphs);
+    if (most >= 4 && part.rect.width > most)
+        part.rect.width = most;
+    const double height = high[1] - low[1];
+    const double reach = field_reach(screen, sim->displacement[1], at[3], count);
+    const double k = exaggeration(reach > moved ? reach : moved, 0.75 * height);
+    /* the drawing keeps its frame while the beam swings; to scale if there are rows enough, else as they
+     * allow */
+    double top = high[1] + 0.8 * height, bottom = low[1] - 0.8 * height;
+    const double needed = (top - bottom) / (high[0] - low[0]) * part.rect.width / 2;
+    if (needed < part.rect.height) {
+        const double more = (top - bottom) * (part.rect.height / needed - 1) / 2;
+        top += more, bottom -= more;
+    }
+    const double stretch = needed > part.rect.height ? part.rect.height / needed : 1;
+    Plot plot;
+    plot_open(&plot, axis_make(low[0], high[0] + 1e-9 * height, 4), axis_make(bottom, top, 4));
+    plot_begin(&plot, STROKE_DOTS, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '#');
+    for (size_t i = 0; i < count; i++)
+        if (damage[i] <= CRACK_DAMAGE)
+            plot_point(&plot, at[0][i] + at[2][i], at[1][i] + k * at[3][i]);
+    plot_draw(&plot, part);
+    plot_close(&plot);
+    if (tall)
+        area_rule(area, 0, "the beam", is_focused(screen, PANE_MESH) ? STYLE_FOCUS : STYLE_HEADING);
+    Area words = area_part(area, part.rect.x + part.rect.width + 1, 0, area.rect.width, rows);
+    char number[NUMBER_TEXT_MAX];
+    factor_text(k, number);
+    if (stretch < 0.95)
+        area_print(words, 0, tall ? 1 : 0, STYLE_FAINT, "height drawn x %.2g", stretch);
+    else
+        area_text(words, 0, tall ? 1 : 0, "to scale", STYLE_FAINT);
+    area_print(words, 0, rows - 1, STYLE_FAINT, k == 1 ? "%sdrawn in place%.0s" : "%sat y0 + %s uy",
+               second_run(screen) ? "A: " : "", number);
+    for (int i = 0; i < 4; i++)
+        free(at[i]);
+    free(damage);
+}
+
+void pane_mesh(const Screen *screen, Area area)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    if (sim->dimensions == 1)
+        (has_mesh(sim) ? draw_bar : pane_lattice)(screen, area);
+    else
+        draw_beam(screen, area);
+}
+
+bool screen_choose_in_strip(Screen *screen, int width, int height, int x, int y)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Rect rect = screen_pane(screen, width, height, PANE_MESH);
+    if (sim->dimensions != 1 || x < rect.x || x >= rect.x + rect.width || y < rect.y ||
+        y >= rect.y + rect.height)
+        return false;
+    return (has_mesh(sim) ? choose_in_bar : choose_in_lattice)(screen, rect, x, y);
+}

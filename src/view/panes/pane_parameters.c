@@ -1,0 +1,234 @@
+/* The parameter pane: fields by group, read-only numbers below, unit and range of the chosen field in its
+ * last row. */
+#include "view/panes/panes.h"
+
+#include "base/text.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static bool holds(const char *text, const char *part)
+{
+    size_t length = strlen(part);
+    for (; *text; text++) {
+        size_t i = 0;
+        while (i < length && text[i] && tolower((unsigned char)text[i]) == tolower((unsigned char)part[i]))
+            i++;
+        if (i == length)
+            return true;
+    }
+    return length == 0;
+}
+
+static bool passes(const Screen *screen, const char *label, const char *key)
+{
+    return holds(label, screen->filter) || holds(key, screen->filter);
+}
+
+/* Whether a derived number is one of the fields too. */
+static bool is_field(const Derived *derived, Problem problem)
+{
+    for (int i = 0; i < n_parameters; i++) {
+        const char *point = strchr(parameters[i].key, '.');
+        if (point && strcmp(point + 1, derived->name) == 0 && parameter_applies(&parameters[i], problem))
+            return true;
+    }
+    return false;
+}
+
+int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS_MAX])
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const char *group = "";
+    int count = 0;
+    for (int i = 0; i < n_parameters && count + 2 < PARAMETER_ROWS_MAX; i++) {
+        const Parameter *parameter = &parameters[i];
+        if (!settings_have(settings, parameter) || !passes(screen, parameter->label, parameter->key))
+            continue;
+        if (strcmp(parameter->group, group) != 0)
+            rows[count++] = (ParameterRow){.heading = group = parameter->group, .derived = -1};
+        rows[count++] = (ParameterRow){.parameter = parameter, .derived = -1};
+    }
+    Derived derived[DERIVED_MAX];
+    int n_derived = experiment_derived(screen->experiment, derived);
+    bool begun = false;
+    for (int i = 0; i < n_derived && count + 1 < PARAMETER_ROWS_MAX; i++) {
+        if (is_field(&derived[i], settings->problem) || !passes(screen, derived[i].label, derived[i].name))
+            continue;
+        if (!begun)
+            rows[count++] = (ParameterRow){.heading = "Follows from these", .derived = -1};
+        begun = true;
+        rows[count++] = (ParameterRow){.derived = i};
+    }
+    return count;
+}
+
+/* A size of a beam as the lattice has it, where that is another one than asked for; "" where it is not. */
+static void real_text(const Screen *screen, const Parameter *parameter, char out[NUMBER_TEXT_MAX])
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    out[0] = '\0';
+    if (parameter->type != PARAMETER_REAL)
+        return;
+    const double nominal = settings_number(settings, parameter);
+    double real = NAN;
+    if (strcmp(parameter->key, "beam.height") == 0)
+        real = derived_value(screen, "real_height");
+    else if (strcmp(parameter->key, "beam.length") == 0 && settings->problem == PROBLEM_SUPPORTED_BEAM)
+        real = derived_value(screen, "real_span");
+    if (fabs(real - nominal) > 1e-6 * nominal)
+        number_text(real, 4, 8, out);
+}
+
+/* The first row shown, so that the chosen one stands near the middle. */
+static int first_row(const Screen *screen, int count, int room)
+{
+    int first = screen->selected - room / 2;
+    if (first > count - room)
+        first = count - room;
+    return first > 0 ? first : 0;
+}
+
+void draw_parameter(const Screen *screen, Area area, int y, const Parameter *parameter, bool chosen)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const bool focused = chosen && is_focused(screen, PANE_PARAMETERS);
+    const int width = area.rect.width;
+    Style style = focused ? STYLE_SELECTED : STYLE_NORMAL;
+    for (int x = 1; focused && x < width; x++)
+        area_put(area, x, y, ' ', style);
+    char value[LIST_MAX];
+    settings_show(settings, parameter, value);
+    if (value[0] == '\0')
+        snprintf(value, sizeof value, "-");
+    /* a number is never cut: where both have no room, the label is shorter */
+    const bool is_number = parameter->type == PARAMETER_REAL || parameter->type == PARAMETER_INTEGER;
+    const int wanted = 3 + text_columns(parameter->label);
+    if (is_number && text_columns(value) > width - wanted && parameter->type == PARAMETER_REAL)
+        number_text(settings_number(settings, parameter), 6, width - wanted < 10 ? 10 : width - wanted,
+                    value);
+    const int label_width = is_number ? width - text_columns(value) - 1 : width;
+    const int indent = is_number && 2 + text_columns(parameter->label) > label_width ? 1 : 2;
+    int label = area_text(area_part(area, 0, y, label_width, 1), indent, 0, parameter->label, style) + indent;
+
+    if (focused && screen->editing) {
+        int room = width - label - 1 < 12 ? 12 : width - label - 1, cursor = screen->edit_cursor;
+        Area field = area_part(area, width - room, y, room, 1);
+        const char *text = screen->edit_text;
+        for (; cursor >= room && *text; cursor--)
+            utf8_next(&text);
+        for (int x = 0; x < room; x++)
+            area_put(field, x, 0, ' ', STYLE_EDIT);
+        area_text(field, 0, 0, text, STYLE_EDIT);
+        area.canvas->cursor_x = field.rect.x + (cursor < room ? cursor : room - 1);
+        area.canvas->cursor_y = field.rect.y;
+        return;
+    }
+    const int columns = text_columns(value), room = width - label - 1;
+    if (focused && parameter->type == PARAMETER_CHOICE && columns + 2 <= room) {
+        char marked[LIST_MAX + 8];
+        snprintf(marked, sizeof marked, "‹%s›", value);
+        area_text_right(area, width, y, marked, style);
+    } else if (columns <= room) {
+        char real[NUMBER_TEXT_MAX], brackets[NUMBER_TEXT_MAX + 4];
+        real_text(screen, parameter, real);
+        snprintf(brackets, sizeof brackets, "(%s) ", real);
+        area_text_right(area, width, y, value, style);
+        if (real[0] && text_columns(brackets) + columns + 1 <= room)
+            area_text_right(area, width - columns, y, brackets, focused ? style : STYLE_FAINT);
+    } else {
+        area_text(area_part(area, label + 1, y, room, 1), 0, 0, value, style);
+    }
+    if (focused && !screen->prompt.open) {
+        area.canvas->cursor_x = area.rect.x + 1;
+        area.canvas->cursor_y = area.rect.y + y;
+    }
+}
+
+static void draw_derived(Area area, int y, const Derived *derived, bool chosen)
+{
+    const Style style = chosen ? STYLE_SELECTED : STYLE_FAINT;
+    char value[NUMBER_TEXT_MAX];
+    for (int x = 1; chosen && x < area.rect.width; x++)
+        area_put(area, x, y, ' ', style);
+    int label = area_text(area, 2, y, derived->label, style) + 2;
+    if (derived->integer)
+        snprintf(value, sizeof value, "%.0f", derived->value);
+    else
+        number_text(derived->value, 6, area.rect.width - label - 1, value);
+    area_text_right(area, area.rect.width, y, value, style);
+}
+
+/* Below the fields: the unit of the chosen one, and what it may be. */
+enum { HINT_ROWS = 2 };
+
+static int room_of(int height)
+{
+    return height > HINT_ROWS ? height - HINT_ROWS : height;
+}
+
+static void draw_hint(const Screen *screen, Area area, const ParameterRow *row, const Derived *derived)
+{
+    char unit[96] = "", range[96] = "", real[NUMBER_TEXT_MAX] = "";
+    if (row->parameter) {
+        snprintf(unit, sizeof unit, "%s",
+                 parameter_unit(row->parameter, experiment_settings(screen->experiment)->problem));
+        parameter_range(row->parameter, experiment_settings(screen->experiment)->problem, range,
+                        sizeof range);
+        real_text(screen, row->parameter, real);
+    } else if (row->derived >= 0) {
+        snprintf(unit, sizeof unit, "%s", derived[row->derived].unit);
+        snprintf(range, sizeof range, "read only");
+    }
+    if (unit[0] && strcmp(unit, "1") != 0)
+        area_print(area, 2, area.rect.height - 2, STYLE_FAINT, real[0] ? "in %s, lattice %s" : "unit: %s",
+                   unit, real);
+    area_text(area, 2, area.rect.height - 1, range, STYLE_FAINT);
+}
+
+void pane_parameters(const Screen *screen, Area area)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    Derived derived[DERIVED_MAX];
+    const int count = screen_parameter_rows(screen, rows);
+    experiment_derived(screen->experiment, derived);
+    const bool focused = is_focused(screen, PANE_PARAMETERS);
+    const int room = room_of(area.rect.height), first = first_row(screen, count, room);
+
+    for (int y = 0; y < room && first + y < count; y++) {
+        const ParameterRow *row = &rows[first + y];
+        const bool chosen = first + y == screen->selected;
+        if (row->heading)
+            area_text(area, 1, y, row->heading, focused ? STYLE_FOCUS : STYLE_HEADING);
+        else if (row->parameter)
+            draw_parameter(screen, area, y, row->parameter, chosen);
+        else
+            draw_derived(area, y, &derived[row->derived], chosen && focused);
+    }
+    if (count == 0)
+        area_text(area, 1, 0, "no parameter of that name", STYLE_FAINT);
+    if (room == area.rect.height)
+        return;
+    if (focused && screen->selected >= 0 && screen->selected < count)
+        draw_hint(screen, area, &rows[screen->selected], derived);
+    else if (first + room < count) {
+        char text[40];
+        snprintf(text, sizeof text, "%d more below", count - first - room);
+        area_text(area, 2, area.rect.height - 1, text, STYLE_FAINT);
+    }
+}
+
+int screen_parameter_at(const Screen *screen, int width, int height, int x, int y)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    const Rect pane = screen_pane(screen, width, height, PANE_PARAMETERS);
+    if (screen->lesson.open)
+        return -1;
+    const int count = screen_parameter_rows(screen, rows), room = pane.height - 1;
+    if (x < pane.x || x >= pane.x + pane.width || y < pane.y || y >= pane.y + room)
+        return -1;
+    const int row = first_row(screen, count, room) + y - pane.y;
+    return row < count && !rows[row].heading ? row : -1;
+}

@@ -1,0 +1,165 @@
+/* The title line: what is shown, where in time, in what state. */
+#include "view/panes/panes.h"
+
+#include "base/text.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* "MPM USF hat", of a duel what differs, "A USF  B USL": the method and the choices that make the difference.
+ */
+static void method_words_of(const Screen *screen, char *out, size_t size)
+{
+    static const char *const keys[] = {"mpm.algorithm", "mpm.shape", "mpm.transfer"};
+    const Settings *settings = experiment_settings(screen->experiment);
+    if (second_run(screen)) {
+        snprintf(out, size, "A %s  B %s", screen->duel->names[0], screen->duel->names[1]);
+        return;
+    }
+    snprintf(out, size, "%s", method_titles[settings->method]);
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+        const Parameter *parameter = parameter_find(keys[i]);
+        if (!parameter || !settings_have(settings, parameter))
+            continue;
+        char value[LIST_MAX];
+        settings_spell(settings, parameter, value);
+        if (i == 2 && strcmp(value, "FLIP") == 0)
+            continue; /* the usual one goes without saying */
+        append(out, size, " %s", value);
+    }
+}
+
+static void pace_text(double pace, char *out, size_t size)
+{
+    if (pace > 2.0 / 3 || pace <= 0) /* from here on the other form would say x1/1 */
+        snprintf(out, size, "x%.0f", pace);
+    else
+        snprintf(out, size, "x1/%.0f", 1 / pace);
+}
+
+/* The state in full or, where room is short, in as few words as tell it. */
+static void state_text(const Screen *screen, bool brief, char *out, size_t size)
+{
+    char pace[24];
+    long back = experiment_newest(screen->experiment) - experiment_step(screen->experiment);
+    switch (screen->state) {
+    case STATE_RUNNING:
+        pace_text(screen->pace, pace, sizeof pace);
+        if (screen->at_limit && screen->rate > 0) {
+            pace_text(screen->rate, pace, sizeof pace);
+            snprintf(out, size, brief ? "%s max" : "RUNNING %s max", pace);
+        } else
+            snprintf(out, size, "RUNNING %s", pace);
+        return;
+    case STATE_COMPUTING:
+        snprintf(out, size, "computing %3.0f %%", 100 * screen->work_share);
+        return;
+    case STATE_ENDED:
+        snprintf(out, size, "END");
+        return;
+    case STATE_FAILED:
+        snprintf(out, size, "STOPPED");
+        return;
+    case STATE_PAUSED:
+        break;
+    }
+    if (back > 0)
+        snprintf(out, size, brief ? "PAUSED -%ld" : "PAUSED -%ld step%s", back, back == 1 ? "" : "s");
+    else
+        snprintf(out, size, "PAUSED");
+}
+
+void shorter_time(const Screen *screen, int less, char *out, size_t size)
+{
+    time_text(screen, experiment_time(screen->experiment), out, size);
+    char *point = strchr(out, '.');
+    if (!point)
+        return;
+    const size_t decimals = strspn(point + 1, "0123456789");
+    if (decimals <= 2)
+        return;
+    const size_t most = decimals - 2, cut = (size_t)less < most ? (size_t)less : most;
+    char *from = point + 1 + decimals;
+    memmove(from - cut, from, strlen(from) + 1);
+}
+
+enum { BAR_CELLS = 10 };
+
+/* What the title gives up, one after the other, where there is no room. */
+typedef struct TitleForm {
+    bool brand, brief, name, words; /* brief: of the state */
+    int fewer;                      /* decimals of the time that are left out */
+    bool close, no_stage, no_step;
+} TitleForm;
+
+void pane_title(const Screen *screen, Area area)
+{
+    static const TitleForm forms[] = {
+        {true, false, true, true, 0, false, false, false},
+        {false, false, true, true, 0, false, false, false},
+        /* the word for a run that goes on is worth more than what stands still in it */
+        {false, false, true, true, 2, false, false, false},
+        {false, false, true, true, 2, true, false, false},
+        {false, false, true, true, 4, true, true, false},
+        {false, true, true, true, 0, false, false, false},
+        {false, true, true, true, 2, false, false, false},
+        {false, true, true, true, 2, true, false, false},
+        {false, true, true, true, 4, true, false, false},
+        /* between two steps, and while they run, the time says where we are */
+        {false, true, true, true, 4, true, true, false},
+        {false, true, true, true, 4, true, true, true},
+        {false, true, true, false, 4, true, false, false},
+        {false, true, false, false, 4, false, false, false},
+        {false, true, false, false, 4, true, false, false},
+    };
+    enum { FORMS = sizeof forms / sizeof *forms };
+    const int width = area.rect.width;
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    for (int x = 0; x < width; x++)
+        area_put(area, x, 0, ' ', STYLE_TITLE);
+
+    char state[64], time[48], words[2 * DUEL_NAME_MAX + 8], whole[256] = "";
+    method_words_of(screen, words, sizeof words);
+    const char *name = screen->scenario ? screen->scenario : "";
+    const char *slash = strrchr(name, '/');
+    name = slash && slash[1] ? slash + 1 : name;
+
+    const int stage = experiment_stage(screen->experiment);
+    int end = width - 1;
+    bool bar = false, fits = false;
+    for (int i = 0; i < FORMS && !fits; i++) {
+        const TitleForm *form = &forms[i];
+        if (!form->brief && form->fewer > 0 && screen->state != STATE_RUNNING)
+            continue;
+        const char *gap = form->close ? " " : "  ";
+        state_text(screen, form->brief, state, sizeof state);
+        bar = screen->state == STATE_COMPUTING && !form->brief;
+        end = width - 1 - text_columns(state) - 1 - (bar ? BAR_CELLS + 1 : 0);
+        shorter_time(screen, form->fewer, time, sizeof time);
+        snprintf(whole, sizeof whole, " %s", form->brand ? "matvib  " : "");
+        if (form->name)
+            append(whole, sizeof whole, "%s%s", name, gap);
+        if (form->words)
+            append(whole, sizeof whole, "%s%s", words, gap);
+        if (form->name && !form->close)
+            append(whole, sizeof whole, " ");
+        append(whole, sizeof whole, "%s", time);
+        if (!form->no_step)
+            append(whole, sizeof whole, "%sstep %ld", gap, experiment_step(screen->experiment));
+        if (!form->no_stage)
+            append(whole, sizeof whole, "%sstage %d/%d", gap, stage, sim->n_stages);
+        fits = text_columns(whole) <= end && !(form->no_stage && stage > 0) &&
+               !(form->no_step && screen->state != STATE_RUNNING);
+    }
+    if (!fits)
+        snprintf(whole, sizeof whole, " %s", time);
+    int right = width - 1;
+    if (bar) {
+        int full = (int)(screen->work_share * BAR_CELLS + 0.5);
+        for (int i = 0; i < BAR_CELLS; i++)
+            area_put(area, right - BAR_CELLS + i, 0, i < full ? 0x2588 : 0x2591, STYLE_TITLE);
+        right -= BAR_CELLS + 1;
+    }
+    area_text_right(area, right, 0, state, STYLE_TITLE);
+    area_text_whole(area, 0, 0, end, whole, STYLE_TITLE);
+}

@@ -1,0 +1,274 @@
+/* The screen's state and its drawing: everything seen is a function of a Screen. The laboratory (tui) changes
+ * the state on commands; nothing here knows keys or terminals. */
+#ifndef VIEW_SCREEN_H
+#define VIEW_SCREEN_H
+
+#include "lab/run/duel.h"
+#include "lab/run/experiment.h"
+#include "lab/export/export.h"
+#include "lab/run/overlay.h"
+#include "lab/lessons/lesson.h"
+#include "lab/settings/parameters.h"
+#include "view/draw/canvas.h"
+#include "view/panes/commands.h"
+#include "view/draw/sketch.h"
+
+enum { FRAMES_PER_SECOND = 30 };
+
+typedef enum PaneId {
+    PANE_PARAMETERS,
+    PANE_MESH,
+    PANE_UPPER,
+    PANE_LOWER,
+    PANE_BOX,
+    PANE_INSPECTOR,
+    PANE_COUNT
+} PaneId;
+
+typedef enum RunState {
+    STATE_PAUSED,
+    STATE_RUNNING,
+    STATE_COMPUTING, /* on the way to a time that was asked for */
+    STATE_ENDED,     /* at time.end, paused; the summary is shown */
+    STATE_FAILED
+} RunState;
+
+typedef enum ReferencesShown { SHOW_ALL, SHOW_EXACT, SHOW_PREDICTED, SHOW_NONE, SHOW_COUNT } ReferencesShown;
+
+typedef enum MessageKind { MESSAGE_NONE, MESSAGE_INFO, MESSAGE_WARNING, MESSAGE_ERROR } MessageKind;
+
+/* Two runs share a picture, or each has its own. */
+typedef enum DuelSide { SIDE_BOTH, SIDE_A, SIDE_B } DuelSide;
+
+enum { SCENARIOS_MAX = 96, SCENARIO_NAME_MAX = 64 };
+
+/* Scenarios to choose from while a name is asked for: those whose name or title holds what was typed. */
+typedef struct ScenarioList {
+    struct {
+        char name[SCENARIO_NAME_MAX];
+        char title[TITLE_MAX];
+    } entries[SCENARIOS_MAX];
+    int count;
+    int shown[SCENARIOS_MAX]; /* indices of entries */
+    int n_shown;
+    int chosen; /* of those shown; -1: none */
+    int open;   /* of those shown, the one that is on screen; -1: none */
+} ScenarioList;
+
+/* A line that asks for text, or for yes or no. */
+typedef struct Prompt {
+    bool open;
+    bool yes_no;
+    char question[96];
+    char text[256];
+    int cursor;                    /* in characters */
+    char problem[320];             /* why the last answer was refused; "" at first */
+    char hint[320];                /* what may be answered; shown as long as nothing was refused */
+    const ScenarioList *scenarios; /* above the line; NULL: none */
+} Prompt;
+
+/* One row of the parameter pane. */
+typedef struct ParameterRow {
+    const char *heading;        /* a heading, or NULL */
+    const Parameter *parameter; /* an editable row, or NULL */
+    int derived;                /* index of a read-only row, or -1 */
+} ParameterRow;
+
+enum { LESSONS_MAX = 32 };
+
+enum { PARAMETER_ROWS_MAX = 96 };
+
+/* A place in the run: by time, for another mesh has other steps. */
+typedef struct Bookmark {
+    double time; /* of the whole step before it */
+    int stage;
+} Bookmark;
+
+enum { BOOKMARKS_MAX = 9 };
+
+/* The lesson beside the run, in place of the parameters. */
+typedef struct LessonShown {
+    bool open;
+    const Lesson *lesson; /* NULL: the list of lessons */
+    int chosen;           /* in the list */
+    int page;
+    int answer; /* the choice that was taken; -1: none as yet */
+    bool met;   /* what the page waits for has happened */
+    int scroll;
+    int reached[LESSONS_MAX]; /* per lesson of the program: pages that were turned to */
+} LessonShown;
+
+typedef struct Screen {
+    Experiment *experiment;
+    const Duel *duel;     /* whose A is the experiment; its second run is drawn beside. NULL: there is none */
+    DuelSide side;        /* a picture of one run of it only */
+    const char *scenario; /* name shown in the title line */
+
+    Glyphs glyphs;
+    int colours; /* 0: none; 8; 256 */
+    bool light;  /* a light background */
+
+    RunState state;
+    double pace;       /* steps per frame; FRAMES_PER_SECOND frames */
+    double rate;       /* steps per frame that the engine reaches; shown where it is the limit */
+    bool at_limit;     /* the engine is slower than the pace asked for */
+    double work_share; /* STATE_COMPUTING: share done */
+
+    PaneId focus;
+    bool zoomed;      /* the focused pane fills the screen */
+    bool lecture;     /* time and state in large letters, thick curves, no parameters beside them */
+    int upper, lower; /* view numbers 1 to 9 in the two plot panes */
+    int variant[10];  /* of each view */
+    ReferencesShown references;
+
+    int selected;         /* row in the parameter pane */
+    int parameter_scroll; /* kept by screen_draw's helper so that the selected row is seen */
+    bool editing;
+    char edit_text[LIST_MAX];
+    int edit_cursor;        /* in characters */
+    char edit_problem[160]; /* why the last entry was refused */
+    char filter[32];        /* parameters whose label or key holds it */
+
+    size_t particle;  /* the chosen one */
+    size_t node;      /* the chosen node, for tables */
+    bool node_chosen; /* the stage box follows the node, not the particle */
+    int table_column; /* the first one that a table shows */
+    int log_event;    /* the chosen event of the log; -1: the newest */
+    int log_first;    /* the first one that it shows, as far as that leaves the chosen one in sight */
+
+    bool inspecting;         /* the inspector is open, see screen_inspector() */
+    PaneId before_inspector; /* the pane that had the focus before it was opened */
+    bool zooming;            /* arrows, + and - move the eye over the map of a beam */
+    double magnified;        /* of the map: 1 is the whole beam */
+    double looked_at[2];     /* in the middle of the magnified map: share of the beam's length and height */
+
+    double window;      /* length of the time window; 0: automatic */
+    double cursor_time; /* of the time plot's cursor; NAN: none */
+
+    Bookmark bookmarks[BOOKMARKS_MAX]; /* ascending */
+    int n_bookmarks;
+    const Overlay *overlay; /* a foreign series over the plots; NULL: none */
+
+    LessonShown lesson;
+
+    Prompt prompt;
+    MessageKind message_kind;
+    char message[512];
+
+    bool help;
+    int help_page, help_scroll;
+
+    uint64_t used; /* bit i: command i has been used (for hints that go once used) */
+    bool summary_known;
+    RunSummary summary;
+} Screen;
+
+_Static_assert(COMMAND_COUNT <= 8 * (int)sizeof((Screen *)0)->used, "a bit for each command");
+
+enum { HELP_PAGES = 3 }; /* keys, curves, what is solved */
+
+void screen_default(Screen *);
+
+/* Takes over window, references and colour of the beam as far as a scenario names them. */
+void screen_read_view(Screen *, const ViewSettings *);
+
+/* Draws everything. Below 40x12 a message. Never fails: what has no room is left out by a fixed order. */
+void screen_draw(const Screen *, Canvas *);
+
+/* The word that names a view in a command, and that of one of its variants, counted from 0. NULL: it makes no
+ * figure here; there is no such variant, or only one. */
+const char *screen_view_word(const Screen *, int view);
+const char *screen_variant_word(const Screen *, int view, int variant);
+
+/* Whether the view's present variant can be drawn on paper. */
+bool screen_makes_figure(const Screen *, int view);
+
+/* Whether it shows the start of the run whatever the time: the drawing of a beam. */
+bool screen_shows_start(const Screen *, int view);
+
+/* What a view shows at present as strokes and words in place of cells, for a picture as large as so many
+ * columns and rows of text. */
+void screen_sketch(const Screen *, int view, int columns, int rows, Sketch *);
+
+/* The rows of the parameter pane, for drawing and for moving in it. Returns how many. */
+int screen_parameter_rows(const Screen *, ParameterRow rows[PARAMETER_ROWS_MAX]);
+
+/* Where a pane lies at this size; width 0: it is not shown. For focus and mouse. */
+Rect screen_pane(const Screen *, int width, int height, PaneId);
+
+/* Whether all panes have room; on a smaller screen only the focused one, or the two plots, are seen. */
+bool screen_is_whole(int width, int height);
+
+/* The command under column x of the bottom bar, for the mouse; COMMAND_NONE: none. */
+CommandId screen_bar_command(const Screen *, int width, int x);
+
+/* Tables: so many columns to the right in the one that has the focus; the thing whose row lies at a place of
+ * the screen becomes the chosen one, false: no row lies there. */
+void screen_scroll_table(Screen *, int width, int height, int columns);
+bool screen_choose_row(Screen *, int width, int height, int x, int y);
+
+/* The row of the parameter pane at a place of the screen, for the mouse; -1: none. */
+int screen_parameter_at(const Screen *, int width, int height, int x, int y);
+
+/* How far the text of a lesson can be scrolled at this size; 0: all is seen. */
+int screen_lesson_most(const Screen *, int width, int height);
+
+/* Lessons in the list, and the one in a cell of it; -1: none. */
+int screen_lesson_count(void);
+int screen_lesson_at(const Screen *, int width, int height, int x, int y);
+
+/* How many pages the help has, and how far the open one can be scrolled. */
+int screen_help_pages(void);
+int screen_help_most(const Screen *, int width, int height);
+
+/* The step of a bookmark in the run as it is now. */
+long screen_bookmark_step(const Screen *, int index);
+
+/* The step that lies under a cell of the timeline, for the mouse; -1: the cell is not on it. */
+long screen_timeline_step(const Screen *, int width, int height, int x, int y);
+
+/* The inspector, the pane that `i` opens over the plots: whether this method has one, and the arrows in it.
+ * False: they do what they do in the mesh strip. */
+bool screen_has_inspector(const Screen *);
+bool screen_move_inspector(Screen *, int x, int y, int page);
+
+/* From the chosen particle to the node that it shares most with, or back: in the strip the grid lies above
+ * the particles. */
+void screen_choose_across(Screen *, bool node);
+
+/* The particle that is looked at first: in the middle of a bar, of a beam's middle row. */
+size_t screen_middle_particle(const Simulation *);
+
+/* An end of the first bond, as the lattice counts them, that broke in a step; -1: none that is known. */
+long screen_broken_node(const Screen *, long step);
+
+/* The node of the beam's map that is drawn in or near a cell, for the mouse; -1: none. */
+long screen_map_node(const Screen *, int width, int height, int x, int y);
+
+/* The factor by which the beam's map draws displacements; 0: it is not shown. */
+double screen_map_enlargement(const Screen *, int width, int height);
+
+/* The event of the log that is chosen, and the step to go to for it; -1: there is none. */
+int screen_log_chosen(const Screen *);
+long screen_log_step(const Screen *);
+
+/* So many events on in the log that has the focus; the one at a place of the screen; the log at that place
+ * scrolled, and the chosen one kept in sight. False: there is no log. */
+void screen_move_in_log(Screen *, int width, int height, int by);
+bool screen_choose_event(Screen *, int width, int height, int x, int y);
+bool screen_scroll_log(Screen *, int width, int height, int x, int y, int by);
+
+/* The particle or node of the strip that is drawn nearest to a place of it becomes the chosen one. */
+bool screen_choose_in_strip(Screen *, int width, int height, int x, int y);
+
+/* Why this view has nothing to show for the problem at hand; NULL: it has. */
+const char *screen_view_missing(const Screen *, int view);
+
+/* The names of the curves on screen: of the plot over time, and of the field along the bar. */
+const char *screen_time_curve(const Screen *);
+const char *screen_profile_curve(const Screen *);
+
+/* The time at the left and right end of the time plots, as drawn at present. */
+void screen_time_window(const Screen *, double *from, double *to);
+
+#endif

@@ -1,0 +1,252 @@
+/* View 8: a beam as it lies, coloured by a field, or drawn with its dimensions. Every factor is stated. */
+#include "view/map/map.h"
+
+#include "lab/answers/crack.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+int view_beam_variants(const Screen *screen)
+{
+    return experiment_simulation(screen->experiment)->dimensions == 2 ? MAP_VARIANTS : 1;
+}
+
+const char *view_beam_word(const Screen *screen, int variant)
+{
+    return experiment_simulation(screen->experiment)->dimensions == 2 ? colour_words[variant] : NULL;
+}
+
+bool screen_shows_start(const Screen *screen, int view)
+{
+    const bool is_map = view == 8 && experiment_simulation(screen->experiment)->dimensions == 2;
+    return is_map && screen->variant[view] % MAP_VARIANTS == MAP_DRAWING;
+}
+
+size_t screen_middle_particle(const Simulation *sim)
+{
+    Body body;
+    if (!body_of(sim, &body))
+        return sim->counts[0] / 2;
+    return (size_t)(body.ny / 2) * (size_t)body.nx + (size_t)(body.nx / 2);
+}
+
+/* --- heading --------------------------------------------------------------------------------------- */
+
+/* Appends a part if the heading still has room for it. */
+static void add_part(char *title, size_t size, int room, const char *part)
+{
+    if (*part && text_columns(title) + 2 + text_columns(part) <= room)
+        append(title, size, "  %s", part);
+}
+
+/* "tip 66.5, 19.5 mm" and "fit 29°": where the crack is, and the slope of the straight line that
+ * fits its whole path. */
+static void crack_texts(const Map *map, char *tip, char *angle, size_t size)
+{
+    CrackFacts facts;
+    tip[0] = angle[0] = '\0';
+    if (!crack_facts(map->sim, &facts))
+        return;
+    if (facts.measured.begun)
+        snprintf(tip, size, "tip %.1f, %.1f mm", 1e3 * facts.measured.x, 1e3 * facts.measured.y);
+    else
+        snprintf(tip, size, "no crack yet");
+    if (isfinite(facts.angle))
+        snprintf(angle, size, "fit %.0f°", fabs(facts.angle));
+}
+
+/* The parts of a title in the order in which they are worth its room: of a piece seen from near that it is
+ * magnified comes first. */
+enum { TIP, FIT, ENLARGED, MAGNIFIED, STRETCHED, PARTS };
+static const int whole_order[PARTS] = {TIP, FIT, ENLARGED, MAGNIFIED, STRETCHED};
+static const int near_order[PARTS] = {MAGNIFIED, STRETCHED, ENLARGED, TIP, FIT};
+
+static void draw_title(const Map *map, Area area, Style heading)
+{
+    const Colouring *colouring = map->colouring;
+    const int *order = map->screen->magnified > 1 ? near_order : whole_order;
+    const int room = area.rect.width - 6;
+    const char *times = area.canvas->sketch ? "×" : "x";
+    char title[192] = "", parts[PARTS][64] = {"", "", "", "", ""}, number[NUMBER_TEXT_MAX];
+    crack_texts(map, parts[TIP], parts[FIT], sizeof parts[TIP]);
+    if (map->scenery->leaves) {
+        const double length =
+            map->settings->beam.length + map->settings->beam.speed * simulation_time(map->sim);
+        snprintf(parts[TIP], sizeof parts[TIP], "length %.1f mm", 1e3 * length);
+    }
+    factor_text(map->enlarged, number);
+    if (map->enlarged != 1)
+        snprintf(parts[ENLARGED], sizeof parts[ENLARGED], "%s %s %s", map->scenery->leaves ? "uy" : "u",
+                 times, number);
+    factor_text(map->screen->magnified, number);
+    if (map->screen->magnified > 1)
+        snprintf(parts[MAGNIFIED], sizeof parts[MAGNIFIED], "zoom %s", number);
+    factor_text(map->stretch, number);
+    if (map->stretch != 1)
+        snprintf(parts[STRETCHED], sizeof parts[STRETCHED], "height %s %s", times, number);
+    else
+        snprintf(parts[STRETCHED], sizeof parts[STRETCHED], "to scale");
+    if (area.canvas->sketch) { /* on paper the field stands beside its colours */
+        for (int i = 0; i < PARTS; i++)
+            add_part(title, sizeof title, (int)sizeof title, parts[order[i]]);
+        area_text(area, 0, 0, title, STYLE_NORMAL);
+        return;
+    }
+    int columns = text_columns(colouring->meaning);
+    for (int i = 0; i < PARTS; i++)
+        columns += parts[i][0] ? 2 + text_columns(parts[i]) : 0;
+    snprintf(title, sizeof title, "%s", columns <= room ? colouring->meaning : colouring->label);
+    for (int i = 0; i < PARTS; i++)
+        add_part(title, sizeof title, room, parts[order[i]]);
+    area_rule(area, 0, title, heading);
+}
+
+/* --- colour bar ------------------------------------------------------------------------------------ */
+
+enum { HALF_RAMP = RAMP_STEPS / 2 };
+
+static int draw_half_ramp(const Map *map, Area area, int x, int y, int first)
+{
+    for (int step = first; step < first + HALF_RAMP; step++, x++)
+        if (map->coloured)
+            area_put_back(area, x, y, map_letter(map, step), map_ink(step), (Style)(STYLE_RAMP_0 + step));
+        else
+            area_put(area, x, y, map_letter(map, step), (Style)(STYLE_RAMP_0 + step));
+    return x;
+}
+
+/* What there is to say beside the ramp, in full or where room is short in a few words. */
+static const char *note_of(const Map *map, bool brief)
+{
+    if (map->nodes_seen)
+        return brief ? "lines: whole bonds" : "lines: whole bonds to the nearest neighbours";
+    if (strcmp(map->colouring->field, "damage") == 0)
+        return brief ? "through: 0.4-0.5" : "a through crack reads 0.4 to 0.5, not 1";
+    return "";
+}
+
+/* "├────┤ 2 mm": how long that is, where the beam's own length is out of sight. It ends before
+ * column `end`, or is left out. Returns its columns. */
+static int draw_length(const Map *map, Area area, int x, int y, int end)
+{
+    enum { COLUMNS_MOST = 10 };
+    const double length = step_round_down(COLUMNS_MOST / map->scale_x);
+    const int columns = (int)lround(length * map->scale_x);
+    char number[NUMBER_TEXT_MAX], text[NUMBER_TEXT_MAX + 8];
+    text_rounded(number, 1e3 * length, 3);
+    snprintf(text, sizeof text, " %s mm", number);
+    if (x + columns + text_columns(text) > end)
+        return 0;
+    for (int i = 0; i < columns; i++)
+        area_put(area, x + i, y, i == 0 ? 0x251c : i == columns - 1 ? 0x2524 : 0x2500, STYLE_NORMAL);
+    return columns + area_text(area, x + columns, y, text, STYLE_NORMAL);
+}
+
+/* "-4 [ramp] 0 [ramp] 4 µm", and what there is to say of the picture. */
+static void draw_scale(const Map *map, Area area, int y)
+{
+    Axis axis = axis_make(map->low, map->high, 5);
+    const double ends[3] = {map->low, (map->low + map->high) / 2, map->high};
+    const double middle = ends[1] * pow(10, axis.decimals - axis.exponent);
+    axis.decimals += fabs(middle - round(middle)) > 1e-6 * (1 + fabs(middle));
+    char text[TICK_TEXT_MAX], scale[TICK_TEXT_MAX];
+    int x = 1;
+    for (int i = 0; i < 3; i++) {
+        axis_label(&axis, ends[i], text);
+        if (i == 2 && map->open_ended)
+            x += area_text(area, x, y, ">", STYLE_NORMAL);
+        x += area_text(area, x, y, text, STYLE_NORMAL) + 1;
+        if (i < 2)
+            x = draw_half_ramp(map, area, x, y, i * HALF_RAMP) + 1;
+    }
+    axis_scale_text(&axis, map->colouring->unit, scale);
+    x += area_text(area, x, y, scale, STYLE_NORMAL) + 2;
+    if (map->screen->magnified > 1) {
+        /* what the lines between the nodes are must be said in any case */
+        const int kept = map->nodes_seen ? text_columns(note_of(map, true)) + 2 : 0;
+        x += draw_length(map, area, x, y, area.rect.width - kept) + 2;
+    }
+    const char *note = note_of(map, x + text_columns(note_of(map, false)) >= area.rect.width);
+    if (x + text_columns(note) < area.rect.width)
+        area_text_right(area, area.rect.width - 1, y, note, STYLE_FAINT);
+}
+
+/* --- the view -------------------------------------------------------------------------------------- */
+
+static Area map_part(Area area)
+{
+    return area_part(area, 1, 1, area.rect.width - 2, area.rect.height - 2);
+}
+
+void view_beam(const Screen *screen, Area area, Style heading, int variant)
+{
+    if (experiment_simulation(screen->experiment)->dimensions != 2) {
+        pane_mesh(screen, area);
+        return;
+    }
+    if (variant == MAP_DRAWING) {
+        map_drawing(screen, area, heading);
+        return;
+    }
+    Map map;
+    if (!map_open(&map, screen, map_part(area)) || !map_colour(&map, (MapVariant)variant)) {
+        area_rule(area, 0, "the beam", heading);
+        map_close(&map);
+        return;
+    }
+    if (area.canvas->sketch) {
+        map_sketch(&map);
+        draw_title(&map, area, heading);
+        area_text(area, 0, 0, note_of(&map, false), STYLE_FAINT);
+        map_close(&map);
+        return;
+    }
+    if (map.nodes_seen)
+        map_draw_bonds(&map);
+    else
+        map_draw_heat(&map);
+    map_draw_lines(&map);
+    if (map.nodes_seen)
+        map_draw_nodes(&map);
+    map_draw_signs(&map);
+    draw_title(&map, area, heading);
+    draw_scale(&map, area, area.rect.height - 1);
+    map_close(&map);
+}
+
+/* --- for keys and the mouse ------------------------------------------------------------------------- */
+
+/* The map in the pane that shows it. False: none does. */
+static bool open_shown(Map *map, const Screen *screen, int width, int height)
+{
+    const PaneId pane = screen->upper == 8 ? PANE_UPPER : PANE_LOWER;
+    const Rect rect = screen_pane(screen, width, height, pane);
+    *map = (Map){.block = NULL};
+    if (rect.width < 4 || rect.height < 4 || (screen->upper != 8 && screen->lower != 8))
+        return false;
+    return map_open(map, screen, map_part((Area){NULL, rect, screen->glyphs}));
+}
+
+long screen_map_node(const Screen *screen, int width, int height, int x, int y)
+{
+    Map map;
+    long node = -1;
+    if (open_shown(&map, screen, width, height)) {
+        const Rect *rect = &map.area.rect;
+        x -= rect->x;
+        y -= rect->y;
+        if (x >= 0 && y >= 0 && x < rect->width && y < rect->height)
+            node = map_node_at(&map, x, y);
+    }
+    map_close(&map);
+    return node;
+}
+
+double screen_map_enlargement(const Screen *screen, int width, int height)
+{
+    Map map;
+    const double factor = open_shown(&map, screen, width, height) ? map.enlarged : 0;
+    map_close(&map);
+    return factor;
+}

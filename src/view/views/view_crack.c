@@ -1,0 +1,250 @@
+/* More pictures of a beam that breaks: the crack's path with its angle, the angle over time, and what a piece
+ * of crack has cost beside the fracture energy that it should cost. */
+#include "view/views/runs.h"
+#include "view/views/time_plot.h"
+
+#include "lab/answers/crack.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+typedef struct Notch {
+    double x, y; /* its end, m */
+} Notch;
+
+static Notch notch_of(const Settings *settings)
+{
+    return (Notch){settings->beam.notch_position, settings->beam.notch_depth};
+}
+
+static bool has_crack(const Screen *screen)
+{
+    return find_column(screen, "crack_x") >= 0;
+}
+
+/* Under a plot of the crack: the same two lines as under the others. */
+static int lines_under(Area area)
+{
+    return area.rect.height < 7 ? 0 : area.rect.width >= 100 ? 1 : 2;
+}
+
+static void draw_lines(const Screen *screen, Area area, int under)
+{
+    char lines[2][160];
+    beam_lines(screen, area.rect.width - 2, lines[0], lines[1]);
+    if (under == 1)
+        append(lines[0], sizeof lines[0], "  %s", lines[1]);
+    for (int i = 0; i < under; i++)
+        area_phrases(area, 1, area.rect.height - under + i, area.rect.width - 2, 1, lines[i], STYLE_NORMAL);
+}
+
+/* The present run, what it should be, and the ghosts. */
+static void draw_runs_heading(const Screen *screen, Area area, Style heading, const char *name,
+                              const char *scale, const Run *runs, int n_runs, const Legend *target)
+{
+    Legend legend[RUNS_MAX + 1];
+    int count = 0;
+    for (int r = 0; r < n_runs; r++)
+        if (runs[r].ghost < 0 && runs[r].shown)
+            legend[count++] = run_legend(&runs[r]);
+    if (shows_exact(screen))
+        legend[count++] = *target;
+    count += ghost_legends(runs, n_runs, legend + count);
+    draw_heading(area, heading, name, scale, legend, count);
+}
+
+/* The places of the tip of an earlier run, of which no more is kept. */
+static void add_tips(Plot *plot, const Run *run)
+{
+    if (run->ghost < 0 || !run->shown)
+        return;
+    const int x = run_column(run, "crack_x"), y = run_column(run, "crack_y");
+    const Notch notch = notch_of(run->settings);
+    double last_x = notch.x, last_y = notch.y;
+    run_begin(plot, run);
+    plot_point(plot, last_x, last_y);
+    for (size_t i = 0; i < run->record->count; i++) {
+        const double *row = record_row(run->record, i);
+        if (row[x] == last_x && row[y] == last_y)
+            continue;
+        plot_point(plot, last_x = row[x], last_y = row[y]);
+    }
+}
+
+/* --- the path ------------------------------------------------------------------------------------- */
+
+static void draw_path(const Screen *screen, Area area, Style heading)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const BeamDef *def = &experiment_settings(screen->experiment)->beam;
+    const Notch notch = notch_of(experiment_settings(screen->experiment));
+    const int under = lines_under(area);
+    Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
+    const double left = fmin(notch.x, def->load_position) - 0.02;
+    const double right = fmax(notch.x, def->load_position) + 0.02;
+    Axis x = axis_make(fmax(0, left), fmin(def->length, right), area.rect.width / 9);
+    Axis y = axis_make(0, def->height, plot_area.rect.height < 8 ? 3 : 6);
+    const Legend target = {LINE_DOTTED, '.', STYLE_EXACT, "30 deg", NULL};
+    Run runs[RUNS_MAX];
+    const int n_runs = runs_with(runs, runs_of(screen, runs), "crack_x");
+    char scale[TICK_TEXT_MAX], x_scale[TICK_TEXT_MAX], name[TICK_TEXT_MAX + 4];
+    axis_scale_text(&y, "m", scale);
+    axis_scale_text(&x, "m", x_scale);
+    snprintf(name, sizeof name, "x, %s", x_scale);
+    draw_runs_heading(screen, area, heading, "crack's path, y", scale, runs, n_runs, &target);
+    Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
+
+    Plot plot;
+    plot_open(&plot, x, y);
+    plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_FAINT, RANK_PREDICTED, '-');
+    plot_point(&plot, notch.x, 0);
+    plot_point(&plot, notch.x, notch.y);
+    plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_FAINT, RANK_PREDICTED, '-');
+    plot_point(&plot, def->load_position, def->height);
+    plot_point(&plot, def->load_position, def->height - def->protected_depth);
+    if (shows_exact(screen)) {
+        const double towards = def->load_position < notch.x ? -1 : 1, rise = def->height - notch.y;
+        plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
+        plot_point(&plot, notch.x, notch.y);
+        plot_point(&plot, notch.x + towards * rise * tan(CRACK_PAPER_ANGLE * M_PI / 180), def->height);
+    }
+    for (int r = 0; r < n_runs; r++)
+        add_tips(&plot, &runs[r]);
+    const size_t most = (size_t)ceil(def->height / def->spacing) + 1;
+    double *path = malloc(2 * most * sizeof *path);
+    const size_t count = path ? crack_line(sim, path, path + most, most) : 0;
+    plot_begin(&plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
+    plot_point(&plot, notch.x, notch.y);
+    for (size_t i = 0; i < count; i++)
+        plot_point(&plot, path[i], path[most + i]);
+    free(path);
+    plot_draw(&plot, inner);
+    for (int r = 0; r < n_runs; r++) {
+        const Record *record = runs[r].record;
+        if (runs[r].ghost < 0 || !runs[r].shown || record->count == 0)
+            continue;
+        const double *row = record_row(record, record->count - 1);
+        run_letter(&runs[r], &plot, inner, row[run_column(&runs[r], "crack_x")],
+                   row[run_column(&runs[r], "crack_y")]);
+    }
+    plot_close(&plot);
+    CrackFacts facts;
+    if (crack_facts(sim, &facts) && facts.measured.begun)
+        axes_mark(inner, &x, &y, facts.measured.x, facts.measured.y, 0x25cf, STYLE_CHANGED);
+    draw_lines(screen, area, under);
+}
+
+/* --- curves over time ------------------------------------------------------------------------------ */
+
+typedef struct CrackColumns {
+    int x, y, length, dissipated;
+    Notch notch;
+    double thickness;
+} CrackColumns;
+
+/* Degrees between the notch and the line from its end to the tip. */
+static double tip_angle(const double *row, const void *context)
+{
+    const CrackColumns *columns = context;
+    const double rise = row[columns->y] - columns->notch.y, aside = row[columns->x] - columns->notch.x;
+    return rise > 0 ? atan(aside / rise) * 180 / M_PI : NAN;
+}
+
+/* What the crack has cost per area, J/m^2. Its first few millimetres say little: bonds break around them. */
+static double energy_of_crack(const double *row, const void *context)
+{
+    const CrackColumns *columns = context;
+    const double area = row[columns->length] * columns->thickness;
+    return row[columns->length] > 2e-3 ? row[columns->dissipated] / area : NAN;
+}
+
+static CrackColumns crack_columns(const Run *run)
+{
+    return (CrackColumns){run_column(run, "crack_x"),      run_column(run, "crack_y"),
+                          run_column(run, "crack_length"), run_column(run, "dissipated"),
+                          notch_of(run->settings),         run->settings->beam.thickness};
+}
+
+typedef struct Told {
+    const char *name, *target_name;
+    double (*value)(const double *row, const void *context);
+    double target; /* what it should be */
+} Told;
+
+static void draw_over_time(const Screen *screen, Area area, Style heading, const Told *told)
+{
+    Run runs[RUNS_MAX];
+    CrackColumns columns[RUNS_MAX];
+    const int n_runs = runs_with(runs, runs_of(screen, runs), "crack_x"), under = lines_under(area);
+    Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
+    const int width = plot_area.rect.width - GUTTER - 1, dots = width * plot_dots_across(area.glyphs);
+    const int rows = plot_area.rect.height - 1;
+    double least = 0, most = told->target;
+    for (int r = 0; r < n_runs; r++) {
+        columns[r] = crack_columns(&runs[r]);
+        for (size_t i = 0; i < runs[r].record->count; i += time_plot_stride(runs[r].record)) {
+            const double value = told->value(record_row(runs[r].record, i), &columns[r]);
+            least = value < least ? value : least;
+            most = value > most ? value : most;
+        }
+    }
+    Axis y = axis_around(least, axis_round_up(most * 1.02), rows < 5 ? 3 : 5);
+    Axis x = time_plot_axis(screen, width);
+    const Legend target = {LINE_DOTTED, '.', STYLE_EXACT, told->target_name, NULL};
+    char scale[TICK_TEXT_MAX], name[32];
+    axis_scale_text(&y, "", scale);
+    draw_runs_heading(screen, area, heading, told->name, scale, runs, n_runs, &target);
+    Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
+    Plot plot;
+    plot_open(&plot, x, y);
+    if (shows_exact(screen)) {
+        plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
+        plot_point(&plot, x.low, told->target);
+        plot_point(&plot, x.high, told->target);
+    }
+    for (int r = 0; r < n_runs; r++) {
+        if (!runs[r].shown)
+            continue;
+        run_begin(&plot, &runs[r]);
+        time_plot_curve(&plot, &(Curve){runs[r].record, -1, -1, -1, told->value, &columns[r]}, dots);
+    }
+    time_plot_breaks(screen, inner, &x);
+    time_plot_now(screen, inner, &x);
+    plot_draw(&plot, inner);
+    for (int r = 0; r < n_runs; r++) {
+        const Record *record = runs[r].record;
+        if (!runs[r].shown || record->count == 0)
+            continue;
+        const double *row = record_row(record, record_find(record, x.high));
+        run_letter(&runs[r], &plot, inner, row[1], told->value(row, &columns[r]));
+    }
+    plot_close(&plot);
+    draw_lines(screen, area, under);
+}
+
+int view_crack_variants(const Screen *screen)
+{
+    return has_crack(screen) ? 2 : 0;
+}
+
+void view_crack(const Screen *screen, Area area, Style heading, int variant)
+{
+    static const Told angle = {"chord to tip, deg", "30 deg", tip_angle, CRACK_PAPER_ANGLE};
+    if (variant == 0)
+        draw_path(screen, area, heading);
+    else
+        draw_over_time(screen, area, heading, &angle);
+}
+
+int view_fracture_variants(const Screen *screen)
+{
+    return has_crack(screen) ? 1 : 0;
+}
+
+void view_fracture(const Screen *screen, Area area, Style heading)
+{
+    const Told cost = {"crack's cost, J/m^2", "G0", energy_of_crack,
+                       derived_value(screen, "critical_energy")};
+    draw_over_time(screen, area, heading, &cost);
+}

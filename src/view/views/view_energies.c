@@ -1,0 +1,298 @@
+/* View 3: the energies over time, stacked. */
+#include "view/views/overlay_plot.h"
+#include "view/views/runs.h"
+#include "view/views/time_plot.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Energies stacked from below: what the grid sees, what it does not, strain, dissipated. */
+typedef struct Layer {
+    const char *name;
+    int column, minus; /* its height: column - minus */
+    Style style;
+    int fill;
+} Layer;
+
+typedef struct Stack {
+    const Record *record;
+    Layer layers[4];
+    int count;
+} Stack;
+
+static double stack_height(const Stack *stack, size_t index, int upto)
+{
+    const double *row = record_row(stack->record, index);
+    double sum = 0;
+    for (int i = 0; i < upto; i++) {
+        const Layer *layer = &stack->layers[i];
+        sum += row[layer->column] - (layer->minus >= 0 ? row[layer->minus] : 0);
+    }
+    return sum;
+}
+
+static void add_layer(Stack *stack, const char *name, int column, int minus, Style style)
+{
+    if (column >= 0) {
+        stack->layers[stack->count] = (Layer){name, column, minus, style, stack->count};
+        stack->count++;
+    }
+}
+
+static bool breaks(const Screen *screen)
+{
+    return experiment_settings(screen->experiment)->beam.critical_stretch > 0;
+}
+
+/* The kinetic energy of the beam moving on as a whole, 1/2 m v0^2; 0: it does not. That of the vibration is a
+ * millionth of it, and the two cannot be told apart by a difference: a hundred-millionth more speed along the
+ * beam, times its mass and its speed, is as much as the whole vibration. */
+static double rigid_energy(const Screen *screen)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const BeamDef *beam = &settings->beam;
+    if (settings->problem != PROBLEM_MOVING_CANTILEVER)
+        return 0;
+    const double volume = beam->spacing * beam->spacing * beam->thickness;
+    const double nodes = (double)experiment_simulation(screen->experiment)->counts[0];
+    return nodes * volume * beam->density * beam->speed * beam->speed / 2;
+}
+
+static Stack stack_of(const Screen *screen)
+{
+    Stack stack = {.record = experiment_record(screen->experiment)};
+    if (rigid_energy(screen) > 0) {
+        add_layer(&stack, "strain, for travel dwarfs the rest", find_column(screen, "strain"), -1,
+                  STYLE_EXACT);
+        return stack;
+    }
+    const int kinetic = find_column(screen, "kinetic"), grid = find_column(screen, "kinetic_grid");
+    if (grid >= 0) {
+        add_layer(&stack, "grid", grid, -1, STYLE_MEASURED);
+        add_layer(&stack, "hidden", kinetic, grid, STYLE_SECOND);
+    } else {
+        add_layer(&stack, "kinetic", kinetic, -1, STYLE_MEASURED);
+    }
+    add_layer(&stack, "strain", find_column(screen, "strain"), -1, STYLE_EXACT);
+    if (find_column(screen, "kinetic_grid") >= 0 || breaks(screen))
+        add_layer(&stack, "dissipated", find_column(screen, "dissipated"), -1, STYLE_THIRD);
+    return stack;
+}
+
+enum { PAPER_DOTS = 500 }; /* no screen is as fine */
+
+/* One point a column of dots: the row at its middle. Bands need no extremes: their edges are sums that hardly
+ * change within a column when the curve's swing is wider than one; where it is narrower, the mean is told. */
+static void add_stack(Plot *plot, const Stack *stack, int dots)
+{
+    const Record *record = stack->record;
+    const double step = (plot->x.high - plot->x.low) / dots;
+    const size_t begin = record_find(record, plot->x.low), last = record_find(record, plot->x.high);
+    const bool every_row = last - begin < (size_t)dots && dots >= PAPER_DOTS;
+    for (int layer = 0; layer < stack->count; layer++) {
+        plot_begin(plot, STROKE_BAND, LINE_SOLID, stack->layers[layer].style, RANK_BAND, "#+.:"[layer & 3]);
+        plot->strokes[plot->n_strokes - 1].fill = stack->layers[layer].fill;
+        for (size_t k = begin; every_row && k <= last && k < record->count; k++) {
+            plot_point(plot, record_row(record, k)[1], stack_height(stack, k, layer));
+            plot_point(plot, record_row(record, k)[1], stack_height(stack, k, layer + 1));
+        }
+        const double newest =
+            record->count && !every_row ? record_row(record, record->count - 1)[1] : -INFINITY;
+        for (int i = 0; i < dots; i++) {
+            double from = plot->x.low + i * step, low = 0, high = 0;
+            if (from > newest)
+                break;
+            size_t first = record_find(record, from), end = record_find(record, from + step);
+            for (size_t k = first; k <= end; k++) {
+                low += stack_height(stack, k, layer);
+                high += stack_height(stack, k, layer + 1);
+            }
+            double count = (double)(end - first + 1);
+            plot_point(plot, from + step / 2, low / count);
+            plot_point(plot, from + step / 2, high / count);
+        }
+    }
+}
+
+/* The share of the kinetic energy that the grid does not see, over what the plot shows; NAN: not known. */
+static double hidden_share(const Screen *screen, const Record *record, const Axis *x)
+{
+    const int kinetic = find_column(screen, "kinetic"), grid = find_column(screen, "kinetic_grid");
+    double all = 0, seen = 0;
+    if (kinetic < 0 || grid < 0 || record->count == 0)
+        return NAN;
+    for (size_t i = record_find(record, x->low); i < record->count && record_row(record, i)[1] <= x->high;
+         i++) {
+        all += record_row(record, i)[kinetic];
+        seen += record_row(record, i)[grid];
+    }
+    return all > 0 ? 1 - seen / all : NAN;
+}
+
+/* Phrases parted by two spaces: total, E*, hidden share, and what the ripple is. */
+static void energy_phrases(const Screen *screen, const Stack *stack, const Axis *x, bool wide, char out[320])
+{
+    const Record *record = stack->record;
+    const double *now = experiment_row(screen->experiment), *start = record_row(record, 0);
+    const int total = find_column(screen, "total");
+    out[0] = '\0';
+    if (record->count == 0 || !now || total < 0)
+        return;
+    char number[NUMBER_TEXT_MAX];
+    double sharp, first;
+    number_text(now[total], 4, 10, number);
+    append(out, 320, "total %s", number);
+    /* what is kept is told once: the total as a share of the start would tell its ripple as well */
+    const bool known = experiment_invariant(screen->experiment, &sharp, &first) && first > 0;
+    if (start[total] != 0 && !known)
+        append(out, 320, " = %.2f %%%s", 100 * now[total] / start[total], wide ? " of the start" : "");
+    if (known) {
+        const double loss = 100 * (1 - sharp / first);
+        number_text(sharp, 4, 10, number);
+        append(out, 320, "  E* %s, %s %.3f %%", number, loss < -5e-4 ? "gain" : "loss", fabs(loss));
+    }
+    const double hidden = hidden_share(screen, record, x);
+    const double rigid = rigid_energy(screen);
+    if (rigid > 0) {
+        number_text(rigid, 4, 10, number);
+        append(out, 320, "  kinetic %s J of travel%s: not drawn", number, wide ? " (1/2 m v0^2)" : "");
+    }
+    if (isfinite(hidden))
+        append(out, 320, wide ? "  hidden %.2f %% of kinetic in this window" : "  hidden %.2f %%",
+               100 * hidden);
+    if (isfinite(hidden))
+        append(out, 320,
+               wide ? "  the ripple is staggering (v and stress half a step apart), not loss"
+                    : "  the ripple is staggering, not loss");
+}
+
+/* What the balance lacks: kinetic + strain + dissipated less the start and the work of the load, against the
+ * largest work so far. */
+static void residual_phrases(const Screen *screen, double most_work, char out[320])
+{
+    const double *now = experiment_row(screen->experiment);
+    const int total = find_column(screen, "total"), work = find_column(screen, "work");
+    const Record *record = experiment_record(screen->experiment);
+    if (!now || !(most_work > 0) || work < 0 || total < 0 || record->count == 0)
+        return;
+    const double residual = now[total] - record_row(record, 0)[total] - now[work];
+    char sum[NUMBER_TEXT_MAX], load[NUMBER_TEXT_MAX];
+    number_text(now[total], 4, 9, sum);
+    number_text(now[work], 4, 9, load);
+    snprintf(out, 320, "residual %+.2f %% of the work  total %s J  work %s J", 100 * residual / most_work,
+             sum, load);
+}
+
+int view_energies_variants(const Screen *screen)
+{
+    return 1 + view_fracture_variants(screen);
+}
+
+const char *view_energies_word(const Screen *screen, int variant)
+{
+    (void)screen;
+    return variant == 1 ? "fracture" : "stack";
+}
+
+void view_energies(const Screen *screen, Area area, Style heading, int variant)
+{
+    if (variant > 0) {
+        view_fracture(screen, area, heading);
+        return;
+    }
+    const Stack stack = stack_of(screen);
+    const Record *record = stack.record;
+    const int work = find_column(screen, "work");
+    double most = 0, most_work = 0;
+    for (size_t i = 0; i < record->count; i += time_plot_stride(record)) {
+        most = fmax(most, stack_height(&stack, i, stack.count));
+        if (work >= 0)
+            most_work = fmax(most_work, fabs(record_row(record, i)[work]));
+    }
+    const bool is_rigid = rigid_energy(screen) > 0;
+    const char *line = is_rigid ? "strain" : "total"; /* of the other runs */
+    Run runs[RUNS_MAX];
+    const int n_runs = runs_with(runs, runs_of(screen, runs), line);
+    const Run *second =
+        is_shared(screen) && n_runs > 1 && runs[n_runs - 2].experiment ? &runs[n_runs - 2] : NULL;
+    for (int i = 0; i < n_runs; i++)
+        if (runs[i].experiment)
+            most = fmax(most, time_plot_reach(runs[i].record, run_column(&runs[i], line)));
+    overlay_widen(screen, line, false, &(double){0}, &most);
+    /* bands are told apart by how densely they are filled: the legend shows a piece of each */
+    static const char *const keys[GLYPHS_NONE + 1][4] = {
+        [GLYPHS_BRAILLE] = {"⣿⣿", "⢕⢕", "⠅⠅", "⠁⠁"},
+        [GLYPHS_BLOCK] = {"▓▓", "▒▒", "░░", "··"},
+        [GLYPHS_ASCII] = {"##", "++", "..", "::"},
+    };
+    Legend legend[8];
+    int n_legend = 0;
+    if (second) {
+        legend[n_legend++] = (Legend){LINE_SOLID, '#', STYLE_MEASURED, "A", NULL};
+        legend[n_legend++] = run_legend(second);
+    }
+    for (int i = 0; i < stack.count; i++)
+        legend[n_legend++] = (Legend){LINE_SOLID, '#', stack.layers[i].style, stack.layers[i].name,
+                                      keys[area.glyphs][stack.layers[i].fill & 3]};
+    if (most_work > 0)
+        legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "work", NULL};
+    const int height = area.rect.height;
+    Axis y = axis_make(0, axis_round_up(fmax(most, most_work) * 1.02), height < 7 ? 2 : height < 15 ? 4 : 6);
+    char scale[TICK_TEXT_MAX], name[32], phrases[320];
+    axis_scale_text(&y, facts_of(screen)->si ? "J" : "", scale);
+    /* a band without a name says nothing: what the heading has no room for stands below it */
+    const int named = draw_heading(area, heading, "energy", scale, legend, n_legend),
+              top = 1 + (named < n_legend);
+    draw_legend(area, 2, 1, legend + named, n_legend - named);
+    /* of velocities and stresses half a step apart there is more to say; velocity Verlet has none */
+    const int lines = find_column(screen, "kinetic_grid") < 0 ? 1 + (most_work > 0 || is_rigid)
+                      : height - top >= 10                    ? 3
+                                                              : 2;
+    const int under = height - top >= 7 ? lines : height - top >= 5 ? 1 : 0;
+    Area plot_area = area_part(area, 0, top, area.rect.width, height - top - under);
+    const int width = plot_area.rect.width - GUTTER - 1, dots = width * plot_dots_across(area.glyphs);
+    Axis x = time_plot_axis(screen, width);
+    Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
+    Plot plot;
+    plot_open(&plot, x, y);
+    add_stack(&plot, &stack, dots);
+    if (most_work > 0) {
+        plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-');
+        time_plot_curve(&plot, &(Curve){.record = record, .column = work, .minus = -1, .plus = -1}, dots);
+    }
+    add_ghosts(&plot, runs, n_runs, line, dots);
+    if (second) {
+        run_begin(&plot, second);
+        time_plot_curve(
+            &plot,
+            &(Curve){.record = second->record, .column = run_column(second, line), .minus = -1, .plus = -1},
+            dots);
+    }
+    overlay_stroke(screen, &plot, line, false, dots);
+    time_plot_breaks(screen, inner, &x);
+    time_plot_now(screen, inner, &x);
+    plot_draw(&plot, inner);
+    overlay_marks(screen, inner, &plot, line, false);
+    draw_run_letters(&plot, inner, runs, n_runs, line);
+    plot_close(&plot);
+
+    const bool wide = area.rect.width > 90;
+    energy_phrases(screen, &stack, &x, wide, phrases);
+    if (most_work > 0 && find_column(screen, "kinetic_grid") < 0)
+        residual_phrases(screen, most_work, phrases);
+    if (!second || under < 2) {
+        const int x0 = 1 + (second && under ? area_text(area, 1, height - under, "A ", STYLE_NORMAL) : 0);
+        area_phrases(area, x0, height - under, area.rect.width - 1 - x0, under, phrases, STYLE_NORMAL);
+        return;
+    }
+    for (int run = 0; run < 2; run++) {
+        const Screen one = screen_of_side(screen, run == 0 ? SIDE_A : SIDE_B);
+        const Stack of_one = stack_of(&one);
+        energy_phrases(&one, &of_one, &x, wide, phrases);
+        if (most_work > 0 && find_column(&one, "kinetic_grid") < 0)
+            residual_phrases(&one, most_work, phrases);
+        area_text(area, 1, height - under + run, run == 0 ? "A" : "B", STYLE_NORMAL);
+        area_phrases(area, 3, height - under + run, area.rect.width - 4, 1, phrases, STYLE_NORMAL);
+    }
+}

@@ -1,0 +1,191 @@
+/* View 7: numbers of things, one row each; what the last stage changed is marked. The chosen thing is kept in
+ * sight, and the columns that do not fit come with the arrows. */
+#include "view/panes/panes.h"
+#include "view/draw/sum_column.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { CELL_WIDTH = 10, INDEX_WIDTH = 9, FIELDS_MAX = 48, ROWS_MAX = 256, HEAD_ROWS = 2, VIEW_NUMBER = 7 };
+
+int view_table_variants(const Screen *screen)
+{
+    return experiment_simulation(screen->experiment)->n_sets;
+}
+
+/* --- what is shown -------------------------------------------------------------------------------- */
+
+typedef struct TableColumn {
+    int field, width;
+    char name[88]; /* label and unit */
+} TableColumn;
+
+typedef struct Table {
+    int set;
+    TableColumn columns[FIELDS_MAX];
+    int n_columns;
+    int first_column, end_column; /* those that fit */
+    size_t first, rows, chosen;
+} Table;
+
+/* The fields of a set: those of its CSV table first, in their order, then the others. */
+static void list_columns(const Screen *screen, Table *table)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    for (int pass = 0; pass < 2; pass++)
+        for (int i = 0; i < sim->n_fields && table->n_columns < FIELDS_MAX; i++) {
+            const Field *field = &sim->fields[i];
+            if (field->set != table->set || field->in_table != (pass == 0))
+                continue;
+            TableColumn *column = &table->columns[table->n_columns++];
+            char unit[24];
+            unit_text(screen, field, unit, sizeof unit);
+            snprintf(column->name, sizeof column->name, "%.30s%s%s", field->quantity.label, *unit ? "," : "",
+                     unit);
+            column->field = i;
+            column->width = text_columns(column->name) + 2;
+            column->width = column->width > CELL_WIDTH ? column->width : CELL_WIDTH;
+        }
+}
+
+/* The column after the last one that fits, from `first` on. */
+static int last_that_fits(const Table *table, int first, int width)
+{
+    int end = first, used = INDEX_WIDTH;
+    while (end < table->n_columns && used + table->columns[end].width <= width)
+        used += table->columns[end++].width;
+    return end;
+}
+
+static Table table_of(const Screen *screen, int set, int width, int height)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    Table table = {.set = set < sim->n_sets ? set : 0};
+    list_columns(screen, &table);
+    table.first_column = screen->table_column;
+    if (table.first_column > table.n_columns - 1)
+        table.first_column = table.n_columns - 1;
+    /* no further than the last column needs */
+    while (table.first_column > 0 && last_that_fits(&table, table.first_column - 1, width) == table.n_columns)
+        table.first_column--;
+    table.end_column = last_that_fits(&table, table.first_column, width);
+
+    const size_t count = sim->counts[table.set], chosen = table.set == 0 ? screen->particle : screen->node;
+    table.chosen = chosen < count ? chosen : count > 0 ? count - 1 : 0;
+    const size_t room = height <= HEAD_ROWS             ? 0
+                        : height - HEAD_ROWS < ROWS_MAX ? (size_t)(height - HEAD_ROWS)
+                                                        : ROWS_MAX;
+    table.first = table.chosen > room / 2 ? table.chosen - room / 2 : 0;
+    if (table.first + room > count)
+        table.first = count > room ? count - room : 0;
+    table.rows = count - table.first < room ? count - table.first : room;
+    return table;
+}
+
+/* --- drawing -------------------------------------------------------------------------------------- */
+
+static void draw_heading_of(const Screen *screen, Area area, const Table *table, Style heading)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    char text[96], more[64] = "";
+    const bool empty = table->set == 1 && has_mesh(sim) && experiment_stage(screen->experiment) == 0;
+    snprintf(text, sizeof text, "%s, %zu of them%s", sim->sets[table->set].plural, sim->counts[table->set],
+             empty ? ": no mass until stage 1" : "");
+    area_rule(area, 0, text, heading);
+    const int end = second_run(screen) ? 20 : 2; /* in a duel it is said at the end whose they are */
+    if (table->end_column - table->first_column < table->n_columns)
+        snprintf(more, sizeof more, " ← → columns %d-%d of %d ", table->first_column + 1, table->end_column,
+                 table->n_columns);
+    draw_heading_hint(screen, area, 5 + text_columns(text), area.rect.width + 1 - end, more);
+}
+
+static void draw_column(const Screen *screen, Area area, const Table *table, const TableColumn *column,
+                        int end)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    double values[ROWS_MAX], before[ROWS_MAX];
+    area_text_right(area, end, 1, column->name, STYLE_HEADING);
+    sim->method->field(sim, column->field, table->first, table->rows, values);
+    const bool known =
+        experiment_field_before(screen->experiment, column->field, table->first, table->rows, before);
+    const Format format = format_of(values, table->rows, 5, CELL_WIDTH - 1);
+    for (size_t i = 0; i < table->rows; i++) {
+        char text[NUMBER_TEXT_MAX];
+        const bool changed = known && before[i] != values[i] && !(isnan(before[i]) && isnan(values[i]));
+        if (sim->fields[column->field].integer)
+            snprintf(text, sizeof text, "%.0f", values[i]);
+        else
+            format_number(values[i], format, text);
+        area_text_right(area, end, HEAD_ROWS + (int)i, text,
+                        changed                             ? STYLE_CHANGED
+                        : table->first + i == table->chosen ? STYLE_SELECTED
+                                                            : STYLE_NORMAL);
+    }
+}
+
+void view_table(const Screen *screen, Area area, Style heading, int set)
+{
+    const Table table = table_of(screen, set, area.rect.width, area.rect.height);
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    if (area.rect.height <= HEAD_ROWS)
+        return;
+    draw_heading_of(screen, area, &table, heading);
+    area_text_right(area, INDEX_WIDTH - 1, 1, sim->sets[table.set].name, STYLE_HEADING);
+    for (size_t i = 0; i < table.rows; i++) {
+        const bool here = table.first + i == table.chosen;
+        const int y = HEAD_ROWS + (int)i;
+        char text[NUMBER_TEXT_MAX];
+        snprintf(text, sizeof text, "%zu", table.first + i);
+        for (int x = 0; here && x < area.rect.width; x++)
+            area_put(area, x, y, ' ', STYLE_SELECTED);
+        area_text_right(area, INDEX_WIDTH - 1, y, text, here ? STYLE_SELECTED : STYLE_FAINT);
+    }
+    int end = INDEX_WIDTH;
+    for (int c = table.first_column; c < table.end_column; c++) {
+        end += table.columns[c].width;
+        draw_column(screen, area, &table, &table.columns[c], end - 1);
+    }
+}
+
+/* --- keys and mouse ------------------------------------------------------------------------------- */
+
+/* The table in a pane; false: another view stands there. */
+static bool table_in(const Screen *screen, int width, int height, PaneId pane, Table *table, Rect *rect)
+{
+    const int view = pane == PANE_UPPER ? screen->upper : pane == PANE_LOWER ? screen->lower : 0;
+    *rect = screen_pane(screen, width, height, pane);
+    if (view != VIEW_NUMBER || rect->width <= 0)
+        return false;
+    *table = table_of(screen, screen->variant[VIEW_NUMBER] % view_table_variants(screen), rect->width,
+                      rect->height);
+    return true;
+}
+
+void screen_scroll_table(Screen *screen, int width, int height, int columns)
+{
+    Table table;
+    Rect rect;
+    if (!table_in(screen, width, height, screen->focus, &table, &rect))
+        return;
+    const int most = table.end_column < table.n_columns ? table.n_columns - 1 : table.first_column;
+    const int to = table.first_column + columns;
+    screen->table_column = to < 0 ? 0 : to > most ? most : to;
+}
+
+bool screen_choose_row(Screen *screen, int width, int height, int x, int y)
+{
+    Table table;
+    Rect rect;
+    for (PaneId pane = PANE_UPPER; pane <= PANE_LOWER; pane++) {
+        if (!table_in(screen, width, height, pane, &table, &rect))
+            continue;
+        const int row = y - rect.y - HEAD_ROWS;
+        if (x < rect.x || x >= rect.x + rect.width || row < 0 || row >= (int)table.rows)
+            continue;
+        *(table.set == 0 ? &screen->particle : &screen->node) = table.first + (size_t)row;
+        screen->node_chosen = table.set == 1;
+        return true;
+    }
+    return false;
+}
