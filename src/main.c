@@ -1,5 +1,6 @@
 /* Arguments in, exit status out: the only place that prints an error or exits. */
 #include "base/threads.h"
+#include "base/visible.h"
 #include "cli/cli.h"
 #include "cli/options.h"
 #include "tui/control/laboratory.h"
@@ -134,6 +135,6 @@ int main(int count, char **arguments)
         result = STATUS_FAILED;
     }
     if (result != STATUS_DONE && *status.text)
-        fprintf(stderr, "matvib: %s\n", status.text);
+        text_print(stderr, "matvib: %s\n", status.text);
     return result;
 }

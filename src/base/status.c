@@ -1,5 +1,7 @@
 #include "base/status.h"
 
+#include "base/visible.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,11 +10,13 @@ bool status_fail(Status *status, StatusCode code, const char *format, ...)
 {
     if (!status)
         return false;
+    char text[sizeof status->text];
     va_list arguments;
     va_start(arguments, format);
     status->code = code;
-    vsnprintf(status->text, sizeof status->text, format, arguments);
+    vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    text_visible(status->text, sizeof status->text, text);
     return false;
 }
 
@@ -20,13 +24,13 @@ bool status_prefix(Status *status, const char *format, ...)
 {
     if (!status)
         return false;
-    char text[sizeof status->text];
+    char text[sizeof status->text], prefix[sizeof status->text];
     memcpy(text, status->text, sizeof text);
     va_list arguments;
     va_start(arguments, format);
-    int length = vsnprintf(status->text, sizeof status->text, format, arguments);
+    vsnprintf(prefix, sizeof prefix, format, arguments);
     va_end(arguments);
-    if (length >= 0 && (size_t)length < sizeof status->text)
-        snprintf(status->text + length, sizeof status->text - (size_t)length, ": %s", text);
+    const size_t length = text_visible(status->text, sizeof status->text, prefix);
+    snprintf(status->text + length, sizeof status->text - length, ": %s", text);
     return false;
 }

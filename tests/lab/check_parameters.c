@@ -2,6 +2,7 @@
 #include "lab/settings/parameters.h"
 
 #include "base/text.h"
+#include "base/visible.h"
 #include "suite.h"
 
 #include <math.h>

@@ -1,6 +1,7 @@
 /* `matvib sweep SCENARIO --vary KEY=A,B,C ...`: many runs that differ in some parameters, a row for each. */
 #include "base/text.h"
 #include "base/threads.h"
+#include "base/visible.h"
 #include "cli/cli.h"
 #include "cli/options.h"
 #include "cli/sweep/sweep_jobs.h"
@@ -145,7 +146,7 @@ static void tell(const Sweep *sweep, const char *what, int combination, const ch
     char values[512];
     wipe_bar(sweep);
     sweep_plan_describe(&sweep->plan, combination, values, sizeof values);
-    fprintf(stderr, "%s: %s: %s\n", what, values, why);
+    text_print(stderr, "%s: %s: %s\n", what, values, why);
 }
 
 static bool take_result(void *context, int combination, const SweepResult *result, Status *status)
@@ -187,7 +188,7 @@ static int run_all(Sweep *sweep, Status *status)
         there += sweep->results[i].done;
     sweep->to_do = count - there;
     if (there > 0)
-        fprintf(stderr, "%d of %d rows are in %s already\n", there, count, sweep->partial.name);
+        text_print(stderr, "%d of %d rows are in %s already\n", there, count, sweep->partial.name);
     sweep->shows_progress = !sweep->options->quiet && isatty(STDERR_FILENO);
     sweep->began = seconds();
     SweepWork work = {.jobs = sweep->jobs,

@@ -1,5 +1,7 @@
 #include "lab/export/output_file.h"
 
+#include "base/visible.h"
+
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -92,6 +94,9 @@ bool output_may_begin(const char *name, bool force, Status *status)
     struct stat what;
     if (*name == '\0')
         return status_fail(status, STATUS_USAGE, "a file needs a name");
+    if (!text_is_clean(name))
+        return status_fail(status, STATUS_USAGE,
+                           "%s: is no name for a file (UTF-8 without control characters)", name);
     if (output_is_standard(name))
         return true;
     if (stat(name, &what) != 0)

@@ -1,6 +1,7 @@
 #include "lab/lessons/lesson.h"
 
 #include "base/text.h"
+#include "base/visible.h"
 #include "lab/settings/parameters.h"
 
 #include <errno.h>

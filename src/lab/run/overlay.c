@@ -1,5 +1,6 @@
 #include "lab/run/overlay.h"
 #include "base/text.h"
+#include "base/visible.h"
 #include "lab/settings/parameters.h"
 
 #include <errno.h>
@@ -144,18 +145,10 @@ static bool number_of(const Reader *reader, char *cell, double *value)
 
 /* --- the table ------------------------------------------------------------------------------------ */
 
-/* A name as it can be shown: what is no clean UTF-8 keeps its ASCII. */
+/* A name as it can be shown. */
 static void keep_name(char out[OVERLAY_NAME_MAX], const char *name)
 {
-    size_t length = strlen(name);
-    if (length >= OVERLAY_NAME_MAX)
-        for (length = OVERLAY_NAME_MAX - 1; length > 0 && ((unsigned char)name[length] & 0xc0) == 0x80;)
-            length--;
-    memcpy(out, name, length);
-    out[length] = '\0';
-    for (char *c = out; *c && !text_is_clean(out); c++)
-        if ((unsigned char)*c >= 0x7f || (unsigned char)*c < ' ')
-            *c = '?';
+    text_visible(out, OVERLAY_NAME_MAX, name);
 }
 
 static bool no_memory(const Reader *reader)

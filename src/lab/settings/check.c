@@ -10,34 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The length of a well-formed UTF-8 sequence that is no control character; 0: it is none. */
-static int sequence_length(const unsigned char *s)
-{
-    if (s[0] < 0x80)
-        return s[0] >= 0x20 && s[0] != 0x7f;
-    int n = s[0] >= 0xc2 && s[0] < 0xe0 ? 2 : (s[0] & 0xf0) == 0xe0 ? 3 : s[0] >= 0xf0 && s[0] < 0xf5 ? 4 : 0;
-    for (int i = 1; i < n; i++)
-        if ((s[i] & 0xc0) != 0x80)
-            return 0;
-    bool too_long = (s[0] == 0xe0 && s[1] < 0xa0) || (s[0] == 0xf0 && s[1] < 0x90);
-    bool beyond = s[0] == 0xf4 && s[1] >= 0x90;
-    bool surrogate = s[0] == 0xed && s[1] >= 0xa0;
-    bool control = s[0] == 0xc2 && s[1] < 0xa0;
-    return too_long || beyond || surrogate || control ? 0 : n;
-}
-
-bool text_is_clean(const char *text)
-{
-    const unsigned char *s = (const unsigned char *)text;
-    while (*s) {
-        int n = sequence_length(s);
-        if (n == 0)
-            return false;
-        s += n;
-    }
-    return true;
-}
-
 /* --- lists ---------------------------------------------------------------------------------------- */
 
 /* Copies the next item of a list up to its comma and returns what follows; NULL at the end. */

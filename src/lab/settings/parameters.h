@@ -184,7 +184,4 @@ int overtones_read(const char *text, Overtone out[OVERTONES_MAX], Status *);
 /* "0,1e-4,2e-4", ascending: how many there are, or -1. */
 int times_read(const char *text, double out[TIMES_MAX], Status *);
 
-/* One line of UTF-8 without control characters. */
-bool text_is_clean(const char *text);
-
 #endif

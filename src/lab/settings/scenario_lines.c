@@ -1,5 +1,6 @@
 #include "lab/settings/scenario_lines.h"
 
+#include "base/visible.h"
 #include "lab/settings/parameters.h"
 
 #include <errno.h>

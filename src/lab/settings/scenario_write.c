@@ -2,6 +2,7 @@
 #include "lab/settings/scenario.h"
 
 #include "base/text.h"
+#include "base/visible.h"
 #include "lab/settings/parameters.h"
 #include "lab/settings/scenario_lines.h"
 

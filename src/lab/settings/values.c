@@ -2,6 +2,7 @@
 #include "lab/settings/parameters.h"
 
 #include "base/text.h"
+#include "base/visible.h"
 #include "lab/settings/changes.h"
 #include "lab/answers/problem.h"
 

@@ -1,5 +1,6 @@
 #include "tui/control/control.h"
 
+#include "base/visible.h"
 #include "lab/answers/summary.h"
 
 #include <math.h>
@@ -19,8 +20,10 @@ void say(Laboratory *lab, MessageKind kind, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(lab->screen.message, sizeof lab->screen.message, format, arguments);
+    char text[sizeof lab->screen.message];
+    vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    text_visible(lab->screen.message, sizeof lab->screen.message, text);
     lab->screen.message_kind = lab->screen.message[0] ? kind : MESSAGE_NONE;
     lab->said_at = lab->host.now(lab->host.context);
 }

@@ -2,6 +2,7 @@
  */
 #include "tui/control/control.h"
 
+#include "base/visible.h"
 #include "lab/settings/scenario.h"
 
 #include <dirent.h>
@@ -101,7 +102,8 @@ static void offer_files(Completion *completion, bool tables)
     for (int i = 0; i < 2 * count; i++) {
         const char *name = entries[i % count]->d_name;
         struct stat file;
-        if ((name[0] == '.' && completion->start[folder] != '.') || (i < count) != (tables && is_table(name)))
+        if ((name[0] == '.' && completion->start[folder] != '.') ||
+            (i < count) != (tables && is_table(name)) || !text_is_clean(name))
             continue;
         snprintf(path, sizeof path, "%.*s%s", (int)folder, completion->start, name);
         if (strlen(path) + 2 < sizeof path && stat(path, &file) == 0 && S_ISDIR(file.st_mode))

@@ -1,6 +1,7 @@
 /* Opening the laboratory and other scenarios in it: what a run is begun with, and at which pace. */
 #include "tui/control/control.h"
 
+#include "base/visible.h"
 #include "lab/settings/scenario.h"
 
 #include <math.h>
@@ -110,7 +111,7 @@ static void begin_run(Laboratory *lab)
 
 static void name_scenario(Laboratory *lab, const char *name)
 {
-    snprintf(lab->scenario, sizeof lab->scenario, "%s", name ? name : "");
+    text_visible(lab->scenario, sizeof lab->scenario, name ? name : "");
     lab->screen.scenario = lab->scenario;
 }
 

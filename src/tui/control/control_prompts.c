@@ -2,6 +2,7 @@
 #include "tui/control/control.h"
 
 #include "base/text.h"
+#include "base/visible.h"
 #include "lab/export/output_file.h"
 #include "lab/settings/scenario.h"
 #include "tui/control/line_edit.h"
@@ -18,8 +19,10 @@ void ask(Laboratory *lab, Answer answer, bool yes_no, const char *text, const ch
     va_list arguments;
     *prompt = (Prompt){.open = true, .yes_no = yes_no};
     va_start(arguments, format);
-    vsnprintf(prompt->question, sizeof prompt->question, format, arguments);
+    char question[sizeof prompt->question];
+    vsnprintf(question, sizeof question, format, arguments);
     va_end(arguments);
+    text_visible(prompt->question, sizeof prompt->question, question);
     fill_prompt(lab, text);
     lab->answer = answer;
 }
@@ -40,7 +43,7 @@ void close_prompt(Laboratory *lab)
 
 bool refuse(Laboratory *lab, const char *why)
 {
-    snprintf(lab->screen.prompt.problem, sizeof lab->screen.prompt.problem, "%.319s", why);
+    text_visible(lab->screen.prompt.problem, sizeof lab->screen.prompt.problem, why);
     return false;
 }
 
