@@ -324,6 +324,57 @@ START_TEST(a_live_parameter_changes_in_mid_run)
 }
 END_TEST
 
+/* Columns, and rows with all that stands beside them, as in a run of the same scenario that was not edited.
+ */
+static void expect_columns_of_fresh_run(Experiment *experiment, const char *what)
+{
+    Settings scenario;
+    int n, n_fresh;
+    experiment_scenario(experiment, true, &scenario);
+    scenario.end = experiment_settings(experiment)->end;
+    Experiment *fresh = open_experiment(&scenario, MEGABYTE);
+    ck_assert(experiment_advance(fresh, experiment_newest(experiment), NULL));
+    const Column *columns = experiment_columns(experiment, &n);
+    const Column *expected = experiment_columns(fresh, &n_fresh);
+    ck_assert_int_eq(n, n_fresh);
+    for (int i = 0; i < n; i++) {
+        ck_assert_str_eq(columns[i].quantity.name, expected[i].quantity.name);
+        ck_assert_int_eq(columns[i].kind, expected[i].kind);
+        ck_assert_int_eq(columns[i].of, expected[i].of);
+    }
+    expect_same_records(experiment_record(experiment), experiment_record(fresh), what);
+    experiment_destroy(fresh);
+}
+
+/* A load that changes in mid-run leaves no exact answer; another future, in which it never changed, has it
+ * again, from t = 0. */
+START_TEST(a_column_that_went_comes_back)
+{
+    Settings settings = bar_settings(1, 5);
+    Experiment *experiment = open_experiment(&settings, MEGABYTE);
+    int with, n;
+    experiment_columns(experiment, &with);
+    ck_assert(experiment_advance(experiment, 5, NULL));
+    edit_one(experiment, "load.traction", "1");
+    expect_columns_of_fresh_run(experiment, "gone");
+    experiment_columns(experiment, &n);
+    ck_assert_int_lt(n, with);
+    ck_assert(experiment_advance(experiment, 3, NULL));
+    experiment_seek(experiment, 3, 0);
+    finish_work(experiment);
+    edit_one(experiment, "mpm.algorithm", "usl");
+    const Column *columns = experiment_columns(experiment, &n);
+    bool exact = false;
+    for (int i = 0; i < n; i++)
+        exact = exact || columns[i].kind == COLUMN_EXACT;
+    ck_assert(exact);
+    expect_columns_of_fresh_run(experiment, "back");
+    ck_assert(experiment_advance(experiment, 100, NULL));
+    expect_columns_of_fresh_run(experiment, "and on");
+    experiment_destroy(experiment);
+}
+END_TEST
+
 /* Against a run of the same scenario with its changes that never went back. */
 static void expect_scenario(Experiment *experiment, const char *what)
 {
@@ -719,6 +770,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, an_edit_recomputes_to_the_time_on_screen);
     tcase_add_test(tcase, a_refused_edit_changes_nothing);
     tcase_add_test(tcase, a_live_parameter_changes_in_mid_run);
+    tcase_add_test(tcase, a_column_that_went_comes_back);
     tcase_add_test(tcase, changes_in_mid_run_hold_on_any_way);
     tcase_add_test(tcase, undo_brings_back_what_was);
     tcase_add_test(tcase, a_live_edit_at_either_end_holds_from_the_start);

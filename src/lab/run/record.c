@@ -109,21 +109,6 @@ bool record_copy(Record *to, const Record *from)
     return true;
 }
 
-void record_keep_columns(Record *record, const int *kept, int n_kept)
-{
-    for (size_t i = 0; i < record->count; i++) {
-        const double *from = record->rows + i * (size_t)record->n_columns;
-        double *to = record->rows + i * (size_t)n_kept;
-        for (int k = 0; k < n_kept; k++)
-            to[k] = from[kept[k]];
-    }
-    /* the room stays what it is in bytes; counted in rows it has grown */
-    size_t bytes = bytes_of(record, record->room), most = bytes_of(record, record->most);
-    record->n_columns = n_kept;
-    record->room = bytes / bytes_of(record, 1);
-    record->most = most / bytes_of(record, 1);
-}
-
 const double *record_row(const Record *record, size_t i)
 {
     return record->rows + i * (size_t)record->n_columns;

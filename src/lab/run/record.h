@@ -30,9 +30,6 @@ void record_cut(Record *, long step);
 /* A copy with memory of its own. False: no memory; `to` is empty then. */
 bool record_copy(Record *to, const Record *from);
 
-/* Keeps only these columns, named by their indices, ascending. */
-void record_keep_columns(Record *, const int *kept, int n_kept);
-
 const double *record_row(const Record *, size_t i);
 
 /* The row of a step; NULL: it is not kept. */

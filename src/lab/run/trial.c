@@ -298,8 +298,33 @@ static void refill_references(Trial *trial, long step)
     free(present);
 }
 
-/* The references of the run as it is now; a column that there no longer is goes out of the record. */
-static bool renew_references(Trial *trial, Status *status)
+/* The kept rows up to a step as other references would have written them: what the method gave is in every
+ * row, the answers beside it are worked out again. False: no memory. */
+static bool write_rows_again(const Trial *trial, References *refs, int n_columns, long step, Record *out)
+{
+    int series[COLUMNS_MAX];
+    double row[COLUMNS_MAX], *given = trial->block;
+    for (int i = 0; i < trial->n_columns; i++)
+        series[i] = simulation_find_series(trial->sim, trial->columns[i].quantity.name);
+    record_open(out, n_columns, trial->record.spacing, record_budget);
+    out->thinned = trial->record.thinned;
+    for (size_t k = 0; k < trial->record.count && record_row(&trial->record, k)[0] <= (double)step; k++) {
+        const double *old = record_row(&trial->record, k);
+        for (int i = 0; i < trial->n_columns; i++)
+            if (series[i] >= 0)
+                given[series[i]] = old[i];
+        references_row(refs, (long)old[0], old[1], given, row);
+        if (!record_append(out, row)) {
+            record_close(out);
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The references of the run as it is now. Their columns may go and come back; the record up to `step` gets
+ * those that a run from t = 0 would have. */
+static bool renew_references(Trial *trial, long step, Status *status)
 {
     if (references_memory(trial->refs) > 0)
         return true; /* its columns do not depend on what is live */
@@ -307,13 +332,14 @@ static bool renew_references(Trial *trial, Status *status)
     if (!refs)
         return false;
     Column columns[COLUMNS_MAX];
-    int kept[COLUMNS_MAX], n = references_columns(refs, columns);
-    for (int i = 0; i < n; i++) {
-        kept[i] = 0;
-        while (strcmp(trial->columns[kept[i]].quantity.name, columns[i].quantity.name) != 0)
-            kept[i]++;
+    const int n = references_columns(refs, columns);
+    Record record;
+    if (!write_rows_again(trial, refs, n, step, &record)) {
+        references_destroy(refs);
+        return out_of_memory(status);
     }
-    record_keep_columns(&trial->record, kept, n);
+    record_close(&trial->record);
+    trial->record = record;
     memcpy(trial->columns, columns, sizeof columns);
     trial->n_columns = n;
     references_destroy(trial->refs);
@@ -339,7 +365,7 @@ bool trial_change(Trial *trial, long step, const char *key, const char *value, S
 {
     Settings before = trial->base;
     if (!changes_add(&trial->base, step, key, value, status) || !settings_check(&trial->base, status) ||
-        !renew_references(trial, status)) {
+        !renew_references(trial, step, status)) {
         trial->base = before;
         return false;
     }
