@@ -64,7 +64,7 @@ static void expect_experiment_at(Experiment *experiment, long step, int stage, c
 static Settings until(double end)
 {
     Settings settings = bar_settings(1, end);
-    settings.every = 1;
+    settings.output.every = 1;
     return settings;
 }
 
@@ -98,10 +98,10 @@ START_TEST(an_experiment_takes_it_as_it_is)
     ck_assert(experiment_ghosts(experiment)[0].used);
     ck_assert_uint_eq(experiment_ghosts(experiment)[0].record.count, 101);
     Settings other = *experiment_settings(experiment);
-    other.end = 25;
+    other.time.end = 25;
     ck_assert(experiment_edit(experiment, &other, NULL));
     ck_assert_int_eq(experiment_last_step(experiment), 50);
-    other.mode = 2;
+    other.start.mode = 2;
     ck_assert(!experiment_edit(experiment, &other, NULL));
     experiment_destroy(experiment);
 }
@@ -138,7 +138,7 @@ START_TEST(tables_are_written_of_it)
     snprintf(series, sizeof series, "%s/s.csv", folder);
     snprintf(particles, sizeof particles, "%s/p.csv", folder);
     Settings settings = until(5);
-    settings.frames = 2;
+    settings.output.frames = 2;
     Outputs outputs = {.series = series, .particles = particles};
     RunSummary summary;
     Status status = {0};

@@ -162,7 +162,7 @@ END_TEST
 START_TEST(any_way_to_a_moment_of_a_beam_is_the_same)
 {
     Settings settings = beam_settings(PROBLEM_NOTCHED_BEAM, 6e-5);
-    settings.beam.load_stress = 2.4e8; /* things break soon */
+    settings.loads.stress = 2.4e8; /* things break soon */
     walk_randomly(&settings, 16 * MEGABYTE, 60, 6);
     settings = beam_settings(PROBLEM_MOVING_CANTILEVER, 4e-5);
     walk_randomly(&settings, 16 * MEGABYTE, 40, 7);
@@ -229,12 +229,12 @@ START_TEST(a_refused_edit_changes_nothing)
     ck_assert(experiment_advance(experiment, 100, NULL));
     Settings wanted = *experiment_settings(experiment);
     Status status = {0};
-    wanted.bar.courant = 2.5;
+    wanted.time.courant = 2.5;
     ck_assert(!experiment_edit(experiment, &wanted, &status));
     ck_assert_int_eq(status.code, STATUS_USAGE);
     ck_assert_msg(strstr(status.text, "2.5") && strstr(status.text, "1.732"), "%s", status.text);
     ck_assert_int_eq(experiment_step(experiment), 100);
-    ck_assert_double_eq(experiment_settings(experiment)->bar.courant, 0.1);
+    ck_assert_double_eq(experiment_settings(experiment)->time.courant, 0.1);
     ck_assert(!experiment_ghosts(experiment)[0].used);
     expect_straight(experiment, "after a refusal");
     experiment_destroy(experiment);
@@ -283,10 +283,10 @@ START_TEST(a_live_parameter_changes_in_mid_run)
     /* settings are those in force */
     experiment_seek(experiment, 299, 0);
     finish_work(experiment);
-    ck_assert_int_eq(experiment_settings(experiment)->bar.algorithm, MPM_USF);
+    ck_assert_int_eq(experiment_settings(experiment)->mpm.algorithm, MPM_USF);
     experiment_seek(experiment, 300, 0);
     finish_work(experiment);
-    ck_assert_int_eq(experiment_settings(experiment)->bar.algorithm, MPM_USL);
+    ck_assert_int_eq(experiment_settings(experiment)->mpm.algorithm, MPM_USL);
 
     /* in the past, in the middle of a step */
     experiment_seek(experiment, 450, 2);
@@ -315,7 +315,7 @@ START_TEST(a_live_parameter_changes_in_mid_run)
 
     /* the restart keeps what is on screen */
     ck_assert(experiment_restart(experiment, false, NULL));
-    ck_assert_int_eq(experiment_settings(experiment)->bar.algorithm, MPM_MUSL);
+    ck_assert_int_eq(experiment_settings(experiment)->mpm.algorithm, MPM_MUSL);
     ck_assert_int_eq(experiment_settings(experiment)->n_changes, 0);
     ck_assert(!experiment_ghosts(experiment)[0].used);
     ck_assert(experiment_advance(experiment, 100, NULL));
@@ -331,7 +331,7 @@ static void expect_columns_of_fresh_run(Experiment *experiment, const char *what
     Settings scenario;
     int n, n_fresh;
     experiment_scenario(experiment, true, &scenario);
-    scenario.end = experiment_settings(experiment)->end;
+    scenario.time.end = experiment_settings(experiment)->time.end;
     Experiment *fresh = open_experiment(&scenario, MEGABYTE);
     ck_assert(experiment_advance(fresh, experiment_newest(experiment), NULL));
     const Column *columns = experiment_columns(experiment, &n);
@@ -380,7 +380,7 @@ static void expect_scenario(Experiment *experiment, const char *what)
 {
     Settings scenario;
     experiment_scenario(experiment, true, &scenario);
-    scenario.end = experiment_settings(experiment)->end;
+    scenario.time.end = experiment_settings(experiment)->time.end;
     Experiment *fresh = open_experiment(&scenario, MEGABYTE);
     ck_assert(experiment_advance(fresh, experiment_step(experiment), NULL));
     for (int stage = 0; stage < experiment_stage(experiment); stage++)
@@ -441,7 +441,7 @@ START_TEST(changes_in_mid_run_hold_on_any_way)
     set(&settings, "mpm.shape", "gimp");
     walk_with_changes(&settings, bar, sizeof bar / sizeof *bar, 12000, 100, 12);
     settings = beam_settings(PROBLEM_NOTCHED_BEAM, 6e-5);
-    settings.beam.load_stress = 2.4e8;
+    settings.loads.stress = 2.4e8;
     walk_with_changes(&settings, beam, sizeof beam / sizeof *beam, 4 * MEGABYTE, 30, 13);
 }
 END_TEST
@@ -467,8 +467,8 @@ START_TEST(undo_brings_back_what_was)
     finish_work(experiment);
     ck_assert_int_eq(experiment_step(experiment), 500);
     ck_assert_int_eq(experiment_settings(experiment)->n_changes, 1);
-    ck_assert_int_eq(experiment_settings(experiment)->bar.algorithm, MPM_USL);
-    ck_assert_int_eq(experiment_settings(experiment)->bar.particles_per_cell, 2);
+    ck_assert_int_eq(experiment_settings(experiment)->mpm.algorithm, MPM_USL);
+    ck_assert_int_eq(experiment_settings(experiment)->mesh.particles_per_cell, 2);
     expect_repeats(experiment, "one change");
 
     /* none, and the prediction is back */
@@ -509,10 +509,10 @@ START_TEST(a_live_edit_at_either_end_holds_from_the_start)
     finish_work(experiment);
     ck_assert(experiment_at_end(experiment));
     ck_assert_int_eq(experiment_settings(experiment)->n_changes, 0);
-    ck_assert_int_eq(experiment_settings(experiment)->bar.algorithm, MPM_MUSL);
+    ck_assert_int_eq(experiment_settings(experiment)->mpm.algorithm, MPM_MUSL);
     expect_straight(experiment, "at the end");
     /* the ghost is the last curve that was whole */
-    ck_assert_int_eq(experiment_ghosts(experiment)[0].settings.bar.algorithm, MPM_USL);
+    ck_assert_int_eq(experiment_ghosts(experiment)[0].settings.mpm.algorithm, MPM_USL);
     ck_assert_uint_eq(experiment_ghosts(experiment)[0].record.count, 201);
     experiment_destroy(experiment);
 }
@@ -525,9 +525,9 @@ START_TEST(given_changes_stay_with_the_scenario)
     settings.changes[0] = (Change){100, {"mpm.algorithm", "usl"}};
     Experiment *experiment = open_experiment(&settings, MEGABYTE);
     ck_assert(experiment_advance(experiment, 200, NULL));
-    ck_assert_int_eq(experiment_settings(experiment)->bar.algorithm, MPM_USL);
+    ck_assert_int_eq(experiment_settings(experiment)->mpm.algorithm, MPM_USL);
     ck_assert(experiment_restart(experiment, true, NULL));
-    ck_assert_int_eq(experiment_settings(experiment)->bar.algorithm, MPM_USF);
+    ck_assert_int_eq(experiment_settings(experiment)->mpm.algorithm, MPM_USF);
     ck_assert_int_eq(experiment_settings(experiment)->n_changes, 1);
     ck_assert(experiment_advance(experiment, 200, NULL));
     /* with half the time step it keeps its time */
@@ -537,7 +537,7 @@ START_TEST(given_changes_stay_with_the_scenario)
     ck_assert_int_eq(experiment_settings(experiment)->changes[0].step, 200);
     expect_repeats(experiment, "given");
     /* a change to what is unstable is refused before the run */
-    settings.bar.courant = 1.2;
+    settings.time.courant = 1.2;
     Status status = {0};
     ck_assert_ptr_null(experiment_create(&settings, MEGABYTE, 1, &status));
     ck_assert_msg(strstr(status.text, "changes.100: time.courant: 1.2") != NULL, "%s", status.text);
@@ -670,7 +670,7 @@ START_TEST(curves_are_pinned_and_unpinned)
         pinned += ghost->pinned;
         loose += !ghost->pinned;
         if (!ghost->pinned)
-            ck_assert_int_eq(ghost->settings.mode, 6);
+            ck_assert_int_eq(ghost->settings.start.mode, 6);
     }
     ck_assert_int_eq(pinned, GHOSTS_MAX - 1);
     ck_assert_int_eq(loose, 1);

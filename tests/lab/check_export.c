@@ -180,7 +180,7 @@ START_TEST(rows_are_those_of_the_laboratory)
     for (size_t p = 0; p < sizeof problems / sizeof *problems; p++) {
         Settings settings =
             problems[p] == PROBLEM_BAR ? bar_settings(5, 3) : beam_settings(problems[p], 3e-5);
-        settings.every = 7;
+        settings.output.every = 7;
         Outputs outputs = {.series = in_folder("s.csv"), .force = true};
         run(&settings, &outputs, NULL);
         Experiment *experiment = open_experiment(&settings, 1 << 20);
@@ -234,7 +234,7 @@ static void expect_repeats(const Settings *settings, bool may_fail)
     bool sound = export_run(settings, &first, 1, NULL, NULL, &summary, &status);
     ck_assert_msg(sound != may_fail, "%s", status.text);
     Settings beside = read_back(in_folder("a.csv.ini"));
-    ck_assert_double_eq(beside.end, summary.time);
+    ck_assert_double_eq(beside.time.end, summary.time);
     run(&beside, &again, NULL);
     expect_same_files(first.series, again.series);
     expect_same_files(first.particles, again.particles);
@@ -248,20 +248,20 @@ START_TEST(what_stands_beside_repeats_the_run)
 {
     Settings settings = bar_settings(5, 3.1415926);
     expect_repeats(&settings, false);
-    settings.every = 10;
-    settings.frames = 5;
+    settings.output.every = 10;
+    settings.output.frames = 5;
     expect_repeats(&settings, false);
-    settings.frames = 0;
-    strcpy(settings.at, "0,0.5,1.23456,3");
+    settings.output.frames = 0;
+    strcpy(settings.output.at, "0,0.5,1.23456,3");
     settings.n_changes = 2;
     settings.changes[0] = (Change){100, {"mpm.algorithm", "musl"}};
     settings.changes[1] = (Change){150, {"mpm.transfer", "apic"}};
     expect_repeats(&settings, false);
     settings = beam_settings(PROBLEM_SUPPORTED_BEAM, 2e-5);
-    settings.frames = 3;
+    settings.output.frames = 3;
     expect_repeats(&settings, false);
     settings = beam_settings(PROBLEM_MOVING_CANTILEVER, 1.5e-4);
-    settings.every = 13;
+    settings.output.every = 13;
     expect_repeats(&settings, false);
     settings = beam_settings(PROBLEM_NOTCHED_BEAM, 4e-5);
     settings.n_changes = 1;
@@ -293,9 +293,9 @@ START_TEST(a_failed_run_is_written_up_to_there)
     ck_assert_int_eq(count_lines(outputs.series), summary.steps + 2);
     ck_assert_int_eq(count_lines(outputs.particles), 51);
     expect_repeats(&settings, true);
-    settings.every = 1000;
+    settings.output.every = 1000;
     expect_repeats(&settings, true);
-    settings.frames = 20;
+    settings.output.frames = 20;
     expect_repeats(&settings, true);
 }
 END_TEST
@@ -304,7 +304,7 @@ START_TEST(frames_are_the_nearest_steps)
 {
     Settings settings = bar_settings(1, 1);
     Outputs outputs = {.particles = in_folder("p.csv"), .force = true};
-    settings.frames = 4;
+    settings.output.frames = 4;
     run(&settings, &outputs, NULL);
     char *text = contents(outputs.particles);
     static const char *const starts[] = {"\n0,0,0,", "\n33,0.33,0,", "\n67,0.67,0,", "\n100,1,49,"};
@@ -312,7 +312,7 @@ START_TEST(frames_are_the_nearest_steps)
         ck_assert_msg(strstr(text, starts[i]) != NULL, "no frame %s", starts[i]);
     ck_assert_int_eq(count_lines(outputs.particles), 201);
     free(text);
-    settings.frames = 1;
+    settings.output.frames = 1;
     run(&settings, &outputs, NULL);
     ck_assert_int_eq(count_lines(outputs.particles), 51);
 }
@@ -397,7 +397,7 @@ static bool stop_soon(double share, void *context)
 START_TEST(an_interrupted_run_leaves_nothing)
 {
     Settings settings = bar_settings(1, 100);
-    settings.frames = 100;
+    settings.output.frames = 100;
     Outputs outputs = {
         .series = in_folder("s.csv"), .particles = in_folder("p.csv"), .vtk = in_folder("v.pvd")};
     int calls = 0;
@@ -412,7 +412,7 @@ START_TEST(paraview_gets_a_collection)
 {
     Settings settings = beam_settings(PROBLEM_SUPPORTED_BEAM, 2e-6);
     Outputs outputs = {.vtk = in_folder("v.pvd")};
-    settings.frames = 3;
+    settings.output.frames = 3;
     run(&settings, &outputs, NULL);
     ck_assert_int_eq(count_files(), 4);
     char *collection = contents(outputs.vtk), *frame = contents(in_folder("v-0002.vtu"));
@@ -424,7 +424,7 @@ START_TEST(paraview_gets_a_collection)
     ck_assert_ptr_nonnull(strstr(frame, "</VTKFile>"));
     free(collection);
     free(frame);
-    settings.frames = 0;
+    settings.output.frames = 0;
     outputs.vtk = in_folder("one");
     run(&settings, &outputs, NULL);
     ck_assert_int_eq(count_files(), 5);
@@ -440,15 +440,15 @@ START_TEST(the_ripple_is_no_loss)
         for (int k = 0; k < 2; k++) {
             Settings settings = bar_settings(5, ends[k]);
             RunSummary summary;
-            settings.bar.courant = courants[i];
-            settings.velocity = 1e-6;
+            settings.time.courant = courants[i];
+            settings.start.velocity = 1e-6;
             run(&settings, &(Outputs){0}, &summary);
             ck_assert_int_eq(summary.energy_told, ENERGY_INVARIANT);
             ck_assert_double_eq_tol(summary.energy_change, 0, 1e-3);
             /* without an invariant by the mean of the last whole period */
-            settings.bar.transfer = MPM_APIC;
-            settings.mode = 1;
-            settings.bar.courant = courants[i] / 2;
+            settings.mpm.transfer = MPM_APIC;
+            settings.start.mode = 1;
+            settings.time.courant = courants[i] / 2;
             run(&settings, &(Outputs){0}, &summary);
             ck_assert_int_eq(summary.energy_told, k == 0 ? ENERGY_TENTH : ENERGY_PERIOD);
         }
@@ -459,12 +459,12 @@ START_TEST(what_has_decayed_is_told_so)
 {
     Settings settings = bar_settings(10, 100);
     RunSummary summary;
-    settings.bar.algorithm = MPM_USL;
+    settings.mpm.algorithm = MPM_USL;
     run(&settings, &(Outputs){0}, &summary);
     ck_assert(summary.readout.moving && !summary.readout.measured_known);
     ck_assert_str_eq(summary.readout.unmeasured, "the motion has decayed: nothing to measure");
     ck_assert_double_lt(summary.energy_change, -90);
-    settings.end = 0.1;
+    settings.time.end = 0.1;
     run(&settings, &(Outputs){0}, &summary);
     ck_assert_str_eq(summary.readout.unmeasured, "too short a run to measure it");
 }
@@ -481,7 +481,7 @@ START_TEST(a_summary_tells_what_a_run_came_to)
     ck_assert_int_eq(summary.energy_told, ENERGY_INVARIANT);
     ck_assert_double_eq_tol(summary.energy_change, 0, 0.1);
     ck_assert_double_eq_tol(summary.readout.late, 0.763, 2e-3);
-    settings.velocity = 0;
+    settings.start.velocity = 0;
     run(&settings, &none, &summary);
     ck_assert(!summary.readout.moving);
     ck_assert_int_eq(summary.energy_told, ENERGY_UNTOLD);

@@ -63,7 +63,7 @@ START_TEST(a_scenario_goes_over_to_the_other_method)
     Settings settings;
     Status status = {0};
     ck_assert_msg(scenario_load_with("crossing", by_pd, 2, &settings, &status), "%s", status.text);
-    ck_assert(settings.method == METHOD_PD && settings.beam.horizon == 2);
+    ck_assert(settings.method == METHOD_PD && settings.lattice.horizon == 2);
     ck_assert(!scenario_load_with("crossing", wrong, 2, &settings, &status));
     ck_assert_str_eq(status.text, "--set: mpm.shape: is no parameter of method pd (only of mpm)");
     /* what is written is read again, and has the keys of its method */
@@ -104,14 +104,14 @@ START_TEST(the_method_is_a_field_that_can_be_nudged)
     ck_assert_str_eq(name, "MPM");
     /* from what "auto" comes to */
     ck_assert(settings_nudge(&other, parameter_find("pd.horizon"), 1));
-    ck_assert_double_eq(other.beam.horizon, 2);
+    ck_assert_double_eq(other.lattice.horizon, 2);
     ck_assert(settings_nudge(&other, parameter_find("pd.spacing"), -1));
-    ck_assert_double_eq(other.beam.spacing, 0.25);
+    ck_assert_double_eq(other.lattice.spacing, 0.25);
     /* the volume correction of the beams is passed over */
     ck_assert(settings_nudge(&other, parameter_find("pd.surface_correction"), 1));
-    ck_assert_int_eq(other.beam.surface_correction, SURFACE_NONE);
+    ck_assert_int_eq(other.lattice.surface_correction, SURFACE_NONE);
     ck_assert(settings_nudge(&other, parameter_find("pd.surface_correction"), 1));
-    ck_assert_int_eq(other.beam.surface_correction, SURFACE_ENERGY);
+    ck_assert_int_eq(other.lattice.surface_correction, SURFACE_ENERGY);
     Settings beam = beam_settings(PROBLEM_NOTCHED_BEAM, 1e-5);
     ck_assert(!settings_nudge(&beam, parameter_find("scenario.method"), 1));
 }

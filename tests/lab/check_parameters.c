@@ -1,4 +1,5 @@
 /* The parameter table: rows that fit the screen, values that survive the way through text, nudges. */
+#include "lab/answers/problem_rows.h"
 #include "lab/settings/parameters.h"
 
 #include "base/text.h"
@@ -61,14 +62,14 @@ START_TEST(defaults_are_those_of_the_engines)
 {
     Settings bar = set_of(PROBLEM_BAR);
     BarDef engine = bar_default();
-    ck_assert(bar.bar.length == engine.length && bar.bar.courant == engine.courant);
-    ck_assert_int_eq(bar.bar.padding, engine.padding);
-    ck_assert_int_eq(bar.bar.particles_per_cell, engine.particles_per_cell);
+    ck_assert(bar.geometry.length == engine.length && bar.time.courant == engine.courant);
+    ck_assert_int_eq(bar.mesh.padding, engine.padding);
+    ck_assert_int_eq(bar.mesh.particles_per_cell, engine.particles_per_cell);
     static const BeamProblem problems[] = {BEAM_SIMPLY_SUPPORTED, BEAM_MOVING_CANTILEVER, BEAM_NOTCHED};
     for (int p = PROBLEM_SUPPORTED_BEAM; p < PROBLEM_COUNT; p++) {
         Settings settings = set_of((Problem)p);
         BeamDef def = beam_default(problems[p - 1]);
-        const BeamDef *got = &settings.beam;
+        const BeamDef beam = beam_definition(&settings, 1), *got = &beam;
         ck_assert(got->length == def.length && got->height == def.height && got->thickness == def.thickness);
         ck_assert(got->youngs_modulus == def.youngs_modulus && got->density == def.density);
         ck_assert(got->horizon == def.horizon && got->spacing == def.spacing);
@@ -78,7 +79,7 @@ START_TEST(defaults_are_those_of_the_engines)
                   got->load_stress == def.load_stress);
         ck_assert(got->notch_depth == def.notch_depth && got->load_width == def.load_width);
         ck_assert(got->support_left == def.support_left && got->support_right == def.support_right);
-        ck_assert(settings.end == def.end);
+        ck_assert(settings.time.end == def.end);
     }
 }
 END_TEST
@@ -246,16 +247,16 @@ END_TEST
 START_TEST(two_handles_on_breaking)
 {
     Settings beam = set_of(PROBLEM_NOTCHED_BEAM);
-    ck_assert(fabs(beam.critical_energy - 35.68) < 0.005);
-    ck_assert(!beam.energy_given);
+    ck_assert(fabs(beam.bonds.critical_energy - 35.68) < 0.005);
+    ck_assert(!beam.bonds.energy_given);
     set(&beam, "pd.critical_energy", "50");
-    ck_assert(beam.energy_given);
+    ck_assert(beam.bonds.energy_given);
     double wanted = sqrt(4 * M_PI * 50 / (9 * 34.48e9 * 2e-3));
-    ck_assert(fabs(beam.beam.critical_stretch / wanted - 1) < 1e-14);
+    ck_assert(fabs(beam.bonds.critical_stretch / wanted - 1) < 1e-14);
     set(&beam, "pd.horizon", "1.5e-3"); /* the handle keeps its value, the other follows */
-    ck_assert(fabs(beam.beam.critical_stretch / (wanted * sqrt(2e-3 / 1.5e-3)) - 1) < 1e-14);
+    ck_assert(fabs(beam.bonds.critical_stretch / (wanted * sqrt(2e-3 / 1.5e-3)) - 1) < 1e-14);
     set(&beam, "pd.critical_stretch", "0.001");
-    ck_assert(!beam.energy_given && fabs(beam.critical_energy / 50 - 1) > 0.01);
+    ck_assert(!beam.bonds.energy_given && fabs(beam.bonds.critical_energy / 50 - 1) > 0.01);
 }
 END_TEST
 

@@ -70,8 +70,8 @@ END_TEST
 START_TEST(answers_stand_beside_what_they_answer)
 {
     Settings settings = bar_settings(5, 10);
-    strcpy(settings.overtones, "3:0.03,7:0.01");
-    settings.velocity = 1e-6;
+    strcpy(settings.start.overtones, "3:0.03,7:0.01");
+    settings.start.velocity = 1e-6;
     Experiment *experiment = open_experiment(&settings, 1 << 20);
     ck_assert(experiment_advance(experiment, 1000, NULL));
     BarTheory theory;
@@ -93,7 +93,7 @@ START_TEST(answers_stand_beside_what_they_answer)
     experiment_destroy(experiment);
 
     /* with small motion the prediction is the run */
-    settings.overtones[0] = '\0';
+    settings.start.overtones[0] = '\0';
     experiment = open_experiment(&settings, 1 << 20);
     ck_assert(experiment_advance(experiment, 1000, NULL));
     record = experiment_record(experiment);
@@ -179,7 +179,7 @@ START_TEST(symmetric_bars_are_measured_on_their_strain)
     for (int i = 0; i < 2; i++) {
         Settings settings = bar_settings(2, 20);
         set(&settings, "bar.supports", supports[i]);
-        settings.velocity = 1e-3;
+        settings.start.velocity = 1e-3;
         Readout readout = read_out(&settings);
         ck_assert(readout.moving && readout.measured_known && readout.predicted_known);
         ck_assert_str_eq(readout.column, "strain");
@@ -195,17 +195,17 @@ END_TEST
 START_TEST(what_rests_has_no_frequency)
 {
     Settings settings = bar_settings(1, 5);
-    settings.velocity = 0;
+    settings.start.velocity = 0;
     ck_assert(!read_out(&settings).moving);
     set(&settings, "bar.supports", "free-free");
-    settings.mode = 0;
-    settings.velocity = 0.1;
+    settings.start.mode = 0;
+    settings.start.velocity = 0.1;
     ck_assert(!read_out(&settings).moving);
     /* gravity alone moves a free bar as a whole */
     set(&settings, "load.body_force", "1e-3");
     ck_assert(!read_out(&settings).moving);
     /* an overtone is a vibration */
-    strcpy(settings.overtones, "2:0.01");
+    strcpy(settings.start.overtones, "2:0.01");
     ck_assert(read_out(&settings).moving);
     settings = beam_settings(PROBLEM_NOTCHED_BEAM, 2e-6);
     ck_assert(!read_out(&settings).moving);
@@ -217,21 +217,21 @@ START_TEST(loads_from_rest_swing_with_the_lowest_mode)
     static const char *const loads[][2] = {{"load.body_force", "1e-3"}, {"load.traction", "1e-2"}};
     for (int i = 0; i < 2; i++) {
         Settings settings = bar_settings(1, 9);
-        settings.velocity = 0;
+        settings.start.velocity = 0;
         set(&settings, loads[i][0], loads[i][1]);
         /* several lines in a part of a period could be anything: nothing is told before the first whole one
          */
         Readout readout = read_out(&settings);
         ck_assert(readout.moving && readout.exact_known && !readout.measured_known);
         ck_assert_double_eq_tol(readout.exact, 2 * pi / 10, 1e-12); /* period 4 L / c */
-        settings.end = 50;
+        settings.time.end = 50;
         readout = read_out(&settings);
         ck_assert(readout.measured_known);
         /* the mesh is 0.053 % off; where the record ends does not matter */
-        for (settings.end = 15; settings.end < 60; settings.end *= 1.21) {
+        for (settings.time.end = 15; settings.time.end < 60; settings.time.end *= 1.21) {
             readout = read_out(&settings);
             ck_assert_msg(readout.measured_known && fabs(readout.measured / readout.predicted - 1) < 2e-4,
-                          "%s until %g: %.9g, not %.9g", loads[i][0], settings.end, readout.measured,
+                          "%s until %g: %.9g, not %.9g", loads[i][0], settings.time.end, readout.measured,
                           readout.predicted);
         }
     }
@@ -268,7 +268,7 @@ START_TEST(a_supported_beam_s_period_is_read)
     settings_default(&settings, PROBLEM_SUPPORTED_BEAM);
     set(&settings, "pd.horizon", "5e-3");
     set(&settings, "pd.spacing", "1.2e-3");
-    settings.end = 2e-3;
+    settings.time.end = 2e-3;
     Readout readout = read_out(&settings);
     ck_assert(readout.is_period && readout.measured_known);
     ck_assert_double_eq_tol(readout.measured / 0.9927e-3, 1, 2e-3);
@@ -277,8 +277,8 @@ START_TEST(a_supported_beam_s_period_is_read)
     /* Timoshenko's beam as it lies on the lattice: 4 rows, 82 spacings between the supports */
     BeamTheory real = {.length = 82 * 1.2e-3,
                        .height = 4 * 1.2e-3,
-                       .youngs_modulus = settings.beam.youngs_modulus,
-                       .density = settings.beam.density};
+                       .youngs_modulus = settings.material.youngs_modulus,
+                       .density = settings.material.density};
     ck_assert(readout.predicted_known);
     ck_assert_double_eq_tol(readout.predicted / beam_period_timoshenko(&real), 1, 1e-12);
     ck_assert_double_lt(readout.error_frequency, -12);
@@ -319,12 +319,12 @@ START_TEST(a_moving_cantilever_is_read_at_its_zeros)
     Settings settings = beam_settings(PROBLEM_MOVING_CANTILEVER, 5e-3);
     Simulation *sim = simulate(&settings);
     References *refs = refer(&settings, sim);
-    BeamTheory theory = {.length = settings.beam.length,
-                         .height = settings.beam.height,
-                         .youngs_modulus = settings.beam.youngs_modulus,
-                         .density = settings.beam.density,
-                         .amplitude = settings.beam.amplitude};
-    MovingCantilever *tip = moving_cantilever_solve(&theory, settings.beam.speed, 5e-3, NULL);
+    BeamTheory theory = {.length = settings.geometry.length,
+                         .height = settings.geometry.height,
+                         .youngs_modulus = settings.material.youngs_modulus,
+                         .density = settings.material.density,
+                         .amplitude = settings.start.amplitude};
+    MovingCantilever *tip = moving_cantilever_solve(&theory, settings.motion.speed, 5e-3, NULL);
     ck_assert_ptr_nonnull(tip);
     Column columns[COLUMNS_MAX];
     Record record;
@@ -522,17 +522,17 @@ END_TEST
 START_TEST(a_run_cut_short_leaves_out_what_comes_later)
 {
     Settings settings = bar_settings(1, 10);
-    strcpy(settings.at, "0,0.5,2,7");
+    strcpy(settings.output.at, "0,0.5,2,7");
     settings.n_changes = 2;
     settings.changes[0] = (Change){100, {"mpm.algorithm", "usl"}};
     settings.changes[1] = (Change){300, {"mpm.algorithm", "usf"}};
     problem_end_at(&settings, 0.01, 200);
-    ck_assert_double_eq(settings.end, 2);
-    ck_assert_str_eq(settings.at, "0,0.5,2");
+    ck_assert_double_eq(settings.time.end, 2);
+    ck_assert_str_eq(settings.output.at, "0,0.5,2");
     ck_assert_int_eq(settings.n_changes, 1);
     Settings beam = beam_settings(PROBLEM_SUPPORTED_BEAM, 1e-3);
     problem_end_at(&beam, 1.5e-7, 10);
-    ck_assert_double_eq(beam.beam.dt, 1.5e-7);
+    ck_assert_double_eq(beam.time.step, 1.5e-7);
 }
 END_TEST
 

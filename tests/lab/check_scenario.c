@@ -66,10 +66,10 @@ START_TEST(a_file_is_read)
                            "about = one\r\n   two # not this\r\n\tt = 3\r\ntitle\t= A#1;b  # c\r\n"
                            "[output]\nat = 1,2,\n  3\n[changes]\n20 = mpm.algorithm=usl\n"
                            "10 = load.traction = 1e-3\n10 = mpm.algorithm = musl");
-    ck_assert(s.bar.cell_size == 0.5);
+    ck_assert(s.mesh.cell_size == 0.5);
     ck_assert_str_eq(s.about, "one two t = 3");
     ck_assert_str_eq(s.title, "A#1;b");
-    ck_assert_str_eq(s.at, "1,2,3");
+    ck_assert_str_eq(s.output.at, "1,2,3");
     ck_assert_int_eq(s.n_changes, 3);
     ck_assert_int_eq(s.changes[0].step, 10);
     ck_assert_str_eq(s.changes[0].to.key, "load.traction");
@@ -77,8 +77,8 @@ START_TEST(a_file_is_read)
     ck_assert_str_eq(s.changes[2].to.value, "usl");
     expect_round_trip(&s);
     s = read_text("[time]\nend=1e-3\n[scenario]\nproblem=notched-beam\n[pd]\ncritical_energy=30\n");
-    ck_assert(s.problem == PROBLEM_NOTCHED_BEAM && s.energy_given && s.critical_energy == 30 &&
-              s.end == 1e-3);
+    ck_assert(s.problem == PROBLEM_NOTCHED_BEAM && s.bonds.energy_given && s.bonds.critical_energy == 30 &&
+              s.time.end == 1e-3);
     expect_round_trip(&s);
 }
 END_TEST
@@ -121,7 +121,7 @@ START_TEST(every_text_reads_back_or_is_refused)
     long_text[strlen(long_text) - 1] = '\0';
     strcpy(s.about, long_text);
     for (int i = 0; i < 40; i++)
-        sprintf(s.at + strlen(s.at), "%s%d.5", i ? "," : "", i);
+        sprintf(s.output.at + strlen(s.output.at), "%s%d.5", i ? "," : "", i);
     expect_round_trip(&s);
 }
 END_TEST
@@ -132,7 +132,7 @@ START_TEST(overrides_stand_above_the_file)
     Settings settings;
     Status status;
     ck_assert_msg(scenario_load_with("mode5", sets, 2, &settings, &status), "%s", status.text);
-    ck_assert(settings.bar.cell_size == 0.5 && settings.end == 7 && settings.mode == 5);
+    ck_assert(settings.mesh.cell_size == 0.5 && settings.time.end == 7 && settings.start.mode == 5);
     sets[0].value = "0.7";
     ck_assert(!scenario_load_with("mode5", sets, 2, &settings, &status));
     ck_assert_msg(strncmp(status.text, "--set: mesh.cell_size: the length", 33) == 0, "%s", status.text);
@@ -141,7 +141,7 @@ START_TEST(overrides_stand_above_the_file)
     ck_assert(scenario_load_with("moving-cantilever", shorter, 2, &settings, NULL));
     ck_assert(!scenario_load_with("moving-cantilever", shorter, 1, &settings, &status));
     Override handles[] = {{"--set", "pd.critical_energy", "30"}, {"--set", "pd.critical_stretch", "0.001"}};
-    ck_assert(scenario_load_with("notched-beam", handles, 1, &settings, NULL) && settings.energy_given);
+    ck_assert(scenario_load_with("notched-beam", handles, 1, &settings, NULL) && settings.bonds.energy_given);
     ck_assert(!scenario_load_with("notched-beam", handles, 2, &settings, &status));
     ck_assert(!scenario_load("mode11", &settings, &status));
     ck_assert_str_eq(status.text, "mode11: no such scenario or file (did you mean mode1?)");

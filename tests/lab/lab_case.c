@@ -8,8 +8,8 @@ Settings bar_settings(int mode, double end)
 {
     Settings settings;
     settings_default(&settings, PROBLEM_BAR);
-    settings.mode = mode;
-    settings.end = end;
+    settings.start.mode = mode;
+    settings.time.end = end;
     return settings;
 }
 
@@ -23,21 +23,20 @@ Settings beam_settings(Problem problem, double end)
 {
     Settings settings;
     settings_default(&settings, problem);
-    settings.end = end;
-    BeamDef *beam = &settings.beam;
+    settings.time.end = end;
     if (problem == PROBLEM_NOTCHED_BEAM) {
-        beam->length = 0.1;
-        beam->height = 0.04;
+        settings.geometry.length = 0.1;
+        settings.geometry.height = 0.04;
         set(&settings, "pd.horizon", "4e-3");
         set(&settings, "pd.spacing", "1e-3");
-        beam->notch_position = 0.03;
-        beam->notch_depth = 0.01;
-        beam->load_position = 0.05;
-        beam->load_width = 0.004;
-        beam->support_left = 0.0055;
-        beam->support_right = 0.0945;
-        beam->protected_depth = 0.006;
-        beam->dt = 2e-7;
+        settings.notch.position = 0.03;
+        settings.notch.depth = 0.01;
+        settings.loads.position = 0.05;
+        settings.loads.width = 0.004;
+        settings.supports.left = 0.0055;
+        settings.supports.right = 0.0945;
+        settings.bonds.protected_depth = 0.006;
+        settings.time.step = 2e-7;
     } else {
         set(&settings, "pd.horizon", "3.75e-3");
         set(&settings, "pd.spacing", "1.25e-3");

@@ -308,7 +308,7 @@ START_TEST(the_time_window_narrows_widens_and_finds_itself)
         Bench *bench = open_bench(names[i], true);
         Screen *screen = &bench->lab.screen;
         screen->focus = PANE_LOWER;
-        double from, to, length, end = experiment_settings(screen->experiment)->end;
+        double from, to, length, end = experiment_settings(screen->experiment)->time.end;
         const double dt = experiment_simulation(screen->experiment)->dt;
         screen_time_window(screen, &from, &to);
         const double automatic = length = to - from;

@@ -57,8 +57,8 @@ static bool show_errors(Verify *verify, const ErrorCase *cases, int count, Statu
     for (int i = 0; i < count; i++) {
         const ErrorCase *one = &cases[i];
         Settings run = bar_run(one->mode);
-        run.bar.cell_size = one->cell_size, run.bar.courant = one->courant;
-        run.bar.particles_per_cell = one->particles_per_cell;
+        run.mesh.cell_size = one->cell_size, run.time.courant = one->courant;
+        run.mesh.particles_per_cell = one->particles_per_cell;
         double error = measured_error(&run, status);
         if (isnan(error))
             return false;
@@ -153,7 +153,7 @@ static double half_a_period_late(double exact, double frequency)
 static bool tiny_motion(int mode, double *out, Status *status)
 {
     Settings run = bar_run(mode);
-    run.velocity = 1e-6;
+    run.start.velocity = 1e-6;
     double error = measured_error(&run, status);
     *out = 1e9 * ((1 + error / 100) * bar_run_exact(&run) / bar_run_predicted(&run) - 1);
     return !isnan(error);

@@ -10,8 +10,7 @@ Settings bar_run(int mode)
 {
     Settings run;
     settings_default(&run, PROBLEM_BAR);
-    run.bar = bar_default();
-    run.mode = mode, run.velocity = 0.1;
+    run.start.mode = mode, run.start.velocity = 0.1;
     return run;
 }
 
@@ -30,14 +29,14 @@ BarMesh bar_run_mesh(const Settings *run)
 double bar_run_exact(const Settings *run)
 {
     BarTheory bar = bar_run_theory(run);
-    return bar_frequency(&bar, run->mode);
+    return bar_frequency(&bar, run->start.mode);
 }
 
 double bar_run_predicted(const Settings *run)
 {
     BarTheory bar = bar_run_theory(run);
     BarMesh mesh = bar_run_mesh(run);
-    return bar_dispersion(&bar, &mesh, bar_wave_number(&bar, run->mode)).frequency;
+    return bar_dispersion(&bar, &mesh, bar_wave_number(&bar, run->start.mode)).frequency;
 }
 
 bool bar_run_trace(const Settings *run, double end, Simulation **sim, Trace *trace, Status *status)

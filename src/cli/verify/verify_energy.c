@@ -1,6 +1,7 @@
 /* The bar's energy: what the algorithms keep of it, what crossings and stability do to it, and loads. */
 #include "cli/verify/verify_bar_run.h"
 #include "cli/verify/verify_checks.h"
+#include "lab/answers/bar_problem.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -35,15 +36,15 @@ bool verify_energy_left(Verify *verify, Status *status)
     verify_head(verify, "energy left at t = 100");
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Settings run = bar_run(cases[i].mode);
-        run.bar.algorithm = cases[i].algorithm;
+        run.mpm.algorithm = cases[i].algorithm;
         double left;
         if (!energy_left(&run, &left, status))
             return false;
         BarTheory bar = bar_run_theory(&run);
         BarMesh mesh = bar_run_mesh(&run);
-        double decay = bar_dispersion(&bar, &mesh, bar_wave_number(&bar, run.mode)).decay;
+        double decay = bar_dispersion(&bar, &mesh, bar_wave_number(&bar, run.start.mode)).decay;
         char what[40];
-        snprintf(what, sizeof what, "%s, n = %d", algorithm_names[run.bar.algorithm], run.mode);
+        snprintf(what, sizeof what, "%s, n = %d", algorithm_names[run.mpm.algorithm], run.start.mode);
         VerifyRow row = {.what = what,
                          .predicted = exp(-2 * decay * 90),
                          .measured = left,
@@ -82,11 +83,11 @@ bool verify_hidden_energy(Verify *verify, Status *status)
         if (!sound)
             return false;
         /* half of the last digit that is known */
-        double slack = run.mode == 1 ? 0.0051 : 0.051;
+        double slack = run.start.mode == 1 ? 0.0051 : 0.051;
         char what[40];
-        snprintf(what, sizeof what, "n = %d, t in [0, 10]", run.mode);
+        snprintf(what, sizeof what, "n = %d, t in [0, 10]", run.start.mode);
         verify_row(verify, &(VerifyRow){what, NULL, NAN, early, 2, 1, {within(cases[i].early, slack)}});
-        snprintf(what, sizeof what, "n = %d, t in [90, 100]", run.mode);
+        snprintf(what, sizeof what, "n = %d, t in [90, 100]", run.start.mode);
         verify_row(verify, &(VerifyRow){what, NULL, NAN, late, 2, 1, {within(cases[i].late, slack)}});
     }
     return true;
@@ -98,7 +99,7 @@ bool verify_hidden_energy(Verify *verify, Status *status)
 static bool crosses(double velocity, bool *out, Status *status)
 {
     Settings run = bar_run(1);
-    run.velocity = velocity;
+    run.start.velocity = velocity;
     Simulation *sim;
     Trace trace;
     bool sound = bar_run_trace(&run, 5, &sim, &trace, status);
@@ -144,9 +145,9 @@ bool verify_crossing(Verify *verify, Status *status)
     verify_head(verify, "energy left, v0 = 1");
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Settings run = bar_run(1);
-        run.velocity = 1;
-        run.bar.padding = 16; /* a heated particle may fly beyond four cells */
-        run.bar.algorithm = cases[i].algorithm, run.bar.shape = cases[i].shape;
+        run.start.velocity = 1;
+        run.mesh.padding = 16; /* a heated particle may fly beyond four cells */
+        run.mpm.algorithm = cases[i].algorithm, run.mpm.shape = cases[i].shape;
         double left;
         if (!energy_left(&run, &left, status))
             return false;
@@ -184,8 +185,8 @@ static Peaks find_peaks(const double *values, size_t count, double spacing)
 static bool loaded_peaks(double body_force, double traction, Peaks *peaks, Status *status)
 {
     Settings run = bar_run(1);
-    run.velocity = 0;
-    run.bar.body_force = body_force, run.bar.traction = traction;
+    run.start.velocity = 0;
+    run.loads.body_force = body_force, run.loads.traction = traction;
     Simulation *sim;
     Trace trace;
     bool sound = bar_run_trace(&run, 50, &sim, &trace, status);
@@ -297,11 +298,11 @@ bool verify_limits(Verify *verify, Status *status)
     verify_head(verify, "largest stable courant");
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Settings run = bar_run(1);
-        run.bar.algorithm = cases[i].algorithm, run.bar.shape = cases[i].shape;
-        run.bar.transfer = cases[i].transfer, run.bar.particles_per_cell = cases[i].particles;
+        run.mpm.algorithm = cases[i].algorithm, run.mpm.shape = cases[i].shape;
+        run.mpm.transfer = cases[i].transfer, run.mesh.particles_per_cell = cases[i].particles;
         BarMesh mesh = bar_run_mesh(&run);
         double limit;
-        if (!find_limit(run.bar, cases[i].reference, &limit, status))
+        if (!find_limit(bar_definition(&run), cases[i].reference, &limit, status))
             return false;
         verify_row(verify, &(VerifyRow){cases[i].what,
                                         NULL,

@@ -12,20 +12,20 @@ _Static_assert(OVERTONES_MAX + 1 <= BAR_MODES_MAX, "the theory has room for ever
 
 bool bar_theory_of(const Settings *settings, BarTheory *theory, Status *status)
 {
-    const BarDef *def = &settings->bar;
+    const BarSupports ends = settings->supports.ends;
     *theory = (BarTheory){
-        .length = def->length,
-        .youngs_modulus = def->youngs_modulus,
-        .density = def->density,
-        .left_fixed = def->supports == BAR_FIXED_FREE || def->supports == BAR_FIXED_FIXED,
-        .right_fixed = def->supports == BAR_FREE_FIXED || def->supports == BAR_FIXED_FIXED,
-        .body_force = def->body_force,
-        .traction = def->traction,
+        .length = settings->geometry.length,
+        .youngs_modulus = settings->material.youngs_modulus,
+        .density = settings->material.density,
+        .left_fixed = ends == BAR_FIXED_FREE || ends == BAR_FIXED_FIXED,
+        .right_fixed = ends == BAR_FREE_FIXED || ends == BAR_FIXED_FIXED,
+        .body_force = settings->loads.body_force,
+        .traction = settings->loads.traction,
     };
-    theory->modes[0].number = settings->mode;
-    theory->modes[0].velocity = settings->velocity;
+    theory->modes[0].number = settings->start.mode;
+    theory->modes[0].velocity = settings->start.velocity;
     Overtone overtones[OVERTONES_MAX];
-    int count = overtones_read(settings->overtones, overtones, status);
+    int count = overtones_read(settings->start.overtones, overtones, status);
     if (count < 0)
         return false;
     for (int i = 0; i < count; i++) {
@@ -38,8 +38,9 @@ bool bar_theory_of(const Settings *settings, BarTheory *theory, Status *status)
 
 double bar_time_step(const Settings *settings)
 {
-    const BarDef *def = &settings->bar;
-    return def->courant * def->cell_size / sqrt(def->youngs_modulus / def->density);
+    const Material *material = &settings->material;
+    return settings->time.courant * settings->mesh.cell_size /
+           sqrt(material->youngs_modulus / material->density);
 }
 
 double bar_start(double x, const void *theory)

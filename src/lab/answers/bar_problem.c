@@ -12,14 +12,35 @@ BarMesh bar_mesh_of(const Settings *settings, double dt)
                                        [MPM_GIMP] = MESH_GIMP,
                                        [MPM_BSPLINE2] = MESH_BSPLINE2,
                                        [MPM_BSPLINE3] = MESH_BSPLINE3};
-    const BarDef *def = &settings->bar;
-    return (BarMesh){.cell_size = def->cell_size,
-                     .particles_per_cell = def->particles_per_cell,
-                     .algorithm = algorithms[def->algorithm],
-                     .shape = shapes[def->shape],
-                     .apic = def->transfer == MPM_APIC,
-                     .flip_fraction = def->flip_fraction,
+    const Transfer *mpm = &settings->mpm;
+    return (BarMesh){.cell_size = settings->mesh.cell_size,
+                     .particles_per_cell = settings->mesh.particles_per_cell,
+                     .algorithm = algorithms[mpm->algorithm],
+                     .shape = shapes[mpm->shape],
+                     .apic = mpm->transfer == MPM_APIC,
+                     .flip_fraction = mpm->flip_fraction,
                      .dt = dt};
+}
+
+BarDef bar_definition(const Settings *settings)
+{
+    return (BarDef){
+        .length = settings->geometry.length,
+        .youngs_modulus = settings->material.youngs_modulus,
+        .density = settings->material.density,
+        .supports = settings->supports.ends,
+        .cell_size = settings->mesh.cell_size,
+        .particles_per_cell = settings->mesh.particles_per_cell,
+        .padding = settings->mesh.padding,
+        .body_force = settings->loads.body_force,
+        .traction = settings->loads.traction,
+        .traction_layer = settings->loads.traction_layer,
+        .algorithm = settings->mpm.algorithm,
+        .shape = settings->mpm.shape,
+        .transfer = settings->mpm.transfer,
+        .flip_fraction = settings->mpm.flip_fraction,
+        .courant = settings->time.courant,
+    };
 }
 
 static Simulation *simulate(const Settings *settings, int threads, Status *status)
@@ -28,7 +49,7 @@ static Simulation *simulate(const Settings *settings, int threads, Status *statu
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, status))
         return NULL;
-    BarDef def = settings->bar;
+    BarDef def = bar_definition(settings);
     def.initial_velocity = bar_start;
     def.initial_context = &theory;
     return bar_create(&def, status);
@@ -62,11 +83,10 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
 
 static int derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
 {
-    const BarDef *def = &settings->bar;
     int n = 0;
     BarTheory theory;
     double dt = sim ? sim->dt : bar_time_step(settings);
-    double cells = round(def->length / def->cell_size);
+    double cells = round(settings->geometry.length / settings->mesh.cell_size);
     if (!bar_theory_of(settings, &theory, NULL))
         return 0;
     BarMesh mesh = bar_mesh_of(settings, dt);
@@ -76,9 +96,10 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     int mode = bar_watched_mode(&theory);
     if (bar_watch(&theory).moving)
         derived_add(out, &n, "cells_per_wave", "cells/wave", "1",
-                    2 * M_PI / bar_wave_number(&theory, mode > 0 ? mode : 1) / def->cell_size, false);
+                    2 * M_PI / bar_wave_number(&theory, mode > 0 ? mode : 1) / settings->mesh.cell_size,
+                    false);
     derived_add(out, &n, "cells", "cells", "1", cells, true);
-    derived_add(out, &n, "particles", "particles", "1", cells * def->particles_per_cell, true);
+    derived_add(out, &n, "particles", "particles", "1", cells * settings->mesh.particles_per_cell, true);
     double largest = bar_largest_courant(&mesh);
     if (isfinite(largest))
         derived_add(out, &n, "largest_courant", "courant limit", "1", largest, false);
@@ -91,8 +112,8 @@ static bool advice(const Settings *settings, char *text, size_t size, Status *st
     if (!bar_theory_of(settings, &theory, status))
         return false;
     BarMesh mesh = bar_mesh_of(settings, bar_time_step(settings));
-    double courant = settings->bar.courant, largest = bar_largest_courant(&mesh);
-    double warn = settings->bar.algorithm == MPM_USL ? 0.7 : 1;
+    double courant = settings->time.courant, largest = bar_largest_courant(&mesh);
+    double warn = settings->mpm.algorithm == MPM_USL ? 0.7 : 1;
     if (courant > largest)
         return status_fail(status, STATUS_USAGE, "time.courant: %.6g is unstable on this mesh (at most %.5g)",
                            courant, largest);

@@ -14,6 +14,9 @@ bool bar_theory_of(const Settings *, BarTheory *, Status *);
 /* The mesh on which it is predicted; `dt` as the simulation has it. */
 BarMesh bar_mesh_of(const Settings *, double dt);
 
+/* The bar as its engine by the material point method wants it, at rest. */
+BarDef bar_definition(const Settings *);
+
 /* The same bar on a lattice of bonded nodes: for the engine (at rest) and for its theory. */
 RodDef rod_definition(const Settings *);
 RodLatticeTheory rod_lattice_of(const Settings *);

@@ -9,28 +9,55 @@
 
 /* --- settings to simulation ----------------------------------------------------------------------- */
 
-static BeamDef definition(const Settings *settings, int threads)
+BeamDef beam_definition(const Settings *settings, int threads)
 {
-    BeamDef def = settings->beam;
-    def.end = settings->end;
-    def.threads = threads;
-    return def;
+    return (BeamDef){
+        .problem = problem_facts[settings->problem].beam,
+        .length = settings->geometry.length,
+        .height = settings->geometry.height,
+        .thickness = settings->geometry.thickness,
+        .youngs_modulus = settings->material.youngs_modulus,
+        .density = settings->material.density,
+        .horizon = settings->lattice.horizon,
+        .spacing = settings->lattice.spacing,
+        .surface_correction = settings->lattice.surface_correction,
+        .volume_correction = settings->lattice.volume_correction,
+        .critical_stretch = settings->bonds.critical_stretch,
+        .protected_depth = settings->bonds.protected_depth,
+        .amplitude = settings->start.amplitude,
+        .speed = settings->motion.speed,
+        .channel = settings->motion.channel,
+        .clamp = settings->motion.clamp,
+        .notch_position = settings->notch.position,
+        .notch_depth = settings->notch.depth,
+        .load_stress = settings->loads.stress,
+        .load_ramp = settings->loads.ramp,
+        .load_position = settings->loads.position,
+        .load_width = settings->loads.width,
+        .support_left = settings->supports.left,
+        .support_right = settings->supports.right,
+        .pinned = settings->supports.pinned,
+        .dt = settings->time.step,
+        .end = settings->time.end,
+        .threads = threads,
+        .go_on = settings->building.go_on,
+        .go_on_context = settings->building.context,
+    };
 }
 
 static Simulation *simulate(const Settings *settings, int threads, Status *status)
 {
-    BeamDef def = definition(settings, threads);
+    BeamDef def = beam_definition(settings, threads);
     return beam_create(&def, status);
 }
 
 static BeamTheory theory_of(const Settings *settings)
 {
-    const BeamDef *def = &settings->beam;
-    return (BeamTheory){.length = def->length,
-                        .height = def->height,
-                        .youngs_modulus = def->youngs_modulus,
-                        .density = def->density,
-                        .amplitude = def->amplitude};
+    return (BeamTheory){.length = settings->geometry.length,
+                        .height = settings->geometry.height,
+                        .youngs_modulus = settings->material.youngs_modulus,
+                        .density = settings->material.density,
+                        .amplitude = settings->start.amplitude};
 }
 
 static BeamTheory real_theory_of(const Settings *settings, const Simulation *sim)
@@ -53,7 +80,7 @@ static void find_thickness_lines(BeamAnswers *beam, const Settings *settings, co
     const size_t rows = (size_t)facts.ny;
     double *stiffness = facts.ny <= ROWS_MAX ? malloc(rows * rows * sizeof *stiffness) : NULL;
     if (stiffness && beam_row_stiffness(sim, stiffness))
-        beam->n_thickness = thickness_modes(stiffness, facts.ny, settings->beam.density, sim->dt,
+        beam->n_thickness = thickness_modes(stiffness, facts.ny, settings->material.density, sim->dt,
                                             beam->thickness, THICKNESS_LINES_MAX);
     free(stiffness);
 }
@@ -221,11 +248,11 @@ static bool prepare_moving(References *refs, const Settings *settings, const Sim
     BeamAnswers *beam = &refs->beam;
     beam->theory = theory_of(settings);
     /* the last step may lie beyond the end by almost a step */
-    double end = (double)problem_last_step(sim->dt, settings->end) * sim->dt;
-    beam->moving = moving_cantilever_solve(&beam->theory, settings->beam.speed, fmax(end, sim->dt), status);
+    double end = (double)problem_last_step(sim->dt, settings->time.end) * sim->dt;
+    beam->moving = moving_cantilever_solve(&beam->theory, settings->motion.speed, fmax(end, sim->dt), status);
     if (!beam->moving)
         return false;
-    beam->speed = settings->beam.speed;
+    beam->speed = settings->motion.speed;
     find_thickness_lines(beam, settings, sim);
     beam->v_probe = simulation_find_series(sim, "v_probe");
     beam->window.size = lround(window / sim->dt) + 1;
@@ -292,13 +319,15 @@ static void read_nothing(const References *refs, const double *rows, size_t n_ro
 
 static int derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
 {
-    const BeamDef *def = &settings->beam;
+    const Lattice *lattice = &settings->lattice;
     int n = 0;
-    derived_add(out, &n, "horizon_over_spacing", "horizon/spacing", "1", def->horizon / def->spacing, false);
-    double stretch = def->critical_stretch;
+    derived_add(out, &n, "horizon_over_spacing", "horizon/spacing", "1", lattice->horizon / lattice->spacing,
+                false);
+    double stretch = settings->bonds.critical_stretch;
     derived_add(out, &n, "critical_stretch", "critical s0", "1", stretch, false);
     derived_add(out, &n, "critical_energy", "critical G0", "J/m^2",
-                stretch * stretch * 9 * def->youngs_modulus * def->horizon / (4 * M_PI), false);
+                stretch * stretch * 9 * settings->material.youngs_modulus * lattice->horizon / (4 * M_PI),
+                false);
     if (sim) {
         BeamFacts facts;
         beam_facts(sim, &facts);
@@ -331,7 +360,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
 static bool advice(const Settings *settings, char *text, size_t size, Status *status)
 {
     (void)status; /* the time step is checked against the critical one when the beam is made */
-    double ratio = settings->beam.horizon / settings->beam.spacing;
+    double ratio = settings->lattice.horizon / settings->lattice.spacing;
     if (!(ratio >= 3 * (1 - 1e-9) && ratio <= 4 * (1 + 1e-9)))
         snprintf(text, size, "the horizon is %.3g spacings; 3 to 4 are usual", ratio);
     return true;

@@ -117,7 +117,8 @@ static bool tell_hidden(const Standing *run, char *label, char *value)
 {
     const int kinetic = column_of(run, "kinetic"), grid = column_of(run, "kinetic_grid");
     const Record *record = experiment_record(run->experiment);
-    const double to = experiment_time(run->experiment), span = experiment_settings(run->experiment)->end / 10;
+    const double to = experiment_time(run->experiment),
+                 span = experiment_settings(run->experiment)->time.end / 10;
     double all = 0, seen = 0;
     char number[NUMBER_TEXT_MAX];
     text_rounded(number, span, 3);

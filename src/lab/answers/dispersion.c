@@ -11,7 +11,7 @@ int dispersion_modes(const Settings *settings)
         return 0;
     const bool lattice = settings->method == METHOD_PD;
     double modes =
-        round(settings->bar.length / (lattice ? lattice_spacing(settings) : settings->bar.cell_size));
+        round(settings->geometry.length / (lattice ? lattice_spacing(settings) : settings->mesh.cell_size));
     return modes >= 1 && modes < INT_MAX ? (int)modes : 0;
 }
 

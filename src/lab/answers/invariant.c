@@ -39,9 +39,9 @@ static double one_step_ahead(Simulation *sim, MpmAlgorithm algorithm)
 
 bool invariant_exists(const Settings *settings)
 {
-    const BarDef *bar = &settings->bar;
-    return settings->problem == PROBLEM_BAR && settings->method == METHOD_MPM && bar->transfer == MPM_FLIP &&
-           bar->flip_fraction == 1 && bar->body_force == 0 && bar->traction == 0;
+    return settings->problem == PROBLEM_BAR && settings->method == METHOD_MPM &&
+           settings->mpm.transfer == MPM_FLIP && settings->mpm.flip_fraction == 1 &&
+           settings->loads.body_force == 0 && settings->loads.traction == 0;
 }
 
 double invariant_now(Simulation *sim, const Settings *settings)
@@ -50,7 +50,7 @@ double invariant_now(Simulation *sim, const Settings *settings)
     if (!present)
         return NAN;
     simulation_snapshot(sim, present);
-    const double value = one_step_ahead(sim, settings->bar.algorithm);
+    const double value = one_step_ahead(sim, settings->mpm.algorithm);
     simulation_restore(sim, present);
     free(present);
     return value;

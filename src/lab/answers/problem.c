@@ -77,7 +77,7 @@ Simulation *problem_simulate(const Settings *settings, int threads, Status *stat
 {
     const ProblemRow *row = need_row(settings, status);
     Simulation *sim = row ? row->simulate(settings, threads, status) : NULL;
-    if (!sim || problem_check_steps(settings->end, sim->dt, status))
+    if (!sim || problem_check_steps(settings->time.end, sim->dt, status))
         return sim;
     simulation_destroy(sim);
     return NULL;
@@ -110,22 +110,22 @@ bool problem_time_step(const Settings *settings, double *dt, Status *status)
 void problem_end_at(Settings *settings, double dt, long step)
 {
     double times[TIMES_MAX];
-    settings->end = (double)step * dt;
+    settings->time.end = (double)step * dt;
     if (settings->problem != PROBLEM_BAR)
-        settings->beam.dt = dt;
+        settings->time.step = dt;
     while (settings->n_changes > 0 && settings->changes[settings->n_changes - 1].step > step)
         settings->n_changes--;
-    int n = times_read(settings->at, times, NULL), kept = n;
+    int n = times_read(settings->output.at, times, NULL), kept = n;
     while (kept > 0 && lround(times[kept - 1] / dt) > step)
         kept--;
     if (kept == n)
         return;
     size_t length = 0;
-    settings->at[0] = '\0';
+    settings->output.at[0] = '\0';
     for (int i = 0; i < kept; i++) {
         char text[NUMBER_TEXT_MAX];
         text_shortest(text, times[i]);
-        length += (size_t)snprintf(settings->at + length, sizeof settings->at - length, "%s%s",
+        length += (size_t)snprintf(settings->output.at + length, sizeof settings->output.at - length, "%s%s",
                                    i > 0 ? "," : "", text);
     }
 }

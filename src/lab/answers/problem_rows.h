@@ -90,6 +90,9 @@ int plan_find(const References *, const char *column);                      /* -
 bool readout_fit(const double *rows, size_t n_rows, int n_columns, int column, double start,
                  const double *ratios, int n_lines, double *frequency);
 
+/* The beam as its engine wants it. */
+BeamDef beam_definition(const Settings *, int threads);
+
 /* Appends a derived number. */
 void derived_add(Derived out[DERIVED_MAX], int *count, const char *name, const char *label, const char *unit,
                  double value, bool integer);

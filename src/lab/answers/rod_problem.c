@@ -10,20 +10,20 @@
 
 RodDef rod_definition(const Settings *settings)
 {
-    const BarDef *bar = &settings->bar;
+    const BarSupports ends = settings->supports.ends;
     return (RodDef){
-        .length = bar->length,
-        .youngs_modulus = bar->youngs_modulus,
-        .density = bar->density,
-        .left_fixed = bar->supports == BAR_FIXED_FREE || bar->supports == BAR_FIXED_FIXED,
-        .right_fixed = bar->supports == BAR_FREE_FIXED || bar->supports == BAR_FIXED_FIXED,
+        .length = settings->geometry.length,
+        .youngs_modulus = settings->material.youngs_modulus,
+        .density = settings->material.density,
+        .left_fixed = ends == BAR_FIXED_FREE || ends == BAR_FIXED_FIXED,
+        .right_fixed = ends == BAR_FREE_FIXED || ends == BAR_FIXED_FIXED,
         .spacing = lattice_spacing(settings),
         .horizon = lattice_horizon(settings),
-        .surface_correction = settings->beam.surface_correction,
-        .volume_correction = settings->beam.volume_correction,
-        .body_force = bar->body_force,
-        .traction = bar->traction,
-        .traction_layer = bar->traction_layer,
+        .surface_correction = settings->lattice.surface_correction,
+        .volume_correction = settings->lattice.volume_correction,
+        .body_force = settings->loads.body_force,
+        .traction = settings->loads.traction,
+        .traction_layer = settings->loads.traction_layer,
         .dt = bar_time_step(settings),
     };
 }
@@ -32,8 +32,8 @@ RodLatticeTheory rod_lattice_of(const Settings *settings)
 {
     return (RodLatticeTheory){.spacing = lattice_spacing(settings),
                               .horizon = lattice_horizon(settings),
-                              .partial_volumes = settings->beam.volume_correction == VOLUME_PARTIAL,
-                              .energy_correction = settings->beam.surface_correction == SURFACE_ENERGY,
+                              .partial_volumes = settings->lattice.volume_correction == VOLUME_PARTIAL,
+                              .energy_correction = settings->lattice.surface_correction == SURFACE_ENERGY,
                               .dt = bar_time_step(settings)};
 }
 
@@ -77,7 +77,7 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
                     "velocity of the centre of mass predicted for this lattice", status);
     if (errno == ENOMEM)
         return status_fail(status, STATUS_FAILED, "not enough memory to predict the motion of %g nodes",
-                           round(settings->bar.length / lattice.spacing));
+                           round(settings->geometry.length / lattice.spacing));
     return prepared;
 }
 
@@ -85,7 +85,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
 {
     enum { QUICKLY = 2000 }; /* nodes for which the eigenvalue is found in no time */
     const double dt = sim ? sim->dt : bar_time_step(settings), spacing = lattice_spacing(settings);
-    const double nodes = round(settings->bar.length / spacing);
+    const double nodes = round(settings->geometry.length / spacing);
     int n = 0;
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, NULL))
@@ -106,14 +106,14 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     derived_add(out, &n, "end_factor", "g at a free end", "1", facts.end_factor, false);
     derived_add(out, &n, "dt_crit", "critical dt", "time", facts.critical_step, false);
     derived_add(out, &n, "largest_courant", "courant limit", "1",
-                settings->bar.courant * facts.critical_step / dt, false);
+                settings->time.courant * facts.critical_step / dt, false);
     return n;
 }
 
 static bool advice(const Settings *settings, char *text, size_t size, Status *status)
 {
     const RodDef def = rod_definition(settings);
-    const double courant = settings->bar.courant;
+    const double courant = settings->time.courant;
     double critical;
     if (!rod_critical(&def, &critical, status))
         return false;

@@ -22,7 +22,7 @@ static bool take_row(Export *export, const double *method_row, long step, Status
 {
     double *row = export->newest;
     references_row(export->refs, step, (double)step * export->sim->dt, method_row, row);
-    bool due = step % export->settings->every == 0 || step == export->last;
+    bool due = step % export->settings->output.every == 0 || step == export->last;
     if (!due)
         return true;
     if (!record_append(&export->record, row))
@@ -39,7 +39,7 @@ static long least(long a, long b)
 static long next_stop(const Export *export, bool *every_row)
 {
     const Simulation *sim = export->sim;
-    long every = export->settings->every, next = changes_next(export->settings, sim->step);
+    long every = export->settings->output.every, next = changes_next(export->settings, sim->step);
     long count = export->last - sim->step;
     *every_row = every == 1 || references_memory(export->refs) > 0;
     /* a large lattice is left often enough to be interrupted */
@@ -67,7 +67,7 @@ static bool go_on(Export *export, bool *stopped, Status *status)
     *stopped = !sound;
     if (!sound)
         return false;
-    if (!every_row && (sim->step % export->settings->every == 0 || sim->step == export->last)) {
+    if (!every_row && (sim->step % export->settings->output.every == 0 || sim->step == export->last)) {
         simulation_row(sim, export->block);
         if (!take_row(export, export->block, sim->step, status))
             return false;
@@ -155,7 +155,7 @@ static bool prepare(Export *export, int threads, Status *status)
         if (!export->sim)
             return false;
     }
-    export->last = export->planned_last = problem_last_step(export->sim->dt, settings->end);
+    export->last = export->planned_last = problem_last_step(export->sim->dt, settings->time.end);
     if (!frames_plan(&export->frames, settings, export->sim->dt, export->last, status) ||
         !export_check_names(export, status))
         return false;
@@ -168,7 +168,7 @@ static bool prepare(Export *export, int threads, Status *status)
     export->vtk = calloc(export->frames.count + 1, sizeof *export->vtk);
     if (!export->block || !export->vtk)
         return status_fail(status, STATUS_FAILED, "not enough memory for the run");
-    record_open(&export->record, export->n_columns, settings->every, record_budget);
+    record_open(&export->record, export->n_columns, settings->output.every, record_budget);
     return export_open_files(export, status);
 }
 

@@ -341,7 +341,7 @@ static Settings scenario_beside(const Export *export)
     Settings scenario = *export->settings;
     size_t n = export->next_frame, length = 0;
     problem_end_at(&scenario, export->sim->dt, export->last);
-    if (export->planned_last == export->last || (scenario.frames < 2 && !*export->settings->at))
+    if (export->planned_last == export->last || (scenario.output.frames < 2 && !*export->settings->output.at))
         return scenario;
     char at[LIST_MAX] = "";
     for (size_t i = 0; i < n; i++) {
@@ -352,8 +352,8 @@ static Settings scenario_beside(const Export *export)
         if (length >= sizeof at || n > TIMES_MAX)
             return *export->settings;
     }
-    memcpy(scenario.at, at, length + 1);
-    scenario.frames = 0;
+    memcpy(scenario.output.at, at, length + 1);
+    scenario.output.frames = 0;
     return scenario;
 }
 

@@ -103,7 +103,7 @@ static int new_type(Nodes *nodes, size_t node)
 
 static bool set_types(Nodes *nodes, Status *status)
 {
-    double notch = nodes->settings->beam.notch_position;
+    double notch = nodes->settings->notch.position;
     int common[2][3] = {{0}}; /* protected or not; no side, left, right */
     for (size_t b = 0; b < nodes->n_bonds; b++) {
         size_t ends[2] = {(size_t)nodes->bond_i[b], (size_t)nodes->bond_j[b]};
@@ -114,7 +114,7 @@ static bool set_types(Nodes *nodes, Status *status)
     }
     for (size_t b = 0; b < nodes->n_bonds; b++) {
         size_t i = (size_t)nodes->bond_i[b], j = (size_t)nodes->bond_j[b];
-        double tolerance = 1e-6 * nodes->settings->beam.spacing;
+        double tolerance = 1e-6 * nodes->settings->lattice.spacing;
         bool across = (nodes->x[i] - notch < -tolerance) != (nodes->x[j] - notch < -tolerance);
         if (across && nodes->cut[b] == 0)
             nodes->whole[i] = nodes->whole[j] = false;
@@ -178,8 +178,8 @@ static void line(FILE *file, const char *pattern, const double *numbers)
 
 static void write_data(FILE *file, const Nodes *nodes)
 {
-    const BeamDef *beam = &nodes->settings->beam;
-    double dx = beam->spacing, least[2] = {HUGE_VAL, HUGE_VAL}, most[2] = {-HUGE_VAL, -HUGE_VAL};
+    double dx = nodes->settings->lattice.spacing, least[2] = {HUGE_VAL, HUGE_VAL},
+           most[2] = {-HUGE_VAL, -HUGE_VAL};
     for (size_t k = 0; k < nodes->count; k++) {
         const double place[2] = {nodes->x[k], nodes->y[k]};
         for (int d = 0; d < 2; d++) {
@@ -194,7 +194,7 @@ static void write_data(FILE *file, const Nodes *nodes)
          least[0] - dx / 2, most[0] + dx / 2, least[1] - dx / 2, most[1] + dx / 2, -dx / 2, dx / 2);
     for (size_t k = 0; k < nodes->count; k++) {
         fprintf(file, "%zu %d ", k + 1, nodes->type[k]);
-        LINE(file, "@ @ @ @ 0\n", dx * dx * dx, beam->density, nodes->x[k], nodes->y[k]);
+        LINE(file, "@ @ @ @ 0\n", dx * dx * dx, nodes->settings->material.density, nodes->x[k], nodes->y[k]);
     }
 }
 
@@ -221,17 +221,17 @@ static void write_head(FILE *file, const Nodes *nodes)
     fprintf(file, "# %s\n# Written by matvib " PACKAGE_VERSION "; run it with: lmp -in in.matvib\n#\n",
             *settings->title ? settings->title : problem_facts[settings->problem].title);
     fputs("# What differs from matvib's own run of this scenario:\n", file);
-    if (settings->beam.surface_correction != SURFACE_NONE)
+    if (settings->lattice.surface_correction != SURFACE_NONE)
         fputs("# - there is no surface correction, so the skin is soft; compare with\n"
               "#   pd.surface_correction=none\n",
               file);
-    if (settings->beam.volume_correction != VOLUME_PARTIAL)
+    if (settings->lattice.volume_correction != VOLUME_PARTIAL)
         fputs("# - volumes near the horizon count in part; compare with pd.volume_correction=partial\n",
               file);
     fputs("# - a bond that reaches the critical stretch still pulls once and breaks before the next step\n"
           "# - nodes without a bond push each other away when they come very close (short-range forces)\n",
           file);
-    if (settings->beam.protected_depth > 0 && settings->problem == PROBLEM_NOTCHED_BEAM)
+    if (settings->bonds.protected_depth > 0 && settings->problem == PROBLEM_NOTCHED_BEAM)
         fputs("# - a node breaks its bonds by the largest critical stretch among them: the zone that never\n"
               "#   breaks reaches up to one horizon further\n",
               file);
@@ -253,18 +253,19 @@ static double derived(const Nodes *nodes, const char *name)
 
 static void write_pairs(FILE *file, const Nodes *nodes)
 {
-    const BeamDef *beam = &nodes->settings->beam;
+    const Lattice *lattice = &nodes->settings->lattice;
+    const double critical = nodes->settings->bonds.critical_stretch;
     double micromodulus = derived(nodes, "micromodulus");
     /* the last bonds of a family end at the horizon but for the rounding of positions */
-    double horizon = beam->horizon * (1 + 1e-9), never = 1e9;
-    double breaks = beam->critical_stretch > 0 ? beam->critical_stretch : never;
-    LINE(file, "pair_style peri/pmb\npair_coeff * * @ @ @ 0\n", micromodulus / beam->spacing, horizon,
+    double horizon = lattice->horizon * (1 + 1e-9), never = 1e9;
+    double breaks = critical > 0 ? critical : never;
+    LINE(file, "pair_style peri/pmb\npair_coeff * * @ @ @ 0\n", micromodulus / lattice->spacing, horizon,
          breaks);
-    for (int a = 1; a <= nodes->n_types && beam->critical_stretch > 0; a++)
+    for (int a = 1; a <= nodes->n_types && critical > 0; a++)
         for (int b = a; b <= nodes->n_types; b++)
             if (nodes->type_protected[a] || nodes->type_protected[b]) {
                 fprintf(file, "pair_coeff %d %d ", a, b);
-                LINE(file, "@ @ @ 0\n", micromodulus / beam->spacing, horizon, never);
+                LINE(file, "@ @ @ 0\n", micromodulus / lattice->spacing, horizon, never);
             }
 }
 
@@ -292,9 +293,9 @@ static bool is_held_y(const Nodes *nodes, size_t node)
 
 static bool is_held_x(const Nodes *nodes, size_t node)
 {
-    bool pinned = nodes->settings->problem == PROBLEM_SUPPORTED_BEAM || nodes->settings->beam.pinned;
+    bool pinned = nodes->settings->problem == PROBLEM_SUPPORTED_BEAM || nodes->settings->supports.pinned;
     return pinned && nodes->held[node] != 0 &&
-           nodes->x[node] < nodes->x[0] + nodes->settings->beam.length / 2;
+           nodes->x[node] < nodes->x[0] + nodes->settings->geometry.length / 2;
 }
 
 static bool is_loaded(const Nodes *nodes, size_t node)
@@ -304,22 +305,23 @@ static bool is_loaded(const Nodes *nodes, size_t node)
 
 static void write_forces(FILE *file, const Nodes *nodes)
 {
-    const BeamDef *beam = &nodes->settings->beam;
+    const Settings *settings = nodes->settings;
+    const double dx = settings->lattice.spacing;
     fputs("fix motion all nve\n", file);
     if (nodes->settings->problem == PROBLEM_MOVING_CANTILEVER) {
-        LINE(file, "region channel block INF @ INF INF INF INF units box\n", -1e-6 * beam->spacing);
+        LINE(file, "region channel block INF @ INF INF INF INF units box\n", -1e-6 * dx);
         fprintf(file,
                 "group held dynamic all region channel every 1\n"
                 "fix hold held setforce %s 0 0\n",
-                beam->clamp == CLAMP_FULL ? "0" : "NULL");
-        LINE(file, "velocity all set @ 0 0 units box\n", beam->speed);
+                settings->motion.clamp == CLAMP_FULL ? "0" : "NULL");
+        LINE(file, "velocity all set @ 0 0 units box\n", settings->motion.speed);
         return;
     }
     if (write_group(file, nodes, "load", is_loaded)) {
         LINE(file,
              "variable ramped equal step*dt/@\n"
              "variable load equal -@*((v_ramped<1)*v_ramped+(v_ramped>=1))\n",
-             beam->load_ramp > 0 ? beam->load_ramp : 1e-300, beam->load_stress / beam->spacing);
+             settings->loads.ramp > 0 ? settings->loads.ramp : 1e-300, settings->loads.stress / dx);
         fputs("fix push load addforce 0 v_load 0\n", file);
     }
     if (write_group(file, nodes, "held_y", is_held_y))
@@ -352,8 +354,8 @@ static void write_probe(FILE *file, const Nodes *nodes)
 static void write_script(FILE *file, const Nodes *nodes)
 {
     const Settings *settings = nodes->settings;
-    double dx = settings->beam.spacing, dt = nodes->sim->dt;
-    long steps = problem_last_step(dt, settings->end), every = settings->every;
+    double dx = settings->lattice.spacing, dt = nodes->sim->dt;
+    long steps = problem_last_step(dt, settings->time.end), every = settings->output.every;
     if (steps / every > PRINT_ROWS * 10)
         every *= steps / every / PRINT_ROWS;
     write_head(file, nodes);
@@ -361,7 +363,7 @@ static void write_script(FILE *file, const Nodes *nodes)
     LINE(file, "lattice sq @\n", dx);
     fputs("read_data data.matvib\n\n", file);
     write_pairs(file, nodes);
-    LINE(file, "neighbor @ bin\n", settings->beam.horizon / 20);
+    LINE(file, "neighbor @ bin\n", settings->lattice.horizon / 20);
     write_notch(file, nodes);
     fputc('\n', file);
     write_forces(file, nodes);
@@ -377,7 +379,7 @@ static void write_script(FILE *file, const Nodes *nodes)
             "fix probe all print %ld \"$(step),$(v_time:%%.16g),$(v_u_probe:%%.16g),$(v_probe_v:%%.16g)\" &\n"
             "    file probe.csv title step,time,u_probe,v_probe screen no\n",
             every);
-    if (settings->beam.critical_stretch > 0)
+    if (settings->bonds.critical_stretch > 0)
         fprintf(file,
                 "compute damage all damage/atom\n"
                 "dump damage all custom %ld damage.dump id x y c_damage\n",

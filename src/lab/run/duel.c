@@ -139,7 +139,7 @@ static bool same_exact(const Experiment *a, const Experiment *b)
     enum { TIMES = 7, PLACES = 5 };
     const Simulation *sim = experiment_simulation(a);
     const char *field = profile_field(sim, 1);
-    const double end = experiment_settings(a)->end;
+    const double end = experiment_settings(a)->time.end;
     double last = 0;
     if (!field || sim->counts[0] == 0)
         return true;
@@ -395,10 +395,10 @@ static bool edit_second(Duel *duel, const Settings *wanted, Status *status)
     if (!settings)
         return status_fail(status, STATUS_FAILED, "not enough memory");
     *settings = *experiment_settings(duel->b);
-    settings->end = wanted->end;
-    settings->every = wanted->every;
-    settings->frames = wanted->frames;
-    memcpy(settings->at, wanted->at, sizeof settings->at);
+    settings->time.end = wanted->time.end;
+    settings->output.every = wanted->output.every;
+    settings->output.frames = wanted->output.frames;
+    memcpy(settings->output.at, wanted->output.at, sizeof settings->output.at);
     const bool sound = experiment_edit(duel->b, settings, status);
     free(settings);
     seek_second(duel);

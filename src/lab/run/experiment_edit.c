@@ -169,7 +169,7 @@ static bool replace_trial(Experiment *experiment, const Settings *settings, bool
     Trial *trial = &experiment->trial;
     const long step = experiment->pending ? experiment->goal_step : trial->sim->step;
     const double time = (double)step * trial->sim->dt;
-    const bool ended = step >= experiment_last_step(experiment) && settings->end == trial->base.end;
+    const bool ended = step >= experiment_last_step(experiment) && settings->time.end == trial->base.time.end;
     Trial fresh;
     if (!trial_open(&fresh, settings, experiment->history, experiment->threads, status))
         return false;
@@ -380,9 +380,9 @@ static void take_over_rest(Settings *to, const Settings *from)
     memcpy(to->duel, from->duel, sizeof to->duel);
     to->n_duel = from->n_duel;
     to->view = from->view;
-    to->every = from->every;
-    to->frames = from->frames;
-    memcpy(to->at, from->at, sizeof to->at);
+    to->output.every = from->output.every;
+    to->output.frames = from->output.frames;
+    memcpy(to->output.at, from->output.at, sizeof to->output.at);
 }
 
 bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *status)
@@ -390,7 +390,8 @@ bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *sta
     Trial *trial = &experiment->trial;
     if (!experiment->adopted && !settings_check(wanted, status))
         return false;
-    if (wanted->end != trial->base.end && !problem_check_steps(wanted->end, trial->sim->dt, status))
+    if (wanted->time.end != trial->base.time.end &&
+        !problem_check_steps(wanted->time.end, trial->sim->dt, status))
         return false;
     experiment_drop_part(experiment);
     Difference difference = compare(&trial->now, wanted);
@@ -405,8 +406,8 @@ bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *sta
         return false;
     take_over_rest(&trial->base, wanted);
     take_over_rest(&trial->now, wanted);
-    if (wanted->end != trial->base.end && wanted->problem != PROBLEM_MOVING_CANTILEVER) {
-        trial_set_end(trial, wanted->end);
+    if (wanted->time.end != trial->base.time.end && wanted->problem != PROBLEM_MOVING_CANTILEVER) {
+        trial_set_end(trial, wanted->time.end);
         if (experiment->pending)
             experiment_seek(experiment, experiment->goal_step, experiment->goal_stage);
         forget_answers(experiment);

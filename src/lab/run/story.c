@@ -77,11 +77,11 @@ static const char *cause_of(const Trial *trial, long step, bool gain)
     Settings then;
     changes_in_force(&trial->base, step, &then);
     const bool mpm = then.problem == PROBLEM_BAR && then.method == METHOD_MPM;
-    if (mpm && !gain && then.bar.transfer == MPM_FLIP && then.bar.flip_fraction < 1)
+    if (mpm && !gain && then.mpm.transfer == MPM_FLIP && then.mpm.flip_fraction < 1)
         return ": PIC damping";
-    if (mpm && !gain && then.bar.transfer == MPM_APIC)
+    if (mpm && !gain && then.mpm.transfer == MPM_APIC)
         return ": APIC filters velocities";
-    if (mpm && !gain && then.bar.algorithm == MPM_USL)
+    if (mpm && !gain && then.mpm.algorithm == MPM_USL)
         return ": USL damping";
     return crossed_before(trial, step) ? ": cell crossing" : "";
 }

@@ -42,7 +42,7 @@ static bool begin(Trial *trial, size_t history, Status *status)
     trial->n_columns = references_columns(trial->refs, trial->columns);
     record_open(&trial->record, trial->n_columns, 1, record_budget);
     history_open(&trial->history, history);
-    trial->last = problem_last_step(sim->dt, trial->base.end);
+    trial->last = problem_last_step(sim->dt, trial->base.time.end);
     trial->block = malloc(BLOCK * (size_t)sim->n_series * sizeof *trial->block);
     if (!trial->block)
         return out_of_memory(status);
@@ -391,7 +391,7 @@ bool trial_change(Trial *trial, long step, const char *key, const char *value, S
 void trial_set_end(Trial *trial, double end)
 {
     Simulation *sim = trial->sim;
-    trial->base.end = trial->now.end = end;
+    trial->base.time.end = trial->now.time.end = end;
     trial->last = problem_last_step(sim->dt, end);
     if (sim->step > trial->last || (sim->step == trial->last && sim->stage > 0)) {
         trial_approach(trial, trial->last, 0);

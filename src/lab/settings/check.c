@@ -3,7 +3,7 @@
 
 #include "base/text.h"
 #include "lab/answers/bar_problem.h"
-#include "lab/answers/problem.h"
+#include "lab/answers/problem_rows.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -102,26 +102,28 @@ int times_read(const char *text, double out[TIMES_MAX], Status *status)
 
 static bool check_modes(const Settings *settings, Status *status)
 {
-    const BarDef *bar = &settings->bar;
+    const double length = settings->geometry.length;
+    const Mesh *mesh = &settings->mesh;
     double particles = settings->method == METHOD_PD
-                           ? round(bar->length / lattice_spacing(settings))
-                           : round(bar->length / bar->cell_size) * bar->particles_per_cell;
-    if (settings->mode == 0 && settings->velocity != 0 && bar->supports != BAR_FREE_FREE)
+                           ? round(length / lattice_spacing(settings))
+                           : round(length / mesh->cell_size) * mesh->particles_per_cell;
+    if (settings->start.mode == 0 && settings->start.velocity != 0 &&
+        settings->supports.ends != BAR_FREE_FREE)
         return status_fail(status, STATUS_USAGE,
                            "initial.mode: 0 is rigid motion, which a held bar has not (1 or more, or "
                            "bar.supports = free-free)");
-    if (settings->mode > particles)
+    if (settings->start.mode > particles)
         return status_fail(
             status, STATUS_USAGE,
             "initial.mode: %d is finer than the particles can show (at most %.0f, their number)",
-            settings->mode, particles);
+            settings->start.mode, particles);
     Overtone overtones[OVERTONES_MAX];
-    int count = overtones_read(settings->overtones, overtones, status);
+    int count = overtones_read(settings->start.overtones, overtones, status);
     for (int i = 0; i < count; i++) {
-        if (overtones[i].mode == settings->mode)
+        if (overtones[i].mode == settings->start.mode)
             return status_fail(status, STATUS_USAGE,
                                "initial.overtones: mode %d is initial.mode already (other modes)",
-                               settings->mode);
+                               settings->start.mode);
         if (overtones[i].mode > particles)
             return status_fail(status, STATUS_USAGE,
                                "initial.overtones: mode %d is finer than the particles can show (at most "
@@ -133,22 +135,20 @@ static bool check_modes(const Settings *settings, Status *status)
 
 static bool check_bar(const Settings *settings, Status *status)
 {
-    const BarDef *bar = &settings->bar;
+    const BarDef bar = bar_definition(settings);
     const RodDef rod = rod_definition(settings);
-    if (!bar_check(bar, status) || (settings->method == METHOD_PD && !rod_check(&rod, status)) ||
+    if (!bar_check(&bar, status) || (settings->method == METHOD_PD && !rod_check(&rod, status)) ||
         !check_modes(settings, status))
         return false;
-    double wave_speed = sqrt(bar->youngs_modulus / bar->density);
-    return problem_check_steps(settings->end, bar->courant * bar->cell_size / wave_speed, status);
+    return problem_check_steps(settings->time.end, bar_time_step(settings), status);
 }
 
 static bool check_beam(const Settings *settings, Status *status)
 {
-    BeamDef beam = settings->beam;
-    beam.end = settings->end;
-    beam.threads = 1;
+    const BeamDef beam = beam_definition(settings, 1);
     /* a step that is to be found is known to problem_simulate() only */
-    return beam_check(&beam, status) && (beam.dt == 0 || problem_check_steps(settings->end, beam.dt, status));
+    return beam_check(&beam, status) &&
+           (beam.dt == 0 || problem_check_steps(settings->time.end, beam.dt, status));
 }
 
 /* --- question, duel, changes ---------------------------------------------------------------------- */
@@ -212,13 +212,13 @@ bool settings_check(const Settings *settings, Status *status)
         !(settings->problem == PROBLEM_BAR ? check_bar : check_beam)(settings, status))
         return false;
     double times[TIMES_MAX];
-    int n_times = times_read(settings->at, times, status);
+    int n_times = times_read(settings->output.at, times, status);
     if (n_times < 0)
         return false;
-    if (n_times > 0 && times[n_times - 1] > settings->end * (1 + 1e-9))
+    if (n_times > 0 && times[n_times - 1] > settings->time.end * (1 + 1e-9))
         return status_fail(status, STATUS_USAGE, "output.at: %g is after the end (at most time.end = %g)",
-                           times[n_times - 1], settings->end);
-    if (n_times > 0 && settings->frames > 0)
+                           times[n_times - 1], settings->time.end);
+    if (n_times > 0 && settings->output.frames > 0)
         return status_fail(status, STATUS_USAGE, "output.at: output.frames is given too (one of them)");
     return check_question(settings, status) && check_duel(settings, status) &&
            check_changes(settings, status);

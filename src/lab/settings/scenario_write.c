@@ -95,7 +95,7 @@ static bool write_parameter(FILE *stream, const Settings *settings, const Parame
     if (parameter->type == PARAMETER_TEXT)
         return write_text(stream, section, name, value, status);
     bool stretch = strcmp(name, "critical_stretch") == 0, energy = strcmp(name, "critical_energy") == 0;
-    if ((stretch && settings->energy_given) || (energy && !settings->energy_given)) {
+    if ((stretch && settings->bonds.energy_given) || (energy && !settings->bonds.energy_given)) {
         /* the other handle follows from this one; as a value it would be given twice */
         settings_show(settings, parameter, value);
         fprintf(stream, "# %s = %s%s%s\n", name, value, *parameter->unit_beam ? " " : "",

@@ -43,26 +43,117 @@ typedef struct ViewSettings {
     char colour[VALUE_MAX], exaggeration[VALUE_MAX], references[VALUE_MAX];
 } ViewSettings;
 
+/* --- what a run is made of: one struct for each concern, which any method may read --------------------- */
+
+typedef struct Geometry {
+    double length;            /* L > 0; of a moving beam the part outside the channel at t = 0 */
+    double height, thickness; /* of what has more than a length */
+} Geometry;
+
+typedef struct Material {
+    double youngs_modulus, density; /* E, rho > 0 */
+} Material;
+
+/* What moves at t = 0, and how. */
+typedef struct Start {
+    int mode; /* of a bar */
+    double velocity;
+    char overtones[LIST_MAX]; /* "3:0.03,7:0.01" */
+    double amplitude;         /* deflection U of a beam's mode */
+} Start;
+
+/* The cells of the material point method; the bar's lattice left to itself has a node for each particle. */
+typedef struct Mesh {
+    double cell_size;
+    int particles_per_cell;
+    int padding; /* empty cells beyond each free end */
+} Mesh;
+
+/* How the material point method carries momentum to its mesh and back. */
+typedef struct Transfer {
+    MpmAlgorithm algorithm;
+    MpmShape shape;
+    MpmTransfer transfer;
+    double flip_fraction;
+} Transfer;
+
+/* The nodes of peridynamics and the reach of their bonds. */
+typedef struct Lattice {
+    double spacing, horizon; /* 0 on the bar: see lattice_spacing(), lattice_horizon() */
+    SurfaceCorrection surface_correction;
+    VolumeCorrection volume_correction;
+} Lattice;
+
+/* When a bond breaks. */
+typedef struct Bonds {
+    double critical_stretch; /* s0; 0: never */
+    double critical_energy;  /* G0, J/m^2: the other handle on s0, always its equal */
+    bool energy_given;       /* G0 was said and the stretch follows from it; else the other way round */
+    double protected_depth;  /* bonds nearer than this to load or supports never break */
+} Bonds;
+
+/* A beam that leaves its channel. */
+typedef struct Motion {
+    double speed, channel; /* channel: length of beam inside at t = 0 */
+    Clamp clamp;
+} Motion;
+
+typedef struct Cut {
+    double position, depth; /* from below, at a distance from the left end */
+} Cut;
+
+typedef struct Loads {
+    double body_force;                    /* per unit mass */
+    double traction, traction_layer;      /* at each free end of a bar; 0: the last particle */
+    double stress, ramp, position, width; /* pressure on the top of a beam */
+} Loads;
+
+typedef struct Supports {
+    BarSupports ends;   /* of a bar */
+    double left, right; /* places under a beam */
+    bool pinned;        /* the left one holds the beam lengthwise too */
+} Supports;
+
+typedef struct TimeSettings {
+    double courant; /* of a mesh: the step as a share of the time in which a wave crosses a cell */
+    double step;    /* 0: half the critical one */
+    double end;
+} TimeSettings;
+
+/* What a run writes; it does not make it another run. */
+typedef struct Output {
+    int every;         /* steps from row to row */
+    int frames;        /* 0: the last step alone */
+    char at[LIST_MAX]; /* "0,1e-4,2e-4"; "": none */
+} Output;
+
+/* Asked while a large body is being built, with the share that is done; false: give up. NULL: nobody. */
+typedef struct Building {
+    bool (*go_on)(double share, void *context);
+    void *context;
+} Building;
+
 typedef struct Settings {
     char title[TITLE_MAX]; /* one line, UTF-8 */
     char about[ABOUT_MAX];
     Problem problem;
     MethodKind method;
 
-    BarDef bar; /* its initial_velocity is filled in when the simulation is built */
-    int mode;
-    double velocity;
-    char overtones[LIST_MAX]; /* "3:0.03,7:0.01" */
+    Geometry geometry;
+    Material material;
+    Start start;
+    Mesh mesh;
+    Transfer mpm;
+    Lattice lattice;
+    Bonds bonds;
+    Motion motion;
+    Cut notch;
+    Loads loads;
+    Supports supports;
+    TimeSettings time;
+    Output output;
 
-    BeamDef beam;           /* its problem, end and threads likewise; its lattice is also the bar's by pd */
-    double critical_energy; /* G0, J/m^2: the other handle on beam.critical_stretch, always its equal */
-    bool energy_given;      /* G0 was said and the stretch follows from it; else the other way round */
-
-    double end; /* time.end */
-
-    int every;         /* output.every */
-    int frames;        /* output.frames; 0: the last step alone */
-    char at[LIST_MAX]; /* output.at: "0,1e-4,2e-4"; "": none */
+    Building building;
 
     char question[KEY_MAX]; /* what `t` toggles */
     Assignment duel[DUEL_MAX];

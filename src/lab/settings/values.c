@@ -27,12 +27,12 @@ static const void *member_of(const Settings *settings, size_t offset)
 /* G0 = 9 E delta s0^2 / (4 pi) and back (paper P, two dimensions). The one that was said stays as it is. */
 static void join_handles(Settings *settings)
 {
-    BeamDef *beam = &settings->beam;
-    double stiffness = 9 * beam->youngs_modulus * beam->horizon / (4 * M_PI);
-    if (settings->energy_given)
-        beam->critical_stretch = sqrt(settings->critical_energy / stiffness);
+    Bonds *bonds = &settings->bonds;
+    double stiffness = 9 * settings->material.youngs_modulus * settings->lattice.horizon / (4 * M_PI);
+    if (bonds->energy_given)
+        bonds->critical_stretch = sqrt(bonds->critical_energy / stiffness);
     else
-        settings->critical_energy = stiffness * beam->critical_stretch * beam->critical_stretch;
+        bonds->critical_energy = stiffness * bonds->critical_stretch * bonds->critical_stretch;
 }
 
 static bool is_energy(const char *key)
@@ -67,9 +67,9 @@ static void put_number(Settings *settings, const Parameter *parameter, double va
         return;
     }
     if (is_energy(parameter->key))
-        settings->energy_given = true;
+        settings->bonds.energy_given = true;
     if (is_stretch(parameter->key))
-        settings->energy_given = false;
+        settings->bonds.energy_given = false;
     join_handles(settings);
 }
 
@@ -94,13 +94,13 @@ double settings_number(const Settings *settings, const Parameter *parameter)
 
 double lattice_spacing(const Settings *settings)
 {
-    const double said = settings->beam.spacing;
-    return said > 0 ? said : settings->bar.cell_size / settings->bar.particles_per_cell;
+    const double said = settings->lattice.spacing;
+    return said > 0 ? said : settings->mesh.cell_size / settings->mesh.particles_per_cell;
 }
 
 double lattice_horizon(const Settings *settings)
 {
-    const double said = settings->beam.horizon;
+    const double said = settings->lattice.horizon;
     return said > 0 ? said : 3 * lattice_spacing(settings);
 }
 
@@ -109,8 +109,6 @@ void settings_default(Settings *settings, Problem problem)
     memset(settings, 0, sizeof *settings);
     settings->problem = problem;
     settings->method = problem_facts[problem].usual_method;
-    settings->bar = bar_default();
-    settings->beam = beam_default(problem_facts[problem].beam);
     for (int i = 0; i < n_parameters; i++)
         if (parameter_applies(&parameters[i], problem) && !is_energy(parameters[i].key))
             put_number(settings, &parameters[i], parameters[i].defaults[problem]);
@@ -364,9 +362,9 @@ static double nudged(const Settings *settings, const Parameter *parameter, doubl
 /* A length of the bar's lattice that was left to itself is nudged from what it comes to. */
 static double nudge_start(const Settings *settings, const Parameter *parameter)
 {
-    if (parameter->offset == offsetof(Settings, beam.spacing))
+    if (parameter->offset == offsetof(Settings, lattice.spacing))
         return lattice_spacing(settings);
-    if (parameter->offset == offsetof(Settings, beam.horizon))
+    if (parameter->offset == offsetof(Settings, lattice.horizon))
         return lattice_horizon(settings);
     return settings_number(settings, parameter);
 }
@@ -403,7 +401,7 @@ static bool matters(const Settings *a, const Settings *b, const Parameter *param
     if (strncmp(parameter->key, "output.", 7) == 0 || !settings_have(a, parameter) ||
         !settings_have(b, parameter))
         return false;
-    bool by_energy = a->energy_given && b->energy_given;
+    bool by_energy = a->bonds.energy_given && b->bonds.energy_given;
     return is_energy(parameter->key) ? by_energy : is_stretch(parameter->key) ? !by_energy : true;
 }
 

@@ -173,7 +173,7 @@ static bool export_named(Laboratory *lab, const char *text)
 static long series_rows(const Laboratory *lab)
 {
     const Experiment *experiment = lab->screen.experiment;
-    const long every = experiment_settings(experiment)->every;
+    const long every = experiment_settings(experiment)->output.every;
     const long last = lab->export_newest ? experiment_newest(experiment) : experiment_step(experiment);
     return last / every + 1 + (last % every != 0);
 }
@@ -212,7 +212,7 @@ static void ask_name(Laboratory *lab)
     if (every > 1)
         snprintf(prompt->hint, sizeof prompt->hint,
                  "more rows than a spreadsheet takes (%d with the heading): output.every=%ld would fit",
-                 SPREADSHEET_ROWS, every * experiment_settings(lab->screen.experiment)->every);
+                 SPREADSHEET_ROWS, every * experiment_settings(lab->screen.experiment)->output.every);
 }
 
 static bool answer_which(Laboratory *lab, const char *text)

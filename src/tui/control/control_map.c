@@ -41,7 +41,7 @@ static void look_at_node(Screen *screen, const Simulation *simulation, size_t no
 static void look_at_something(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
-    const BeamDef *beam = &experiment_settings(screen->experiment)->beam;
+    const Settings *settings = experiment_settings(screen->experiment);
     const double *row = experiment_row(screen->experiment);
     int count, x = -1, y = -1;
     const Column *columns = experiment_columns(screen->experiment, &count);
@@ -50,8 +50,8 @@ static void look_at_something(Laboratory *lab)
         y = strcmp(columns[i].quantity.name, "crack_y") == 0 ? i : y;
     }
     if (x >= 0 && y >= 0 && row) {
-        screen->looked_at[0] = row[x] / beam->length;
-        screen->looked_at[1] = row[y] / beam->height;
+        screen->looked_at[0] = row[x] / settings->geometry.length;
+        screen->looked_at[1] = row[y] / settings->geometry.height;
     } else
         look_at_node(screen, simulation_of(lab), screen->particle);
 }
@@ -78,11 +78,11 @@ void map_magnify(Laboratory *lab, int direction)
 void map_pan(Laboratory *lab, int x, int y)
 {
     Screen *screen = &lab->screen;
-    const BeamDef *beam = &experiment_settings(screen->experiment)->beam;
+    const Settings *settings = experiment_settings(screen->experiment);
     const double stride = STRIDE / screen->magnified;
     screen->looked_at[0] = limited(screen->looked_at[0] + x * stride, 0, 1);
     /* a pane is not as high as it is wide */
-    const double upwards = fmin(0.25, stride * beam->length / beam->height / 2);
+    const double upwards = fmin(0.25, stride * settings->geometry.length / settings->geometry.height / 2);
     screen->looked_at[1] = limited(screen->looked_at[1] - y * upwards, 0, 1);
 }
 

@@ -133,8 +133,8 @@ static bool show_building(double share, void *context)
 /* Settings whose simulation shows on the screen how far its building has come; copies of them do too. */
 static void show_building_of(Laboratory *lab, Settings *settings)
 {
-    settings->beam.go_on = show_building;
-    settings->beam.go_on_context = lab;
+    settings->building.go_on = show_building;
+    settings->building.context = lab;
 }
 
 static Experiment *make_experiment(const Laboratory *lab, const Settings *settings, Status *status)

@@ -109,8 +109,8 @@ bool change_settings(Laboratory *lab, const Settings *settings, DuelChange verb,
     if (step != lab->anchor_step)
         lab->anchor_time = (double)step * experiment_simulation(lab->screen.experiment)->dt;
     /* what was at its end comes back to its end, which may lie a part of a step later */
-    if (step >= experiment_last_step(lab->screen.experiment) && settings->end == old.end)
-        lab->anchor_time = 2 * old.end;
+    if (step >= experiment_last_step(lab->screen.experiment) && settings->time.end == old.time.end)
+        lab->anchor_time = 2 * old.time.end;
     Status said = {STATUS_DONE, ""};
     bool taken = change_runs(lab, settings, verb, &said);
     say(lab, MESSAGE_NONE, "%s", ""); /* how far it has been built */

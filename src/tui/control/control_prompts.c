@@ -112,7 +112,8 @@ bool answer_go_to(Laboratory *lab, const char *text)
             return refuse(lab, "after # comes the number of a step, as in #1000");
     } else if (text_to_double(text, &time)) {
         step = time / dt > (double)last ? last + 1 : time < 0 ? -1 : lround(time / dt);
-        if (time > (double)last * dt && time <= experiment_settings(lab->screen.experiment)->end * (1 + 1e-9))
+        if (time > (double)last * dt &&
+            time <= experiment_settings(lab->screen.experiment)->time.end * (1 + 1e-9))
             step = last;
     } else
         return refuse(lab, "a time, as in 12.5, or a step, as in #1000");
@@ -147,8 +148,8 @@ static bool write_scenario(Laboratory *lab, const char *name)
     Status status = {STATUS_DONE, ""};
     Settings settings;
     experiment_scenario(experiment, true, &settings);
-    settings.end = experiment_settings(experiment)->end;
-    settings.beam.dt = experiment_settings(experiment)->beam.dt;
+    settings.time.end = experiment_settings(experiment)->time.end;
+    settings.time.step = experiment_settings(experiment)->time.step;
     if (lab->duel.b) { /* opens as what is on screen */
         memcpy(settings.duel, lab->duel.keys, sizeof settings.duel);
         settings.n_duel = lab->duel.n_keys;

@@ -19,7 +19,7 @@ typedef struct Ray {
 typedef struct Family {
     const Screen *screen;
     const Simulation *sim;
-    const BeamDef *beam;
+    const Settings *settings;
     Body body;
     size_t node;
     int i, j, reach;

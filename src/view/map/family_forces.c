@@ -30,11 +30,11 @@ static void add_row(ForceSum *sum, const char *name, double x, double y, bool is
 /* The load on the node at the time to which its force belongs, N/m^3. */
 static double load_on(const Family *family)
 {
-    const BeamDef *beam = family->beam;
+    const Settings *settings = family->settings;
     const double time = (double)(family->sim->step + (family->sim->stage > 0)) * family->sim->dt;
-    const double share = beam->load_ramp > 0 ? fmin(1, time / beam->load_ramp) : 1;
+    const double share = settings->loads.ramp > 0 ? fmin(1, time / settings->loads.ramp) : 1;
     return family_field(family, "loaded", family->node) > 0
-               ? -beam->load_stress * share / family->body.spacing
+               ? -settings->loads.stress * share / family->body.spacing
                : 0;
 }
 

@@ -87,7 +87,7 @@ bool map_colour(Map *map, MapVariant variant)
     } else {
         double reach = map_reach(map, field, map->value), scale = 1;
         if (variant == MAP_ENERGY)
-            scale = 1 / (map->body.spacing * map->body.spacing * map->settings->beam.thickness);
+            scale = 1 / (map->body.spacing * map->body.spacing * map->settings->geometry.thickness);
         for (size_t i = 0; i < count && variant == MAP_ENERGY; i++)
             map->value[i] *= scale;
         if (variant == MAP_ENERGY)

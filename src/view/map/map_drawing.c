@@ -20,7 +20,7 @@ typedef struct Dimension {
 } Dimension;
 
 struct Drawing {
-    const BeamDef *beam;
+    const Settings *settings;
     const Scenery *scenery;
     const Body *body;
     Area area;
@@ -205,7 +205,7 @@ static void draw_outline(const Drawing *drawing)
     const double right = column_of(drawing, drawing->body->low[0] + drawing->body->size[0]);
     char text[NUMBER_TEXT_MAX + 8];
     draw_box(drawing, left, right, drawing->top, drawing->bottom);
-    millimetres(drawing->beam->height, text, sizeof text);
+    millimetres(drawing->settings->geometry.height, text, sizeof text);
     draw_rise(drawing, right + 2, drawing->top, drawing->bottom);
     label(drawing, right + 3, row_of(drawing, 0.5), 1, text, STYLE_NORMAL);
 }
@@ -213,34 +213,34 @@ static void draw_outline(const Drawing *drawing)
 /* The body behind the clamp goes through a channel with walls. */
 static void draw_channel(const Drawing *drawing)
 {
-    const double from = column_of(drawing, -drawing->beam->channel), to = column_of(drawing, 0);
+    const double from = column_of(drawing, -drawing->settings->motion.channel), to = column_of(drawing, 0);
     draw_wall(drawing, from, to, drawing->top, -1);
     draw_wall(drawing, from, to, drawing->bottom, 1);
     char text[48], number[NUMBER_TEXT_MAX];
-    text_rounded(number, drawing->beam->speed, 4);
+    text_rounded(number, drawing->settings->motion.speed, 4);
     snprintf(text, sizeof text, "→ %s m/s", number);
     label(drawing, from + 2, row_of(drawing, 0.5), 1, text, STYLE_HEADING);
 }
 
 static void draw_notched(const Drawing *drawing)
 {
-    const BeamDef *beam = drawing->beam;
-    const double notch = column_of(drawing, beam->notch_position);
-    const double end = fmin(row_of(drawing, beam->notch_depth / beam->height),
+    const Settings *settings = drawing->settings;
+    const double notch = column_of(drawing, settings->notch.position);
+    const double end = fmin(row_of(drawing, settings->notch.depth / settings->geometry.height),
                             drawing->bottom - !paper_of(drawing)); /* seen in any case */
     char text[96], number[NUMBER_TEXT_MAX], width[NUMBER_TEXT_MAX];
     draw_notch(drawing, notch, end);
-    millimetres(beam->notch_depth, text, sizeof text);
+    millimetres(settings->notch.depth, text, sizeof text);
     label(drawing, notch + 1, fmin(end, drawing->bottom - 1), 1, text, STYLE_NORMAL);
-    const double from = column_of(drawing, beam->load_position - beam->load_width / 2);
-    const double to = column_of(drawing, beam->load_position + beam->load_width / 2);
+    const double from = column_of(drawing, settings->loads.position - settings->loads.width / 2);
+    const double to = column_of(drawing, settings->loads.position + settings->loads.width / 2);
     draw_load(drawing, from, to);
-    text_rounded(number, 1e-6 * beam->load_stress, 4);
-    text_rounded(width, 1e3 * beam->load_width, 4);
+    text_rounded(number, 1e-6 * settings->loads.stress, 4);
+    text_rounded(width, 1e3 * settings->loads.width, 4);
     snprintf(text, sizeof text, "%s MPa on %s mm", number, width);
     label(drawing, to + 2, drawing->top - 1, 1, text, STYLE_NORMAL);
-    draw_support(drawing, beam->support_left, beam->pinned);
-    draw_support(drawing, beam->support_right, false);
+    draw_support(drawing, settings->supports.left, settings->supports.pinned);
+    draw_support(drawing, settings->supports.right, false);
 }
 
 static void draw_probe(const Drawing *drawing)
@@ -259,14 +259,14 @@ static void draw_probe(const Drawing *drawing)
 /* "E 71 GPa  density 2700  thickness 5 mm  u(0) 3 µm" */
 static void draw_words(const Drawing *drawing, int y)
 {
-    const BeamDef *beam = drawing->beam;
+    const Settings *settings = drawing->settings;
     char text[160], a[NUMBER_TEXT_MAX], b[NUMBER_TEXT_MAX], c[NUMBER_TEXT_MAX];
-    text_rounded(a, 1e-9 * beam->youngs_modulus, 4);
-    text_rounded(b, beam->density, 5);
-    text_rounded(c, 1e3 * beam->thickness, 4);
+    text_rounded(a, 1e-9 * settings->material.youngs_modulus, 4);
+    text_rounded(b, settings->material.density, 5);
+    text_rounded(c, 1e3 * settings->geometry.thickness, 4);
     snprintf(text, sizeof text, "E %s GPa  density %s kg/m³  thickness %s mm", a, b, c);
     if (!drawing->scenery->pressed) {
-        text_rounded(a, 1e6 * beam->amplitude, 4);
+        text_rounded(a, 1e6 * settings->start.amplitude, 4);
         append(text, sizeof text, "  U %s µm", a);
     }
     area_phrases(drawing->area, 1, y, drawing->area.rect.width - 2, 1, text, STYLE_FAINT);
@@ -285,22 +285,22 @@ static void draw_supports(const Drawing *drawing)
 
 static void length_alone(Drawing *drawing)
 {
-    add(drawing, 0, drawing->beam->length, 0);
+    add(drawing, 0, drawing->settings->geometry.length, 0);
 }
 
 static void channel_and_length(Drawing *drawing)
 {
-    add(drawing, -drawing->beam->channel, 0, 0);
-    add(drawing, 0, drawing->beam->length, 0);
+    add(drawing, -drawing->settings->motion.channel, 0, 0);
+    add(drawing, 0, drawing->settings->geometry.length, 0);
 }
 
 static void notch_load_supports(Drawing *drawing)
 {
-    const BeamDef *beam = drawing->beam;
-    add(drawing, 0, beam->notch_position, 0);
-    add(drawing, 0, beam->load_position, 1);
-    add(drawing, beam->support_left, beam->support_right, 2);
-    add(drawing, 0, beam->length, 3);
+    const Settings *settings = drawing->settings;
+    add(drawing, 0, settings->notch.position, 0);
+    add(drawing, 0, settings->loads.position, 1);
+    add(drawing, settings->supports.left, settings->supports.right, 2);
+    add(drawing, 0, settings->geometry.length, 3);
 }
 
 const Scenery map_scenery[PROBLEM_COUNT] = {
@@ -375,7 +375,7 @@ void map_drawing(const Screen *screen, Area area, Style heading)
     const Settings *settings = experiment_settings(screen->experiment);
     const Scenery *scenery = &map_scenery[settings->problem];
     Drawing drawing = {
-        .beam = &settings->beam, .scenery = scenery, .body = &body, .area = area, .low = body.low[0]};
+        .settings = settings, .scenery = scenery, .body = &body, .area = area, .low = body.low[0]};
     const int columns = area.rect.width - 2 - MARGIN_RIGHT;
     scenery->dimensions(&drawing);
     drawing.scale = columns / body.size[0];

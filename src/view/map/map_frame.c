@@ -115,7 +115,7 @@ double map_reach(const Map *map, int field, const double *now)
         /* what the probe did, and what theory says that it will do */
         const int column = find_column(map->screen, probes[i][1]);
         References *refs = experiment_references(map->screen->experiment);
-        const double envelope = references_envelope(refs, probes[i][1], map->settings->end);
+        const double envelope = references_envelope(refs, probes[i][1], map->settings->time.end);
         if (column >= 0)
             reach = fmax(reach, time_plot_reach(experiment_record(map->screen->experiment), column));
         if (isfinite(envelope))
@@ -146,7 +146,7 @@ static void choose_scales(Map *map)
     const Body *body = &map->body;
     const int width = map->area.rect.width, height = map->area.rect.height;
     /* a beam on its way out of its channel moves across the picture, which stays */
-    const double travel = map->scenery->leaves ? map->settings->beam.speed * map->settings->end : 0;
+    const double travel = map->scenery->leaves ? map->settings->motion.speed * map->settings->time.end : 0;
     const double length = body->size[0] + travel;
     map->scale_x = width / length;
     double rows = body->size[1] * map->scale_x / 2;

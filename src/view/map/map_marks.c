@@ -110,7 +110,7 @@ static void draw_crack(Map *map)
     double x[ROWS_MAX], y[ROWS_MAX];
     const size_t count = crack_line(map->sim, x, y, ROWS_MAX);
     const Pen pen = {STYLE_CHANGED, RANK_PATH, 1, '*'};
-    double from[2] = {map->settings->beam.notch_position, map->settings->beam.notch_depth};
+    double from[2] = {map->settings->notch.position, map->settings->notch.depth};
     for (size_t i = 0; i < count; i++) {
         const double to[2] = {x[i], y[i]};
         body_line(map, from, to, pen);
@@ -120,17 +120,17 @@ static void draw_crack(Map *map)
 
 void map_notch_lines(Map *map)
 {
-    const BeamDef *beam = &map->settings->beam;
-    const double depth = beam->protected_depth, top = beam->height;
-    const double end[2] = {beam->notch_position, beam->notch_depth};
+    const Settings *settings = map->settings;
+    const double depth = settings->bonds.protected_depth, top = settings->geometry.height;
+    const double end[2] = {settings->notch.position, settings->notch.depth};
     if (depth > 0) {
-        const double half = beam->load_width / 2 + depth;
-        draw_zone(map, beam->load_position - half, beam->load_position + half, top, top - depth);
-        draw_zone(map, beam->support_left - depth, beam->support_left + depth, 0, depth);
-        draw_zone(map, beam->support_right - depth, beam->support_right + depth, 0, depth);
+        const double half = settings->loads.width / 2 + depth;
+        draw_zone(map, settings->loads.position - half, settings->loads.position + half, top, top - depth);
+        draw_zone(map, settings->supports.left - depth, settings->supports.left + depth, 0, depth);
+        draw_zone(map, settings->supports.right - depth, settings->supports.right + depth, 0, depth);
     }
     /* the paper's angle, from the notch towards the load */
-    const double side = beam->load_position < end[0] ? -1 : 1, rise = top - depth - end[1];
+    const double side = settings->loads.position < end[0] ? -1 : 1, rise = top - depth - end[1];
     body_line(map, end, (double[]){end[0] + side * rise * tan(CRACK_PAPER_ANGLE * M_PI / 180), end[1] + rise},
               (Pen){STYLE_FAINT, RANK_ANGLE, 4, '\''});
     body_line(map, (double[]){end[0], 0}, end, (Pen){STYLE_HEADING, RANK_NOTCH, 1, '|'});
@@ -180,7 +180,7 @@ void map_channel_lines(Map *map)
     const Pen pen = {STYLE_HEADING, RANK_WALL, 1, '='};
     for (int side = -1; side <= 1; side += 2) {
         double from, to, y;
-        map_place(map, -map->settings->beam.channel, side * body->size[1] / 2, 0, 0, &from, &y);
+        map_place(map, -map->settings->motion.channel, side * body->size[1] / 2, 0, 0, &from, &y);
         map_place(map, 0, side * body->size[1] / 2, 0, 0, &to, &y);
         y += side > 0 ? -0.3 : 0.3;
         y = side > 0 ? floor(y) + 0.8 - 1e-6 : ceil(y) - 1 + 0.1;
@@ -215,7 +215,7 @@ static double *flags_of(const Map *map, const char *name, int row)
 /* A support that holds both ways is a triangle, one that lets the beam slide a roller. */
 static void draw_supports(Map *map, int row)
 {
-    const bool pinned = map->scenery->pinned || map->settings->beam.pinned;
+    const bool pinned = map->scenery->pinned || map->settings->supports.pinned;
     double *held = flags_of(map, "held", row), column, y;
     const size_t nx = (size_t)map->body.nx;
     for (size_t i = 0; held && i < nx; i++) {
@@ -238,7 +238,7 @@ static void draw_supports(Map *map, int row)
 /* Arrows on the loaded nodes; beside them how much of the load has come. */
 static void draw_load(Map *map)
 {
-    const BeamDef *beam = &map->settings->beam;
+    const Settings *settings = map->settings;
     const size_t nx = (size_t)map->body.nx;
     double *loaded = flags_of(map, "loaded", map->body.ny - 1), column, y;
     int last = -1, last_row = 0;
@@ -258,11 +258,11 @@ static void draw_load(Map *map)
     if (last < 0)
         return;
     const double time = simulation_time(map->sim);
-    const double share = beam->load_ramp > 0 ? fmin(1, time / beam->load_ramp) : 1;
+    const double share = settings->loads.ramp > 0 ? fmin(1, time / settings->loads.ramp) : 1;
     char text[64], stress[NUMBER_TEXT_MAX];
     while (last_row > 0 && !is_blank(map->area, last + 2, last_row, 14))
         last_row--;
-    number_text(beam->load_stress * 1e-6, 4, 8, stress);
+    number_text(settings->loads.stress * 1e-6, 4, 8, stress);
     snprintf(text, sizeof text, "%s MPa", stress);
     if (share < 1)
         append(text, sizeof text, " x %.2f", share);

@@ -331,7 +331,7 @@ static double reach_of(Experiment *experiment, int field, const double *now, siz
         reach = fmax(reach, fabs(now[i]));
     if (count > 0)
         sim->method->field(sim, sim->position[0], count - 1, 1, &length);
-    double span = experiment_settings(experiment)->end;
+    double span = experiment_settings(experiment)->time.end;
     if (readout->moving && readout->exact_known && readout->exact > 0 && !readout->drifting)
         span = readout->is_period ? readout->exact : 2 * M_PI / readout->exact;
     for (int i = 0; i <= TIMES; i++)

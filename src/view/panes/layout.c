@@ -42,8 +42,9 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     const int side_width = side ? (width < WIDER ? 39 : width < 150 ? 45 : width * 3 / 10) : 0;
     const int left = fields + 1, plots = width - left - (side ? side_width + 1 : 0);
     /* the map of a beam that is no rod wants height more than the curve below it */
-    const BeamDef *beam = &experiment_settings(screen->experiment)->beam;
-    const bool tall = drawn && screen->upper == 8 && beam->height > TALL_SHARE * beam->length;
+    const Settings *settings = experiment_settings(screen->experiment);
+    const bool tall =
+        drawn && screen->upper == 8 && settings->geometry.height > TALL_SHARE * settings->geometry.length;
     const int lower = tall ? middle * 4 / 9 + 1 : (middle + 3) / 2, upper = middle - lower;
     /* on a large screen with a row for what its marks are */
     const bool own = width >= TIMELINE_WIDTH && height >= TIMELINE_HEIGHT;

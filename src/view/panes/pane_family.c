@@ -48,7 +48,7 @@ static bool family_of(Family *family, const Screen *screen)
     const Simulation *sim = experiment_simulation(screen->experiment);
     *family = (Family){.screen = screen,
                        .sim = sim,
-                       .beam = &experiment_settings(screen->experiment)->beam,
+                       .settings = experiment_settings(screen->experiment),
                        .most = -1,
                        .last = -1};
     if (!body_of(sim, &family->body) || sim->counts[0] == 0)
@@ -79,7 +79,7 @@ static bool family_of(Family *family, const Screen *screen)
 /* The factor that makes stretches numbers of two or three digits: in percent of s0, or of a power of ten. */
 static double scale_of(const Family *family, char *caption, size_t size)
 {
-    const double s0 = family->beam->critical_stretch;
+    const double s0 = family->settings->bonds.critical_stretch;
     double most = 0;
     for (int k = 0; k < family->count; k++)
         most = fmax(most, family->rays[k].broken ? 0 : fabs(family->rays[k].stretch));
@@ -114,7 +114,7 @@ static int draw_family(const Family *family, Area area, int cell)
 {
     char caption[48];
     const double scale = scale_of(family, caption, sizeof caption);
-    const double horizon = family->beam->horizon / family->body.spacing * (1 + 1e-9);
+    const double horizon = family->settings->lattice.horizon / family->body.spacing * (1 + 1e-9);
     /* who is missing: beyond a surface there is no node */
     for (int q = -family->reach; q <= family->reach; q++)
         for (int p = -family->reach; p <= family->reach; p++) {
@@ -137,7 +137,7 @@ static int draw_family(const Family *family, Area area, int cell)
 /* "s = 0.0003878 = 45.6 % of s0 = 0.00085" */
 static void draw_stretch(const Family *family, Area area, int y, const Ray *ray)
 {
-    const double s0 = family->beam->critical_stretch;
+    const double s0 = family->settings->bonds.critical_stretch;
     char text[96], number[NUMBER_TEXT_MAX], share[NUMBER_TEXT_MAX], critical[NUMBER_TEXT_MAX];
     number_text(ray->stretch, 4, 12, number);
     number_text(100 * ray->stretch / s0, 4, 8, share);
@@ -168,7 +168,7 @@ static int draw_last(const Family *family, Area area)
 /* The most stretched bond that is whole. Returns the rows used. */
 static const char *why_it_holds(const Family *family, const Ray *ray)
 {
-    const double s0 = family->beam->critical_stretch;
+    const double s0 = family->settings->bonds.critical_stretch;
     if (s0 <= 0)
         return "holds: bonds never break here (s0 = 0)";
     if (ray->stretch < s0)

@@ -35,7 +35,7 @@ static NodeRow row_of(const Screen *screen, int room)
 {
     const Settings *settings = experiment_settings(screen->experiment);
     const Simulation *sim = experiment_simulation(screen->experiment);
-    const BarSupports supports = settings->bar.supports;
+    const BarSupports supports = settings->supports.ends;
     NodeRow row = {
         .nodes = (int)sim->counts[0],
         .reach = (int)floor(lattice_horizon(settings) / lattice_spacing(settings) * (1 + 1e-9)),

@@ -72,7 +72,7 @@ static void draw_title(const Map *map, Area area, Style heading)
     crack_texts(map, parts[TIP], parts[FIT], sizeof parts[TIP]);
     if (map->scenery->leaves) {
         const double length =
-            map->settings->beam.length + map->settings->beam.speed * simulation_time(map->sim);
+            map->settings->geometry.length + map->settings->motion.speed * simulation_time(map->sim);
         snprintf(parts[TIP], sizeof parts[TIP], "length %.1f mm", 1e3 * length);
     }
     factor_text(map->enlarged, number);

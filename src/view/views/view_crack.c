@@ -15,7 +15,7 @@ typedef struct Notch {
 
 static Notch notch_of(const Settings *settings)
 {
-    return (Notch){settings->beam.notch_position, settings->beam.notch_depth};
+    return (Notch){settings->notch.position, settings->notch.depth};
 }
 
 static bool has_crack(const Screen *screen)
@@ -77,14 +77,14 @@ static void add_tips(Plot *plot, const Run *run)
 static void draw_path(const Screen *screen, Area area, Style heading)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
-    const BeamDef *def = &experiment_settings(screen->experiment)->beam;
+    const Settings *settings = experiment_settings(screen->experiment);
     const Notch notch = notch_of(experiment_settings(screen->experiment));
     const int under = lines_under(area);
     Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
-    const double left = fmin(notch.x, def->load_position) - 0.02;
-    const double right = fmax(notch.x, def->load_position) + 0.02;
-    Axis x = axis_make(fmax(0, left), fmin(def->length, right), area.rect.width / 9);
-    Axis y = axis_make(0, def->height, plot_area.rect.height < 8 ? 3 : 6);
+    const double left = fmin(notch.x, settings->loads.position) - 0.02;
+    const double right = fmax(notch.x, settings->loads.position) + 0.02;
+    Axis x = axis_make(fmax(0, left), fmin(settings->geometry.length, right), area.rect.width / 9);
+    Axis y = axis_make(0, settings->geometry.height, plot_area.rect.height < 8 ? 3 : 6);
     const Legend target = {LINE_DOTTED, '.', STYLE_EXACT, "30 deg", NULL};
     Run runs[RUNS_MAX];
     const int n_runs = runs_with(runs, runs_of(screen, runs), "crack_x");
@@ -101,17 +101,19 @@ static void draw_path(const Screen *screen, Area area, Style heading)
     plot_point(&plot, notch.x, 0);
     plot_point(&plot, notch.x, notch.y);
     plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_FAINT, RANK_PREDICTED, '-');
-    plot_point(&plot, def->load_position, def->height);
-    plot_point(&plot, def->load_position, def->height - def->protected_depth);
+    plot_point(&plot, settings->loads.position, settings->geometry.height);
+    plot_point(&plot, settings->loads.position, settings->geometry.height - settings->bonds.protected_depth);
     if (shows_exact(screen)) {
-        const double towards = def->load_position < notch.x ? -1 : 1, rise = def->height - notch.y;
+        const double towards = settings->loads.position < notch.x ? -1 : 1,
+                     rise = settings->geometry.height - notch.y;
         plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
         plot_point(&plot, notch.x, notch.y);
-        plot_point(&plot, notch.x + towards * rise * tan(CRACK_PAPER_ANGLE * M_PI / 180), def->height);
+        plot_point(&plot, notch.x + towards * rise * tan(CRACK_PAPER_ANGLE * M_PI / 180),
+                   settings->geometry.height);
     }
     for (int r = 0; r < n_runs; r++)
         add_tips(&plot, &runs[r]);
-    const size_t most = (size_t)ceil(def->height / def->spacing) + 1;
+    const size_t most = (size_t)ceil(settings->geometry.height / settings->lattice.spacing) + 1;
     double *path = malloc(2 * most * sizeof *path);
     const size_t count = path ? crack_line(sim, path, path + most, most) : 0;
     plot_begin(&plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
@@ -163,7 +165,7 @@ static CrackColumns crack_columns(const Run *run)
 {
     return (CrackColumns){run_column(run, "crack_x"),      run_column(run, "crack_y"),
                           run_column(run, "crack_length"), run_column(run, "dissipated"),
-                          notch_of(run->settings),         run->settings->beam.thickness};
+                          notch_of(run->settings),         run->settings->geometry.thickness};
 }
 
 typedef struct Told {

@@ -286,7 +286,7 @@ static int beam_dots(const Screen *screen, Dot dots[RUNS_MAX])
     int count = 0;
     for (int i = 0; i < n_runs; i++)
         if (runs[i].settings->problem == problem && runs[i].readout->measured_known)
-            dots[count++] = dot_of(&runs[i], runs[i].settings->beam.horizon, beam_answer(runs[i].readout));
+            dots[count++] = dot_of(&runs[i], runs[i].settings->lattice.horizon, beam_answer(runs[i].readout));
     return count;
 }
 
@@ -335,7 +335,7 @@ static void draw_beam(const Screen *screen, Area area, Style heading)
 
     Dot dots[RUNS_MAX];
     const int n_dots = beam_dots(screen, dots);
-    double least = INFINITY, most = -INFINITY, furthest = settings->beam.horizon;
+    double least = INFINITY, most = -INFINITY, furthest = settings->lattice.horizon;
     for (int i = 0; i < 2; i++)
         widen(theories[i].value, &least, &most);
     for (int i = 0; i < n_dots; i++) {

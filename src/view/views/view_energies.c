@@ -42,7 +42,7 @@ static void add_layer(Stack *stack, const char *name, int column, int minus, Sty
 
 static bool breaks(const Screen *screen)
 {
-    return experiment_settings(screen->experiment)->beam.critical_stretch > 0;
+    return experiment_settings(screen->experiment)->bonds.critical_stretch > 0;
 }
 
 /* The kinetic energy of the beam moving on as a whole, 1/2 m v0^2; 0: it does not. That of the vibration is a
@@ -51,12 +51,12 @@ static bool breaks(const Screen *screen)
 static double rigid_energy(const Screen *screen)
 {
     const Settings *settings = experiment_settings(screen->experiment);
-    const BeamDef *beam = &settings->beam;
     if (settings->problem != PROBLEM_MOVING_CANTILEVER)
         return 0;
-    const double volume = beam->spacing * beam->spacing * beam->thickness;
+    const double volume =
+        settings->lattice.spacing * settings->lattice.spacing * settings->geometry.thickness;
     const double nodes = (double)experiment_simulation(screen->experiment)->counts[0];
-    return nodes * volume * beam->density * beam->speed * beam->speed / 2;
+    return nodes * volume * settings->material.density * settings->motion.speed * settings->motion.speed / 2;
 }
 
 static Stack stack_of(const Screen *screen)

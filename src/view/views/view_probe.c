@@ -25,7 +25,7 @@ static int probe_columns(const Screen *screen, int out[COLUMNS_MAX])
     int n, count = 0;
     const Column *columns = experiment_columns(screen->experiment, &n);
     const bool cracks = view_crack_variants(screen) > 0;
-    const bool breaks = experiment_settings(screen->experiment)->beam.critical_stretch > 0;
+    const bool breaks = experiment_settings(screen->experiment)->bonds.critical_stretch > 0;
     const int broken = find_column(screen, "broken_bonds");
     if (cracks && broken >= 0)
         out[count++] = broken;
@@ -334,7 +334,7 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
     overlay_widen(screen, quantity->name, false, &range.least, &range.most);
     range.reach = fmax(range.reach, overlay_reach(screen, quantity->name, false));
     if (has_envelope(screen, quantity->name)) {
-        const double end = experiment_settings(screen->experiment)->end;
+        const double end = experiment_settings(screen->experiment)->time.end;
         const References *refs = experiment_references(screen->experiment);
         range.reach = fmax(range.reach, fmax(references_envelope(refs, quantity->name, 0),
                                              references_envelope(refs, quantity->name, end)));

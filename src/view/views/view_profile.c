@@ -50,7 +50,7 @@ static double exact_reach(const Run *run, const char *field, const double *x, si
     enum { TIMES = 24, PLACES = 12 };
     const References *refs = experiment_references(run->experiment);
     const Readout *readout = run->readout;
-    double span = run->settings->end, reach = 0;
+    double span = run->settings->time.end, reach = 0;
     if (readout->exact_known && readout->moving && !readout->drifting)
         span = readout->is_period ? readout->exact : 2 * M_PI / readout->exact;
     for (int i = 0; count > 0 && i <= TIMES; i++)
@@ -80,7 +80,7 @@ static Axis value_axis(const Screen *screen, const Simulation *sim, const char *
     if (strcmp(field, "damage") == 0)
         return axis_make(0, 1, most);
     if (strcmp(field, "density") == 0 && sim->dimensions == 1)
-        base = experiment_settings(screen->experiment)->bar.density;
+        base = experiment_settings(screen->experiment)->material.density;
     for (int k = 0; k < n_curves; k++) {
         const Profile *profile = curves[k].profile;
         if (!curves[k].run->experiment)

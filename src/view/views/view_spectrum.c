@@ -74,7 +74,7 @@ static int marks_of(const Screen *screen, bool fast, Mark marks[MARKS_MAX])
     for (int i = 0; i < n_thickness && count < MARKS_MAX; i++)
         marks[count++] = (Mark){thickness[i], false};
     if (shows_bar(screen) && readout->times < 1.5)
-        n_overtones = overtones_read(settings->overtones, overtones, NULL);
+        n_overtones = overtones_read(settings->start.overtones, overtones, NULL);
     for (int i = 0; i < n_overtones && count + 2 <= MARKS_MAX; i++) {
         ModeOnMesh mode;
         if (overtones[i].mode == readout->mode || !dispersion_mode(settings, overtones[i].mode, &mode))
