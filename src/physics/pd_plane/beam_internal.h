@@ -133,6 +133,7 @@ bool beam_critical_step(Beam *beam, double *step, Status *status);
 /* beam_problem.c */
 bool beam_set_bonds(Beam *beam, Status *); /* coefficients, and the notch */
 bool beam_set_problem(Beam *beam, Status *status);
+void beam_simple_supports(const Lattice *, Support supports[2]); /* one node at each end, at mid-height */
 void beam_set_motion(Beam *beam, const BeamOptions *options);
 
 /* beam_bands.c */

@@ -65,12 +65,18 @@ static bool support(Beam *beam, int i, int j, bool x, bool y, Status *status)
     return true;
 }
 
-/* One node at each end, at mid-height. */
-static bool set_simple_supports(Beam *beam, Status *status)
+void beam_simple_supports(const Lattice *lattice, Support supports[2])
 {
-    int j = (beam->lattice.ny - 1) / 2, last = beam->lattice.nx - 1;
-    beam->facts.real_span = last * beam->lattice.spacing;
-    return support(beam, 0, j, true, true, status) && support(beam, last, j, false, true, status);
+    const int j = (lattice->ny - 1) / 2;
+    supports[0] = (Support){0, j, true, true};
+    supports[1] = (Support){lattice->nx - 1, j, false, true};
+}
+
+static void set_simple_supports(Beam *beam)
+{
+    beam_simple_supports(&beam->lattice, beam->supports);
+    beam->n_supports = 2;
+    beam->facts.real_span = (beam->lattice.nx - 1) * beam->lattice.spacing;
 }
 
 /* Nodes of the bottom row within half a spacing of the support: two where it lies between two. */
@@ -152,8 +158,8 @@ bool beam_set_problem(Beam *beam, Status *status)
     if (beam->free_body)
         return true;
     if (beam->def.problem == BEAM_SIMPLY_SUPPORTED)
-        return set_simple_supports(beam, status);
-    if (beam->def.problem == BEAM_MOVING_CANTILEVER)
+        set_simple_supports(beam);
+    if (beam->def.problem != BEAM_NOTCHED)
         return true;
     protect(beam);
     return set_bottom_supports(beam, status) && set_load(beam, status);

@@ -1,0 +1,152 @@
+/* Small vibration of the lattice: rho u'' = -K u, so that omega^2 = lambda/rho with the lowest eigenvalue of
+ * K.
+ *
+ * The linear bond of eq. 8 between the nodes a and b with the direction n = xi/|xi| gives the force density
+ *
+ *     f_a = k n (n . (u_b - u_a)),  f_b = -f_a,  k = c G w V/|xi|,
+ *
+ * so it adds k n n^T to the blocks (a,a) and (b,b) of K and takes it from (a,b) and (b,a). Held components
+ * are uncoupled. With the nodes numbered by columns K is a narrow band: its Cholesky factor and a few steps
+ * of inverse iteration, x <- K^-1 x, give lambda = x.x / x.K^-1 x to all digits that K has. */
+#include "physics/pd_plane/beam_modes.h"
+#include "base/cholesky.h"
+#include "physics/pd_plane/beam_internal.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { ITERATIONS_MAX = 60 };
+
+/* Unknown number of a component of node (i, j): by columns. */
+static size_t unknown(const Lattice *lattice, int i, int j, int component)
+{
+    return 2 * ((size_t)i * (size_t)lattice->ny + (size_t)j) + (size_t)component;
+}
+
+/* The largest distance of two unknowns that a bond couples. */
+static size_t half_width(const Lattice *lattice)
+{
+    int most = 0;
+    for (const Offset *o = lattice->offsets; o < lattice->offsets + lattice->n_offsets; o++)
+        most = abs(o->p * lattice->ny + o->q) > most ? abs(o->p * lattice->ny + o->q) : most;
+    return 2 * (size_t)most + 1;
+}
+
+static void add(CholeskyBand *stiffness, size_t row, size_t column, double value)
+{
+    if (column <= row)
+        stiffness->rows[row * (stiffness->width + 1) + (row - column)] += value;
+}
+
+/* One bond's share of K in the components that are free. */
+static void add_bond(CholeskyBand *stiffness, const Lattice *lattice, BondPlace bond, const bool *held)
+{
+    const Offset *offset = &lattice->offsets[bond.offset];
+    const double n[2] = {offset->x / offset->length, offset->y / offset->length};
+    const double k = lattice_coefficient(lattice, bond) / offset->length;
+    for (int r = 0; r < 2; r++)
+        for (int c = 0; c < 2; c++) {
+            const double share = k * n[r] * n[c];
+            const size_t a[2] = {unknown(lattice, bond.i, bond.j, r), unknown(lattice, bond.i, bond.j, c)};
+            const size_t b[2] = {unknown(lattice, bond.i + offset->p, bond.j + offset->q, r),
+                                 unknown(lattice, bond.i + offset->p, bond.j + offset->q, c)};
+            if (!held[a[0]] && !held[a[1]])
+                add(stiffness, a[0], a[1], share);
+            if (!held[b[0]] && !held[b[1]])
+                add(stiffness, b[0], b[1], share);
+            if (!held[a[0]] && !held[b[1]])
+                add(stiffness, a[0], b[1], -share);
+            if (!held[b[0]] && !held[a[1]])
+                add(stiffness, b[0], a[1], -share);
+        }
+}
+
+static void assemble(CholeskyBand *stiffness, const Lattice *lattice, const bool *held)
+{
+    for (BondPlace bond = lattice_next_bond(lattice, (BondPlace){0, 0, -1}); bond.j < lattice->ny;
+         bond = lattice_next_bond(lattice, bond))
+        add_bond(stiffness, lattice, bond, held);
+    for (size_t i = 0; i < stiffness->size; i++)
+        if (held[i])
+            add(stiffness, i, i, 1);
+}
+
+static double dot(const double *a, const double *b, size_t count)
+{
+    double sum = 0;
+    for (size_t i = 0; i < count; i++)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+/* lambda by inverse iteration from half a wave, eq. 16; the held components stay zero. */
+static double lowest_eigenvalue(const CholeskyBand *factor, const Lattice *lattice, const bool *held,
+                                double *x, double *y)
+{
+    const size_t n = factor->size;
+    for (int i = 0; i < lattice->nx; i++)
+        for (int j = 0; j < lattice->ny; j++) {
+            const size_t at = unknown(lattice, i, j, 1);
+            x[at - 1] = 0;
+            x[at] = held[at] ? 0 : sin(M_PI * (i + 0.5) / lattice->nx);
+        }
+    double lambda = 0;
+    for (int k = 0; k < ITERATIONS_MAX; k++) {
+        const double length = sqrt(dot(x, x, n)), before = lambda;
+        for (size_t i = 0; i < n; i++)
+            y[i] = x[i] /= length;
+        cholesky_solve(factor, y);
+        lambda = 1 / dot(x, y, n);
+        for (size_t i = 0; i < n; i++)
+            x[i] = y[i];
+        if (fabs(lambda - before) < 1e-12 * lambda)
+            break;
+    }
+    return lambda;
+}
+
+static bool solve(const Lattice *lattice, const BeamDef *def, double *period, Status *status)
+{
+    CholeskyBand band = {.size = 2 * lattice_nodes(lattice), .width = half_width(lattice)};
+    if ((double)band.size * (double)(band.width + 1) > BEAM_MODES_NUMBERS_MAX)
+        return true;
+    bool *held = calloc(band.size, sizeof *held);
+    double *vectors = malloc(2 * band.size * sizeof *vectors);
+    band.rows = calloc(band.size * (band.width + 1), sizeof *band.rows);
+    bool done = held && vectors && band.rows;
+    if (!done)
+        status_fail(status, STATUS_FAILED, "not enough memory for the predicted period");
+    if (done) {
+        Support supports[2];
+        beam_simple_supports(lattice, supports);
+        for (int k = 0; k < 2; k++) {
+            held[unknown(lattice, supports[k].i, supports[k].j, 0)] = supports[k].x;
+            held[unknown(lattice, supports[k].i, supports[k].j, 1)] = supports[k].y;
+        }
+        assemble(&band, lattice, held);
+        const CholeskyEnd end = cholesky_factor(&band, def->go_on, def->go_on_context);
+        done = end != CHOLESKY_GIVEN_UP ||
+               status_fail(status, STATUS_FAILED, "the predicted period was given up");
+        if (end == CHOLESKY_DONE)
+            *period =
+                2 * M_PI /
+                sqrt(lowest_eigenvalue(&band, lattice, held, vectors, vectors + band.size) / def->density);
+    }
+    free(held);
+    free(vectors);
+    free(band.rows);
+    return done;
+}
+
+bool beam_predicted_period(const BeamDef *definition, double *period, Status *status)
+{
+    Lattice lattice;
+    *period = NAN;
+    if (definition->problem != BEAM_SIMPLY_SUPPORTED)
+        return true;
+    if (!lattice_init(&lattice, definition, status))
+        return false;
+    const bool done = solve(&lattice, definition, period, status);
+    lattice_free(&lattice);
+    return done;
+}
