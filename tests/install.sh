@@ -29,4 +29,14 @@ result "NEWS begins with it" grep -q -x "matvib $version" "$scratch/root/usr/sha
 result "so does the Debian package" grep -q "^matvib ($version-" "$MATVIB_SRCDIR/debian/changelog"
 result "make uninstall" install uninstall
 result "leaves nothing" test -z "$(find "$scratch/root" -type f)"
+
+compile_commands() {
+	env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS make -s -C "$MATVIB_BUILDDIR" compile_commands.json
+}
+result "make compile_commands.json" compile_commands
+(cd "$MATVIB_SRCDIR" && find src -name '*.c') | LC_ALL=C sort >"$scratch/wanted"
+sed -n 's|.*"file": ".*/\(src/[^"]*\)",$|\1|p' "$MATVIB_BUILDDIR/compile_commands.json" | LC_ALL=C sort -u >"$scratch/found"
+result "says how each source is compiled" test -z "$(LC_ALL=C comm -23 "$scratch/wanted" "$scratch/found")"
+command=$(sed -n '/bond_kernels/{n;s/^ "command": "\(.*\)"}.*/\1/p;q;}' "$MATVIB_BUILDDIR/compile_commands.json" | sed 's/\\\(["\\]\)/\1/g')
+result "by a command that works" sh -c "cd '$MATVIB_BUILDDIR' && $command -fsyntax-only"
 echo "1..$number"

@@ -3,7 +3,8 @@
  * The pictures are tests/golden/view/NAME.txt. After a change that is meant, write them anew and look at the
  * difference:
  *
- *     make -C build check_screen && MATVIB_REGENERATE=1 MATVIB_SRCDIR=. build/check_screen all && git diff */
+ *     make -C build tests/view/check_screen &&
+ *     MATVIB_REGENERATE=1 MATVIB_SRCDIR=. build/tests/view/check_screen all && git diff */
 #include "suite.h"
 #include "view/panes/panes.h"
 #include "view/scene.h"

@@ -1,5 +1,5 @@
-/* A grid of cells: what the terminal will show, as data. Panes draw on it, a test dumps it as text, curses
- * only copies it out. */
+/* A grid of cells, each a glyph and a style: the screen as data. Panes draw on it; the terminal shows a copy of
+ * it, and a test dumps it as text. */
 #ifndef VIEW_CANVAS_H
 #define VIEW_CANVAS_H
 
