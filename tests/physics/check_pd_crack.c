@@ -2,6 +2,7 @@
  * of an independent program and the tolerances that its own sensitivity asks for. */
 #include "physics/beam_case.h"
 #include "physics/pd_plane/crack.h"
+#include "physics/pd_plane/crack_cost.h"
 #include "suite.h"
 
 #include <math.h>
@@ -46,6 +47,13 @@ START_TEST(the_crack_goes_as_the_paper_says)
     ck_assert(crack_measure(sim, &crack));
     ck_assert_msg(labs(crack.broken - 6941) < 70, "%ld bonds broken", crack.broken);
     ck_assert_int_eq(crack.notch, 1378);
+    /* G0 = 35.68: what the path's own bonds take lies below it, what is dissipated above */
+    CrackCost cost;
+    ck_assert(crack_cost(sim, &cost));
+    ck_assert_double_eq_tol(cost.plane / 35.68, 0.9537, 2e-4);
+    ck_assert_double_eq_tol(cost.total / cost.area, 44.7, 0.5);
+    ck_assert_double_eq_tol(cost.through / cost.area, 31.2, 1);
+    ck_assert_double_eq_tol(cost.beside / cost.area, 9.0, 0.5);
     simulation_destroy(sim);
 }
 END_TEST
@@ -66,11 +74,34 @@ START_TEST(a_wider_load_cracks_earlier)
 }
 END_TEST
 
+/* A bond breaks at the first step beyond s0: what it holds beyond is of first order in the step. */
+START_TEST(half_the_step_overshoots_half)
+{
+    double share[2];
+    for (int k = 0; k < 2; k++) {
+        BeamDef def = small_beam(BEAM_NOTCHED);
+        CrackCost cost;
+        def.dt /= k + 1;
+        Simulation *sim = beam_case_create(&def, NULL);
+        advance(sim, 900 * (k + 1));
+        ck_assert(crack_cost(sim, &cost));
+        ck_assert_double_gt(cost.through, 0);
+        ck_assert_double_eq_tol(cost.through + cost.beside + cost.far + cost.beyond,
+                                series_now(sim, "dissipated"), 1e-12 * cost.total);
+        share[k] = cost.beyond / cost.total;
+        simulation_destroy(sim);
+    }
+    ck_assert_msg(share[1] > 0.35 * share[0] && share[1] < 0.65 * share[0], "%.4f at dt, %.4f at dt/2",
+                  share[0], share[1]);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *paper = tcase_create("paper");
     tcase_add_test(paper, the_crack_goes_as_the_paper_says);
     tcase_add_test(paper, a_wider_load_cracks_earlier);
+    tcase_add_test(paper, half_the_step_overshoots_half);
     tcase_set_timeout(paper, 240);
     suite_add_tcase(suite, paper);
 }

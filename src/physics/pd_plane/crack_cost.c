@@ -1,0 +1,95 @@
+/* Follows the stage of damage: reads which bonds are broken, and the path through the damage. */
+#include "physics/pd_plane/crack_cost.h"
+#include "physics/pd_plane/beam_internal.h"
+#include "physics/pd_plane/crack.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { PATH_MAX_ROWS = 4096 };
+
+typedef struct Path {
+    size_t count; /* places, at least one: the notch's end first */
+    double x[PATH_MAX_ROWS + 1], y[PATH_MAX_ROWS + 1];
+} Path;
+
+/* Twice the area of the triangle a b c: its sign tells on which side of ab c lies. */
+static double side(double ax, double ay, double bx, double by, double cx, double cy)
+{
+    return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+}
+
+static bool segments_cross(const double a[2], const double b[2], const double c[2], const double d[2])
+{
+    return side(a[0], a[1], b[0], b[1], c[0], c[1]) * side(a[0], a[1], b[0], b[1], d[0], d[1]) <= 0 &&
+           side(c[0], c[1], d[0], d[1], a[0], a[1]) * side(c[0], c[1], d[0], d[1], b[0], b[1]) <= 0;
+}
+
+/* From a place to a segment. */
+static double distance(const double at[2], const double c[2], const double d[2])
+{
+    const double x = d[0] - c[0], y = d[1] - c[1], squared = x * x + y * y;
+    double along = squared > 0 ? ((at[0] - c[0]) * x + (at[1] - c[1]) * y) / squared : 0;
+    along = fmin(1, fmax(0, along));
+    return hypot(c[0] + along * x - at[0], c[1] + along * y - at[1]);
+}
+
+/* The energy of a whole bond at s0, J: c G w V s0^2 |xi| V/2 times the thickness. */
+static double at_limit(const Beam *beam, BondPlace bond)
+{
+    const double s0 = beam->head->critical_stretch;
+    return lattice_coefficient(&beam->lattice, bond) * s0 * s0 * beam->lattice.offsets[bond.offset].length *
+           beam->system.energy_scale;
+}
+
+static void add_bond(CrackCost *cost, const Beam *beam, const Path *path, BondPlace bond)
+{
+    const Lattice *lattice = &beam->lattice;
+    const Offset *offset = &lattice->offsets[bond.offset];
+    const double a[2] = {lattice_x(lattice, bond.i), lattice_y(lattice, bond.j)};
+    const double b[2] = {a[0] + offset->x, a[1] + offset->y};
+    const double middle[2] = {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
+    double nearest = INFINITY;
+    bool crosses = false;
+    for (size_t k = 0; k + 1 < path->count && !crosses; k++) {
+        const double c[2] = {path->x[k], path->y[k]}, d[2] = {path->x[k + 1], path->y[k + 1]};
+        crosses = segments_cross(a, b, c, d);
+        nearest = fmin(nearest, distance(middle, c, d));
+    }
+    *(crosses                        ? &cost->through
+      : nearest <= beam->def.horizon ? &cost->beside
+                                     : &cost->far) += at_limit(beam, bond);
+}
+
+/* Through an upright plane go |p| bonds of direction (p, q) in every row: in the middle of the beam, per
+ * area.
+ */
+static double plane_energy(const Beam *beam)
+{
+    const Lattice *lattice = &beam->lattice;
+    double sum = 0;
+    for (int o = 0; o < lattice->n_offsets; o++)
+        sum += abs(lattice->offsets[o].p) * at_limit(beam, (BondPlace){lattice->nx / 2, lattice->ny / 2, o});
+    return sum / (lattice->spacing * beam->def.thickness);
+}
+
+bool crack_cost(const Simulation *sim, CrackCost *cost)
+{
+    Crack crack;
+    if (!crack_measure(sim, &crack))
+        return false;
+    const Beam *beam = (const Beam *)sim;
+    const Lattice *lattice = &beam->lattice;
+    if (beam->head->critical_stretch != beam->def.critical_stretch)
+        return false;
+    Path path = {.count = 1, .x = {beam->def.notch_position}, .y = {beam->def.notch_depth}};
+    path.count += crack_path(sim, path.x + 1, path.y + 1, PATH_MAX_ROWS);
+    *cost = (CrackCost){.area = crack.length * beam->def.thickness, .plane = plane_energy(beam)};
+    for (size_t byte = 0; byte < lattice_slots(lattice) / 8; byte++)
+        for (size_t bit = 0; beam->broken[byte] >> bit != 0; bit++)
+            if ((beam->broken[byte] & ~beam->notched[byte]) >> bit & 1)
+                add_bond(cost, beam, &path, lattice_slot_place(lattice, 8 * byte + bit));
+    cost->total = beam->head->dissipated;
+    cost->beyond = cost->total - cost->through - cost->beside - cost->far;
+    return true;
+}

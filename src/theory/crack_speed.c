@@ -1,0 +1,28 @@
+#include "theory/crack_speed.h"
+
+#include <math.h>
+
+double rayleigh_speed(double youngs_modulus, double density)
+{
+    return sqrt(2 - 2 / sqrt(3)) * sqrt(3 * youngs_modulus / (8 * density));
+}
+
+double crack_speed_window(double horizon, double youngs_modulus, double density)
+{
+    return 4 * horizon / rayleigh_speed(youngs_modulus, density);
+}
+
+/* slope = sum (k - m) a_k / sum (k - m)^2, m = (n - 1)/2, and the latter sum is n (n^2 - 1)/12. */
+double crack_speed(const double *x, const double *y, size_t n, double dt)
+{
+    double sum_x = 0, sum_y = 0;
+    const double count = (double)n;
+    if (n < 2)
+        return 0;
+    for (size_t k = 0; k < n; k++) {
+        const double from_middle = (double)k - (count - 1) / 2;
+        sum_x += from_middle * x[k];
+        sum_y += from_middle * y[k];
+    }
+    return hypot(sum_x, sum_y) / (count * (count * count - 1) / 12 * dt);
+}
