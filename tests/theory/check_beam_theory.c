@@ -188,7 +188,7 @@ START_TEST(a_steady_tip_has_its_speed)
         y[k] = 400 * 1e-7 * k;
     }
     ck_assert_double_eq_tol(crack_speed(x, y, 38, 1e-7), 500, 1e-9);
-    ck_assert_double_eq_tol(crack_speed(x, y, 1, 1e-7), 0, 0);
+    ck_assert(crack_speed(x, y, 1, 1e-7) == 0);
     ck_assert_double_eq_tol(crack_speed_window(2e-3, 34.48e9, 2400), 3.7488e-6, 1e-10);
 }
 END_TEST
