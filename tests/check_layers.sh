@@ -1,6 +1,8 @@
 #!/bin/sh
-# The layers hold: no lower layer refers to the terminal, to a higher layer, or (physics) to the outside world.
+# The layers hold: no lower layer refers to the terminal, to a higher layer, or (physics) to the outside world; and
+# within a layer no file needs one that needs it back.
 cd "${MATVIB_BUILDDIR:-.}" || exit 1
+ls libbase.a "${MATVIB_SRCDIR:-..}/src/base" >/dev/null || exit 1
 number=0
 say() { # RESULT NAME
 	number=$((number + 1))
@@ -64,5 +66,90 @@ done
 for folder in view figure tui; do
 	found=$(grep -rn '#include "physics/[^"]*/' "${MATVIB_SRCDIR:-..}/src/$folder")
 	judge "src/$folder includes no method's header"
+done
+# The product includes nothing of the tests, whose folder is on the path of includes too.
+found=$(cd "${MATVIB_SRCDIR:-..}/src" && grep -rnoE --include='*.[ch]' '#include "[^"]+"' . | while IFS='"' read -r place header rest; do
+	test -e "$header" || test -e "$(dirname "${place%%:*}")/$header" || echo "$place$header"
+done)
+judge "src includes files of src only"
+
+# Circles: object files of one library that refer to each other, directly or through others. These are still there;
+# who breaks one takes it off the list, and nobody adds to it.
+circles() {
+	cat <<'END'
+lab: bar_answers.o bar_problem.o beam_problem.o changes.o check.o parameters.o problem.o rod_problem.o values.o
+lab: experiment.o experiment_edit.o
+physics: bar.o bar_exchange.o bar_explain.o bar_fields.o bar_sums.o
+physics: bar_steps.o bar_tiles.o
+physics: beam_break.o beam_family.o beam_fields.o beam_series.o beam_state.o beam_step.o crack.o
+physics: rod_create.o rod_lattice.o
+physics: rod_fields.o rod_step.o
+tui: control.o control_commands.o control_compare.o control_complete.o control_duel.o control_export.o control_figure.o control_lesson.o control_line.o control_map.o control_move.o control_open.o control_parameters.o control_prompts.o control_scenarios.o control_time.o control_views.o
+tui: control_keys.o session.o
+view: area.o axes.o plot.o sketch.o
+view: family_forces.o pane_family.o
+view: layout.o pane_banner.o pane_parameters.o pane_timeline.o
+view: map_drawing.o map_frame.o map_heat.o map_marks.o map_sketch.o
+view: pane_lattice.o pane_mesh.o
+END
+}
+find_circles() { # LAYER LIBRARY...: the circles of its members, and under each what closes it
+	layer=$1
+	shift
+	nm -A "$@" 2>/dev/null | LC_ALL=C sort | awk -v layer="$layer" '
+		NF < 2 { next }
+		{
+			sub(/^[^:]*:/, "")
+			member = $1
+			sub(/:.*/, "", member)
+			sub(/^.*_a-/, "", member) # what a library with flags of its own puts before
+			if ($(NF - 1) == "U") uses[member, $NF]
+			else if ($(NF - 1) ~ /^[TDBRCVW]$/) home[$NF] = member
+			if (!(member in seen)) { seen[member]; members[++n] = member }
+		}
+		END {
+			for (use in uses) {
+				split(use, part, SUBSEP)
+				if (part[2] in home && home[part[2]] != part[1]) {
+					edges[part[1], home[part[2]]] = part[2]
+					reaches[part[1], home[part[2]]]
+				}
+			}
+			for (k = 1; k <= n; k++)
+				for (i = 1; i <= n; i++)
+					for (j = 1; (members[i], members[k]) in reaches && j <= n; j++)
+						if ((members[k], members[j]) in reaches) reaches[members[i], members[j]]
+			for (i = 1; i <= n; i++) {
+				if (members[i] in circle || !((members[i], members[i]) in reaches)) continue
+				printf "%s:", layer
+				for (j = i; j <= n; j++)
+					if ((members[i], members[j]) in reaches && (members[j], members[i]) in reaches) {
+						circle[members[j]] = i
+						printf " %s", members[j]
+					}
+				print ""
+				for (edge in edges) {
+					split(edge, part, SUBSEP)
+					if (part[1] in circle && part[2] in circle && circle[part[1]] == i && circle[part[2]] == i)
+						print "    " part[1] " needs " edges[edge] " of " part[2]
+				}
+			}
+		}'
+}
+for layer in base physics theory lab view figure tui cli; do
+	libraries=lib$layer.a
+	[ $layer = physics ] && libraries="$libraries $(ls libbar*.a libpd_*.a 2>/dev/null)"
+	listed=$(mktemp) now=$(mktemp)
+	circles | grep "^$layer:" | LC_ALL=C sort >"$listed"
+	# shellcheck disable=SC2086 # several libraries
+	find_circles $layer $libraries >"$now.all"
+	grep "^$layer:" "$now.all" | LC_ALL=C sort >"$now"
+	found=$(LC_ALL=C comm -13 "$listed" "$now")
+	[ -z "$found" ] || found=$(echo "a circle that is not on the list:"; cat "$now.all")
+	judge "$layer has no new circle of files"
+	found=$(LC_ALL=C comm -23 "$listed" "$now")
+	[ -z "$found" ] || found="broken or changed, take it off the list in tests/check_layers.sh: $found"
+	judge "its circles of the list are still there"
+	rm -f "$listed" "$now" "$now.all"
 done
 echo "1..$number"
