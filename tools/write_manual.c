@@ -119,7 +119,7 @@ static bool write_lessons(const char *unused)
     (void)unused;
     for (const BuiltinLesson *builtin = builtin_lessons; builtin->name; builtin++) {
         Lesson lesson;
-        if (!lesson_load(builtin->name, &lesson, NULL))
+        if (!lesson_load(builtin->name, line_is_for_lessons, &lesson, NULL))
             return false;
         puts(".TP");
         say_in("B", builtin->name);

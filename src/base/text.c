@@ -80,6 +80,20 @@ bool text_to_long(const char *text, long *value)
     return true;
 }
 
+bool text_to_size(const char *text, long least, long most, int size[2])
+{
+    for (int i = 0; i < 2; i++) {
+        char *end;
+        errno = 0;
+        const long read = isdigit((unsigned char)*text) ? strtol(text, &end, 10) : -1;
+        if (read < least || read > most || errno || *end != (i ? '\0' : 'x'))
+            return false;
+        size[i] = (int)read;
+        text = end + 1;
+    }
+    return true;
+}
+
 static size_t smaller(size_t a, size_t b)
 {
     return a < b ? a : b;
@@ -93,8 +107,8 @@ bool text_stream_close(FILE *stream, char *const *text)
 
 bool text_at_end(FILE *stream, const char *name, Status *status)
 {
-    return feof(stream) ||
-           status_fail(status, STATUS_FAILED, "%s: cannot be read: %s", name, strerror(errno ? errno : EIO));
+    return feof(stream) || status_fail(status, errno == ENOMEM ? STATUS_FAILED : STATUS_USAGE,
+                                       "%s: cannot be read: %s", name, strerror(errno ? errno : EIO));
 }
 
 size_t text_distance(const char *a, const char *b)

@@ -26,6 +26,9 @@ size_t text_trim_exponent(char *text);
 bool text_to_double(const char *text, double *value);
 bool text_to_long(const char *text, long *value);
 
+/* Reads "80x24": two whole numbers from `least` to `most`. */
+bool text_to_size(const char *text, long least, long most, int size[2]);
+
 /* Closes a stream of open_memstream(). Whether all that was written is in `*text`: where memory is short at
  * the end it is NULL, and fclose() does not tell. `*text` is freed by the caller either way. */
 bool text_stream_close(FILE *stream, char *const *text);

@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "lab/settings/parameters.h"
 #include "lab/answers/problem.h"
+#include "tui/control/script.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -81,8 +82,9 @@ const Option options_table[] = {
     {"--script", "FILE", " open lesson ", "keys from FILE (- is standard input), screens to standard output",
      OPTION_TEXT, AT(script)},
     {"--size", "WxH", " figure ", "width and height of the page in mm (160 wide, as high as it takes)",
-     OPTION_SIZE, AT(size)},
-    {"--size", "WxH", " open lesson ", "size of the screens of a script (80x24)", OPTION_SIZE, AT(size)},
+     OPTION_SIZE, AT(size), .most = 9999},
+    {"--size", "WxH", " open lesson ", "size of the screens of a script (80x24)", OPTION_SIZE, AT(size),
+     .most = SCRIPT_CELLS_MAX},
 };
 
 const int n_options = (int)(sizeof options_table / sizeof *options_table);
@@ -120,13 +122,6 @@ static bool read_bytes(const char *text, size_t *bytes)
         return false;
     *bytes = (size_t)((uint64_t)count << shift);
     return true;
-}
-
-static bool read_size(const char *text, int size[2])
-{
-    char after;
-    return strspn(text, "0123456789x") == strlen(text) && strlen(text) <= 9 &&
-           sscanf(text, "%dx%d%c", &size[0], &size[1], &after) == 2 && size[0] > 0 && size[1] > 0;
 }
 
 static bool add_override(Options *options, const char *origin, const char *key, const char *value,
@@ -189,9 +184,9 @@ static bool take(const Option *option, const char *value, Options *options, Stat
                                value);
         return true;
     case OPTION_SIZE:
-        if (!read_size(value, member))
-            return status_fail(status, STATUS_USAGE, "%s: %.60s is no size (such as 80x24)", option->name,
-                               value);
+        if (!text_to_size(value, 1, option->most, member))
+            return status_fail(status, STATUS_USAGE, "%s: %.60s is no size (such as 80x24; at most %d each)",
+                               option->name, value, option->most);
         return true;
     case OPTION_WORD:
         for (int i = 0; option->words[i]; i++)

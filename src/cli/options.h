@@ -30,6 +30,7 @@ typedef struct Option {
     size_t offset;            /* of the member in Options */
     const char *const *words; /* OPTION_WORD; ended by NULL */
     const char *key;          /* OPTION_OVERRIDE: the key; NULL: the argument names it */
+    int most;                 /* OPTION_SIZE: of each number */
     const char *clears;       /* OPTION_OVERRIDE: a key that it sets back, for it says the same */
 } Option;
 

@@ -88,13 +88,14 @@ refuse "unknown problem" \
 	'params: beam is not a problem (bar | simply-supported-beam | moving-cantilever | notched-beam)' params beam
 refuse "laboratory: unknown option" '--pause: unknown option (did you mean --paused?)' --pause
 refuse "laboratory: unknown scenario" 'mode11: no such scenario or file (did you mean mode1?)' mode11
-refuse "a lesson that there is not" 'one-stop: no such lesson or file (did you mean one-step?)' lesson one-stop --script /dev/null
+: >empty
+refuse "a lesson that there is not" 'one-stop: no such lesson or file (did you mean one-step?)' lesson one-stop --script empty
 "$MATVIB" lesson --list >lessons && grep -q '^one-step   One step of MPM$' lessons
 result "lesson --list tells the names" test $? -eq 0
 refuse "a slip in a command" 'rnu: no such command, scenario or file (did you mean run?)' rnu mode1
 refuse "laboratory: two scenarios" 'mode5: is one argument too many ([SCENARIO])' mode1 mode5
 refuse "laboratory: wrong word" '--glyphs: dots is not a choice (auto | braille | block | ascii)' --glyphs dots
-refuse "laboratory: wrong size" '--size: 80 is no size (such as 80x24)' --size 80
+refuse "laboratory: wrong size" '--size: 80 is no size (such as 80x24; at most 1000 each)' --size 80
 refuse "laboratory: wrong history" '--history: 1Q is no size (such as 64M or 2G)' --history 1Q
 refuse "laboratory: wrong threads" '--threads: 0 is not allowed (a whole number, 1 or more)' --threads 0
 

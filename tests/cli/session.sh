@@ -60,6 +60,29 @@ sed 's/^at .*Space$/at x 1 80x24 Space/' mode5.session >broken.session
 line=$(grep -n '^at x' broken.session | head -n 1 | cut -d: -f1)
 result "a place that is none" refused \
 	"broken.session:$line: not a place of a session (at STEP[/STAGE] SECONDS WIDTHxHEIGHT KEY [X Y])" --replay broken.session
+for place in '0 1e19 80x24' '0 -1 80x24' '99999999999999999999 1 80x24' '0 1 99999999999x1' '0 1 80x24x' '0 1 80x10001' '-1 1 80x24'; do
+	{
+		grep '^[s|p]' mode5.session
+		echo "at $place Space"
+	} >bounds.session
+	line=$(wc -l <bounds.session)
+	result "nor is $place" refused \
+		"bounds.session:$line: not a place of a session (at STEP[/STAGE] SECONDS WIDTHxHEIGHT KEY [X Y])" --replay bounds.session
+done
+{
+	grep '^[s|p]' mode5.session
+	printf 'at 0 0 80x24 \302\233\n'
+} >c1.session
+result "nor a control character" refused "c1.session:$(wc -l <c1.session): is not text in UTF-8" --replay c1.session
+head -c 1000000 /dev/zero | tr '\0' a >endless.session
+result "a line has an end" refused 'endless.session:1: the line is too long (at most 1100 bytes)' --replay endless.session
+mkfifo pipe.session
+result "a pipe is no session" refused 'pipe.session: is a pipe or a device (a file is wanted)' --replay pipe.session
+result "nor is a folder" refused '.: cannot be read: Is a directory' --replay .
+# the computer stopped in the middle of a line
+sed '/^end/d' mode5.session >open.session
+printf 'at 99999999999999999999999' >>open.session
+result "a line that was cut is dropped" "$MATVIB" --replay open.session --script empty
 sed 's/^| cell_size.*/| cell_size = -1/' mode5.session >wrong.session
 "$MATVIB" --replay wrong.session --script empty 2>message
 result "its scenario is judged" grep -q 'wrong.session (scenario):[0-9]*: mesh.cell_size:' message

@@ -15,7 +15,7 @@ static bool read_text(const char *text, Lesson *lesson, Status *status)
     FILE *stream = fmemopen((void *)text, strlen(text), "r");
     ck_assert_ptr_nonnull(stream);
     *status = (Status){STATUS_DONE, ""};
-    bool sound = lesson_read(stream, "my.lesson", lesson, status);
+    bool sound = lesson_read(stream, "my.lesson", line_is_for_lessons, lesson, status);
     fclose(stream);
     return sound;
 }
@@ -84,6 +84,23 @@ static const struct {
     {"@title x\n@page y\n@reveal\n", "my.lesson: page \"y\" reveals, but asks nothing"},
     {"@title x\n@page y\n@reveal now\n", "my.lesson:3: @reveal: takes nothing"},
     {"@title x\n@page y\n\xff\n", "my.lesson:3: is not text in UTF-8"},
+    {"@title x\n@page \xc2\x9b 2J\n", "my.lesson:2: is not text in UTF-8"},
+    {"@title x\n@page y\n@do write .bash_aliases\n",
+     "my.lesson:3: @do: write: a lesson may not (it changes the laboratory only)"},
+    {"@title x\n@page y\n@do write\n",
+     "my.lesson:3: @do: write: a lesson may not (it changes the laboratory only)"},
+    {"@title x\n@page y\n@do export a\n",
+     "my.lesson:3: @do: export: a lesson may not (it changes the laboratory only)"},
+    {"@title x\n@page y\n@do figure a.svg\n",
+     "my.lesson:3: @do: figure: a lesson may not (it changes the laboratory only)"},
+    {"@title x\n@page y\n@do lesson other\n",
+     "my.lesson:3: @do: lesson: a lesson may not (it changes the laboratory only)"},
+    {"@title x\n@page y\n@ask a\n@right b\n@choice c\n@reveal\n@do quit\n",
+     "my.lesson:7: @do: quit: a lesson may not (it changes the laboratory only)"},
+    {"@title x\n@page y\n@do suspend\n",
+     "my.lesson:3: @do: suspend: a lesson may not (it changes the laboratory only)"},
+    {"@title x\n@page y\n@do !rm\n",
+     "my.lesson:3: @do: !rm: unknown (a command, KEY=VALUE or a time is wanted)"},
 };
 
 START_TEST(what_is_wrong_is_told_with_its_line)

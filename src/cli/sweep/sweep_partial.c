@@ -1,5 +1,6 @@
 #include "cli/sweep/sweep_partial.h"
 
+#include "base/input.h"
 #include "base/text.h"
 #include "lab/settings/scenario.h"
 
@@ -62,7 +63,7 @@ static bool read_cells(const char *text, double cells[RESULT_COLUMNS])
             return false;
         text = end;
     }
-    return strcmp(text, "\n") == 0;
+    return *text == '\0';
 }
 
 static bool read_line(const char *line, uint64_t *number, double cells[RESULT_COLUMNS])
@@ -128,26 +129,28 @@ static bool begin(SweepPartial *partial, Status *status)
  * a line that does not belong to this sweep. */
 static long read_rows(SweepPartial *partial, Search *search, SweepResult *results)
 {
-    char expected[LINE_BYTES * 2], *line = NULL;
-    size_t room = 0;
+    InputLines lines = {.stream = partial->stream, .name = partial->name};
+    char expected[LINE_BYTES * 2], line[LINE_BYTES * 2];
     long end = 0;
     heading(expected);
     const char *wanted = expected;
-    for (ssize_t n; (n = getline(&line, &room, partial->stream)) > 0 && line[n - 1] == '\n'; end += n) {
+    InputGot got;
+    while ((got = input_line(&lines, line, sizeof line, NULL)) == INPUT_LINE && !lines.cut) {
+        const size_t length = strcspn(wanted, "\n");
         uint64_t number;
         double cells[RESULT_COLUMNS];
-        bool good = *wanted ? strncmp(line, wanted, (size_t)n) == 0
+        bool good = *wanted ? strlen(line) == length && strncmp(line, wanted, length) == 0
                             : read_line(line, &number, cells) && put_row(search, number, cells, results);
-        if (!good) {
-            end = -1;
-            break;
-        }
+        if (!good)
+            return -1;
         if (*wanted)
-            wanted += n;
+            wanted += length + 1;
         else
             partial->rows++;
+        end = ftell(partial->stream);
     }
-    free(line);
+    if (got == INPUT_WRONG && !ferror(partial->stream))
+        return -1;
     return *wanted && end > 0 ? 0 : end;
 }
 

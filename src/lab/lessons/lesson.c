@@ -1,5 +1,6 @@
 #include "lab/lessons/lesson.h"
 
+#include "base/input.h"
 #include "base/text.h"
 #include "base/visible.h"
 #include "lab/settings/parameters.h"
@@ -8,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ACTIONS_MAX = 32, TEXT_BYTES_MAX = 4096 };
+enum { ACTIONS_MAX = 32, TEXT_BYTES_MAX = 4096, LINE_BYTES_MAX = 4096, LESSON_BYTES_MAX = 4000000 };
 
 /* Where reading stands. */
 typedef struct Reader {
@@ -16,6 +17,7 @@ typedef struct Reader {
     LessonPage *page; /* NULL: before the first */
     LessonPart *part; /* of the page that is being read */
     bool paragraph;   /* the next line of text goes on with the last */
+    LessonJudge may_do;
     Status *status;
 } Reader;
 
@@ -76,6 +78,8 @@ static bool read_page(Reader *reader, const char *text)
 static bool read_do(Reader *reader, const char *text)
 {
     LessonPart *part = reader->part;
+    if (!reader->may_do(text, reader->status))
+        return status_prefix(reader->status, "@do");
     if (part->n_actions == ACTIONS_MAX)
         return status_fail(reader->status, STATUS_USAGE, "too many things to do (at most %d)", ACTIONS_MAX);
     char **actions = realloc(part->actions, (size_t)(part->n_actions + 1) * sizeof *actions);
@@ -219,33 +223,30 @@ static bool read_text(Reader *reader, const char *line)
                        TEXT_BYTES_MAX);
 }
 
-static bool read_line(Reader *reader, char *line, size_t length)
+static bool read_line(Reader *reader, char *line)
 {
-    bool whole = strlen(line) == length;
-    for (length = strlen(line); length > 0 && strchr(" \t\r\n", line[length - 1]);)
+    for (size_t length = strlen(line); length > 0 && strchr(" \t\r\n", line[length - 1]);)
         line[--length] = '\0';
-    if (!whole || !text_is_clean(line))
+    if (!text_is_clean(line))
         return status_fail(reader->status, STATUS_USAGE, "is not text in UTF-8");
     if (*line == '#')
         return true;
     return *line == '@' ? read_word(reader, line + 1) : read_text(reader, line);
 }
 
-bool lesson_read(FILE *stream, const char *name, Lesson *lesson, Status *status)
+bool lesson_read(FILE *stream, const char *name, LessonJudge may_do, Lesson *lesson, Status *status)
 {
-    Reader reader = {.lesson = lesson, .status = status};
-    char *line = NULL;
-    size_t room = 0;
-    ssize_t length;
+    Reader reader = {.lesson = lesson, .may_do = may_do, .status = status};
+    InputLines lines = {.stream = stream, .name = name};
+    char line[LINE_BYTES_MAX + 1];
     bool sound = true;
+    InputGot got;
     *lesson = (Lesson){0};
-    for (long number = 1; sound && (length = getline(&line, &room, stream)) >= 0; number++) {
-        sound = read_line(&reader, line, (size_t)length);
-        if (!sound)
-            status_prefix(status, "%s:%ld", name, number);
-    }
-    sound = sound && text_at_end(stream, name, status);
-    free(line);
+    while (sound && (got = input_line(&lines, line, sizeof line, status)) != INPUT_END)
+        if (got == INPUT_WRONG)
+            sound = false;
+        else if (!(sound = read_line(&reader, line)))
+            status_prefix(status, "%s:%ld", name, lines.number);
     if (sound && (!lesson->title || lesson->n_pages == 0))
         sound = status_fail(status, STATUS_USAGE, "%s: is no lesson (@title and a @page are wanted)", name);
     else if (sound && !end_page(&reader)) {
@@ -279,17 +280,15 @@ static bool unknown(const char *name, Status *status)
     return status_fail(status, STATUS_USAGE, "%s: no such lesson or file (did you mean %s?)", name, nearest);
 }
 
-bool lesson_load(const char *name, Lesson *lesson, Status *status)
+bool lesson_load(const char *name, LessonJudge may_do, Lesson *lesson, Status *status)
 {
     const BuiltinLesson *builtin = lesson_builtin(name);
     *lesson = (Lesson){0};
-    FILE *stream = builtin ? fmemopen((void *)builtin->text, strlen(builtin->text), "r") : fopen(name, "re");
-    if (!stream && !builtin && errno == ENOENT)
-        return unknown(name, status);
+    FILE *stream =
+        builtin ? input_text(builtin->text, name, status) : input_open(name, LESSON_BYTES_MAX, status);
     if (!stream)
-        return status_fail(status, builtin ? STATUS_FAILED : STATUS_USAGE, "%s: cannot be read: %s", name,
-                           strerror(errno));
-    bool sound = lesson_read(stream, name, lesson, status);
+        return !builtin && errno == ENOENT && unknown(name, status);
+    bool sound = lesson_read(stream, name, may_do, lesson, status);
     fclose(stream);
     return sound;
 }

@@ -5,7 +5,7 @@
  *
  *     @title TEXT           @about TEXT             of the lesson, before its first page
  *     @page TITLE           a page begins
- *     @do LINE              what the laboratory does when the page is opened, as behind `:`
+ *     @do LINE              what the laboratory does when the page is opened, as behind `:`; not every line
  *     @field KEY            a parameter to be changed beside the text
  *     @ask QUESTION         then two to four choices, one of them right:
  *     @choice TEXT          @right TEXT
@@ -69,12 +69,17 @@ typedef struct BuiltinLesson {
 
 extern const BuiltinLesson builtin_lessons[]; /* generated; ended by a NULL name */
 
+/* Whether a lesson may have this line done: it changes the laboratory and nothing else. A lesson is a file
+ * from anybody, so a line that would write, draw a figure, record or leave is refused when it is read; which
+ * lines those are is known to the table of commands (view/panes/commands.h). False: the status says why. */
+typedef bool (*LessonJudge)(const char *line, Status *);
+
 /* Reads a lesson by built-in name or, failing that, by path. False: "FILE:LINE: what is wrong (what is
  * allowed)"; nothing is left to be freed. */
-bool lesson_load(const char *name_or_path, Lesson *lesson, Status *status);
+bool lesson_load(const char *name_or_path, LessonJudge, Lesson *lesson, Status *status);
 
 /* The same from a stream; `name` stands for FILE. */
-bool lesson_read(FILE *stream, const char *name, Lesson *lesson, Status *status);
+bool lesson_read(FILE *stream, const char *name, LessonJudge, Lesson *lesson, Status *status);
 
 void lesson_free(Lesson *lesson); /* also an empty one */
 

@@ -1,4 +1,5 @@
 #include "lab/run/overlay.h"
+#include "base/input.h"
 #include "base/text.h"
 #include "base/visible.h"
 #include "lab/settings/parameters.h"
@@ -276,15 +277,10 @@ bool overlay_read(Overlay *overlay, FILE *stream, const char *file, OverlayProgr
 
 bool overlay_load(Overlay *overlay, const char *path, OverlayProgress go_on, void *context, Status *status)
 {
-    struct stat file;
-    FILE *stream = NULL;
     *overlay = (Overlay){.y = -1};
-    /* a pipe that nobody writes to would wait for ever */
-    if (stat(path, &file) == 0 && !S_ISREG(file.st_mode))
-        return status_fail(status, STATUS_USAGE, "%s: is no file of numbers", path);
-    stream = fopen(path, "r");
+    FILE *stream = input_open(path, OVERLAY_BYTES_MAX, status);
     if (!stream)
-        return status_fail(status, STATUS_USAGE, "%s: cannot be read: %s", path, strerror(errno));
+        return false;
     const bool sound = overlay_read(overlay, stream, path, go_on, context, status);
     fclose(stream);
     return sound;

@@ -20,6 +20,8 @@ enum {
     OVERLAY_CELLS_MAX = 64000000
 };
 
+#define OVERLAY_BYTES_MAX 4000000000L
+
 typedef struct OverlayColumn {
     char name[OVERLAY_NAME_MAX]; /* UTF-8; "" without a first line of names */
     double *values;              /* one for each row; NAN: missing */

@@ -1,5 +1,6 @@
 #include "lab/settings/scenario.h"
 
+#include "base/input.h"
 #include "base/text.h"
 #include "lab/settings/parameters.h"
 #include "lab/settings/scenario_lines.h"
@@ -289,18 +290,19 @@ static bool not_found(const char *name, Status *status)
         names_of[count] = builtin_scenarios[count].name;
     const char *nearest = nearest_word(names_of, name);
     if (error != ENOENT)
-        return status_fail(status, STATUS_USAGE, "%s: cannot be read: %s", name, strerror(error));
+        return false; /* the status says why */
     if (nearest)
         return status_fail(status, STATUS_USAGE, "%s: no such scenario or file (did you mean %s?)", name,
                            nearest);
     return status_fail(status, STATUS_USAGE, "%s: no such scenario or file (see: matvib list)", name);
 }
 
-static FILE *open_scenario(const char *name_or_path)
+/* NULL: as input_open() has it. */
+static FILE *open_scenario(const char *name_or_path, Status *status)
 {
     const BuiltinScenario *builtin = scenario_builtin(name_or_path);
-    errno = 0;
-    return builtin ? fmemopen((void *)builtin->text, strlen(builtin->text), "r") : fopen(name_or_path, "r");
+    return builtin ? input_text(builtin->text, name_or_path, status)
+                   : input_open(name_or_path, SCENARIO_BYTES_MAX, status);
 }
 
 void scenario_blame(const char *name_or_path, const Override *overrides, int count, Status *status)
@@ -310,7 +312,7 @@ void scenario_blame(const char *name_or_path, const Override *overrides, int cou
     const size_t length = strcspn(status->text, ":");
     if (length < sizeof key)
         memcpy(key, status->text, length);
-    FILE *stream = parameter_find(key) ? open_scenario(name_or_path) : NULL;
+    FILE *stream = parameter_find(key) ? open_scenario(name_or_path, NULL) : NULL;
     if (!stream)
         return;
     if (!entries_read(&source.entries, stream, name_or_path, NULL) || !find_origin(&source, status))
@@ -322,7 +324,7 @@ void scenario_blame(const char *name_or_path, const Override *overrides, int cou
 bool scenario_load_with(const char *name_or_path, const Override *overrides, int count, Settings *settings,
                         Status *status)
 {
-    FILE *stream = open_scenario(name_or_path);
+    FILE *stream = open_scenario(name_or_path, status);
     if (!stream)
         return not_found(name_or_path, status);
     bool good = read_with(stream, name_or_path, overrides, count, settings, status);

@@ -10,8 +10,10 @@
 #include <stdio.h>
 
 enum {
-    SCENARIO_LINE_MAX = 190,  /* bytes of a line without its comment: inih's own buffer has 200 */
-    SCENARIO_LINES_MAX = 5000 /* no scenario needs more; a wrong file is refused before it fills the memory */
+    SCENARIO_LINE_MAX = 190, /* bytes of a line without its comment: inih's own buffer has 200 */
+    SCENARIO_LINES_MAX =
+        5000, /* no scenario needs more; a wrong file is refused before it fills the memory */
+    SCENARIO_BYTES_MAX = 5000000
 };
 
 typedef struct Entry {

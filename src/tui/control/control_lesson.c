@@ -114,7 +114,7 @@ static bool is_met(const Laboratory *lab, const LessonUntil *until)
     case UNTIL_TIME:
         return experiment_time(experiment) >= until->number;
     case UNTIL_STAGE:
-        return experiment_stage(experiment) >= (int)until->number;
+        return (double)experiment_stage(experiment) >= until->number;
     case UNTIL_END:
         return experiment_at_end(experiment);
     case UNTIL_COMMAND:
@@ -233,7 +233,7 @@ bool open_lesson(Laboratory *lab, const char *name, Status *status)
         return true;
     }
     Lesson lesson;
-    if (!lesson_load(name, &lesson, status))
+    if (!lesson_load(name, line_is_for_lessons, &lesson, status))
         return false;
     forget_lesson(lab);
     lab->play.lesson = lesson;

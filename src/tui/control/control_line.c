@@ -217,21 +217,21 @@ static bool refuse_word(Laboratory *lab, const char *line, const char *end)
     return refuse(lab, why);
 }
 
-bool run_line(Laboratory *lab, const char *line)
+bool run_line(Laboratory *lab, const char *text)
 {
-    const char *words = line + strcspn(line, " ");
-    const LineVerb *verb = line_verb_find(line, (size_t)(words - line));
-    words += strspn(words, " ");
-    const Command *command = command_by_name(line);
-    double time;
-    if (verb && (*words || !command))
-        return verbs[verb->id](lab, words);
-    if (command) {
-        laboratory_command(lab, command->id);
+    const LineMeaning line = line_meaning(text);
+    switch (line.kind) {
+    case LINE_VERB:
+        return verbs[line.verb->id](lab, line.words);
+    case LINE_COMMAND:
+        laboratory_command(lab, line.command->id);
         return true;
+    case LINE_ASSIGNMENT:
+        return set(lab, text);
+    case LINE_PLACE:
+        return answer_go_to(lab, text);
+    case LINE_UNKNOWN:
+        break;
     }
-    if (strchr(line, '='))
-        return set(lab, line);
-    return line[0] == '#' || text_to_double(line, &time) ? answer_go_to(lab, line)
-                                                         : refuse_word(lab, line, words);
+    return refuse_word(lab, text, line.words);
 }

@@ -1,27 +1,25 @@
 #include "tui/control/script.h"
 
+#include "base/input.h"
 #include "base/text.h"
 #include "tui/control/control.h"
 #include "tui/terminal/description.h"
 #include "tui/control/session.h"
 #include "tui/terminal/theme.h"
 
-#include <errno.h>
 #include <langinfo.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIZE_MAX_CELLS = 1000, SCENE_KEYS = 4 };
+enum { SCENE_KEYS = 4, LINE_BYTES_MAX = 4096, SCRIPT_BYTES_MAX = 100000000 };
 
 struct Player {
     Laboratory lab;
     Canvas canvas;
     int width, height;
-    double time; /* virtual */
-    double rate; /* steps per second; 0: without limit */
-    const char *name;
-    long line;
+    double time;    /* virtual */
+    double rate;    /* steps per second; 0: without limit */
     char scene[80]; /* of a lecture, under way; "": none */
     int scene_keys; /* that it has cost */
 };
@@ -151,17 +149,14 @@ static bool do_wait(Player *player, char *rest, Status *status)
     return draw(player, status);
 }
 
-static bool read_size(const char *text, int *width, int *height)
-{
-    char end;
-    return sscanf(text, "%dx%d%c", width, height, &end) == 2 && *width > 0 && *height > 0 &&
-           *width <= SIZE_MAX_CELLS && *height <= SIZE_MAX_CELLS;
-}
-
 static bool do_size(Player *player, char *rest, Status *status)
 {
-    if (!read_size(rest, &player->width, &player->height))
-        return status_fail(status, STATUS_USAGE, "size: not a size: %s (as in 80x24)", rest);
+    int size[2];
+    if (!text_to_size(rest, 1, SCRIPT_CELLS_MAX, size))
+        return status_fail(status, STATUS_USAGE, "size: not a size: %s (as in 80x24; at most %d each)", rest,
+                           SCRIPT_CELLS_MAX);
+    player->width = size[0];
+    player->height = size[1];
     return draw(player, status);
 }
 
@@ -253,7 +248,6 @@ const ScriptInstruction script_instructions[] = {
 
 static bool play_line(Player *player, char *line, Status *status)
 {
-    line[strcspn(line, "\r\n")] = '\0';
     line += strspn(line, " \t");
     if (!*line || *line == '#')
         return true;
@@ -269,20 +263,17 @@ static bool play_line(Player *player, char *line, Status *status)
     return status_fail(status, STATUS_USAGE, "unknown instruction: %.60s (%s)", line, known);
 }
 
-static bool play(Player *player, FILE *file, Status *status)
+static bool play(Player *player, FILE *file, const char *name, Status *status)
 {
-    char *line = NULL;
-    size_t room = 0;
-    bool sound = draw(player, status);
-    while (sound && getline(&line, &room, file) >= 0) {
-        player->line++;
-        sound = play_line(player, line, status);
-        if (!sound)
-            status_prefix(status, "%s:%ld", player->name, player->line);
-    }
-    sound = sound && text_at_end(file, player->name, status);
-    free(line);
-    return sound;
+    InputLines lines = {.stream = file, .name = name};
+    char line[LINE_BYTES_MAX + 1];
+    InputGot got = INPUT_END;
+    if (!draw(player, status))
+        return false;
+    while ((got = input_line(&lines, line, sizeof line, status)) == INPUT_LINE)
+        if (!play_line(player, line, status))
+            return status_prefix(status, "%s:%ld", name, lines.number);
+    return got == INPUT_END;
 }
 
 static bool open_player(Player *player, const LaboratoryOptions *options, Status *status)
@@ -309,8 +300,8 @@ static bool replay_all(Player *player, Session *replay, Status *status)
 {
     bool sound = true;
     for (const SessionEvent *event; sound && replay && (event = session_next(replay));) {
-        if (event->width > 0 && event->height > 0 && event->width <= SIZE_MAX_CELLS &&
-            event->height <= SIZE_MAX_CELLS) {
+        if (event->width > 0 && event->height > 0 && event->width <= SCRIPT_CELLS_MAX &&
+            event->height <= SCRIPT_CELLS_MAX) {
             player->width = event->width;
             player->height = event->height;
         }
@@ -324,20 +315,17 @@ static bool replay_all(Player *player, Session *replay, Status *status)
 int script_run(const LaboratoryOptions *options, Session *replay, Session *recording, Status *status)
 {
     bool standard = strcmp(options->script, "-") == 0;
-    FILE *file = standard ? stdin : fopen(options->script, "r");
-    const int why = errno;
+    const char *name = standard ? "standard input" : options->script;
+    FILE *file = standard ? stdin : input_open(name, SCRIPT_BYTES_MAX, status);
     Player *player = calloc(1, sizeof *player);
     bool sound = false;
-    if (!player)
+    if (file && !player)
         status_fail(status, STATUS_FAILED, "out of memory");
-    else if (!file)
-        status_fail(status, STATUS_USAGE, "%s: cannot be read: %s", options->script, strerror(why));
-    else if (open_player(player, options, status)) {
-        player->name = standard ? "standard input" : options->script;
+    else if (file && open_player(player, options, status)) {
         player->lab.recording = recording;
         session_note_start(recording, &player->lab);
         sound = replay_all(player, replay, status);
-        sound = sound && play(player, file, status);
+        sound = sound && play(player, file, name, status);
         session_note_end(recording, &player->lab);
         laboratory_close(&player->lab);
         canvas_close(&player->canvas);

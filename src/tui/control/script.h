@@ -9,6 +9,8 @@
 #include "tui/control/laboratory.h"
 #include "tui/control/session.h"
 
+enum { SCRIPT_CELLS_MAX = 1000 }; /* of a screen, each way */
+
 typedef struct Player Player; /* a script that is being played */
 
 /* A row of the table of instructions, ended by a NULL name; the manual page is made from it. */

@@ -1,16 +1,26 @@
 #include "tui/control/session.h"
 
+#include "base/input.h"
 #include "base/text.h"
+#include "base/visible.h"
 #include "lab/export/output_file.h"
 #include "lab/settings/scenario.h"
+#include "lab/settings/scenario_lines.h"
 #include "tui/control/control.h"
 
-#include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { EVENTS_MAX = 1000000, SIZE_MOST = 10000 };
+enum {
+    EVENTS_MAX = 1000000,
+    SIZE_MOST = 10000, /* cells */
+    LINE_BYTES_MAX = 1100,
+    SESSION_BYTES_MAX = 200000000
+};
+
+#define SECONDS_MOST 1e6 /* between two keys: eleven days */
 
 struct Session {
     Settings settings;
@@ -50,8 +60,8 @@ Session *session_begin(const LaboratoryOptions *options, Status *status)
     }
     session->settings = *options->settings;
     session->paused = options->paused;
-    snprintf(session->scenario, sizeof session->scenario, "%s", options->scenario);
-    snprintf(session->lesson, sizeof session->lesson, "%s", options->lesson ? options->lesson : "");
+    text_visible(session->scenario, sizeof session->scenario, options->scenario);
+    text_visible(session->lesson, sizeof session->lesson, options->lesson ? options->lesson : "");
     if (options->reached)
         memcpy(session->reached, options->reached, sizeof session->reached);
     return session;
@@ -63,7 +73,7 @@ static SessionEvent event_now(const Session *session, const Laboratory *lab, dou
     return (SessionEvent){.on_the_way = lab->screen.state == STATE_COMPUTING,
                           .step = experiment_step(experiment),
                           .stage = experiment_stage(experiment),
-                          .seconds = now > session->last ? now - session->last : 0,
+                          .seconds = fmin(fmax(now - session->last, 0), SECONDS_MOST),
                           .width = lab->width,
                           .height = lab->height,
                           .key = {.x = -1, .y = -1}};
@@ -181,22 +191,22 @@ static bool read_place(char *word, SessionEvent *event)
 static bool read_event(char *line, bool is_end, SessionEvent *event)
 {
     enum { PLACE, SECONDS, SIZE, NAME, X, Y, WORDS };
-    char *words[WORDS + 1] = {NULL}, *rest, after;
-    int count = 0;
+    char *words[WORDS + 1] = {NULL}, *rest;
+    int count = 0, size[2];
     for (char *word = strtok_r(line, " ", &rest); word && count <= WORDS; word = strtok_r(NULL, " ", &rest))
         words[count++] = word;
     *event = (SessionEvent){.is_end = is_end, .key = {.x = -1, .y = -1}};
     if (is_end ? count != NAME : count != X && count != WORDS)
         return false;
     if (!read_place(words[PLACE], event) || !text_to_double(words[SECONDS], &event->seconds) ||
-        event->seconds < 0 || strlen(words[SIZE]) > 12 ||
-        sscanf(words[SIZE], "%dx%d%c", &event->width, &event->height, &after) != 2 || event->width < 0 ||
-        event->height < 0 || event->width > SIZE_MOST || event->height > SIZE_MOST)
+        event->seconds < 0 || event->seconds > SECONDS_MOST || !text_to_size(words[SIZE], 0, SIZE_MOST, size))
         return false;
+    event->width = size[0];
+    event->height = size[1];
     if (is_end)
         return true;
     long x = -1, y = -1;
-    if (strlen(words[NAME]) >= sizeof event->key.name ||
+    if (strlen(words[NAME]) >= sizeof event->key.name || !text_is_clean(words[NAME]) ||
         (count == WORDS && (!text_to_long(words[X], &x) || !text_to_long(words[Y], &y) || x < 0 ||
                             x > SIZE_MOST || y < 0 || y > SIZE_MOST)))
         return false;
@@ -208,13 +218,14 @@ static bool read_event(char *line, bool is_end, SessionEvent *event)
 
 static bool read_reached(Session *session, const char *text, Status *status)
 {
-    char name[64], after;
-    int page;
-    if (sscanf(text, "%63s %d %c", name, &page, &after) != 2 || page < 0 || page > LESSON_PAGES_MAX)
+    const char *space = strrchr(text, ' ');
+    long page;
+    if (!space || !text_to_long(space, &page) || page < 0 || page > LESSON_PAGES_MAX)
         return status_fail(status, STATUS_USAGE, "not a page of a lesson (reached NAME PAGE)");
     for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
-        if (strcmp(builtin_lessons[i].name, name) == 0)
-            session->reached[i] = page;
+        if (strncmp(builtin_lessons[i].name, text, (size_t)(space - text)) == 0 &&
+            !builtin_lessons[i].name[space - text])
+            session->reached[i] = (int)page;
     return true;
 }
 
@@ -224,7 +235,11 @@ static bool read_line(Session *session, char *line, FILE *scenario, Status *stat
     SessionEvent event;
     if (!*line || *line == '#')
         return true;
+    if (!text_is_clean(line))
+        return status_fail(status, STATUS_USAGE, "is not text in UTF-8");
     if (*line == '|') {
+        if (ftell(scenario) > SCENARIO_BYTES_MAX)
+            return status_fail(status, STATUS_USAGE, "its scenario is too long");
         fprintf(scenario, "%s\n", line + 1 + (line[1] == ' '));
         return true;
     }
@@ -251,21 +266,13 @@ static bool read_line(Session *session, char *line, FILE *scenario, Status *stat
 
 static bool read_lines(Session *session, FILE *file, const char *name, FILE *scenario, Status *status)
 {
-    char *line = NULL;
-    size_t room = 0;
-    ssize_t length;
-    bool sound = true;
-    for (long number = 1; sound && (length = getline(&line, &room, file)) >= 0; number++) {
-        if (strlen(line) != (size_t)length)
-            sound = status_fail(status, STATUS_USAGE, "holds a zero byte");
-        line[strcspn(line, "\r\n")] = '\0';
-        sound = sound && read_line(session, line, scenario, status);
-        if (!sound)
-            status_prefix(status, "%s:%ld", name, number);
-    }
-    sound = sound && text_at_end(file, name, status);
-    free(line);
-    return sound;
+    InputLines lines = {.stream = file, .name = name};
+    char line[LINE_BYTES_MAX + 1];
+    InputGot got;
+    while ((got = input_line(&lines, line, sizeof line, status)) == INPUT_LINE && !lines.cut)
+        if (!read_line(session, line, scenario, status))
+            return status_prefix(status, "%s:%ld", name, lines.number);
+    return got != INPUT_WRONG; /* a last line that was cut when the computer stopped is dropped */
 }
 
 static bool read_scenario(Session *session, const char *name, const char *text, size_t size, Status *status)
@@ -305,11 +312,9 @@ Session *session_read_stream(FILE *file, const char *name, Status *status)
 
 Session *session_read(const char *name, Status *status)
 {
-    FILE *file = fopen(name, "re");
-    if (!file) {
-        status_fail(status, STATUS_USAGE, "%s: cannot be read: %s", name, strerror(errno));
+    FILE *file = input_open(name, SESSION_BYTES_MAX, status);
+    if (!file)
         return NULL;
-    }
     Session *session = session_read_stream(file, name, status);
     fclose(file);
     return session;

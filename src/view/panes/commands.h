@@ -4,6 +4,8 @@
 #ifndef VIEW_COMMANDS_H
 #define VIEW_COMMANDS_H
 
+#include "base/status.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -78,6 +80,7 @@ typedef struct Command {
     const char *group; /* heading in the help: "Time", "Stages", "Views", ... */
     const char *brief; /* at most 8 columns, for the bottom bar: "pause" */
     const char *help;  /* one line */
+    bool lesson; /* a lesson may ask for it: it changes the laboratory, and opens no question to write */
 } Command;
 
 /* What an argument of a line verb is, for completion. */
@@ -116,6 +119,7 @@ typedef struct LineVerb {
     const char *arguments; /* "FILE.csv [X Y]", for the help */
     LineArgument argument;
     const char *help; /* one line */
+    bool lesson;      /* as of a command */
 } LineVerb;
 
 extern const LineVerb line_verbs[];
@@ -123,6 +127,19 @@ extern const int n_line_verbs;
 
 /* The verb whose name these bytes are; NULL: none. */
 const LineVerb *line_verb_find(const char *word, size_t length);
+
+/* What a line means: LINE_VERB with what stands behind it, LINE_COMMAND, KEY=VALUE, a time or #STEP. */
+typedef struct LineMeaning {
+    enum { LINE_UNKNOWN, LINE_VERB, LINE_COMMAND, LINE_ASSIGNMENT, LINE_PLACE } kind;
+    const LineVerb *verb;
+    const Command *command;
+    const char *words; /* behind the first */
+} LineMeaning;
+
+LineMeaning line_meaning(const char *text);
+
+/* Whether a lesson may have this line done; a LessonJudge. */
+bool line_is_for_lessons(const char *text, Status *);
 
 /* Only commands that work stand in it: a row and the function that carries it out land together. */
 extern const Command commands[];

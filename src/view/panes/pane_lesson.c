@@ -72,7 +72,7 @@ static void write_list(Pen *pen, const Screen *screen)
     write_paragraphs(pen, "What shall we look at?", STYLE_NORMAL);
     for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++) {
         Lesson lesson;
-        if (!lesson_load(builtin_lessons[i].name, &lesson, NULL))
+        if (!lesson_load(builtin_lessons[i].name, line_is_for_lessons, &lesson, NULL))
             continue;
         const bool chosen = i == screen->lesson.chosen;
         const Style style = chosen ? STYLE_SELECTED : STYLE_NORMAL;

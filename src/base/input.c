@@ -1,0 +1,92 @@
+#include "base/input.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static bool cannot_read(const char *name, Status *status)
+{
+    const int why = errno ? errno : EIO;
+    status_fail(status, STATUS_USAGE, "%s: cannot be read: %s", name, strerror(why));
+    errno = why;
+    return false;
+}
+
+/* What was opened without waiting is a file, and reads on as files do. */
+static bool is_file(int descriptor, const char *name, long most, Status *status)
+{
+    struct stat what;
+    if (fstat(descriptor, &what) != 0)
+        return cannot_read(name, status);
+    errno = S_ISDIR(what.st_mode) ? EISDIR : 0;
+    if (errno)
+        return cannot_read(name, status);
+    if (!S_ISREG(what.st_mode))
+        return status_fail(status, STATUS_USAGE, "%s: is a pipe or a device (a file is wanted)", name);
+    if (what.st_size > most)
+        return status_fail(status, STATUS_USAGE, "%s: is too large (at most %ld kB)", name, most / 1000);
+    const int flags = fcntl(descriptor, F_GETFL);
+    return (flags >= 0 && fcntl(descriptor, F_SETFL, flags & ~O_NONBLOCK) == 0) || cannot_read(name, status);
+}
+
+FILE *input_open(const char *name, long most, Status *status)
+{
+    const int descriptor = open(name, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    if (descriptor < 0) {
+        cannot_read(name, status);
+        return NULL;
+    }
+    if (is_file(descriptor, name, most, status)) {
+        FILE *stream = fdopen(descriptor, "r");
+        if (stream)
+            return stream;
+        cannot_read(name, status);
+    }
+    const int why = errno;
+    close(descriptor);
+    errno = why;
+    return NULL;
+}
+
+FILE *input_text(const char *text, const char *name, Status *status)
+{
+    FILE *stream = fmemopen((void *)text, strlen(text), "r");
+    if (!stream)
+        status_fail(status, STATUS_FAILED, "%s: not enough memory to read it", name);
+    return stream;
+}
+
+InputGot input_line(InputLines *lines, char *line, size_t size, Status *status)
+{
+    size_t length = 0;
+    int byte;
+    errno = 0;
+    while ((byte = getc(lines->stream)) != EOF && byte != '\n') {
+        if (length == 0)
+            lines->number++;
+        if (byte == '\0') {
+            status_fail(status, STATUS_USAGE, "%s:%ld: holds a zero byte (text is wanted)", lines->name,
+                        lines->number);
+            return INPUT_WRONG;
+        }
+        if (length + 1 == size) {
+            status_fail(status, STATUS_USAGE, "%s:%ld: the line is too long (at most %zu bytes)", lines->name,
+                        lines->number, size - 1);
+            return INPUT_WRONG;
+        }
+        line[length++] = (char)byte;
+    }
+    if (ferror(lines->stream)) {
+        cannot_read(lines->name, status);
+        return INPUT_WRONG;
+    }
+    if (byte == EOF && length == 0)
+        return INPUT_END;
+    lines->number += length == 0;
+    lines->cut = byte == EOF;
+    length -= length > 0 && line[length - 1] == '\r';
+    line[length] = '\0';
+    return INPUT_LINE;
+}

@@ -1,0 +1,35 @@
+/* Files from outside, opened and read line by line. Opening never waits and never takes anything but a file:
+ * of a pipe that nobody writes to, of a device or of a folder one line tells. A line and a file have a size
+ * beyond which they are refused, so that a wrong file fills no memory. */
+#ifndef BASE_INPUT_H
+#define BASE_INPUT_H
+
+#include "base/status.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+/* Opens a file of at most `most` bytes to be read, from its beginning. NULL: the status says why, with exit
+ * status 2, and errno is that of the system (ENOENT: there is no such file), 0 where the file itself is
+ * refused. */
+FILE *input_open(const char *name, long most, Status *);
+
+/* Opens a text of the program itself in the same way. NULL: no memory. */
+FILE *input_text(const char *text, const char *name, Status *);
+
+/* Where reading of lines stands; begins as {.stream = ..., .name = ...}. */
+typedef struct InputLines {
+    FILE *stream;
+    const char *name; /* for errors */
+    long number;      /* of the last line, from 1 on */
+    bool cut;         /* it ended with the file and not with a line end */
+} InputLines;
+
+typedef enum InputGot { INPUT_LINE, INPUT_END, INPUT_WRONG } InputGot;
+
+/* Reads the next line without its end (LF or CR LF). INPUT_WRONG: it is longer than size - 1 bytes, holds a
+ * zero byte or cannot be read; the status says so as "NAME:NUMBER: ...". */
+InputGot input_line(InputLines *, char *line, size_t size, Status *);
+
+#endif
