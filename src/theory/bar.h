@@ -43,6 +43,7 @@ typedef enum MeshShape { MESH_HAT, MESH_GIMP, MESH_BSPLINE2, MESH_BSPLINE3 } Mes
 typedef struct BarMesh {
     double cell_size;
     int particles_per_cell;
+    int padding; /* cells beyond each free end */
     MeshAlgorithm algorithm;
     MeshShape shape;
     bool apic;
@@ -50,13 +51,13 @@ typedef struct BarMesh {
     double dt;
 } BarMesh;
 
-/* Discrete frequency and decay of one wave number. */
+/* Discrete frequency and decay of one wave number in an endless mesh. */
 typedef struct Dispersion {
-    bool known;        /* false: no formula for this mesh, or the step is beyond the stability limit */
+    bool known;        /* false: shorter than two cells, or the step is beyond the stability limit */
     double space_only; /* omega_h: the mesh without time stepping */
     double frequency;  /* Omega, as a run shows it */
     double decay;      /* amplitude ~ exp(-decay t) */
-    double filter;     /* F: what particle -> node -> particle leaves of the wave */
+    double filter;     /* F: what particle -> node -> particle leaves of the wave (APIC: Fa) */
 } Dispersion;
 
 Dispersion bar_dispersion(const BarTheory *bar, const BarMesh *mesh, double wave_number);
@@ -67,8 +68,8 @@ bool bar_centre_velocity_is_predicted(const BarTheory *bar, const BarMesh *mesh)
 /* The predicted v_cm at step k (t = k dt), summed over the modes. */
 double bar_predicted_centre_velocity(const BarTheory *bar, const BarMesh *mesh, long k);
 
-/* The largest courant number dt c / dx at which no wave of the mesh grows: the least over the angles of the
- * mesh's dispersion relation. mesh->dt does not matter. NAN where no formula is known (bspline3). */
-double bar_largest_courant(const BarMesh *mesh);
+/* The largest courant number dt c / dx at which no wave of the endless mesh grows: the least over the angles
+ * of the mesh's dispersion relation. mesh->dt does not matter. (Of a bar with its ends: step_limit.h.) */
+double bar_endless_courant(const BarMesh *mesh);
 
 #endif

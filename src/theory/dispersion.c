@@ -2,74 +2,101 @@
  *
  * On a regular mesh whose particles have not moved, a wave of angle theta = beta dx per cell keeps its form
  * in a step, and only two numbers change: the amplitude of the particles' velocity and that of their stress.
+ * Four numbers of the angle say how:
  *
- *     s = sin(theta/2),   w^2 = (c/dx)^2 K(s),   F(s) = what particle -> node -> particle leaves
- *     USF, MUSL:  trace = g + 1 - F dt^2 w^2,  determinant = g
- *     USL:        trace = g + 1 - dt^2 w^2,    determinant = g (1 - dt^2 w^2) + F dt^2 w^2
- *     g = alpha + (1 - alpha) F
+ *     K  stiffness: (c/dx)^2 K is the square of the frequency of lumped finite elements
+ *     T  nodal velocity that moves the particles, over p / m
+ *     W  nodal velocity that comes back through the particles, over p / m
+ *     g  what is left of the grid's velocity when it has gone to the particles and back without force
+ *     z = (c dt/dx)^2 K
+ *     USF, MUSL:  trace = g + 1 - z W,  determinant = g
+ *     USL:        trace = g + 1 - z T,  determinant = g (1 - z T) + z W
  *
- * trace and determinant are those of the 2x2 matrix of the step; its eigenvalues exp((-decay +- i Omega) dt)
- * are the answer: Omega = acos(trace / (2 sqrt(determinant)))/dt, decay = -log(determinant)/(2 dt). Nodes
- * take only F of what particles do, which is most of paper M's 5 % and 20 %. */
+ *                    T    W    g
+ *     FLIP, PIC      1    F    alpha + (1 - alpha) F
+ *     APIC           1    Fa   Fa
+ *
+ * F is the filter from particle to node and back, Fa the same with the affine motion (1 for hats). Nodes take
+ * only F of what particles do, which is most of paper M's 5 % and 20 %. trace and determinant are those of
+ * the 2x2 matrix of the step; its eigenvalues exp((-decay +- i Omega) dt) are the answer:
+ * Omega = acos(trace / (2 sqrt(determinant)))/dt, decay = -log(determinant)/(2 dt). */
 #include "theory/bar.h"
+#include "theory/bar_rest.h"
 #include "theory/quiet.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_min.h>
 #include <math.h>
 
-/* F and K at one angle. False: no formula for this shape and transfer. */
-static bool mesh_response(const BarMesh *mesh, double theta, double *filter, double *stiffness)
+typedef struct Response {
+    double stiffness; /* K */
+    double moves;     /* T */
+    double returns;   /* W */
+    double kept;      /* g */
+} Response;
+
+/* K, F and Fa of any shape. In an endless mesh the matrices of bar_rest.h repeat a row b(-p) .. b(p), and a
+ * wave meets the sum b(0) + 2 sum b(d) cos(d theta). Rows of M add up to 1, those of K to 0, which leaves
+ *
+ *     F = 1 - 4 sum M(d) sin^2(d theta/2),   K = -4 sum K(d) sin^2(d theta/2) */
+typedef struct Rows {
+    double carried[REST_SUPPORT_MAX], stiffness[REST_SUPPORT_MAX]; /* by d */
+} Rows;
+
+static Rows rows_of(const BarMesh *mesh)
 {
-    double s = sin(theta / 2), s2 = s * s;
-    double per_cell = mesh->particles_per_cell;
-    double p2 = 1 / (per_cell * per_cell);
-    if (mesh->apic) {
-        /* with the hat function the affine velocity of a particle is exactly that of its two nodes */
-        *filter = 1;
-        *stiffness = 4 * s2;
-        return mesh->shape == MESH_HAT;
+    enum { FAR = 3 }; /* cells to each end */
+    const BarRest endless = {.per_cell = mesh->particles_per_cell,
+                             .degree = bar_rest_degree(mesh->shape),
+                             .mesh_cells = 2 * FAR + 1};
+    Rows rows = {.carried = {0}};
+    for (int j = 0; j < endless.per_cell; j++) {
+        double n[REST_SUPPORT_MAX], slope[REST_SUPPORT_MAX], arm[REST_SUPPORT_MAX], spread = 0;
+        bar_rest_weights(&endless, FAR, j, n, slope, arm);
+        for (int a = 0; a <= endless.degree; a++)
+            spread += n[a] * arm[a] * arm[a];
+        for (int a = 0; a <= endless.degree; a++)
+            for (int b = 0; b < a; b++) {
+                const double lean = mesh->apic ? n[a] * arm[a] * n[b] * arm[b] / spread : 0;
+                /* a particle between two nodes takes exactly their velocities with it: no rounding is kept */
+                if (!mesh->apic || endless.degree > 1)
+                    rows.carried[a - b] += (n[a] * n[b] + lean) / endless.per_cell;
+                rows.stiffness[a - b] += slope[a] * slope[b] / endless.per_cell;
+            }
     }
-    switch (mesh->shape) {
-    case MESH_HAT:
-    case MESH_GIMP:
-        *filter = 1 - (1.0 / 3 + p2 / 6) * 2 * s2;
-        *stiffness = 4 * s2;
-        return true;
-    case MESH_BSPLINE2:
-        *filter = 1 - s2 + 4 * s2 * s2 * (1.0 / 30 + 7 * p2 * p2 / 240);
-        *stiffness = 4 * s2 * (1 - 4 * s2 * (1.0 / 6 + p2 / 12));
-        return true;
-    case MESH_BSPLINE3:
-        break;
-    }
-    return false;
+    return rows;
 }
 
-/* How much of its velocity a particle keeps where the grid gives it the rest: g. */
-static double kept(const BarMesh *mesh, double filter)
+static Response response_of(const BarMesh *mesh, const Rows *rows, double theta)
 {
-    double alpha = mesh->apic ? 0 : mesh->flip_fraction;
-    return alpha + (1 - alpha) * filter;
+    const double alpha = bar_mesh_flip(mesh);
+    double returns = 1, stiffness = 0;
+    for (int d = 1; d < REST_SUPPORT_MAX; d++) {
+        const double s = sin(d * theta / 2);
+        returns -= 4 * s * s * rows->carried[d];
+        stiffness -= 4 * s * s * rows->stiffness[d];
+    }
+    return (Response){
+        .stiffness = stiffness, .moves = 1, .returns = returns, .kept = alpha + (1 - alpha) * returns};
 }
 
 Dispersion bar_dispersion(const BarTheory *bar, const BarMesh *mesh, double wave_number)
 {
     Dispersion wave = {.known = false, .space_only = NAN, .frequency = NAN, .decay = NAN, .filter = NAN};
     double theta = fabs(wave_number) * mesh->cell_size;
-    double filter, stiffness;
     /* a wave shorter than two cells looks to the nodes like a longer one, and does not keep its form */
-    if (!(theta <= M_PI * (1 + 1e-12)) || !mesh_response(mesh, theta, &filter, &stiffness))
+    if (!(theta <= M_PI * (1 + 1e-12)))
         return wave;
+    const Rows rows = rows_of(mesh);
+    const Response response = response_of(mesh, &rows, theta);
     double rate = bar_wave_speed(bar) / mesh->cell_size;
-    wave.filter = filter;
-    wave.space_only = rate * sqrt(fmax(0, filter * stiffness));
+    wave.filter = response.returns;
+    wave.space_only = rate * sqrt(fmax(0, response.returns * response.stiffness));
 
-    double w2dt2 = stiffness * rate * rate * mesh->dt * mesh->dt;
-    double g = kept(mesh, filter);
+    double z = response.stiffness * rate * rate * mesh->dt * mesh->dt, g = response.kept;
     bool last = mesh->algorithm == MESH_USL;
-    double pull = last ? w2dt2 : filter * w2dt2;   /* trace = g + 1 - pull */
-    double loss = last ? (g - filter) * w2dt2 : 0; /* determinant = g - loss */
+    double pull = last ? response.moves * z : response.returns * z;       /* trace = g + 1 - pull */
+    double loss = last ? (g * response.moves - response.returns) * z : 0; /* determinant = g - loss */
     double trace = g + 1 - pull, determinant = g - loss;
     if (!(mesh->dt > 0) || fabs(trace) > (1 + determinant) * (1 + 1e-12) || fabs(determinant) > 1 + 1e-12)
         return wave;
@@ -141,21 +168,26 @@ double bar_predicted_centre_velocity(const BarTheory *bar, const BarMesh *mesh, 
 
 /* The square of the courant number at which the wave of this angle begins to grow: there the trace comes to
  * -(1 + determinant), that is an eigenvalue to -1. The determinant alone never passes 1, as F <= g <= 1. */
+typedef struct Endless {
+    BarMesh mesh;
+    Rows rows;
+} Endless;
+
 static double limit_of_angle(double theta, void *context)
 {
-    const BarMesh *mesh = context;
-    double filter, stiffness;
-    mesh_response(mesh, theta, &filter, &stiffness);
-    double g = kept(mesh, filter);
-    double drive = stiffness * (mesh->algorithm == MESH_USL ? 1 + g - filter : filter);
-    return drive > 0 ? 2 * (1 + g) / drive : INFINITY;
+    const Endless *endless = context;
+    const BarMesh *mesh = &endless->mesh;
+    const Response r = response_of(mesh, &endless->rows, theta);
+    const double drive =
+        r.stiffness * (mesh->algorithm == MESH_USL ? (1 + r.kept) * r.moves - r.returns : r.returns);
+    return drive > 0 ? 2 * (1 + r.kept) / drive : INFINITY;
 }
 
 /* Brent's method from three angles of which the middle one is the lowest; that one where memory is short. */
-static double refined_minimum(BarMesh *mesh, const double angles[3], const double values[3])
+static double refined_minimum(Endless *endless, const double angles[3], const double values[3])
 {
     double least = values[1];
-    gsl_function function = {limit_of_angle, mesh};
+    gsl_function function = {limit_of_angle, endless};
     quiet_begin();
     gsl_min_fminimizer *search = gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent);
     if (search) {
@@ -170,14 +202,11 @@ static double refined_minimum(BarMesh *mesh, const double angles[3], const doubl
     return least;
 }
 
-double bar_largest_courant(const BarMesh *mesh)
+double bar_endless_courant(const BarMesh *mesh)
 {
-    double filter, stiffness;
-    if (!mesh_response(mesh, 1, &filter, &stiffness))
-        return NAN;
     /* a scan finds the worst angle, Brent's method its place */
     enum { ANGLES = 1024 };
-    BarMesh copy = *mesh;
+    Endless copy = {*mesh, rows_of(mesh)};
     int worst = ANGLES;
     double least = limit_of_angle(M_PI, &copy);
     for (int i = 1; i < ANGLES; i++) {

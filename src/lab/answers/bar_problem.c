@@ -100,7 +100,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
                     false);
     derived_add(out, &n, "cells", "cells", "1", cells, true);
     derived_add(out, &n, "particles", "particles", "1", cells * settings->mesh.particles_per_cell, true);
-    double largest = bar_largest_courant(&mesh);
+    double largest = bar_endless_courant(&mesh);
     if (isfinite(largest))
         derived_add(out, &n, "largest_courant", "courant limit", "1", largest, false);
     return n;
@@ -112,7 +112,7 @@ static bool advice(const Settings *settings, char *text, size_t size, Status *st
     if (!bar_theory_of(settings, &theory, status))
         return false;
     BarMesh mesh = bar_mesh_of(settings, bar_time_step(settings));
-    double courant = settings->time.courant, largest = bar_largest_courant(&mesh);
+    double courant = settings->time.courant, largest = bar_endless_courant(&mesh);
     double warn = settings->mpm.algorithm == MPM_USL ? 0.7 : 1;
     if (courant > largest)
         return status_fail(status, STATUS_USAGE, "time.courant: %.6g is unstable on this mesh (at most %.5g)",

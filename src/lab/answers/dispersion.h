@@ -22,7 +22,7 @@ typedef struct ModeFactor {
 /* One mode. predicted/exact is the product of the factors. */
 typedef struct ModeOnMesh {
     double exact;     /* omega_n of the continuum, radians per unit time */
-    double predicted; /* of this mesh and time step, away from free ends; NAN: no formula, or such a wave does
+    double predicted; /* of this mesh and time step, away from the ends; NAN: such a wave does
                        * not swing */
     int n_factors;
     ModeFactor factors[MODE_FACTORS_MAX];

@@ -126,7 +126,7 @@ static void mode_lines(const Screen *screen, bool brief, char first[160], char s
         return;
     if (!found || isnan(mode.predicted)) {
         snprintf(second, 160,
-                 found ? "no formula predicts this shape of the mesh" : "too short a wave for this mesh");
+                 found ? "such a wave does not swing with this time step" : "too short a wave for this mesh");
         return;
     }
     /* the readout's prediction knows of free ends, the curve does not */

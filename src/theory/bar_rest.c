@@ -1,0 +1,158 @@
+#include "theory/bar_rest.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+double bar_mesh_flip(const BarMesh *mesh)
+{
+    return mesh->apic ? 0 : mesh->flip_fraction;
+}
+
+int bar_rest_degree(MeshShape shape)
+{
+    return shape == MESH_BSPLINE2 ? 2 : shape == MESH_BSPLINE3 ? 3 : 1;
+}
+
+/* --- B-splines ------------------------------------------------------------------------------------ */
+
+/* Knots as seen from the left edge of a cell: whole numbers, so that nothing is lost far from x = 0. */
+typedef struct Knots {
+    int degree, cells, cell;
+} Knots;
+
+static double knot(const Knots *knots, int i)
+{
+    const int edge = i - knots->degree;
+    return (edge < 0 ? 0 : edge > knots->cells ? knots->cells : edge) - knots->cell;
+}
+
+/* N of degree d that begins at knot i:
+ *     N_i,0 = 1 in [k_i, k_i+1)
+ *     N_i,d = (x - k_i)/(k_i+d - k_i) N_i,d-1 + (k_i+d+1 - x)/(k_i+d+1 - k_i+1) N_i+1,d-1,   0/0 = 0 */
+static double spline(const Knots *knots, int d, int i, double x)
+{
+    if (d == 0)
+        return knot(knots, i) <= x && x < knot(knots, i + 1) ? 1 : 0;
+    const double left = knot(knots, i + d) - knot(knots, i);
+    const double right = knot(knots, i + d + 1) - knot(knots, i + 1);
+    double sum = 0;
+    if (left > 0)
+        sum += (x - knot(knots, i)) / left * spline(knots, d - 1, i, x);
+    if (right > 0)
+        sum += (knot(knots, i + d + 1) - x) / right * spline(knots, d - 1, i + 1, x);
+    return sum;
+}
+
+/* N' = d (N_i,d-1 / (k_i+d - k_i) - N_i+1,d-1 / (k_i+d+1 - k_i+1)) */
+static double spline_slope(const Knots *knots, int d, int i, double x)
+{
+    const double left = knot(knots, i + d) - knot(knots, i);
+    const double right = knot(knots, i + d + 1) - knot(knots, i + 1);
+    return (left > 0 ? d * spline(knots, d - 1, i, x) / left : 0) -
+           (right > 0 ? d * spline(knots, d - 1, i + 1, x) / right : 0);
+}
+
+/* The Greville abscissa: the mean of the inner knots. */
+static double spline_place(const Knots *knots, int i)
+{
+    double sum = 0;
+    for (int d = 1; d <= knots->degree; d++)
+        sum += knot(knots, i + d);
+    return sum / knots->degree;
+}
+
+void bar_rest_weights(const BarRest *rest, int cell, int j, double n[REST_SUPPORT_MAX],
+                      double slope[REST_SUPPORT_MAX], double arm[REST_SUPPORT_MAX])
+{
+    const Knots knots = {rest->degree, rest->mesh_cells, cell + rest->origin};
+    const double x = (j + 0.5) / rest->per_cell;
+    for (int a = 0; a <= rest->degree; a++) {
+        const int i = knots.cell + a;
+        if (n)
+            n[a] = spline(&knots, rest->degree, i, x);
+        if (slope)
+            slope[a] = spline_slope(&knots, rest->degree, i, x);
+        if (arm)
+            arm[a] = spline_place(&knots, i) - x;
+    }
+}
+
+/* --- matrices ------------------------------------------------------------------------------------- */
+
+/* Adds scale a a^T over the nodes that are kept; `first`: the index of a[0] among them. */
+static void add_outer(const BarRest *rest, double *band, int first, const double *a, double scale)
+{
+    for (int r = 0; r <= rest->degree; r++)
+        for (int c = 0; c <= r; c++)
+            if (first + c >= 0 && first + r < rest->nodes)
+                band[(first + r) * (rest->reach + 1) + r - c] += scale * a[r] * a[c];
+}
+
+static void assemble(BarRest *rest, bool apic)
+{
+    const double part = 1.0 / rest->per_cell;
+    for (int cell = 0; cell < rest->cells; cell++)
+        for (int j = 0; j < rest->per_cell; j++) {
+            const int first = cell + rest->origin - rest->first_node;
+            double n[REST_SUPPORT_MAX], slope[REST_SUPPORT_MAX], arm[REST_SUPPORT_MAX], spread = 0;
+            bar_rest_weights(rest, cell, j, n, slope, arm);
+            add_outer(rest, rest->carried, first, n, part);
+            add_outer(rest, rest->stiffness, first, slope, part);
+            for (int a = 0; a <= rest->degree; a++) {
+                if (first + a >= 0 && first + a < rest->nodes)
+                    rest->mass[first + a] += part * n[a];
+                spread += n[a] * arm[a] * arm[a];
+                arm[a] *= n[a];
+            }
+            if (apic)
+                add_outer(rest, rest->carried, first, arm, part / spread);
+        }
+}
+
+bool bar_rest_make(BarRest *rest, const BarTheory *bar, const BarMesh *mesh, int cells)
+{
+    /* further from the bar's end than two cells, the open knots at the mesh's end touch no function of it */
+    const int padding = mesh->padding < 2 ? mesh->padding : 2;
+    const int degree = bar_rest_degree(mesh->shape);
+    *rest =
+        (BarRest){.cells = cells, .per_cell = mesh->particles_per_cell, .degree = degree, .reach = degree};
+    rest->origin = bar->left_fixed ? 0 : padding;
+    rest->mesh_cells = rest->origin + cells + (bar->right_fixed ? 0 : padding);
+    /* the nodes that the bar's cells touch, less the one that each support holds */
+    rest->first_node = rest->origin + (bar->left_fixed ? 1 : 0);
+    rest->nodes = rest->origin + cells + degree - (bar->right_fixed ? 1 : 0) - rest->first_node;
+    if (rest->nodes < 1)
+        return false;
+    const size_t n = (size_t)rest->nodes, band = n * (size_t)(rest->reach + 1);
+    rest->mass = calloc(n + 2 * band, sizeof *rest->mass);
+    if (!rest->mass)
+        return false;
+    rest->carried = rest->mass + n;
+    rest->stiffness = rest->carried + band;
+    assemble(rest, mesh->apic);
+    return true;
+}
+
+void bar_rest_free(BarRest *rest)
+{
+    free(rest->mass);
+}
+
+void bar_rest_sample(const BarRest *rest, const BarTheory *bar, int number, double *velocity)
+{
+    const double part = 1.0 / rest->per_cell, cell_size = bar->length / rest->cells;
+    memset(velocity, 0, (size_t)rest->nodes * sizeof *velocity);
+    for (int cell = 0; cell < rest->cells; cell++)
+        for (int j = 0; j < rest->per_cell; j++) {
+            double n[REST_SUPPORT_MAX];
+            bar_rest_weights(rest, cell, j, n, NULL, NULL);
+            const int first = cell + rest->origin - rest->first_node;
+            const double v = bar_mode_shape(bar, number, (cell + (j + 0.5) / rest->per_cell) * cell_size);
+            for (int a = 0; a <= rest->degree; a++)
+                if (first + a >= 0 && first + a < rest->nodes)
+                    velocity[first + a] += part * v * n[a];
+        }
+    for (int i = 0; i < rest->nodes; i++)
+        velocity[i] /= rest->mass[i];
+}

@@ -1,0 +1,49 @@
+/* The particles of a bar at rest and the matrices that they make on its mesh: what one time step does to a
+ * motion so small that no weight changes.
+ *
+ * All shape functions are written as B-splines of degree p by their definition, the recursion of Cox and de
+ * Boor on the open knots of the mesh (p = 1: the hat). uGIMP's particles at rest touch no edge of their cell,
+ * so that their weights are the hat's. Physics computes the same functions in another way; neither knows the
+ * other.
+ *
+ * Lengths are in cells, masses in rho dx, stiffnesses in E/dx; a time step is then the courant number, and a
+ * frequency is one of dx/c. Only nodes that are free and have mass are kept, counted from 0. A band matrix is
+ * stored by rows: B(i, i - d) at [i * (reach + 1) + d], d = 0 .. reach; what lies left of it is 0. */
+#ifndef THEORY_BAR_REST_H
+#define THEORY_BAR_REST_H
+
+#include "theory/bar.h"
+
+enum { REST_SUPPORT_MAX = 4 };
+
+typedef struct BarRest {
+    int cells, per_cell;    /* of the bar */
+    int degree;             /* p of the shape functions; a cell touches p + 1 nodes */
+    int origin, mesh_cells; /* cells before the bar; cells in all */
+    int first_node, nodes;  /* those that are kept: first_node .. first_node + nodes - 1 of the mesh */
+    int reach;              /* half-width of the bands */
+    double *mass;           /* M_l = sum m N, the lumped mass */
+    double *carried;        /* the mass that comes back from particles: M_c = sum m N N^T, with APIC's affine
+                               motion M_c + sum m (N d)(N d)^T / sum N d^2, d from particle to node */
+    double *stiffness;      /* K = sum V N' N'^T */
+} BarRest;
+
+/* The weights of particle j (0 to per_cell - 1) of a cell of the bar, for the nodes from `cell + origin` of
+ * the mesh on; NULL: not wanted. arm: from the particle to the node (its Greville abscissa). */
+void bar_rest_weights(const BarRest *, int cell, int j, double n[REST_SUPPORT_MAX],
+                      double slope[REST_SUPPORT_MAX], double arm[REST_SUPPORT_MAX]);
+
+/* `cells` cells of the bar with its own ends. False: not enough memory, or no node is free. */
+bool bar_rest_make(BarRest *, const BarTheory *, const BarMesh *, int cells);
+void bar_rest_free(BarRest *);
+
+/* Nodal velocities sum m N phi / M_l of a mode of unit velocity. */
+void bar_rest_sample(const BarRest *, const BarTheory *, int number, double *velocity);
+
+/* The degree of the splines that a shape's weights at rest are: 1, 2, 3. */
+int bar_rest_degree(MeshShape);
+
+/* How much of the particles' velocity of the last step is kept beside the grid's: alpha; 0 with APIC. */
+double bar_mesh_flip(const BarMesh *);
+
+#endif

@@ -1,0 +1,96 @@
+/* With D = M_l^(-1/2) M M_l^(-1/2) = Q diag(d) Q^T the operator becomes Q diag(z) Q^T on both sides of the
+ * scaled stiffness, and
+ *
+ *     lambda_max = that of diag(z)^(1/2) Q^T M_l^(-1/2) K M_l^(-1/2) Q diag(z)^(1/2)
+ *     z = d / ((1 + alpha)(1 + gamma d)) for USF and MUSL, 1 less it for USL
+ *
+ * so that two symmetric eigenproblems over the nodes do it, dense because no iteration may be trusted: the
+ * top of this spectrum is crowded. */
+#include "theory/step_limit.h"
+#include "theory/bar_rest.h"
+#include "theory/quiet.h"
+
+#include <gsl/gsl_blas.h>
+#include <gsl/gsl_eigen.h>
+#include <math.h>
+
+enum { CELLS_MOST = 32 };
+
+/* M_l^(-1/2) B M_l^(-1/2) of a band B. */
+static void scaled(const BarRest *rest, const double *band, gsl_matrix *out)
+{
+    gsl_matrix_set_zero(out);
+    for (int i = 0; i < rest->nodes; i++)
+        for (int d = 0; d <= rest->reach && d <= i; d++) {
+            const double x = band[i * (rest->reach + 1) + d] / sqrt(rest->mass[i]) / sqrt(rest->mass[i - d]);
+            gsl_matrix_set(out, (size_t)i, (size_t)(i - d), x);
+            gsl_matrix_set(out, (size_t)(i - d), (size_t)i, x);
+        }
+}
+
+typedef struct Workspace {
+    gsl_matrix *matrix, *basis, *product;
+    gsl_vector *values;
+    gsl_eigen_symmv_workspace *with_vectors;
+    gsl_eigen_symm_workspace *alone;
+} Workspace;
+
+static bool reserve(Workspace *work, size_t n)
+{
+    *work = (Workspace){gsl_matrix_alloc(n, n), gsl_matrix_alloc(n, n),   gsl_matrix_alloc(n, n),
+                        gsl_vector_alloc(n),    gsl_eigen_symmv_alloc(n), gsl_eigen_symm_alloc(n)};
+    return work->matrix && work->basis && work->product && work->values && work->with_vectors && work->alone;
+}
+
+static void release(Workspace *work)
+{
+    gsl_matrix_free(work->matrix);
+    gsl_matrix_free(work->basis);
+    gsl_matrix_free(work->product);
+    gsl_vector_free(work->values);
+    gsl_eigen_symmv_free(work->with_vectors);
+    gsl_eigen_symm_free(work->alone);
+}
+
+static double largest_eigenvalue(const BarRest *rest, const BarMesh *mesh, Workspace *work)
+{
+    const double alpha = bar_mesh_flip(mesh), gamma = (1 - alpha) / (1 + alpha);
+    scaled(rest, rest->carried, work->matrix);
+    if (gsl_eigen_symmv(work->matrix, work->values, work->basis, work->with_vectors))
+        return NAN;
+    for (size_t k = 0; k < (size_t)rest->nodes; k++) {
+        const double d = gsl_vector_get(work->values, k), first = d / ((1 + alpha) * (1 + gamma * d));
+        const double z = mesh->algorithm == MESH_USL ? 1 - first : first;
+        gsl_vector_view column = gsl_matrix_column(work->basis, k);
+        gsl_vector_scale(&column.vector, sqrt(fmax(0, z)));
+    }
+    scaled(rest, rest->stiffness, work->matrix);
+    gsl_blas_dgemm(CblasNoTrans, CblasNoTrans, 1, work->matrix, work->basis, 0, work->product);
+    gsl_blas_dgemm(CblasTrans, CblasNoTrans, 1, work->basis, work->product, 0, work->matrix);
+    return gsl_eigen_symm(work->matrix, work->values, work->alone) ? NAN : gsl_vector_max(work->values);
+}
+
+double step_limit_with_ends(const BarTheory *bar, const BarMesh *mesh)
+{
+    const double cells = round(bar->length / mesh->cell_size);
+    const int kept = cells < CELLS_MOST ? (int)cells : CELLS_MOST;
+    BarRest rest;
+    Workspace work;
+    double limit = NAN;
+    quiet_begin();
+    if (bar_rest_make(&rest, bar, mesh, kept)) {
+        if (reserve(&work, (size_t)rest.nodes))
+            limit = sqrt(2 / largest_eigenvalue(&rest, mesh, &work));
+        release(&work);
+    } else if (rest.nodes < 1) {
+        limit = INFINITY;
+    }
+    bar_rest_free(&rest);
+    quiet_end();
+    return limit;
+}
+
+double step_limit(const BarTheory *bar, const BarMesh *mesh)
+{
+    return fmin(step_limit_with_ends(bar, mesh), bar_endless_courant(mesh));
+}

@@ -1,0 +1,26 @@
+/* The largest courant number dt c / dx with which a bar at rest on its mesh stays bounded.
+ *
+ * The eigenvalues of the linearised step first leave the unit circle at -1, and there the problem is
+ * symmetric:
+ *
+ *     courant^2 = 2 / lambda_max(Z K)       USF, MUSL
+ *     courant^2 = 2 / lambda_max((T - Z) K) USL
+ *     T = M_l^-1,   Z = T M (M_l + gamma M)^-1 M_l T / (1 + alpha),   gamma = (1 - alpha)/(1 + alpha)
+ *
+ * with M the mass that particles carry back (bar_rest.h) and alpha the flip fraction (0 with APIC). A wave
+ * in an endless mesh has its own limit (bar_endless_courant); the ends lower it by up to 40 % for B-splines.
+ *
+ * It is the limit at rest: a node that has lost nearly all its mass to a crossing lowers it. */
+#ifndef THEORY_STEP_LIMIT_H
+#define THEORY_STEP_LIMIT_H
+
+#include "theory/bar.h"
+
+/* On the bar with its supports and padding; of a longer bar the ends with 32 cells between them. INFINITY
+ * where no node is free; NAN: not enough memory. */
+double step_limit_with_ends(const BarTheory *, const BarMesh *);
+
+/* The smaller of it and the endless mesh's: what a run keeps to. */
+double step_limit(const BarTheory *, const BarMesh *);
+
+#endif
