@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 enum { SCENE_KEYS = 4, LINE_BYTES_MAX = 4096, SCRIPT_BYTES_MAX = 100000000 };
 
@@ -18,10 +19,13 @@ struct Player {
     Laboratory lab;
     Canvas canvas;
     int width, height;
-    double time;    /* virtual */
-    double rate;    /* steps per second; 0: without limit */
-    char scene[80]; /* of a lecture, under way; "": none */
-    int scene_keys; /* that it has cost */
+    double time; /* virtual */
+    double rate; /* steps per second; 0: without limit */
+    double
+        patience; /* real seconds that an instruction may take for work that is not cut into frames; 0: all */
+    struct timespec begun; /* when the instruction began */
+    char scene[80];        /* of a lecture, under way; "": none */
+    int scene_keys;        /* that it has cost */
 };
 
 static double now(void *context)
@@ -38,8 +42,12 @@ static void worked(void *context, long steps)
 
 static bool go_on(void *context)
 {
-    (void)context;
-    return true;
+    const Player *player = context;
+    struct timespec at;
+    clock_gettime(CLOCK_MONOTONIC, &at);
+    const double spent =
+        (double)(at.tv_sec - player->begun.tv_sec) + 1e-9 * (double)(at.tv_nsec - player->begun.tv_nsec);
+    return player->patience == 0 || spent < player->patience;
 }
 
 static void nothing(void *context)
@@ -170,6 +178,14 @@ static bool do_rate(Player *player, char *rest, Status *status)
     return true;
 }
 
+static bool do_patience(Player *player, char *rest, Status *status)
+{
+    char end;
+    if (sscanf(rest, "%lf%c", &player->patience, &end) != 1 || !(player->patience >= 0))
+        return status_fail(status, STATUS_USAGE, "patience: not a number of seconds: %s", rest);
+    return true;
+}
+
 static bool print(Player *player, const char *name, bool styles, Status *status)
 {
     if (!draw(player, status))
@@ -238,6 +254,9 @@ const ScriptInstruction script_instructions[] = {
     {"size", "WIDTHxHEIGHT", "resizes the screen", do_size},
     {"rate", "STEPS", "the engine does that many steps in a second; 0, as at first: as many as are asked for",
      do_rate},
+    {"patience", "SECONDS",
+     "work that is not cut into frames is given up after so long, as by ^C; 0, as at first: never",
+     do_patience},
     {"screen", "[NAME]", "prints the screen, under a line with the name", do_screen},
     {"styles", "[NAME]", "prints its styles, one letter a cell", do_styles},
     {"expect", "TEXT", "the text is on the screen, within one line", do_expect},
@@ -248,6 +267,7 @@ const ScriptInstruction script_instructions[] = {
 
 static bool play_line(Player *player, char *line, Status *status)
 {
+    clock_gettime(CLOCK_MONOTONIC, &player->begun);
     line += strspn(line, " \t");
     if (!*line || *line == '#')
         return true;
@@ -312,16 +332,14 @@ static bool replay_all(Player *player, Session *replay, Status *status)
     return sound && draw(player, status);
 }
 
-int script_run(const LaboratoryOptions *options, Session *replay, Session *recording, Status *status)
+int script_play(FILE *file, const char *name, const LaboratoryOptions *options, Session *replay,
+                Session *recording, Status *status)
 {
-    bool standard = strcmp(options->script, "-") == 0;
-    const char *name = standard ? "standard input" : options->script;
-    FILE *file = standard ? stdin : input_open(name, SCRIPT_BYTES_MAX, status);
     Player *player = calloc(1, sizeof *player);
     bool sound = false;
-    if (file && !player)
+    if (!player)
         status_fail(status, STATUS_FAILED, "out of memory");
-    else if (file && open_player(player, options, status)) {
+    else if (open_player(player, options, status)) {
         player->lab.recording = recording;
         session_note_start(recording, &player->lab);
         sound = replay_all(player, replay, status);
@@ -330,8 +348,18 @@ int script_run(const LaboratoryOptions *options, Session *replay, Session *recor
         laboratory_close(&player->lab);
         canvas_close(&player->canvas);
     }
-    if (file && !standard)
-        fclose(file);
     free(player);
     return sound ? 0 : (int)status->code;
+}
+
+int script_run(const LaboratoryOptions *options, Session *replay, Session *recording, Status *status)
+{
+    if (strcmp(options->script, "-") == 0)
+        return script_play(stdin, "standard input", options, replay, recording, status);
+    FILE *file = input_open(options->script, SCRIPT_BYTES_MAX, status);
+    if (!file)
+        return (int)status->code;
+    const int result = script_play(file, options->script, options, replay, recording, status);
+    fclose(file);
+    return result;
 }

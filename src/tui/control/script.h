@@ -1,5 +1,5 @@
 /* The laboratory without a terminal: keys from a file, screens to standard output, a clock that only frames
- * and steps move. The same script gives the same screens, always.
+ * and steps move (but for the instruction `patience`). The same script gives the same screens, always.
  *
  * One instruction a line, as the table below has them; empty lines and lines that begin with # are skipped.
  * The first instruction that misses ends the script: "FILE:LINE: ..." and exit status 1. */
@@ -8,6 +8,8 @@
 
 #include "tui/control/laboratory.h"
 #include "tui/control/session.h"
+
+#include <stdio.h>
 
 enum { SCRIPT_CELLS_MAX = 1000 }; /* of a screen, each way */
 
@@ -21,6 +23,11 @@ typedef struct ScriptInstruction {
 
 extern const ScriptInstruction script_instructions[];
 
+/* Plays what the options name; the result is the exit status. */
 int script_run(const LaboratoryOptions *, Session *replay, Session *recording, Status *);
+
+/* The same from a stream; `name` stands for FILE. */
+int script_play(FILE *, const char *name, const LaboratoryOptions *, Session *replay, Session *recording,
+                Status *);
 
 #endif
