@@ -81,8 +81,8 @@ static void write_words(void)
             for (const BuiltinScenario *builtin = builtin_scenarios; builtin->name; builtin++)
                 printf(" %s", builtin->name);
         } else if (strcmp(synopsis, "[PROBLEM]") == 0) {
-            for (int i = 0; problem_words[i]; i++)
-                printf("%s%s", i ? " " : "", problem_words[i]);
+            for (int i = 0; problems[i]; i++)
+                printf("%s%s", i ? " " : "", problems[i]->word);
         } else if (strcmp(command_name(c), "verify") == 0) {
             for (int i = 0; verify_name(i); i++)
                 printf("%s%s", i ? " " : "", verify_name(i));

@@ -7,7 +7,7 @@
 #include "cli/sweep/sweep_result.h"
 #include "lab/lessons/lesson.h"
 #include "lab/settings/parameters.h"
-#include "lab/answers/problem.h"
+#include "lab/problems/references.h"
 #include "tui/control/script.h"
 #include "view/panes/commands.h"
 
@@ -190,55 +190,82 @@ static bool write_script(const char *unused)
 
 /* --- parameters ----------------------------------------------------------------------------------- */
 
-/* The default of each problem from `first` to `last`; once where it is the same for all. */
-static void write_defaults(const Parameter *parameter, Problem first, Problem last)
+/* Whether the parameter is one of a problem of this part of the page. */
+static bool is_of(const Parameter *parameter, const Problem *problem, int concern)
 {
-    char values[PROBLEM_COUNT][LIST_MAX];
+    return (problem->concerns & concern) && parameter_applies(parameter, problem);
+}
+
+/* The default in each problem of the part; once where it is the same for all. */
+static void write_defaults(const Parameter *parameter, int concern)
+{
+    char values[PROBLEMS_MAX][LIST_MAX];
     const char *one = NULL;
     bool same = true;
-    for (Problem p = first; p <= last; p++) {
+    for (int p = 0; problems[p]; p++) {
         Settings settings;
-        settings_default(&settings, p);
+        if (!is_of(parameter, problems[p], concern))
+            continue;
+        settings_default(&settings, problems[p]);
         settings_show(&settings, parameter, values[p]);
-        if (parameter_applies(parameter, p)) {
-            same = same && (!one || strcmp(one, values[p]) == 0);
-            one = values[p];
-        }
+        same = same && (!one || strcmp(one, values[p]) == 0);
+        one = values[p];
     }
     if (!one || (same && !*one))
         return;
     fputs(" Default ", stdout);
     const char *comma = "";
-    for (Problem p = first; p <= last; p++) {
-        if (!parameter_applies(parameter, p))
+    for (int p = 0; problems[p]; p++) {
+        if (!is_of(parameter, problems[p], concern))
             continue;
         fputs(comma, stdout);
         say_in("B", values[p]);
         if (same)
             break;
-        printf(" (%s)", problem_words[p]);
+        printf(" (%s)", problems[p]->word);
         comma = ", ";
     }
     putchar('.');
 }
 
-static void write_of_problems(const Parameter *parameter, Problem first, Problem last)
+static void write_of_problems(const Parameter *parameter, int concern)
 {
-    int count = 0;
-    for (Problem p = first; p <= last; p++)
-        count += parameter_applies(parameter, p);
-    if (count == (int)(last - first) + 1)
+    int all = 0, count = 0;
+    for (int p = 0; problems[p]; p++) {
+        all += (problems[p]->concerns & concern) != 0;
+        count += is_of(parameter, problems[p], concern);
+    }
+    if (count == all)
         return;
     fputs(" Of ", stdout);
-    for (Problem p = first; p <= last; p++)
-        if (parameter_applies(parameter, p)) {
-            say(problem_words[p]);
+    for (int p = 0; problems[p]; p++)
+        if (is_of(parameter, problems[p], concern)) {
+            say(problems[p]->word);
             fputs(--count ? ", " : " only.", stdout);
         }
 }
 
-static void write_parameter(const Parameter *parameter, Problem first, Problem last)
+/* Where a problem has a line of help of its own. */
+static void write_other_help(const Parameter *parameter, int concern)
 {
+    for (int p = 0; problems[p]; p++) {
+        const char *help = parameter_help(parameter, problems[p]);
+        if (!is_of(parameter, problems[p], concern) || help == parameter->help)
+            continue;
+        fputs("; of the ", stdout);
+        for (const char *c = problems[p]->word; *c; c++)
+            putchar(*c == '-' ? ' ' : *c);
+        fputs(": ", stdout);
+        say(help);
+    }
+}
+
+static void write_parameter(const Parameter *parameter, int concern)
+{
+    const Problem *first = NULL;
+    for (int p = 0; problems[p] && !first; p++)
+        first = is_of(parameter, problems[p], concern) ? problems[p] : NULL;
+
     char range[160];
     const char *unit = parameter_unit(parameter, first);
     parameter_range(parameter, first, range, sizeof range);
@@ -253,15 +280,12 @@ static void write_parameter(const Parameter *parameter, Problem first, Problem l
     }
     putchar('\n');
     say(parameter->help);
-    if (parameter->help_moving) {
-        fputs("; of the moving cantilever: ", stdout);
-        say(parameter->help_moving);
-    }
+    write_other_help(parameter, concern);
     putchar('.');
-    write_of_problems(parameter, first, last);
-    if (first == PROBLEM_BAR && parameter->only != OF_EVERY_METHOD)
-        printf(" Of method %s only.", parameter->only == OF_MPM ? "mpm" : "pd");
-    write_defaults(parameter, first, last);
+    write_of_problems(parameter, concern);
+    if (first->concerns & CONCERN_METHODS && parameter->methods != BY_EVERY_METHOD)
+        printf(" Of method %s only.", method_words[parameter->methods & BY_MPM ? METHOD_MPM : METHOD_PD]);
+    write_defaults(parameter, concern);
     if (parameter->live)
         fputs(" May change in mid\\-run.", stdout);
     putchar('\n');
@@ -269,15 +293,13 @@ static void write_parameter(const Parameter *parameter, Problem first, Problem l
 
 static bool write_parameters(const char *which)
 {
-    bool bar = strcmp(which, "bar") == 0;
-    Problem first = bar ? PROBLEM_BAR : PROBLEM_SUPPORTED_BEAM;
-    Problem last = bar ? PROBLEM_BAR : PROBLEM_NOTCHED_BEAM;
+    const int concern = strcmp(which, "bar") == 0 ? CONCERN_BAR : CONCERN_BEAM;
     for (int i = 0; i < n_parameters; i++) {
         bool of_any = false;
-        for (Problem p = first; p <= last; p++)
-            of_any = of_any || parameter_applies(&parameters[i], p);
+        for (int p = 0; problems[p]; p++)
+            of_any = of_any || is_of(&parameters[i], problems[p], concern);
         if (of_any)
-            write_parameter(&parameters[i], first, last);
+            write_parameter(&parameters[i], concern);
     }
     return true;
 }
@@ -338,8 +360,8 @@ static bool write_results(const char *argument)
 {
     (void)argument;
     for (int column = 0; column < RESULT_COLUMNS; column++) {
-        Quantity quantity = result_quantity((ResultColumn)column, PROBLEM_BAR);
-        if (strcmp(quantity.unit, result_quantity((ResultColumn)column, PROBLEM_SUPPORTED_BEAM).unit) != 0)
+        Quantity quantity = result_quantity((ResultColumn)column, &bar_problem);
+        if (strcmp(quantity.unit, result_quantity((ResultColumn)column, &supported_beam_problem).unit) != 0)
             quantity.unit = "";
         write_quantity(&quantity);
     }

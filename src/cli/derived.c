@@ -1,7 +1,7 @@
 #include "cli/derived.h"
 
 #include "base/text.h"
-#include "lab/answers/problem.h"
+#include "lab/problems/references.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 
 #include "base/text.h"
 #include "lab/settings/parameters.h"
-#include "lab/answers/problem.h"
+#include "lab/problems/references.h"
 #include "tui/control/script.h"
 
 #include <math.h>

@@ -3,7 +3,7 @@
 #include "cli/derived.h"
 #include "cli/options.h"
 #include "lab/settings/parameters.h"
-#include "lab/answers/problem.h"
+#include "lab/problems/references.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -20,11 +20,11 @@ static void print_parameter(const Settings *settings, const Parameter *parameter
         unit = "";
     snprintf(assignment, sizeof assignment, "%s =%s%.60s%s%s", parameter->key, *value ? " " : "", value,
              *unit ? " " : "", unit);
-    static const char *const methods[] = {[OF_EVERY_METHOD] = "", [OF_MPM] = "  [mpm]", [OF_PD] = "  [pd]"};
+    static const char *const methods[] = {[BY_EVERY_METHOD] = "", [BY_MPM] = "  [mpm]", [BY_PD] = "  [pd]"};
     const bool choice = problem_allows(settings->problem, METHOD_MPM, NULL) &&
                         problem_allows(settings->problem, METHOD_PD, NULL);
     printf("  %-42s %s%s%s\n      %s\n", assignment, range, parameter->live ? "  [live]" : "",
-           choice ? methods[parameter->only] : "", parameter_help(parameter, settings->problem));
+           choice ? methods[parameter->methods] : "", parameter_help(parameter, settings->problem));
 }
 
 static void print_indented(const char *text)
@@ -47,7 +47,7 @@ static bool print_derived(Settings *settings, MethodKind method, Status *status)
     return true;
 }
 
-static bool print_problem(Problem problem, Status *status)
+static bool print_problem(const Problem *problem, Status *status)
 {
     Settings settings;
     char methods[32] = "";
@@ -56,7 +56,7 @@ static bool print_problem(Problem problem, Status *status)
         if (problem_allows(problem, (MethodKind)method, NULL))
             snprintf(methods + strlen(methods), sizeof methods - strlen(methods), "%s%s",
                      *methods ? " | " : "", method_words[method]);
-    printf("%s (%s): %s\n", problem_words[problem], methods, problem_facts[problem].title);
+    printf("%s (%s): %s\n", problem->word, methods, problem->title);
     const char *group = "";
     for (int i = 0; i < n_parameters; i++) {
         if (!parameter_applies(&parameters[i], problem))
@@ -73,13 +73,16 @@ static bool print_problem(Problem problem, Status *status)
     return true;
 }
 
-static bool find_problem(const char *word, int *problem, Status *status)
+static const Problem *find_problem(const char *word, Status *status)
 {
-    for (*problem = 0; *problem < PROBLEM_COUNT; (*problem)++)
-        if (strcmp(problem_words[*problem], word) == 0)
-            return true;
-    return status_fail(status, STATUS_USAGE, "params: %.60s is not a problem (%s | %s | %s | %s)", word,
-                       problem_words[0], problem_words[1], problem_words[2], problem_words[3]);
+    const Problem *problem = problem_find(word);
+    char words[256] = "";
+    for (int i = 0; problems[i]; i++)
+        snprintf(words + strlen(words), sizeof words - strlen(words), "%s%s", i ? " | " : "",
+                 problems[i]->word);
+    if (!problem)
+        status_fail(status, STATUS_USAGE, "params: %.60s is not a problem (%s)", word, words);
+    return problem;
 }
 
 int cli_params(int count, char **arguments, Status *status)
@@ -88,14 +91,11 @@ int cli_params(int count, char **arguments, Status *status)
     if (!options_parse("params", count, arguments, &options, status) ||
         !options_words(&options, 0, 1, "[PROBLEM]", status))
         return STATUS_USAGE;
-    int first = 0, last = PROBLEM_COUNT - 1;
-    if (options.n_words == 1) {
-        if (!find_problem(options.words[0], &first, status))
-            return STATUS_USAGE;
-        last = first;
-    }
-    for (int problem = first; problem <= last; problem++)
-        if (!print_problem((Problem)problem, status))
+    const Problem *asked = options.n_words == 1 ? find_problem(options.words[0], status) : NULL;
+    if (options.n_words == 1 && !asked)
+        return STATUS_USAGE;
+    for (int i = 0; problems[i]; i++)
+        if ((!asked || asked == problems[i]) && !print_problem(problems[i], status))
             return (int)status->code;
     printf("[live] may change in mid-run; [mpm], [pd] only by that method.\nEach value is set by --set "
            "KEY=VALUE or in a scenario file.\n");

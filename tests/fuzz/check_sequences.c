@@ -102,7 +102,7 @@ static void any_value(const Parameter *parameter, char *out, size_t size)
         snprintf(out, size, "%s", PICK(odd));
     else if (parameter->choices)
         snprintf(out, size, "%s",
-                 parameter->choices[below(parameter_choices(parameter, PROBLEM_SUPPORTED_BEAM))]);
+                 parameter->choices[below(parameter_choices(parameter, &supported_beam_problem))]);
     else if (parameter->type == PARAMETER_TEXT)
         snprintf(out, size, "%s", PICK(texts));
     else if (kind < 25)
@@ -114,8 +114,14 @@ static void any_value(const Parameter *parameter, char *out, size_t size)
     else {
         /* about the default of a problem that has it */
         double about = NAN;
-        for (int tries = 0; tries < 32 && isnan(about); tries++)
-            about = parameter->defaults[below(PROBLEM_COUNT)];
+        int n_problems = 0;
+        while (problems[n_problems])
+            n_problems++;
+        for (int tries = 0; tries < 32 && isnan(about); tries++) {
+            const Problem *problem = problems[below(n_problems)];
+            if (parameter_applies(parameter, problem))
+                about = parameter_usual(parameter, problem);
+        }
         snprintf(out, size, "%.6g", (about == 0 || isnan(about) ? 1 : about) * PICK(factors));
     }
 }

@@ -149,22 +149,25 @@ START_TEST(columns_are_those_of_the_contract)
     run(&settings, &outputs, &summary);
     expect_header(outputs.series, "step,time,v_cm,v_cm_exact,x_cm,kinetic,kinetic_grid,strain,work,total");
 
-    static const char *const beams[PROBLEM_COUNT] = {
-        [PROBLEM_SUPPORTED_BEAM] = "step,time,u_probe,v_probe,u_euler,v_euler,u_timoshenko,v_timoshenko,"
-                                   "kinetic,strain,work,dissipated,total,broken_bonds",
-        [PROBLEM_MOVING_CANTILEVER] = "step,time,u_probe,v_probe,length,u_modal,v_modal,v_filtered,"
-                                      "kinetic,strain,work,dissipated,total,broken_bonds",
-        [PROBLEM_NOTCHED_BEAM] = "step,time,u_probe,v_probe,crack_x,crack_y,crack_length,"
-                                 "kinetic,strain,work,dissipated,total,broken_bonds",
+    static const struct {
+        const Problem *problem;
+        const char *columns;
+    } beams[] = {
+        {&supported_beam_problem, "step,time,u_probe,v_probe,u_euler,v_euler,u_timoshenko,v_timoshenko,"
+                                  "kinetic,strain,work,dissipated,total,broken_bonds"},
+        {&moving_cantilever_problem, "step,time,u_probe,v_probe,length,u_modal,v_modal,v_filtered,"
+                                     "kinetic,strain,work,dissipated,total,broken_bonds"},
+        {&notched_beam_problem, "step,time,u_probe,v_probe,crack_x,crack_y,crack_length,"
+                                "kinetic,strain,work,dissipated,total,broken_bonds"},
     };
-    for (Problem problem = PROBLEM_SUPPORTED_BEAM; problem < PROBLEM_COUNT; problem++) {
-        settings = beam_settings(problem, 2e-6);
+    for (size_t i = 0; i < sizeof beams / sizeof *beams; i++) {
+        settings = beam_settings(beams[i].problem, 2e-6);
         Outputs all = {.series = in_folder("s.csv"),
                        .particles = in_folder("p.csv"),
                        .bonds = in_folder("b.csv"),
                        .force = true};
         run(&settings, &all, NULL);
-        expect_header(all.series, beams[problem]);
+        expect_header(all.series, beams[i].columns);
         expect_header(all.particles,
                       "step,time,particle,x0,y0,ux,uy,vx,vy,damage,surface_factor,strain_energy");
         expect_header(all.bonds, "step,time,i,j,x_i,y_i,x_j,y_j,stretch,broken,broken_at");
@@ -176,10 +179,9 @@ END_TEST
 
 START_TEST(rows_are_those_of_the_laboratory)
 {
-    static const Problem problems[] = {PROBLEM_BAR, PROBLEM_MOVING_CANTILEVER, PROBLEM_NOTCHED_BEAM};
-    for (size_t p = 0; p < sizeof problems / sizeof *problems; p++) {
-        Settings settings =
-            problems[p] == PROBLEM_BAR ? bar_settings(5, 3) : beam_settings(problems[p], 3e-5);
+    static const Problem *const some[] = {&bar_problem, &moving_cantilever_problem, &notched_beam_problem};
+    for (size_t p = 0; p < sizeof some / sizeof *some; p++) {
+        Settings settings = some[p] == &bar_problem ? bar_settings(5, 3) : beam_settings(some[p], 3e-5);
         settings.output.every = 7;
         Outputs outputs = {.series = in_folder("s.csv"), .force = true};
         run(&settings, &outputs, NULL);
@@ -224,7 +226,7 @@ static void expect_same_scenarios(const char *a, const char *b, bool failed)
 /* Runs, runs again what stands beside, compares all. */
 static void expect_repeats(const Settings *settings, bool may_fail)
 {
-    bool bar = settings->problem == PROBLEM_BAR;
+    bool bar = settings->problem == &bar_problem;
     Outputs first = {.series = in_folder("a.csv"), .particles = in_folder("ap.csv"), .force = true};
     Outputs again = {.series = in_folder("b.csv"), .particles = in_folder("bp.csv"), .force = true};
     first.nodes = bar ? in_folder("an.csv") : NULL;
@@ -257,13 +259,13 @@ START_TEST(what_stands_beside_repeats_the_run)
     settings.changes[0] = (Change){100, {"mpm.algorithm", "musl"}};
     settings.changes[1] = (Change){150, {"mpm.transfer", "apic"}};
     expect_repeats(&settings, false);
-    settings = beam_settings(PROBLEM_SUPPORTED_BEAM, 2e-5);
+    settings = beam_settings(&supported_beam_problem, 2e-5);
     settings.output.frames = 3;
     expect_repeats(&settings, false);
-    settings = beam_settings(PROBLEM_MOVING_CANTILEVER, 1.5e-4);
+    settings = beam_settings(&moving_cantilever_problem, 1.5e-4);
     settings.output.every = 13;
     expect_repeats(&settings, false);
-    settings = beam_settings(PROBLEM_NOTCHED_BEAM, 4e-5);
+    settings = beam_settings(&notched_beam_problem, 4e-5);
     settings.n_changes = 1;
     settings.changes[0] = (Change){50, {"load.stress", "240000000"}};
     expect_repeats(&settings, false);
@@ -410,7 +412,7 @@ END_TEST
 
 START_TEST(paraview_gets_a_collection)
 {
-    Settings settings = beam_settings(PROBLEM_SUPPORTED_BEAM, 2e-6);
+    Settings settings = beam_settings(&supported_beam_problem, 2e-6);
     Outputs outputs = {.vtk = in_folder("v.pvd")};
     settings.output.frames = 3;
     run(&settings, &outputs, NULL);

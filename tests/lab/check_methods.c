@@ -1,6 +1,6 @@
 /* One bar by two methods: which keys each has, how a scenario changes from one to the other, and what stands
  * beside a run by peridynamics. */
-#include "lab/answers/bar_problem.h"
+#include "lab/problems/bar_theory.h"
 #include "lab/lab_case.h"
 #include "lab/settings/scenario.h"
 #include "suite.h"
@@ -48,8 +48,8 @@ START_TEST(each_method_has_its_keys)
     /* one node where each particle is, three spacings, the same time step */
     ck_assert_double_eq(lattice_spacing(&pd), 0.5 / 3);
     ck_assert_double_eq(lattice_horizon(&pd), 0.5);
-    ck_assert_double_eq(rod_definition(&pd).dt, bar_time_step(&mpm));
-    Settings beam = beam_settings(PROBLEM_NOTCHED_BEAM, 1e-5);
+    ck_assert_double_eq(bar_pd_definition(&pd).dt, bar_time_step(&mpm));
+    Settings beam = beam_settings(&notched_beam_problem, 1e-5);
     ck_assert(!settings_set(&beam, "pd.spacing", "auto", &status));
     ck_assert_str_eq(status.text, "pd.spacing: auto is not a number (> 0)");
     ck_assert(!settings_set(&beam, "scenario.method", "mpm", &status));
@@ -112,7 +112,7 @@ START_TEST(the_method_is_a_field_that_can_be_nudged)
     ck_assert_int_eq(other.lattice.surface_correction, SURFACE_NONE);
     ck_assert(settings_nudge(&other, parameter_find("pd.surface_correction"), 1));
     ck_assert_int_eq(other.lattice.surface_correction, SURFACE_ENERGY);
-    Settings beam = beam_settings(PROBLEM_NOTCHED_BEAM, 1e-5);
+    Settings beam = beam_settings(&notched_beam_problem, 1e-5);
     ck_assert(!settings_nudge(&beam, parameter_find("scenario.method"), 1));
 }
 END_TEST

@@ -1,5 +1,5 @@
 /* The parameter table: rows that fit the screen, values that survive the way through text, nudges. */
-#include "lab/answers/problem_rows.h"
+#include "lab/problems/beam_answers.h"
 #include "lab/settings/parameters.h"
 
 #include "base/text.h"
@@ -10,7 +10,9 @@
 #include <stdio.h>
 #include <string.h>
 
-static Settings set_of(Problem problem)
+enum { N_PROBLEMS = 4 };
+
+static Settings set_of(const Problem *problem)
 {
     Settings settings;
     settings_default(&settings, problem);
@@ -50,8 +52,8 @@ START_TEST(rows_fit_the_screen)
         ck_assert_msg(row->choices || row->nudge != NUDGE_NEXT, "%s", row->key);
         ck_assert_ptr_eq(parameter_find(row->key), row);
         bool of_any = false;
-        for (int p = 0; p < PROBLEM_COUNT; p++)
-            of_any |= parameter_applies(row, (Problem)p);
+        for (int p = 0; problems[p]; p++)
+            of_any |= parameter_applies(row, problems[p]);
         ck_assert_msg(of_any, "%s", row->key);
     }
 }
@@ -60,15 +62,15 @@ END_TEST
 /* The table and the engines must not drift apart. */
 START_TEST(defaults_are_those_of_the_engines)
 {
-    Settings bar = set_of(PROBLEM_BAR);
+    Settings bar = set_of(&bar_problem);
     BarDef engine = bar_default();
     ck_assert(bar.geometry.length == engine.length && bar.time.courant == engine.courant);
     ck_assert_int_eq(bar.mesh.padding, engine.padding);
     ck_assert_int_eq(bar.mesh.particles_per_cell, engine.particles_per_cell);
-    static const BeamProblem problems[] = {BEAM_SIMPLY_SUPPORTED, BEAM_MOVING_CANTILEVER, BEAM_NOTCHED};
-    for (int p = PROBLEM_SUPPORTED_BEAM; p < PROBLEM_COUNT; p++) {
-        Settings settings = set_of((Problem)p);
-        BeamDef def = beam_default(problems[p - 1]);
+    static const BeamProblem engines[] = {BEAM_SIMPLY_SUPPORTED, BEAM_MOVING_CANTILEVER, BEAM_NOTCHED};
+    for (int p = 1; problems[p]; p++) {
+        Settings settings = set_of(problems[p]);
+        BeamDef def = beam_default(engines[p - 1]);
         const BeamDef beam = beam_definition(&settings, 1), *got = &beam;
         ck_assert(got->length == def.length && got->height == def.height && got->thickness == def.thickness);
         ck_assert(got->youngs_modulus == def.youngs_modulus && got->density == def.density);
@@ -86,7 +88,7 @@ END_TEST
 
 START_TEST(defaults_are_sound)
 {
-    Settings settings = set_of((Problem)_i);
+    Settings settings = set_of(problems[_i]);
     Status status;
     ck_assert_msg(settings_check(&settings, &status), "%s", status.text);
 }
@@ -94,18 +96,18 @@ END_TEST
 
 START_TEST(values_read_back)
 {
-    Settings from = set_of((Problem)_i), to = from;
+    Settings from = set_of(problems[_i]), to = from;
     for (int i = 0; i < n_parameters; i++) {
         const Parameter *row = &parameters[i];
-        if (!parameter_applies(row, (Problem)_i) || strcmp(row->key, "pd.critical_energy") == 0 ||
+        if (!parameter_applies(row, problems[_i]) || strcmp(row->key, "pd.critical_energy") == 0 ||
             strcmp(row->key, "scenario.method") == 0)
             continue;
         /* what only the bar's other method reads is read by that one */
         if (!settings_have(&from, row)) {
-            ck_assert_int_eq(_i, PROBLEM_BAR);
+            ck_assert_ptr_eq(problems[_i], &bar_problem);
             from.method = to.method = METHOD_PD;
-        } else if (_i == PROBLEM_BAR) {
-            from.method = to.method = row->only == OF_PD ? METHOD_PD : METHOD_MPM;
+        } else if (problems[_i] == &bar_problem) {
+            from.method = to.method = row->methods == BY_PD ? METHOD_PD : METHOD_MPM;
         }
         char value[LIST_MAX];
         settings_get(&from, row, value);
@@ -122,7 +124,7 @@ END_TEST
 
 START_TEST(wrong_values_are_refused)
 {
-    Settings bar = set_of(PROBLEM_BAR), notched = set_of(PROBLEM_NOTCHED_BEAM);
+    Settings bar = set_of(&bar_problem), notched = set_of(&notched_beam_problem);
     expect_refused(&bar, "mesh.cell_size", "abc", "mesh.cell_size: abc is not a number (> 0)");
     expect_refused(&bar, "mesh.cell_size", "0", "mesh.cell_size: 0 is out of range (> 0)");
     expect_refused(&bar, "mesh.cell_size", "", "mesh.cell_size: has no value (> 0)");
@@ -161,36 +163,36 @@ static void expect_unsound(const Settings *settings, const char *message)
 START_TEST(the_whole_is_checked)
 {
     static const struct {
-        Problem problem;
+        const Problem *problem;
         const char *key, *value, *message;
     } cases[] = {
-        {PROBLEM_BAR, "mesh.cell_size", "0.7", "mesh.cell_size: the length 25"},
-        {PROBLEM_BAR, "initial.mode", "0", "initial.mode: 0 is rigid motion"},
-        {PROBLEM_BAR, "initial.mode", "51", "initial.mode: 51 is finer"},
-        {PROBLEM_BAR, "initial.overtones", "1:0.1", "initial.overtones: mode 1 is initial.mode"},
-        {PROBLEM_BAR, "initial.overtones", "3:0.1,3:0.2", "initial.overtones: mode 3 stands twice"},
-        {PROBLEM_BAR, "initial.overtones", "3", "initial.overtones: \"3\" cannot be read"},
-        {PROBLEM_BAR, "initial.overtones", "3:0.1,", "initial.overtones: ends in a comma"},
-        {PROBLEM_BAR, "load.traction_layer", "26", "load.traction_layer: 26 is out of range"},
-        {PROBLEM_BAR, "output.at", "1,x", "output.at: \"x\" is not a time"},
-        {PROBLEM_BAR, "output.at", "2,1", "output.at: 1 does not come after 2"},
-        {PROBLEM_BAR, "output.at", "101", "output.at: 101 is after the end"},
-        {PROBLEM_BAR, "time.end", "1e300", "time.end: 1e+300 takes"},
-        {PROBLEM_BAR, "question.key", "bar.length", "question.key: bar.length cannot be toggled"},
-        {PROBLEM_SUPPORTED_BEAM, "pd.horizon", "1e-4", "pd.horizon: 0.0001 is below the spacing"},
-        {PROBLEM_MOVING_CANTILEVER, "time.end", "6e-3", "motion.channel: 0.055 is too short"},
-        {PROBLEM_NOTCHED_BEAM, "notch.position", "0.3", "notch.position: 0.3 is outside the beam"},
-        {PROBLEM_NOTCHED_BEAM, "notch.depth", "0.08", "notch.depth: 0.08"},
-        {PROBLEM_NOTCHED_BEAM, "load.position", "0.21", "load.position: the load from"},
-        {PROBLEM_NOTCHED_BEAM, "supports.right", "0.22", "supports.right: 0.22 is off the beam"},
-        {PROBLEM_NOTCHED_BEAM, "supports.left", "0.205", "supports.left: 0.205"},
+        {&bar_problem, "mesh.cell_size", "0.7", "mesh.cell_size: the length 25"},
+        {&bar_problem, "initial.mode", "0", "initial.mode: 0 is rigid motion"},
+        {&bar_problem, "initial.mode", "51", "initial.mode: 51 is finer"},
+        {&bar_problem, "initial.overtones", "1:0.1", "initial.overtones: mode 1 is initial.mode"},
+        {&bar_problem, "initial.overtones", "3:0.1,3:0.2", "initial.overtones: mode 3 stands twice"},
+        {&bar_problem, "initial.overtones", "3", "initial.overtones: \"3\" cannot be read"},
+        {&bar_problem, "initial.overtones", "3:0.1,", "initial.overtones: ends in a comma"},
+        {&bar_problem, "load.traction_layer", "26", "load.traction_layer: 26 is out of range"},
+        {&bar_problem, "output.at", "1,x", "output.at: \"x\" is not a time"},
+        {&bar_problem, "output.at", "2,1", "output.at: 1 does not come after 2"},
+        {&bar_problem, "output.at", "101", "output.at: 101 is after the end"},
+        {&bar_problem, "time.end", "1e300", "time.end: 1e+300 takes"},
+        {&bar_problem, "question.key", "bar.length", "question.key: bar.length cannot be toggled"},
+        {&supported_beam_problem, "pd.horizon", "1e-4", "pd.horizon: 0.0001 is below the spacing"},
+        {&moving_cantilever_problem, "time.end", "6e-3", "motion.channel: 0.055 is too short"},
+        {&notched_beam_problem, "notch.position", "0.3", "notch.position: 0.3 is outside the beam"},
+        {&notched_beam_problem, "notch.depth", "0.08", "notch.depth: 0.08"},
+        {&notched_beam_problem, "load.position", "0.21", "load.position: the load from"},
+        {&notched_beam_problem, "supports.right", "0.22", "supports.right: 0.22 is off the beam"},
+        {&notched_beam_problem, "supports.left", "0.205", "supports.left: 0.205"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Settings settings = set_of(cases[i].problem);
         set(&settings, cases[i].key, cases[i].value);
         expect_unsound(&settings, cases[i].message);
     }
-    Settings free_bar = set_of(PROBLEM_BAR);
+    Settings free_bar = set_of(&bar_problem);
     set(&free_bar, "initial.mode", "0");
     set(&free_bar, "bar.supports", "free-free");
     ck_assert(settings_check(&free_bar, NULL));
@@ -207,7 +209,7 @@ static void expect_nudge(Settings *settings, const char *key, int direction, con
 
 START_TEST(nudges_take_the_next_value)
 {
-    Settings bar = set_of(PROBLEM_BAR), beam = set_of(PROBLEM_NOTCHED_BEAM);
+    Settings bar = set_of(&bar_problem), beam = set_of(&notched_beam_problem);
     expect_nudge(&bar, "initial.mode", 1, "2");
     expect_nudge(&bar, "mesh.cell_size", -1, "0.5");
     expect_nudge(&bar, "mesh.cell_size", 1, "1");
@@ -246,7 +248,7 @@ END_TEST
 
 START_TEST(two_handles_on_breaking)
 {
-    Settings beam = set_of(PROBLEM_NOTCHED_BEAM);
+    Settings beam = set_of(&notched_beam_problem);
     ck_assert(fabs(beam.bonds.critical_energy - 35.68) < 0.005);
     ck_assert(!beam.bonds.energy_given);
     set(&beam, "pd.critical_energy", "50");
@@ -262,7 +264,7 @@ END_TEST
 
 START_TEST(differences_are_named)
 {
-    Settings a = set_of(PROBLEM_BAR), b = a;
+    Settings a = set_of(&bar_problem), b = a;
     char text[60];
     ck_assert(settings_same(&a, &b));
     settings_name(&a, &b, text, sizeof text);
@@ -301,8 +303,8 @@ void add_cases(Suite *suite)
     TCase *table = tcase_create("table");
     tcase_add_test(table, rows_fit_the_screen);
     tcase_add_test(table, defaults_are_those_of_the_engines);
-    tcase_add_loop_test(table, defaults_are_sound, 0, PROBLEM_COUNT);
-    tcase_add_loop_test(table, values_read_back, 0, PROBLEM_COUNT);
+    tcase_add_loop_test(table, defaults_are_sound, 0, N_PROBLEMS);
+    tcase_add_loop_test(table, values_read_back, 0, N_PROBLEMS);
     suite_add_tcase(suite, table);
     TCase *values = tcase_create("values");
     tcase_add_test(values, wrong_values_are_refused);

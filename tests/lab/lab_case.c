@@ -7,7 +7,7 @@
 Settings bar_settings(int mode, double end)
 {
     Settings settings;
-    settings_default(&settings, PROBLEM_BAR);
+    settings_default(&settings, &bar_problem);
     settings.start.mode = mode;
     settings.time.end = end;
     return settings;
@@ -19,12 +19,12 @@ void set(Settings *settings, const char *key, const char *value)
     ck_assert_msg(settings_set(settings, key, value, &status), "%s", status.text);
 }
 
-Settings beam_settings(Problem problem, double end)
+Settings beam_settings(const Problem *problem, double end)
 {
     Settings settings;
     settings_default(&settings, problem);
     settings.time.end = end;
-    if (problem == PROBLEM_NOTCHED_BEAM) {
+    if (problem == &notched_beam_problem) {
         settings.geometry.length = 0.1;
         settings.geometry.height = 0.04;
         set(&settings, "pd.horizon", "4e-3");

@@ -9,7 +9,7 @@
 Settings bar_settings(int mode, double end);
 
 /* A small beam that takes little time. */
-Settings beam_settings(Problem problem, double end);
+Settings beam_settings(const Problem *problem, double end);
 
 void set(Settings *settings, const char *key, const char *value);
 

@@ -192,7 +192,7 @@ START_TEST(every_colour_word_is_known)
     Settings settings;
     Status status = {STATUS_DONE, ""};
     Screen screen;
-    settings_default(&settings, PROBLEM_NOTCHED_BEAM);
+    settings_default(&settings, &notched_beam_problem);
     screen_default(&screen);
     int count = 0;
     for (; colour_words[count]; count++) {

@@ -25,7 +25,7 @@ typedef struct Sweep {
     uint64_t *numbers; /* of the combinations */
     double *keys;
     SweepResult *results;
-    Problem problem;
+    const Problem *problem;
     SweepPartial partial;
     int threads, jobs;
     int next, ready, to_do, left_out;

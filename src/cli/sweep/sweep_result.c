@@ -38,10 +38,10 @@ const char *result_name(ResultColumn column)
     return texts[column].name;
 }
 
-Quantity result_quantity(ResultColumn column, Problem problem)
+Quantity result_quantity(ResultColumn column, const Problem *problem)
 {
     const ColumnText *text = &texts[column];
-    const char *unit = problem_facts[problem].si ? text->unit_beam : text->unit_bar;
+    const char *unit = problem->si ? text->unit_beam : text->unit_bar;
     return (Quantity){text->name, text->name, unit, text->meaning};
 }
 
@@ -91,7 +91,7 @@ void result_of(const RunSummary *summary, const Settings *settings, double wall,
     put_readout(summary, cells);
     cells[RESULT_REAL_HEIGHT] = derived_value(summary, "real_height");
     cells[RESULT_REAL_SPAN] = derived_value(summary, "real_span");
-    if (settings->problem != PROBLEM_BAR && settings->bonds.critical_stretch > 0)
+    if (settings->problem != &bar_problem && settings->bonds.critical_stretch > 0)
         cells[RESULT_BROKEN_BONDS] = last_value(summary, "broken_bonds");
     cells[RESULT_CRACK_LENGTH] = last_value(summary, "crack_length");
     if (summary->energy_told != ENERGY_UNTOLD && !summary->energy_of_work)

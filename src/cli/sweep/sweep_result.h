@@ -30,7 +30,7 @@ typedef struct SweepResult {
 const char *result_name(ResultColumn);
 
 /* The column as a problem's table has it. */
-Quantity result_quantity(ResultColumn, Problem);
+Quantity result_quantity(ResultColumn, const Problem *);
 
 /* The row of a run that came to its end in `wall` seconds. */
 void result_of(const RunSummary *, const Settings *, double wall, SweepResult *);

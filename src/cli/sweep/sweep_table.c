@@ -56,7 +56,7 @@ void table_write_csv(const SweepTable *table, Dialect dialect, FILE *stream)
 
 /* --- for people ----------------------------------------------------------------------------------- */
 
-static const char *word_of(const Parameter *parameter, Problem problem, double value)
+static const char *word_of(const Parameter *parameter, const Problem *problem, double value)
 {
     static const char *const flags[] = {"no", "yes"};
     if (parameter->type == PARAMETER_CHOICE)

@@ -7,7 +7,7 @@
 
 typedef struct SweepTable {
     const SweepPlan *plan;
-    Problem problem;
+    const Problem *problem;
     const double *keys; /* plan->n_keys for each combination: the value, or the index of a choice */
     const SweepResult *results;
     bool has[RESULT_COLUMNS]; /* columns that are written */

@@ -1,15 +1,15 @@
 #include "cli/verify/verify_bar_run.h"
 
-#include "lab/answers/bar_problem.h"
+#include "lab/problems/bar_theory.h"
 #include "lab/settings/parameters.h"
-#include "lab/answers/problem.h"
+#include "lab/problems/references.h"
 
 #include <math.h>
 
 Settings bar_run(int mode)
 {
     Settings run;
-    settings_default(&run, PROBLEM_BAR);
+    settings_default(&run, &bar_problem);
     run.start.mode = mode, run.start.velocity = 0.1;
     return run;
 }

@@ -1,7 +1,7 @@
 /* The bar's energy: what the algorithms keep of it, what crossings and stability do to it, and loads. */
 #include "cli/verify/verify_bar_run.h"
 #include "cli/verify/verify_checks.h"
-#include "lab/answers/bar_problem.h"
+#include "lab/problems/bar_theory.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -302,7 +302,7 @@ bool verify_limits(Verify *verify, Status *status)
         run.mpm.transfer = cases[i].transfer, run.mesh.particles_per_cell = cases[i].particles;
         BarMesh mesh = bar_run_mesh(&run);
         double limit;
-        if (!find_limit(bar_definition(&run), cases[i].reference, &limit, status))
+        if (!find_limit(bar_mpm_definition(&run), cases[i].reference, &limit, status))
             return false;
         verify_row(verify, &(VerifyRow){cases[i].what,
                                         NULL,

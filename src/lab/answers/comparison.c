@@ -199,10 +199,10 @@ static bool tell_work(const Standing *run, char *label, char *value)
 static bool tell_stop(const Standing *run, char *label, char *value)
 {
     const Simulation *sim = experiment_simulation(run->experiment);
-    const ProblemFacts *facts = &problem_facts[experiment_settings(run->experiment)->problem];
-    snprintf(label, COMPARISON_TEXT_MAX, "stopped at t%s%s", facts->si ? "," : "", facts->told_time_unit);
+    const Problem *facts = experiment_settings(run->experiment)->problem;
+    snprintf(label, COMPARISON_TEXT_MAX, "stopped at t%s%s", facts->si ? "," : "", facts->shown_time_unit);
     return experiment_failed(run->experiment, NULL) &&
-           put(value, "%.4g", (double)experiment_newest(run->experiment) * sim->dt / facts->told_time);
+           put(value, "%.4g", (double)experiment_newest(run->experiment) * sim->dt / facts->shown_time);
 }
 
 static bool tell_step(const Standing *run, char *label, char *value)

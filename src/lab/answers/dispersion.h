@@ -6,9 +6,7 @@
 #ifndef LAB_DISPERSION_H
 #define LAB_DISPERSION_H
 
-#include "lab/settings/settings.h"
-
-#include <stdbool.h>
+#include "lab/problems/problem.h"
 
 enum { MODE_FACTORS_MAX = 3 };
 
@@ -20,13 +18,13 @@ typedef struct ModeFactor {
 } ModeFactor;
 
 /* One mode. predicted/exact is the product of the factors. */
-typedef struct ModeOnMesh {
+struct ModeOnMesh {
     double exact;     /* omega_n of the continuum, radians per unit time */
     double predicted; /* of this mesh and time step, away from the ends; NAN: such a wave does
                        * not swing */
     int n_factors;
     ModeFactor factors[MODE_FACTORS_MAX];
-} ModeOnMesh;
+};
 
 /* How many modes the mesh can carry, one for each cell or for each node of a lattice; 0: there is neither. */
 int dispersion_modes(const Settings *);

@@ -207,7 +207,7 @@ void summary_energy_text(const RunSummary *summary, char out[SUMMARY_MAX])
 void summary_text(const RunSummary *summary, const Settings *settings, char out[SUMMARY_MAX])
 {
     Writer writer = {out, 0};
-    const ProblemFacts *facts = &problem_facts[settings->problem];
+    const Problem *facts = settings->problem;
     out[0] = '\0';
     char time[NUMBER_TEXT_MAX], dt[NUMBER_TEXT_MAX];
     text_rounded(time, summary->time, 8);

@@ -6,7 +6,7 @@
 
 #include "base/status.h"
 #include "lab/answers/crack.h"
-#include "lab/answers/problem.h"
+#include "lab/problems/references.h"
 #include "lab/settings/settings.h"
 
 typedef enum Dialect { DIALECT_COMMA, DIALECT_SEMICOLON } Dialect;

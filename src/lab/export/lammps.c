@@ -3,7 +3,7 @@
 #include "base/text.h"
 #include "lab/export/output_file.h"
 #include "lab/settings/parameters.h"
-#include "lab/answers/problem.h"
+#include "lab/problems/references.h"
 
 #include <errno.h>
 #include <math.h>
@@ -188,8 +188,8 @@ static void write_data(FILE *file, const Nodes *nodes)
         }
     }
     fprintf(file, "%s\n\n%zu atoms\n%d atom types\n\n",
-            *nodes->settings->title ? nodes->settings->title : problem_words[nodes->settings->problem],
-            nodes->count, nodes->n_types);
+            *nodes->settings->title ? nodes->settings->title : nodes->settings->problem->word, nodes->count,
+            nodes->n_types);
     LINE(file, "@ @ xlo xhi\n@ @ ylo yhi\n@ @ zlo zhi\n\nAtoms # peri: id type volume density x y z\n\n",
          least[0] - dx / 2, most[0] + dx / 2, least[1] - dx / 2, most[1] + dx / 2, -dx / 2, dx / 2);
     for (size_t k = 0; k < nodes->count; k++) {
@@ -219,7 +219,7 @@ static void write_head(FILE *file, const Nodes *nodes)
 {
     const Settings *settings = nodes->settings;
     fprintf(file, "# %s\n# Written by matvib " PACKAGE_VERSION "; run it with: lmp -in in.matvib\n#\n",
-            *settings->title ? settings->title : problem_facts[settings->problem].title);
+            *settings->title ? settings->title : settings->problem->title);
     fputs("# What differs from matvib's own run of this scenario:\n", file);
     if (settings->lattice.surface_correction != SURFACE_NONE)
         fputs("# - there is no surface correction, so the skin is soft; compare with\n"
@@ -231,7 +231,7 @@ static void write_head(FILE *file, const Nodes *nodes)
     fputs("# - a bond that reaches the critical stretch still pulls once and breaks before the next step\n"
           "# - nodes without a bond push each other away when they come very close (short-range forces)\n",
           file);
-    if (settings->bonds.protected_depth > 0 && settings->problem == PROBLEM_NOTCHED_BEAM)
+    if (settings->bonds.protected_depth > 0 && (settings->problem->concerns & CONCERN_NOTCH))
         fputs("# - a node breaks its bonds by the largest critical stretch among them: the zone that never\n"
               "#   breaks reaches up to one horizon further\n",
               file);
@@ -293,7 +293,8 @@ static bool is_held_y(const Nodes *nodes, size_t node)
 
 static bool is_held_x(const Nodes *nodes, size_t node)
 {
-    bool pinned = nodes->settings->problem == PROBLEM_SUPPORTED_BEAM || nodes->settings->supports.pinned;
+    bool pinned =
+        !(nodes->settings->problem->concerns & CONCERN_SUPPORTS) || nodes->settings->supports.pinned;
     return pinned && nodes->held[node] != 0 &&
            nodes->x[node] < nodes->x[0] + nodes->settings->geometry.length / 2;
 }
@@ -308,7 +309,7 @@ static void write_forces(FILE *file, const Nodes *nodes)
     const Settings *settings = nodes->settings;
     const double dx = settings->lattice.spacing;
     fputs("fix motion all nve\n", file);
-    if (nodes->settings->problem == PROBLEM_MOVING_CANTILEVER) {
+    if (nodes->settings->problem->concerns & CONCERN_MOTION) {
         LINE(file, "region channel block INF @ INF INF INF INF units box\n", -1e-6 * dx);
         fprintf(file,
                 "group held dynamic all region channel every 1\n"
@@ -449,7 +450,7 @@ static bool write_all(const Nodes *nodes, const char *folder, bool force, Status
 
 bool lammps_export(const Settings *settings, const char *folder, bool force, Status *status)
 {
-    if (settings->problem == PROBLEM_BAR)
+    if (!(settings->problem->concerns & CONCERN_BEAM))
         return status_fail(status, STATUS_USAGE, "scenario.problem: LAMMPS gets beams only (not bar)");
     if (settings->n_changes > 0)
         return status_fail(status, STATUS_USAGE, "changes: LAMMPS gets runs without changes in mid-run only");

@@ -9,7 +9,7 @@
 #ifndef LAB_EXPERIMENT_H
 #define LAB_EXPERIMENT_H
 
-#include "lab/answers/problem.h"
+#include "lab/problems/references.h"
 #include "lab/answers/profile.h"
 #include "lab/run/record.h"
 #include "lab/settings/settings.h"

@@ -250,13 +250,12 @@ typedef struct Difference {
 
 static bool recomputes(const Settings *settings, const Parameter *parameter)
 {
-    /* the moving cantilever's channel and its modal solution reach to the end */
     if (strcmp(parameter->key, "time.end") == 0)
-        return settings->problem == PROBLEM_MOVING_CANTILEVER;
+        return settings->problem->end_matters;
     /* the critical stretch says the same */
     if (strcmp(parameter->key, "pd.critical_energy") == 0)
         return false;
-    return strncmp(parameter->key, "output.", 7) != 0;
+    return !parameter->output;
 }
 
 static bool differs(const Settings *a, const Settings *b, const Parameter *parameter)
@@ -406,7 +405,7 @@ bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *sta
         return false;
     take_over_rest(&trial->base, wanted);
     take_over_rest(&trial->now, wanted);
-    if (wanted->time.end != trial->base.time.end && wanted->problem != PROBLEM_MOVING_CANTILEVER) {
+    if (wanted->time.end != trial->base.time.end && !wanted->problem->end_matters) {
         trial_set_end(trial, wanted->time.end);
         if (experiment->pending)
             experiment_seek(experiment, experiment->goal_step, experiment->goal_stage);

@@ -76,14 +76,9 @@ static const char *cause_of(const Trial *trial, long step, bool gain)
 {
     Settings then;
     changes_in_force(&trial->base, step, &then);
-    const bool mpm = then.problem == PROBLEM_BAR && then.method == METHOD_MPM;
-    if (mpm && !gain && then.mpm.transfer == MPM_FLIP && then.mpm.flip_fraction < 1)
-        return ": PIC damping";
-    if (mpm && !gain && then.mpm.transfer == MPM_APIC)
-        return ": APIC filters velocities";
-    if (mpm && !gain && then.mpm.algorithm == MPM_USL)
-        return ": USL damping";
-    return crossed_before(trial, step) ? ": cell crossing" : "";
+    const Solver *solver = problem_solver(then.problem, then.method);
+    const char *damping = solver && solver->damping && !gain ? solver->damping(&then) : NULL;
+    return damping ? damping : crossed_before(trial, step) ? "cell crossing" : "";
 }
 
 static void tell_drift(EnergyWatch *watch, const Trial *trial, double drift)
@@ -95,8 +90,9 @@ static void tell_drift(EnergyWatch *watch, const Trial *trial, double drift)
         watch->level++;
     char number[NUMBER_TEXT_MAX], text[120];
     text_rounded(number, 100 * fabs(watch->before), 2);
-    snprintf(text, sizeof text, "energy %s %% %s the start%s", number, drift > 0 ? "above" : "below",
-             cause_of(trial, watch->before_step, drift > 0));
+    const char *cause = cause_of(trial, watch->before_step, drift > 0);
+    snprintf(text, sizeof text, "energy %s %% %s the start%s%s", number, drift > 0 ? "above" : "below",
+             *cause ? ": " : "", cause);
     add(watch->events, &watch->n_events, STORY_DRIFTS_MAX, watch->before_step, EVENT_ENERGY, text);
 }
 

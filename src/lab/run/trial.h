@@ -4,7 +4,7 @@
 #define LAB_TRIAL_H
 
 #include "lab/run/history.h"
-#include "lab/answers/problem.h"
+#include "lab/problems/references.h"
 #include "lab/run/record.h"
 
 typedef struct Trial {

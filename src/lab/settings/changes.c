@@ -1,6 +1,6 @@
 #include "lab/settings/changes.h"
 #include "lab/settings/parameters.h"
-#include "lab/answers/problem.h"
+#include "lab/problems/references.h"
 
 #include <limits.h>
 #include <stdio.h>

@@ -1,11 +1,11 @@
 /* The parameter table: one row for each key of a scenario file that has a value. The scenario reader and
  * writer, --set, the fields on screen, `matvib params`, completion and the manual page read this table;
- * none repeats it. To add a parameter: one row here and the member it fills in settings.h. */
+ * none repeats it. To add a parameter: one row in parameter_rows.inc and the member it fills in settings.h.
+ */
 #ifndef LAB_PARAMETERS_H
 #define LAB_PARAMETERS_H
 
-#include "base/status.h"
-#include "lab/settings/settings.h"
+#include "lab/problems/problem.h"
 
 #include <stddef.h>
 
@@ -26,28 +26,29 @@ typedef enum Nudge {
     NUDGE_NEXT     /* next choice */
 } Nudge;
 
-typedef enum ParameterMethod { OF_EVERY_METHOD, OF_MPM, OF_PD } ParameterMethod;
+/* Methods that read a parameter. */
+enum { BY_EVERY_METHOD = 0, BY_MPM = 1 << METHOD_MPM, BY_PD = 1 << METHOD_PD };
 
 typedef struct Parameter {
     const char *key;       /* "bar.youngs_modulus": section.key of the scenario file */
+    int concern;           /* of the problems that have it: problems/problem.h */
     const char *group;     /* heading on screen: "Bar", "Start", "Mesh", "Method", "Time", ... */
     const char *label;     /* on screen, at most 15 columns: "Young's modulus" */
-    const char *unit_bar;  /* dimension in the bar's consistent units: "force/area"; "" for a number */
-    const char *unit_beam; /* SI: "Pa" */
+    const char *dimension; /* in units of one's own that fit each other: "force/area"; "" for a number */
+    const char *unit;      /* SI: "Pa" */
     ParameterType type;
     size_t offset;              /* of the member in Settings */
     double least, most;         /* inclusive range */
     bool above_least;           /* the least itself is not allowed */
     const char *const *choices; /* ended by NULL */
-    int bar_choices;            /* on the bar only so many of them, the first ones; 0: all */
     const char *automatic;      /* a word that stands for 0, "auto"; NULL: none */
-    bool automatic_on_bar;      /* and only there: a beam wants a number */
     Nudge nudge;
-    bool live;                      /* may change in mid-run */
-    ParameterMethod only;           /* the bar has two methods, and some parameters one */
-    const char *help;               /* one line */
-    const char *help_moving;        /* of the moving cantilever; NULL: the same */
-    double defaults[PROBLEM_COUNT]; /* NAN: not a parameter of that problem */
+    bool live;        /* may change in mid-run */
+    int methods;      /* that read it; 0: every one */
+    const char *help; /* one line */
+    double usual;     /* the default, where the problem says no other */
+    double neutral;   /* the value at which it does nothing to the run, as if there were no such parameter */
+    bool output;      /* says what is written of a run, not what it is */
 } Parameter;
 
 extern const Parameter parameters[];
@@ -74,8 +75,7 @@ typedef struct TextKey {
 extern const TextKey text_keys[];
 extern const int n_text_keys;
 
-/* The words of a scenario file for Problem and MethodKind, ended by NULL. */
-extern const char *const problem_words[];
+/* The words of a scenario file for MethodKind, ended by NULL. */
 extern const char *const method_words[];
 extern const char *const method_titles[]; /* on screen: "MPM" */
 
@@ -90,29 +90,31 @@ const Parameter *parameter_find(const char *key);
 const TextKey *text_key_find(const char *key);
 
 /* The known key of this problem nearest to a wrong one, for "did you mean"; NULL: nothing is near. */
-const char *parameter_nearest(Problem problem, const char *key);
+const char *parameter_nearest(const Problem *problem, const char *key);
 
 /* The unit for this problem: in the bar's consistent units a dimension; "": a number. */
-const char *parameter_unit(const Parameter *, Problem);
+const char *parameter_unit(const Parameter *, const Problem *);
 
 /* The line of help for this problem. */
-const char *parameter_help(const Parameter *, Problem);
+const char *parameter_help(const Parameter *, const Problem *);
 
 /* The nearest of some words (ended by NULL) to a wrong one; NULL: nothing is near. */
 const char *nearest_word(const char *const *words, const char *wrong);
 
-bool parameter_applies(const Parameter *, Problem); /* has a default for that problem, by any method */
+/* Whether the problem has it, by any method. */
+bool parameter_applies(const Parameter *, const Problem *);
+
+/* Its default in this problem. */
+double parameter_usual(const Parameter *, const Problem *);
+
+/* What the problem says of it otherwise than its row; NULL: nothing. */
+const ParameterUse *parameter_use(const Parameter *, const Problem *);
 
 /* Whether a run of these settings reads it: of their problem and of their method. */
 bool settings_have(const Settings *, const Parameter *);
 
 /* All values at the defaults of a problem, method as usual for it, texts empty. */
-void settings_default(Settings *, Problem);
-
-/* Spacing and horizon of the lattice, with what stands for "auto" on the bar: one node where each particle
- * of the cells would be, and three spacings. */
-double lattice_spacing(const Settings *);
-double lattice_horizon(const Settings *);
+void settings_default(Settings *, const Problem *);
 
 /* Sets one value from text as it stands in a scenario file or after --set; parameters and text keys. False:
  * unknown key (with the nearest one), not used by this problem or its method, not a number, out of range: the
@@ -122,6 +124,10 @@ bool settings_set(Settings *, const char *key, const char *text, Status *);
 /* Sets the method alone, where it is among the keys: which of the others there are depends on it, so it comes
  * first wherever it stands. */
 bool settings_set_method(Settings *, const Assignment *keys, int n_keys, Status *);
+
+/* Puts a number that is known to be allowed. */
+void settings_put(Settings *, const Parameter *, double value);
+bool settings_in_range(const Parameter *, const Problem *, double value);
 
 /* The value as text that settings_set() reads back to the same value. */
 void settings_get(const Settings *, const Parameter *, char out[LIST_MAX]);
@@ -137,13 +143,13 @@ double settings_number(const Settings *, const Parameter *);
 bool settings_nudge(Settings *, const Parameter *, int direction);
 
 /* The word that stands for 0 in this problem; NULL: none. */
-const char *parameter_automatic(const Parameter *, Problem);
+const char *parameter_automatic(const Parameter *, const Problem *);
 
 /* What a scenario asks about: its question.key, or what its method leaves open. NULL: nothing. */
 const Parameter *settings_question(const Settings *);
 
 /* Whether a scenario can ask about it: it has choices, or it is a size of the mesh or lattice. */
-bool settings_can_ask(const Parameter *, Problem);
+bool settings_can_ask(const Parameter *, const Problem *);
 
 /* To the other answer to a question: what can be left out ("none") is taken away and put back, a size goes
  * one rung down from the usual one or back to it, of other things the next value is taken. False: there is
@@ -151,10 +157,10 @@ bool settings_can_ask(const Parameter *, Problem);
 bool settings_answer_otherwise(Settings *, const Parameter *);
 
 /* How many of its choices there are in this problem, the first ones; 0: it has no choices. */
-int parameter_choices(const Parameter *, Problem);
+int parameter_choices(const Parameter *, const Problem *);
 
 /* What is allowed, in words: "> 0", "1 to 8", "usf | usl | musl". */
-void parameter_range(const Parameter *, Problem, char *out, size_t size);
+void parameter_range(const Parameter *, const Problem *, char *out, size_t size);
 
 /* What no single value shows: both handles given, notch outside the beam, load off the beam, overtones that
  * cannot be read, mode 0 with a fixed end, ... The status names the key. */
@@ -169,19 +175,5 @@ void settings_name(const Settings *a, const Settings *b, char *out, size_t size)
 
 /* A value as a title or legend spells it: "USL", "hat", "0.5". */
 void settings_spell(const Settings *, const Parameter *, char out[LIST_MAX]);
-
-/* The lists inside texts. */
-enum { OVERTONES_MAX = 15, TIMES_MAX = 64 };
-
-typedef struct Overtone {
-    int mode;
-    double velocity;
-} Overtone;
-
-/* "3:0.03,7:0.01": how many there are, -1 if the text cannot be read (the status says why). */
-int overtones_read(const char *text, Overtone out[OVERTONES_MAX], Status *);
-
-/* "0,1e-4,2e-4", ascending: how many there are, or -1. */
-int times_read(const char *text, double out[TIMES_MAX], Status *);
 
 #endif

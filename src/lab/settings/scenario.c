@@ -93,10 +93,13 @@ static int choose(const char *const *words, const Entry *entry, Status *status)
 static bool begin(const Source *source, Settings *settings, Status *status)
 {
     const Entry *problem = find_entry(source, "scenario", "problem");
-    int chosen = problem ? choose(problem_words, problem, status) : PROBLEM_BAR;
+    const char *words[PROBLEMS_MAX + 1] = {NULL};
+    for (int i = 0; i < PROBLEMS_MAX && problems[i]; i++)
+        words[i] = problems[i]->word;
+    int chosen = problem ? choose(words, problem, status) : 0;
     if (chosen < 0)
         return at_line(source, problem, status);
-    settings_default(settings, (Problem)chosen);
+    settings_default(settings, problems[chosen]);
     const Entry *method = find_entry(source, "scenario", "method");
     chosen = method ? choose(method_words, method, status) : (int)settings->method;
     if (chosen < 0)

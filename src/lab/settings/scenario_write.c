@@ -98,8 +98,7 @@ static bool write_parameter(FILE *stream, const Settings *settings, const Parame
     if ((stretch && settings->bonds.energy_given) || (energy && !settings->bonds.energy_given)) {
         /* the other handle follows from this one; as a value it would be given twice */
         settings_show(settings, parameter, value);
-        fprintf(stream, "# %s = %s%s%s\n", name, value, *parameter->unit_beam ? " " : "",
-                parameter->unit_beam);
+        fprintf(stream, "# %s = %s%s%s\n", name, value, *parameter->unit ? " " : "", parameter->unit);
         return true;
     }
     fprintf(stream, "%s =%s%s\n", name, *value ? " " : "", value);
@@ -138,7 +137,7 @@ static bool write_section(FILE *stream, const Settings *settings, const char *se
     if (!write_words(stream, settings, section, status))
         return false;
     if (strcmp(section, "scenario") == 0)
-        fprintf(stream, "problem = %s\nmethod = %s\n", problem_words[settings->problem],
+        fprintf(stream, "problem = %s\nmethod = %s\n", settings->problem->word,
                 method_words[settings->method]);
     for (int i = 0; i < n_parameters; i++) {
         const char *name = name_in(parameters[i].key, section);

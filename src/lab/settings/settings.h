@@ -3,16 +3,11 @@
 #ifndef LAB_SETTINGS_H
 #define LAB_SETTINGS_H
 
+#include "base/status.h"
 #include "physics/mpm_bar/bar.h"
 #include "physics/pd_plane/beam.h"
 
-typedef enum Problem {
-    PROBLEM_BAR,
-    PROBLEM_SUPPORTED_BEAM,
-    PROBLEM_MOVING_CANTILEVER,
-    PROBLEM_NOTCHED_BEAM,
-    PROBLEM_COUNT
-} Problem;
+typedef struct Problem Problem; /* problems/problem.h */
 
 typedef enum MethodKind { METHOD_MPM, METHOD_PD } MethodKind;
 
@@ -136,7 +131,7 @@ typedef struct Building {
 typedef struct Settings {
     char title[TITLE_MAX]; /* one line, UTF-8 */
     char about[ABOUT_MAX];
-    Problem problem;
+    const Problem *problem;
     MethodKind method;
 
     Geometry geometry;
@@ -162,5 +157,24 @@ typedef struct Settings {
     int n_changes;
     ViewSettings view;
 } Settings;
+
+/* Spacing and horizon of the lattice, with what stands for "auto" on the bar: one node where each particle
+ * of the cells would be, and three spacings. */
+double lattice_spacing(const Settings *);
+double lattice_horizon(const Settings *);
+
+/* The lists inside texts. */
+enum { OVERTONES_MAX = 15, TIMES_MAX = 64 };
+
+typedef struct Overtone {
+    int mode;
+    double velocity;
+} Overtone;
+
+/* "3:0.03,7:0.01": how many there are, -1 if the text cannot be read (the status says why). */
+int overtones_read(const char *text, Overtone out[OVERTONES_MAX], Status *);
+
+/* "0,1e-4,2e-4", ascending: how many there are, or -1. */
+int times_read(const char *text, double out[TIMES_MAX], Status *);
 
 #endif

@@ -55,7 +55,7 @@ static void offer_keys(Completion *completion, const Laboratory *lab, const char
 }
 
 /* The words that a parameter may be; of a number, in the hint, what is allowed. */
-static void offer_values(Completion *completion, Problem problem, const char *key, size_t length)
+static void offer_values(Completion *completion, const Problem *problem, const char *key, size_t length)
 {
     char name[KEY_MAX];
     snprintf(name, sizeof name, "%.*s", (int)length, key);

@@ -80,8 +80,8 @@ static void change_window(Laboratory *lab, int direction)
         return;
     }
     screen->window = window;
-    const ProblemFacts *facts = &problem_facts[experiment_settings(screen->experiment)->problem];
-    say(lab, MESSAGE_INFO, "time window %g%s", window / facts->told_time, facts->told_time_unit);
+    const Problem *facts = experiment_settings(screen->experiment)->problem;
+    say(lab, MESSAGE_INFO, "time window %g%s", window / facts->shown_time, facts->shown_time_unit);
 }
 
 void command_narrower(Laboratory *lab)

@@ -98,16 +98,16 @@ static void crack_lines(const CrackFacts *facts, char first[160], char second[16
 
 bool beam_lines(const Screen *screen, int width, char first[160], char second[160])
 {
-    const Problem problem = experiment_settings(screen->experiment)->problem;
+    const Problem *problem = experiment_settings(screen->experiment)->problem;
     first[0] = second[0] = '\0';
     CrackFacts facts;
     if (crack_facts(experiment_simulation(screen->experiment), &facts))
         crack_lines(&facts, first, second);
-    else if (problem == PROBLEM_BAR)
+    else if (problem == &bar_problem)
         return false;
     else if (!experiment_readout(screen->experiment)->moving)
         snprintf(first, 160, "nothing vibrates: no period to measure");
-    else if (problem == PROBLEM_SUPPORTED_BEAM)
+    else if (problem == &supported_beam_problem)
         supported_lines(screen, width, first, second);
     else
         moving_lines(screen, width, first, second);

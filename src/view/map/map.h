@@ -44,7 +44,7 @@ typedef struct Scenery {
     void (*parts)(const Drawing *); /* likewise supports, load, channel, notch */
 } Scenery;
 
-extern const Scenery map_scenery[PROBLEM_COUNT];
+const Scenery *map_scenery(const Problem *);
 
 /* A piece of a cell, and the nodes that cover it. */
 typedef struct Pixel {

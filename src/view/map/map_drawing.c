@@ -303,24 +303,29 @@ static void notch_load_supports(Drawing *drawing)
     add(drawing, 0, settings->geometry.length, 3);
 }
 
-const Scenery map_scenery[PROBLEM_COUNT] = {
-    [PROBLEM_SUPPORTED_BEAM] = {.pinned = true,
-                                .probe = {0.5, 0.5},
-                                .dimensions = length_alone,
-                                .parts = draw_supports},
-    [PROBLEM_MOVING_CANTILEVER] = {.leaves = true,
-                                   .around = 1,
-                                   .probe = {1, 0.5},
-                                   .lines = map_channel_lines,
-                                   .dimensions = channel_and_length,
-                                   .parts = draw_channel},
-    [PROBLEM_NOTCHED_BEAM] = {.pressed = true,
-                              .around = 1,
-                              .probe = {0.5, 1},
-                              .lines = map_notch_lines,
-                              .dimensions = notch_load_supports,
-                              .parts = draw_notched},
-};
+static const Scenery none;
+static const Scenery supported = {
+    .pinned = true, .probe = {0.5, 0.5}, .dimensions = length_alone, .parts = draw_supports};
+static const Scenery leaving = {.leaves = true,
+                                .around = 1,
+                                .probe = {1, 0.5},
+                                .lines = map_channel_lines,
+                                .dimensions = channel_and_length,
+                                .parts = draw_channel};
+static const Scenery notched = {.pressed = true,
+                                .around = 1,
+                                .probe = {0.5, 1},
+                                .lines = map_notch_lines,
+                                .dimensions = notch_load_supports,
+                                .parts = draw_notched};
+
+const Scenery *map_scenery(const Problem *problem)
+{
+    const int concerns = problem->concerns;
+    if (!(concerns & CONCERN_BEAM))
+        return &none;
+    return concerns & CONCERN_MOTION ? &leaving : concerns & CONCERN_NOTCH ? &notched : &supported;
+}
 
 /* --- the whole ---------------------------------------------------------------------------------------- */
 
@@ -373,7 +378,7 @@ void map_drawing(const Screen *screen, Area area, Style heading)
     if (!body_of(experiment_simulation(screen->experiment), &body))
         return;
     const Settings *settings = experiment_settings(screen->experiment);
-    const Scenery *scenery = &map_scenery[settings->problem];
+    const Scenery *scenery = map_scenery(settings->problem);
     Drawing drawing = {
         .settings = settings, .scenery = scenery, .body = &body, .area = area, .low = body.low[0]};
     const int columns = area.rect.width - 2 - MARGIN_RIGHT;

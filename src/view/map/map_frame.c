@@ -208,7 +208,7 @@ bool map_open(Map *map, const Screen *screen, Area area)
                  .coloured = screen->colours >= 256 && area.glyphs != GLYPHS_ASCII};
     if (area.rect.width < 4 || area.rect.height < 2 || !body_of(sim, &map->body))
         return false;
-    map->scenery = &map_scenery[map->settings->problem];
+    map->scenery = map_scenery(map->settings->problem);
     map->across = !map->coloured && area.glyphs == GLYPHS_BRAILLE ? 2 : 1;
     map->down = map->coloured ? 2 : area.glyphs == GLYPHS_BRAILLE ? 4 : 1;
     const size_t count = map->body.count, cells = (size_t)area.rect.width * (size_t)area.rect.height;

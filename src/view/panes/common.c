@@ -196,14 +196,14 @@ void number_text(double value, int digits, int width, char out[NUMBER_TEXT_MAX])
     while ((int)strlen(out) > width && --digits > 0);
 }
 
-const ProblemFacts *facts_of(const Screen *screen)
+const Problem *facts_of(const Screen *screen)
 {
-    return &problem_facts[experiment_settings(screen->experiment)->problem];
+    return experiment_settings(screen->experiment)->problem;
 }
 
 bool shows_bar(const Screen *screen)
 {
-    return experiment_settings(screen->experiment)->problem == PROBLEM_BAR;
+    return experiment_settings(screen->experiment)->problem == &bar_problem;
 }
 
 void factor_text(double factor, char out[NUMBER_TEXT_MAX])
@@ -216,11 +216,11 @@ void factor_text(double factor, char out[NUMBER_TEXT_MAX])
 
 void time_text(const Screen *screen, double time, char *out, size_t size)
 {
-    const ProblemFacts *facts = facts_of(screen);
-    const double unit = facts->told_time, dt = experiment_simulation(screen->experiment)->dt / unit;
+    const Problem *facts = facts_of(screen);
+    const double unit = facts->shown_time, dt = experiment_simulation(screen->experiment)->dt / unit;
     int decimals = dt > 0 ? (int)ceil(-log10(dt) - 1e-9) : 2;
     decimals = decimals < 0 ? 0 : decimals > 6 ? 6 : decimals;
-    snprintf(out, size, "t %.*f%s", decimals, time / unit, facts->told_time_unit);
+    snprintf(out, size, "t %.*f%s", decimals, time / unit, facts->shown_time_unit);
 }
 
 int find_column(const Screen *screen, const char *name)

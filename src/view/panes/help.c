@@ -79,8 +79,7 @@ static void put_key(Sheet *sheet, int width, const char *keys, const char *help)
 /* What there is to see: the caption has room for its first sentences only. */
 static void write_about(Sheet *sheet, const Settings *settings, int width)
 {
-    put_text(sheet, STYLE_HEADING, width, 0,
-             settings->title[0] ? settings->title : problem_facts[settings->problem].title);
+    put_text(sheet, STYLE_HEADING, width, 0, settings->title[0] ? settings->title : settings->problem->title);
     if (settings->about[0])
         put_text(sheet, STYLE_NORMAL, width, 2, settings->about);
     put_line(sheet, STYLE_NORMAL, "");

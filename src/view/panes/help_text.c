@@ -1,3 +1,4 @@
+#include "lab/problems/problem.h"
 #include "view/panes/help_text.h"
 
 /* --- words of the curves --------------------------------------------------------------------------- */
@@ -204,7 +205,7 @@ const HelpText *help_text_of(const Settings *settings)
                                  LIST(bar_exact), LIST(rod_after)};
     static const HelpText beam = {
         "One time step (velocity Verlet)", LIST(beam_words), LIST(beam_before), NULL, 0, LIST(beam_after)};
-    if (settings->problem != PROBLEM_BAR)
+    if (settings->problem != &bar_problem)
         return &beam;
     return settings->method == METHOD_PD ? &rod : &bar;
 }

@@ -274,7 +274,7 @@ static void draw_keys(const Screen *screen, Area area)
         return;
     const Parameter *parameter = rows[screen->selected].parameter;
     char range[96], text[256];
-    const Problem problem = experiment_settings(screen->experiment)->problem;
+    const Problem *problem = experiment_settings(screen->experiment)->problem;
     parameter_range(parameter, problem, range, sizeof range);
     snprintf(text, sizeof text, "%s: %s", range, parameter_help(parameter, problem));
     if (EDIT_HINT_COLUMN + text_columns(text) < area.rect.width)

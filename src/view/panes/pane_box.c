@@ -106,7 +106,7 @@ static void draw_caption(const Screen *screen, Area area)
     const Settings *settings = experiment_settings(screen->experiment);
     const Simulation *sim = experiment_simulation(screen->experiment);
     const int width = area.rect.width - 2, rows = area.rect.height;
-    const char *title = settings->title[0] ? settings->title : problem_facts[settings->problem].title;
+    const char *title = settings->title[0] ? settings->title : settings->problem->title;
     area_rule(area, 0, title, STYLE_HEADING);
     char rate[64];
     rate_text(screen, rate, sizeof rate);

@@ -65,7 +65,7 @@ static const char *heading_of(const Screen *screen, int width)
 {
     enum { LETTERS = 16 }; /* of the last columns */
     const Settings *settings = experiment_settings(screen->experiment);
-    const char *title = settings->title[0] ? settings->title : problem_facts[settings->problem].title;
+    const char *title = settings->title[0] ? settings->title : settings->problem->title;
     return 5 + text_columns(title) + LETTERS < width ? title : "Duel";
 }
 

@@ -28,7 +28,7 @@ static bool passes(const Screen *screen, const char *label, const char *key)
 }
 
 /* Whether a derived number is one of the fields too. */
-static bool is_field(const Derived *derived, Problem problem)
+static bool is_field(const Derived *derived, const Problem *problem)
 {
     for (int i = 0; i < n_parameters; i++) {
         const char *point = strchr(parameters[i].key, '.');
@@ -76,7 +76,7 @@ static void real_text(const Screen *screen, const Parameter *parameter, char out
     double real = NAN;
     if (strcmp(parameter->key, "beam.height") == 0)
         real = derived_value(screen, "real_height");
-    else if (strcmp(parameter->key, "beam.length") == 0 && settings->problem == PROBLEM_SUPPORTED_BEAM)
+    else if (strcmp(parameter->key, "beam.length") == 0 && settings->problem == &supported_beam_problem)
         real = derived_value(screen, "real_span");
     if (fabs(real - nominal) > 1e-6 * nominal)
         number_text(real, 4, 8, out);

@@ -39,12 +39,12 @@ typedef struct Line {
 
 static Line line_of(const Screen *screen, int width)
 {
-    const ProblemFacts *facts = facts_of(screen);
+    const Problem *facts = facts_of(screen);
     const double dt = experiment_simulation(screen->experiment)->dt;
     char number[NUMBER_TEXT_MAX];
     Line line = {.first = GUTTER};
-    number_text(dt * (double)experiment_last_step(screen->experiment) / facts->told_time, 4, 10, number);
-    snprintf(line.end, sizeof line.end, "%s%s", number, facts->told_time_unit);
+    number_text(dt * (double)experiment_last_step(screen->experiment) / facts->shown_time, 4, 10, number);
+    snprintf(line.end, sizeof line.end, "%s%s", number, facts->shown_time_unit);
     line.cells = width - GUTTER - 2 - text_columns(line.end);
     return line;
 }

@@ -139,7 +139,7 @@ void time_plot_now(const Screen *screen, Area inner, const Axis *x)
 const char *time_plot_name(const Screen *screen, const Axis *x, char *out, size_t size)
 {
     char scale[TICK_TEXT_MAX];
-    const ProblemFacts *facts = facts_of(screen);
+    const Problem *facts = facts_of(screen);
     axis_scale_text(x, facts->si ? facts->unit_of_time : "", scale);
     snprintf(out, size, scale[0] ? "t, %s" : "t", scale);
     return out;

@@ -175,7 +175,7 @@ static int bar_dots(const Screen *screen, Dot dots[RUNS_MAX])
     int count = 0;
     for (int i = 0; i < n_runs; i++) {
         const Readout *readout = runs[i].readout;
-        if (runs[i].settings->problem == PROBLEM_BAR && readout->mode > 0 && readout->measured_known)
+        if (runs[i].settings->problem == &bar_problem && readout->mode > 0 && readout->measured_known)
             dots[count++] = dot_of(&runs[i], readout->mode, percent(readout->measured / readout->exact));
     }
     return count;
@@ -282,7 +282,7 @@ static int beam_dots(const Screen *screen, Dot dots[RUNS_MAX])
 {
     Run runs[RUNS_MAX];
     const int n_runs = runs_of(screen, runs);
-    const Problem problem = experiment_settings(screen->experiment)->problem;
+    const Problem *problem = experiment_settings(screen->experiment)->problem;
     int count = 0;
     for (int i = 0; i < n_runs; i++)
         if (runs[i].settings->problem == problem && runs[i].readout->measured_known)
@@ -395,9 +395,9 @@ const char *view_dispersion_word(const Screen *screen, int variant)
 void view_dispersion(const Screen *screen, Area area, Style heading, int variant)
 {
     const Settings *settings = experiment_settings(screen->experiment);
-    if (settings->problem == PROBLEM_BAR)
+    if (settings->problem == &bar_problem)
         draw_bar(screen, area, heading, variant);
-    else if (settings->problem == PROBLEM_NOTCHED_BEAM)
+    else if (settings->problem == &notched_beam_problem)
         say_instead(area, heading, "convergence",
                     "This beam breaks; it has no period to be compared. The log (9) tells when and where.");
     else if (!experiment_readout(screen->experiment)->moving)

@@ -1,5 +1,6 @@
 /* The bar by the material point method: settings to simulation, exact and predicted answers beside. */
-#include "lab/answers/bar_answers.h"
+#include "lab/problems/bar_answers.h"
+#include "lab/problems/solvers.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -22,7 +23,7 @@ BarMesh bar_mesh_of(const Settings *settings, double dt)
                      .dt = dt};
 }
 
-BarDef bar_definition(const Settings *settings)
+BarDef bar_mpm_definition(const Settings *settings)
 {
     return (BarDef){
         .length = settings->geometry.length,
@@ -43,13 +44,21 @@ BarDef bar_definition(const Settings *settings)
     };
 }
 
+static bool check(const Settings *settings, Status *status)
+{
+    const BarDef bar = bar_mpm_definition(settings);
+    const double cells = round(bar.length / bar.cell_size);
+    return bar_check(&bar, status) && bar_check_modes(settings, cells * bar.particles_per_cell, status) &&
+           problem_check_steps(settings->time.end, bar_time_step(settings), status);
+}
+
 static Simulation *simulate(const Settings *settings, int threads, Status *status)
 {
     (void)threads; /* a bar is too small to be shared */
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, status))
         return NULL;
-    BarDef def = bar_definition(settings);
+    BarDef def = bar_mpm_definition(settings);
     def.initial_velocity = bar_start;
     def.initial_context = &theory;
     return bar_create(&def, status);
@@ -65,7 +74,7 @@ static double predicted_frequency(const Settings *settings, const BarTheory *the
 static double predicted_v_cm(References *refs, long step, double time, const double *row)
 {
     (void)time, (void)row;
-    return bar_predicted_centre_velocity(&refs->bar.theory, &refs->bar.mesh, step);
+    return bar_predicted_centre_velocity(&bar_answers(refs)->theory, &bar_answers(refs)->mesh, step);
 }
 
 static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
@@ -73,8 +82,11 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, status))
         return false;
-    refs->bar.mesh = bar_mesh_of(settings, sim->dt);
-    const bool whole = bar_centre_velocity_is_predicted(&theory, &refs->bar.mesh);
+    BarAnswers *bar = bar_answers_create(refs, status);
+    if (!bar)
+        return false;
+    bar->mesh = bar_mesh_of(settings, sim->dt);
+    const bool whole = bar_centre_velocity_is_predicted(&theory, &bar->mesh);
     return bar_prepare(refs, settings, sim, predicted_frequency, whole ? predicted_v_cm : NULL,
                        "velocity of the centre of mass predicted for this mesh", status);
 }
@@ -124,13 +136,62 @@ static bool advice(const Settings *settings, char *text, size_t size, Status *st
     return true;
 }
 
-const ProblemRow bar_mpm_row = {
-    .problem = PROBLEM_BAR,
+/* --- every mode on the mesh ----------------------------------------------------------------------- */
+
+static int modes(const Settings *settings)
+{
+    return bar_modes_of(round(settings->geometry.length / settings->mesh.cell_size));
+}
+
+static Dispersion wave_on_mesh(const Settings *settings, const BarTheory *theory, double wave_number)
+{
+    const BarMesh mesh = bar_mesh_of(settings, bar_time_step(settings));
+    return bar_dispersion(theory, &mesh, wave_number);
+}
+
+/* The lumped mesh alone, sqrt(K)/theta; particle -> node -> particle, sqrt(F); the time step. */
+static void mesh_factors(const Dispersion *wave, ModeOnMesh *mode)
+{
+    const double filter = sqrt(wave->filter);
+    mode->factors[0] =
+        (ModeFactor){"mesh K", "lumped masses on linear springs", wave->space_only / (filter * mode->exact)};
+    mode->factors[1] = (ModeFactor){"filter F", "what particle to node to particle leaves", filter};
+    mode->factors[2] = (ModeFactor){"dt", NULL, wave->frequency / wave->space_only};
+    mode->n_factors = 3;
+}
+
+static bool mode(const Settings *settings, int number, ModeOnMesh *out)
+{
+    Dispersion wave;
+    if (!bar_mode(settings, number, wave_on_mesh, out, &wave))
+        return false;
+    if (isfinite(out->predicted))
+        mesh_factors(&wave, out);
+    return true;
+}
+
+static const char *damping(const Settings *settings)
+{
+    const Transfer *mpm = &settings->mpm;
+    if (mpm->transfer == MPM_FLIP && mpm->flip_fraction < 1)
+        return "PIC damping";
+    if (mpm->transfer == MPM_APIC)
+        return "APIC filters velocities";
+    return mpm->algorithm == MPM_USL ? "USL damping" : NULL;
+}
+
+const Solver bar_by_mpm = {
     .method = METHOD_MPM,
+    .check = check,
     .simulate = simulate,
+    .advice = advice,
+    .derived = derived,
     .prepare = prepare,
     .profile = bar_profile,
     .readout = bar_read_out,
-    .derived = derived,
-    .advice = advice,
+    .modes = modes,
+    .mode = mode,
+    .invariant = bar_invariant,
+    .invariant_kept = bar_invariant_kept,
+    .damping = damping,
 };

@@ -1,6 +1,6 @@
 /* The bar by peridynamics: settings to simulation, exact and predicted answers beside. */
-#include "lab/answers/bar_answers.h"
-#include "lab/settings/parameters.h"
+#include "lab/problems/bar_answers.h"
+#include "lab/problems/solvers.h"
 #include "physics/pd_bar/rod.h"
 #include "theory/rod.h"
 
@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdio.h>
 
-RodDef rod_definition(const Settings *settings)
+RodDef bar_pd_definition(const Settings *settings)
 {
     const BarSupports ends = settings->supports.ends;
     return (RodDef){
@@ -28,7 +28,7 @@ RodDef rod_definition(const Settings *settings)
     };
 }
 
-RodLatticeTheory rod_lattice_of(const Settings *settings)
+RodLatticeTheory bar_lattice_of(const Settings *settings)
 {
     return (RodLatticeTheory){.spacing = lattice_spacing(settings),
                               .horizon = lattice_horizon(settings),
@@ -37,13 +37,23 @@ RodLatticeTheory rod_lattice_of(const Settings *settings)
                               .dt = bar_time_step(settings)};
 }
 
+static bool check(const Settings *settings, Status *status)
+{
+    /* the mesh is checked too: the nodes lie where its particles would, and its cells make the time step */
+    const BarDef mesh = bar_mpm_definition(settings);
+    const RodDef def = bar_pd_definition(settings);
+    return bar_check(&mesh, status) && rod_check(&def, status) &&
+           bar_check_modes(settings, round(def.length / def.spacing), status) &&
+           problem_check_steps(settings->time.end, def.dt, status);
+}
+
 static Simulation *simulate(const Settings *settings, int threads, Status *status)
 {
     (void)threads; /* a bar is too small to be shared */
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, status))
         return NULL;
-    RodDef def = rod_definition(settings);
+    RodDef def = bar_pd_definition(settings);
     def.initial_velocity = bar_start;
     def.initial_context = &theory;
     return rod_create(&def, status);
@@ -51,7 +61,7 @@ static Simulation *simulate(const Settings *settings, int threads, Status *statu
 
 static double predicted_frequency(const Settings *settings, const BarTheory *theory, double dt, int mode)
 {
-    const RodLatticeTheory lattice = rod_lattice_of(settings);
+    const RodLatticeTheory lattice = bar_lattice_of(settings);
     (void)dt; /* the lattice knows it */
     return rod_frequency(theory, &lattice, mode);
 }
@@ -59,7 +69,7 @@ static double predicted_frequency(const Settings *settings, const BarTheory *the
 static double predicted_v_cm(References *refs, long step, double time, const double *row)
 {
     (void)time, (void)row;
-    return rod_centre_velocity(refs->bar.modes, step);
+    return rod_centre_velocity(bar_answers(refs)->modes, step);
 }
 
 static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
@@ -67,13 +77,16 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, status))
         return false;
-    const RodLatticeTheory lattice = rod_lattice_of(settings);
+    BarAnswers *bar = bar_answers_create(refs, status);
+    if (!bar)
+        return false;
+    const RodLatticeTheory lattice = bar_lattice_of(settings);
     /* what theory cannot predict is left out; for want of memory it must not be */
     errno = 0;
     if (settings->n_changes == 0)
-        refs->bar.modes = rod_modes_create(&theory, &lattice);
+        bar->modes = rod_modes_create(&theory, &lattice);
     const bool prepared =
-        bar_prepare(refs, settings, sim, predicted_frequency, refs->bar.modes ? predicted_v_cm : NULL,
+        bar_prepare(refs, settings, sim, predicted_frequency, bar->modes ? predicted_v_cm : NULL,
                     "velocity of the centre of mass predicted for this lattice", status);
     if (errno == ENOMEM)
         return status_fail(status, STATUS_FAILED, "not enough memory to predict the motion of %g nodes",
@@ -112,7 +125,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
 
 static bool advice(const Settings *settings, char *text, size_t size, Status *status)
 {
-    const RodDef def = rod_definition(settings);
+    const RodDef def = bar_pd_definition(settings);
     const double courant = settings->time.courant;
     double critical;
     if (!rod_critical(&def, &critical, status))
@@ -127,13 +140,46 @@ static bool advice(const Settings *settings, char *text, size_t size, Status *st
     return true;
 }
 
-const ProblemRow bar_pd_row = {
-    .problem = PROBLEM_BAR,
+/* --- every mode on the lattice -------------------------------------------------------------------- */
+
+static int modes(const Settings *settings)
+{
+    return bar_modes_of(round(settings->geometry.length / lattice_spacing(settings)));
+}
+
+static Dispersion wave_on_lattice(const Settings *settings, const BarTheory *theory, double wave_number)
+{
+    const RodLatticeTheory lattice = bar_lattice_of(settings);
+    return rod_dispersion(theory, &lattice, wave_number);
+}
+
+static void lattice_factors(const Dispersion *wave, ModeOnMesh *mode)
+{
+    mode->factors[0] =
+        (ModeFactor){"lattice", "each node bonded to all within the horizon", wave->space_only / mode->exact};
+    mode->factors[1] = (ModeFactor){"dt", NULL, wave->frequency / wave->space_only};
+    mode->n_factors = 2;
+}
+
+static bool mode(const Settings *settings, int number, ModeOnMesh *out)
+{
+    Dispersion wave;
+    if (!bar_mode(settings, number, wave_on_lattice, out, &wave))
+        return false;
+    if (isfinite(out->predicted))
+        lattice_factors(&wave, out);
+    return true;
+}
+
+const Solver bar_by_pd = {
     .method = METHOD_PD,
+    .check = check,
     .simulate = simulate,
+    .advice = advice,
+    .derived = derived,
     .prepare = prepare,
     .profile = bar_profile,
     .readout = bar_read_out,
-    .derived = derived,
-    .advice = advice,
+    .modes = modes,
+    .mode = mode,
 };

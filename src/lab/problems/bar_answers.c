@@ -1,8 +1,8 @@
 /* What is asked of the bar whatever its method: its theory, which column shows its frequency, exact answers
  * beside the run. */
-#include "lab/answers/bar_answers.h"
-#include "lab/settings/parameters.h"
+#include "lab/problems/bar_answers.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -46,6 +46,36 @@ double bar_time_step(const Settings *settings)
 double bar_start(double x, const void *theory)
 {
     return bar_initial_velocity(theory, x);
+}
+
+/* --- does it make sense? -------------------------------------------------------------------------- */
+
+bool bar_check_modes(const Settings *settings, double particles, Status *status)
+{
+    if (settings->start.mode == 0 && settings->start.velocity != 0 &&
+        settings->supports.ends != BAR_FREE_FREE)
+        return status_fail(status, STATUS_USAGE,
+                           "initial.mode: 0 is rigid motion, which a held bar has not (1 or more, or "
+                           "bar.supports = free-free)");
+    if (settings->start.mode > particles)
+        return status_fail(
+            status, STATUS_USAGE,
+            "initial.mode: %d is finer than the particles can show (at most %.0f, their number)",
+            settings->start.mode, particles);
+    Overtone overtones[OVERTONES_MAX];
+    int count = overtones_read(settings->start.overtones, overtones, status);
+    for (int i = 0; i < count; i++) {
+        if (overtones[i].mode == settings->start.mode)
+            return status_fail(status, STATUS_USAGE,
+                               "initial.overtones: mode %d is initial.mode already (other modes)",
+                               settings->start.mode);
+        if (overtones[i].mode > particles)
+            return status_fail(status, STATUS_USAGE,
+                               "initial.overtones: mode %d is finer than the particles can show (at most "
+                               "%.0f, their number)",
+                               overtones[i].mode, particles);
+    }
+    return count >= 0;
 }
 
 /* --- what to watch -------------------------------------------------------------------------------- */
@@ -173,10 +203,26 @@ static void set_lines(BarWatch *watch, const Settings *settings, const BarTheory
 
 /* --- columns -------------------------------------------------------------------------------------- */
 
+const BarAnswers *bar_answers(const References *refs)
+{
+    return refs->own;
+}
+
+static void release(void *own)
+{
+    BarAnswers *bar = own;
+    rod_modes_free(bar->modes);
+}
+
+BarAnswers *bar_answers_create(References *refs, Status *status)
+{
+    return plan_own(refs, sizeof(BarAnswers), release, status);
+}
+
 static double exact_v_cm(References *refs, long step, double time, const double *row)
 {
     (void)step, (void)row;
-    return bar_centre_velocity(&refs->bar.theory, time);
+    return bar_centre_velocity(&bar_answers(refs)->theory, time);
 }
 
 static bool changes_key(const Settings *settings, const char *section)
@@ -190,7 +236,7 @@ static bool changes_key(const Settings *settings, const char *section)
 bool bar_prepare(References *refs, const Settings *settings, const Simulation *sim, BarFrequency *frequency,
                  Answer *predicted, const char *meaning, Status *status)
 {
-    BarAnswers *bar = &refs->bar;
+    BarAnswers *bar = refs->own;
     if (!bar_theory_of(settings, &bar->theory, status))
         return false;
     bar->exact_known = !changes_key(settings, "load.");
@@ -211,8 +257,8 @@ bool bar_prepare(References *refs, const Settings *settings, const Simulation *s
 
 double bar_profile(const References *refs, const char *field, double x, double time)
 {
-    const BarTheory *theory = &refs->bar.theory;
-    if (!refs->bar.exact_known || !(x >= 0 && x <= theory->length))
+    const BarTheory *theory = &bar_answers(refs)->theory;
+    if (!bar_answers(refs)->exact_known || !(x >= 0 && x <= theory->length))
         return NAN;
     if (strcmp(field, "u") == 0)
         return bar_displacement(theory, x, time);
@@ -234,7 +280,7 @@ double bar_profile(const References *refs, const char *field, double x, double t
 
 void bar_read_out(const References *refs, const double *rows, size_t n_rows, int n_columns, Readout *out)
 {
-    const BarWatch *watch = &refs->bar.watch;
+    const BarWatch *watch = &bar_answers(refs)->watch;
     out->moving = watch->moving;
     out->column = watch->column;
     out->times = watch->times;
@@ -270,4 +316,23 @@ void bar_derived_wave(Derived out[DERIVED_MAX], int *n, const Settings *settings
         derived_add(out, n, "omega_predicted", "w of this mesh", "1/time", watch.predicted, false);
     derived_add(out, n, "period", "period", "time", 2 * M_PI / watch.exact, false);
     derived_add(out, n, "steps_per_period", "steps/period", "1", 2 * M_PI / watch.exact / dt, false);
+}
+
+/* --- every mode ----------------------------------------------------------------------------------- */
+
+int bar_modes_of(double count)
+{
+    return count >= 1 && count < INT_MAX ? (int)count : 0;
+}
+
+bool bar_mode(const Settings *settings, int number, BarWave *wave_of, ModeOnMesh *out, Dispersion *wave)
+{
+    BarTheory theory;
+    if (!bar_theory_of(settings, &theory, NULL))
+        return false;
+    *wave = wave_of(settings, &theory, bar_wave_number(&theory, number));
+    *out = (ModeOnMesh){.exact = bar_frequency(&theory, number), .predicted = NAN};
+    if (wave->known && wave->frequency > 0)
+        out->predicted = wave->frequency;
+    return true;
 }

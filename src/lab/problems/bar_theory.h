@@ -1,7 +1,7 @@
 /* The bar between its settings and its theory: for whoever wants to ask the theory further questions (a
  * dispersion plot, a table of verification). */
-#ifndef LAB_BAR_PROBLEM_H
-#define LAB_BAR_PROBLEM_H
+#ifndef LAB_BAR_THEORY_H
+#define LAB_BAR_THEORY_H
 
 #include "lab/settings/settings.h"
 #include "physics/pd_bar/rod.h"
@@ -15,11 +15,11 @@ bool bar_theory_of(const Settings *, BarTheory *, Status *);
 BarMesh bar_mesh_of(const Settings *, double dt);
 
 /* The bar as its engine by the material point method wants it, at rest. */
-BarDef bar_definition(const Settings *);
+BarDef bar_mpm_definition(const Settings *);
 
 /* The same bar on a lattice of bonded nodes: for the engine (at rest) and for its theory. */
-RodDef rod_definition(const Settings *);
-RodLatticeTheory rod_lattice_of(const Settings *);
+RodDef bar_pd_definition(const Settings *);
+RodLatticeTheory bar_lattice_of(const Settings *);
 
 /* dt = courant * dx / c, eq. 21. */
 double bar_time_step(const Settings *);

@@ -1,57 +1,42 @@
-/* Beams by peridynamics: settings to simulation, beam theories beside. */
-#include "lab/answers/problem_rows.h"
+/* What is asked of the beams whatever their method: beam theories beside, zeros and periods of a record. */
+#include "lab/problems/beam_answers.h"
+
+#include "theory/beam.h"
 
 #include <limits.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* --- settings to simulation ----------------------------------------------------------------------- */
+/* What References.own is of a beam. */
+typedef struct BeamAnswers {
+    BeamTheory theory;                         /* as the scenario says */
+    BeamTheory real;                           /* as the lattice came out */
+    double euler, timoshenko, timoshenko_real; /* periods of the simply supported beam */
+    MovingCantilever *moving;
+    double speed;                          /* of the same */
+    double thickness[THICKNESS_LINES_MAX]; /* frequencies of the lattice through the beam's height */
+    int n_thickness;
+} BeamAnswers;
 
-BeamDef beam_definition(const Settings *settings, int threads)
+static const BeamAnswers *own(const References *refs)
 {
-    return (BeamDef){
-        .problem = problem_facts[settings->problem].beam,
-        .length = settings->geometry.length,
-        .height = settings->geometry.height,
-        .thickness = settings->geometry.thickness,
-        .youngs_modulus = settings->material.youngs_modulus,
-        .density = settings->material.density,
-        .horizon = settings->lattice.horizon,
-        .spacing = settings->lattice.spacing,
-        .surface_correction = settings->lattice.surface_correction,
-        .volume_correction = settings->lattice.volume_correction,
-        .critical_stretch = settings->bonds.critical_stretch,
-        .protected_depth = settings->bonds.protected_depth,
-        .amplitude = settings->start.amplitude,
-        .speed = settings->motion.speed,
-        .channel = settings->motion.channel,
-        .clamp = settings->motion.clamp,
-        .notch_position = settings->notch.position,
-        .notch_depth = settings->notch.depth,
-        .load_stress = settings->loads.stress,
-        .load_ramp = settings->loads.ramp,
-        .load_position = settings->loads.position,
-        .load_width = settings->loads.width,
-        .support_left = settings->supports.left,
-        .support_right = settings->supports.right,
-        .pinned = settings->supports.pinned,
-        .dt = settings->time.step,
-        .end = settings->time.end,
-        .threads = threads,
-        .go_on = settings->building.go_on,
-        .go_on_context = settings->building.context,
-    };
+    return refs->own;
 }
 
-static Simulation *simulate(const Settings *settings, int threads, Status *status)
+static void release(void *answers)
 {
-    BeamDef def = beam_definition(settings, threads);
-    return beam_create(&def, status);
+    BeamAnswers *beam = answers;
+    if (beam->moving)
+        moving_cantilever_free(beam->moving);
 }
 
-static BeamTheory theory_of(const Settings *settings)
+static BeamAnswers *own_create(References *refs, Status *status)
+{
+    return plan_own(refs, sizeof(BeamAnswers), release, status);
+}
+
+BeamTheory beam_theory_of(const Settings *settings)
 {
     return (BeamTheory){.length = settings->geometry.length,
                         .height = settings->geometry.height,
@@ -60,9 +45,9 @@ static BeamTheory theory_of(const Settings *settings)
                         .amplitude = settings->start.amplitude};
 }
 
-static BeamTheory real_theory_of(const Settings *settings, const Simulation *sim)
+BeamTheory beam_real_theory_of(const Settings *settings, const Simulation *sim)
 {
-    BeamTheory real = theory_of(settings);
+    BeamTheory real = beam_theory_of(settings);
     BeamFacts facts;
     beam_facts(sim, &facts);
     real.height = facts.real_height;
@@ -83,12 +68,6 @@ static void find_thickness_lines(BeamAnswers *beam, const Settings *settings, co
         beam->n_thickness = thickness_modes(stiffness, facts.ny, settings->material.density, sim->dt,
                                             beam->thickness, THICKNESS_LINES_MAX);
     free(stiffness);
-}
-
-static double no_profile(const References *refs, const char *field, double x, double time)
-{
-    (void)refs, (void)field, (void)x, (void)time;
-    return NAN;
 }
 
 /* The zeros of a column: how many, the first and the last two. */
@@ -118,38 +97,38 @@ static Zeros find_zeros(const double *rows, size_t n_rows, int n_columns, int co
 static double u_euler(References *refs, long step, double time, const double *row)
 {
     (void)step, (void)row;
-    return beam_midpoint(&refs->beam.theory, refs->beam.euler, time);
+    return beam_midpoint(&own(refs)->theory, own(refs)->euler, time);
 }
 
 static double v_euler(References *refs, long step, double time, const double *row)
 {
     (void)step, (void)row;
-    return beam_midpoint_velocity(&refs->beam.theory, refs->beam.euler, time);
+    return beam_midpoint_velocity(&own(refs)->theory, own(refs)->euler, time);
 }
 
 static double u_timoshenko(References *refs, long step, double time, const double *row)
 {
     (void)step, (void)row;
-    return beam_midpoint(&refs->beam.theory, refs->beam.timoshenko, time);
+    return beam_midpoint(&own(refs)->theory, own(refs)->timoshenko, time);
 }
 
 static double v_timoshenko(References *refs, long step, double time, const double *row)
 {
     (void)step, (void)row;
-    return beam_midpoint_velocity(&refs->beam.theory, refs->beam.timoshenko, time);
+    return beam_midpoint_velocity(&own(refs)->theory, own(refs)->timoshenko, time);
 }
 
-static bool prepare_supported(References *refs, const Settings *settings, const Simulation *sim,
-                              Status *status)
+bool beam_prepare_supported(References *refs, const Settings *settings, const Simulation *sim, Status *status)
 {
-    (void)status;
     static const Quantity u_e = {"u_euler", "Euler", "m", "mid-point displacement by Euler-Bernoulli"};
     static const Quantity v_e = {"v_euler", "Euler", "m/s", "mid-point velocity by Euler-Bernoulli"};
     static const Quantity u_t = {"u_timoshenko", "Timoshenko", "m", "mid-point displacement by Timoshenko"};
     static const Quantity v_t = {"v_timoshenko", "Timoshenko", "m/s", "mid-point velocity by Timoshenko"};
-    BeamAnswers *beam = &refs->beam;
-    beam->theory = theory_of(settings);
-    beam->real = real_theory_of(settings, sim);
+    BeamAnswers *beam = own_create(refs, status);
+    if (!beam)
+        return false;
+    beam->theory = beam_theory_of(settings);
+    beam->real = beam_real_theory_of(settings, sim);
     find_thickness_lines(beam, settings, sim);
     beam->euler = beam_period_euler(&beam->theory);
     beam->timoshenko = beam_period_timoshenko(&beam->theory);
@@ -164,32 +143,32 @@ static bool prepare_supported(References *refs, const Settings *settings, const 
 }
 
 /* Timoshenko's beam keeps the sine: what a two-dimensional body should give. */
-static double supported_profile(const References *refs, const char *field, double x, double time)
+double beam_supported_profile(const References *refs, const char *field, double x, double time)
 {
-    const BeamTheory *beam = &refs->beam.theory;
+    const BeamTheory *beam = &own(refs)->theory;
     if (!(x >= 0 && x <= beam->length))
         return NAN;
     double shape = sin(M_PI * x / beam->length);
     if (strcmp(field, "uy") == 0)
-        return shape * beam_midpoint(beam, refs->beam.timoshenko, time);
+        return shape * beam_midpoint(beam, own(refs)->timoshenko, time);
     if (strcmp(field, "vy") == 0)
-        return shape * beam_midpoint_velocity(beam, refs->beam.timoshenko, time);
+        return shape * beam_midpoint_velocity(beam, own(refs)->timoshenko, time);
     return NAN;
 }
 
 /* Exact is Timoshenko's period of the beam as it was asked for; predicted that of the beam as it lies on the
  * lattice, a little thinner and shorter. */
-static void read_supported(const References *refs, const double *rows, size_t n_rows, int n_columns,
-                           Readout *out)
+void beam_read_supported(const References *refs, const double *rows, size_t n_rows, int n_columns,
+                         Readout *out)
 {
     out->is_period = true;
     out->column = "u_probe";
-    out->moving = refs->beam.theory.amplitude != 0;
+    out->moving = own(refs)->theory.amplitude != 0;
     if (!out->moving)
         return;
     out->exact_known = out->predicted_known = true;
-    out->exact = refs->beam.timoshenko;
-    out->predicted = refs->beam.timoshenko_real;
+    out->exact = own(refs)->timoshenko;
+    out->predicted = own(refs)->timoshenko_real;
     double frequency;
     if (readout_fit(rows, n_rows, n_columns, plan_find(refs, "u_probe"), 2 * M_PI / out->predicted,
                     &(double){1}, 1, &frequency)) {
@@ -206,13 +185,13 @@ static void read_supported(const References *refs, const double *rows, size_t n_
 static double u_modal(References *refs, long step, double time, const double *row)
 {
     (void)step, (void)row;
-    return moving_cantilever_tip(refs->beam.moving, time);
+    return moving_cantilever_tip(own(refs)->moving, time);
 }
 
 static double v_modal(References *refs, long step, double time, const double *row)
 {
     (void)step, (void)row;
-    return moving_cantilever_tip_velocity(refs->beam.moving, time);
+    return moving_cantilever_tip_velocity(own(refs)->moving, time);
 }
 
 /* The straight line through the velocities of the last 0.1 ms (least squares), read at its newest end. A
@@ -221,10 +200,10 @@ static double v_modal(References *refs, long step, double time, const double *ro
 static double v_filtered(References *refs, long step, double time, const double *row)
 {
     (void)step, (void)time;
-    const Window *window = &refs->beam.window;
+    const Window *window = &refs->window;
     long n = window->filled;
     if (n < 3)
-        return row[refs->beam.v_probe];
+        return row[refs->window.of];
     /* with k = 0 for the newest and going back: value at 0 of the line */
     double sum = 0, moment = 0;
     for (long k = 0; k < n; k++) {
@@ -237,7 +216,7 @@ static double v_filtered(References *refs, long step, double time, const double 
     return (2 * (2 * count - 1) * sum - 6 * moment) / (count * (count + 1));
 }
 
-static bool prepare_moving(References *refs, const Settings *settings, const Simulation *sim, Status *status)
+bool beam_prepare_moving(References *refs, const Settings *settings, const Simulation *sim, Status *status)
 {
     static const Quantity u_m = {"u_modal", "modal", "m", "tip displacement by the modal equations"};
     static const Quantity v_m = {"v_modal", "modal", "m/s", "the tip's material velocity by the same"};
@@ -245,8 +224,10 @@ static bool prepare_moving(References *refs, const Settings *settings, const Sim
                                  "v_probe without its thickness modes: the end of the straight line "
                                  "through the last 0.1 ms"};
     const double window = 1e-4;
-    BeamAnswers *beam = &refs->beam;
-    beam->theory = theory_of(settings);
+    BeamAnswers *beam = own_create(refs, status);
+    if (!beam)
+        return false;
+    beam->theory = beam_theory_of(settings);
     /* the last step may lie beyond the end by almost a step */
     double end = (double)problem_last_step(sim->dt, settings->time.end) * sim->dt;
     beam->moving = moving_cantilever_solve(&beam->theory, settings->motion.speed, fmax(end, sim->dt), status);
@@ -254,12 +235,8 @@ static bool prepare_moving(References *refs, const Settings *settings, const Sim
         return false;
     beam->speed = settings->motion.speed;
     find_thickness_lines(beam, settings, sim);
-    beam->v_probe = simulation_find_series(sim, "v_probe");
-    beam->window.size = lround(window / sim->dt) + 1;
-    if (beam->window.size > 1000000)
-        beam->window.size = 1000000;
-    beam->window.values = malloc((size_t)beam->window.size * sizeof *beam->window.values);
-    if (!beam->window.values)
+    const long rows = lround(window / sim->dt) + 1;
+    if (!plan_window(refs, sim, "v_probe", rows < 1000000 ? rows : 1000000))
         return status_fail(status, STATUS_FAILED, "not enough memory to filter the velocity");
     plan_method(refs, sim, "u_probe");
     plan_method(refs, sim, "v_probe");
@@ -272,13 +249,12 @@ static bool prepare_moving(References *refs, const Settings *settings, const Sim
 
 /* The period grows with the length, so the time between the last two zeros is told (twice, for a whole
  * period), against that between the same zeros of the modal solution. */
-static void read_moving(const References *refs, const double *rows, size_t n_rows, int n_columns,
-                        Readout *out)
+void beam_read_moving(const References *refs, const double *rows, size_t n_rows, int n_columns, Readout *out)
 {
     out->is_period = true;
     out->drifting = true;
     out->column = "u_probe";
-    out->moving = refs->beam.theory.amplitude != 0;
+    out->moving = own(refs)->theory.amplitude != 0;
     if (!out->moving)
         return;
     int u = plan_find(refs, "u_probe"), modal = plan_find(refs, "u_modal");
@@ -299,7 +275,7 @@ static void read_moving(const References *refs, const double *rows, size_t n_row
 
 /* --- notched -------------------------------------------------------------------------------------- */
 
-static bool prepare_notched(References *refs, const Settings *settings, const Simulation *sim, Status *status)
+bool beam_prepare_notched(References *refs, const Settings *settings, const Simulation *sim, Status *status)
 {
     (void)settings, (void)status;
     plan_method(refs, sim, "u_probe");
@@ -307,94 +283,38 @@ static bool prepare_notched(References *refs, const Settings *settings, const Si
     return true;
 }
 
-static void read_nothing(const References *refs, const double *rows, size_t n_rows, int n_columns,
-                         Readout *out)
+void beam_read_nothing(const References *refs, const double *rows, size_t n_rows, int n_columns, Readout *out)
 {
     (void)refs, (void)rows, (void)n_rows, (void)n_columns;
     out->is_period = true;
     out->column = "u_probe";
 }
 
-/* --- derived numbers and advice ------------------------------------------------------------------- */
+/* --- moving: what its lengthening alone does ------------------------------------------------------- */
 
-static int derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
+static double length_at(const References *refs, double time)
 {
-    const Lattice *lattice = &settings->lattice;
-    int n = 0;
-    derived_add(out, &n, "horizon_over_spacing", "horizon/spacing", "1", lattice->horizon / lattice->spacing,
-                false);
-    double stretch = settings->bonds.critical_stretch;
-    derived_add(out, &n, "critical_stretch", "critical s0", "1", stretch, false);
-    derived_add(out, &n, "critical_energy", "critical G0", "J/m^2",
-                stretch * stretch * 9 * settings->material.youngs_modulus * lattice->horizon / (4 * M_PI),
-                false);
-    if (sim) {
-        BeamFacts facts;
-        beam_facts(sim, &facts);
-        derived_add(out, &n, "dt", "time step dt", "s", sim->dt, false);
-        derived_add(out, &n, "dt_crit", "critical dt", "s", facts.critical_step, false);
-        derived_add(out, &n, "micromodulus", "micromodulus c", "N/m^6", facts.micromodulus, false);
-        derived_add(out, &n, "particles", "particles", "1", (double)facts.nx * facts.ny, true);
-        derived_add(out, &n, "columns", "columns", "1", facts.nx, true);
-        derived_add(out, &n, "rows", "rows", "1", facts.ny, true);
-        derived_add(out, &n, "family", "family", "1", (double)facts.family, true);
-        derived_add(out, &n, "bonds", "bonds", "1", (double)facts.bonds, true);
-        if (settings->problem == PROBLEM_NOTCHED_BEAM)
-            derived_add(out, &n, "notch_bonds", "cut by notch", "1", (double)facts.notch_bonds, true);
-        derived_add(out, &n, "real_height", "real height", "m", facts.real_height, false);
-        derived_add(out, &n, "real_span", "real span", "m", facts.real_span, false);
-    }
-    if (settings->problem == PROBLEM_SUPPORTED_BEAM) {
-        BeamTheory theory = theory_of(settings);
-        derived_add(out, &n, "period_euler", "T Euler", "s", beam_period_euler(&theory), false);
-        derived_add(out, &n, "period_timoshenko", "T Timoshenko", "s", beam_period_timoshenko(&theory),
-                    false);
-        if (sim) {
-            BeamTheory real = real_theory_of(settings, sim);
-            derived_add(out, &n, "period_real", "T real size", "s", beam_period_timoshenko(&real), false);
-        }
-    }
-    return n;
+    return own(refs)->theory.length + own(refs)->speed * time;
 }
 
-static bool advice(const Settings *settings, char *text, size_t size, Status *status)
+double beam_moving_envelope(const References *refs, const char *column, double time)
 {
-    (void)status; /* the time step is checked against the critical one when the beam is made */
-    double ratio = settings->lattice.horizon / settings->lattice.spacing;
-    if (!(ratio >= 3 * (1 - 1e-9) && ratio <= 4 * (1 + 1e-9)))
-        snprintf(text, size, "the horizon is %.3g spacings; 3 to 4 are usual", ratio);
-    return true;
+    const BeamTheory *beam = &own(refs)->theory;
+    const double growth = length_at(refs, time) / beam->length, tip = 2 * fabs(beam->amplitude);
+    if (strcmp(column, "u_probe") == 0)
+        return tip * sqrt(growth);
+    if (strcmp(column, "v_probe") == 0)
+        return tip * cantilever_frequency(beam, beam->length) * pow(growth, -1.5);
+    return NAN;
 }
 
-const ProblemRow supported_pd_row = {
-    .problem = PROBLEM_SUPPORTED_BEAM,
-    .method = METHOD_PD,
-    .simulate = simulate,
-    .prepare = prepare_supported,
-    .profile = supported_profile,
-    .readout = read_supported,
-    .derived = derived,
-    .advice = advice,
-};
+double beam_moving_frequency(const References *refs, double time)
+{
+    return cantilever_frequency(&own(refs)->theory, length_at(refs, time)) / (2 * M_PI);
+}
 
-const ProblemRow moving_pd_row = {
-    .problem = PROBLEM_MOVING_CANTILEVER,
-    .method = METHOD_PD,
-    .simulate = simulate,
-    .prepare = prepare_moving,
-    .profile = no_profile,
-    .readout = read_moving,
-    .derived = derived,
-    .advice = advice,
-};
-
-const ProblemRow notched_pd_row = {
-    .problem = PROBLEM_NOTCHED_BEAM,
-    .method = METHOD_PD,
-    .simulate = simulate,
-    .prepare = prepare_notched,
-    .profile = no_profile,
-    .readout = read_nothing,
-    .derived = derived,
-    .advice = advice,
-};
+int beam_thickness_lines(const References *refs, double out[THICKNESS_LINES_MAX])
+{
+    memcpy(out, own(refs)->thickness, sizeof own(refs)->thickness);
+    return own(refs)->n_thickness;
+}

@@ -1,0 +1,77 @@
+/* What both methods of the bar share: which column shows its frequency, exact answers, and what is predicted
+ * beside. Not for front ends. */
+#ifndef LAB_BAR_ANSWERS_H
+#define LAB_BAR_ANSWERS_H
+
+#include "lab/answers/dispersion.h"
+#include "lab/problems/bar_theory.h"
+#include "lab/problems/solver.h"
+#include "theory/frequency.h"
+
+/* On which column the bar's frequency is measured, and what it should be. */
+typedef struct BarWatch {
+    bool moving;
+    int mode;
+    const char *column;
+    double times;                       /* the column oscillates so many times as fast as the bar */
+    double ratios[FREQUENCY_LINES_MAX]; /* the lines of the column against the one that is measured, which is
+                                         * the first */
+    int n_lines;                        /* at least 1 */
+    double exact, predicted;
+    bool predicted_known;
+} BarWatch;
+
+/* What References.own is of a bar. */
+typedef struct BarAnswers {
+    BarTheory theory;
+    BarMesh mesh;     /* by the material point method */
+    RodModes *modes;  /* by peridynamics; NULL: v_cm is not predicted */
+    bool exact_known; /* false: the load changes in mid-run */
+    BarWatch watch;
+} BarAnswers;
+
+const BarAnswers *bar_answers(const References *);
+
+/* Zeroed; in References.own. NULL: not enough memory. */
+BarAnswers *bar_answers_create(References *, Status *);
+
+/* The velocity at t = 0; the context is a BarTheory. */
+double bar_start(double x, const void *theory);
+
+/* The mode that is watched: the first that moves and is no rigid motion; else 0. */
+int bar_watched_mode(const BarTheory *);
+
+/* Which column shows the frequency, and the exact one; what is predicted is not known yet. */
+BarWatch bar_watch(const BarTheory *);
+
+/* The frequency predicted for a mode as a run of time step `dt` shows it; NAN: not known. */
+typedef double BarFrequency(const Settings *, const BarTheory *, double dt, int mode);
+
+/* Plans v_cm with its references. `predicted` v_cm, NULL: not known; `meaning` of that column. */
+bool bar_prepare(References *, const Settings *, const Simulation *, BarFrequency *, Answer *predicted,
+                 const char *meaning, Status *);
+
+/* Of both solvers. */
+double bar_profile(const References *, const char *field, double x, double time);
+void bar_read_out(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);
+
+/* How many modes so many cells or nodes can carry. */
+int bar_modes_of(double count);
+
+/* A mode with the wave that is predicted for it; its factors are the caller's. False: no such wave. */
+typedef Dispersion BarWave(const Settings *, const BarTheory *, double wave_number);
+bool bar_mode(const Settings *, int number, BarWave *, ModeOnMesh *, Dispersion *wave);
+
+/* For Solver. */
+double bar_invariant(Simulation *, const Settings *);
+bool bar_invariant_kept(const Settings *);
+
+/* Start, question and loads as far as they are the same by both; `particles` in the bar. */
+bool bar_check_modes(const Settings *, double particles, Status *);
+
+/* beta, omega, omega_predicted (if there is a way to predict), period, steps_per_period of the watched mode,
+ * if one moves. */
+void bar_derived_wave(Derived out[DERIVED_MAX], int *n, const Settings *, const BarTheory *, BarFrequency *,
+                      double dt);
+
+#endif

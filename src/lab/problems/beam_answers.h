@@ -1,0 +1,31 @@
+/* What the solvers of the beams share. Not for front ends. SI units. */
+#ifndef LAB_BEAM_ANSWERS_H
+#define LAB_BEAM_ANSWERS_H
+
+#include "lab/problems/solver.h"
+#include "physics/pd_plane/beam.h"
+#include "theory/beam.h"
+
+/* The beam as its engine by peridynamics wants it. */
+BeamDef beam_definition(const Settings *, int threads);
+
+/* The beam as the scenario says, and as its lattice came out. */
+BeamTheory beam_theory_of(const Settings *);
+BeamTheory beam_real_theory_of(const Settings *, const Simulation *);
+
+/* For Solver. */
+bool beam_prepare_supported(References *, const Settings *, const Simulation *, Status *);
+double beam_supported_profile(const References *, const char *field, double x, double time);
+void beam_read_supported(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);
+
+bool beam_prepare_moving(References *, const Settings *, const Simulation *, Status *);
+void beam_read_moving(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);
+double beam_moving_envelope(const References *, const char *column, double time);
+double beam_moving_frequency(const References *, double time);
+
+bool beam_prepare_notched(References *, const Settings *, const Simulation *, Status *);
+void beam_read_nothing(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);
+
+int beam_thickness_lines(const References *, double out[THICKNESS_LINES_MAX]);
+
+#endif

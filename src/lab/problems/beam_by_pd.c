@@ -1,0 +1,142 @@
+/* Beams by peridynamics: settings to simulation, derived numbers, advice. */
+#include "lab/problems/beam_answers.h"
+#include "lab/problems/solvers.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* --- settings to simulation ----------------------------------------------------------------------- */
+
+static BeamProblem engine_problem(const Problem *problem)
+{
+    return problem->concerns & CONCERN_MOTION  ? BEAM_MOVING_CANTILEVER
+           : problem->concerns & CONCERN_NOTCH ? BEAM_NOTCHED
+                                               : BEAM_SIMPLY_SUPPORTED;
+}
+
+BeamDef beam_definition(const Settings *settings, int threads)
+{
+    return (BeamDef){
+        .problem = engine_problem(settings->problem),
+        .length = settings->geometry.length,
+        .height = settings->geometry.height,
+        .thickness = settings->geometry.thickness,
+        .youngs_modulus = settings->material.youngs_modulus,
+        .density = settings->material.density,
+        .horizon = settings->lattice.horizon,
+        .spacing = settings->lattice.spacing,
+        .surface_correction = settings->lattice.surface_correction,
+        .volume_correction = settings->lattice.volume_correction,
+        .critical_stretch = settings->bonds.critical_stretch,
+        .protected_depth = settings->bonds.protected_depth,
+        .amplitude = settings->start.amplitude,
+        .speed = settings->motion.speed,
+        .channel = settings->motion.channel,
+        .clamp = settings->motion.clamp,
+        .notch_position = settings->notch.position,
+        .notch_depth = settings->notch.depth,
+        .load_stress = settings->loads.stress,
+        .load_ramp = settings->loads.ramp,
+        .load_position = settings->loads.position,
+        .load_width = settings->loads.width,
+        .support_left = settings->supports.left,
+        .support_right = settings->supports.right,
+        .pinned = settings->supports.pinned,
+        .dt = settings->time.step,
+        .end = settings->time.end,
+        .threads = threads,
+        .go_on = settings->building.go_on,
+        .go_on_context = settings->building.context,
+    };
+}
+
+static bool check(const Settings *settings, Status *status)
+{
+    const BeamDef beam = beam_definition(settings, 1);
+    /* a step that is to be found is known to problem_simulate() only */
+    return beam_check(&beam, status) &&
+           (beam.dt == 0 || problem_check_steps(settings->time.end, beam.dt, status));
+}
+
+static Simulation *simulate(const Settings *settings, int threads, Status *status)
+{
+    BeamDef def = beam_definition(settings, threads);
+    return beam_create(&def, status);
+}
+
+/* --- derived numbers and advice ------------------------------------------------------------------- */
+
+static int derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
+{
+    const Lattice *lattice = &settings->lattice;
+    int n = 0;
+    derived_add(out, &n, "horizon_over_spacing", "horizon/spacing", "1", lattice->horizon / lattice->spacing,
+                false);
+    double stretch = settings->bonds.critical_stretch;
+    derived_add(out, &n, "critical_stretch", "critical s0", "1", stretch, false);
+    derived_add(out, &n, "critical_energy", "critical G0", "J/m^2",
+                stretch * stretch * 9 * settings->material.youngs_modulus * lattice->horizon / (4 * M_PI),
+                false);
+    if (sim) {
+        BeamFacts facts;
+        beam_facts(sim, &facts);
+        derived_add(out, &n, "dt", "time step dt", "s", sim->dt, false);
+        derived_add(out, &n, "dt_crit", "critical dt", "s", facts.critical_step, false);
+        derived_add(out, &n, "micromodulus", "micromodulus c", "N/m^6", facts.micromodulus, false);
+        derived_add(out, &n, "particles", "particles", "1", (double)facts.nx * facts.ny, true);
+        derived_add(out, &n, "columns", "columns", "1", facts.nx, true);
+        derived_add(out, &n, "rows", "rows", "1", facts.ny, true);
+        derived_add(out, &n, "family", "family", "1", (double)facts.family, true);
+        derived_add(out, &n, "bonds", "bonds", "1", (double)facts.bonds, true);
+        if (settings->problem->concerns & CONCERN_NOTCH)
+            derived_add(out, &n, "notch_bonds", "cut by notch", "1", (double)facts.notch_bonds, true);
+        derived_add(out, &n, "real_height", "real height", "m", facts.real_height, false);
+        derived_add(out, &n, "real_span", "real span", "m", facts.real_span, false);
+    }
+    if (engine_problem(settings->problem) == BEAM_SIMPLY_SUPPORTED) {
+        BeamTheory theory = beam_theory_of(settings);
+        derived_add(out, &n, "period_euler", "T Euler", "s", beam_period_euler(&theory), false);
+        derived_add(out, &n, "period_timoshenko", "T Timoshenko", "s", beam_period_timoshenko(&theory),
+                    false);
+        if (sim) {
+            BeamTheory real = beam_real_theory_of(settings, sim);
+            derived_add(out, &n, "period_real", "T real size", "s", beam_period_timoshenko(&real), false);
+        }
+    }
+    return n;
+}
+
+static bool advice(const Settings *settings, char *text, size_t size, Status *status)
+{
+    (void)status; /* the time step is checked against the critical one when the beam is made */
+    double ratio = settings->lattice.horizon / settings->lattice.spacing;
+    if (!(ratio >= 3 * (1 - 1e-9) && ratio <= 4 * (1 + 1e-9)))
+        snprintf(text, size, "the horizon is %.3g spacings; 3 to 4 are usual", ratio);
+    return true;
+}
+
+#define BY_PD_ALIKE                                                                                          \
+    .method = METHOD_PD, .check = check, .simulate = simulate, .derived = derived, .advice = advice
+
+const Solver supported_beam_by_pd = {
+    BY_PD_ALIKE,
+    .prepare = beam_prepare_supported,
+    .profile = beam_supported_profile,
+    .readout = beam_read_supported,
+    .thickness_lines = beam_thickness_lines,
+};
+
+const Solver moving_cantilever_by_pd = {
+    BY_PD_ALIKE,
+    .prepare = beam_prepare_moving,
+    .readout = beam_read_moving,
+    .envelope = beam_moving_envelope,
+    .standing_frequency = beam_moving_frequency,
+    .thickness_lines = beam_thickness_lines,
+};
+
+const Solver notched_beam_by_pd = {
+    BY_PD_ALIKE,
+    .prepare = beam_prepare_notched,
+    .readout = beam_read_nothing,
+};

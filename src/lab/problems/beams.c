@@ -1,0 +1,79 @@
+/* The beams in the plane: supported, leaving a channel, notched and bent. */
+#include "lab/problems/solvers.h"
+
+#define BEAM_CONCERNS (CONCERN_BEAM | CONCERN_LATTICE | CONCERN_BREAKING | CONCERN_STEP)
+#define SI_UNITS      .si = true, .unit_of_time = "s", .shown_time = 1e-3, .shown_time_unit = " ms"
+#define USES(rows)    .uses = rows, .n_uses = sizeof rows / sizeof *rows
+
+/* --- simply supported ----------------------------------------------------------------------------- */
+
+static const ParameterUse uses_supported[] = {
+    {USE("beam.length", 0.1)},    {USE("beam.height", 0.005)},        {USE("beam.thickness", 0.005)},
+    {USE("beam.density", 2700)},  {USE("beam.youngs_modulus", 71e9)}, {USE("initial.amplitude", 3e-6)},
+    {USE("pd.spacing", 0.25e-3)}, {USE("pd.horizon", 1e-3)},          {USE("time.end", 1.8e-3)},
+};
+
+static const Solver *const solvers_supported[] = {&supported_beam_by_pd, NULL};
+
+const Problem supported_beam_problem = {
+    .word = "simply-supported-beam",
+    .title = "vibration of a simply supported beam",
+    .concerns = BEAM_CONCERNS | CONCERN_DEFLECTION,
+    USES(uses_supported),
+    .solvers = solvers_supported,
+    SI_UNITS,
+};
+
+/* --- axially moving cantilever -------------------------------------------------------------------- */
+
+static const ParameterUse uses_moving[] = {
+    {USE("beam.length", 0.1), .help = "length of the part outside the channel at t = 0"},
+    {USE("beam.height", 0.005)},
+    {USE("beam.thickness", 0.005)},
+    {USE("beam.youngs_modulus", 71e9)},
+    {USE("beam.density", 2700)},
+    {USE("motion.speed", 10)},
+    {USE("motion.channel", 0.055)},
+    {USE("initial.amplitude", 3e-6), .help = "U at t = 0; the tip's deflection is 2 U"},
+    {USE("pd.spacing", 0.25e-3)},
+    {USE("pd.horizon", 1e-3)},
+    {USE("time.end", 5e-3)},
+};
+
+static const Solver *const solvers_moving[] = {&moving_cantilever_by_pd, NULL};
+
+const Problem moving_cantilever_problem = {
+    .word = "moving-cantilever",
+    .title = "vibration of an axially moving cantilever",
+    .concerns = BEAM_CONCERNS | CONCERN_DEFLECTION | CONCERN_MOTION,
+    USES(uses_moving),
+    .solvers = solvers_moving,
+    SI_UNITS,
+    .end_matters = true, /* its channel and its modal solution reach to the end */
+};
+
+/* --- notched -------------------------------------------------------------------------------------- */
+
+static const ParameterUse uses_notched[] = {
+    {USE("beam.length", 0.21)},      {USE("beam.height", 0.07)},
+    {USE("beam.thickness", 0.0254)}, {USE("beam.youngs_modulus", 34.48e9)},
+    {USE("beam.density", 2400)},     {USE("pd.spacing", 0.5e-3)},
+    {USE("pd.horizon", 2e-3)},       {USE("pd.critical_stretch", 0.00085)},
+    {USE("pd.protected", 0.003)},    {USE("notch.position", 0.065)},
+    {USE("notch.depth", 0.0175)},    {USE("load.stress", 60e6)},
+    {USE("load.ramp", 1e-6)},        {USE("load.position", 0.105)},
+    {USE("load.width", 0.003)},      {USE("supports.left", 0.005)},
+    {USE("supports.right", 0.205)},  {USE("time.step", 1e-7)},
+    {USE("time.end", 3e-4)},
+};
+
+static const Solver *const solvers_notched[] = {&notched_beam_by_pd, NULL};
+
+const Problem notched_beam_problem = {
+    .word = "notched-beam",
+    .title = "three-point bending of a beam with an offset notch",
+    .concerns = BEAM_CONCERNS | CONCERN_NOTCH | CONCERN_PRESSURE | CONCERN_SUPPORTS,
+    USES(uses_notched),
+    .solvers = solvers_notched,
+    SI_UNITS,
+};

@@ -1,0 +1,95 @@
+/* What is asked of a problem: its rows' functions, for settings of any of them. */
+#include "lab/problems/problem.h"
+
+#include "base/text.h"
+#include "lab/settings/parameters.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+const Problem *problem_find(const char *word)
+{
+    for (int i = 0; problems[i]; i++)
+        if (strcmp(problems[i]->word, word) == 0)
+            return problems[i];
+    return NULL;
+}
+
+const Solver *problem_solver(const Problem *problem, MethodKind method)
+{
+    for (int i = 0; problem->solvers[i]; i++)
+        if (problem->solvers[i]->method == method)
+            return problem->solvers[i];
+    return NULL;
+}
+
+bool problem_allows(const Problem *problem, MethodKind method, Status *status)
+{
+    return problem_solver(problem, method) ||
+           status_fail(status, STATUS_USAGE, "scenario.method: %s cannot solve problem %s (%s)",
+                       method_words[method], problem->word, method_words[problem->solvers[0]->method]);
+}
+
+static const Solver *need_solver(const Settings *settings, Status *status)
+{
+    problem_allows(settings->problem, settings->method, status);
+    return problem_solver(settings->problem, settings->method);
+}
+
+Simulation *problem_simulate(const Settings *settings, int threads, Status *status)
+{
+    const Solver *solver = need_solver(settings, status);
+    Simulation *sim = solver ? solver->simulate(settings, threads, status) : NULL;
+    if (!sim || problem_check_steps(settings->time.end, sim->dt, status))
+        return sim;
+    simulation_destroy(sim);
+    return NULL;
+}
+
+int problem_derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
+{
+    const Solver *solver = problem_solver(settings->problem, settings->method);
+    return solver && solver->derived ? solver->derived(settings, sim, out) : 0;
+}
+
+bool problem_advice(const Settings *settings, char *advice, size_t size, Status *status)
+{
+    const Solver *solver = need_solver(settings, status);
+    if (size > 0)
+        advice[0] = '\0';
+    return solver && (!solver->advice || solver->advice(settings, advice, size, status));
+}
+
+bool problem_time_step(const Settings *settings, double *dt, Status *status)
+{
+    Simulation *sim = problem_simulate(settings, 1, status);
+    if (!sim)
+        return false;
+    *dt = sim->dt;
+    simulation_destroy(sim);
+    return true;
+}
+
+void problem_end_at(Settings *settings, double dt, long step)
+{
+    double times[TIMES_MAX];
+    settings->time.end = (double)step * dt;
+    if (settings->problem->concerns & CONCERN_STEP)
+        settings->time.step = dt;
+    while (settings->n_changes > 0 && settings->changes[settings->n_changes - 1].step > step)
+        settings->n_changes--;
+    int n = times_read(settings->output.at, times, NULL), kept = n;
+    while (kept > 0 && lround(times[kept - 1] / dt) > step)
+        kept--;
+    if (kept == n)
+        return;
+    size_t length = 0;
+    settings->output.at[0] = '\0';
+    for (int i = 0; i < kept; i++) {
+        char text[NUMBER_TEXT_MAX];
+        text_shortest(text, times[i]);
+        length += (size_t)snprintf(settings->output.at + length, sizeof settings->output.at - length, "%s%s",
+                                   i > 0 ? "," : "", text);
+    }
+}

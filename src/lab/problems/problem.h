@@ -1,0 +1,142 @@
+/* A problem is a row: what it is made of (its concerns, whose parameters it has), their defaults, and who
+ * solves it. A solver joins the problem to a method (physics) and to its right answers (theory).
+ *
+ * To add a problem: a file with its row, and its name in the list of problem_list.c. To add a method to a
+ * problem: a file with the solver, and its name in the problem's row. Front ends ask by the functions below,
+ * and by references.h; they look into no method. */
+#ifndef LAB_PROBLEM_H
+#define LAB_PROBLEM_H
+
+#include "lab/settings/settings.h"
+#include "physics/method.h"
+
+/* What a problem is made of; each parameter belongs to one of these, and so to the problems that have it. */
+enum Concern {
+    CONCERN_BAR = 1 << 0,        /* a bar, in any consistent units */
+    CONCERN_BEAM = 1 << 1,       /* a beam in the plane, SI units */
+    CONCERN_MOTION = 1 << 2,     /* it leaves a channel */
+    CONCERN_MODES = 1 << 3,      /* starts with the velocities of modes */
+    CONCERN_DEFLECTION = 1 << 4, /* starts with the deflection of a mode */
+    CONCERN_MESH = 1 << 5,       /* cells with particles */
+    CONCERN_METHODS = 1 << 6,    /* more than one method solves it */
+    CONCERN_LATTICE = 1 << 7,    /* nodes with bonds */
+    CONCERN_BREAKING = 1 << 8,   /* bonds that break */
+    CONCERN_NOTCH = 1 << 9,
+    CONCERN_PULL = 1 << 10,     /* body force and traction at the ends */
+    CONCERN_PRESSURE = 1 << 11, /* pressure on a stretch of the top */
+    CONCERN_SUPPORTS = 1 << 12, /* supports at places of one's own */
+    CONCERN_STEP = 1 << 13,     /* the time step itself is said; a mesh says a courant number */
+    CONCERN_ANY = ~0            /* every problem: time.end, output */
+};
+
+/* Where a parameter is another one in this problem than its row says. */
+typedef struct ParameterUse {
+    const char *key;
+    double usual;          /* the default */
+    const char *automatic; /* a word that stands for 0; NULL: the row's */
+    int choices;           /* the first so many of its choices are allowed; 0: all */
+    const char *others;    /* what is said of the others: "is for beams" */
+    const char *help;      /* NULL: the row's */
+} ParameterUse;
+
+typedef struct References References; /* references.h */
+typedef struct Readout Readout;
+typedef struct Derived Derived;
+typedef struct ModeOnMesh ModeOnMesh; /* answers/dispersion.h */
+
+/* A problem by a method. What is NULL there is not. */
+typedef struct Solver {
+    MethodKind method;
+
+    /* Does the whole make sense? Else the status names the key to be changed. */
+    bool (*check)(const Settings *, Status *);
+    Simulation *(*simulate)(const Settings *, int threads, Status *);
+    /* Said before a run; see problem_advice(). */
+    bool (*advice)(const Settings *, char *advice, size_t size, Status *);
+    int (*derived)(const Settings *, const Simulation *, Derived *out);
+
+    /* Plans the columns of the series with the answers beside (solver.h), and works out their coefficients.
+     */
+    bool (*prepare)(References *, const Settings *, const Simulation *, Status *);
+    double (*profile)(const References *, const char *field, double x, double time);
+    void (*readout)(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);
+    double (*envelope)(const References *, const char *column, double time);
+    double (*standing_frequency)(const References *, double time);
+    int (*thickness_lines)(const References *, double *out);
+
+    /* Every mode on this mesh or lattice: how many, and one of them. */
+    int (*modes)(const Settings *);
+    bool (*mode)(const Settings *, int number, ModeOnMesh *);
+
+    /* The sharp invariant of the energy (answers/invariant.h), and whether it is kept. */
+    double (*invariant)(Simulation *, const Settings *);
+    bool (*invariant_kept)(const Settings *);
+
+    /* Why the energy sinks with these settings: "USL damping"; NULL: not by them. */
+    const char *(*damping)(const Settings *);
+} Solver;
+
+struct Problem {
+    const char *word;  /* in a scenario file: "bar" */
+    const char *title; /* "axial vibration of a bar" */
+    int concerns;
+    const ParameterUse *uses;
+    int n_uses;
+    const Solver *const *solvers; /* the usual one first; ended by NULL */
+
+    bool si; /* numbers are in SI units; else in units of one's own that fit each other */
+    const char *unit_of_time;
+    double shown_time;           /* people are shown a time as so many of these */
+    const char *shown_time_unit; /* with a space before it; "": a bare number */
+    bool end_matters;            /* another time.end is another run from the start on */
+};
+
+extern const Problem bar_problem, supported_beam_problem, moving_cantilever_problem, notched_beam_problem;
+
+enum { PROBLEMS_MAX = 32 };
+extern const Problem *const problems[]; /* ended by NULL */
+
+/* The problem of that word; NULL: there is none. */
+const Problem *problem_find(const char *word);
+
+const Solver *problem_solver(const Problem *, MethodKind); /* NULL: it cannot be solved by the method */
+
+/* Whether the problem can be solved by the method; false with the status: why not, and by which. */
+bool problem_allows(const Problem *, MethodKind, Status *);
+
+/* Whether a run to `end` takes steps that can be counted and done. */
+bool problem_check_steps(double end, double dt, Status *);
+
+/* The first step k with k dt >= end (1 - 1e-9): where a run ends; of a run that problem_check_steps()
+ * allows. */
+long problem_last_step(double dt, double end);
+
+/* The simulation at t = 0. `threads` at least 1. NULL: the status says why. */
+Simulation *problem_simulate(const Settings *, int threads, Status *);
+
+/* The time step that a simulation of these settings has; a beam's critical one may have to be found for it.
+ */
+bool problem_time_step(const Settings *, double *dt, Status *);
+
+/* Makes settings those of a run that ends at a step: time.end its time, time.step the number in use, changes
+ * and named times beyond it left out. Such a run has the same rows up to there. */
+void problem_end_at(Settings *, double dt, long step);
+
+/* Derived numbers: wave speed, time step, beta, omega, period, ...; micromodulus, bonds, dt_crit, ... */
+struct Derived {
+    const char *name;  /* ASCII, for `show` and `params`: "dt" */
+    const char *label; /* on screen */
+    const char *unit;
+    double value;
+    bool integer;
+};
+
+enum { DERIVED_MAX = 24 };
+
+int problem_derived(const Settings *, const Simulation *, Derived out[DERIVED_MAX]);
+
+/* Said before a run: the courant number against its limit, horizon over spacing outside 3 to 4. False: the
+ * run is refused, the status says why and what is allowed. `advice` is "" where there is nothing to say. */
+bool problem_advice(const Settings *, char *advice, size_t size, Status *);
+
+#endif

@@ -1,0 +1,131 @@
+/* The references of a run: made by its solver, asked by everyone. */
+#include "lab/problems/solver.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static References *make_references(const Solver *solver, const Settings *settings, const Simulation *sim,
+                                   const char *unit_of_time, Status *status)
+{
+    References *refs = calloc(1, sizeof *refs);
+    if (!refs) {
+        status_fail(status, STATUS_FAILED, "not enough memory for the reference solutions");
+        return NULL;
+    }
+    static const Quantity step = {"step", "step", "1", "whole time steps done"};
+    Quantity time = {"time", "t", unit_of_time, "step * dt"};
+    refs->solver = solver;
+    refs->dt = sim->dt;
+    plan_answer(refs, &step, COLUMN_MEASURED, NULL, NULL);
+    plan_answer(refs, &time, COLUMN_MEASURED, NULL, NULL);
+    if (solver && !solver->prepare(refs, settings, sim, status)) {
+        references_destroy(refs);
+        return NULL;
+    }
+    plan_rest_of_method(refs, sim);
+    return refs;
+}
+
+References *problem_references(const Settings *settings, const Simulation *sim, Status *status)
+{
+    const Solver *solver = problem_allows(settings->problem, settings->method, status)
+                               ? problem_solver(settings->problem, settings->method)
+                               : NULL;
+    return solver ? make_references(solver, settings, sim, settings->problem->unit_of_time, status) : NULL;
+}
+
+References *problem_no_references(const Simulation *sim, Status *status)
+{
+    return make_references(NULL, NULL, sim, "time", status);
+}
+
+void references_destroy(References *refs)
+{
+    if (!refs)
+        return;
+    if (refs->own && refs->release)
+        refs->release(refs->own);
+    free(refs->own);
+    free(refs->window.values);
+    free(refs);
+}
+
+int references_columns(const References *refs, Column columns[COLUMNS_MAX])
+{
+    for (int i = 0; i < refs->n_columns; i++)
+        columns[i] = refs->plan[i].column;
+    return refs->n_columns;
+}
+
+long references_memory(const References *refs)
+{
+    return refs->window.size;
+}
+
+void references_reset(References *refs)
+{
+    refs->window.filled = refs->window.next = 0;
+}
+
+static void remember(Window *window, double value)
+{
+    if (window->size == 0)
+        return;
+    window->values[window->next] = value;
+    window->next = (window->next + 1) % window->size;
+    if (window->filled < window->size)
+        window->filled++;
+}
+
+static void fill_row(References *refs, long step, double time, const double *method_row,
+                     const double *earlier, double *row)
+{
+    row[0] = (double)step;
+    row[1] = time;
+    for (int i = 2; i < refs->n_columns; i++) {
+        const PlannedColumn *planned = &refs->plan[i];
+        if (!planned->answer)
+            row[i] = method_row[planned->from_method];
+        else if (planned->remembers && earlier)
+            row[i] = earlier[i];
+        else
+            row[i] = planned->answer(refs, step, time, method_row);
+    }
+}
+
+void references_row(References *refs, long step, double time, const double *method_row, double *row)
+{
+    if (refs->window.size > 0)
+        remember(&refs->window, method_row[refs->window.of]);
+    fill_row(refs, step, time, method_row, NULL, row);
+}
+
+void references_row_again(References *refs, long step, double time, const double *method_row,
+                          const double *earlier, double *row)
+{
+    fill_row(refs, step, time, method_row, earlier, row);
+}
+
+double references_profile(const References *refs, const char *field, double x, double time)
+{
+    const Solver *solver = refs->solver;
+    return solver && solver->profile ? solver->profile(refs, field, x, time) : NAN;
+}
+
+double references_envelope(const References *refs, const char *column, double time)
+{
+    const Solver *solver = refs->solver;
+    return solver && solver->envelope ? solver->envelope(refs, column, time) : NAN;
+}
+
+double references_standing_frequency(const References *refs, double time)
+{
+    const Solver *solver = refs->solver;
+    return solver && solver->standing_frequency ? solver->standing_frequency(refs, time) : NAN;
+}
+
+int references_thickness_lines(const References *refs, double out[THICKNESS_LINES_MAX])
+{
+    const Solver *solver = refs->solver;
+    return solver && solver->thickness_lines ? solver->thickness_lines(refs, out) : 0;
+}

@@ -1,0 +1,84 @@
+/* What one set of settings is as against another. */
+#include "lab/settings/parameters.h"
+
+#include "base/text.h"
+#include "lab/problems/problem.h"
+#include "lab/settings/changes.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+/* What a run writes does not make it another run; of the two handles on breaking only the given one counts.
+ */
+static bool matters(const Settings *a, const Settings *b, const Parameter *parameter)
+{
+    if (parameter->output || !settings_have(a, parameter) || !settings_have(b, parameter))
+        return false;
+    bool by_energy = a->bonds.energy_given && b->bonds.energy_given;
+    if (parameter->offset == offsetof(Settings, bonds.critical_energy))
+        return by_energy;
+    return parameter->offset != offsetof(Settings, bonds.critical_stretch) || !by_energy;
+}
+
+static bool differ_in(const Settings *a, const Settings *b, const Parameter *parameter)
+{
+    char from[LIST_MAX], to[LIST_MAX];
+    if (!matters(a, b, parameter))
+        return false;
+    settings_get(a, parameter, from);
+    settings_get(b, parameter, to);
+    return strcmp(from, to) != 0;
+}
+
+bool settings_same(const Settings *a, const Settings *b)
+{
+    for (int i = 0; i < n_parameters; i++)
+        if (differ_in(a, b, &parameters[i]))
+            return false;
+    return a->problem == b->problem && changes_same(a, b);
+}
+
+/* Those whose values are known by themselves. */
+static bool is_name(const Parameter *parameter)
+{
+    static const char *const keys[] = {"mpm.algorithm", "mpm.shape", "mpm.transfer", "scenario.method"};
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        if (strcmp(parameter->key, keys[i]) == 0)
+            return true;
+    return false;
+}
+
+void settings_spell(const Settings *settings, const Parameter *parameter, char out[LIST_MAX])
+{
+    settings_show(settings, parameter, out);
+    if (is_name(parameter) && strcmp(parameter->key, "mpm.shape") != 0)
+        for (char *c = out; *c; c++)
+            *c = (char)toupper((unsigned char)*c);
+}
+
+void settings_name(const Settings *a, const Settings *b, char *out, size_t size)
+{
+    *out = '\0';
+    if (a->problem != b->problem) {
+        text_list_add(out, size, a->problem->word);
+        return;
+    }
+    bool room = true;
+    for (int i = 0; i < n_parameters && room; i++) {
+        char value[LIST_MAX], item[LIST_MAX + 64];
+        if (!differ_in(a, b, &parameters[i]))
+            continue;
+        settings_spell(a, &parameters[i], value);
+        snprintf(item, sizeof item, "%s%s%s", is_name(&parameters[i]) ? "" : parameters[i].label,
+                 is_name(&parameters[i]) ? "" : " ", *value ? value : "none");
+        room = text_list_add(out, size, item);
+    }
+    if (room && !changes_same(a, b)) {
+        char item[48];
+        snprintf(item, sizeof item, a->n_changes == 0 ? "unchanged" : "%d changed in mid-run", a->n_changes);
+        text_list_add(out, size, item);
+    }
+    if (*out == '\0')
+        snprintf(out, size, "the same");
+}
