@@ -84,7 +84,6 @@ physics: bar_steps.o bar_tiles.o
 physics: beam_break.o beam_family.o beam_fields.o beam_series.o beam_state.o beam_step.o crack.o
 physics: rod_create.o rod_lattice.o
 physics: rod_fields.o rod_step.o
-tui: control.o control_commands.o control_compare.o control_complete.o control_duel.o control_export.o control_figure.o control_lesson.o control_line.o control_map.o control_move.o control_open.o control_parameters.o control_prompts.o control_scenarios.o control_time.o control_views.o
 tui: control_keys.o session.o
 view: area.o axes.o plot.o sketch.o
 view: family_forces.o pane_family.o

@@ -1,11 +1,9 @@
+/* The laboratory as its hosts see it: opened, given keys and frames, drawn, closed. It stands above all other
+ * files of this folder but those that drive it. */
 #include "tui/control/control.h"
 
-#include "base/visible.h"
-#include "lab/answers/summary.h"
-
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define MESSAGE_SECONDS                                                                                      \
@@ -16,75 +14,55 @@
 #define STEP_SHARE    0.5   /* of a frame: a step that takes longer is done in parts */
 #define ROUND_FRAMES  15    /* frames in time before "max" goes from the title */
 
-void say(Laboratory *lab, MessageKind kind, const char *format, ...)
+/* --- opening and closing -----------------------------------------------------------------------------
+ */
+
+bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Host *host, Status *status)
 {
-    va_list arguments;
-    va_start(arguments, format);
-    char text[sizeof lab->screen.message];
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    text_visible(lab->screen.message, sizeof lab->screen.message, text);
-    lab->screen.message_kind = lab->screen.message[0] ? kind : MESSAGE_NONE;
-    lab->said_at = lab->host.now(lab->host.context);
+    *lab = (Laboratory){.host = *host, .options = *options, .overlay = {.y = -1}, .run_limit = -1};
+    lab->carry_out = laboratory_command;
+    lab->run_line = run_line;
+    lab->utf8 = true;
+    lab->undo = calloc(UNDO_MAX, sizeof *lab->undo);
+    lab->redo = calloc(UNDO_MAX, sizeof *lab->redo);
+    if (!lab->undo || !lab->redo) {
+        laboratory_close(lab);
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    }
+    screen_default(&lab->screen);
+    Settings settings = *options->settings;
+    show_building_of(lab, &settings);
+    lab->screen.experiment = make_experiment(lab, &settings, status);
+    if (!lab->screen.experiment) {
+        laboratory_close(lab);
+        return false;
+    }
+    name_scenario(lab, options->scenario);
+    begin_run(lab);
+    if (options->paused)
+        lab->resume = lab->screen.state = STATE_PAUSED;
+    if (options->reached)
+        memcpy(lab->screen.lesson.reached, options->reached, sizeof lab->screen.lesson.reached);
+    if (options->lesson && !open_lesson(lab, options->lesson, status)) {
+        laboratory_close(lab);
+        return false;
+    }
+    return true;
+}
+
+void laboratory_close(Laboratory *lab)
+{
+    close_lesson(lab);
+    duel_close(&lab->duel);
+    experiment_destroy(lab->screen.experiment);
+    overlay_close(&lab->overlay);
+    free(lab->undo);
+    free(lab->redo);
+    lab->screen.experiment = NULL;
+    lab->undo = lab->redo = NULL;
 }
 
 /* --- the engine's share of a frame ------------------------------------------------------------------ */
-
-void settle(Laboratory *lab)
-{
-    Screen *screen = &lab->screen;
-    Experiment *experiment = screen->experiment;
-    long left;
-    Status failure;
-    if (duel_pending(&lab->duel, &left))
-        screen->state = STATE_COMPUTING;
-    else if (experiment_failed(experiment, &failure) &&
-             experiment_step(experiment) >= experiment_newest(experiment)) {
-        screen->state = STATE_FAILED;
-        lab->resume = STATE_PAUSED;
-        say(lab, MESSAGE_ERROR, "%s", failure.text);
-    } else if (experiment_at_end(experiment)) {
-        screen->state = STATE_ENDED;
-        lab->resume = STATE_PAUSED;
-        summary_of(experiment, &screen->summary);
-        screen->summary_known = true;
-    } else
-        screen->state = lab->resume;
-    if (screen->state != STATE_RUNNING) {
-        experiment_rest(experiment);
-        if (lab->duel.b)
-            experiment_rest(lab->duel.b);
-    }
-    tell_second(lab);
-}
-
-void pause_run(Laboratory *lab)
-{
-    lab->resume = STATE_PAUSED;
-    lab->owed = 0;
-    settle(lab);
-}
-
-void present(const Laboratory *lab, long *step, int *stage)
-{
-    const Experiment *experiment = lab->screen.experiment;
-    bool under_way = lab->screen.state == STATE_COMPUTING;
-    *step = under_way ? lab->goal_step : experiment_step(experiment);
-    *stage = under_way ? lab->goal_stage : experiment_stage(experiment);
-}
-
-void seek(Laboratory *lab, long step, int stage)
-{
-    long last = experiment_last_step(lab->screen.experiment);
-    if (step < 0)
-        step = 0, stage = 0;
-    if (step >= last)
-        step = last, stage = 0;
-    lab->goal_step = step;
-    lab->goal_stage = stage;
-    duel_seek(&lab->duel, step, stage);
-    settle(lab);
-}
 
 bool laboratory_active(const Laboratory *lab)
 {
@@ -162,13 +140,6 @@ static long work_in_parts(Laboratory *lab, bool (*verb)(Duel *, double, bool *, 
     lab->in_parts = false;
     lab->part_seconds = 0;
     return 1;
-}
-
-void drop_part(Laboratory *lab)
-{
-    duel_drop_part(&lab->duel);
-    lab->in_parts = false;
-    lab->part_seconds = 0;
 }
 
 static bool run_frame(Laboratory *lab, double deadline)

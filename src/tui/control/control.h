@@ -56,8 +56,21 @@ typedef struct LessonPlay {
 /* Takes an answer to a prompt. False: refused, prompt.problem says why, the prompt stays. */
 typedef bool (*Answer)(Laboratory *, const char *text);
 
+/* What is special about typing the answer to one kind of question; each member may be NULL. */
+typedef struct Completion Completion;
+typedef struct Typing {
+    bool (*key)(Laboratory *, const char *key);         /* false: the key does what it does everywhere */
+    void (*offer)(Completion *, const Laboratory *lab); /* what Tab completes */
+    void (*typed)(Laboratory *, const char *key);       /* the text has changed */
+} Typing;
+
 struct Laboratory {
     Screen screen;
+
+    /* The tables of commands and of lines stand above all that they call; from there they are reached so. */
+    void (*carry_out)(Laboratory *, CommandId);
+    bool (*run_line)(Laboratory *, const char *line);
+
     Duel duel;         /* behind screen.duel */
     bool second_ended; /* that the second run stopped has been said */
     Host host;
@@ -90,6 +103,7 @@ struct Laboratory {
     int frames_in_time;  /* since the engine was last the limit */
     bool pasted_line;    /* a pasted line has ended; what is pasted behind it is another word */
     Answer answer;
+    const Typing *typing;   /* NULL: nothing special */
     int suggestion;         /* for a duel, the one that is offered; -1: what was the last one's */
     int tabbed;             /* candidates that Tab has shown; the next Tab shows those behind them */
     ScenarioList scenarios; /* behind screen.prompt.scenarios */
@@ -145,6 +159,12 @@ bool change_settings(Laboratory *, const Settings *, DuelChange, Status *);
 void settings_changed(Laboratory *); /* what follows from it */
 bool open_scenario(Laboratory *, const char *name, Status *);
 
+/* control_open.c: a run is made, and put in the place of another. */
+Experiment *make_experiment(const Laboratory *, const Settings *, Status *);
+void show_building_of(Laboratory *, Settings *); /* how far its building has come; copies of them do too */
+void begin_run(Laboratory *); /* what belongs to a run and not to the way it is looked at */
+void name_scenario(Laboratory *, const char *name);
+
 void choose_pace(Laboratory *);
 
 /* Where the steps of a key begin: the place on screen, or where the work on the way will end. */
@@ -172,7 +192,14 @@ void ask(Laboratory *, Answer, bool yes_no, const char *text, const char *format
 void fill_prompt(Laboratory *, const char *text); /* in place of what was typed; typing replaces it */
 void close_prompt(Laboratory *);
 void prompt_key(Laboratory *, const Key *);
+
+/* control_complete.c: Tab, and what it offers in the questions that have something to offer. */
 void complete_prompt(Laboratory *);
+void complete_line(Completion *, const Laboratory *);
+void complete_assignments(Completion *, const Laboratory *); /* KEY=VALUE ... */
+void complete_scenarios(Completion *, const Laboratory *);
+void complete_files(Completion *, const Laboratory *);
+
 void ask_line(Laboratory *);
 
 /* A second run beside the first: begins with the scenario's keys, or ends it; asks where there are no keys.
@@ -180,10 +207,8 @@ void ask_line(Laboratory *);
 void toggle_duel(Laboratory *);
 void open_duel(Laboratory *);                      /* of a scenario that has keys for one */
 bool answer_duel(Laboratory *, const char *words); /* "KEY=VALUE ..." */
-void suggest_duel(Laboratory *, int direction);    /* the next or previous of what a duel may be about */
 void tell_second(Laboratory *);                    /* says once that the second run stopped */
 void duel_over(Laboratory *, const Status *);      /* says so if a change ended it, and why */
-void recall_line(Laboratory *, int direction);
 
 /* Whether a file may be written now: not when an earlier session is done again, which is said. */
 bool may_write(Laboratory *, const char *name);
@@ -220,13 +245,8 @@ bool answer_open(Laboratory *, const char *text);
 
 /* control_scenarios.c: asks which scenario, with a list to choose from. */
 void ask_scenario(Laboratory *);
-bool answer_scenario(Laboratory *, const char *text);
-bool choose_scenario(Laboratory *, const char *key); /* false: the key does not move in the list */
-void narrow_scenarios(Laboratory *);                 /* to what was typed */
 bool answer_write(Laboratory *, const char *text);
-bool answer_line(Laboratory *, const char *text);
 bool run_line(Laboratory *, const char *line); /* the same without remembering it */
 bool answer_filter(Laboratory *, const char *text);
-bool answer_quit(Laboratory *, const char *text);
 
 #endif

@@ -13,11 +13,14 @@ static void open_file(Laboratory *lab)
     ask_scenario(lab);
 }
 
+static const Typing file_typing = {.offer = complete_files};
+
 static void write_file(Laboratory *lab)
 {
     char name[NAME_MAX_BYTES];
     snprintf(name, sizeof name, "%.200s%s", lab->scenario, strchr(lab->scenario, '.') ? "" : ".ini");
     ask(lab, answer_write, false, name, "write scenario to");
+    lab->typing = &file_typing;
 }
 
 static void export_run_as_files(Laboratory *lab)
@@ -39,14 +42,33 @@ static void help(Laboratory *lab)
     lab->screen.help_page = lab->screen.help_scroll = 0;
 }
 
+static bool answer_quit(Laboratory *lab, const char *text)
+{
+    (void)text;
+    lab->closed = true;
+    return true;
+}
+
+static bool quit_key(Laboratory *lab, const char *key)
+{
+    if (strcmp(key, "q") != 0 && strcmp(key, "F10") != 0)
+        return false;
+    refuse(lab, "y leaves, n stays"); /* neither is certain, and what follows should be no commands */
+    return true;
+}
+
+static const Typing quit_typing = {.key = quit_key};
+
 static void quit(Laboratory *lab)
 {
     if (close_top(lab))
         return;
-    if (lab->changed)
-        ask(lab, answer_quit, true, "", "parameters were changed and nothing was exported: leave?");
-    else
+    if (!lab->changed) {
         lab->closed = true;
+        return;
+    }
+    ask(lab, answer_quit, true, "", "parameters were changed and nothing was exported: leave?");
+    lab->typing = &quit_typing;
 }
 
 static void interrupt(Laboratory *lab)

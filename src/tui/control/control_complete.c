@@ -11,7 +11,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-typedef struct Completion {
+struct Completion {
     const char *start; /* what stands there */
     char common[sizeof((Prompt *)0)->text];
     char list[sizeof((Prompt *)0)->hint];
@@ -20,7 +20,7 @@ typedef struct Completion {
     int skipped; /* candidates that have been shown before */
     int listed;
     bool more; /* the list has no room for the others */
-} Completion;
+};
 
 /* "  (Tab: 12 more)" stands behind a list that is not the last part. */
 enum { TAIL_ROOM = 24 };
@@ -116,8 +116,15 @@ static void offer_files(Completion *completion, bool tables)
         free(entries);
 }
 
-static void offer_scenarios(Completion *completion)
+void complete_files(Completion *completion, const Laboratory *lab)
 {
+    (void)lab;
+    offer_files(completion, false);
+}
+
+void complete_scenarios(Completion *completion, const Laboratory *lab)
+{
+    (void)lab;
     for (const BuiltinScenario *builtin = builtin_scenarios; builtin->name; builtin++)
         offer(completion, builtin->name, "");
     if (*completion->start)
@@ -137,7 +144,7 @@ static void tell_views(Completion *completion, const Screen *screen)
 }
 
 /* KEY=VALUE ...: the last of them. */
-static void offer_assignments(Completion *completion, const Laboratory *lab)
+void complete_assignments(Completion *completion, const Laboratory *lab)
 {
     const char *space = strrchr(completion->start, ' ');
     const char *word = space ? space + 1 : completion->start;
@@ -166,10 +173,10 @@ static void offer_arguments(Completion *completion, const Laboratory *lab, LineA
         offer_values(completion, experiment_settings(lab->screen.experiment)->problem, words, key);
         break;
     case ARGUMENT_KEYS:
-        offer_assignments(completion, lab);
+        complete_assignments(completion, lab);
         break;
     case ARGUMENT_SCENARIO:
-        offer_scenarios(completion);
+        complete_scenarios(completion, lab);
         break;
     case ARGUMENT_FILE:
     case ARGUMENT_SERIES:
@@ -191,7 +198,7 @@ static void offer_arguments(Completion *completion, const Laboratory *lab, LineA
     }
 }
 
-static void offer_line(Completion *completion, const Laboratory *lab)
+void complete_line(Completion *completion, const Laboratory *lab)
 {
     const char *line = completion->start;
     const size_t word = strcspn(line, " =");
@@ -215,16 +222,9 @@ void complete_prompt(Laboratory *lab)
 {
     Prompt *prompt = &lab->screen.prompt;
     Completion completion = {.start = prompt->text, .skipped = lab->tabbed};
-    if (lab->answer == answer_line)
-        offer_line(&completion, lab);
-    else if (lab->answer == answer_duel)
-        offer_assignments(&completion, lab);
-    else if (lab->answer == answer_scenario)
-        offer_scenarios(&completion);
-    else if (lab->answer == answer_write)
-        offer_files(&completion, false);
-    else
+    if (!lab->typing || !lab->typing->offer)
         return;
+    lab->typing->offer(&completion, lab);
     const size_t before = (size_t)(completion.start - prompt->text), had = strlen(completion.start);
     const bool further = completion.found == 1 || strlen(completion.common) > had;
     prompt->problem[0] = prompt->hint[0] = '\0';

@@ -36,6 +36,28 @@ bool answer_duel(Laboratory *lab, const char *words)
     return (n_keys > 0 && begin(lab, keys, n_keys, &status)) || refuse(lab, status.text);
 }
 
+static void suggest(Laboratory *lab, int direction)
+{
+    const int to = lab->suggestion + direction;
+    Assignment keys[DUEL_MAX];
+    if (to < 0 || duel_suggest(experiment_settings(lab->screen.experiment), to, keys) == 0)
+        return;
+    lab->suggestion = to;
+    char text[sizeof lab->screen.prompt.text];
+    duel_write_keys(keys, 1, text, sizeof text);
+    fill_prompt(lab, text);
+}
+
+static bool duel_key(Laboratory *lab, const char *key)
+{
+    const bool up = strcmp(key, "Up") == 0;
+    if (up || strcmp(key, "Down") == 0)
+        suggest(lab, up ? -1 : 1);
+    return up || strcmp(key, "Down") == 0;
+}
+
+static const Typing typing = {.key = duel_key, .offer = complete_assignments};
+
 void toggle_duel(Laboratory *lab)
 {
     Duel *duel = &lab->duel;
@@ -58,33 +80,7 @@ void toggle_duel(Laboratory *lab)
     const int n_keys = duel->n_keys > 0 ? duel->n_keys : duel_suggest(settings, 0, keys);
     duel_write_keys(duel->n_keys > 0 ? duel->keys : keys, n_keys, text, sizeof text);
     ask(lab, answer_duel, false, text, "in B is");
+    lab->typing = &typing;
     snprintf(lab->screen.prompt.hint, sizeof lab->screen.prompt.hint,
              "in what the second run differs; Down offers others, Tab completes, Enter begins the duel");
-}
-
-void suggest_duel(Laboratory *lab, int direction)
-{
-    const int to = lab->suggestion + direction;
-    Assignment keys[DUEL_MAX];
-    if (to < 0 || duel_suggest(experiment_settings(lab->screen.experiment), to, keys) == 0)
-        return;
-    lab->suggestion = to;
-    char text[sizeof lab->screen.prompt.text];
-    duel_write_keys(keys, 1, text, sizeof text);
-    fill_prompt(lab, text);
-}
-
-void tell_second(Laboratory *lab)
-{
-    Status why = {STATUS_DONE, ""};
-    const bool ended = lab->duel.b && experiment_failed(lab->duel.b, &why);
-    if (ended && !lab->second_ended)
-        say(lab, MESSAGE_WARNING, "B stopped: %s; A goes on", why.text);
-    lab->second_ended = ended;
-}
-
-void duel_over(Laboratory *lab, const Status *status)
-{
-    if (status->text[0] && !lab->duel.b)
-        say(lab, MESSAGE_WARNING, "the duel is over: %s", status->text);
 }

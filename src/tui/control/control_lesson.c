@@ -81,7 +81,7 @@ static void run_action(Laboratory *lab, const char *action)
     const uint64_t used = lab->play.used;
     const bool changed = lab->changed; /* what the lesson changes nobody has to export */
     const bool opens = strncmp(action, "open ", 5) == 0;
-    if (!run_line(lab, action))
+    if (!lab->run_line(lab, action))
         say(lab, MESSAGE_ERROR, "%s: %s", action, lab->screen.prompt.problem);
     else if (opens)
         pause_run(lab); /* a page is read before it is run */

@@ -21,7 +21,7 @@ static void remember(Laboratory *lab, const char *text)
     snprintf(past->lines[past->count++], sizeof past->lines[0], "%s", text);
 }
 
-void recall_line(Laboratory *lab, int direction)
+static void recall(Laboratory *lab, int direction)
 {
     LineHistory *past = &lab->past;
     Prompt *prompt = &lab->screen.prompt;
@@ -35,12 +35,6 @@ void recall_line(Laboratory *lab, int direction)
     prompt->cursor = text_columns(prompt->text);
     prompt->problem[0] = prompt->hint[0] = '\0';
     lab->fresh = false;
-}
-
-void ask_line(Laboratory *lab)
-{
-    lab->past.at = lab->past.count;
-    ask(lab, answer_line, false, "", ":");
 }
 
 /* --- verbs ------------------------------------------------------------------------------------------ */
@@ -186,7 +180,7 @@ static bool (*const verbs[LINE_COUNT])(Laboratory *, const char *words) = {
 
 /* --- the line --------------------------------------------------------------------------------------- */
 
-bool answer_line(Laboratory *lab, const char *text)
+static bool answer_line(Laboratory *lab, const char *text)
 {
     text += strspn(text, " :");
     char line[sizeof lab->screen.prompt.text];
@@ -224,7 +218,7 @@ bool run_line(Laboratory *lab, const char *text)
     case LINE_VERB:
         return verbs[line.verb->id](lab, line.words);
     case LINE_COMMAND:
-        laboratory_command(lab, line.command->id);
+        lab->carry_out(lab, line.command->id);
         return true;
     case LINE_ASSIGNMENT:
         return set(lab, text);
@@ -234,4 +228,34 @@ bool run_line(Laboratory *lab, const char *text)
         break;
     }
     return refuse_word(lab, text, line.words);
+}
+
+/* --- the question ----------------------------------------------------------------------------------- */
+
+static bool line_key_of(Laboratory *lab, const char *key)
+{
+    const bool up = strcmp(key, "Up") == 0;
+    if (up || strcmp(key, "Down") == 0)
+        recall(lab, up ? -1 : 1);
+    else if (lab->screen.prompt.problem[0] && strcmp(key, ":") == 0)
+        fill_prompt(lab, ""); /* who saw the refusal as a message begins the next line */
+    else
+        return false;
+    return true;
+}
+
+/* What Tab has just shown stays until the next character. */
+static void forget_hint(Laboratory *lab, const char *key)
+{
+    if (strcmp(key, "Tab") != 0)
+        lab->screen.prompt.hint[0] = '\0';
+}
+
+static const Typing typing = {.key = line_key_of, .offer = complete_line, .typed = forget_hint};
+
+void ask_line(Laboratory *lab)
+{
+    lab->past.at = lab->past.count;
+    ask(lab, answer_line, false, "", ":");
+    lab->typing = &typing;
 }

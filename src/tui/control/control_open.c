@@ -9,29 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* One exact period should last this long on screen; a run without a period, this long as a whole. */
-#define PERIOD_SECONDS 3.0
-#define RUN_SECONDS    15.0
-
-static const double tau = 6.283185307179586;
-
-void choose_pace(Laboratory *lab)
-{
-    Experiment *experiment = lab->screen.experiment;
-    const Readout *readout = experiment_readout(experiment);
-    double dt = experiment_simulation(experiment)->dt;
-    double frames = PERIOD_SECONDS / FRAME_SECONDS, steps = 0;
-    if (readout->moving && readout->exact_known && readout->exact > 0)
-        steps = (readout->is_period ? readout->exact : tau / readout->exact) / dt;
-    if (!(steps > 0) || !isfinite(steps)) {
-        frames = RUN_SECONDS / FRAME_SECONDS;
-        steps = (double)experiment_last_step(experiment);
-    }
-    double pace = steps / frames;
-    /* whole steps per frame look steady; below one it is frames per step that are counted */
-    lab->screen.pace = pace >= 1 ? round(pace) : pace > 0 ? 1 / round(1 / pace) : 1;
-}
-
 static void read_view(Laboratory *lab)
 {
     const ViewSettings *view = &experiment_settings(lab->screen.experiment)->view;
@@ -74,7 +51,7 @@ static int threads_of(const Laboratory *lab)
 }
 
 /* What belongs to a run and not to the way it is looked at; for a run that takes the place of another. */
-static void begin_run(Laboratory *lab)
+void begin_run(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
     lab->pace_automatic = true;
@@ -109,7 +86,7 @@ static void begin_run(Laboratory *lab)
         say(lab, MESSAGE_WARNING, "%s", advice);
 }
 
-static void name_scenario(Laboratory *lab, const char *name)
+void name_scenario(Laboratory *lab, const char *name)
 {
     text_visible(lab->scenario, sizeof lab->scenario, name ? name : "");
     lab->screen.scenario = lab->scenario;
@@ -131,58 +108,15 @@ static bool show_building(double share, void *context)
 }
 
 /* Settings whose simulation shows on the screen how far its building has come; copies of them do too. */
-static void show_building_of(Laboratory *lab, Settings *settings)
+void show_building_of(Laboratory *lab, Settings *settings)
 {
     settings->building.go_on = show_building;
     settings->building.context = lab;
 }
 
-static Experiment *make_experiment(const Laboratory *lab, const Settings *settings, Status *status)
+Experiment *make_experiment(const Laboratory *lab, const Settings *settings, Status *status)
 {
     return experiment_create(settings, history_size(lab), threads_of(lab), status);
-}
-
-bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Host *host, Status *status)
-{
-    *lab = (Laboratory){.host = *host, .options = *options, .overlay = {.y = -1}, .run_limit = -1};
-    lab->utf8 = true;
-    lab->undo = calloc(UNDO_MAX, sizeof *lab->undo);
-    lab->redo = calloc(UNDO_MAX, sizeof *lab->redo);
-    if (!lab->undo || !lab->redo) {
-        laboratory_close(lab);
-        return status_fail(status, STATUS_FAILED, "out of memory");
-    }
-    screen_default(&lab->screen);
-    Settings settings = *options->settings;
-    show_building_of(lab, &settings);
-    lab->screen.experiment = make_experiment(lab, &settings, status);
-    if (!lab->screen.experiment) {
-        laboratory_close(lab);
-        return false;
-    }
-    name_scenario(lab, options->scenario);
-    begin_run(lab);
-    if (options->paused)
-        lab->resume = lab->screen.state = STATE_PAUSED;
-    if (options->reached)
-        memcpy(lab->screen.lesson.reached, options->reached, sizeof lab->screen.lesson.reached);
-    if (options->lesson && !open_lesson(lab, options->lesson, status)) {
-        laboratory_close(lab);
-        return false;
-    }
-    return true;
-}
-
-void laboratory_close(Laboratory *lab)
-{
-    close_lesson(lab);
-    duel_close(&lab->duel);
-    experiment_destroy(lab->screen.experiment);
-    overlay_close(&lab->overlay);
-    free(lab->undo);
-    free(lab->redo);
-    lab->screen.experiment = NULL;
-    lab->undo = lab->redo = NULL;
 }
 
 bool open_scenario(Laboratory *lab, const char *name, Status *status)

@@ -31,6 +31,22 @@ void move_selection(Laboratory *lab, int by)
     lab->screen.selected = last < 0 ? 0 : last >= count && count > 0 ? count - 1 : last;
 }
 
+bool answer_filter(Laboratory *lab, const char *text)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    snprintf(lab->screen.filter, sizeof lab->screen.filter, "%.31s", text);
+    int count = screen_parameter_rows(&lab->screen, rows);
+    lab->screen.selected = 0;
+    while (lab->screen.selected < count && !rows[lab->screen.selected].parameter)
+        lab->screen.selected++;
+    if (lab->screen.selected < count)
+        return true;
+    lab->screen.filter[0] = '\0';
+    lab->screen.selected = 0;
+    move_selection(lab, 1);
+    return refuse(lab, "no parameter has that in its name");
+}
+
 /* A run that begins anew seeks the time that the first of these edits found on screen. */
 static void return_to_time(Laboratory *lab)
 {

@@ -25,6 +25,7 @@ void ask(Laboratory *lab, Answer answer, bool yes_no, const char *text, const ch
     text_visible(prompt->question, sizeof prompt->question, question);
     fill_prompt(lab, text);
     lab->answer = answer;
+    lab->typing = NULL;
 }
 
 void fill_prompt(Laboratory *lab, const char *text)
@@ -51,13 +52,21 @@ bool refuse(Laboratory *lab, const char *why)
 static void submit(Laboratory *lab, const char *text)
 {
     Prompt asked = lab->screen.prompt;
-    Answer answer = lab->answer;
+    const Answer answer = lab->answer;
+    const Typing *typing = lab->typing;
     close_prompt(lab);
     if (answer(lab, text))
         return;
     snprintf(asked.problem, sizeof asked.problem, "%s", lab->screen.prompt.problem);
     lab->screen.prompt = asked;
     lab->answer = answer;
+    lab->typing = typing;
+}
+
+static void text_changed(Laboratory *lab, const char *key)
+{
+    if (lab->typing && lab->typing->typed)
+        lab->typing->typed(lab, key);
 }
 
 void prompt_key(Laboratory *lab, const Key *key)
@@ -66,13 +75,10 @@ void prompt_key(Laboratory *lab, const Key *key)
     const char *name = key->name;
     if (strcmp(name, "Tab") != 0)
         lab->tabbed = 0;
-    if (prompt->yes_no && lab->answer == answer_quit &&
-        (strcmp(name, "q") == 0 || strcmp(name, "F10") == 0)) {
-        refuse(lab, "y leaves, n stays"); /* neither is certain, and what follows should be no commands */
+    if (lab->typing && lab->typing->key && lab->typing->key(lab, name)) {
+        /* it meant something to this question alone */
     } else if (strcmp(name, "Esc") == 0 || strcmp(name, "F10") == 0) {
         close_prompt(lab);
-    } else if (lab->answer == answer_line && prompt->problem[0] && strcmp(name, ":") == 0) {
-        fill_prompt(lab, ""); /* who saw the refusal as a message begins the next line */
     } else if (prompt->yes_no) {
         if (strcmp(name, "y") == 0 || strcmp(name, "Y") == 0 || strcmp(name, "Enter") == 0)
             submit(lab, "yes");
@@ -84,49 +90,15 @@ void prompt_key(Laboratory *lab, const Key *key)
         submit(lab, text);
     } else if (strcmp(name, "Tab") == 0) {
         complete_prompt(lab);
-        narrow_scenarios(lab);
-    } else if (choose_scenario(lab, name)) {
-        /* its name is the answer now */
-    } else if (lab->answer == answer_line && (strcmp(name, "Up") == 0 || strcmp(name, "Down") == 0)) {
-        recall_line(lab, name[0] == 'U' ? -1 : 1);
-    } else if (lab->answer == answer_duel && (strcmp(name, "Up") == 0 || strcmp(name, "Down") == 0)) {
-        suggest_duel(lab, name[0] == 'U' ? -1 : 1);
+        text_changed(lab, name);
     } else if (line_key(prompt->text, sizeof prompt->text, &prompt->cursor, name, lab->fresh)) {
         lab->fresh = false;
         prompt->problem[0] = '\0';
-        narrow_scenarios(lab);
-        if (lab->answer == answer_line)
-            prompt->hint[0] = '\0';
+        text_changed(lab, name);
     }
 }
 
 /* --- answers ---------------------------------------------------------------------------------------- */
-
-bool answer_go_to(Laboratory *lab, const char *text)
-{
-    long step = 0;
-    double time = 0, dt = experiment_simulation(lab->screen.experiment)->dt;
-    long last = experiment_last_step(lab->screen.experiment);
-    if (text[0] == '#') {
-        if (!text_to_long(text + 1, &step))
-            return refuse(lab, "after # comes the number of a step, as in #1000");
-    } else if (text_to_double(text, &time)) {
-        step = time / dt > (double)last ? last + 1 : time < 0 ? -1 : lround(time / dt);
-        if (time > (double)last * dt &&
-            time <= experiment_settings(lab->screen.experiment)->time.end * (1 + 1e-9))
-            step = last;
-    } else
-        return refuse(lab, "a time, as in 12.5, or a step, as in #1000");
-    if (step < 0 || step > last) {
-        char end[NUMBER_TEXT_MAX], why[120];
-        text_rounded(end, (double)last * dt, 6);
-        snprintf(why, sizeof why, "the run goes from 0 to %s (#0 to #%ld)", end, last);
-        return refuse(lab, why);
-    }
-    pause_run(lab);
-    seek(lab, step, 0);
-    return true;
-}
 
 bool may_write(Laboratory *lab, const char *name)
 {
@@ -184,28 +156,5 @@ bool answer_write(Laboratory *lab, const char *text)
         return write_scenario(lab, text);
     snprintf(lab->export_name, sizeof lab->export_name, "%s", text);
     ask(lab, answer_replace_scenario, true, "", "%.60s exists: replace it?", text);
-    return true;
-}
-
-bool answer_filter(Laboratory *lab, const char *text)
-{
-    ParameterRow rows[PARAMETER_ROWS_MAX];
-    snprintf(lab->screen.filter, sizeof lab->screen.filter, "%.31s", text);
-    int count = screen_parameter_rows(&lab->screen, rows);
-    lab->screen.selected = 0;
-    while (lab->screen.selected < count && !rows[lab->screen.selected].parameter)
-        lab->screen.selected++;
-    if (lab->screen.selected < count)
-        return true;
-    lab->screen.filter[0] = '\0';
-    lab->screen.selected = 0;
-    move_selection(lab, 1);
-    return refuse(lab, "no parameter has that in its name");
-}
-
-bool answer_quit(Laboratory *lab, const char *text)
-{
-    (void)text;
-    lab->closed = true;
     return true;
 }

@@ -66,20 +66,6 @@ static void narrow(ScenarioList *list, const char *text, const char *open)
         }
 }
 
-void ask_scenario(Laboratory *lab)
-{
-    ScenarioList *list = &lab->scenarios;
-    list->count = 0;
-    for (const BuiltinScenario *builtin = builtin_scenarios; builtin->name; builtin++) {
-        char title[TITLE_MAX];
-        offer(list, builtin->name, scenario_title(builtin, title) ? title : "");
-    }
-    offer_files(list);
-    narrow(list, "", lab->scenario);
-    ask(lab, answer_scenario, false, "", "open scenario or file");
-    lab->screen.prompt.scenarios = list;
-}
-
 static void choose(Laboratory *lab, int chosen)
 {
     ScenarioList *list = &lab->scenarios;
@@ -104,7 +90,7 @@ static int where_to_begin(const Laboratory *lab, int rows)
     return rows > 0 ? -1 : list->n_shown;
 }
 
-bool choose_scenario(Laboratory *lab, const char *key)
+static bool choose_by_key(Laboratory *lab, const char *key)
 {
     static const struct {
         const char *key;
@@ -119,10 +105,10 @@ bool choose_scenario(Laboratory *lab, const char *key)
     return false;
 }
 
-void narrow_scenarios(Laboratory *lab)
+static void narrow_to_text(Laboratory *lab, const char *key)
 {
-    if (lab->screen.prompt.scenarios)
-        narrow(&lab->scenarios, lab->screen.prompt.text, lab->scenario);
+    (void)key;
+    narrow(&lab->scenarios, lab->screen.prompt.text, lab->scenario);
 }
 
 bool answer_open(Laboratory *lab, const char *text)
@@ -135,7 +121,7 @@ bool answer_open(Laboratory *lab, const char *text)
 
 /* What was typed is a name or a path; where it is neither, but one scenario is left in the list, that is
  * meant. */
-bool answer_scenario(Laboratory *lab, const char *text)
+static bool answer_scenario(Laboratory *lab, const char *text)
 {
     const ScenarioList *list = &lab->scenarios;
     if (text[0] && list->n_shown == 1 && !scenario_builtin(text) && access(text, F_OK) != 0)
@@ -143,4 +129,21 @@ bool answer_scenario(Laboratory *lab, const char *text)
     if (text[0] && list->n_shown > 1 && !scenario_builtin(text) && access(text, F_OK) != 0)
         return refuse(lab, "several have that in their name or title: Down chooses one");
     return answer_open(lab, text);
+}
+
+static const Typing typing = {.key = choose_by_key, .offer = complete_scenarios, .typed = narrow_to_text};
+
+void ask_scenario(Laboratory *lab)
+{
+    ScenarioList *list = &lab->scenarios;
+    list->count = 0;
+    for (const BuiltinScenario *builtin = builtin_scenarios; builtin->name; builtin++) {
+        char title[TITLE_MAX];
+        offer(list, builtin->name, scenario_title(builtin, title) ? title : "");
+    }
+    offer_files(list);
+    narrow(list, "", lab->scenario);
+    ask(lab, answer_scenario, false, "", "open scenario or file");
+    lab->screen.prompt.scenarios = list;
+    lab->typing = &typing;
 }

@@ -142,21 +142,6 @@ void command_stage_back(Laboratory *lab)
         say(lab, MESSAGE_INFO, "this is t = 0");
 }
 
-double next_125(double value, int direction)
-{
-    static const double mantissas[] = {1, 2, 5};
-    double best = 0;
-    for (int decade = -3; decade <= 9; decade++)
-        for (int i = 0; i < 3; i++) {
-            double candidate = mantissas[i] * pow(10, decade);
-            if (direction > 0 && candidate > value * (1 + 1e-9) && (best <= 0 || candidate < best))
-                best = candidate;
-            if (direction < 0 && candidate < value * (1 - 1e-9) && candidate > best)
-                best = candidate;
-        }
-    return best > 0 ? best : value;
-}
-
 static void change_pace(Laboratory *lab, int direction)
 {
     Screen *screen = &lab->screen;
@@ -197,6 +182,32 @@ void command_to_newest(Laboratory *lab)
 {
     pause_run(lab);
     seek(lab, experiment_newest(lab->screen.experiment), 0);
+}
+
+bool answer_go_to(Laboratory *lab, const char *text)
+{
+    long step = 0;
+    double time = 0, dt = experiment_simulation(lab->screen.experiment)->dt;
+    long last = experiment_last_step(lab->screen.experiment);
+    if (text[0] == '#') {
+        if (!text_to_long(text + 1, &step))
+            return refuse(lab, "after # comes the number of a step, as in #1000");
+    } else if (text_to_double(text, &time)) {
+        step = time / dt > (double)last ? last + 1 : time < 0 ? -1 : lround(time / dt);
+        if (time > (double)last * dt &&
+            time <= experiment_settings(lab->screen.experiment)->time.end * (1 + 1e-9))
+            step = last;
+    } else
+        return refuse(lab, "a time, as in 12.5, or a step, as in #1000");
+    if (step < 0 || step > last) {
+        char end[NUMBER_TEXT_MAX], why[120];
+        text_rounded(end, (double)last * dt, 6);
+        snprintf(why, sizeof why, "the run goes from 0 to %s (#0 to #%ld)", end, last);
+        return refuse(lab, why);
+    }
+    pause_run(lab);
+    seek(lab, step, 0);
+    return true;
 }
 
 void command_go_to(Laboratory *lab)
