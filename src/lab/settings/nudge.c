@@ -108,12 +108,6 @@ bool settings_nudge(Settings *settings, const Parameter *parameter, int directio
 
 /* --- questions ------------------------------------------------------------------------------------ */
 
-/* Of a mesh or lattice: it is asked about by a smaller one. */
-static bool is_size(const Parameter *parameter)
-{
-    return parameter->nudge == NUDGE_DOUBLE || parameter->nudge == NUDGE_SPACING;
-}
-
 const Parameter *settings_question(const Settings *settings)
 {
     const Parameter *asked = parameter_find(settings->question);
@@ -136,15 +130,10 @@ static bool answer_by_size(Settings *settings, const Parameter *parameter)
     return true;
 }
 
-bool settings_can_ask(const Parameter *parameter, const Problem *problem)
-{
-    return parameter_applies(parameter, problem) && (parameter->choices || is_size(parameter));
-}
-
 bool settings_answer_otherwise(Settings *settings, const Parameter *parameter)
 {
     char now[LIST_MAX];
-    if (is_size(parameter))
+    if (parameter_is_size(parameter))
         return answer_by_size(settings, parameter);
     for (int i = 0; i < parameter_choices(parameter, settings->problem); i++) {
         const char *usual = parameter->choices[(int)parameter_usual(parameter, settings->problem)];

@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 
-const char *const method_words[] = {"mpm", "pd", NULL};
 const char *const method_titles[] = {"MPM", "PD"};
 const char *const reference_words[] = {"all", "exact", "predicted", "none", NULL};
 const char *const colour_words[] = {
@@ -179,4 +178,14 @@ void parameter_range(const Parameter *parameter, const Problem *problem, char *o
         snprintf(out, size, "%s%s%s to %s", or_word, or_bar, automatic && parameter->least == 0 ? "1" : least,
                  most);
     }
+}
+
+bool parameter_is_size(const Parameter *parameter)
+{
+    return parameter->nudge == NUDGE_DOUBLE || parameter->nudge == NUDGE_SPACING;
+}
+
+bool settings_can_ask(const Parameter *parameter, const Problem *problem)
+{
+    return parameter_applies(parameter, problem) && (parameter->choices || parameter_is_size(parameter));
 }

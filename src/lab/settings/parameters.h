@@ -75,8 +75,6 @@ typedef struct TextKey {
 extern const TextKey text_keys[];
 extern const int n_text_keys;
 
-/* The words of a scenario file for MethodKind, ended by NULL. */
-extern const char *const method_words[];
 extern const char *const method_titles[]; /* on screen: "MPM" */
 
 /* The words of view.references, ended by NULL. */
@@ -147,6 +145,9 @@ const char *parameter_automatic(const Parameter *, const Problem *);
 
 /* What a scenario asks about: its question.key, or what its method leaves open. NULL: nothing. */
 const Parameter *settings_question(const Settings *);
+
+/* Whether it is a size of a mesh or lattice: it is asked about by a smaller one. */
+bool parameter_is_size(const Parameter *);
 
 /* Whether a scenario can ask about it: it has choices, or it is a size of the mesh or lattice. */
 bool settings_can_ask(const Parameter *, const Problem *);

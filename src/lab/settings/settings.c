@@ -5,6 +5,8 @@
 
 #include <string.h>
 
+const char *const method_words[] = {"mpm", "pd", NULL};
+
 double lattice_spacing(const Settings *settings)
 {
     const double said = settings->lattice.spacing;

@@ -158,6 +158,9 @@ typedef struct Settings {
     ViewSettings view;
 } Settings;
 
+/* The words of a scenario file for MethodKind, ended by NULL. */
+extern const char *const method_words[];
+
 /* Spacing and horizon of the lattice, with what stands for "auto" on the bar: one node where each particle
  * of the cells would be, and three spacings. */
 double lattice_spacing(const Settings *);
