@@ -1,31 +1,12 @@
 #include "cli/progress.h"
 
+#include "base/signals.h"
 #include "base/threads.h"
 
 #include <math.h>
-#include <signal.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <time.h>
 #include <unistd.h>
-
-/* A signal asks the run to end; it takes back its temporary files, and the exit status tells which it was. */
-static volatile sig_atomic_t ended_by;
-
-static void end_run(int signal_number)
-{
-    ended_by = signal_number;
-}
-
-static void listen_to_signals(void)
-{
-    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
-    struct sigaction action = {.sa_handler = end_run}, old;
-    sigemptyset(&action.sa_mask);
-    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++)
-        if (sigaction(signals[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN)
-            sigaction(signals[i], &action, NULL);
-}
 
 static double seconds(void)
 {
@@ -48,7 +29,7 @@ static void draw_bar(const Progress *progress, double share, double now)
 
 void progress_begin(Progress *progress, bool quiet)
 {
-    listen_to_signals();
+    signals_catch();
     *progress = (Progress){.visible = !quiet && isatty(STDERR_FILENO), .began = seconds()};
 }
 
@@ -61,7 +42,7 @@ bool progress_show(double share, void *context)
         draw_bar(progress, share, now);
         progress->shown = now;
     }
-    return ended_by == 0;
+    return signals_ended_by() == 0;
 }
 
 void progress_end(const Progress *progress)
@@ -77,7 +58,7 @@ double progress_seconds(const Progress *progress)
 
 int progress_signal(void)
 {
-    return (int)ended_by;
+    return signals_ended_by();
 }
 
 int progress_threads(long asked)

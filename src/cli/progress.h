@@ -10,7 +10,7 @@ typedef struct Progress {
     double began, shown;
 } Progress;
 
-/* Also listens to SIGINT, SIGTERM and SIGHUP from here on. */
+/* Also notes the signals that ask for an end from here on (signals_catch). */
 void progress_begin(Progress *, bool quiet);
 void progress_end(const Progress *); /* wipes the bar */
 double progress_seconds(const Progress *);

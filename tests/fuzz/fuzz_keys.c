@@ -1,7 +1,7 @@
-/* Any bytes as keys: every key has a name, and after enough silence nothing is left open. */
+/* Any bytes as keys: every key has a name, and after enough silence the next one is itself. */
 #include "fuzz/fuzz.h"
 
-#include "tui/terminal/keys.h"
+#include "tui/keyboard.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,19 +17,17 @@ static void check_key(const Key *key)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    KeyDecoder decoder;
+    enum { PIECE = 1000 };
+    static Keyboard keyboard;
     Key key;
-    keys_reset(&decoder);
-    for (size_t i = 0; i < size; i++) {
-        if (keys_feed(&decoder, data[i], &key))
+    FUZZ_ASSERT(keyboard.picture.curses || keyboard_open(&keyboard, "xterm-256color"));
+    for (size_t i = 0; i < size; i += PIECE) {
+        FUZZ_ASSERT(keyboard_type(&keyboard, data + i, size - i < PIECE ? size - i : PIECE));
+        while (keyboard_next(&keyboard, &key))
             check_key(&key);
-        /* a pause now and then, where the bytes say so */
-        if (data[i] % 17 == 3 && keys_timeout(&decoder) >= 0)
-            while (keys_expire(&decoder, &key))
-                check_key(&key);
     }
-    while (keys_expire(&decoder, &key))
-        check_key(&key);
-    FUZZ_ASSERT(keys_timeout(&decoder) == -1);
+    keyboard.time += 60;
+    FUZZ_ASSERT(keyboard_type(&keyboard, "q", 1) && keyboard_next(&keyboard, &key));
+    FUZZ_ASSERT(strcmp(key.name, "q") == 0 && !keyboard_next(&keyboard, &key));
     return 0;
 }

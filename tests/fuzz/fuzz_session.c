@@ -1,5 +1,6 @@
 /* Any bytes as what a terminal sends to the laboratory; a zero byte and the two after it resize it. */
 #include "fuzz/fuzz.h"
+#include "tui/keyboard.h"
 
 #include "lab/settings/scenario.h"
 #include "tui/control/control.h"
@@ -43,14 +44,26 @@ static bool is_harmless(const Laboratory *lab, const Key *key)
               strpbrk(lab->screen.prompt.text, "/.") || strstr(lab->screen.prompt.question, "export")));
 }
 
+/* All keys that these bytes are. */
+static void press(Keyboard *keyboard, Laboratory *lab, const uint8_t *bytes, size_t count)
+{
+    Key key;
+    FUZZ_ASSERT(keyboard_type(keyboard, bytes, count));
+    while (keyboard_next(keyboard, &key))
+        if (!lab->closed && is_harmless(lab, &key)) {
+            laboratory_key(lab, &key);
+            laboratory_frame(lab, time_now + FRAME_SECONDS);
+            time_now += FRAME_SECONDS;
+        }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static Laboratory lab;
     Settings settings;
     Status status = {STATUS_DONE, ""};
     Canvas canvas = {0};
-    KeyDecoder decoder;
-    Key key;
+    static Keyboard keyboard;
     int width = 80, height = 24;
     /* how far somebody came in the lessons is not a fuzzer's to write, and each fsync() takes its time */
     unsetenv("XDG_STATE_HOME");
@@ -61,16 +74,20 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     Host host = {now, worked, go_on, nothing, nothing, NULL, NULL};
     time_now = 0;
     FUZZ_ASSERT(laboratory_open(&lab, &options, &host, &status));
-    keys_reset(&decoder);
+    FUZZ_ASSERT(keyboard.picture.curses || keyboard_open(&keyboard, "xterm-256color"));
+    keyboard.time += 60; /* nothing is open any more */
     for (size_t i = 0; i < size && i < BYTES_MAX && !lab.closed; i++) {
         if (data[i] == 0 && i + 2 < size) {
             width = 1 + data[i + 1] % 200;
             height = 1 + data[i + 2] % 60;
             i += 2;
-        } else if (keys_feed(&decoder, data[i], &key) && is_harmless(&lab, &key)) {
-            laboratory_key(&lab, &key);
-            laboratory_frame(&lab, time_now + FRAME_SECONDS);
-            time_now += FRAME_SECONDS;
+        } else {
+            /* up to the next change of size, but a few at a time, for a picture between them */
+            size_t count = 1;
+            while (count < 8 && i + count < size && i + count < BYTES_MAX && data[i + count] != 0)
+                count++;
+            press(&keyboard, &lab, data + i, count);
+            i += count - 1;
         }
         FUZZ_ASSERT(laboratory_draw(&lab, &canvas, width, height));
     }

@@ -1,5 +1,6 @@
 #include "cli/sweep/sweep_jobs.h"
 
+#include "base/signals.h"
 #include "base/wait.h"
 
 #include <errno.h>
@@ -33,40 +34,6 @@ typedef struct Pool {
     sigset_t outside; /* the signals that were blocked before */
 } Pool;
 
-/* --- signals -------------------------------------------------------------------------------------- */
-
-/* They are blocked but for the moments of waiting, so that none is lost between looking and waiting. */
-static const int watched[] = {SIGINT, SIGTERM, SIGHUP};
-enum { N_WATCHED = sizeof watched / sizeof *watched };
-static volatile sig_atomic_t ended_by;
-
-static void end_sweep(int signal_number)
-{
-    ended_by = signal_number;
-}
-
-static void listen_to_signals(struct sigaction old[N_WATCHED], sigset_t *outside)
-{
-    struct sigaction action = {.sa_handler = end_sweep};
-    sigset_t blocked;
-    sigemptyset(&blocked);
-    sigemptyset(&action.sa_mask);
-    for (int i = 0; i < N_WATCHED; i++)
-        sigaddset(&blocked, watched[i]);
-    ended_by = 0;
-    sigprocmask(SIG_BLOCK, &blocked, outside);
-    for (int i = 0; i < N_WATCHED; i++)
-        if (sigaction(watched[i], NULL, &old[i]) == 0 && old[i].sa_handler != SIG_IGN)
-            sigaction(watched[i], &action, NULL);
-}
-
-static void stop_listening(const struct sigaction old[N_WATCHED], const sigset_t *outside)
-{
-    for (int i = 0; i < N_WATCHED; i++)
-        sigaction(watched[i], &old[i], NULL);
-    sigprocmask(SIG_SETMASK, outside, NULL);
-}
-
 /* --- the worker ----------------------------------------------------------------------------------- */
 
 typedef struct Teller {
@@ -93,11 +60,7 @@ static bool tell_share(double share, void *context)
 
 static _Noreturn void be_a_worker(const Pool *pool, int combination, int to)
 {
-    for (int i = 0; i < N_WATCHED; i++) {
-        struct sigaction action;
-        if (sigaction(watched[i], NULL, &action) == 0 && action.sa_handler == end_sweep)
-            signal(watched[i], SIG_DFL);
-    }
+    signals_release();
     sigprocmask(SIG_SETMASK, &pool->outside, NULL);
     /* an open end of another's pipe would keep that one from noticing that the parent has gone */
     for (int i = 0; i < pool->work->jobs; i++)
@@ -209,7 +172,7 @@ static bool work_through(Pool *pool, Status *status)
 {
     for (;;) {
         int busy;
-        if (ended_by || !fill_places(pool, &busy, status))
+        if (signals_ended_by() || !fill_places(pool, &busy, status))
             return false;
         if (busy == 0)
             return true;
@@ -224,7 +187,6 @@ static bool work_through(Pool *pool, Status *status)
 
 int sweep_jobs(const SweepWork *work, Status *status)
 {
-    struct sigaction old[N_WATCHED];
     Pool pool = {.work = work,
                  .workers = calloc((size_t)work->jobs, sizeof(Worker)),
                  .polls = calloc((size_t)work->jobs, sizeof(struct pollfd))};
@@ -232,11 +194,14 @@ int sweep_jobs(const SweepWork *work, Status *status)
     if (!pool.workers || !pool.polls) {
         status_fail(status, STATUS_FAILED, "not enough memory for %d jobs", work->jobs);
     } else {
-        listen_to_signals(old, &pool.outside);
+        signals_catch();
+        signals_block(&pool.outside);
         bool done = work_through(&pool, status);
         stop_workers(&pool);
-        stop_listening(old, &pool.outside);
-        result = done ? STATUS_DONE : ended_by ? 128 + (int)ended_by : (int)status->code;
+        const int ended_by = signals_ended_by();
+        signals_release();
+        sigprocmask(SIG_SETMASK, &pool.outside, NULL);
+        result = done ? STATUS_DONE : ended_by ? 128 + ended_by : (int)status->code;
     }
     free(pool.workers);
     free(pool.polls);

@@ -3,7 +3,7 @@
 #include "base/input.h"
 #include "base/text.h"
 #include "tui/control/control.h"
-#include "tui/terminal/description.h"
+#include "tui/terminal/picture.h"
 #include "tui/control/session.h"
 #include "tui/terminal/theme.h"
 
@@ -301,7 +301,7 @@ static bool open_player(Player *player, const LaboratoryOptions *options, Status
     Host host = {now, worked, go_on, nothing, nothing, player, NULL};
     const char *codeset = nl_langinfo(CODESET);
     Glyphs glyphs;
-    if (!description_choose_glyphs(options->glyphs, codeset, NULL, &glyphs))
+    if (!picture_choose_glyphs(options->glyphs, codeset, NULL, &glyphs))
         return status_fail(status, STATUS_USAGE, "--glyphs: unknown set '%s' (auto, braille, block or ascii)",
                            options->glyphs);
     if (!laboratory_open(&player->lab, options, &host, status))

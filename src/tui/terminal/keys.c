@@ -3,380 +3,396 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ESCAPE_MS = 25, SEQUENCE_MS = 500, PASTE_MS = 5000, PARAMETER_MOST = 9999, NUMBER_MOST = 24 };
+#include <curses.h>
 
-static const char paste_end[] = "\033[201~";
+#define SEQUENCE_SECONDS 0.5 /* after which a sequence is given up */
+#define PASTE_SECONDS    5.0 /* the rest of it must not become keys where the line is slow */
 
-void keys_reset(KeyDecoder *decoder)
+enum { ESCAPE_MS = 25, MODIFIERS = 8, FIRST_CODE = 0x2000 };
+
+/* Codes of ours, beyond those that curses gives to keys of a description. */
+enum {
+    CODE_PASTE = FIRST_CODE - 16, /* bracketed paste begins */
+    CODE_PASTE_END,
+    CODE_HOLDS /* the terminal holds a picture back until it is whole */
+};
+
+/* Keys by what terminals send. Of one with a letter "Esc [ letter" and "Esc O letter", of one with a number
+ * "Esc [ number ~", each also with a second parameter: 1 + Shift + 2 Alt + 4 Control. */
+static const struct {
+    const char *name;
+    int code; /* of curses; 0: it has none, or another row has it */
+    char letter;
+    int number;
+} rows[] = {
+    {"Up", KEY_UP, 'A', 0},       {"Down", KEY_DOWN, 'B', 0},
+    {"Right", KEY_RIGHT, 'C', 0}, {"Left", KEY_LEFT, 'D', 0},
+    {"Home", KEY_HOME, 'H', 1},   {"End", KEY_END, 'F', 4},
+    {"Home", KEY_FIND, 0, 7},     {"End", KEY_SELECT, 0, 8},
+    {"Insert", KEY_IC, 0, 2},     {"Delete", KEY_DC, 0, 3},
+    {"PageUp", KEY_PPAGE, 0, 5},  {"PageDown", KEY_NPAGE, 0, 6},
+    {"F1", KEY_F(1), 'P', 11},    {"F2", KEY_F(2), 'Q', 12},
+    {"F3", KEY_F(3), 'R', 13},    {"F4", KEY_F(4), 'S', 14},
+    {"F5", KEY_F(5), 0, 15},      {"F6", KEY_F(6), 0, 17},
+    {"F7", KEY_F(7), 0, 18},      {"F8", KEY_F(8), 0, 19},
+    {"F9", KEY_F(9), 0, 20},      {"F10", KEY_F(10), 0, 21},
+    {"F11", KEY_F(11), 0, 23},    {"F12", KEY_F(12), 0, 24},
+    {"Enter", KEY_ENTER, 0, 0},   {"Backspace", KEY_BACKSPACE, 0, 0},
+    {"S-Tab", KEY_BTAB, 0, 0},
+};
+enum { N_ROWS = sizeof rows / sizeof *rows };
+
+/* Sequences of one key each. */
+static const struct {
+    const char *sequence;
+    int code;
+} singles[] = {
+    {"\033[Z", KEY_BTAB},           {"\033\t", KEY_BTAB}, /* the Linux console */
+    {"\033[[A", KEY_F(1)},          {"\033[[B", KEY_F(2)},         {"\033[[C", KEY_F(3)},
+    {"\033[[D", KEY_F(4)},          {"\033[[E", KEY_F(5)},         {"\033OM", KEY_ENTER},
+    {"\033[200~", CODE_PASTE},      {"\033[201~", CODE_PASTE_END}, {"\033[?2026;1$y", CODE_HOLDS},
+    {"\033[?2026;2$y", CODE_HOLDS},
+};
+
+/* The keypad in application mode, which PuTTY keeps even with NumLock: Esc O and a letter. */
+static const char keypad_letters[] = "jklmnopqrstuvwxyX", keypad_keys[] = "*+,-./0123456789=";
+
+static const char *const modifier_names[MODIFIERS] = {"", "S-", "M-", "S-M-", "C-", "S-C-", "M-C-", "S-M-C-"};
+
+/* --- what curses is told --------------------------------------------------------------------------- */
+
+/* What the description says of the same sequence gives way. */
+static void define_one(const char *sequence, int code)
 {
-    *decoder = (KeyDecoder){.state = KEY_GROUND};
+    define_key(sequence, 0);
+    define_key(sequence, code);
 }
 
-static bool give(Key *key, const char *modifiers, const char *name)
+static void define(int code, const char *format, int a, int b)
+{
+    char sequence[24];
+    snprintf(sequence, sizeof sequence, format, a, b);
+    define_one(sequence, code);
+}
+
+static int modified_code(int row, int modifiers)
+{
+    return FIRST_CODE + MODIFIERS * row + modifiers;
+}
+
+static void define_letter(int row)
+{
+    const char letter = rows[row].letter;
+    define(rows[row].code, "\033[%c", letter, 0);
+    define(rows[row].code, "\033O%c", letter, 0);
+    define(modified_code(row, 2), "\033\033[%c", letter, 0); /* rxvt: Alt */
+    define(modified_code(row, 2), "\033\033O%c", letter, 0);
+    for (int modifiers = 1; modifiers < MODIFIERS; modifiers++)
+        define(modified_code(row, modifiers), "\033[1;%d%c", 1 + modifiers, letter);
+}
+
+static void define_number(int row)
+{
+    const int number = rows[row].number;
+    define(rows[row].code, "\033[%d~", number, 0);
+    define(modified_code(row, 1), "\033[%d$", number, 0); /* rxvt: Shift, Control, both, Alt */
+    define(modified_code(row, 4), "\033[%d^", number, 0);
+    define(modified_code(row, 5), "\033[%d@", number, 0);
+    define(modified_code(row, 2), "\033\033[%d~", number, 0);
+    for (int modifiers = 1; modifiers < MODIFIERS; modifiers++)
+        define(modified_code(row, modifiers), "\033[%d;%d~", number, 1 + modifiers);
+}
+
+void keys_define(WINDOW *from)
+{
+    keypad(from, TRUE); /* takes the description's keys; what comes later replaces them */
+    set_escdelay(ESCAPE_MS);
+    for (int row = 0; row < N_ROWS; row++) {
+        if (rows[row].letter)
+            define_letter(row);
+        if (rows[row].number)
+            define_number(row);
+    }
+    for (size_t i = 0; i < sizeof singles / sizeof *singles; i++)
+        define_one(singles[i].sequence, singles[i].code);
+    for (int i = 0; keypad_letters[i]; i++)
+        define(modified_code(N_ROWS + i, 0), "\033O%c", keypad_letters[i], 0);
+}
+
+/* --- what curses tells ----------------------------------------------------------------------------- */
+
+static bool give(const KeyReader *reader, Key *key, const char *modifiers, const char *name)
 {
     *key = (Key){.x = -1, .y = -1};
-    snprintf(key->name, sizeof key->name, "%s%s", modifiers, name);
+    snprintf(key->name, sizeof key->name, "%s%s%s", reader->pasting ? "P-" : "", modifiers, name);
     return true;
 }
 
-static bool give_control(Key *key, unsigned char byte)
+static bool give_letter(const KeyReader *reader, Key *key, const char *modifiers, int letter)
 {
-    switch (byte) {
-    case '\t':
-        return give(key, "", "Tab");
-    case '\r':
-    case '\n':
-        return give(key, "", "Enter");
-    case 0x08:
-    case 0x7f:
-        return give(key, "", "Backspace");
-    default:
-        return give(key, "^", (char[]){(char)(byte + '@'), '\0'});
+    return give(reader, key, modifiers, (char[]){(char)letter, '\0'});
+}
+
+static void keep(KeyReader *reader, const Key *key)
+{
+    if (reader->n_waiting < KEYS_WAITING)
+        reader->waiting[reader->n_waiting++] = *key;
+}
+
+static bool give_waiting(KeyReader *reader, Key *key)
+{
+    if (reader->next_waiting < reader->n_waiting) {
+        *key = reader->waiting[reader->next_waiting++];
+        return true;
     }
-}
-
-/* Keys whose CSI or SS3 sequence ends in a letter. */
-static const char *letter_key(char letter)
-{
-    static const struct {
-        char letter;
-        const char *name;
-    } letters[] = {
-        {'A', "Up"},  {'B', "Down"}, {'C', "Right"}, {'D', "Left"}, {'H', "Home"},
-        {'F', "End"}, {'P', "F1"},   {'Q', "F2"},    {'R', "F3"},   {'S', "F4"},
-    };
-    for (size_t i = 0; i < sizeof letters / sizeof *letters; i++)
-        if (letters[i].letter == letter)
-            return letters[i].name;
-    return NULL;
-}
-
-/* Keys whose CSI sequence ends in ~ (rxvt: also in ^, $ or @). */
-static const char *number_key(int number)
-{
-    static const char *const names[] = {
-        [1] = "Home",     [2] = "Insert", [3] = "Delete", [4] = "End",  [5] = "PageUp",
-        [6] = "PageDown", [7] = "Home",   [8] = "End",    [11] = "F1",  [12] = "F2",
-        [13] = "F3",      [14] = "F4",    [15] = "F5",    [17] = "F6",  [18] = "F7",
-        [19] = "F8",      [20] = "F9",    [21] = "F10",   [23] = "F11", [24] = "F12",
-    };
-    return number > 0 && (size_t)number < sizeof names / sizeof *names ? names[number] : NULL;
-}
-
-/* xterm's second parameter is 1 + Shift + 2 Alt + 4 Control. */
-static const char *modifiers(int parameter, bool alt)
-{
-    static const char *const names[] = {"", "S-", "M-", "S-M-", "C-", "S-C-", "M-C-", "S-M-C-"};
-    int bits = parameter >= 2 && parameter <= 8 ? parameter - 1 : 0;
-    return names[bits | (alt ? 2 : 0)];
-}
-
-static bool begin(KeyDecoder *decoder, KeyState state)
-{
-    decoder->state = state;
-    decoder->prefix = '\0';
-    decoder->n_parameters = 0;
-    decoder->matched = 0;
-    decoder->wanted = 0;
-    decoder->parameters[0] = -1;
+    reader->next_waiting = reader->n_waiting = 0;
     return false;
 }
 
-static bool begin_escape(KeyDecoder *decoder)
+/* The name of an event; NULL: it has none. Motion is told while the button is held, by some terminals always.
+ */
+static const char *name_event(KeyReader *reader, const MEVENT *event)
 {
-    begin(decoder, KEY_ESCAPE);
-    decoder->escapes = 1;
+    const bool held = reader->held;
+    if (event->bstate & (BUTTON1_PRESSED | BUTTON1_RELEASED))
+        reader->held = (event->bstate & BUTTON1_PRESSED) != 0;
+    if (event->bstate & BUTTON1_PRESSED)
+        return held ? "Drag" : "Click";
+    if (event->bstate & REPORT_MOUSE_POSITION)
+        return held ? "Drag" : NULL;
+    return event->bstate & BUTTON4_PRESSED ? "WheelUp" : event->bstate & BUTTON5_PRESSED ? "WheelDown" : NULL;
+}
+
+/* Events that came together, which curses tells from the last to the first. Of a way only its end counts. */
+static bool take_mouse(KeyReader *reader, Key *key)
+{
+    MEVENT events[KEYS_WAITING];
+    int count = 0;
+    while (count < KEYS_WAITING && getmouse(&events[count]) == OK)
+        count++;
+    while (count-- > 0) {
+        const char *name = name_event(reader, &events[count]);
+        if (!name || reader->pasting || events[count].x < 0 || events[count].y < 0)
+            continue;
+        const bool goes_on = reader->n_waiting > 0 && strcmp(name, "Drag") == 0 &&
+                             strcmp(reader->waiting[reader->n_waiting - 1].name, name) == 0;
+        give(reader, key, "", name);
+        key->x = events[count].x;
+        key->y = events[count].y;
+        reader->n_waiting -= goes_on;
+        keep(reader, key);
+    }
+    return give_waiting(reader, key);
+}
+
+static bool name_code(const KeyReader *reader, int code, Key *key)
+{
+    for (int row = 0; row < N_ROWS; row++)
+        if (code == rows[row].code)
+            return give(reader, key, "", rows[row].name);
+    const int row = (code - FIRST_CODE) / MODIFIERS;
+    if (code < FIRST_CODE || row >= N_ROWS + (int)sizeof keypad_keys - 1)
+        return false;
+    return row < N_ROWS ? give(reader, key, modifier_names[(code - FIRST_CODE) % MODIFIERS], rows[row].name)
+                        : give_letter(reader, key, "", keypad_keys[row - N_ROWS]);
+}
+
+static bool take_code(KeyReader *reader, int code, Key *key)
+{
+    const bool escaped = reader->state == KEYS_ESCAPE;
+    reader->state = KEYS_GROUND; /* what was begun was cut short */
+    if (code == KEY_MOUSE)
+        return take_mouse(reader, key);
+    if (code == CODE_PASTE || code == CODE_PASTE_END)
+        reader->pasting = code == CODE_PASTE;
+    if (code == CODE_HOLDS)
+        reader->answered = true;
+    if (reader->pasting || !name_code(reader, code, key)) /* in a paste only text means something */
+        return false;
+    if (escaped) { /* Esc, and then a key */
+        keep(reader, key);
+        give(reader, key, "", "Esc");
+    }
+    return true;
+}
+
+static bool is_continuation(int byte)
+{
+    return (byte & 0xc0) == 0x80;
+}
+
+static bool begin(KeyReader *reader, KeyState state)
+{
+    reader->state = state;
+    reader->parameters = false;
+    reader->string_end = '\0';
     return false;
 }
 
-static bool mouse(const KeyDecoder *decoder, char final, Key *key)
+/* Bytes of UTF-8, in any locale; what is none is dropped. */
+static bool begin_character(KeyReader *reader, int byte)
 {
-    if (decoder->n_parameters != 3 || final != 'M')
-        return false;
-    /* bits 2 to 4 are Shift, Alt, Control; bit 5 is motion; bit 6 the wheel */
-    int button = decoder->parameters[0] & ~0x1c;
-    const char *name = button == 0 ? "Click" : button == 64 ? "WheelUp" : button == 65 ? "WheelDown" : NULL;
-    if (!name)
-        return false;
-    give(key, "", name);
-    key->x = decoder->parameters[1] - 1;
-    key->y = decoder->parameters[2] - 1;
-    return key->x >= 0 && key->y >= 0;
+    reader->wanted = byte >= 0xc2 && byte < 0xe0   ? 1
+                     : byte >= 0xe0 && byte < 0xf0 ? 2
+                     : byte >= 0xf0 && byte < 0xf5 ? 3
+                                                   : 0;
+    reader->character[0] = (char)byte;
+    reader->character[1] = '\0';
+    return begin(reader, reader->wanted > 0 ? KEYS_CHARACTER : KEYS_GROUND);
 }
 
-static bool finish_csi(KeyDecoder *decoder, char final, Key *key)
+static bool take_continuation(KeyReader *reader, int byte, Key *key)
 {
-    decoder->state = KEY_GROUND;
-    if (decoder->prefix == '<')
-        return mouse(decoder, final, key);
-    if (decoder->prefix)
+    const size_t length = strlen(reader->character);
+    reader->character[length] = (char)byte;
+    reader->character[length + 1] = '\0';
+    if (--reader->wanted > 0)
         return false;
-    int first = decoder->parameters[0], second = decoder->n_parameters > 1 ? decoder->parameters[1] : 0;
-    bool alt = decoder->escapes > 1;
-    if (final == 'M' && decoder->n_parameters == 0) {
-        begin(decoder, KEY_MOUSE);
-        decoder->wanted = 3;
-        return false;
-    }
-    if (final == 'Z' && decoder->n_parameters == 0)
-        return give(key, "", "S-Tab");
-    if (final == '~' || final == '^' || final == '$' || final == '@') {
-        if (final == '~' && first == 200)
-            return begin(decoder, KEY_PASTE);
-        const char *name = number_key(first);
-        int rxvt = final == '$' ? 2 : final == '^' ? 5 : final == '@' ? 6 : second;
-        return name && give(key, modifiers(rxvt, alt), name);
-    }
-    const char *name = letter_key(final);
-    /* a cursor report ends in R too, but has a row before */
-    if (!name || (first > 1 && decoder->n_parameters > 1))
-        return false;
-    return give(key, modifiers(second, alt), name);
+    reader->state = KEYS_GROUND;
+    return give(reader, key, "", reader->character);
 }
 
-/* The keypad in application mode, which PuTTY keeps even with NumLock. */
-static bool give_keypad(Key *key, unsigned char byte)
+static bool take_control(const KeyReader *reader, int byte, Key *key)
 {
-    static const char keys[] = "*+,-./0123456789";
-    if (byte == 'M')
-        return give(key, "", "Enter");
-    if (byte == 'X')
-        return give(key, "", "=");
-    return byte >= 'j' && byte <= 'y' && give(key, "", (char[]){keys[byte - 'j'], '\0'});
+    if (byte == '\r' || byte == '\n')
+        return give(reader, key, "", "Enter");
+    if (reader->pasting)
+        return byte == '\t' && give(reader, key, "", "Space");
+    if (byte == '\t')
+        return give(reader, key, "", "Tab");
+    if (byte == 0x08 || byte == 0x7f)
+        return give(reader, key, "", "Backspace");
+    return give_letter(reader, key, "^", byte + '@');
 }
 
-static bool feed_csi(KeyDecoder *decoder, unsigned char byte, Key *key)
+static bool take_ground(KeyReader *reader, int byte, Key *key)
 {
-    if (byte == '[' && decoder->n_parameters == 0 && !decoder->prefix)
-        return begin(decoder, KEY_LINUX);
-    if (byte >= '0' && byte <= '9') {
-        if (decoder->n_parameters == 0)
-            decoder->n_parameters = 1;
-        if (decoder->n_parameters <= KEY_PARAMETERS_MAX) {
-            int *value = &decoder->parameters[decoder->n_parameters - 1];
-            *value = (*value < 0 ? 0 : *value) * 10 + (byte - '0');
-            if (*value > PARAMETER_MOST)
-                *value = PARAMETER_MOST;
-        }
-        return false;
-    }
-    if (byte == ';' || byte == ':') {
-        if (decoder->n_parameters == 0)
-            decoder->n_parameters = 1;
-        if (decoder->n_parameters <= KEY_PARAMETERS_MAX)
-            decoder->n_parameters++;
-        if (decoder->n_parameters <= KEY_PARAMETERS_MAX)
-            decoder->parameters[decoder->n_parameters - 1] = -1;
-        return false;
-    }
-    if (byte >= '<' && byte <= '?') {
-        decoder->prefix = (char)byte;
-        return false;
-    }
-    /* rxvt ends Shift-Home in $, which the grammar takes for an intermediate byte */
-    if (byte < 0x40 && !(byte == '$' && !decoder->prefix && decoder->n_parameters == 1))
-        return false;
-    return finish_csi(decoder, (char)byte, key);
+    reader->state = KEYS_GROUND;
+    if (byte == 0x1b)
+        return begin(reader, KEYS_ESCAPE);
+    if (byte < ' ' || byte == 0x7f)
+        return take_control(reader, byte, key);
+    if (byte >= 0x80)
+        return begin_character(reader, byte);
+    return byte == ' ' ? give(reader, key, "", "Space") : give_letter(reader, key, "", byte);
 }
 
-static bool feed_escape(KeyDecoder *decoder, unsigned char byte, Key *key)
+/* Behind an Esc that began nothing known. */
+static bool take_escape(KeyReader *reader, int byte, Key *key)
 {
     switch (byte) {
-    case 0x1b:
-        if (decoder->escapes < 2)
-            decoder->escapes++;
-        return false;
     case '[':
-        return begin(decoder, KEY_CSI);
+        return begin(reader, KEYS_CSI);
     case 'O':
-        return begin(decoder, KEY_SS3);
+        return begin(reader, KEYS_SS3);
     case 'P':
     case ']':
     case 'X':
     case '^':
     case '_':
-        return begin(decoder, KEY_STRING);
+        return begin(reader, KEYS_STRING);
+    case 0x1b: /* the one before was pressed, of this one is still to be seen */
+        return !reader->pasting && give(reader, key, "", "Esc");
     default:
-        break;
+        reader->state = KEYS_GROUND;
+        return !reader->pasting && byte > ' ' && byte < 0x7f && give_letter(reader, key, "M-", byte);
     }
-    decoder->state = KEY_GROUND;
-    if (decoder->escapes > 1)
-        return give(key, "", "Esc");
-    if (byte == '\t') /* Shift-Tab of the Linux console */
-        return give(key, "", "S-Tab");
-    return byte > ' ' && byte < 0x7f && give(key, "M-", (char[]){(char)byte, '\0'});
 }
 
-static bool is_continuation(unsigned char byte)
+/* Swallows; the last byte of a CSI is one of @ to ~. */
+static bool take_csi(KeyReader *reader, int byte)
 {
-    return (byte & 0xc0) == 0x80;
-}
-
-/* False: no character of UTF-8 begins so. */
-static bool begin_character(KeyDecoder *decoder, unsigned char byte)
-{
-    decoder->wanted = byte >= 0xc2 && byte < 0xe0   ? 1
-                      : byte >= 0xe0 && byte < 0xf0 ? 2
-                      : byte >= 0xf0 && byte < 0xf5 ? 3
-                                                    : 0;
-    decoder->text[0] = (char)byte;
-    decoder->length = 1;
-    return decoder->wanted > 0;
-}
-
-/* True: it is complete. */
-static bool continue_character(KeyDecoder *decoder, unsigned char byte)
-{
-    decoder->text[decoder->length++] = (char)byte;
-    decoder->text[decoder->length] = '\0';
-    return --decoder->wanted == 0;
-}
-
-static bool feed_character(KeyDecoder *decoder, unsigned char byte, Key *key)
-{
-    if (!is_continuation(byte)) {
-        decoder->state = KEY_GROUND;
-        return keys_feed(decoder, byte, key);
-    }
-    if (!continue_character(decoder, byte))
-        return false;
-    decoder->state = KEY_GROUND;
-    return give(key, "", decoder->text);
-}
-
-static bool feed_ground(KeyDecoder *decoder, unsigned char byte, Key *key)
-{
-    if (byte == 0x1b)
-        return begin_escape(decoder);
-    if (byte < ' ' || byte == 0x7f)
-        return give_control(key, byte);
-    if (byte == ' ')
-        return give(key, "", "Space");
-    if (byte < 0x80)
-        return give(key, "", (char[]){(char)byte, '\0'});
-    if (begin_character(decoder, byte))
-        decoder->state = KEY_CHARACTER;
-    return false;
-}
-
-/* Text, but no keys: neither a control byte nor a sequence inside means anything, only the end of the paste.
- */
-static bool feed_paste(KeyDecoder *decoder, unsigned char byte, Key *key)
-{
-    enum { FOREIGN = sizeof paste_end };
-    if (byte == 0x1b) {
-        decoder->matched = 1;
-        decoder->wanted = 0;
+    if (byte >= ' ' && byte < '@') {
+        reader->parameters = true;
         return false;
     }
-    if (decoder->matched > 0) {
-        if (decoder->matched < FOREIGN && byte == (unsigned char)paste_end[decoder->matched])
-            decoder->matched++;
-        else
-            decoder->matched = byte < '@' ? FOREIGN : 0;
-        if (decoder->matched == sizeof paste_end - 1)
-            decoder->state = KEY_GROUND;
-        return false;
+    if (byte == '[' && !reader->parameters) { /* a function key of the Linux console: one byte more */
+        reader->wanted = 1;
+        return begin(reader, KEYS_MOUSE);
     }
-    if (byte == '\r' || byte == '\n')
-        return give(key, "P-", "Enter");
-    if (byte == ' ' || byte == '\t')
-        return give(key, "P-", "Space");
-    if (byte > ' ' && byte < 0x7f)
-        return give(key, "P-", (char[]){(char)byte, '\0'});
-    if (decoder->wanted > 0 && is_continuation(byte))
-        return continue_character(decoder, byte) && give(key, "P-", decoder->text);
-    begin_character(decoder, byte);
-    return false;
+    if (byte == 'M' && !reader->parameters) { /* the old report of the mouse */
+        reader->wanted = 3;
+        return begin(reader, KEYS_MOUSE);
+    }
+    return begin(reader, KEYS_GROUND);
 }
 
-static bool feed_string(KeyDecoder *decoder, unsigned char byte)
+static bool take_string(KeyReader *reader, int byte)
 {
-    bool closes = byte == 0x07 || (decoder->matched == 1 && byte == '\\');
-    decoder->matched = byte == 0x1b ? 1 : 0;
-    if (closes)
-        decoder->state = KEY_GROUND;
-    return false;
+    const bool ends = byte == 0x07 || (reader->string_end == 0x1b && byte == '\\');
+    reader->string_end = (char)byte;
+    return ends ? begin(reader, KEYS_GROUND) : false;
 }
 
-bool keys_feed(KeyDecoder *decoder, unsigned char byte, Key *key)
+static bool take_byte(KeyReader *reader, int byte, Key *key)
 {
-    KeyState state = decoder->state;
-    bool in_sequence = state == KEY_CSI || state == KEY_SS3 || state == KEY_LINUX;
-    if (in_sequence && (byte < ' ' || byte >= 0x7f)) {
-        /* a control byte or a letter of another script: the sequence was cut short, this begins anew */
-        decoder->state = KEY_GROUND;
-        return feed_ground(decoder, byte, key);
-    }
-    const char *name;
-    switch (state) {
-    case KEY_ESCAPE:
-        return feed_escape(decoder, byte, key);
-    case KEY_CSI:
-        return feed_csi(decoder, byte, key);
-    case KEY_LINUX:
-        decoder->state = KEY_GROUND;
-        return byte >= 'A' && byte <= 'E' && give(key, "", (char[]){'F', (char)(byte - 'A' + '1'), '\0'});
-    case KEY_SS3:
-        if (byte >= '0' && byte <= '9')
-            return false;
-        decoder->state = KEY_GROUND;
-        name = letter_key((char)byte);
-        return name ? give(key, modifiers(0, decoder->escapes > 1), name) : give_keypad(key, byte);
-    case KEY_STRING:
-        return feed_string(decoder, byte);
-    case KEY_PASTE:
-        return feed_paste(decoder, byte, key);
-    case KEY_MOUSE:
-        if (--decoder->wanted == 0)
-            decoder->state = KEY_GROUND;
-        return false;
-    case KEY_CHARACTER:
-        return feed_character(decoder, byte, key);
-    case KEY_GROUND:
+    const bool in_sequence = reader->state == KEYS_CSI || reader->state == KEYS_SS3;
+    /* a control byte or a letter of another script: the sequence was cut short, this begins anew */
+    if (in_sequence && (byte < ' ' || byte >= 0x7f))
+        return take_ground(reader, byte, key);
+    switch (reader->state) {
+    case KEYS_ESCAPE:
+        return take_escape(reader, byte, key);
+    case KEYS_CSI:
+        return take_csi(reader, byte);
+    case KEYS_SS3:
+        return byte >= '0' && byte <= '9' ? false : begin(reader, KEYS_GROUND);
+    case KEYS_STRING:
+        return take_string(reader, byte);
+    case KEYS_MOUSE:
+        return --reader->wanted == 0 ? begin(reader, KEYS_GROUND) : false;
+    case KEYS_CHARACTER:
+        return is_continuation(byte) ? take_continuation(reader, byte, key) : take_ground(reader, byte, key);
+    case KEYS_GROUND:
     default:
-        return feed_ground(decoder, byte, key);
+        return take_ground(reader, byte, key);
     }
 }
 
-int keys_timeout(const KeyDecoder *decoder)
+/* What was cut short ends some time. */
+static void expire(KeyReader *reader, double now)
 {
-    switch (decoder->state) {
-    case KEY_GROUND:
-        return -1;
-    case KEY_ESCAPE:
-        return ESCAPE_MS;
-    case KEY_PASTE: /* the rest of it must not become keys where the line is slow */
-        return PASTE_MS;
-    default:
-        return SEQUENCE_MS;
-    }
+    if (now - reader->fed > SEQUENCE_SECONDS)
+        reader->state = KEYS_GROUND;
+    if (now - reader->fed > PASTE_SECONDS)
+        reader->pasting = false;
 }
 
-bool keys_expire(KeyDecoder *decoder, Key *key)
+bool keys_read(KeyReader *reader, WINDOW *from, double now, Key *key)
 {
-    bool escape = decoder->state == KEY_ESCAPE;
-    if (escape && --decoder->escapes > 0)
-        return give(key, "", "Esc");
-    decoder->state = KEY_GROUND;
-    return escape && give(key, "", "Esc");
+    if (give_waiting(reader, key))
+        return true;
+    expire(reader, now);
+    /* behind a report of the mouse that it does not pass on curses once says ERR though more has come */
+    for (int code, silent = 0; silent < 2;) {
+        code = wgetch(from);
+        silent = code == ERR ? silent + 1 : 0;
+        if (code == ERR)
+            continue;
+        reader->fed = now;
+        if (code <= 0xff ? take_byte(reader, code, key) : take_code(reader, code, key))
+            return true;
+    }
+    if (reader->state != KEYS_ESCAPE)
+        return false;
+    /* curses has waited: nothing stands behind it, so it was pressed */
+    reader->state = KEYS_GROUND;
+    return !reader->pasting && give(reader, key, "", "Esc");
 }
+
+/* --- names ----------------------------------------------------------------------------------------- */
 
 static bool is_named(const char *name)
 {
-    static const char *const names[] = {"Space", "Enter", "Tab", "Esc", "Backspace"};
+    static const char *const names[] = {"Space", "Tab", "Esc"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(name, names[i]) == 0)
             return true;
-    for (char letter = 'A'; letter <= 'Z'; letter++)
-        if (letter_key(letter) && strcmp(name, letter_key(letter)) == 0)
-            return true;
-    for (int number = 1; number <= NUMBER_MOST; number++)
-        if (number_key(number) && strcmp(name, number_key(number)) == 0)
+    for (int row = 0; row < N_ROWS; row++)
+        if (strcmp(name, rows[row].name) == 0)
             return true;
     return false;
 }
-
 const char *keys_pasted(const char *name)
 {
     return name[0] == 'P' && name[1] == '-' && name[2] ? name + 2 : NULL;

@@ -1,66 +1,65 @@
-/* Bytes from a terminal in, names of keys out: a state machine that knows no terminal and no clock.
+/* Keys by name, read through curses.
  *
  * Names: a printing character stands for itself ("q", "?", "Ω"); "Space" "Enter" "Tab" "S-Tab" "Esc"
  * "Backspace" "Delete" "Insert" "Home" "End" "PageUp" "PageDown" "Up" "Down" "Left" "Right" "F1".."F12";
- * "^A" is Control-A; "S-" "M-" "C-" before a named key are Shift, Alt, Control; "Click", "WheelUp" and
- * "WheelDown" carry the cell under the mouse; "P-" before a character, "Space" or "Enter" says that it was
- * pasted.
+ * "^A" is Control-A; "S-" "M-" "C-" before a named key are Shift, Alt, Control; "Click", "Drag", "WheelUp"
+ * and "WheelDown" carry the cell under the mouse; "P-" before a character, "Space" or "Enter" says that it
+ * was pasted.
  *
- * Sequences are told apart by their grammar (ECMA-48) rather than by the terminal's description, so Home is
- * Home under any TERM, and what is not understood is swallowed whole: a focus report or a strange function
- * key never turns into Esc, "[" and digits. */
+ * What a terminal's description does not tell is given to curses by define_key(), so Home is Home under any
+ * TERM. What curses does not know it passes on byte by byte; by the grammar of such sequences (ECMA-48) they
+ * are swallowed whole: a focus report or a strange function key never turns into Esc, "[" and digits. */
 #ifndef TUI_KEYS_H
 #define TUI_KEYS_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { KEY_NAME_MAX = 16, KEY_PARAMETERS_MAX = 4 };
+enum { KEY_NAME_MAX = 16, KEYS_WAITING = 10 };
 
 typedef struct Key {
     char name[KEY_NAME_MAX];
-    int x, y; /* of the mouse, from 0 */
+    int x, y; /* of the mouse, from 0; else -1 */
 } Key;
 
 typedef enum KeyState {
-    KEY_GROUND,
-    KEY_ESCAPE,   /* after Esc */
-    KEY_CSI,      /* after Esc [ */
-    KEY_LINUX,    /* after Esc [ [: a function key of the Linux console */
-    KEY_SS3,      /* after Esc O */
-    KEY_STRING,   /* in a control string, up to BEL or Esc \ */
-    KEY_PASTE,    /* in bracketed paste, up to Esc [ 201 ~ */
-    KEY_MOUSE,    /* three bytes of the old mouse report are to come */
-    KEY_CHARACTER /* bytes of a UTF-8 character are to come */
+    KEYS_GROUND,
+    KEYS_ESCAPE,   /* after Esc, which began nothing that curses knows */
+    KEYS_CSI,      /* after Esc [ */
+    KEYS_SS3,      /* after Esc O */
+    KEYS_STRING,   /* in a control string, up to BEL or Esc \ */
+    KEYS_MOUSE,    /* bytes of a mouse report that nobody asked for are to come */
+    KEYS_CHARACTER /* bytes of a UTF-8 character are to come */
 } KeyState;
 
-typedef struct KeyDecoder {
+typedef struct KeyReader {
     KeyState state;
-    int escapes;                        /* Esc before the sequence: 1, or 2 for Alt */
-    char prefix;                        /* '<', '?', ... of a CSI; 0: none */
-    int parameters[KEY_PARAMETERS_MAX]; /* -1: not given */
-    int n_parameters;
-    int wanted;   /* bytes to come, KEY_MOUSE, KEY_CHARACTER and KEY_PASTE */
-    char text[5]; /* of the character */
-    size_t length;
-    size_t matched; /* bytes of the end of a paste or a string seen; more: another sequence in a paste */
-} KeyDecoder;
+    bool pasting;              /* in bracketed paste */
+    bool held;                 /* the mouse's button */
+    bool answered;             /* the terminal told that it can hold a picture back */
+    bool parameters;           /* of a CSI: one was given */
+    char string_end;           /* the byte before in a string, if it was Esc */
+    int wanted;                /* bytes to come, KEYS_MOUSE and KEYS_CHARACTER */
+    char character[5];         /* as far as it has come */
+    double fed;                /* when the last byte came, s */
+    Key waiting[KEYS_WAITING]; /* read together with one that was given */
+    int n_waiting, next_waiting;
+} KeyReader;
 
-void keys_reset(KeyDecoder *);
+struct _win_st;
 
-/* Takes one byte. True: it completed a key, which stands in *key. */
-bool keys_feed(KeyDecoder *, unsigned char byte, Key *key);
+/* Tells curses the sequences that a description may lack, and how long to wait behind Esc. Once for each
+ * terminal that is opened; keys come from this window. */
+void keys_define(struct _win_st *);
+
+/* The next key that has come in; false: none. Never waits for more than the 25 ms after Esc. `now` is any
+ * clock's time in s. */
+bool keys_read(KeyReader *, struct _win_st *from, double now, Key *);
 
 /* What was pasted, of the name of such a key; NULL: it was pressed. */
 const char *keys_pasted(const char *name);
 
 /* Whether a name is one of those above; the mouse's apart. */
 bool keys_known(const char *name);
-
-/* How long to wait for the next byte before keys_expire() is due, in milliseconds; -1: nothing is open. */
-int keys_timeout(const KeyDecoder *);
-
-/* No byte came in time: a lone Esc was the key, anything else is dropped. Call until it returns false. */
-bool keys_expire(KeyDecoder *, Key *key);
 
 #endif

@@ -25,6 +25,7 @@ typedef struct Loop {
     double replayed_at; /* when its last key was done again */
     int told;           /* characters on the shell's last line that tell how far the opening has come */
     bool stale;         /* what is shown is not what is */
+    bool unannounced;   /* a picture is not yet announced, for the terminal has not taken all of it */
 } Loop;
 
 static double now(void *context)
@@ -41,15 +42,16 @@ static void worked(void *context, long steps)
     (void)steps;
 }
 
-static void announce(const Loop *loop)
+static void announce(Loop *loop)
 {
     char text[48];
+    loop->unannounced = false;
     if (loop->frame_fd < 0)
         return;
     int length = snprintf(text, sizeof text, "frame %ld%s\n", loop->frames,
                           laboratory_active(&loop->lab) ? "" : " idle");
     ssize_t written = write(loop->frame_fd, text, (size_t)length);
-    (void)written; /* who does not listen misses it */
+    (void)written; /* unread frames are dropped */
 }
 
 static void draw(Loop *loop)
@@ -60,6 +62,7 @@ static void draw(Loop *loop)
     if (laboratory_draw(&loop->lab, &loop->canvas, width, height))
         terminal_show(loop->terminal, &loop->canvas);
     loop->stale = false;
+    loop->unannounced = true;
     loop->frames++;
     loop->drawn_at = now(NULL);
     loop->draw_time = 0.8 * loop->draw_time + 0.2 * (loop->drawn_at - begin);
@@ -94,7 +97,7 @@ static bool go_on(void *context)
     while (terminal_key(loop->terminal, &key))
         stop |= strcmp(key.name, "^C") == 0 || strcmp(key.name, "Esc") == 0;
     terminal_resized(loop->terminal);
-    if (now(NULL) - loop->drawn_at > PROGRESS_SECONDS)
+    if (now(NULL) - loop->drawn_at > PROGRESS_SECONDS && !terminal_is_behind(loop->terminal))
         draw(loop);
     return !stop && terminal_signal(loop->terminal) == 0;
 }
@@ -190,7 +193,7 @@ static void one_round(Loop *loop)
         end_replay(loop, "the replay ends here");
     if (is_replaying(loop))
         replay_round(loop);
-    while (!lab->closed && terminal_key(loop->terminal, &key)) {
+    while (!lab->closed && terminal_signal(loop->terminal) == 0 && terminal_key(loop->terminal, &key)) {
         /* a terminal may send reports that nobody asked for */
         if (key.x < 0 || !loop->lab.options.no_mouse)
             laboratory_key(lab, &key);
@@ -210,10 +213,10 @@ static void one_round(Loop *loop)
         if (lab->frames_in_time == 0)
             loop->due = now(NULL);
     }
-    if (loop->stale) {
+    if (loop->stale && !terminal_is_behind(loop->terminal))
         draw(loop);
+    if (loop->unannounced && !terminal_is_behind(loop->terminal))
         announce(loop);
-    }
     if (is_replaying(loop)) {
         double left = replay_due(loop) - now(NULL), frame_left = loop->due - now(NULL);
         if (laboratory_active(lab) && left > frame_left)

@@ -1,12 +1,14 @@
 #include "tui/terminal/terminal.h"
 
+#include "base/signals.h"
 #include "base/wait.h"
-#include "tui/terminal/description.h"
+#include "tui/terminal/picture.h"
 #include "tui/terminal/theme.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <langinfo.h>
+#include <poll.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,33 +20,96 @@
 #include <unistd.h>
 
 /* Signals reach a handler, and a handler reaches only what is static. */
-static volatile sig_atomic_t signal_end, signal_resized, signal_stop, signal_continued;
+static volatile sig_atomic_t signal_resized, signal_stop, signal_continued;
 static struct termios before; /* the terminal's modes when we came */
-static char farewell[256];    /* what restores the screen, for a crash */
-static size_t farewell_length;
-static bool in_use;            /* from before it is opened until it is closed */
-static const Terminal *opened; /* NULL: the screen is the shell's */
+static bool in_use;           /* from before it is opened until it is closed */
+static Terminal *opened;      /* NULL: the screen is the shell's */
 
-static const int ends[] = {SIGTERM, SIGHUP, SIGINT, SIGQUIT, SIGPIPE};
 static const int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
-enum { N_ENDS = sizeof ends / sizeof *ends, N_CRASHES = sizeof crashes / sizeof *crashes, INPUT_MAX = 512 };
+static const int others[] = {SIGWINCH, SIGTSTP, SIGCONT};
+enum { N_CRASHES = sizeof crashes / sizeof *crashes, N_OTHERS = sizeof others / sizeof *others };
+
+enum { PATIENCE_MS = 300, PATIENCE_PIECES = 20 }; /* with a terminal that takes nothing, when we leave */
 
 struct Terminal {
-    Painter painter;
+    Picture picture;
     int width, height;
-    int output; /* what is written to */
-    bool mouse;
+    int input, output; /* what is read from and written to; neither blocks */
     Glyphs glyphs;
     const char *stand_in; /* as which an unknown TERM is treated; NULL: it is known */
-    ScreenFrame frame;
-    KeyDecoder decoder;
-    unsigned char input[INPUT_MAX];
-    size_t input_first, input_end;
-    double read_at;        /* when the last byte came */
-    bool expired;          /* no byte came in time after a beginning of a sequence */
+    KeyReader keys;
     sigset_t mask_outside; /* the signal mask before we came, in force while sleeping */
-    struct sigaction old_ends[N_ENDS], old_crashes[N_CRASHES], old_resize, old_stop, old_continue;
+    struct sigaction old_crashes[N_CRASHES], old_others[N_OTHERS];
 };
+
+static double now(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+/* --- bytes to the terminal -------------------------------------------------------------------------- */
+
+/* Writes what the terminal takes. The rest waits: neither keys nor signals do, so that a terminal that takes
+ * nothing any more (a connection that hangs) can still be left. */
+static void send_some(Terminal *terminal)
+{
+    size_t left;
+    for (const char *bytes; bytes = picture_bytes(&terminal->picture, &left), left > 0;) {
+        const ssize_t written = write(terminal->output, bytes, left);
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written < 0 && (errno == EAGAIN || errno == EWOULDBLOCK))
+            return;
+        /* of a terminal that is gone reading will tell */
+        picture_sent(&terminal->picture, written > 0 ? (size_t)written : left);
+    }
+}
+
+/* Also allowed in a handler of signals. False: the terminal takes nothing for too long. */
+static bool wait_for_room(int output)
+{
+    struct pollfd screen = {.fd = output, .events = POLLOUT};
+    return poll(&screen, 1, PATIENCE_MS) > 0;
+}
+
+static void send_all(Terminal *terminal)
+{
+    send_some(terminal);
+    for (int i = 0; i < PATIENCE_PIECES && terminal_is_behind(terminal) && wait_for_room(terminal->output);
+         i++)
+        send_some(terminal);
+}
+
+/* --- crashes ---------------------------------------------------------------------------------------- */
+
+/* Gives the screen back without curses, in whatever state that is; all calls here are allowed in a handler.
+ */
+static void say_farewell(void)
+{
+    const Terminal *terminal = opened;
+    if (!terminal)
+        return;
+    const char *bytes = terminal->picture.farewell;
+    size_t left = terminal->picture.farewell_length;
+    while (left > 0 && wait_for_room(terminal->output)) {
+        const ssize_t written = write(terminal->output, bytes, left);
+        if (written < 0)
+            break;
+        bytes += written;
+        left -= (size_t)written;
+    }
+    tcsetattr(STDIN_FILENO, TCSANOW, &before);
+}
+
+/* A crash must not leave a terminal without echo behind. */
+static void on_crash(int number)
+{
+    say_farewell();
+    signal(number, SIG_DFL);
+    raise(number);
+}
 
 static void on_signal(int number)
 {
@@ -52,70 +117,48 @@ static void on_signal(int number)
         signal_resized = 1;
     else if (number == SIGTSTP)
         signal_stop = 1;
-    else if (number == SIGCONT)
-        signal_continued = 1;
     else
-        signal_end = number;
+        signal_continued = 1;
 }
 
-/* A crash must not leave a terminal without echo behind; all calls here are allowed in a handler. */
-static void on_crash(int number)
+static void catch_signal(int number, void (*handler)(int), int flags, struct sigaction *old)
 {
-    ssize_t written = write(STDOUT_FILENO, farewell, farewell_length);
-    (void)written;
-    tcsetattr(STDIN_FILENO, TCSANOW, &before);
-    signal(number, SIG_DFL);
-    raise(number);
-}
-
-static void catch_signal(int number, void (*handler)(int), struct sigaction *old)
-{
-    struct sigaction action = {.sa_handler = handler};
+    struct sigaction action = {.sa_handler = handler, .sa_flags = flags};
     sigemptyset(&action.sa_mask);
     sigaction(number, &action, old);
 }
 
-static void block_signals(Terminal *terminal)
-{
-    sigset_t blocked;
-    sigemptyset(&blocked);
-    for (int i = 0; i < N_ENDS; i++)
-        sigaddset(&blocked, ends[i]);
-    sigaddset(&blocked, SIGWINCH);
-    sigaddset(&blocked, SIGTSTP);
-    sigaddset(&blocked, SIGCONT);
-    sigprocmask(SIG_BLOCK, &blocked, &terminal->mask_outside);
-}
-
+/* What asks for an end or for a look at the terminal comes only while terminal_wait() sleeps. */
 static void catch_signals(Terminal *terminal)
 {
-    signal_end = signal_resized = signal_stop = signal_continued = 0;
-    block_signals(terminal);
-    for (int i = 0; i < N_ENDS; i++)
-        catch_signal(ends[i], on_signal, &terminal->old_ends[i]);
+    static char spare[32768]; /* for the handler when the stack is what has run out */
+    const stack_t stack = {.ss_sp = spare, .ss_size = sizeof spare};
+    sigset_t blocked;
+    signal_resized = signal_stop = signal_continued = 0;
+    signals_catch();
+    signals_block(&terminal->mask_outside);
+    sigemptyset(&blocked);
+    for (int i = 0; i < N_OTHERS; i++)
+        sigaddset(&blocked, others[i]);
+    sigprocmask(SIG_BLOCK, &blocked, NULL);
+    sigaltstack(&stack, NULL);
     for (int i = 0; i < N_CRASHES; i++)
-        catch_signal(crashes[i], on_crash, &terminal->old_crashes[i]);
-    catch_signal(SIGWINCH, on_signal, &terminal->old_resize);
-    catch_signal(SIGTSTP, on_signal, &terminal->old_stop);
-    catch_signal(SIGCONT, on_signal, &terminal->old_continue);
+        catch_signal(crashes[i], on_crash, SA_ONSTACK, &terminal->old_crashes[i]);
+    for (int i = 0; i < N_OTHERS; i++)
+        catch_signal(others[i], on_signal, 0, &terminal->old_others[i]);
 }
 
-static void release_signals(Terminal *terminal)
+static void release_signals(const Terminal *terminal)
 {
-    for (int i = 0; i < N_ENDS; i++)
-        sigaction(ends[i], &terminal->old_ends[i], NULL);
     for (int i = 0; i < N_CRASHES; i++)
         sigaction(crashes[i], &terminal->old_crashes[i], NULL);
-    if (signal_end) {
-        /* shell, terminal and kernel each say it: the second must not cut off what is still to be written */
-        signal(SIGHUP, SIG_IGN);
-        signal(SIGTERM, SIG_IGN);
-    }
-    sigaction(SIGWINCH, &terminal->old_resize, NULL);
-    sigaction(SIGTSTP, &terminal->old_stop, NULL);
-    sigaction(SIGCONT, &terminal->old_continue, NULL);
+    signals_release();
+    for (int i = 0; i < N_OTHERS; i++)
+        sigaction(others[i], &terminal->old_others[i], NULL);
     sigprocmask(SIG_SETMASK, &terminal->mask_outside, NULL);
 }
+
+/* --- opening and closing ---------------------------------------------------------------------------- */
 
 static bool read_size(Terminal *terminal)
 {
@@ -131,38 +174,23 @@ static bool read_size(Terminal *terminal)
     return changed;
 }
 
-/* A terminal that takes nothing any more (a connection that hangs) must not keep the program: so writes do
- * not block, and signals come through while it waits. False: not all was written. */
-static bool write_all(const Terminal *terminal, const char *bytes, size_t length)
+/* The terminal once more, in a way that does not block: on the descriptor that the shell has too, that would
+ * be its business. */
+static int open_again(int descriptor, int how)
 {
-    struct timespec patience = {.tv_nsec = 300000000}; /* with a farewell, once a signal has ended it */
-    while (length > 0) {
-        ssize_t written = write(terminal->output, bytes, length);
-        if (written > 0) {
-            bytes += written;
-            length -= (size_t)written;
-        } else if (written < 0 && errno == EAGAIN) {
-            struct pollfd screen = {.fd = terminal->output, .events = POLLOUT};
-            bool ending = signal_end != 0;
-            if (wait_for(&screen, 1, ending ? &patience : NULL, &terminal->mask_outside) <= 0 && signal_end)
-                return false;
-        } else if (errno != EINTR)
-            return false; /* the terminal is gone; reading it will tell */
-    }
-    return true;
+    const char *name = ttyname(descriptor);
+    const int own = name ? open(name, how | O_NONBLOCK | O_NOCTTY | O_CLOEXEC) : -1;
+    if (own >= 0 && own < FD_SETSIZE)
+        return own;
+    if (own >= 0)
+        close(own);
+    return descriptor;
 }
 
-/* The terminal once more, for writing that does not block: on the descriptor that the shell has too, that
- * would be its business. */
-static int open_output(void)
+static void close_again(int own, int descriptor)
 {
-    const char *name = ttyname(STDOUT_FILENO);
-    int output = name ? open(name, O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC) : -1;
-    if (output >= 0 && output < FD_SETSIZE)
-        return output;
-    if (output >= 0)
-        close(output);
-    return STDOUT_FILENO;
+    if (own >= 0 && own != descriptor)
+        close(own);
 }
 
 /* Every key comes as it is, nothing is echoed, and output is not changed on its way. */
@@ -174,80 +202,84 @@ static void take_screen(Terminal *terminal)
     raw.c_oflag &= ~(tcflag_t)OPOST;
     raw.c_cc[VMIN] = 1;
     raw.c_cc[VTIME] = 0;
-    tcsetattr(STDIN_FILENO, TCSADRAIN, &raw);
-    write_all(terminal, terminal->frame.enter, strlen(terminal->frame.enter));
-    painter_forget(&terminal->painter);
+    tcsetattr(STDIN_FILENO, TCSANOW, &raw);
+    picture_enter(&terminal->picture);
+    send_some(terminal);
 }
 
-static void give_screen_back(const Terminal *terminal)
+/* Never waits for the line to drain, which may take for ever. */
+static void give_screen_back(Terminal *terminal)
 {
-    bool written = write_all(terminal, terminal->frame.leave, strlen(terminal->frame.leave));
-    tcsetattr(STDIN_FILENO, written ? TCSADRAIN : TCSANOW, &before);
+    picture_leave(&terminal->picture);
+    send_all(terminal);
+    tcsetattr(STDIN_FILENO, TCSANOW, &before);
 }
 
-/* A library that finds no memory or no thread may leave by exit(), in the middle of anything: ncurses does,
- * and the runtime of OpenMP. What it wrote before may have gone with the screen. */
+/* A library that finds no memory or no thread may leave by exit(), in the middle of anything: ncurses does.
+ * What it wrote before may have gone with the screen. */
 static void leave(void)
 {
     if (!in_use)
         return;
-    if (opened)
-        give_screen_back(opened);
+    say_farewell();
     fputs("matvib: a library ended the program, most likely for want of memory\n", stderr);
 }
 
-/* The description of the terminal is in force when this returns true; description_close() ends that. */
-static bool describe(const char *term, const char **stand_in, Status *status)
+static bool prepare_leaving(Status *status)
 {
     static bool prepared;
     if (!prepared && atexit(leave) != 0)
         return status_fail(status, STATUS_FAILED, "out of memory");
     prepared = true;
-    in_use = true;
-    in_use = description_open(term, stand_in, status);
-    return in_use;
+    return true;
 }
 
-static void forget_description(void)
+static bool open_picture(Terminal *terminal, const TerminalOptions *options, Status *status)
 {
-    description_close();
+    const char *term = getenv("TERM"), *codeset = nl_langinfo(CODESET);
+    Picture *picture = &terminal->picture;
+    if (!picture_choose_glyphs(options->glyphs, codeset, term, &terminal->glyphs))
+        return status_fail(status, STATUS_USAGE, "--glyphs: unknown set '%s' (auto, braille, block or ascii)",
+                           options->glyphs);
+    if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO))
+        return status_fail(status, STATUS_USAGE,
+                           "the laboratory needs a terminal; without one use: matvib run SCENARIO");
+    picture->light = theme_is_light(options->theme, getenv("COLORFGBG"));
+    picture->utf8 = strcmp(codeset, "UTF-8") == 0;
+    terminal->input = open_again(STDIN_FILENO, O_RDONLY);
+    terminal->output = open_again(STDOUT_FILENO, O_WRONLY);
+    return picture_open(picture, term, terminal->input, options->mouse, &terminal->stand_in, status);
+}
+
+static void free_terminal(Terminal *terminal)
+{
+    close_again(terminal->input, STDIN_FILENO);
+    close_again(terminal->output, STDOUT_FILENO);
+    free(terminal);
     in_use = false;
 }
 
 Terminal *terminal_open(const TerminalOptions *options, Status *status)
 {
-    const char *term = getenv("TERM"), *codeset = nl_langinfo(CODESET);
-    Glyphs glyphs;
-    if (!description_choose_glyphs(options->glyphs, codeset, term, &glyphs)) {
-        status_fail(status, STATUS_USAGE, "--glyphs: unknown set '%s' (auto, braille, block or ascii)",
-                    options->glyphs);
-        return NULL;
-    }
-    const char *stand_in = NULL;
-    if (!describe(term, &stand_in, status))
-        return NULL;
-    Terminal *terminal = calloc(1, sizeof *terminal);
+    Terminal *terminal = prepare_leaving(status) ? calloc(1, sizeof *terminal) : NULL;
     if (!terminal) {
-        forget_description();
         status_fail(status, STATUS_FAILED, "out of memory");
         return NULL;
     }
-    Painter *painter = &terminal->painter;
-    terminal->glyphs = glyphs;
-    terminal->stand_in = stand_in;
-    description_read(&painter->can);
-    painter->colours = description_colours(&painter->can);
-    painter->light = theme_is_light(options->theme, getenv("COLORFGBG"));
-    painter->utf8 = strcmp(codeset, "UTF-8") == 0;
-    terminal->mouse = options->mouse && description_has_mouse();
-    description_frame(terminal->mouse, &terminal->frame);
-    farewell_length = strlen(terminal->frame.leave);
-    memcpy(farewell, terminal->frame.leave, farewell_length);
-    keys_reset(&terminal->decoder);
-    tcgetattr(STDIN_FILENO, &before);
-    terminal->output = open_output();
+    terminal->input = STDIN_FILENO;
+    terminal->output = STDOUT_FILENO;
+    in_use = true;
+    /* before curses, which takes what nobody has taken */
     catch_signals(terminal);
+    if (!open_picture(terminal, options, status)) {
+        release_signals(terminal);
+        free_terminal(terminal);
+        return NULL;
+    }
+    keys_define(terminal->picture.keys);
+    tcgetattr(STDIN_FILENO, &before);
     read_size(terminal);
+    picture_resize(&terminal->picture, terminal->width, terminal->height);
     opened = terminal;
     take_screen(terminal);
     return terminal;
@@ -259,12 +291,9 @@ void terminal_close(Terminal *terminal)
         return;
     give_screen_back(terminal);
     opened = NULL;
+    picture_close(&terminal->picture);
     release_signals(terminal);
-    painter_close(&terminal->painter);
-    if (terminal->output != STDOUT_FILENO)
-        close(terminal->output);
-    forget_description();
-    free(terminal);
+    free_terminal(terminal);
 }
 
 void terminal_size(const Terminal *terminal, int *width, int *height)
@@ -275,17 +304,17 @@ void terminal_size(const Terminal *terminal, int *width, int *height)
 
 int terminal_colours(const Terminal *terminal)
 {
-    return terminal->painter.colours;
+    return terminal->picture.colours;
 }
 
 bool terminal_is_light(const Terminal *terminal)
 {
-    return terminal->painter.light;
+    return terminal->picture.light;
 }
 
 bool terminal_is_utf8(const Terminal *terminal)
 {
-    return terminal->painter.utf8;
+    return terminal->picture.utf8;
 }
 
 const char *terminal_stand_in(const Terminal *terminal)
@@ -298,86 +327,73 @@ Glyphs terminal_glyphs(const Terminal *terminal)
     return terminal->glyphs;
 }
 
+/* --- pictures and keys ------------------------------------------------------------------------------ */
+
 void terminal_show(Terminal *terminal, const Canvas *canvas)
 {
-    size_t length;
-    const char *bytes = painter_paint(&terminal->painter, canvas, terminal->width, terminal->height, &length);
-    write_all(terminal, bytes, length);
+    picture_show(&terminal->picture, canvas);
+    send_some(terminal);
+}
+
+bool terminal_is_behind(const Terminal *terminal)
+{
+    size_t left;
+    picture_bytes(&terminal->picture, &left);
+    return left > 0;
 }
 
 void terminal_redraw(Terminal *terminal)
 {
-    painter_forget(&terminal->painter);
+    picture_redraw(&terminal->picture);
 }
 
-static double now(void)
+static void answer_signals(Terminal *terminal)
 {
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
-
-static void read_input(Terminal *terminal)
-{
-    terminal->read_at = now();
-    if (terminal->input_first == terminal->input_end)
-        terminal->input_first = terminal->input_end = 0;
-    size_t room = INPUT_MAX - terminal->input_end;
-    if (room == 0)
-        return;
-    ssize_t got = read(STDIN_FILENO, terminal->input + terminal->input_end, room);
-    if (got > 0)
-        terminal->input_end += (size_t)got;
-    else if (got == 0 || (errno != EINTR && errno != EAGAIN))
-        signal_end = SIGHUP; /* nobody is there any more */
-}
-
-void terminal_wait(Terminal *terminal, double seconds)
-{
-    if (terminal->input_first < terminal->input_end)
-        seconds = 0;
-    /* a sequence may be cut short while the engine works and nobody sleeps */
-    const int sequence_ms = keys_timeout(&terminal->decoder);
-    const double expires = terminal->read_at + sequence_ms * 1e-3, left = expires - now();
-    if (sequence_ms >= 0 && (seconds < 0 || left < seconds))
-        seconds = left > 0 ? left : 0;
-    struct timespec time = {.tv_sec = (time_t)seconds};
-    time.tv_nsec = (long)((seconds - (double)time.tv_sec) * 1e9);
-    struct pollfd keyboard = {.fd = STDIN_FILENO, .events = POLLIN};
-    int ready = wait_for(&keyboard, 1, seconds < 0 ? NULL : &time, &terminal->mask_outside);
-    if (ready > 0)
-        read_input(terminal);
-    else if (ready == 0 && sequence_ms >= 0 && now() >= expires)
-        terminal->expired = true;
     if (signal_stop) {
         signal_stop = 0;
         terminal_suspend(terminal);
     }
-    if (signal_continued) {
+    if (signal_continued) { /* after SIGSTOP, which nobody sees coming: the shell has used the screen */
         signal_continued = 0;
         signal_resized = 1;
-        terminal_redraw(terminal);
+        picture_leave(&terminal->picture);
+        take_screen(terminal);
     }
+}
+
+void terminal_wait(Terminal *terminal, double seconds)
+{
+    if (signals_ended_by() || signal_resized || signal_stop || signal_continued) {
+        answer_signals(terminal); /* it came through terminal_signal() */
+        return;
+    }
+    struct timespec time = {.tv_sec = (time_t)seconds};
+    time.tv_nsec = (long)((seconds - (double)time.tv_sec) * 1e9);
+    struct pollfd files[] = {
+        {.fd = terminal->input, .events = POLLIN},
+        {.fd = terminal_is_behind(terminal) ? terminal->output : -1, .events = POLLOUT},
+    };
+    const int ready = wait_for(files, 2, seconds < 0 ? NULL : &time, &terminal->mask_outside);
+    if (ready > 0 && files[0].revents & (POLLHUP | POLLERR | POLLNVAL))
+        signals_end(SIGHUP); /* nobody is there any more */
+    if (ready > 0 && files[1].revents)
+        send_some(terminal);
+    answer_signals(terminal);
 }
 
 bool terminal_has_input(const Terminal *terminal)
 {
-    struct pollfd keyboard = {.fd = STDIN_FILENO, .events = POLLIN};
+    struct pollfd keyboard = {.fd = terminal->input, .events = POLLIN};
     const struct timespec at_once = {0, 0};
-    return terminal->input_first < terminal->input_end || wait_for(&keyboard, 1, &at_once, NULL) > 0;
+    return wait_for(&keyboard, 1, &at_once, NULL) > 0;
 }
 
 bool terminal_key(Terminal *terminal, Key *key)
 {
-    if (terminal->expired) {
-        if (keys_expire(&terminal->decoder, key))
-            return true;
-        terminal->expired = false;
-    }
-    while (terminal->input_first < terminal->input_end)
-        if (keys_feed(&terminal->decoder, terminal->input[terminal->input_first++], key))
-            return true;
-    return false;
+    const bool any = keys_read(&terminal->keys, terminal->picture.keys, now(), key);
+    if (terminal->keys.answered && !terminal->picture.synchronised)
+        picture_synchronise(&terminal->picture);
+    return any;
 }
 
 bool terminal_resized(Terminal *terminal)
@@ -386,22 +402,25 @@ bool terminal_resized(Terminal *terminal)
         return false;
     signal_resized = 0;
     if (!read_size(terminal))
-        return terminal->painter.shown.width == 0;
-    terminal_redraw(terminal);
+        return terminal->picture.shown.width == 0;
+    picture_resize(&terminal->picture, terminal->width, terminal->height);
     return true;
 }
 
 int terminal_signal(const Terminal *terminal)
 {
-    (void)terminal;
-    return signal_end;
+    sigset_t ours;
+    /* one that waits comes in between */
+    sigprocmask(SIG_SETMASK, &terminal->mask_outside, &ours);
+    sigprocmask(SIG_SETMASK, &ours, NULL);
+    return signals_ended_by();
 }
 
 void terminal_suspend(Terminal *terminal)
 {
     give_screen_back(terminal);
     struct sigaction ours;
-    catch_signal(SIGTSTP, SIG_DFL, &ours);
+    catch_signal(SIGTSTP, SIG_DFL, 0, &ours);
     sigset_t stop, old;
     sigemptyset(&stop);
     sigaddset(&stop, SIGTSTP);

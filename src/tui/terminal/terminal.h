@@ -1,8 +1,10 @@
-/* The real terminal: signals, modes, bytes in and out.
+/* The real terminal: signals, modes, bytes in and out; picture.h draws, keys.h reads.
  *
  * One can be open at a time. While it is open, SIGWINCH, SIGCONT, SIGTSTP and the signals that ask for an end
- * are blocked and come through only while terminal_wait() sleeps; so none is lost between looking and
- * sleeping. On a crash, and when a library calls exit(), the terminal is restored too. */
+ * (base/signals.h) are blocked and come through only in terminal_wait() and terminal_signal(); so none is
+ * lost between looking and sleeping. Nothing here waits for a terminal that does not read: what it does not
+ * take is sent later, and on leaving given up after a third of a second without a byte. On a crash, and when
+ * a library calls exit(), the terminal is restored too. */
 #ifndef TUI_TERMINAL_H
 #define TUI_TERMINAL_H
 
@@ -36,22 +38,26 @@ const char *terminal_stand_in(const Terminal *);
 /* Shows a canvas: what differs from what was shown last is written; nothing, if nothing does. */
 void terminal_show(Terminal *, const Canvas *);
 
+/* Whether the terminal has not yet taken all of what was shown: the next picture had better wait. */
+bool terminal_is_behind(const Terminal *);
+
 /* The next show draws everything anew. */
 void terminal_redraw(Terminal *);
 
-/* Sleeps until a key, a signal or the time is there; seconds < 0: without an end, 0: only looks. */
+/* Sleeps until a key, a signal, room at a terminal that was behind, or the time is there; seconds < 0:
+ * without an end, 0: only looks. Once a signal asked for an end it does not sleep. */
 void terminal_wait(Terminal *, double seconds);
 
-/* Whether terminal_wait() would find something to read at once. */
+/* Whether there is something to read at once. */
 bool terminal_has_input(const Terminal *);
 
-/* The next key that has come in. False: none. */
+/* The next key that has come in; at most the 25 ms behind Esc are waited. False: none. */
 bool terminal_key(Terminal *, Key *);
 
 /* Whether the size has changed since the last call (the new one is in force then). */
 bool terminal_resized(Terminal *);
 
-/* The signal that asks for an end; 0: none. */
+/* The signal that asks for an end, one that came just now too; 0: none. */
 int terminal_signal(const Terminal *);
 
 /* Stops the program as the shell's job control wants it, and comes back on fg. */

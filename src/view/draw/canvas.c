@@ -5,57 +5,6 @@
 
 enum { REPLACEMENT = '?', ELLIPSIS = 0x2026 };
 
-uint32_t utf8_next(const char **text)
-{
-    const unsigned char *s = (const unsigned char *)*text;
-    if (*s == '\0')
-        return 0;
-    const int length = *s < 0x80 ? 1 : *s < 0xc2 ? 0 : *s < 0xe0 ? 2 : *s < 0xf0 ? 3 : *s < 0xf5 ? 4 : 0;
-    static const uint32_t first_mask[] = {0, 0x7f, 0x1f, 0x0f, 0x07};
-    uint32_t glyph = *s & first_mask[length];
-    for (int i = 1; i < length; i++) {
-        if ((s[i] & 0xc0) != 0x80) {
-            *text += i;
-            return REPLACEMENT;
-        }
-        glyph = glyph << 6 | (s[i] & 0x3f);
-    }
-    *text += length ? length : 1;
-    return length ? glyph : REPLACEMENT;
-}
-
-size_t utf8_put(char out[4], uint32_t glyph)
-{
-    if (glyph < 0x80) {
-        out[0] = (char)glyph;
-        return 1;
-    }
-    if (glyph < 0x800) {
-        out[0] = (char)(0xc0 | glyph >> 6);
-        out[1] = (char)(0x80 | (glyph & 0x3f));
-        return 2;
-    }
-    if (glyph < 0x10000) {
-        out[0] = (char)(0xe0 | glyph >> 12);
-        out[1] = (char)(0x80 | (glyph >> 6 & 0x3f));
-        out[2] = (char)(0x80 | (glyph & 0x3f));
-        return 3;
-    }
-    out[0] = (char)(0xf0 | glyph >> 18);
-    out[1] = (char)(0x80 | (glyph >> 12 & 0x3f));
-    out[2] = (char)(0x80 | (glyph >> 6 & 0x3f));
-    out[3] = (char)(0x80 | (glyph & 0x3f));
-    return 4;
-}
-
-int text_columns(const char *utf8)
-{
-    int columns = 0;
-    while (utf8_next(&utf8))
-        columns++;
-    return columns;
-}
-
 bool canvas_open(Canvas *canvas, int width, int height, Status *status)
 {
     width = width > 0 ? width : 1;
@@ -84,18 +33,37 @@ void canvas_clear(Canvas *canvas)
     canvas->cursor_x = canvas->cursor_y = -1;
 }
 
-void canvas_put(Canvas *canvas, int x, int y, uint32_t glyph, Style style)
+static Cell *cell_at(Canvas *canvas, int x, int y)
 {
-    if (x < 0 || y < 0 || x >= canvas->width || y >= canvas->height)
-        return;
-    canvas->cells[(size_t)y * (size_t)canvas->width + (size_t)x] =
-        (Cell){.glyph = glyph ? glyph : ' ', .style = (uint16_t)style};
+    const bool inside = x >= 0 && y >= 0 && x < canvas->width && y < canvas->height;
+    return inside ? &canvas->cells[(size_t)y * (size_t)canvas->width + (size_t)x] : NULL;
 }
 
-/* A terminal must never see one, wherever the text comes from. */
-static bool is_control(uint32_t glyph)
+/* Half of a wide character is none: the other half becomes a space. */
+static void part_wide(Canvas *canvas, int x, int y)
 {
-    return glyph < ' ' || (glyph >= 0x7f && glyph < 0xa0);
+    Cell *cell = cell_at(canvas, x, y), *before = cell_at(canvas, x - 1, y),
+         *next = cell_at(canvas, x + 1, y);
+    if (cell->glyph == CELL_FOLLOWS && before)
+        before->glyph = ' ';
+    if (next && next->glyph == CELL_FOLLOWS && cell->glyph != CELL_FOLLOWS)
+        next->glyph = ' ';
+}
+
+void canvas_put(Canvas *canvas, int x, int y, uint32_t glyph, Style style)
+{
+    Cell *cell = cell_at(canvas, x, y);
+    if (!cell)
+        return;
+    glyph = glyph ? glyph_shown(glyph) : ' ';
+    const bool wide = glyph_columns(glyph) == 2;
+    Cell *next = wide ? cell_at(canvas, x + 1, y) : NULL;
+    part_wide(canvas, x, y);
+    if (next)
+        part_wide(canvas, x + 1, y);
+    *cell = (Cell){.glyph = wide && !next ? REPLACEMENT : glyph, .style = (uint16_t)style};
+    if (next)
+        *next = (Cell){.glyph = CELL_FOLLOWS, .style = (uint16_t)style};
 }
 
 /* Half a number is worse than none: the ellipsis takes the place of all of it. */
@@ -117,54 +85,16 @@ int canvas_text(Canvas *canvas, int x, int y, int width, const char *text, Style
     int used = 0;
     if (canvas->large && style == STYLE_FAINT)
         style = STYLE_NORMAL;
-    while (used < width) {
-        uint32_t glyph = utf8_next(&text);
-        if (!glyph)
-            break;
-        const bool cut = used == width - 1 && *text != '\0';
-        canvas_put(canvas, x + used++, y, cut ? ELLIPSIS : is_control(glyph) ? ' ' : glyph, style);
+    for (bool cut = false; used < width && *text && !cut;) {
+        const uint32_t glyph = glyph_shown(utf8_next(&text));
+        const int columns = glyph_columns(glyph);
+        cut = used + columns > width || (used + columns == width && *text != '\0');
+        canvas_put(canvas, x + used, y, cut ? ELLIPSIS : glyph, style);
+        used += cut ? 1 : columns;
         if (cut)
             drop_cut_number(canvas, x, y, x + used - 1, style);
     }
     return used;
-}
-
-/* --- text characters for terminals without UTF-8 --- */
-
-/* What stands for a character where only ASCII can be shown; one column for one column, so that nothing
- * moves. Texts that matter (equations) have a better ASCII form of their own. */
-static const struct {
-    uint32_t first, last;
-    char ascii;
-} foldings[] = {
-    {0x00b0, 0x00b0, 'o'}, {0x00b1, 0x00b1, '~'}, {0x00b2, 0x00b2, '2'}, {0x00b3, 0x00b3, '3'},
-    {0x00b5, 0x00b5, 'u'}, {0x00b7, 0x00b7, '.'}, {0x00b9, 0x00b9, '1'}, {0x00bd, 0x00bd, '2'},
-    {0x00d7, 0x00d7, 'x'}, {0x0394, 0x0394, 'D'}, {0x03a3, 0x03a3, 'S'}, {0x03a9, 0x03a9, 'W'},
-    {0x03b1, 0x03b1, 'a'}, {0x03b2, 0x03b2, 'b'}, {0x03b3, 0x03b3, 'g'}, {0x03b4, 0x03b4, 'd'},
-    {0x03b5, 0x03b5, 'e'}, {0x03b7, 0x03b7, 'n'}, {0x03b8, 0x03b8, 'q'}, {0x03ba, 0x03ba, 'k'},
-    {0x03bb, 0x03bb, 'l'}, {0x03bc, 0x03bc, 'u'}, {0x03bd, 0x03bd, 'v'}, {0x03be, 0x03be, 'x'},
-    {0x03c0, 0x03c0, 'p'}, {0x03c1, 0x03c1, 'r'}, {0x03c3, 0x03c3, 's'}, {0x03c4, 0x03c4, 't'},
-    {0x03c6, 0x03c6, 'f'}, {0x03c9, 0x03c9, 'w'}, {0x2013, 0x2014, '-'}, {0x2018, 0x2019, '\''},
-    {0x201c, 0x201d, '"'}, {0x2022, 0x2022, '*'}, {0x2026, 0x2026, '~'}, {0x2032, 0x2032, '\''},
-    {0x2039, 0x2039, '<'}, {0x203a, 0x203a, '>'}, {0x2190, 0x2190, '<'}, {0x2191, 0x2191, '^'},
-    {0x2192, 0x2192, '>'}, {0x2193, 0x2193, 'v'}, {0x2202, 0x2202, 'd'}, {0x2212, 0x2212, '-'},
-    {0x221a, 0x221a, 'V'}, {0x2248, 0x2248, '='}, {0x2264, 0x2264, '<'}, {0x2265, 0x2265, '>'},
-    {0x2500, 0x2501, '-'}, {0x2502, 0x2503, '|'}, {0x2504, 0x2505, '-'}, {0x250c, 0x254b, '+'},
-    {0x254c, 0x254d, '-'}, {0x2580, 0x2580, '"'}, {0x2584, 0x2584, '_'}, {0x2588, 0x2588, '#'},
-    {0x258c, 0x258c, '|'}, {0x2590, 0x2590, '|'}, {0x2591, 0x2591, '.'}, {0x2592, 0x2592, '%'},
-    {0x2593, 0x2593, '#'}, {0x25a0, 0x25a0, '#'}, {0x25b2, 0x25b2, '^'}, {0x25ba, 0x25ba, '>'},
-    {0x25bc, 0x25bc, 'v'}, {0x25c4, 0x25c4, '<'}, {0x25cb, 0x25cb, 'o'}, {0x25cf, 0x25cf, 'O'},
-    {0x2800, 0x28ff, ':'},
-};
-
-static uint32_t glyph_ascii(uint32_t glyph)
-{
-    if (glyph < 0x80)
-        return glyph;
-    for (size_t i = 0; i < sizeof foldings / sizeof *foldings; i++)
-        if (glyph >= foldings[i].first && glyph <= foldings[i].last)
-            return (uint32_t)foldings[i].ascii;
-    return REPLACEMENT;
 }
 
 void canvas_to_ascii(Canvas *canvas)
@@ -188,7 +118,8 @@ char *canvas_dump(const Canvas *canvas)
         while (end > 0 && (row[end - 1].glyph == ' ' || row[end - 1].glyph == 0))
             end--;
         for (int x = 0; x < end; x++)
-            used += utf8_put(out + used, row[x].glyph ? row[x].glyph : ' ');
+            if (row[x].glyph != CELL_FOLLOWS)
+                used += utf8_put(out + used, row[x].glyph ? row[x].glyph : ' ');
         out[used++] = '\n';
     }
     out[used] = '\0';

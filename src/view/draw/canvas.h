@@ -1,9 +1,11 @@
-/* A grid of cells, each a glyph and a style: the screen as data. Panes draw on it; the terminal shows a copy of
- * it, and a test dumps it as text. */
+/* A grid of cells, each a glyph and a style: the screen as data. Panes draw on it; the terminal shows a copy
+ * of it, and a test dumps it as text. No cell holds what would act on a terminal or move what stands beside
+ * it, wherever the text comes from. */
 #ifndef VIEW_CANVAS_H
 #define VIEW_CANVAS_H
 
 #include "base/status.h"
+#include "view/draw/glyph.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -42,8 +44,10 @@ typedef enum Glyphs {
     GLYPHS_NONE = GLYPHS_COUNT /* no cells: what is drawn goes into a sketch, as finely as it can be told */
 } Glyphs;
 
+enum { CELL_FOLLOWS = 0x110000 }; /* no scalar value: the second half of the character before */
+
 typedef struct Cell {
-    uint32_t glyph; /* one Unicode scalar value of width 1; 0 counts as a space */
+    uint32_t glyph; /* one Unicode scalar value; 0 counts as a space; CELL_FOLLOWS behind a wide one */
     uint16_t style; /* Style; a half-block cell of a heat map carries its lower colour in back */
     uint16_t back;  /* 0, or 1 + Style whose colour is the cell's background */
 } Cell;
@@ -64,7 +68,9 @@ bool canvas_open(Canvas *, int width, int height, Status *); /* all spaces; also
 void canvas_close(Canvas *);
 void canvas_clear(Canvas *);
 
-void canvas_put(Canvas *, int x, int y, uint32_t glyph, Style); /* outside the canvas: nothing */
+/* Outside the canvas: nothing. What cannot be shown in cells (glyph_shown) becomes ' ' or '?'; of a wide
+ * character that is cut or half overwritten nothing is left. */
+void canvas_put(Canvas *, int x, int y, uint32_t glyph, Style);
 
 /* Writes UTF-8 from (x, y), cut at `width` columns with an ellipsis as the last; of a number that does not
  * fit nothing is left. Returns the columns used. */
@@ -79,14 +85,5 @@ char *canvas_dump_styles(const Canvas *);
 /* Replaces what is not ASCII, one column for one column ('?' where nothing stands for it); for terminals
  * without UTF-8. */
 void canvas_to_ascii(Canvas *);
-
-/* Columns that a text takes: one per Unicode scalar value (wide and combining characters are not used). */
-int text_columns(const char *utf8);
-
-/* The next scalar value of a text, which moves on; 0 at its end, '?' for bytes that are no UTF-8. */
-uint32_t utf8_next(const char **text);
-
-/* Writes one scalar value; returns the bytes used. */
-size_t utf8_put(char out[4], uint32_t glyph);
 
 #endif

@@ -1,0 +1,91 @@
+#include "base/signals.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <unistd.h>
+
+static const int named[] = {
+    SIGHUP,    SIGINT,  SIGQUIT, SIGPIPE,   SIGALRM, SIGTERM, SIGUSR1,
+    SIGUSR2,   SIGXCPU, SIGXFSZ, SIGVTALRM, SIGPROF, SIGSYS,  SIGTRAP,
+#ifdef SIGIO
+    SIGIO,
+#endif
+#ifdef SIGPWR
+    SIGPWR,
+#endif
+#ifdef SIGSTKFLT
+    SIGSTKFLT,
+#endif
+#ifdef SIGEMT
+    SIGEMT,
+#endif
+};
+enum { N_NAMED = sizeof named / sizeof *named, SIGNALS_MAX = N_NAMED + 64 };
+
+static volatile sig_atomic_t ended_by;
+static struct {
+    int number;
+    struct sigaction before;
+} taken[SIGNALS_MAX];
+static int n_taken;
+
+void signals_end(int number)
+{
+    if (ended_by == 0)
+        ended_by = number;
+}
+
+static void note(int number, siginfo_t *info, void *context)
+{
+    (void)context;
+    const bool own_write = (number == SIGPIPE || number == SIGXFSZ) && info->si_pid == getpid();
+    if (!own_write)
+        signals_end(number);
+}
+
+static void take(int number)
+{
+    struct sigaction before, action = {.sa_sigaction = note, .sa_flags = SA_SIGINFO};
+    sigemptyset(&action.sa_mask);
+    if (n_taken == SIGNALS_MAX || sigaction(number, NULL, &before) != 0)
+        return;
+    /* that a write fails instead of ending the program is the program's own wish */
+    const bool ignored = before.sa_handler == SIG_IGN && number != SIGPIPE && number != SIGXFSZ;
+    const bool handled = before.sa_handler != SIG_IGN && before.sa_handler != SIG_DFL;
+    if (ignored || handled || sigaction(number, &action, NULL) != 0)
+        return;
+    taken[n_taken].number = number;
+    taken[n_taken++].before = before;
+}
+
+void signals_catch(void)
+{
+    for (int i = 0; i < N_NAMED; i++)
+        take(named[i]);
+#ifdef SIGRTMIN
+    for (int number = SIGRTMIN; number <= SIGRTMAX; number++)
+        take(number);
+#endif
+}
+
+int signals_ended_by(void)
+{
+    return (int)ended_by;
+}
+
+void signals_block(sigset_t *before)
+{
+    sigset_t blocked;
+    sigemptyset(&blocked);
+    for (int i = 0; i < n_taken; i++)
+        sigaddset(&blocked, taken[i].number);
+    sigprocmask(SIG_BLOCK, &blocked, before);
+}
+
+void signals_release(void)
+{
+    for (int i = 0; i < n_taken; i++)
+        if (!ended_by || taken[i].number == SIGINT || taken[i].number == SIGQUIT)
+            sigaction(taken[i].number, &taken[i].before, NULL);
+    n_taken = 0;
+}

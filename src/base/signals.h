@@ -1,0 +1,28 @@
+/* Signals that would end the process: each is noted, and whoever works or waits ends in good order.
+ *
+ * Taken are all that end a process by default and are sent by somebody (SIGHUP, SIGTERM, SIGUSR1, SIGXCPU,
+ * the real-time ones, ...). Left alone are those that the process was started to ignore (nohup), those that
+ * somebody else takes already (a profiler), and faults (SIGSEGV, ...), after which nothing can go on. SIGPIPE
+ * and SIGXFSZ of an own write are no wish to end: the write fails and is told. */
+#ifndef BASE_SIGNALS_H
+#define BASE_SIGNALS_H
+
+#include <signal.h>
+
+void signals_catch(void);
+
+/* The first that came since signals_catch(); 0: none. */
+int signals_ended_by(void);
+
+/* As if this one had come: the terminal is gone. */
+void signals_end(int number);
+
+/* From here on none of them comes but while `before` (the mask that was in force) is in force again, as
+ * during wait_for(): so none is lost between looking and sleeping. */
+void signals_block(sigset_t *before);
+
+/* As it was before signals_catch(). After one came only SIGINT and SIGQUIT end the process at once: shell,
+ * terminal and kernel each say that it ends, and the second must not cut off what is still to be written. */
+void signals_release(void);
+
+#endif

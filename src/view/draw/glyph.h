@@ -1,0 +1,26 @@
+/* Characters: UTF-8 in and out, and how many cells of a terminal each takes. */
+#ifndef VIEW_GLYPH_H
+#define VIEW_GLYPH_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* The next scalar value of a text, which moves on; 0 at its end, '?' for bytes that are no UTF-8. */
+uint32_t utf8_next(const char **text);
+
+/* Writes one scalar value; returns the bytes used. */
+size_t utf8_put(char out[4], uint32_t glyph);
+
+/* Cells that a character takes, 1 or 2, in any locale; 0: it cannot be shown in cells. */
+int glyph_columns(uint32_t glyph);
+
+/* The character, or what is shown for one that cannot be: a space for a control, else '?'. */
+uint32_t glyph_shown(uint32_t glyph);
+
+/* What stands for it where only ASCII can be shown, one cell for one cell; '?' where nothing does. */
+uint32_t glyph_ascii(uint32_t glyph);
+
+/* Cells that a text takes. */
+int text_columns(const char *utf8);
+
+#endif
