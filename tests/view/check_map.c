@@ -397,12 +397,31 @@ START_TEST(the_drawing_has_its_dimensions)
 }
 END_TEST
 
+/* Displacements may be drawn so large that the load leaves the picture, at any of its edges. */
+START_TEST(what_is_drawn_far_too_large_stays_in_the_picture)
+{
+    static const char *const factors[] = {"1e4", "1e9", "1e300"};
+    static const char *const stresses[] = {"60e6", "-60e6"};
+    for (size_t i = 0; i < sizeof factors / sizeof *factors; i++)
+        for (size_t k = 0; k < sizeof stresses / sizeof *stresses; k++) {
+            char words[160];
+            Scene scene;
+            snprintf(words, sizeof words,
+                     "notched-beam-coarse 80x24 20 upper 8 load.stress=%s view.exaggeration=%s", stresses[k],
+                     factors[i]);
+            open_scene(&scene, words);
+            scene_close(&scene);
+        }
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *map = tcase_create("map");
     tcase_set_timeout(map, 60);
     tcase_add_loop_test(map, a_node_is_found_where_it_is_drawn, 0, 3);
     tcase_add_test(map, factors_are_those_that_are_stated);
+    tcase_add_test(map, what_is_drawn_far_too_large_stays_in_the_picture);
     tcase_add_test(map, ramps_hold_their_values);
     tcase_add_test(map, the_skin_lacks_neighbours);
     tcase_add_test(map, broken_bonds_are_missing);

@@ -252,6 +252,8 @@ static void draw_load(Map *map)
         }
         last = (int)floor(column);
         last_row = (int)fmax(floor(y - map->body.spacing * map->scale_y / 2 - 0.75), 0);
+        /* displacements drawn much too large carry the load below the picture */
+        last_row = last_row < map->area.rect.height ? last_row : map->area.rect.height - 1;
         area_put(map->area, last, last_row, LOAD, STYLE_HEADING);
     }
     free(loaded);
