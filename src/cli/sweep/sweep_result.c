@@ -12,9 +12,9 @@ typedef struct ColumnText {
 static const ColumnText texts[RESULT_COLUMNS] = {
     [RESULT_MEASURED] = {"measured", "1/time", "s",
                          "frequency in radians per time (bar) or period (beams), fitted to the series"},
-    [RESULT_PREDICTED] = {"predicted", "1/time", "s",
-                          "the same predicted: by the equations of this mesh (bar), by Timoshenko's theory "
-                          "for the beam as it lies on the lattice"},
+    [RESULT_PREDICTED] =
+        {"predicted", "1/time", "s",
+         "the same predicted by the equations of this very mesh (bar) or lattice (supported beam)"},
     [RESULT_EXACT] = {"exact", "1/time", "s",
                       "the same exact: of the continuum (bar), by Timoshenko's theory (supported beam), by "
                       "the modal equations (moving cantilever)"},

@@ -140,7 +140,8 @@ static void add_readout(Writer *writer, const Readout *readout)
         add(writer, "  %s", readout->unmeasured);
     add_known(writer, "measured", readout->measured_known, readout->measured);
     add_known(writer, "predicted", readout->predicted_known, readout->predicted);
-    add_known(writer, "exact", readout->exact_known, readout->exact);
+    add_known(writer, readout->is_period ? "beam theory" : "exact", readout->exact_known, readout->exact);
+    add_known(writer, "at its real size", isfinite(readout->real_size), readout->real_size);
     if (readout->is_period && (readout->measured_known || readout->predicted_known || readout->exact_known))
         add(writer, "  s");
     add(writer, "\n");

@@ -1,6 +1,7 @@
 /* What is asked of the beams whatever their method: beam theories beside, zeros and periods of a record. */
 #include "lab/problems/beam_answers.h"
 
+#include "physics/pd_plane/beam_modes.h"
 #include "theory/beam.h"
 
 #include <limits.h>
@@ -13,6 +14,7 @@ typedef struct BeamAnswers {
     BeamTheory theory;                         /* as the scenario says */
     BeamTheory real;                           /* as the lattice came out */
     double euler, timoshenko, timoshenko_real; /* periods of the simply supported beam */
+    double predicted;                          /* of its lattice; NAN: not known */
     MovingCantilever *moving;
     double speed;                          /* of the same */
     double thickness[THICKNESS_LINES_MAX]; /* frequencies of the lattice through the beam's height */
@@ -133,6 +135,9 @@ bool beam_prepare_supported(References *refs, const Settings *settings, const Si
     beam->euler = beam_period_euler(&beam->theory);
     beam->timoshenko = beam_period_timoshenko(&beam->theory);
     beam->timoshenko_real = beam_period_timoshenko(&beam->real);
+    const BeamDef def = beam_definition(settings, 1);
+    if (!beam_predicted_period(&def, &beam->predicted, status))
+        return false;
     plan_method(refs, sim, "u_probe");
     plan_method(refs, sim, "v_probe");
     plan_answer(refs, &u_e, COLUMN_EXACT, "u_probe", u_euler);
@@ -156,8 +161,8 @@ double beam_supported_profile(const References *refs, const char *field, double 
     return NAN;
 }
 
-/* Exact is Timoshenko's period of the beam as it was asked for; predicted that of the beam as it lies on the
- * lattice, a little thinner and shorter. */
+/* Beam theory is Timoshenko's period of the beam as it was asked for, and the same at its real size that of
+ * the beam as it lies on the lattice, a little thinner and shorter; predicted is the lattice's own. */
 void beam_read_supported(const References *refs, const double *rows, size_t n_rows, int n_columns,
                          Readout *out)
 {
@@ -166,12 +171,15 @@ void beam_read_supported(const References *refs, const double *rows, size_t n_ro
     out->moving = own(refs)->theory.amplitude != 0;
     if (!out->moving)
         return;
-    out->exact_known = out->predicted_known = true;
+    out->exact_known = true;
     out->exact = own(refs)->timoshenko;
-    out->predicted = own(refs)->timoshenko_real;
+    out->predicted = own(refs)->predicted;
+    out->predicted_known = isfinite(out->predicted);
+    out->real_size = own(refs)->timoshenko_real;
+    const double expected = out->predicted_known ? out->predicted : out->real_size;
     double frequency;
-    if (readout_fit(rows, n_rows, n_columns, plan_find(refs, "u_probe"), 2 * M_PI / out->predicted,
-                    &(double){1}, 1, &frequency)) {
+    if (readout_fit(rows, n_rows, n_columns, plan_find(refs, "u_probe"), 2 * M_PI / expected, &(double){1}, 1,
+                    &frequency)) {
         out->measured = 2 * M_PI / frequency;
         out->measured_known = true;
     }

@@ -79,6 +79,7 @@ void references_readout(const References *refs, const double *rows, size_t n_row
                          .error_period = NAN,
                          .predicted_error_frequency = NAN,
                          .late = NAN,
+                         .real_size = NAN,
                          .by_zeros = NAN,
                          .column = "",
                          .unmeasured = "",

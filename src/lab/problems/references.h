@@ -68,8 +68,9 @@ struct Readout {
     double predicted_error_frequency;     /* predicted against exact, in percent */
     double late;                          /* periods behind the exact answer at `time` */
     double time;
-    double by_zeros; /* a beam's period once more, from the zeros of its swing; NAN: fewer than two */
-    bool drifting;   /* the period itself changes: the three numbers and `late` are those of the last zeros */
+    double real_size; /* a beam's period by theory at the size that it has on the lattice; NAN: none */
+    double by_zeros;  /* a beam's period once more, from the zeros of its swing; NAN: fewer than two */
+    bool drifting; /* the period itself changes: the three numbers and `late` are those of the last zeros */
     const char *column;     /* the series it was measured on */
     double times;           /* which swings so many times as fast */
     int mode;               /* of a bar: the number of the mode that it is; 0: none */

@@ -6,8 +6,8 @@
 
 #include "physics/pd_plane/beam.h"
 
-/* The largest factor that is made for it, in numbers of 8 bytes: half a gigabyte. */
-enum { BEAM_MODES_NUMBERS_MAX = 1 << 26 };
+/* The largest factor that is made for it, in numbers of 8 bytes: a quarter of a gigabyte. */
+enum { BEAM_MODES_NUMBERS_MAX = 1 << 25 };
 
 /* The period in s of a simply supported beam; NAN where the lattice is so fine that the factor of its
  * stiffness would not fit (BEAM_MODES_NUMBERS_MAX), and for other problems, which have none. It takes n B^2

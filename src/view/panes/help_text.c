@@ -48,8 +48,10 @@ static const HelpWord beam_words[] = {
     {"probe", "the mid-point of a supported beam, the tip of a cantilever."},
     {"Euler", "Euler-Bernoulli: plane sections stay at right angles. Timoshenko adds shear and rotation: "
               "what a two-dimensional body should give."},
-    {"T", "the period, by least squares. The lattice makes the beam a little thinner and shorter than asked "
-          "for: predicted is Timoshenko's period of the beam as it lies."},
+    {"T",
+     "the period, by least squares. Predicted: that of the lowest vibration of this very lattice with its "
+     "supports and its surface correction. Theory at its real size: Timoshenko's, for the lattice makes "
+     "the beam a little thinner and shorter than asked for."},
     {"zeros", "the same period from the zeros of the swing alone: where the two differ the record is short "
               "or no pure sine."},
     {"modal", "the moving cantilever by its first bending modes on the growing length. Filtered: the end of "

@@ -306,7 +306,7 @@ static void period_lines(const Readout *readout, double height, double span, boo
                  brief ? "T %.4f ms: %+.2f %%, its size %+.2f %%"
                        : "T %.4f ms: %+.2f %%, its real size alone %+.2f %%",
                  milliseconds(readout->measured), percent(readout->measured / readout->exact),
-                 percent(readout->predicted / readout->exact));
+                 percent(readout->real_size / readout->exact));
         snprintf(second, 160, "real height %.4g mm, span %.4g mm%s", height / 1e-3, span / 1e-3,
                  brief ? "" : "; T as span^2/height");
     }
