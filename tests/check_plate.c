@@ -139,7 +139,7 @@ START_TEST(tables_are_written_of_it)
     snprintf(particles, sizeof particles, "%s/p.csv", folder);
     Settings settings = until(5);
     settings.output.frames = 2;
-    Outputs outputs = {.series = series, .particles = particles};
+    Outputs outputs = {.asker = ASKER_COMMAND_LINE, .series = series, .particles = particles};
     RunSummary summary;
     Status status = {0};
     ck_assert_msg(export_simulation(&settings, large_plate(), &outputs, NULL, NULL, &summary, &status), "%s",
@@ -155,7 +155,7 @@ START_TEST(tables_are_written_of_it)
     fclose(file);
     ck_assert_int_eq(lines, 2 * 58800);
     ck_assert_str_eq(line, "10,5,58799,419,139,0,0,0,0\n");
-    Outputs bonds = {.bonds = series, .force = true};
+    Outputs bonds = {.asker = ASKER_COMMAND_LINE, .bonds = series, .force = true};
     ck_assert(!export_simulation(&settings, plate_create(9, 9, 0), &bonds, NULL, NULL, NULL, &status));
     static const char *const names[] = {"s.csv", "p.csv", "s.csv.ini", "p.csv.ini"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {

@@ -17,7 +17,7 @@ int cli_export_lammps(int count, char **arguments, Status *status)
         return (int)status->code;
     }
     if (!options_load(&options, options.words[0], &settings, status) ||
-        !lammps_export(&settings, options.output, options.force, status))
+        !lammps_export(&settings, ASKER_COMMAND_LINE, options.output, options.force, status))
         return (int)status->code;
     printf("wrote %s; run it with: cd %s && lmp -in in.matvib\n", options.output, options.output);
     return STATUS_DONE;

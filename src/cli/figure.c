@@ -6,7 +6,7 @@
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "lab/export/frames.h"
-#include "lab/export/output_file.h"
+#include "base/output.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -105,7 +105,7 @@ static bool draw_frames(Screen *screen, int view, const Frames *frames, const Op
     figure_open(&figure, options->size[0], options->size[1]);
     const bool sound = take_frames(&figure, screen, view, frames, progress, status) &&
                        take_alike(&figure, screen, view, frames, progress, status) &&
-                       figure_write(&figure, options->output, options->force, status);
+                       figure_write(&figure, ASKER_COMMAND_LINE, options->output, options->force, status);
     figure_close(&figure);
     return sound;
 }

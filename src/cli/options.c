@@ -280,6 +280,7 @@ bool options_parse(const char *command, int count, char **arguments, Options *op
         }
     }
     options->outputs.force = options->force;
+    options->outputs.asker = ASKER_COMMAND_LINE;
     options->outputs.dialect =
         options->dialect && strcmp(options->dialect, "semicolon") == 0 ? DIALECT_SEMICOLON : DIALECT_COMMA;
     return true;

@@ -2,7 +2,6 @@
 
 #include "base/text.h"
 #include "figure/page.h"
-#include "lab/export/output_file.h"
 
 #include <errno.h>
 #include <math.h>
@@ -235,10 +234,10 @@ static void share_ranges(Figure *figure)
         }
 }
 
-bool figure_write(Figure *figure, const char *name, bool force, Status *status)
+bool figure_write(Figure *figure, Asker asker, const char *name, bool force, Status *status)
 {
     OutputFile file;
-    if (!figure_allowed(name, status) || !output_open(&file, name, force, status))
+    if (!figure_allowed(name, status) || !output_open(&file, asker, name, force, status))
         return false;
     share_ranges(figure);
     const double width = page_width(figure), height = page_height(figure);

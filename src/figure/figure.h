@@ -6,6 +6,7 @@
 #ifndef FIGURE_FIGURE_H
 #define FIGURE_FIGURE_H
 
+#include "base/output.h"
 #include "view/panes/screen.h"
 
 enum { FIGURE_PANELS_MAX = 24, FIGURE_TEXT_MAX = 2048 };
@@ -48,6 +49,6 @@ bool figure_add(Figure *, const Screen *, int view, int panels, Status *);
 double figure_enlargement(const Figure *, bool *differ);
 
 /* Draws the page, whole or not at all. Maps of one field share the range of their colours. */
-bool figure_write(Figure *, const char *file, bool force, Status *);
+bool figure_write(Figure *, Asker, const char *file, bool force, Status *);
 
 #endif

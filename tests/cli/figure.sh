@@ -57,6 +57,9 @@ compare() {
 }
 result "every row lies where it should, to a hundredth of a point" compare
 
+expect "signs of XML" 0 mode5 --end 5 --view probe --output xml.svg --set 'scenario.title=a<b>&"c'
+result "are written as it wants them" says xml.svg '<title>.*a&lt;b&gt;&amp;"c.*</title>'
+result "everywhere" test -z "$(grep -F -e 'a<b' xml.svg)"
 expect "it repeats" 0 mode5 --end 5 --view probe --output b.svg --quiet
 result "the same bytes" cmp -s a.svg b.svg
 result "quiet" lines out 0

@@ -83,6 +83,61 @@ result "nor is a folder" refused '.: cannot be read: Is a directory' --replay .
 sed '/^end/d' mode5.session >open.session
 printf 'at 99999999999999999999999' >>open.session
 result "a line that was cut is dropped" "$MATVIB" --replay open.session --script empty
+
+# a session that is done again writes nothing, and leaves no question open whose answer would be the next key
+cat >writes.script <<'END'
+key Space
+wait 0.1
+key Space w
+type w.ini
+key Enter x
+type newest
+key Enter
+key Esc x
+type w
+key Enter
+key :
+type figure w.svg
+key Enter w
+type old.ini
+key Enter y w
+type old.ini
+END
+: >old.ini
+"$MATVIB" mode1 --paused --script writes.script --record writes.session >/dev/null
+result "keys wrote files" test -s w.ini -a -s w-series.csv -a -s w.svg -a -s old.ini
+rm -f w.* w-*
+echo mine >old.ini
+printf 'key Enter y Enter\n' >enter.script
+result "a session that writes is done again" "$MATVIB" --replay writes.session --script enter.script
+result "but writes nothing" sh -c 'test -z "$(ls | grep -E "^w[.-]")" && test "$(cat old.ini)" = mine'
+printf 'reject write scenario\nkey w\ntype own.ini\nkey Enter\nexpect wrote own.ini\n' >own.script
+result "what it asked is closed, and the user may write" "$MATVIB" --replay writes.session --script own.script
+
+# a recording is in its file as it comes; a crash leaves it
+mkfifo keys.pipe
+"$MATVIB" mode1 --paused --script - --record crash.session <keys.pipe >/dev/null 2>&1 &
+crashed=$!
+exec 3>keys.pipe
+printf 'key . . ,\n' >&3
+for try in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
+	test "$(grep -c '^at' crash.session 2>/dev/null)" = 3 && break
+	sleep 0.1
+done
+kill -KILL $crashed
+wait $crashed 2>/dev/null
+exec 3>&-
+result "a crash leaves every key" test "$(grep -c '^at' crash.session)" -eq 3
+echo 'expect step 1 ' >one.script
+result "and they are done again" "$MATVIB" --replay crash.session --script one.script
+
+# a lesson writes nothing either, and is refused when it is read
+printf '@title A\n@page One\n@do write .bash_aliases\n' >bad.lesson
+result "a lesson that writes is refused" refused \
+	'bad.lesson:3: @do: write: a lesson may not (it changes the laboratory only)' lesson bad.lesson
+result "and has written nothing" test ! -e .bash_aliases
+result "a name with control characters is none for a recording" refused \
+	'a\x1b[2Jb: is no name for a file (UTF-8 without control characters)' mode1 --record "$(printf 'a\033[2Jb')"
 sed 's/^| cell_size.*/| cell_size = -1/' mode5.session >wrong.session
 "$MATVIB" --replay wrong.session --script empty 2>message
 result "its scenario is judged" grep -q 'wrong.session (scenario):[0-9]*: mesh.cell_size:' message
@@ -95,6 +150,7 @@ mkdir -p state/matvib
 echo 'key . T' >lesson.script
 "$MATVIB" lesson late --script lesson.script --record early.session
 result "how far one came is kept" test "$(cat state/matvib/lessons)" = "late 1"
+result "for the user alone" test "$(ls -ld state/matvib | cut -c1-10)" = drwx------
 printf 'late 5\ncrack 3\n' >state/matvib/lessons
 printf 'key T Enter\nwait 0.1\nkey T\n' >again.script
 "$MATVIB" --replay early.session --script again.script

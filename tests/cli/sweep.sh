@@ -103,6 +103,8 @@ for try in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
 	test "$(wc -l 2>/dev/null <long.csv.partial)" -eq 4 2>/dev/null && break
 	sleep 0.25
 done
+refuse "a second sweep beside it" 'long.csv.partial: another sweep is writing it' \
+	mode5 --vary time.end=20,30 --output long.csv
 kill -$signal $sweep
 wait $sweep
 got=$?
@@ -129,6 +131,10 @@ result "is left alone" test "$(cat other.csv.partial)" = 'my diary'
 "$MATVIB" show mode5 >"it's \$mine.ini"
 expect "a plan" 0 "it's \$mine.ini" --vary mesh.cell_size=1,0.5 --set scenario.title='a; b' --end 20 --plan
 cp out plan
+for sign in '$' '`' '&' ';' '|' '<' '>' '(' ')' '*' '?' '[' '!' '"' '\' '~' ' '; do
+	"$MATVIB" sweep mode1 --vary mesh.cell_size=1,0.5 --set "scenario.title=a${sign}b" --plan >signs
+	result "$sign is quoted" grep -q -F -e " 'scenario.title=a${sign}b' " signs
+done
 result "a command for each combination" test "$(grep -c '^matvib run .* --series .*-[12]\.csv' plan)" -eq 2
 mkdir bin
 ln -s "$MATVIB" bin/matvib

@@ -1,4 +1,5 @@
 /* Runs as files: what they hold, that they repeat, that they are written whole or not at all. */
+#include "lab/export/csv.h"
 #include "lab/export/export.h"
 #include "lab/lab_case.h"
 #include "lab/settings/scenario.h"
@@ -129,8 +130,10 @@ START_TEST(columns_are_those_of_the_contract)
 {
     RunSummary summary;
     Settings settings = bar_settings(1, 1);
-    Outputs outputs = {
-        .series = in_folder("s.csv"), .particles = in_folder("p.csv"), .nodes = in_folder("n.csv")};
+    Outputs outputs = {.asker = ASKER_COMMAND_LINE,
+                       .series = in_folder("s.csv"),
+                       .particles = in_folder("p.csv"),
+                       .nodes = in_folder("n.csv")};
     run(&settings, &outputs, &summary);
     expect_header(outputs.series,
                   "step,time,v_cm,v_cm_exact,v_cm_predicted,x_cm,kinetic,kinetic_grid,strain,work,total");
@@ -162,7 +165,8 @@ START_TEST(columns_are_those_of_the_contract)
     };
     for (size_t i = 0; i < sizeof beams / sizeof *beams; i++) {
         settings = beam_settings(beams[i].problem, 2e-6);
-        Outputs all = {.series = in_folder("s.csv"),
+        Outputs all = {.asker = ASKER_COMMAND_LINE,
+                       .series = in_folder("s.csv"),
                        .particles = in_folder("p.csv"),
                        .bonds = in_folder("b.csv"),
                        .force = true};
@@ -183,7 +187,7 @@ START_TEST(rows_are_those_of_the_laboratory)
     for (size_t p = 0; p < sizeof some / sizeof *some; p++) {
         Settings settings = some[p] == &bar_problem ? bar_settings(5, 3) : beam_settings(some[p], 3e-5);
         settings.output.every = 7;
-        Outputs outputs = {.series = in_folder("s.csv"), .force = true};
+        Outputs outputs = {.asker = ASKER_COMMAND_LINE, .series = in_folder("s.csv"), .force = true};
         run(&settings, &outputs, NULL);
         Experiment *experiment = open_experiment(&settings, 1 << 20);
         ck_assert(experiment_advance(experiment, 1000000, NULL));
@@ -227,8 +231,14 @@ static void expect_same_scenarios(const char *a, const char *b, bool failed)
 static void expect_repeats(const Settings *settings, bool may_fail)
 {
     bool bar = settings->problem == &bar_problem;
-    Outputs first = {.series = in_folder("a.csv"), .particles = in_folder("ap.csv"), .force = true};
-    Outputs again = {.series = in_folder("b.csv"), .particles = in_folder("bp.csv"), .force = true};
+    Outputs first = {.asker = ASKER_COMMAND_LINE,
+                     .series = in_folder("a.csv"),
+                     .particles = in_folder("ap.csv"),
+                     .force = true};
+    Outputs again = {.asker = ASKER_COMMAND_LINE,
+                     .series = in_folder("b.csv"),
+                     .particles = in_folder("bp.csv"),
+                     .force = true};
     first.nodes = bar ? in_folder("an.csv") : NULL;
     again.nodes = bar ? in_folder("bn.csv") : NULL;
     Status status = {0};
@@ -285,7 +295,8 @@ static Settings failing_settings(void)
 START_TEST(a_failed_run_is_written_up_to_there)
 {
     Settings settings = failing_settings();
-    Outputs outputs = {.series = in_folder("s.csv"), .particles = in_folder("p.csv")};
+    Outputs outputs = {
+        .asker = ASKER_COMMAND_LINE, .series = in_folder("s.csv"), .particles = in_folder("p.csv")};
     RunSummary summary;
     Status status = {0};
     ck_assert(!export_run(&settings, &outputs, 1, NULL, NULL, &summary, &status));
@@ -305,7 +316,7 @@ END_TEST
 START_TEST(frames_are_the_nearest_steps)
 {
     Settings settings = bar_settings(1, 1);
-    Outputs outputs = {.particles = in_folder("p.csv"), .force = true};
+    Outputs outputs = {.asker = ASKER_COMMAND_LINE, .particles = in_folder("p.csv"), .force = true};
     settings.output.frames = 4;
     run(&settings, &outputs, NULL);
     char *text = contents(outputs.particles);
@@ -323,8 +334,9 @@ END_TEST
 START_TEST(spreadsheets_get_a_decimal_comma)
 {
     Settings settings = bar_settings(1, 1);
-    Outputs comma = {.series = in_folder("c.csv")};
-    Outputs semicolon = {.series = in_folder("s.csv"), .dialect = DIALECT_SEMICOLON};
+    Outputs comma = {.asker = ASKER_COMMAND_LINE, .series = in_folder("c.csv")};
+    Outputs semicolon = {
+        .asker = ASKER_COMMAND_LINE, .series = in_folder("s.csv"), .dialect = DIALECT_SEMICOLON};
     run(&settings, &comma, NULL);
     run(&settings, &semicolon, NULL);
     expect_numbers(semicolon.series, ';');
@@ -349,7 +361,8 @@ static void expect_refused(const Settings *settings, const Outputs *outputs, Sta
 START_TEST(files_are_written_whole_or_not_at_all)
 {
     Settings settings = bar_settings(1, 1);
-    Outputs outputs = {.series = in_folder("s.csv"), .particles = in_folder("p.csv")};
+    Outputs outputs = {
+        .asker = ASKER_COMMAND_LINE, .series = in_folder("s.csv"), .particles = in_folder("p.csv")};
     FILE *old = fopen(outputs.particles, "w");
     fputs("old", old);
     fclose(old);
@@ -363,25 +376,29 @@ START_TEST(files_are_written_whole_or_not_at_all)
     expect_refused(&settings, &outputs, STATUS_USAGE, "s.csv.ini: exists");
     unlink(in_folder("s.csv.ini"));
 
-    Outputs same = {.series = in_folder("s.csv"), .nodes = in_folder("../"), .particles = NULL};
+    Outputs same = {.asker = ASKER_COMMAND_LINE,
+                    .series = in_folder("s.csv"),
+                    .nodes = in_folder("../"),
+                    .particles = NULL};
     char other[256];
     snprintf(other, sizeof other, "%s/./s.csv", folder);
     same.nodes = other;
     expect_refused(&settings, &same, STATUS_USAGE, "same file");
     same.nodes = in_folder("s.csv.ini");
     expect_refused(&settings, &same, STATUS_USAGE, "same file");
-    same = (Outputs){.series = "-", .nodes = "-"};
+    same = (Outputs){.asker = ASKER_COMMAND_LINE, .series = "-", .nodes = "-"};
     expect_refused(&settings, &same, STATUS_USAGE, "standard output");
-    same = (Outputs){.series = in_folder("none/s.csv")};
+    same = (Outputs){.asker = ASKER_COMMAND_LINE, .series = in_folder("none/s.csv")};
     expect_refused(&settings, &same, STATUS_USAGE, "none/s.csv: there is no folder");
-    same = (Outputs){.series = folder};
+    same = (Outputs){.asker = ASKER_COMMAND_LINE, .series = folder};
     expect_refused(&settings, &same, STATUS_USAGE, "folder");
-    same = (Outputs){.bonds = in_folder("b.csv")};
+    same = (Outputs){.asker = ASKER_COMMAND_LINE, .bonds = in_folder("b.csv")};
     expect_refused(&settings, &same, STATUS_USAGE, "--bonds");
     ck_assert_int_eq(count_files(), 0);
 
     /* a device that is full: nothing takes its place, nothing else is left behind */
-    same = (Outputs){.series = "/dev/full", .particles = in_folder("p.csv"), .force = true};
+    same = (Outputs){
+        .asker = ASKER_COMMAND_LINE, .series = "/dev/full", .particles = in_folder("p.csv"), .force = true};
     expect_refused(&settings, &same, STATUS_FAILED, "/dev/full");
     ck_assert_int_eq(count_files(), 0);
     struct stat what;
@@ -400,8 +417,10 @@ START_TEST(an_interrupted_run_leaves_nothing)
 {
     Settings settings = bar_settings(1, 100);
     settings.output.frames = 100;
-    Outputs outputs = {
-        .series = in_folder("s.csv"), .particles = in_folder("p.csv"), .vtk = in_folder("v.pvd")};
+    Outputs outputs = {.asker = ASKER_COMMAND_LINE,
+                       .series = in_folder("s.csv"),
+                       .particles = in_folder("p.csv"),
+                       .vtk = in_folder("v.pvd")};
     int calls = 0;
     Status status = {0};
     ck_assert(!export_run(&settings, &outputs, 1, stop_soon, &calls, NULL, &status));
@@ -413,7 +432,7 @@ END_TEST
 START_TEST(paraview_gets_a_collection)
 {
     Settings settings = beam_settings(&supported_beam_problem, 2e-6);
-    Outputs outputs = {.vtk = in_folder("v.pvd")};
+    Outputs outputs = {.asker = ASKER_COMMAND_LINE, .vtk = in_folder("v.pvd")};
     settings.output.frames = 3;
     run(&settings, &outputs, NULL);
     ck_assert_int_eq(count_files(), 4);
@@ -426,10 +445,15 @@ START_TEST(paraview_gets_a_collection)
     ck_assert_ptr_nonnull(strstr(frame, "</VTKFile>"));
     free(collection);
     free(frame);
+    outputs.vtk = in_folder("a<b\"c&d.pvd"); /* signs of XML */
+    run(&settings, &outputs, NULL);
+    collection = contents(outputs.vtk);
+    ck_assert_ptr_nonnull(strstr(collection, "file=\"a&lt;b&quot;c&amp;d-0002.vtu\"/>"));
+    free(collection);
     settings.output.frames = 0;
     outputs.vtk = in_folder("one");
     run(&settings, &outputs, NULL);
-    ck_assert_int_eq(count_files(), 5);
+    ck_assert_int_eq(count_files(), 9);
     free(contents(in_folder("one.vtu")));
 }
 END_TEST
@@ -490,6 +514,18 @@ START_TEST(a_summary_tells_what_a_run_came_to)
 }
 END_TEST
 
+START_TEST(a_zero_keeps_its_sign)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+    csv_row(stream, DIALECT_COMMA, (double[]){-0.0, 0, -3, -0.5, 1e15, -1e-7}, 6);
+    fclose(stream);
+    ck_assert_str_eq(text, "-0,0,-3,-0.5,1e15,-1e-7\n");
+    free(text);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("export");
@@ -507,5 +543,6 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, a_summary_tells_what_a_run_came_to);
     tcase_add_test(tcase, the_ripple_is_no_loss);
     tcase_add_test(tcase, what_has_decayed_is_told_so);
+    tcase_add_test(tcase, a_zero_keeps_its_sign);
     suite_add_tcase(suite, tcase);
 }

@@ -759,7 +759,7 @@ START_TEST(who_does_a_session_again_is_not_suspended_again)
     Bench *bench = open_bench("mode1", true);
     press(bench, "^Z");
     ck_assert_int_eq(bench->suspended, 1);
-    bench->lab.replaying = true;
+    bench->lab.asker = ASKER_REPLAY;
     press(bench, "^Z");
     ck_assert_int_eq(bench->suspended, 1);
     close_bench(bench);

@@ -8,7 +8,7 @@
 #include "cli/sweep/sweep_partial.h"
 #include "cli/sweep/sweep_plan.h"
 #include "cli/sweep/sweep_table.h"
-#include "lab/export/output_file.h"
+#include "base/output.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -248,13 +248,13 @@ static bool write_files(const Sweep *sweep, const SweepTable *table, int count, 
 {
     const Options *options = sweep->options;
     OutputFile file, beside = {0};
-    if (!output_open(&file, options->output, options->force, status))
+    if (!output_open(&file, ASKER_COMMAND_LINE, options->output, options->force, status))
         return false;
     table_write_csv(table, options->outputs.dialect, file.stream);
     bool good = output_finish(&file, status);
     if (good && file.target) {
         char *name = beside_name(options->output, status);
-        good = name && output_open(&beside, name, options->force, status) &&
+        good = name && output_open(&beside, ASKER_COMMAND_LINE, name, options->force, status) &&
                write_beside(sweep, table, count, arguments, &beside, status);
         free(name);
     }
@@ -314,7 +314,8 @@ static int print_plan(const Sweep *sweep, Status *status)
 {
     OutputFile file;
     const Options *options = sweep->options;
-    if (!output_open(&file, options->output ? options->output : "-", options->force, status))
+    if (!output_open(&file, ASKER_COMMAND_LINE, options->output ? options->output : "-", options->force,
+                     status))
         return (int)status->code;
     sweep_plan_print(&sweep->plan, options, file.stream);
     bool good = output_finish(&file, status) && output_commit(&file, status);

@@ -1,6 +1,7 @@
 #include "cli/sweep/sweep_partial.h"
 
 #include "base/input.h"
+#include "base/output.h"
 #include "base/text.h"
 #include "lab/settings/scenario.h"
 
@@ -9,7 +10,6 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 /* --- the number of a combination ------------------------------------------------------------------ */
@@ -180,19 +180,13 @@ bool partial_open(SweepPartial *partial, const char *output, const uint64_t *num
         partial->name = NULL;
         return status_fail(status, STATUS_FAILED, "not enough memory for the name of a file");
     }
-    struct stat what;
-    bool stands_in_the_way = stat(partial->name, &what) == 0 && !S_ISREG(what.st_mode);
-    int descriptor = stands_in_the_way ? -1 : open(partial->name, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    partial->stream = descriptor < 0 ? NULL : fdopen(descriptor, "r+");
+    partial->stream = output_update(ASKER_COMMAND_LINE, partial->name, status);
     Search search = {numbers, count, 0};
-    bool opened = partial->stream ? lock(partial, status) && resume(partial, &search, force, results, status)
-                  : stands_in_the_way ? status_fail(status, STATUS_USAGE, "%s: is no file", partial->name)
-                                      : cannot_write(partial, status);
+    bool opened =
+        partial->stream && lock(partial, status) && resume(partial, &search, force, results, status);
     if (!opened) {
         if (partial->stream)
             fclose(partial->stream);
-        else if (descriptor >= 0)
-            close(descriptor);
         free(partial->name);
         *partial = (SweepPartial){0};
     }
@@ -218,7 +212,7 @@ void partial_close(SweepPartial *partial, bool finished)
     if (partial->stream) {
         /* before the lock goes with the stream */
         if (finished || partial->rows == 0)
-            unlink(partial->name);
+            output_remove(ASKER_COMMAND_LINE, partial->name);
         fclose(partial->stream);
     }
     free(partial->name);

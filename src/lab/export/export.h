@@ -4,6 +4,7 @@
 #ifndef LAB_EXPORT_H
 #define LAB_EXPORT_H
 
+#include "base/output.h"
 #include "base/status.h"
 #include "lab/answers/crack.h"
 #include "lab/problems/references.h"
@@ -15,7 +16,8 @@ typedef enum Dialect { DIALECT_COMMA, DIALECT_SEMICOLON } Dialect;
 typedef struct Outputs {
     const char *series, *particles, *nodes, *bonds, *vtk;
     Dialect dialect;
-    bool force; /* existing files are replaced; else they are refused before the run starts */
+    Asker asker; /* on whose behalf */
+    bool force;  /* existing files are replaced; else they are refused before the run starts */
 } Outputs;
 
 /* By what the change of a run's energy is told, so that the ripple of kinetic and strain energy, which are

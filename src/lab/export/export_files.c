@@ -127,12 +127,12 @@ static bool find_set(Table *table, const Simulation *sim, int i, Status *status)
     return true;
 }
 
-static bool open_beside(OutputFile *beside, const OutputFile *file, bool force, Status *status)
+static bool open_beside(OutputFile *beside, const OutputFile *file, const Outputs *outputs, Status *status)
 {
     if (!has_beside(file))
         return true;
     char *name = name_beside(file->name);
-    bool opened = name ? output_open(beside, name, force, status)
+    bool opened = name ? output_open(beside, outputs->asker, name, outputs->force, status)
                        : status_fail(status, STATUS_FAILED, "not enough memory for file names");
     free(name);
     return opened;
@@ -160,10 +160,9 @@ static void write_series_header(const Export *export)
 bool export_open_files(Export *export, Status *status)
 {
     const Outputs *outputs = export->outputs;
-    bool force = outputs->force;
     if (outputs->series) {
-        if (!output_open(&export->series, outputs->series, force, status) ||
-            !open_beside(&export->series_beside, &export->series, force, status))
+        if (!output_open(&export->series, outputs->asker, outputs->series, outputs->force, status) ||
+            !open_beside(&export->series_beside, &export->series, outputs, status))
             return false;
         write_series_header(export);
     }
@@ -173,8 +172,8 @@ bool export_open_files(Export *export, Status *status)
         if (!table->name)
             continue;
         if (!find_set(table, export->sim, i, status) ||
-            !output_open(&table->file, table->name, force, status) ||
-            !open_beside(&table->beside, &table->file, force, status))
+            !output_open(&table->file, outputs->asker, table->name, outputs->force, status) ||
+            !open_beside(&table->beside, &table->file, outputs, status))
             return false;
         write_table_header(export, table);
     }
@@ -235,7 +234,7 @@ static bool write_vtk(Export *export, Status *status)
         return true;
     OutputFile *file = &export->vtk[export->next_frame];
     char *name = vtk_frame_name(export->outputs->vtk, export->next_frame, export->frames.count);
-    bool written = name && output_open(file, name, export->outputs->force, status);
+    bool written = name && output_open(file, export->outputs->asker, name, export->outputs->force, status);
     if (!name || (written && !vtk_write_frame(file->stream, export->sim)))
         written = status_fail(status, STATUS_FAILED, "not enough memory to write %s", export->outputs->vtk);
     free(name);
@@ -320,7 +319,8 @@ static bool write_collection(Export *export, Status *status)
     if (!export->outputs->vtk || export->frames.count < 2)
         return true;
     char *name = vtk_collection_name(export->outputs->vtk);
-    bool opened = name && output_open(&export->collection, name, export->outputs->force, status);
+    bool opened = name && output_open(&export->collection, export->outputs->asker, name,
+                                      export->outputs->force, status);
     if (!name)
         status_fail(status, STATUS_FAILED, "not enough memory to write %s", export->outputs->vtk);
     free(name);

@@ -4,7 +4,6 @@
 
 #include "lab/export/export.h"
 #include "lab/export/frames.h"
-#include "lab/export/output_file.h"
 #include "lab/run/record.h"
 
 enum { TABLES = 3, TABLE_FIELDS_MAX = 32 };

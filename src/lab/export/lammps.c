@@ -1,7 +1,6 @@
 #include "lab/export/lammps.h"
 
 #include "base/text.h"
-#include "lab/export/output_file.h"
 #include "lab/settings/parameters.h"
 #include "lab/problems/references.h"
 
@@ -410,20 +409,7 @@ static void write_file(FILE *file, FileKind kind, const Nodes *nodes)
     }
 }
 
-/* *made: it was not there. */
-static bool make_folder(const char *folder, bool *made, Status *status)
-{
-    struct stat what;
-    *made = false;
-    if (stat(folder, &what) == 0)
-        return S_ISDIR(what.st_mode) || status_fail(status, STATUS_USAGE, "%s: is no folder", folder);
-    if (!output_has_folder(folder, status))
-        return false;
-    *made = mkdir(folder, 0777) == 0;
-    return *made || status_fail(status, STATUS_FAILED, "%s: cannot be made: %s", folder, strerror(errno));
-}
-
-static bool write_all(const Nodes *nodes, const char *folder, bool force, Status *status)
+static bool write_all(const Nodes *nodes, Asker asker, const char *folder, bool force, Status *status)
 {
     OutputFile files[N_FILES] = {0};
     int count = starts_bent(nodes) ? N_FILES : FILE_UX;
@@ -434,7 +420,7 @@ static bool write_all(const Nodes *nodes, const char *folder, bool force, Status
             done = status_fail(status, STATUS_FAILED, "not enough memory for the names of files");
             break; /* the files begun are removed below */
         }
-        done = output_open(&files[k], name, force, status);
+        done = output_open(&files[k], asker, name, force, status);
         free(name);
     }
     for (int k = 0; k < count && done; k++) {
@@ -448,7 +434,7 @@ static bool write_all(const Nodes *nodes, const char *folder, bool force, Status
     return done;
 }
 
-bool lammps_export(const Settings *settings, const char *folder, bool force, Status *status)
+bool lammps_export(const Settings *settings, Asker asker, const char *folder, bool force, Status *status)
 {
     if (!(settings->problem->concerns & CONCERN_BEAM))
         return status_fail(status, STATUS_USAGE, "scenario.problem: LAMMPS gets beams only (not bar)");
@@ -459,9 +445,10 @@ bool lammps_export(const Settings *settings, const char *folder, bool force, Sta
         return false;
     Nodes nodes = {.sim = sim, .settings = settings};
     bool made = false, done = read_nodes(&nodes, status) && set_types(&nodes, status) &&
-                              make_folder(folder, &made, status) && write_all(&nodes, folder, force, status);
+                              output_make_folder(asker, folder, &made, status) &&
+                              write_all(&nodes, asker, folder, force, status);
     if (made && !done)
-        rmdir(folder);
+        output_remove_folder(asker, folder);
     free_nodes(&nodes);
     simulation_destroy(sim);
     return done;

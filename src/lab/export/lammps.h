@@ -10,10 +10,11 @@
 #ifndef LAB_LAMMPS_H
 #define LAB_LAMMPS_H
 
+#include "base/output.h"
 #include "lab/settings/settings.h"
 
 /* Writes them into a folder, which is made if it is missing; all or none. False: the settings are no beam, a
  * file exists and may not be replaced, or it cannot be written; the status says which. */
-bool lammps_export(const Settings *, const char *folder, bool force, Status *);
+bool lammps_export(const Settings *, Asker, const char *folder, bool force, Status *);
 
 #endif

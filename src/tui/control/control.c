@@ -20,6 +20,7 @@
 bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Host *host, Status *status)
 {
     *lab = (Laboratory){.host = *host, .options = *options, .overlay = {.y = -1}, .run_limit = -1};
+    lab->asker = options->replay || options->last ? ASKER_REPLAY : laboratory_user(lab);
     lab->carry_out = laboratory_command;
     lab->run_line = run_line;
     lab->utf8 = true;

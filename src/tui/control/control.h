@@ -3,6 +3,7 @@
 #ifndef TUI_CONTROL_H
 #define TUI_CONTROL_H
 
+#include "base/output.h"
 #include "lab/run/overlay.h"
 #include "tui/terminal/keys.h"
 #include "tui/control/laboratory.h"
@@ -50,6 +51,7 @@ typedef struct LessonPlay {
     int n_queue, next;
     uint64_t used; /* bit i: command i has been used since the page was opened */
     bool warned;   /* that the page still waits */
+    Asker asker;   /* who turned to the page */
     bool busy;
 } LessonPlay;
 
@@ -93,7 +95,7 @@ struct Laboratory {
     long anchor_step;    /* and the step that it was at the last of them; -1: none */
     long work_total;     /* steps of the work under way when it began */
     long run_limit;      /* running does not go beyond this step; -1: none */
-    bool replaying;      /* a key of an earlier session: nothing is written to files again */
+    Asker asker;         /* on whose behalf the laboratory does what it does now */
     Session *recording;  /* notes every key; NULL: none */
     double owed;         /* steps not yet done for the pace; less than one */
     bool pace_automatic; /* + and - were not used */
@@ -118,6 +120,9 @@ struct Laboratory {
 /* At t = 0, running or paused as the options say. False: the status says why; nothing is left open. */
 bool laboratory_open(Laboratory *, const LaboratoryOptions *, const Host *, Status *);
 void laboratory_close(Laboratory *);
+
+/* Whose keys come from its host, a session that is done again apart. */
+Asker laboratory_user(const Laboratory *);
 
 /* One key. */
 void laboratory_key(Laboratory *, const Key *);
@@ -210,8 +215,11 @@ bool answer_duel(Laboratory *, const char *words); /* "KEY=VALUE ..." */
 void tell_second(Laboratory *);                    /* says once that the second run stopped */
 void duel_over(Laboratory *, const Status *);      /* says so if a change ended it, and why */
 
-/* Whether a file may be written now: not when an earlier session is done again, which is said. */
+/* Whether who asks may write a file; if not, that is said. */
 bool may_write(Laboratory *, const char *name);
+
+/* Asks whether a file that exists is replaced: only y does. */
+void ask_replace(Laboratory *, Answer, const char *name);
 
 /* An answer that is the name of a file: whether it can be one. If not, the prompt stays and says why. */
 bool name_can_be(Laboratory *, const char *name);

@@ -90,7 +90,7 @@ static void redraw(Laboratory *lab)
 
 static void suspend(Laboratory *lab)
 {
-    if (!lab->replaying) /* it is no part of what is shown again */
+    if (lab->asker != ASKER_REPLAY) /* it is no part of what is shown again */
         lab->host.suspend(lab->host.context);
 }
 

@@ -91,8 +91,11 @@ static bool write_run(Laboratory *lab, int run, bool force, RunSummary *summary)
     }
     file_names(lab, run, lab->export_name, paths);
     experiment_scenario(run_of(lab, run), lab->export_newest, settings);
-    Outputs outputs = {
-        .series = paths[0], .particles = paths[1], .nodes = paths[2][0] ? paths[2] : NULL, .force = force};
+    Outputs outputs = {.series = paths[0],
+                       .particles = paths[1],
+                       .nodes = paths[2][0] ? paths[2] : NULL,
+                       .asker = lab->asker,
+                       .force = force};
     Status status = {STATUS_DONE, ""};
     bool sound = export_run(settings, &outputs, lab->options.threads > 0 ? lab->options.threads : 1,
                             show_progress, lab, summary, &status);
@@ -161,7 +164,7 @@ static bool export_named(Laboratory *lab, const char *text)
         return false;
     find_existing(lab, lab->export_name, found);
     if (found[0])
-        ask(lab, answer_replace, true, "", "%.60s exists: replace?", found);
+        ask_replace(lab, answer_replace, found);
     else
         write_export(lab, false);
     return true;

@@ -19,6 +19,8 @@ static bool write_figure(Laboratory *lab, bool force)
     const int view = view_in_focus(screen);
     Status status = {STATUS_DONE, ""};
     Figure figure;
+    if (!may_write(lab, lab->export_name))
+        return true;
     say(lab, MESSAGE_INFO, "drawing %s", lab->export_name); /* a large map takes a moment */
     if (!lab->host.go_on(lab->host.context)) {
         say(lab, MESSAGE_INFO, "cancelled");
@@ -26,7 +28,7 @@ static bool write_figure(Laboratory *lab, bool force)
     }
     figure_open(&figure, 0, 0);
     const bool sound = figure_add(&figure, screen, view, 1, &status) &&
-                       figure_write(&figure, lab->export_name, force, &status);
+                       figure_write(&figure, lab->asker, lab->export_name, force, &status);
     figure_close(&figure);
     if (!sound) {
         say(lab, MESSAGE_ERROR, "%s", status.text);
@@ -65,6 +67,6 @@ bool draw_figure(Laboratory *lab, const char *file)
     snprintf(lab->export_name, sizeof lab->export_name, "%s", name);
     if (access(name, F_OK) != 0)
         return write_figure(lab, false);
-    ask(lab, answer_replace, true, "", "%.60s exists: replace?", name);
+    ask_replace(lab, answer_replace, name);
     return true;
 }

@@ -1,8 +1,9 @@
 /* Lessons: pages beside the run, and what the laboratory does when one is opened. */
 #include "tui/control/control.h"
 
+#include "base/input.h"
+#include "base/output.h"
 #include "base/text.h"
-#include "lab/export/output_file.h"
 #include "tui/control/state_file.h"
 
 #include <errno.h>
@@ -16,33 +17,40 @@ static const char *const progress_file = "lessons";
 
 bool read_progress(int reached[LESSONS_MAX])
 {
-    char *path = state_file(progress_file, false), name[64];
-    FILE *file = path ? fopen(path, "re") : NULL;
+    char *path = state_file(progress_file), line[128];
+    FILE *file = path ? input_open(path, 1000000, NULL) : NULL;
     bool known = file || (path && errno == ENOENT);
-    int page;
-    while (file && fscanf(file, "%63s %d", name, &page) == 2)
+    InputLines lines = {.stream = file, .name = path};
+    InputGot got = INPUT_END;
+    while (file && (got = input_line(&lines, line, sizeof line, NULL)) == INPUT_LINE) {
+        char *space = strchr(line, ' ');
+        long page;
+        if (!space || !text_to_long(space, &page) || page > LESSON_PAGES_MAX)
+            continue;
+        *space = '\0';
         for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
-            if (strcmp(builtin_lessons[i].name, name) == 0 && page > reached[i] && page <= LESSON_PAGES_MAX)
-                reached[i] = page;
-    if (file) {
-        known = ferror(file) == 0;
-        fclose(file);
+            if (strcmp(builtin_lessons[i].name, line) == 0 && page > reached[i])
+                reached[i] = (int)page;
     }
+    if (file)
+        fclose(file);
     free(path);
-    return known;
+    return known && got == INPUT_END;
 }
 
 /* Another laboratory may have come further meanwhile, or a recorded session not as far: nothing is taken
  * back, and where it is not known how far one came nothing is written. That it cannot be kept does no harm.
  */
-static void write_progress(const int shown[LESSONS_MAX])
+static void write_progress(Asker asker, const int shown[LESSONS_MAX])
 {
     Status ignored = {0};
     OutputFile file = {0};
     int reached[LESSONS_MAX];
     memcpy(reached, shown, sizeof reached);
-    char *path = read_progress(reached) ? state_file(progress_file, true) : NULL;
-    if (path && output_open(&file, path, true, &ignored)) {
+    char *path = read_progress(reached) ? state_file(progress_file) : NULL;
+    if (path)
+        output_make_own_folders(asker, path);
+    if (path && output_open_own(&file, asker, path, &ignored)) {
         for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
             if (reached[i] > 0)
                 fprintf(file.stream, "%s %d\n", builtin_lessons[i].name, reached[i]);
@@ -81,7 +89,11 @@ static void run_action(Laboratory *lab, const char *action)
     const uint64_t used = lab->play.used;
     const bool changed = lab->changed; /* what the lesson changes nobody has to export */
     const bool opens = strncmp(action, "open ", 5) == 0;
-    if (!lab->run_line(lab, action))
+    const Asker user = lab->asker;
+    lab->asker = ASKER_LESSON;
+    const bool done = lab->run_line(lab, action);
+    lab->asker = user;
+    if (!done)
         say(lab, MESSAGE_ERROR, "%s: %s", action, lab->screen.prompt.problem);
     else if (opens)
         pause_run(lab); /* a page is read before it is run */
@@ -180,6 +192,7 @@ static void show_page(Laboratory *lab, int page)
     shown->met = false;
     play->used = 0;
     play->warned = false;
+    play->asker = lab->asker;
     int *reached = reached_of(lab);
     if (reached && *reached < page + 1)
         *reached = page + 1;
@@ -252,8 +265,8 @@ bool open_lesson(Laboratory *lab, const char *name, Status *status)
 
 void close_lesson(Laboratory *lab)
 {
-    if (lab->play.name[0] && !lab->replaying)
-        write_progress(lab->screen.lesson.reached);
+    if (lab->play.name[0])
+        write_progress(lab->play.asker, lab->screen.lesson.reached);
     forget_lesson(lab);
     lab->screen.lesson.open = false;
 }

@@ -119,6 +119,11 @@ Experiment *make_experiment(const Laboratory *lab, const Settings *settings, Sta
     return experiment_create(settings, history_size(lab), threads_of(lab), status);
 }
 
+Asker laboratory_user(const Laboratory *lab)
+{
+    return lab->options.script ? ASKER_SCRIPT : ASKER_KEYBOARD;
+}
+
 bool open_scenario(Laboratory *lab, const char *name, Status *status)
 {
     Settings *settings = malloc(sizeof *settings);

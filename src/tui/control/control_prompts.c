@@ -3,7 +3,7 @@
 
 #include "base/text.h"
 #include "base/visible.h"
-#include "lab/export/output_file.h"
+#include "base/output.h"
 #include "lab/settings/scenario.h"
 #include "tui/control/line_edit.h"
 
@@ -26,6 +26,17 @@ void ask(Laboratory *lab, Answer answer, bool yes_no, const char *text, const ch
     fill_prompt(lab, text);
     lab->answer = answer;
     lab->typing = NULL;
+}
+
+/* Long names differ at their end, where their folders are left. */
+void ask_replace(Laboratory *lab, Answer answer, const char *name)
+{
+    enum { COLUMNS = 56 };
+    const char *end = name;
+    for (int more = text_columns(name) - COLUMNS; more > 0; more--)
+        utf8_next(&end);
+    ask(lab, answer, true, "", "%s%s exists: replace?", end > name ? "..." : "", end);
+    lab->screen.prompt.wants_y = true;
 }
 
 void fill_prompt(Laboratory *lab, const char *text)
@@ -80,9 +91,10 @@ void prompt_key(Laboratory *lab, const Key *key)
     } else if (strcmp(name, "Esc") == 0 || strcmp(name, "F10") == 0) {
         close_prompt(lab);
     } else if (prompt->yes_no) {
-        if (strcmp(name, "y") == 0 || strcmp(name, "Y") == 0 || strcmp(name, "Enter") == 0)
+        const bool enter = strcmp(name, "Enter") == 0;
+        if (strcmp(name, "y") == 0 || strcmp(name, "Y") == 0 || (enter && !prompt->wants_y))
             submit(lab, "yes");
-        else if (strcmp(name, "n") == 0 || strcmp(name, "N") == 0 || strcmp(name, "q") == 0)
+        else if (strcmp(name, "n") == 0 || strcmp(name, "N") == 0 || strcmp(name, "q") == 0 || enter)
             close_prompt(lab);
     } else if (strcmp(name, "Enter") == 0) {
         char text[sizeof prompt->text];
@@ -102,9 +114,11 @@ void prompt_key(Laboratory *lab, const Key *key)
 
 bool may_write(Laboratory *lab, const char *name)
 {
-    if (lab->replaying)
-        say(lab, MESSAGE_INFO, "a session is done again: %s is not written", name);
-    return !lab->replaying;
+    Status status = {STATUS_DONE, ""};
+    if (output_allowed(lab->asker, name, &status))
+        return true;
+    say(lab, MESSAGE_INFO, "%s", status.text);
+    return false;
 }
 
 bool name_can_be(Laboratory *lab, const char *name)
@@ -129,7 +143,7 @@ static bool write_scenario(Laboratory *lab, const char *name)
     OutputFile file = {0};
     if (!may_write(lab, name))
         return true;
-    bool sound = output_open(&file, name, true, &status) &&
+    bool sound = output_open(&file, lab->asker, name, true, &status) &&
                  scenario_write(file.stream, &settings, NULL, &status) && output_finish(&file, &status) &&
                  output_commit(&file, &status);
     output_close(&file);
@@ -155,6 +169,6 @@ bool answer_write(Laboratory *lab, const char *text)
     if (access(text, F_OK) != 0 || output_is_direct(text))
         return write_scenario(lab, text);
     snprintf(lab->export_name, sizeof lab->export_name, "%s", text);
-    ask(lab, answer_replace_scenario, true, "", "%.60s exists: replace it?", text);
+    ask_replace(lab, answer_replace_scenario, text);
     return true;
 }

@@ -1,6 +1,6 @@
 #include "tui/control/laboratory.h"
 
-#include "lab/export/output_file.h"
+#include "base/output.h"
 #include "tui/control/control.h"
 #include "tui/terminal/loop.h"
 #include "tui/control/script.h"
@@ -18,7 +18,7 @@ static const char *const last_session = "last.session";
 /* The session that is to be done again, if one is; its scenario takes the place of that of the options. */
 static bool open_replay(LaboratoryOptions *options, Session **replay, Status *status)
 {
-    char *last = options->last ? state_file(last_session, false) : NULL;
+    char *last = options->last ? state_file(last_session) : NULL;
     const char *file = options->last ? last : options->replay;
     bool sound = true;
     if (options->last && (!last || access(last, F_OK) != 0))
@@ -41,18 +41,21 @@ static bool open_recording(const LaboratoryOptions *options, Session **recording
     if (options->record && !output_may_begin(options->record, options->force, status))
         return false;
     *recording = session_begin(options, status);
+    if (*recording && options->record)
+        session_record(*recording, options->record, options->force);
     return *recording != NULL;
 }
 
 /* What was asked for, and the last session of a terminal; that this one cannot be kept is no failure. */
-static bool keep(const LaboratoryOptions *options, const Session *recording, Status *status)
+static bool keep(const LaboratoryOptions *options, Session *recording, Status *status)
 {
-    const bool sound = !options->record || session_write(recording, options->record, options->force, status);
-    char *last = options->script ? NULL : state_file(last_session, true);
+    const bool sound = session_finish(recording, status);
+    char *last = options->script ? NULL : state_file(last_session);
     Status ignored = {0};
     if (last) {
+        output_make_own_folders(ASKER_COMMAND_LINE, last);
         output_remove_remains(last);
-        session_write(recording, last, true, &ignored);
+        session_keep(recording, last, &ignored);
     }
     free(last);
     return sound;

@@ -329,6 +329,8 @@ static bool replay_all(Player *player, Session *replay, Status *status)
         if (sound && session_replay(replay, &player->lab, player->time + FRAME_SECONDS))
             frame_of_work(player);
     }
+    if (replay)
+        session_end(replay, &player->lab);
     return sound && draw(player, status);
 }
 

@@ -3,7 +3,7 @@
 #include "base/input.h"
 #include "base/text.h"
 #include "base/visible.h"
-#include "lab/export/output_file.h"
+#include "base/output.h"
 #include "lab/settings/scenario.h"
 #include "lab/settings/scenario_lines.h"
 #include "tui/control/control.h"
@@ -30,8 +30,12 @@ struct Session {
     SessionEvent *events;
     size_t count, room, next;
     bool full;
-    bool sought; /* the place of the next event was gone to */
-    double last; /* when the last event came, by the host's clock */
+    bool sought;        /* the place of the next event was gone to */
+    const char *record; /* the file that lines go to as they come; NULL: none */
+    bool replaces, begun;
+    OutputFile file; /* behind `record`, once there is a key */
+    Status trouble;  /* why not all of it could be written */
+    double last;     /* when the last event came, by the host's clock */
 };
 
 /* --- recording -------------------------------------------------------------------------------------- */
@@ -79,12 +83,63 @@ static SessionEvent event_now(const Session *session, const Laboratory *lab, dou
                           .key = {.x = -1, .y = -1}};
 }
 
+static bool write_head(FILE *, const Session *, Status *);
+static void write_event(FILE *, const SessionEvent *);
+
+/* A line is in the file before its key does anything, so that what crashed can be done again. */
+static void record_event(Session *session, const SessionEvent *event)
+{
+    OutputFile *file = &session->file;
+    Status *trouble = &session->trouble;
+    if (!session->begun) {
+        session->begun = true;
+        if (!output_open(file, ASKER_COMMAND_LINE, session->record, session->replaces, trouble) ||
+            !write_head(file->stream, session, trouble) || !output_publish(file, trouble))
+            output_close(file);
+    }
+    if (!file->stream)
+        return;
+    write_event(file->stream, event);
+    fflush(file->stream);
+    if (!output_sound(file, trouble))
+        output_close(file);
+}
+
 /* With a hole in it the rest would mean something else. */
 static void note(Session *session, const SessionEvent *event, double now)
 {
     if (!session->full)
         session->full = !append_event(session, event);
+    if (!session->full && session->record)
+        record_event(session, event);
     session->last = now;
+}
+
+void session_record(Session *session, const char *file, bool force)
+{
+    session->record = file;
+    session->replaces = force;
+}
+
+/* What is missing in what was recorded or kept, if something is. */
+static bool is_whole(const Session *session, const char *name, Status *status)
+{
+    return !session->full ||
+           status_fail(status, STATUS_FAILED, "%s: memory was short for more than its first %zu keys", name,
+                       session->count);
+}
+
+bool session_finish(Session *session, Status *status)
+{
+    OutputFile *file = &session->file;
+    if (file->stream)
+        output_finish(file, &session->trouble);
+    output_close(file);
+    if (session->trouble.code != STATUS_DONE) {
+        *status = session->trouble;
+        return false;
+    }
+    return !session->begun || is_whole(session, session->record, status);
 }
 
 void session_note_start(Session *session, const Laboratory *lab)
@@ -140,27 +195,29 @@ static bool write_scenario_lines(FILE *file, const Session *session, Status *sta
     return sound;
 }
 
-bool session_write(const Session *session, const char *name, bool force, Status *status)
+static bool write_head(FILE *file, const Session *session, Status *status)
 {
-    OutputFile file;
-    if (!output_open(&file, name, force, status))
-        return false;
-    fprintf(file.stream, "# matvib session: matvib --replay FILE does it again\nscenario %s\n%s",
-            session->scenario, session->paused ? "paused\n" : "");
+    fprintf(file, "# matvib session: matvib --replay FILE does it again\nscenario %s\n%s", session->scenario,
+            session->paused ? "paused\n" : "");
     if (*session->lesson)
-        fprintf(file.stream, "lesson %s\n", session->lesson);
+        fprintf(file, "lesson %s\n", session->lesson);
     for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
         if (session->reached[i] > 0)
-            fprintf(file.stream, "reached %s %d\n", builtin_lessons[i].name, session->reached[i]);
-    bool sound = write_scenario_lines(file.stream, session, status);
+            fprintf(file, "reached %s %d\n", builtin_lessons[i].name, session->reached[i]);
+    return write_scenario_lines(file, session, status);
+}
+
+bool session_keep(const Session *session, const char *name, Status *status)
+{
+    OutputFile file;
+    if (!output_open_own(&file, ASKER_COMMAND_LINE, name, status))
+        return false;
+    bool sound = write_head(file.stream, session, status);
     for (size_t i = 0; i < session->count; i++)
         write_event(file.stream, &session->events[i]);
     sound = sound && output_finish(&file, status) && output_commit(&file, status);
     output_close(&file);
-    if (sound && session->full)
-        return status_fail(status, STATUS_FAILED, "%s: memory was short for more than its first %zu keys",
-                           name, session->count);
-    return sound;
+    return sound && is_whole(session, name, status);
 }
 
 bool session_has_keys(const Session *session)
@@ -387,21 +444,24 @@ bool session_replay(Session *session, Laboratory *lab, double deadline)
         lab->width = event->width;
         lab->height = event->height;
     }
-    lab->replaying = true;
     laboratory_key(lab, key);
-    lab->replaying = false;
     lab->closed = false; /* it is the end of the session, not of this one */
     return true;
 }
 
-void session_stop(Session *session)
+void session_end(Session *session, Laboratory *lab)
 {
     session->next = session->count;
+    lab->run_limit = -1;
+    close_prompt(lab); /* its next key would be the user's, who did not see what was asked */
+    lab->asker = laboratory_user(lab);
 }
 
 void session_free(Session *session)
 {
-    if (session)
+    if (session) {
+        output_close(&session->file);
         free(session->events);
+    }
     free(session);
 }

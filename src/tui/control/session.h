@@ -49,8 +49,14 @@ void session_note(Session *, const Laboratory *, const Key *);
 /* Notes that the session is left now. */
 void session_note_end(Session *, const Laboratory *);
 
-/* Writes what was recorded, whole or not at all. */
-bool session_write(const Session *, const char *file, bool force, Status *);
+/* From the first key on every line goes to this file as it comes, and outlives a crash. */
+void session_record(Session *, const char *file, bool force);
+
+/* That file is complete. False: something is missing in it, and the status says why. */
+bool session_finish(Session *, Status *);
+
+/* Writes what was noted to a file of the program's own, whole or not at all. */
+bool session_keep(const Session *, const char *file, Status *);
 
 bool session_has_keys(const Session *); /* something has been noted, or would have been with more memory */
 
@@ -68,8 +74,9 @@ const SessionEvent *session_next(const Session *);
  * when the run is there. True: it was carried out. */
 bool session_replay(Session *, Laboratory *, double deadline);
 
-/* The rest is not done. */
-void session_stop(Session *);
+/* All has been done, or the rest is not: what is open is closed, and keys are the user's from now on. Until
+ * then nothing is written. */
+void session_end(Session *, Laboratory *);
 
 void session_free(Session *); /* NULL is allowed */
 

@@ -2,10 +2,7 @@
 #ifndef TUI_STATE_FILE_H
 #define TUI_STATE_FILE_H
 
-#include <stdbool.h>
-
-/* The path of such a file; with `make` its folders are made. NULL: there is no home, or no memory; else
- * free() it. */
-char *state_file(const char *name, bool make);
+/* The path of such a file. NULL: there is no home, or no memory; else free() it. */
+char *state_file(const char *name);
 
 #endif

@@ -160,8 +160,7 @@ static double replay_due(const Loop *loop)
 
 static void end_replay(Loop *loop, const char *how)
 {
-    session_stop(loop->replay);
-    loop->lab.run_limit = -1;
+    session_end(loop->replay, &loop->lab);
     say(&loop->lab, MESSAGE_INFO, "%s: the laboratory is yours", how);
     loop->stale = true;
 }
@@ -250,8 +249,10 @@ int loop_run(const LaboratoryOptions *options, Session *replay, Session *recordi
     loop->replay = replay;
     loop->fast = options->fast;
     loop->replayed_at = now(NULL);
-    if (replay)
+    if (is_replaying(loop))
         say(&loop->lab, MESSAGE_INFO, "a session is done again: any key takes over");
+    else if (replay)
+        end_replay(loop, "the session holds no keys");
     loop->stale = true;
     loop->due = now(NULL);
     while (!loop->lab.closed && signal_number == 0) {

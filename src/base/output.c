@@ -1,4 +1,4 @@
-#include "lab/export/output_file.h"
+#include "base/output.h"
 
 #include "base/visible.h"
 
@@ -13,6 +13,23 @@
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
+
+bool output_allowed(Asker asker, const char *name, Status *status)
+{
+    switch (asker) {
+    case ASKER_KEYBOARD:
+    case ASKER_COMMAND_LINE:
+    case ASKER_SCRIPT:
+        return true;
+    case ASKER_REPLAY:
+        return status_fail(status, STATUS_FAILED, "a session is done again: %s is not written", name);
+    case ASKER_LESSON:
+        return status_fail(status, STATUS_FAILED, "a lesson writes no files: %s is not written", name);
+    case ASKER_NOBODY:
+        break;
+    }
+    return status_fail(status, STATUS_FAILED, "nobody asked for it: %s is not written", name);
+}
 
 bool output_is_standard(const char *name)
 {
@@ -89,6 +106,12 @@ static bool folder_takes(const char *name, Status *status)
     return takes || cannot_write(name, status);
 }
 
+static bool no_name(const char *name, Status *status)
+{
+    return status_fail(status, STATUS_USAGE, "%s: is no name for a file (UTF-8 without control characters)",
+                       name);
+}
+
 bool output_may_begin(const char *name, bool force, Status *status)
 {
     struct stat what;
@@ -99,6 +122,8 @@ bool output_may_begin(const char *name, bool force, Status *status)
                            "%s: is no name for a file (UTF-8 without control characters)", name);
     if (output_is_standard(name))
         return true;
+    if (stat(name, &what) != 0 && lstat(name, &what) == 0 && S_ISLNK(what.st_mode))
+        return status_fail(status, STATUS_USAGE, "%s: is a link that leads nowhere", name);
     if (stat(name, &what) != 0)
         return folder_takes(name, status);
     if (S_ISDIR(what.st_mode))
@@ -108,10 +133,19 @@ bool output_may_begin(const char *name, bool force, Status *status)
     return !S_ISREG(what.st_mode) || folder_takes(name, status);
 }
 
+/* Bytes of the name of a file that the name of its temporary file begins with: that has more behind it, and a
+ * name has no more than 255. */
+static size_t stem_length(const char *base)
+{
+    enum { MOST = 255 - 32 };
+    const size_t length = strlen(base);
+    return length < MOST ? length : MOST;
+}
+
 /* The number of the process that a temporary file of this target belongs to; 0: it is none. */
 static pid_t writer_of(const char *entry, const char *target)
 {
-    const size_t length = strlen(target);
+    const size_t length = stem_length(target);
     long process;
     int end = 0;
     if (strncmp(entry, target, length) != 0 ||
@@ -141,16 +175,16 @@ void output_remove_remains(const char *name)
     free(copies[1]);
 }
 
-/* A new file beside the target, with the rights that the user's mask (or the file to be replaced) gives. */
-static bool open_temporary(OutputFile *file, Status *status)
+/* A new file beside the target, with these rights, or with those that the user's mask gives. */
+static bool open_temporary(OutputFile *file, mode_t rights, Status *status)
 {
-    struct stat what;
     int descriptor = -1;
-    bool replaces = stat(file->target, &what) == 0;
-    mode_t mode = replaces ? what.st_mode & 07777 : 0666;
+    const char *slash = strrchr(file->target, '/'), *base = slash ? slash + 1 : file->target;
+    const int stem = (int)((size_t)(base - file->target) + stem_length(base));
+    const mode_t mode = rights ? rights : 0666;
     for (int i = 0; i < 100 && descriptor < 0; i++) {
         free(file->temporary);
-        if (asprintf(&file->temporary, "%s.%ld-%d.part", file->target, (long)getpid(), i) < 0) {
+        if (asprintf(&file->temporary, "%.*s.%ld-%d.part", stem, file->target, (long)getpid(), i) < 0) {
             file->temporary = NULL;
             return no_memory(status);
         }
@@ -158,7 +192,7 @@ static bool open_temporary(OutputFile *file, Status *status)
         if (descriptor < 0 && errno != EEXIST)
             break;
     }
-    if (descriptor >= 0 && replaces)
+    if (descriptor >= 0 && rights)
         (void)!fchmod(descriptor, mode);
     if (descriptor >= 0)
         file->stream = fdopen(descriptor, "w");
@@ -174,10 +208,21 @@ static bool open_temporary(OutputFile *file, Status *status)
     return false;
 }
 
-bool output_open(OutputFile *file, const char *name, bool force, Status *status)
+/* A pipe that nobody reads would wait for ever, which who sits at a keyboard cannot know. */
+static FILE *open_direct(Asker asker, const char *name)
+{
+    const int descriptor =
+        open(name, O_WRONLY | O_NOCTTY | O_CLOEXEC | (asker == ASKER_COMMAND_LINE ? 0 : O_NONBLOCK));
+    FILE *stream = descriptor < 0 ? NULL : fdopen(descriptor, "w");
+    if (!stream && descriptor >= 0)
+        close(descriptor);
+    return stream;
+}
+
+bool output_open(OutputFile *file, Asker asker, const char *name, bool force, Status *status)
 {
     *file = (OutputFile){.replaces = force};
-    if (!output_may_begin(name, force, status))
+    if (!output_allowed(asker, name, status) || !output_may_begin(name, force, status))
         return false;
     file->name = strdup(name);
     if (!file->name)
@@ -188,15 +233,30 @@ bool output_open(OutputFile *file, const char *name, bool force, Status *status)
         file->stream = stdout;
         opened = true;
     } else if (output_is_direct(name)) {
-        file->stream = fopen(name, "we");
+        file->stream = open_direct(asker, name);
         opened = file->stream || cannot_write(name, status);
     } else {
         file->target = output_real_name(name, status);
-        opened = file->target && open_temporary(file, status);
+        struct stat what;
+        const bool there = file->target && stat(file->target, &what) == 0; /* keeps its rights */
+        opened = file->target && open_temporary(file, there ? what.st_mode & 07777 : 0, status);
     }
     if (!opened)
         output_close(file);
     return opened;
+}
+
+bool output_open_own(OutputFile *file, Asker asker, const char *name, Status *status)
+{
+    *file = (OutputFile){.replaces = true};
+    if (!output_allowed(asker, name, status))
+        return false;
+    file->name = strdup(name);
+    file->target = strdup(name);
+    if ((file->name && file->target) ? open_temporary(file, 0600, status) : no_memory(status))
+        return true;
+    output_close(file);
+    return false;
 }
 
 bool output_sound(const OutputFile *file, Status *status)
@@ -207,7 +267,7 @@ bool output_sound(const OutputFile *file, Status *status)
 bool output_finish(OutputFile *file, Status *status)
 {
     bool arrived = fflush(file->stream) == 0 && !ferror(file->stream) &&
-                   (!file->temporary || fsync(fileno(file->stream)) == 0);
+                   (!file->target || fsync(fileno(file->stream)) == 0);
     int why = errno;
     if (!file->standard) {
         arrived = fclose(file->stream) == 0 && arrived;
@@ -232,6 +292,23 @@ static bool take_free_name(const OutputFile *file, Status *status)
     return rename(file->temporary, file->target) == 0 || cannot_write(file->name, status);
 }
 
+/* Brings a new name to the disk; without it the file may be gone after the computer stopped. */
+static bool sync_folder(const OutputFile *file, Status *status)
+{
+    char *copy = strdup(file->target);
+    if (!copy)
+        return no_memory(status);
+    const int folder = open(dirname(copy), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    free(copy);
+    /* some file systems, and folders that may not be read, cannot be asked */
+    const bool arrived = folder < 0 || fsync(folder) == 0 || errno == EINVAL || errno == ENOTSUP;
+    const int why = errno;
+    if (folder >= 0)
+        close(folder);
+    errno = why;
+    return arrived || cannot_write(file->name, status);
+}
+
 bool output_commit(OutputFile *file, Status *status)
 {
     if (!file->temporary)
@@ -243,7 +320,14 @@ bool output_commit(OutputFile *file, Status *status)
         return cannot_write(file->name, status);
     free(file->temporary);
     file->temporary = NULL;
-    return true;
+    return sync_folder(file, status);
+}
+
+bool output_publish(OutputFile *file, Status *status)
+{
+    return ((fflush(file->stream) == 0 && (!file->target || fsync(fileno(file->stream)) == 0)) ||
+            cannot_write(file->name, status)) &&
+           output_commit(file, status);
 }
 
 void output_close(OutputFile *file)
@@ -256,4 +340,65 @@ void output_close(OutputFile *file)
     free(file->target);
     free(file->temporary);
     *file = (OutputFile){0};
+}
+
+/* --- what is no file written whole -------------------------------------------------------------------- */
+
+FILE *output_update(Asker asker, const char *name, Status *status)
+{
+    struct stat what;
+    if (!output_allowed(asker, name, status))
+        return NULL;
+    const int descriptor = open(name, O_RDWR | O_CREAT | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0666);
+    FILE *stream = NULL;
+    if (descriptor < 0)
+        cannot_write(name, status);
+    else if (fstat(descriptor, &what) != 0 || !S_ISREG(what.st_mode))
+        status_fail(status, STATUS_USAGE, "%s: is a pipe or a device (a file is wanted)", name);
+    else if (!(stream = fdopen(descriptor, "r+")))
+        cannot_write(name, status);
+    if (!stream && descriptor >= 0)
+        close(descriptor);
+    return stream;
+}
+
+void output_remove(Asker asker, const char *name)
+{
+    if (output_allowed(asker, name, NULL))
+        unlink(name);
+}
+
+bool output_make_folder(Asker asker, const char *name, bool *made, Status *status)
+{
+    struct stat what;
+    *made = false;
+    if (!output_allowed(asker, name, status))
+        return false;
+    if (!text_is_clean(name))
+        return no_name(name, status);
+    if (stat(name, &what) == 0)
+        return S_ISDIR(what.st_mode) || status_fail(status, STATUS_USAGE, "%s: is no folder", name);
+    if (!output_has_folder(name, status))
+        return false;
+    *made = mkdir(name, 0777) == 0;
+    return *made || status_fail(status, STATUS_FAILED, "%s: cannot be made: %s", name, strerror(errno));
+}
+
+void output_remove_folder(Asker asker, const char *name)
+{
+    if (output_allowed(asker, name, NULL))
+        rmdir(name);
+}
+
+void output_make_own_folders(Asker asker, const char *file)
+{
+    char *path = output_allowed(asker, file, NULL) ? strdup(file) : NULL;
+    for (char *slash = path ? strchr(path + 1, '/') : NULL; slash; slash = strchr(slash + 1, '/')) {
+        *slash = '\0';
+        mkdir(path, 0700); /* where that fails, so will the file */
+        if (!strchr(slash + 1, '/'))
+            (void)!chmod(path, 0700); /* what one does is nobody else's, whoever made the folder */
+        *slash = '/';
+    }
+    free(path);
 }

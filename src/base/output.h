@@ -1,0 +1,88 @@
+/* The one gate for writing. Whatever makes, changes or removes a file does it here and says who asks: a
+ * lesson and a session that is done again are files from anybody, so they get nothing.
+ *
+ * A file is written whole or not at all: everything goes to a temporary file in the same folder, which takes
+ * the name at the end, and file and folder are brought to the disk. What is no regular file (a terminal, a
+ * pipe, /dev/null) is written directly, and so is standard output, "-". */
+#ifndef BASE_OUTPUT_H
+#define BASE_OUTPUT_H
+
+#include "base/status.h"
+
+#include <stdio.h>
+
+/* On whose behalf something is done. */
+typedef enum Asker {
+    ASKER_NOBODY,       /* it was not said: refused */
+    ASKER_KEYBOARD,     /* a person, now */
+    ASKER_COMMAND_LINE, /* what the program was begun for, and what it keeps for the user */
+    ASKER_SCRIPT,       /* --script: keys from a file that the user named */
+    ASKER_REPLAY,       /* keys of a session: refused */
+    ASKER_LESSON        /* what a page of a lesson does: refused */
+} Asker;
+
+typedef struct OutputFile {
+    FILE *stream;    /* NULL once it is finished */
+    char *name;      /* as the user wrote it, for messages */
+    char *target;    /* the file that it will be; NULL: written directly */
+    char *temporary; /* until it is committed */
+    bool standard;
+    bool replaces; /* what has the name by the time it is committed; else that is an error */
+} OutputFile;
+
+/* Whether who asks may write at all; every function below that makes or changes something asks it. */
+bool output_allowed(Asker, const char *name, Status *);
+
+bool output_is_standard(const char *name); /* "-" */
+bool output_is_direct(const char *name); /* "-", or a terminal, a pipe, a device: nothing stands beside it */
+
+/* Whether the folder that a file or folder of this name would be in is there. */
+bool output_has_folder(const char *name, Status *);
+
+/* Whether a file may be begun: its folder takes files, it does not exist or may be replaced. Nothing is
+ * touched. */
+bool output_may_begin(const char *name, bool force, Status *);
+
+/* The one name that stands for a file however it is written; free() it. NULL: no memory, or there is no such
+ * folder (the status says which). */
+char *output_real_name(const char *name, Status *);
+
+bool output_open(OutputFile *, Asker, const char *name, bool force, Status *);
+
+/* A file that the program keeps for itself: what has the name is replaced, and where that is a link it is the
+ * link that goes, not what it points to. */
+bool output_open_own(OutputFile *, Asker, const char *name, Status *);
+
+/* Whether all that was written so far has arrived. */
+bool output_sound(const OutputFile *, Status *);
+
+/* Brings it to the disk, still under its temporary name, and closes its stream. */
+bool output_finish(OutputFile *, Status *);
+
+/* Gives it its name; after output_finish(). False: it cannot be had, or another program was faster. */
+bool output_commit(OutputFile *, Status *);
+
+/* Gives it its name before it is complete: what was written so far is there to stay, and more may follow
+ * until output_finish(). */
+bool output_publish(OutputFile *, Status *);
+
+/* A file whose lines are added to and read back: opened or made, whatever it holds. NULL: the status says
+ * why.
+ */
+FILE *output_update(Asker, const char *name, Status *);
+void output_remove(Asker, const char *name);
+
+/* Makes a folder; *made: it was not there. output_remove_folder() takes back one that is empty. */
+bool output_make_folder(Asker, const char *name, bool *made, Status *);
+void output_remove_folder(Asker, const char *name);
+
+/* Makes the folders that a file of the program's own lies in, the last one for the user alone. */
+void output_make_own_folders(Asker, const char *file);
+
+/* Removes temporary files of this name whose programs were killed, a minute ago or earlier. */
+void output_remove_remains(const char *name);
+
+/* Takes back what was not committed, and frees. */
+void output_close(OutputFile *);
+
+#endif
