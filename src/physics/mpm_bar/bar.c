@@ -109,7 +109,6 @@ static void lay_out(Bar *bar, unsigned char *block)
             if (block)
                 bar->part[q][a] += 4;
         }
-    ARRAY(bar->node_velocity, nodes);
     ARRAY(bar->odd, ((size_t)bar->n_cells / BAR_CELL_BLOCK + 1) * sizeof(int16_t));
     ARRAY(bar->old_first, ((size_t)bar->n_cells + 1) * sizeof(int32_t));
     ARRAY(bar->backup, bar->bytes_apic);

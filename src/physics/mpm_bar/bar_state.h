@@ -116,7 +116,6 @@ struct Bar {
     /* scratch of one stage */
     double *part[2][BAR_SUPPORT_MAX]; /* what cells give to their nodes; 0 from -4 to -1, n_cells to n_cells +
                                          3 */
-    double *node_velocity;            /* p / m, for the strain */
     int32_t *old_first;
     unsigned char *backup; /* the particle part at the beginning of a batch of steps */
     bool jumped;           /* a particle jumped over a whole cell in this step */

@@ -108,7 +108,7 @@ bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status)
     const BarKernels *kernels = bar->kernels;
     switch (op) {
     case OP_MAP:
-        kernels->map(bar, first, end, false);
+        kernels->map(bar, first, end);
         return true;
     case OP_FIX:
         fix(bar, first, end);
@@ -127,7 +127,7 @@ bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status)
         kernels->update(bar, first, end);
         return true;
     case OP_MAP_AGAIN:
-        kernels->map(bar, first, end, true);
+        kernels->map(bar, first, end);
         fix(bar, first, end);
         return true;
     case OP_FORGET:
@@ -178,7 +178,7 @@ static void write_row(const Bar *bar, double *row)
 
 static void map_and_fix(Bar *bar)
 {
-    bar->kernels->map(bar, 0, bar->n_cells, false);
+    bar->kernels->map(bar, 0, bar->n_cells);
     fix(bar, 0, bar->n_cells);
 }
 

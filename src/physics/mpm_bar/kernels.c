@@ -7,18 +7,21 @@
  *     p_i += dt f_i                                                                 (12, 13)
  *     v += dt sum N_i f_i / m_i                  x += dt sum N_i p_i / m_i          (14, 15)
  *
- * Sources: paper M (A. da Silva Rocha); Bardenhagen and Kober 2004 for uGIMP, Steffen, Kirby and Berzins 2008
- * for B-splines, Jiang et al. 2015 for APIC.
+ * Sources: paper M (A. da Silva Rocha), whose numbers these are; Bardenhagen and Kober 2004 for uGIMP,
+ * Steffen, Kirby and Berzins 2008 for B-splines, Jiang et al. 2015 for APIC. Sums over particles p at a node
+ * i, over nodes i at a particle p. Units: any consistent system, per unit cross-section; places s in cells.
  *
- * This file is compiled once for each instruction set; BAR_KERNELS is the name of the table. A function on
- * cells goes through runs of cells that hold P particles each, whose places lie side by side in memory
- * (kernels_hat.h for the shape of paper M, kernels_wide.h for all), and through the other cells one by one
- * (kernels_cell.h). The three do the same sums in the same order: what runs where is a matter of speed only.
- */
+ * Arrays over nodes have n_nodes entries; those over particles are stored by slot, `places` entries each;
+ * part[.][a] has one entry for each cell: what the cell gives to its a-th node (bar_state.h).
+ *
+ * There are two forms of each loop over particles. kernels_cell.h does one cell with any number of particles
+ * and is the one to read: it fixes the order of every sum. kernels_run.h does the same for as many cells at
+ * once as a vector has numbers, in runs of cells that hold P particles each. What is done by which is a
+ * matter of speed only. The file is compiled once for each instruction set; BAR_KERNELS is the name of the
+ * table. */
 #include "physics/mpm_bar/kernels.h"
 #include "physics/mpm_bar/shape.h"
-
-#include <string.h>
+#include "physics/vector.h"
 
 #ifndef BAR_KERNELS
 #define BAR_KERNELS bar_kernels_plain
@@ -26,120 +29,30 @@
 
 extern const BarKernels BAR_KERNELS;
 
-#define INLINE static inline __attribute__((always_inline, unused))
-
-/* Constant loops are unrolled, so that what they index stays in registers. */
-#define UNROLL _Pragma("GCC unroll 8")
-
-/* The machine's vectors of numbers, by the compiler's own types: what becomes of the loops does not hang on
- * what an optimiser recognises. */
-#if defined __AVX512F__
-enum { WIDTH = 8 };
-#elif defined __AVX__
-enum { WIDTH = 4 };
-#else
-enum { WIDTH = 2 };
-#endif
-
-typedef double Piece __attribute__((vector_size(WIDTH * sizeof(double))));
-typedef int64_t PieceBits __attribute__((vector_size(WIDTH * sizeof(double))));
-typedef double LoosePiece __attribute__((vector_size(WIDTH * sizeof(double)), aligned(8)));
-
-#define PIECE_AT(array, i)       (*(LoosePiece *)((array) + (i)))
-#define CONST_PIECE_AT(array, i) (*(const LoosePiece *)((array) + (i)))
-
 /* -0 is the start of a sum that is exactly its first term. */
 #define EMPTY_SUM (-0.0)
-
-/* Tests go by sign bits, which cost little in every instruction set: x > 0 where x - SMALLEST is not
- * negative, x < 1 where BELOW_ONE - x is not. (-0 and what is no number may be told for negative: the caller
- * looks again, one by one.) */
-#define SMALLEST  0x1p-1022
-#define BELOW_ONE (1.0 - 0x1p-53)
-
-INLINE int64_t bits_of(double x)
-{
-    int64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
-INLINE bool any_negative(const PieceBits *wide, int64_t one)
-{
-    for (int lane = 0; lane < WIDTH; lane++)
-        one |= (*wide)[lane];
-    return one < 0;
-}
-
-#define REAL             Piece
-#define BITS             PieceBits
-#define NAME(function)   function##_wide
-#define AT(array, i)     PIECE_AT(array, i)
-#define NO_TERMS         (-(Piece){0})
-#define SIGN_BITS(x)     ((PieceBits)(x))
-#define ABSOLUTE(x)      ((Piece)((PieceBits)(x)&INT64_MAX))
-#define KEEP_IF(mask, x) ((Piece)((PieceBits)(x) & (mask)))
-#include "physics/mpm_bar/kernels_lanes.h"
-#define SHAPE_INNER shape_inner_wide
-#include "physics/mpm_bar/shape_inner.h"
-#undef SHAPE_INNER
-#undef REAL
-#undef BITS
-#undef NAME
-#undef AT
-#undef NO_TERMS
-#undef SIGN_BITS
-#undef ABSOLUTE
-#undef KEEP_IF
-
-#define REAL             double
-#define BITS             int64_t
-#define NAME(function)   function##_one
-#define AT(array, i)     ((array)[i])
-#define NO_TERMS         EMPTY_SUM
-#define SIGN_BITS(x)     bits_of(x)
-#define KEEP_IF(mask, x) ((mask) ? (x) : 0.0)
-#include "physics/mpm_bar/kernels_lanes.h"
-
-/* Goes from i = first to end, WIDTH at once as long as there are so many. */
-#define FOR_RANGE(first, end, wide, one)                                                                     \
-    do {                                                                                                     \
-        int i = first;                                                                                       \
-        for (; i + WIDTH <= (end); i += WIDTH)                                                               \
-            wide;                                                                                            \
-        for (; i < (end); i++)                                                                               \
-            one;                                                                                             \
-    } while (0)
 
 /* What becomes of a particle's velocity. */
 typedef enum Transfer { TO_FLIP, TO_BLEND, TO_APIC } Transfer;
 
-INLINE Transfer transfer_of(const Bar *bar)
+KERNEL_INLINE Transfer transfer_of(const Bar *bar)
 {
     return bar->head->transfer == MPM_APIC ? TO_APIC : bar->head->flip_fraction == 1.0 ? TO_FLIP : TO_BLEND;
 }
 
-/* Calls one of several copies in which a number is a constant. */
-#define CASE(value, type, name, call)                                                                        \
-    case value: {                                                                                            \
-        const type name = value;                                                                             \
-        call;                                                                                                \
-        break;                                                                                               \
-    }
-
 #include "physics/mpm_bar/kernels_cell.h"
-#include "physics/mpm_bar/kernels_hat.h"
-#include "physics/mpm_bar/kernels_wide.h"
+
+#include "physics/mpm_bar/kernels_run.h"
 
 /* Nodes that come with cells [first, end). */
-INLINE int nodes_end(const Bar *bar, int end)
+KERNEL_INLINE int nodes_end(const Bar *bar, int end)
 {
     return end == bar->n_cells ? bar->n_nodes : end;
 }
 
 /* The end of the run from c on, of cells with P particles in which the shape functions are the inner ones;
  * c itself if there is none. */
-INLINE int run_end(const Bar *bar, MpmShape shape, int c, int end)
+KERNEL_INLINE int run_end(const Bar *bar, MpmShape shape, int c, int end)
 {
     const int ends = shape_end_cells(shape);
     if (c < ends)
@@ -149,92 +62,116 @@ INLINE int run_end(const Bar *bar, MpmShape shape, int c, int end)
     return c < end ? bar_run_end(bar, c, end) : c;
 }
 
-/* By shape. */
-#define FOR_SHAPE(which, call)                                                                               \
-    switch (which) {                                                                                         \
-        CASE(MPM_HAT, MpmShape, shape, call)                                                                 \
-        CASE(MPM_GIMP, MpmShape, shape, call)                                                                \
-        CASE(MPM_BSPLINE2, MpmShape, shape, call)                                                            \
-        CASE(MPM_BSPLINE3, MpmShape, shape, call)                                                            \
+/* What the cells gave to node i, in the order of the cells. */
+KERNEL_INLINE double gather(double *const *part, int support, int i)
+{
+    switch (support) {
+    case 2:
+        return part[1][i - 1] + part[0][i];
+    case 3:
+        return part[2][i - 2] + part[1][i - 1] + part[0][i];
+    default:
+        return part[3][i - 3] + part[2][i - 2] + part[1][i - 1] + part[0][i];
     }
+}
 
 /* --- map ------------------------------------------------------------------------------------------ */
 
-INLINE void map_shape(Bar *bar, MpmShape shape, int first, int end, bool again)
+KERNEL_INLINE void map_shape(Bar *bar, MpmShape shape, int slots, int first, int end)
 {
     const bool affine = bar->head->transfer == MPM_APIC;
     for (int c = first; c < end;) {
-        int stop = run_end(bar, shape, c, end);
+        const int stop = run_end(bar, shape, c, end);
         if (stop == c)
             map_cell(bar, shape, affine, c++);
-        else if (shape == MPM_HAT && !affine)
-            hat_map(bar, c, stop - c, again), c = stop;
         else if (affine)
-            wide_map(bar, shape, true, c, stop, again), c = stop;
+            map_run(bar, shape, true, slots, c, stop), c = stop;
         else
-            wide_map(bar, shape, false, c, stop, again), c = stop;
+            map_run(bar, shape, false, slots, c, stop), c = stop;
     }
+
+    /* eqs. 2 and 3: m_i and p_i from the cells' shares; a node that is too light for p/m is inactive */
     const int support = shape_support(shape), last = nodes_end(bar, end);
-    FOR_RANGE(first, last, scaled_gather_wide(bar->part[1], support, bar->mass, bar->node_momentum, i),
-              scaled_gather_one(bar->part[1], support, bar->mass, bar->node_momentum, i));
-    if (!again)
-        FOR_RANGE(first, last,
-                  node_mass_wide(bar->part[0], support, bar->mass, bar->mass_floor, bar->node_mass,
-                                 bar->node_inverse, i),
-                  node_mass_one(bar->part[0], support, bar->mass, bar->mass_floor, bar->node_mass,
-                                bar->node_inverse, i));
+    const double unit = bar->mass, floor = bar->mass_floor;
+    double *const mass = bar->node_mass, *const inverse = bar->node_inverse;
+    double *const momentum = bar->node_momentum;
+#pragma omp simd
+    for (int i = first; i < last; i++) {
+        const double m = unit * gather(bar->part[0], support, i), reciprocal = 1.0 / m;
+        mass[i] = m;
+        inverse[i] = m > floor ? reciprocal : 0.0;
+    }
+#pragma omp simd
+    for (int i = first; i < last; i++)
+        momentum[i] = unit * gather(bar->part[1], support, i);
 }
 
-static void map(Bar *bar, int first, int end, bool again)
+static void map(Bar *bar, int first, int end)
 {
-    FOR_SHAPE(bar->def.shape, map_shape(bar, shape, first, end, again));
+    switch (bar->def.shape) {
+    case MPM_HAT: /* two particles in a cell is what most people run: a copy for it alone */
+        if (bar->slots == 2)
+            map_shape(bar, MPM_HAT, 2, first, end);
+        else
+            map_shape(bar, MPM_HAT, bar->slots, first, end);
+        return;
+    case MPM_GIMP:
+        map_shape(bar, MPM_GIMP, bar->slots, first, end);
+        return;
+    case MPM_BSPLINE2:
+        map_shape(bar, MPM_BSPLINE2, bar->slots, first, end);
+        return;
+    case MPM_BSPLINE3:
+        map_shape(bar, MPM_BSPLINE3, bar->slots, first, end);
+        return;
+    }
 }
 
 /* --- strain and stress ---------------------------------------------------------------------------- */
 
-INLINE int strain_shape(Bar *bar, MpmShape shape, int first, int end)
+KERNEL_INLINE int strain_shape(Bar *bar, MpmShape shape, int slots, int first, int end)
 {
-    int bad = -1;
-    if (shape != MPM_HAT) {
-        /* nodal velocities once for all particles; eq. 4 */
-        FOR_RANGE(first, end + shape_support(shape) - 1,
-                  node_velocity_wide(bar->node_momentum, bar->node_inverse, bar->node_velocity, i),
-                  node_velocity_one(bar->node_momentum, bar->node_inverse, bar->node_velocity, i));
-    }
+    int crushed = -1;
     for (int c = first; c < end;) {
         int stop = run_end(bar, shape, c, end);
-        bool good;
         if (shape == MPM_HAT && stop > c) {
-            /* at the ends of the bar a node may be inactive: see bar_lend_velocity() */
+            /* where the bar ends a node may be inactive, see bar_lend_velocity(): one by one */
             if (c == 0 || bar->first[c - 1] == bar->first[c])
                 stop = c;
             else if (stop == bar->n_cells || bar->first[stop] == bar->first[stop + 1])
                 stop--;
         }
-        if (stop == c)
-            stop = c + 1, good = strain_cell(bar, shape, c);
-        else if (shape == MPM_HAT)
-            good = hat_strain(bar, c, stop - c);
-        else
-            good = wide_strain(bar, shape, c, stop);
-        if (!good && bad < 0)
-            bad = find_crushed(bar, shape, c, stop);
+        const bool one = stop == c;
+        stop += one;
+        const bool sound = one ? strain_cell(bar, shape, c) : strain_run(bar, shape, slots, c, stop);
+        if (!sound && crushed < 0)
+            crushed = find_crushed(bar, shape, c, stop);
         c = stop;
     }
-    return bad;
+    return crushed;
 }
 
 static int strain(Bar *bar, int first, int end)
 {
-    int bad = -1;
-    FOR_SHAPE(bar->def.shape, bad = strain_shape(bar, shape, first, end));
-    return bad;
+    switch (bar->def.shape) {
+    case MPM_HAT:
+        if (bar->slots == 2)
+            return strain_shape(bar, MPM_HAT, 2, first, end);
+        return strain_shape(bar, MPM_HAT, bar->slots, first, end);
+    case MPM_GIMP:
+        return strain_shape(bar, MPM_GIMP, bar->slots, first, end);
+    case MPM_BSPLINE2:
+        return strain_shape(bar, MPM_BSPLINE2, bar->slots, first, end);
+    case MPM_BSPLINE3:
+        return strain_shape(bar, MPM_BSPLINE3, bar->slots, first, end);
+    }
+    return -1;
 }
 
 /* --- nodal forces --------------------------------------------------------------------------------- */
 
-/* Eq. 11: gravity on the nodes, and the traction of the particles at the free ends. */
-INLINE void external_force(Bar *bar, MpmShape shape, int first, int end)
+/* Eq. 11: f_ext = m_i b of the nodes, and the traction of the particles at the free ends. */
+KERNEL_INLINE void external_force(Bar *bar, MpmShape shape, int first, int end)
 {
     const int last = nodes_end(bar, end);
     const double gravity = bar->head->body_force;
@@ -246,47 +183,68 @@ INLINE void external_force(Bar *bar, MpmShape shape, int first, int end)
     for (int c = first; c < end; c++)
         traction_cell(bar, shape, c);
     for (int i = first; i < last; i++)
-        bar->node_f_ext[i] = bar->node_mass[i] * gravity + gather_one(bar->part[1], shape_support(shape), i);
+        bar->node_f_ext[i] = bar->node_mass[i] * gravity + gather(bar->part[1], shape_support(shape), i);
 }
 
-INLINE void force_shape(Bar *bar, MpmShape shape, int first, int end)
+KERNEL_INLINE void force_shape(Bar *bar, MpmShape shape, int slots, int first, int end)
 {
     for (int c = first; c < end;) {
-        int stop = run_end(bar, shape, c, end);
+        const int stop = run_end(bar, shape, c, end);
         if (stop == c)
             force_cell(bar, shape, c++);
-        else if (shape == MPM_HAT)
-            hat_force(bar, c, stop - c), c = stop;
         else
-            wide_force(bar, shape, c, stop), c = stop;
+            force_run(bar, shape, slots, c, stop), c = stop;
     }
+
+    /* eq. 10: f_int from the cells' shares, which are by s = x / dx */
     const int support = shape_support(shape), last = nodes_end(bar, end);
     const double scale = -1.0 / bar->dx;
-    if (shape == MPM_HAT)
-        FOR_RANGE(first, last, hat_force_wide(bar->part[0][1], scale, bar->node_f_int, i),
-                  hat_force_one(bar->part[0][1], scale, bar->node_f_int, i));
-    else
-        FOR_RANGE(first, last, scaled_gather_wide(bar->part[0], support, scale, bar->node_f_int, i),
-                  scaled_gather_one(bar->part[0], support, scale, bar->node_f_int, i));
+    double *const f_int = bar->node_f_int;
+#pragma omp simd
+    for (int i = first; i < last; i++)
+        f_int[i] = scale * gather(bar->part[0], support, i);
     if (bar_is_loaded(bar))
         external_force(bar, shape, first, end);
 }
 
 static void force(Bar *bar, int first, int end)
 {
-    FOR_SHAPE(bar->def.shape, force_shape(bar, shape, first, end));
+    switch (bar->def.shape) {
+    case MPM_HAT:
+        if (bar->slots == 2)
+            force_shape(bar, MPM_HAT, 2, first, end);
+        else
+            force_shape(bar, MPM_HAT, bar->slots, first, end);
+        return;
+    case MPM_GIMP:
+        force_shape(bar, MPM_GIMP, bar->slots, first, end);
+        return;
+    case MPM_BSPLINE2:
+        force_shape(bar, MPM_BSPLINE2, bar->slots, first, end);
+        return;
+    case MPM_BSPLINE3:
+        force_shape(bar, MPM_BSPLINE3, bar->slots, first, end);
+        return;
+    }
 }
 
 /* --- integrate momentum --------------------------------------------------------------------------- */
 
-INLINE void integrate_nodes(Bar *bar, int first, int end, double *f_ext)
+/* Eqs. 12 and 13 on free nodes: p_i += dt f_i with f_i = f_int + f_ext; then what eqs. 14 and 15 need of a
+ * node: kick = dt f_i / m_i and drift = dt p_i / (m_i dx). */
+KERNEL_INLINE void integrate_nodes(Bar *bar, bool loaded, int first, int end)
 {
-    const double dt = bar->dt, drift = bar->dt / bar->dx;
-    FOR_RANGE(first, end,
-              integrate_wide(bar->node_f_int, f_ext, bar->node_inverse, bar->node_momentum, bar->node_kick,
-                             bar->node_drift, dt, drift, i),
-              integrate_one(bar->node_f_int, f_ext, bar->node_inverse, bar->node_momentum, bar->node_kick,
-                            bar->node_drift, dt, drift, i));
+    const double dt = bar->dt, drift_scale = bar->dt / bar->dx;
+    double *const f_int = bar->node_f_int, *const f_ext = bar->node_f_ext, *const inverse = bar->node_inverse;
+    double *const momentum = bar->node_momentum, *const kick = bar->node_kick, *const drift = bar->node_drift;
+#pragma omp simd
+    for (int i = first; i < end; i++) {
+        const double impulse = dt * (loaded ? f_int[i] + f_ext[i] : f_int[i]);
+        const double after = momentum[i] + impulse;
+        momentum[i] = after;
+        kick[i] = impulse * inverse[i];
+        drift[i] = drift_scale * (after * inverse[i]);
+    }
 }
 
 static void integrate(Bar *bar, int first, int end)
@@ -299,110 +257,178 @@ static void integrate(Bar *bar, int first, int end)
     for (int i = first > fixed_right ? first : fixed_right; i < last; i++)
         bar->node_kick[i] = bar->node_drift[i] = 0.0;
     if (!bar_is_loaded(bar)) {
-        integrate_nodes(bar, free_first, free_end, NULL);
+        integrate_nodes(bar, false, free_first, free_end);
         return;
     }
-    integrate_nodes(bar, free_first, free_end, bar->node_f_ext);
+    integrate_nodes(bar, true, free_first, free_end);
+    /* the load's work: sum f_ext dx_i over the nodes */
     for (int i = free_first; i < free_end; i++)
         bar->head->work += bar->node_f_ext[i] * (bar->node_drift[i] * bar->dx);
 }
 
 /* --- update particles ----------------------------------------------------------------------------- */
 
-INLINE void update_as(Bar *bar, MpmShape shape, Transfer transfer, int first, int end)
+KERNEL_INLINE void update_as(Bar *bar, MpmShape shape, Transfer transfer, int slots, int first, int end)
 {
     for (int c = first; c < end;) {
-        int stop = run_end(bar, shape, c, end);
+        const int stop = run_end(bar, shape, c, end);
         if (stop == c)
             update_cell(bar, shape, transfer, c++);
-        else if (shape == MPM_HAT && transfer == TO_FLIP)
-            hat_update(bar, c, stop - c), c = stop;
         else
-            wide_update(bar, shape, transfer, c, stop), c = stop;
+            update_run(bar, shape, transfer, slots, c, stop), c = stop;
     }
 }
 
-INLINE void update_shape(Bar *bar, MpmShape shape, int first, int end)
+KERNEL_INLINE void update_shape(Bar *bar, MpmShape shape, int first, int end)
 {
     switch (transfer_of(bar)) {
     case TO_FLIP:
-        update_as(bar, shape, TO_FLIP, first, end);
+        if (shape == MPM_HAT && bar->slots == 2)
+            update_as(bar, shape, TO_FLIP, 2, first, end);
+        else
+            update_as(bar, shape, TO_FLIP, bar->slots, first, end);
         return;
     case TO_BLEND:
-        update_as(bar, shape, TO_BLEND, first, end);
+        update_as(bar, shape, TO_BLEND, bar->slots, first, end);
         return;
     case TO_APIC:
-        update_as(bar, shape, TO_APIC, first, end);
+        update_as(bar, shape, TO_APIC, bar->slots, first, end);
         return;
     }
 }
 
 static void update(Bar *bar, int first, int end)
 {
-    FOR_SHAPE(bar->def.shape, update_shape(bar, shape, first, end));
+    switch (bar->def.shape) {
+    case MPM_HAT:
+        update_shape(bar, MPM_HAT, first, end);
+        return;
+    case MPM_GIMP:
+        update_shape(bar, MPM_GIMP, first, end);
+        return;
+    case MPM_BSPLINE2:
+        update_shape(bar, MPM_BSPLINE2, first, end);
+        return;
+    case MPM_BSPLINE3:
+        update_shape(bar, MPM_BSPLINE3, first, end);
+        return;
+    }
+}
+
+/* --- forget the grid ------------------------------------------------------------------------------ */
+
+/* Lets the particles of a run take their places if 0 <= moved_0 <= moved_1 ... < 1 in each cell: all are in
+ * their cell after the step, in order. */
+KERNEL_INLINE bool settle_run(Bar *bar, int slots, int cells, int particle)
+{
+    double *s[BAR_SLOTS_MAX], *moved[BAR_SLOTS_MAX];
+    slots_of_run(bar->s, slots, particle, s);
+    slots_of_run(bar->moved, slots, particle, moved);
+    VectorMask astray = {0}; /* minus how many */
+    int done = 0;
+    for (; done + VECTOR_WIDTH <= cells; done += VECTOR_WIDTH) {
+        Vector before = {0};
+#pragma GCC unroll 2
+        for (int j = 0; j < slots; j++) {
+            const Vector here = vector_load(moved[j] + done);
+            astray += ~(here >= before);
+            before = here;
+        }
+        astray += ~(before < 1.0);
+    }
+    bool stay = vector_is_zero(astray);
+    for (int i = done; i < cells; i++) {
+        double before = 0.0;
+        for (int j = 0; j < slots; j++) {
+            stay = stay && moved[j][i] >= before;
+            before = moved[j][i];
+        }
+        stay = stay && before < 1.0;
+    }
+    if (!stay)
+        return false;
+    for (int j = 0; j < slots; j++)
+#pragma omp simd
+        for (int i = 0; i < cells; i++)
+            s[j][i] = moved[j][i];
+    return true;
+}
+
+static bool settle(Bar *bar, int cells, int particle)
+{
+    return bar->slots == 2 ? settle_run(bar, 2, cells, particle)
+                           : settle_run(bar, bar->slots, cells, particle);
 }
 
 /* --- sums ----------------------------------------------------------------------------------------- */
 
-enum { PIECES = BAR_LANES / WIDTH };
+/* The terms of place k of a slot's array go to lane k % BAR_LANES of each sum. */
+static void add_place(const Bar *bar, int slot, int k, BarSums *sums)
+{
+    const double v = bar->v[slot][k], stress = bar->stress[slot][k];
+    sums->v[k % BAR_LANES] += v;
+    sums->s[k % BAR_LANES] += bar->s[slot][k];
+    sums->square[k % BAR_LANES] += v * v;
+    sums->strain[k % BAR_LANES] += stress * stress * bar->volume[slot][k];
+}
 
-typedef union Lanes {
-    Piece piece[PIECES];
-    double lane[BAR_LANES];
-} Lanes;
+enum { PIECES = BAR_LANES / VECTOR_WIDTH };
 
 static void particle_sums(const Bar *bar, int first, int end, BarSums *sums)
 {
-    Lanes of_v, of_s, of_square, of_strain;
-    memcpy(&of_v, sums->v, sizeof of_v);
-    memcpy(&of_s, sums->s, sizeof of_s);
-    memcpy(&of_square, sums->square, sizeof of_square);
-    memcpy(&of_strain, sums->strain, sizeof of_strain);
+    /* sum v, sum s, sum v^2 and sum stress^2 volume, BAR_LANES places at a time */
+    Vector of_v[PIECES], of_s[PIECES], of_square[PIECES], of_strain[PIECES];
+#pragma GCC unroll 4
+    for (int h = 0; h < PIECES; h++) {
+        of_v[h] = vector_load(sums->v + h * VECTOR_WIDTH);
+        of_s[h] = vector_load(sums->s + h * VECTOR_WIDTH);
+        of_square[h] = vector_load(sums->square + h * VECTOR_WIDTH);
+        of_strain[h] = vector_load(sums->strain + h * VECTOR_WIDTH);
+    }
     int k = first;
     for (; k + BAR_LANES <= end; k += BAR_LANES)
-        for (int j = 0; j < bar->slots; j++) {
-            const double *s = bar->s[j] + k, *v = bar->v[j] + k;
-            const double *stress = bar->stress[j] + k, *volume = bar->volume[j] + k;
-            UNROLL
+        for (int j = 0; j < bar->slots; j++)
+#pragma GCC unroll 4
             for (int h = 0; h < PIECES; h++) {
-                const Piece speed = CONST_PIECE_AT(v, h * WIDTH), pull = CONST_PIECE_AT(stress, h * WIDTH);
-                of_v.piece[h] += speed;
-                of_s.piece[h] += CONST_PIECE_AT(s, h * WIDTH);
-                of_square.piece[h] += speed * speed;
-                of_strain.piece[h] += pull * pull * CONST_PIECE_AT(volume, h * WIDTH);
+                const int at = k + h * VECTOR_WIDTH;
+                const Vector v = vector_load(bar->v[j] + at), stress = vector_load(bar->stress[j] + at);
+                of_v[h] += v;
+                of_s[h] += vector_load(bar->s[j] + at);
+                of_square[h] += v * v;
+                of_strain[h] += stress * stress * vector_load(bar->volume[j] + at);
             }
-        }
-    for (int j = 0; j < bar->slots; j++) {
-        const double *s = bar->s[j] + k, *v = bar->v[j] + k;
-        const double *stress = bar->stress[j] + k, *volume = bar->volume[j] + k;
-        for (int lane = 0; lane < end - k; lane++) {
-            of_v.lane[lane] += v[lane];
-            of_s.lane[lane] += s[lane];
-            of_square.lane[lane] += v[lane] * v[lane];
-            of_strain.lane[lane] += stress[lane] * stress[lane] * volume[lane];
-        }
+#pragma GCC unroll 4
+    for (int h = 0; h < PIECES; h++) {
+        vector_store(sums->v + h * VECTOR_WIDTH, of_v[h]);
+        vector_store(sums->s + h * VECTOR_WIDTH, of_s[h]);
+        vector_store(sums->square + h * VECTOR_WIDTH, of_square[h]);
+        vector_store(sums->strain + h * VECTOR_WIDTH, of_strain[h]);
     }
-    memcpy(sums->v, &of_v, sizeof of_v);
-    memcpy(sums->s, &of_s, sizeof of_s);
-    memcpy(sums->square, &of_square, sizeof of_square);
-    memcpy(sums->strain, &of_strain, sizeof of_strain);
+    for (int j = 0; j < bar->slots; j++)
+        for (int rest = k; rest < end; rest++)
+            add_place(bar, j, rest, sums);
 }
 
 static void node_sums(const Bar *bar, int first, int end, double *lanes)
 {
+    /* sum p^2 / m; node first + k goes to lane k % BAR_LANES */
     const double *momentum = bar->node_momentum, *inverse = bar->node_inverse;
-    Lanes sum;
-    memcpy(&sum, lanes, sizeof sum);
+    Vector sum[PIECES];
+#pragma GCC unroll 4
+    for (int h = 0; h < PIECES; h++)
+        sum[h] = vector_load(lanes + h * VECTOR_WIDTH);
     int i = first;
     for (; i + BAR_LANES <= end; i += BAR_LANES)
-        UNROLL
-    for (int h = 0; h < PIECES; h++) {
-        const Piece p = CONST_PIECE_AT(momentum, i + h * WIDTH);
-        sum.piece[h] += p * p * CONST_PIECE_AT(inverse, i + h * WIDTH);
-    }
+#pragma GCC unroll 4
+        for (int h = 0; h < PIECES; h++) {
+            const Vector p = vector_load(momentum + i + h * VECTOR_WIDTH);
+            sum[h] += p * p * vector_load(inverse + i + h * VECTOR_WIDTH);
+        }
+#pragma GCC unroll 4
+    for (int h = 0; h < PIECES; h++)
+        vector_store(lanes + h * VECTOR_WIDTH, sum[h]);
     for (int lane = 0; lane < end - i; lane++)
-        sum.lane[lane] += momentum[i + lane] * momentum[i + lane] * inverse[i + lane];
-    memcpy(lanes, &sum, sizeof sum);
+        lanes[lane] += momentum[i + lane] * momentum[i + lane] * inverse[i + lane];
 }
 
 const BarKernels BAR_KERNELS = {

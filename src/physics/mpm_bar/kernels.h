@@ -10,8 +10,8 @@
 #include "physics/mpm_bar/bar_state.h"
 
 struct BarKernels {
-    /* eqs. 2, 3: mass and momentum of the nodes from the particles; `again`: the momentum only */
-    void (*map)(Bar *bar, int first, int end, bool again);
+    /* eqs. 2, 3: mass and momentum of the nodes from the particles */
+    void (*map)(Bar *bar, int first, int end);
 
     /* eqs. 4, 5, 7, 8, 9. Returns a particle for which 1 + de <= 0 (all others are done), or -1 */
     int (*strain)(Bar *bar, int first, int end);

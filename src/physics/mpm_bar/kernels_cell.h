@@ -1,29 +1,33 @@
-/* Part of kernels.c: one cell, any number of particles, any shape. The order of the sums is defined here. */
+/* Part of kernels.c: the stages on one cell with any number of particles, any shape, any transfer. The order
+ * of every sum is defined here: over the particles of a cell as they stand, then over its nodes from left to
+ * right. What a cell without particles gives to its nodes is 0. */
 
 /* A particle of the storage by slots. */
 typedef struct Place {
     int slot, k;
 } Place;
 
-INLINE Place place_of(const Bar *bar, int particle)
+KERNEL_INLINE Place place_of(const Bar *bar, int particle)
 {
     return (Place){particle % bar->slots, particle / bar->slots};
 }
 
-INLINE Place next_place(const Bar *bar, Place at)
+KERNEL_INLINE Place next_place(const Bar *bar, Place at)
 {
     return at.slot + 1 < bar->slots ? (Place){at.slot + 1, at.k} : (Place){0, at.k + 1};
 }
 
 /* What has no terms is 0. */
-INLINE void clear_part(Bar *bar, int which, int support, int c)
+KERNEL_INLINE void clear_part(Bar *bar, int which, int support, int c)
 {
-    UNROLL
+#pragma GCC unroll 4
     for (int a = 0; a < support; a++)
         bar->part[which][a][c] = 0.0;
 }
 
-INLINE void map_cell(Bar *bar, MpmShape shape, bool affine, int c)
+/* Eqs. 2 and 3 over m, the cell's share: part[0][a] = sum N_a, part[1][a] = sum v N_a; with APIC v + C (x_a -
+ * x) in place of v (Jiang et al. 2015). */
+KERNEL_INLINE void map_cell(Bar *bar, MpmShape shape, bool affine, int c)
 {
     const int support = shape_support(shape);
     if (bar->first[c] == bar->first[c + 1]) {
@@ -32,7 +36,7 @@ INLINE void map_cell(Bar *bar, MpmShape shape, bool affine, int c)
         return;
     }
     double mass[BAR_SUPPORT_MAX], momentum[BAR_SUPPORT_MAX];
-    UNROLL
+#pragma GCC unroll 4
     for (int a = 0; a < support; a++)
         mass[a] = momentum[a] = EMPTY_SUM;
     Place at = place_of(bar, bar->first[c]);
@@ -41,7 +45,7 @@ INLINE void map_cell(Bar *bar, MpmShape shape, bool affine, int c)
         double s = bar->s[at.slot][at.k], v = bar->v[at.slot][at.k];
         shape_at(shape, bar->gimp_half, bar->n_cells, c, s, n, dn);
         double spin = affine ? bar->affine[at.slot][at.k] * bar->dx : 0.0;
-        UNROLL
+#pragma GCC unroll 4
         for (int a = 0; a < support; a++) {
             double given = v;
             if (affine)
@@ -50,34 +54,36 @@ INLINE void map_cell(Bar *bar, MpmShape shape, bool affine, int c)
             momentum[a] += given * n[a];
         }
     }
-    UNROLL
+#pragma GCC unroll 4
     for (int a = 0; a < support; a++) {
         bar->part[0][a][c] = mass[a];
         bar->part[1][a][c] = momentum[a];
     }
 }
 
-/* The strain increment of a particle, times dx / dt. */
-INLINE double gradient_of(MpmShape shape, const double *dn, const double *v)
+/* sum N'_a v_a by s = x / dx: the strain increment of a particle, eq. 5, times dx / dt. */
+KERNEL_INLINE double gradient_of(MpmShape shape, const double *dn, const double *v)
 {
     double gradient = dn[0] * v[0];
-    UNROLL
+#pragma GCC unroll 4
     for (int a = 1; a < shape_support(shape); a++)
         gradient += dn[a] * v[a];
     return gradient;
 }
 
-INLINE void strain_velocities(const Bar *bar, MpmShape shape, int c, double *v)
+/* Eq. 4, v = p / m, for the nodes of a cell. */
+KERNEL_INLINE void strain_velocities(const Bar *bar, MpmShape shape, int c, double *v)
 {
-    UNROLL
+#pragma GCC unroll 4
     for (int a = 0; a < shape_support(shape); a++)
         v[a] = bar->node_momentum[c + a] * bar->node_inverse[c + a];
     if (shape == MPM_HAT)
         bar_lend_velocity(bar, c, v);
 }
 
-/* False: 1 + de <= 0 somewhere. */
-INLINE bool strain_cell(Bar *bar, MpmShape shape, int c)
+/* Eqs. 5, 7, 8, 9: stress += E de, volume *= 1 + de, the density being mass / volume. False: 1 + de <= 0
+ * somewhere (that particle is done too). */
+KERNEL_INLINE bool strain_cell(Bar *bar, MpmShape shape, int c)
 {
     const double k = bar->dt / bar->dx, e = bar->def.youngs_modulus;
     double v[BAR_SUPPORT_MAX];
@@ -112,7 +118,8 @@ static int find_crushed(const Bar *bar, MpmShape shape, int c, int stop)
     return -1;
 }
 
-INLINE void force_cell(Bar *bar, MpmShape shape, int c)
+/* Eq. 10 over -1, the cell's share: part[0][a] = sum N'_a stress volume, N' by s. */
+KERNEL_INLINE void force_cell(Bar *bar, MpmShape shape, int c)
 {
     const int support = shape_support(shape);
     if (bar->first[c] == bar->first[c + 1]) {
@@ -120,7 +127,7 @@ INLINE void force_cell(Bar *bar, MpmShape shape, int c)
         return;
     }
     double force[BAR_SUPPORT_MAX];
-    UNROLL
+#pragma GCC unroll 4
     for (int a = 0; a < support; a++)
         force[a] = EMPTY_SUM;
     Place at = place_of(bar, bar->first[c]);
@@ -128,17 +135,17 @@ INLINE void force_cell(Bar *bar, MpmShape shape, int c)
         double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
         shape_at(shape, bar->gimp_half, bar->n_cells, c, bar->s[at.slot][at.k], n, dn);
         double pull = bar->stress[at.slot][at.k] * bar->volume[at.slot][at.k];
-        UNROLL
+#pragma GCC unroll 4
         for (int a = 0; a < support; a++)
             force[a] += dn[a] * pull;
     }
-    UNROLL
+#pragma GCC unroll 4
     for (int a = 0; a < support; a++)
         bar->part[0][a][c] = force[a];
 }
 
-/* Eq. 11's second sum. */
-INLINE void traction_cell(Bar *bar, MpmShape shape, int c)
+/* Eq. 11's second sum, the cell's share: part[1][a] = sum N_a (t / h) volume over the layers at free ends. */
+KERNEL_INLINE void traction_cell(Bar *bar, MpmShape shape, int c)
 {
     const int support = shape_support(shape);
     const double pressure = bar->head->traction / bar->layer;
@@ -152,13 +159,17 @@ INLINE void traction_cell(Bar *bar, MpmShape shape, int c)
         Place at = place_of(bar, p);
         shape_at(shape, bar->gimp_half, bar->n_cells, c, bar->s[at.slot][at.k], n, dn);
         double pull = side * pressure * bar->volume[at.slot][at.k];
-        UNROLL
+#pragma GCC unroll 4
         for (int a = 0; a < support; a++)
             bar->part[1][a][c] += n[a] * pull;
     }
 }
 
-INLINE void update_cell(Bar *bar, MpmShape shape, Transfer transfer, int c)
+/* Eqs. 14 and 15, kick and drift being dt f / m and dt p / (m dx) of the nodes:
+ *     FLIP   v += sum N_a kick_a                       every transfer   moved = s + sum N_a drift_a
+ *     blend  v = alpha (v + sum N_a kick_a) + (1 - alpha) sum N_a v_a
+ *     APIC   v = sum N_a v_a,   C = sum N_a v_a (x_a - x) / sum N_a (x_a - x)^2; hats: C = sum N'_a v_a */
+KERNEL_INLINE void update_cell(Bar *bar, MpmShape shape, Transfer transfer, int c)
 {
     const int support = shape_support(shape);
     const double alpha = bar->head->flip_fraction, speed = bar->dx / bar->dt, rate = 1.0 / bar->dt;
@@ -169,7 +180,7 @@ INLINE void update_cell(Bar *bar, MpmShape shape, Transfer transfer, int c)
         double s = bar->s[at.slot][at.k], v = bar->v[at.slot][at.k];
         shape_at(shape, bar->gimp_half, bar->n_cells, c, s, n, dn);
         double dv = n[0] * kick[0], ds = n[0] * drift[0];
-        UNROLL
+#pragma GCC unroll 4
         for (int a = 1; a < support; a++) {
             dv += n[a] * kick[a];
             ds += n[a] * drift[a];
@@ -181,7 +192,7 @@ INLINE void update_cell(Bar *bar, MpmShape shape, Transfer transfer, int c)
             bar->v[at.slot][at.k] = alpha * (v + dv) + (1.0 - alpha) * (speed * ds);
         else {
             double slope = EMPTY_SUM, spread = EMPTY_SUM;
-            UNROLL
+#pragma GCC unroll 4
             for (int a = 0; a < support; a++) {
                 double arm = shape_node_offset(shape, bar->n_cells, c, a) - s;
                 slope += shape == MPM_HAT ? dn[a] * drift[a] : n[a] * drift[a] * arm;

@@ -11,8 +11,8 @@ static inline void SHAPE_INNER(MpmShape shape, double h, const REAL *s_, REAL *n
     case MPM_HAT:
         n[0] = r;
         n[1] = s;
-        dn[0] = s * 0.0 - 1.0;
-        dn[1] = s * 0.0 + 1.0;
+        dn[0] = (REAL){0} - 1.0;
+        dn[1] = (REAL){0} + 1.0;
         return;
     case MPM_GIMP: {
         REAL left = h - s, right = s - (1.0 - h);

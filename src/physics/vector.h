@@ -1,0 +1,55 @@
+/* The machine's vectors of numbers, for the kernels alone: eight doubles with AVX-512, four with AVX, else
+ * two.
+ *
+ * They are the compiler's own types (GCC and clang), on which + - * / and comparisons work number by number,
+ * so that a loop over vectors reads like the loop over numbers and its speed does not hang on what an
+ * optimiser recognises. A comparison gives all bits set where it holds, else 0; with something that is not a
+ * number it never holds. A file that includes this is compiled once for each instruction set. */
+#ifndef PHYSICS_VECTOR_H
+#define PHYSICS_VECTOR_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#if defined __AVX512F__
+enum { VECTOR_WIDTH = 8 };
+#elif defined __AVX__
+enum { VECTOR_WIDTH = 4 };
+#else
+enum { VECTOR_WIDTH = 2 };
+#endif
+
+typedef double Vector __attribute__((vector_size(VECTOR_WIDTH * sizeof(double))));
+typedef int64_t VectorMask __attribute__((vector_size(VECTOR_WIDTH * sizeof(double))));
+
+/* The same anywhere in an array of doubles. */
+typedef double VectorInArray __attribute__((vector_size(VECTOR_WIDTH * sizeof(double)), aligned(8)));
+
+/* Kernels are built from functions whose arguments (a shape, a number of particles) are constants where they
+ * are called: inlined, they leave nothing of their branches. */
+#define KERNEL_INLINE static inline __attribute__((always_inline, unused))
+
+KERNEL_INLINE Vector vector_load(const double *from)
+{
+    return *(const VectorInArray *)from;
+}
+
+KERNEL_INLINE void vector_store(double *to, Vector value)
+{
+    *(VectorInArray *)to = value;
+}
+
+KERNEL_INLINE bool vector_is_zero(VectorMask bits)
+{
+    int64_t any = 0;
+    for (int lane = 0; lane < VECTOR_WIDTH; lane++)
+        any |= bits[lane];
+    return any == 0;
+}
+
+KERNEL_INLINE Vector vector_absolute(Vector x)
+{
+    return (Vector)((VectorMask)x & INT64_MAX);
+}
+
+#endif
