@@ -72,7 +72,7 @@ START_TEST(golden_periods)
         const BeamDef def = golden_beam(spacing, horizon, surface, volume);
         Status status = {0};
         double period;
-        ck_assert_msg(beam_predicted_period(&def, &period, &status), "%s", status.text);
+        ck_assert_msg(beam_predicted_period(&def, &period, NULL, NULL, &status), "%s", status.text);
         ck_assert_msg(fabs(period / (expected * 1e-3) - 1) < 1e-8, "%s: %.12g ms, %.2g away", line,
                       period * 1e3, period / (expected * 1e-3) - 1);
         held++;
@@ -87,7 +87,7 @@ START_TEST(too_fine_is_not_known)
     const BeamDef def = golden_beam(0.05, 0.25, "energy", "partial");
     Status status = {0};
     double period = 0;
-    ck_assert_msg(beam_predicted_period(&def, &period, &status), "%s", status.text);
+    ck_assert_msg(beam_predicted_period(&def, &period, NULL, NULL, &status), "%s", status.text);
     ck_assert(isnan(period));
 }
 END_TEST
@@ -104,7 +104,7 @@ START_TEST(can_be_given_up)
     Status status = {0};
     double period;
     def.go_on = never;
-    ck_assert(!beam_predicted_period(&def, &period, &status));
+    ck_assert(!beam_predicted_period(&def, &period, NULL, NULL, &status));
     ck_assert_str_ne(status.text, "");
 }
 END_TEST

@@ -71,6 +71,20 @@ static double predicted_frequency(const Settings *settings, const BarTheory *the
     return wave.known ? wave.frequency : NAN;
 }
 
+static bool predict(const Settings *settings, Prediction *out, Status *status)
+{
+    BarTheory theory;
+    if (!bar_theory_of(settings, &theory, status))
+        return false;
+    const int mode = bar_watched_mode(&theory);
+    *out = (Prediction){NAN, NAN, NAN};
+    if (mode > 0) {
+        out->theory = out->real_size = bar_frequency(&theory, mode);
+        out->predicted = predicted_frequency(settings, &theory, bar_time_step(settings), mode);
+    }
+    return true;
+}
+
 static double predicted_v_cm(References *refs, long step, double time, const double *row)
 {
     (void)time, (void)row;
@@ -186,6 +200,7 @@ const Solver bar_by_mpm = {
     .simulate = simulate,
     .advice = advice,
     .derived = derived,
+    .predict = predict,
     .prepare = prepare,
     .profile = bar_profile,
     .readout = bar_read_out,

@@ -120,6 +120,17 @@ static double v_timoshenko(References *refs, long step, double time, const doubl
     return beam_midpoint_velocity(&own(refs)->theory, own(refs)->timoshenko, time);
 }
 
+bool beam_predict_supported(const Settings *settings, Prediction *out, Status *status)
+{
+    const BeamDef def = beam_definition(settings, 1);
+    BeamTheory theory = beam_theory_of(settings);
+    out->theory = beam_period_timoshenko(&theory);
+    if (!beam_predicted_period(&def, &out->predicted, &theory.length, &theory.height, status))
+        return false;
+    out->real_size = beam_period_timoshenko(&theory);
+    return true;
+}
+
 bool beam_prepare_supported(References *refs, const Settings *settings, const Simulation *sim, Status *status)
 {
     static const Quantity u_e = {"u_euler", "Euler", "m", "mid-point displacement by Euler-Bernoulli"};
@@ -135,9 +146,10 @@ bool beam_prepare_supported(References *refs, const Settings *settings, const Si
     beam->euler = beam_period_euler(&beam->theory);
     beam->timoshenko = beam_period_timoshenko(&beam->theory);
     beam->timoshenko_real = beam_period_timoshenko(&beam->real);
-    const BeamDef def = beam_definition(settings, 1);
-    if (!beam_predicted_period(&def, &beam->predicted, status))
+    Prediction prediction;
+    if (!beam_predict_supported(settings, &prediction, status))
         return false;
+    beam->predicted = prediction.predicted;
     plan_method(refs, sim, "u_probe");
     plan_method(refs, sim, "v_probe");
     plan_answer(refs, &u_e, COLUMN_EXACT, "u_probe", u_euler);

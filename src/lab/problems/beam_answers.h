@@ -14,6 +14,7 @@ BeamTheory beam_theory_of(const Settings *);
 BeamTheory beam_real_theory_of(const Settings *, const Simulation *);
 
 /* For Solver. */
+bool beam_predict_supported(const Settings *, Prediction *, Status *);
 bool beam_prepare_supported(References *, const Settings *, const Simulation *, Status *);
 double beam_supported_profile(const References *, const char *field, double x, double time);
 void beam_read_supported(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);

@@ -120,6 +120,7 @@ static bool advice(const Settings *settings, char *text, size_t size, Status *st
 
 const Solver supported_beam_by_pd = {
     BY_PD_ALIKE,
+    .predict = beam_predict_supported,
     .prepare = beam_prepare_supported,
     .profile = beam_supported_profile,
     .readout = beam_read_supported,

@@ -44,6 +44,15 @@ typedef struct Readout Readout;
 typedef struct Derived Derived;
 typedef struct ModeOnMesh ModeOnMesh; /* answers/dispersion.h */
 
+/* What a run of some settings is to show, known without it; periods in s (beams) or radians per unit time
+ * (bar).
+ */
+typedef struct Prediction {
+    double predicted; /* by the equations of this very mesh or lattice; NAN: not known */
+    double theory;    /* of the continuum (bar), by Timoshenko's theory (beams), at the size asked for */
+    double real_size; /* the same at the size that the body has on its lattice */
+} Prediction;
+
 /* A problem by a method. What is NULL there is not. */
 typedef struct Solver {
     MethodKind method;
@@ -63,6 +72,8 @@ typedef struct Solver {
     double (*envelope)(const References *, const char *column, double time);
     double (*standing_frequency)(const References *, double time);
     int (*thickness_lines)(const References *, double *out);
+
+    bool (*predict)(const Settings *, Prediction *, Status *);
 
     /* Every mode on this mesh or lattice: how many, and one of them. */
     int (*modes)(const Settings *);

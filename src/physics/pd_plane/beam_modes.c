@@ -138,7 +138,8 @@ static bool solve(const Lattice *lattice, const BeamDef *def, double *period, St
     return done;
 }
 
-bool beam_predicted_period(const BeamDef *definition, double *period, Status *status)
+bool beam_predicted_period(const BeamDef *definition, double *period, double *span, double *height,
+                           Status *status)
 {
     Lattice lattice;
     *period = NAN;
@@ -146,6 +147,10 @@ bool beam_predicted_period(const BeamDef *definition, double *period, Status *st
         return true;
     if (!lattice_init(&lattice, definition, status))
         return false;
+    if (span)
+        *span = (lattice.nx - 1) * lattice.spacing;
+    if (height)
+        *height = lattice.ny * lattice.spacing;
     const bool done = solve(&lattice, definition, period, status);
     lattice_free(&lattice);
     return done;

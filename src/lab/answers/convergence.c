@@ -1,0 +1,157 @@
+#include "lab/answers/convergence.h"
+
+#include <math.h>
+#include <stddef.h>
+
+/* --- the studies ---------------------------------------------------------------------------------- */
+
+static const double by_halves[] = {4, 2, 1, 0.5};
+static const double cells_by_halves[] = {2, 1, 0.5, 0.25, 0.125};
+static const double nodes_in_horizon[] = {2, 3, 4, 5, 6, 8};
+/* Horizon and spacing of paper P's Table 1, m. */
+static const double table_1[][2] = {{5e-3, 1.2e-3},    {2.5e-3, 0.6e-3},  {2e-3, 0.5e-3},
+                                    {1.5e-3, 0.35e-3}, {1.25e-3, 0.3e-3}, {1e-3, 0.25e-3}};
+
+#define LENGTH_OF(array) ((int)(sizeof(array) / sizeof *(array)))
+
+static bool refine_horizon(const Settings *base, int k, Settings *out)
+{
+    if (k >= LENGTH_OF(by_halves))
+        return false;
+    *out = *base;
+    out->lattice.horizon *= by_halves[k];
+    out->lattice.spacing *= by_halves[k];
+    return true;
+}
+
+static bool refine_spacing(const Settings *base, int k, Settings *out)
+{
+    if (k >= LENGTH_OF(nodes_in_horizon))
+        return false;
+    *out = *base;
+    out->lattice.spacing = base->lattice.horizon / nodes_in_horizon[k];
+    return true;
+}
+
+static bool take_from_table(const Settings *base, int k, Settings *out)
+{
+    if (k >= LENGTH_OF(table_1))
+        return false;
+    *out = *base;
+    out->lattice.horizon = table_1[k][0];
+    out->lattice.spacing = table_1[k][1];
+    return true;
+}
+
+static bool refine_cells(const Settings *base, int k, Settings *out)
+{
+    if (k >= LENGTH_OF(cells_by_halves))
+        return false;
+    *out = *base;
+    out->mesh.cell_size *= cells_by_halves[k];
+    return true;
+}
+
+static double horizon_of(const Settings *settings)
+{
+    return settings->lattice.horizon;
+}
+
+static double spacing_of(const Settings *settings)
+{
+    return settings->lattice.spacing;
+}
+
+static double cell_size_of(const Settings *settings)
+{
+    return settings->mesh.cell_size;
+}
+
+enum { VIBRATING_LATTICE = CONCERN_LATTICE | CONCERN_DEFLECTION | CONCERN_BEAM };
+
+static const ConvergenceStudy studies[] = {
+    {"cells", "cells smaller", "cell size", CONCERN_BAR | CONCERN_MESH, METHOD_MPM, refine_cells,
+     cell_size_of},
+    {"delta", "horizon smaller, m kept", "horizon", VIBRATING_LATTICE, METHOD_PD, refine_horizon, horizon_of},
+    {"m", "m larger, horizon kept", "spacing", VIBRATING_LATTICE, METHOD_PD, refine_spacing, spacing_of},
+    {"table", "Table 1 of paper P", "horizon", VIBRATING_LATTICE, METHOD_PD, take_from_table, horizon_of},
+};
+
+int convergence_studies(const Settings *settings, const ConvergenceStudy *out[CONVERGENCE_STUDIES_MAX])
+{
+    const Problem *problem = settings->problem;
+    const Solver *solver = problem_solver(problem, settings->method);
+    int count = 0;
+    for (int i = 0; i < LENGTH_OF(studies) && solver && solver->predict; i++)
+        if ((problem->concerns & studies[i].concerns) == studies[i].concerns &&
+            settings->method == studies[i].method)
+            out[count++] = &studies[i];
+    return count;
+}
+
+int convergence_count(const ConvergenceStudy *study, const Settings *settings)
+{
+    Settings refined;
+    int count = 0;
+    while (count < CONVERGENCE_POINTS_MAX && study->refine(settings, count, &refined))
+        count++;
+    return count;
+}
+
+/* --- points --------------------------------------------------------------------------------------- */
+
+bool convergence_point(const ConvergenceStudy *study, const Settings *settings, int k, ConvergencePoint *out,
+                       Status *status)
+{
+    Settings refined;
+    Status why = {STATUS_DONE, ""};
+    *out = (ConvergencePoint){.size = NAN, .nodes = NAN, .error = NAN};
+    if (!study->refine(settings, k, &refined))
+        return true;
+    const Solver *solver = problem_solver(refined.problem, refined.method);
+    const bool lattice = (study->concerns & CONCERN_LATTICE) != 0;
+    refined.time.step = 0; /* each lattice has its own critical step */
+    out->size = study->size_of(&refined);
+    out->nodes = lattice ? refined.lattice.horizon / refined.lattice.spacing
+                         : refined.geometry.length / refined.mesh.cell_size;
+    if (!solver->check(&refined, &why))
+        return true;
+    if (!solver->predict(&refined, &out->prediction, &why)) {
+        if (why.code == STATUS_USAGE)
+            return true; /* too coarse or too fine to be one */
+        return status_fail(status, why.code, "%s", why.text);
+    }
+    const Prediction *is = &out->prediction;
+    out->known = isfinite(is->predicted) && isfinite(is->real_size);
+    out->error = 100 * (is->predicted / is->real_size - 1);
+    return true;
+}
+
+double convergence_order(const ConvergencePoint *a, const ConvergencePoint *b)
+{
+    const double ratio = a->error / b->error;
+    return a->known && b->known && ratio > 0 ? log(ratio) / log(a->size / b->size) : NAN;
+}
+
+/* slope = sum (x - mx)(y - my) / sum (x - mx)^2 with x = log size, y = log |error|. */
+double convergence_fitted_order(const ConvergencePoint *points, int count)
+{
+    double n = 0, sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
+    const ConvergencePoint *before = NULL;
+    for (const ConvergencePoint *point = points; point < points + count; point++) {
+        if (!point->known)
+            continue;
+        const bool falls =
+            !before || (point->error * before->error > 0 && fabs(point->error) < fabs(before->error));
+        if (!falls)
+            return NAN;
+        const double x = log(point->size), y = log(fabs(point->error));
+        n += 1;
+        sum_x += x;
+        sum_y += y;
+        sum_xx += x * x;
+        sum_xy += x * y;
+        before = point;
+    }
+    return n < 3 ? NAN : (n * sum_xy - sum_x * sum_y) / (n * sum_xx - sum_x * sum_x);
+}

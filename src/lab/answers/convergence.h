@@ -1,0 +1,55 @@
+/* What becomes of the error when a mesh or a lattice is refined: predicted answers beside theory, a point at
+ * a time, without a run.
+ *
+ * A study keeps everything but one thing: the cells of a bar grow smaller; the horizon of a beam grows
+ * smaller and the nodes in it stay as many (delta-convergence, m = horizon/spacing kept); the nodes within
+ * the horizon grow more and the horizon stays (m-convergence); or it takes the six lattices of paper P's
+ * Table 1. The error of a beam is told against Timoshenko's period at the size that the beam has on each
+ * lattice, so that its layers do not hide what the horizon does; the same at the size asked for stands
+ * beside. */
+#ifndef LAB_CONVERGENCE_H
+#define LAB_CONVERGENCE_H
+
+#include "lab/problems/problem.h"
+
+enum { CONVERGENCE_POINTS_MAX = 8 };
+
+typedef struct ConvergenceStudy {
+    const char *word;  /* "delta" */
+    const char *title; /* "horizon smaller, m kept" */
+    const char *size;  /* what is refined: "horizon", "cell size" */
+    int concerns;      /* of the problems that have it (problem.h), all of them */
+    MethodKind method;
+    /* The settings of point k, coarsest first; false: there is no such point. */
+    bool (*refine)(const Settings *base, int k, Settings *out);
+    double (*size_of)(const Settings *);
+} ConvergenceStudy;
+
+typedef struct ConvergencePoint {
+    bool known; /* false: no such mesh or lattice can be made */
+    double size;
+    double nodes; /* within the horizon: m; of a bar cells in its length */
+    Prediction prediction;
+    double error; /* percent: of the frequency (bar), of the period at the real size (beam) */
+} ConvergencePoint;
+
+/* The studies that these settings allow; returns how many. `out` has room for CONVERGENCE_STUDIES_MAX. */
+enum { CONVERGENCE_STUDIES_MAX = 4 };
+int convergence_studies(const Settings *, const ConvergenceStudy *out[CONVERGENCE_STUDIES_MAX]);
+
+/* How many points a study has with these settings; at most CONVERGENCE_POINTS_MAX. */
+int convergence_count(const ConvergenceStudy *, const Settings *);
+
+/* Works out point k, which takes from a millisecond to some seconds; Settings.building is asked on the way.
+ * False: given up, or not enough memory. */
+bool convergence_point(const ConvergenceStudy *, const Settings *, int k, ConvergencePoint *out, Status *);
+
+/* The order of the error between two points, log(e_a/e_b)/log(size_a/size_b); NAN: one is not known, or the
+ * error changes its sign. */
+double convergence_order(const ConvergencePoint *a, const ConvergencePoint *b);
+
+/* The slope of the straight line through log|error| over log(size) of all points that are known. NAN: fewer
+ * than three, or the error does not fall from each to the next with the same sign. */
+double convergence_fitted_order(const ConvergencePoint *points, int count);
+
+#endif
