@@ -44,7 +44,10 @@ static bool tell_measured(const Standing *run, char *label, char *value)
     const char *format = experiment_is_flowing(run->experiment) ? "~%.3f" : "%.4f";
     if (tell_answer(run, "measured", format, readout->measured_known, readout->measured, label, value))
         return true;
-    snprintf(value, COMPARISON_TEXT_MAX, experiment_at_end(run->experiment) ? "none" : "measuring");
+    snprintf(value, COMPARISON_TEXT_MAX,
+             readout->stranger                    ? "not known"
+             : experiment_at_end(run->experiment) ? "none"
+                                                  : "measuring");
     return readout->moving;
 }
 

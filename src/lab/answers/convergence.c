@@ -1,3 +1,4 @@
+#include "lab/problems/known.h"
 #include "lab/answers/convergence.h"
 
 #include <math.h>
@@ -82,7 +83,9 @@ int convergence_studies(const Settings *settings, const ConvergenceStudy *out[CO
     const Problem *problem = settings->problem;
     const Solver *solver = problem_solver(problem, settings->method);
     int count = 0;
-    for (int i = 0; i < LENGTH_OF(studies) && solver && solver->predict; i++)
+    const bool predicts =
+        solver && solver->predict && !known_stranger_now(settings, REFERENCE_PREDICTED);
+    for (int i = 0; i < LENGTH_OF(studies) && predicts; i++)
         if ((problem->concerns & studies[i].concerns) == studies[i].concerns &&
             settings->method == studies[i].method)
             out[count++] = &studies[i];

@@ -1,14 +1,24 @@
 #include "lab/answers/dispersion.h"
-#include "lab/problems/problem.h"
+#include "lab/problems/known.h"
+
+#include <math.h>
 
 int dispersion_modes(const Settings *settings)
 {
     const Solver *solver = problem_solver(settings->problem, settings->method);
-    return solver && solver->modes ? solver->modes(settings) : 0;
+    if (!solver || !solver->modes || known_stranger_now(settings, REFERENCE_FREQUENCY))
+        return 0;
+    return solver->modes(settings);
 }
 
 bool dispersion_mode(const Settings *settings, int number, ModeOnMesh *out)
 {
-    return number >= 1 && number <= dispersion_modes(settings) &&
-           problem_solver(settings->problem, settings->method)->mode(settings, number, out);
+    if (number < 1 || number > dispersion_modes(settings) ||
+        !problem_solver(settings->problem, settings->method)->mode(settings, number, out))
+        return false;
+    if (known_stranger_now(settings, REFERENCE_PREDICTED)) {
+        out->predicted = NAN;
+        out->n_factors = 0;
+    }
+    return true;
 }

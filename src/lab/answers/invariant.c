@@ -1,12 +1,13 @@
 #include "lab/answers/invariant.h"
-#include "lab/problems/problem.h"
+#include "lab/problems/known.h"
 
 #include <math.h>
 
 bool invariant_exists(const Settings *settings)
 {
     const Solver *solver = problem_solver(settings->problem, settings->method);
-    return solver && solver->invariant && solver->invariant_kept(settings);
+    return solver && solver->invariant && solver->invariant_kept(settings) &&
+           !known_stranger_now(settings, REFERENCE_ENERGY);
 }
 
 double invariant_now(Simulation *sim, const Settings *settings)

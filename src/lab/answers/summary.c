@@ -1,5 +1,6 @@
 #include "lab/answers/summary.h"
 #include "base/text.h"
+#include "lab/problems/known.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -136,7 +137,9 @@ static void add_readout(Writer *writer, const Readout *readout)
         return;
     }
     add(writer, "%s", what);
-    if (!readout->measured_known)
+    if (readout->stranger)
+        add(writer, "  not known with %s", readout->stranger);
+    else if (!readout->measured_known)
         add(writer, "  %s", readout->unmeasured);
     add_known(writer, "measured", readout->measured_known, readout->measured);
     add_known(writer, "predicted", readout->predicted_known, readout->predicted);
@@ -217,6 +220,9 @@ void summary_text(const RunSummary *summary, const Settings *settings, char out[
         facts->si ? facts->unit_of_time : "", dt, summary->failed ? ", where the run failed" : "");
     if (!summary->crack_known)
         add_readout(&writer, &summary->readout);
+    char strangers[KNOWN_TEXT_MAX];
+    if (known_text(settings, strangers, NULL))
+        add(&writer, "%s\n", strangers);
     char text[SUMMARY_MAX];
     summary_crack_text(summary, text);
     add(&writer, "%s", text);

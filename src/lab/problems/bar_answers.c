@@ -141,14 +141,12 @@ BarWatch bar_watch(const BarTheory *theory)
     return watch;
 }
 
-/* With what is predicted beside it; a run that changes on its way keeps to no formula. */
+/* With what is predicted beside it. */
 static BarWatch predicted_watch(const Settings *settings, const BarTheory *theory, BarFrequency *frequency,
                                 double dt)
 {
     BarWatch watch = bar_watch(theory);
-    watch.predicted = watch.moving && frequency && settings->n_changes == 0
-                          ? frequency(settings, theory, dt, watch.mode)
-                          : NAN;
+    watch.predicted = watch.moving && frequency ? frequency(settings, theory, dt, watch.mode) : NAN;
     watch.predicted_known = watch.predicted > 0;
     return watch;
 }
@@ -225,22 +223,14 @@ static double exact_v_cm(References *refs, long step, double time, const double 
     return bar_centre_velocity(&bar_answers(refs)->theory, time);
 }
 
-static bool changes_key(const Settings *settings, const char *section)
-{
-    for (int i = 0; i < settings->n_changes; i++)
-        if (strncmp(settings->changes[i].to.key, section, strlen(section)) == 0)
-            return true;
-    return false;
-}
-
 bool bar_prepare(References *refs, const Settings *settings, const Simulation *sim, BarFrequency *frequency,
                  Answer *predicted, const char *meaning, Status *status)
 {
     BarAnswers *bar = refs->own;
     if (!bar_theory_of(settings, &bar->theory, status))
         return false;
-    bar->exact_known = !changes_key(settings, "load.");
-    bar->watch = predicted_watch(settings, &bar->theory, frequency, sim->dt);
+    bar->watch = predicted_watch(settings, &bar->theory,
+                                 refs->strangers[REFERENCE_PREDICTED] ? NULL : frequency, sim->dt);
     if (bar->watch.moving)
         set_lines(&bar->watch, settings, &bar->theory, frequency, sim->dt);
 
@@ -248,9 +238,8 @@ bool bar_prepare(References *refs, const Settings *settings, const Simulation *s
                                    "velocity of the centre of mass of the continuum (eq. 20)"};
     const Quantity of_mesh = {"v_cm_predicted", "predicted", "length/time", meaning};
     plan_method(refs, sim, "v_cm");
-    if (bar->exact_known)
-        plan_answer(refs, &exact, COLUMN_EXACT, "v_cm", exact_v_cm);
-    if (settings->n_changes == 0 && predicted)
+    plan_answer(refs, &exact, COLUMN_EXACT, "v_cm", exact_v_cm);
+    if (predicted)
         plan_answer(refs, &of_mesh, COLUMN_PREDICTED, "v_cm", predicted);
     return true;
 }
@@ -258,7 +247,7 @@ bool bar_prepare(References *refs, const Settings *settings, const Simulation *s
 double bar_profile(const References *refs, const char *field, double x, double time)
 {
     const BarTheory *theory = &bar_answers(refs)->theory;
-    if (!bar_answers(refs)->exact_known || !(x >= 0 && x <= theory->length))
+    if (!(x >= 0 && x <= theory->length))
         return NAN;
     if (strcmp(field, "u") == 0)
         return bar_displacement(theory, x, time);
@@ -311,11 +300,13 @@ void bar_derived_wave(Derived out[DERIVED_MAX], int *n, const Settings *settings
     int mode = bar_watched_mode(theory);
     derived_add(out, n, "beta", "wave number", "1/length", bar_wave_number(theory, mode > 0 ? mode : 1),
                 false);
-    derived_add(out, n, "omega", "frequency w", "1/time", watch.exact, false);
+    derived_add_answer(out, n, REFERENCE_FREQUENCY, "omega", "frequency w", "1/time", watch.exact);
     if (watch.predicted_known)
-        derived_add(out, n, "omega_predicted", "w of this mesh", "1/time", watch.predicted, false);
-    derived_add(out, n, "period", "period", "time", 2 * M_PI / watch.exact, false);
-    derived_add(out, n, "steps_per_period", "steps/period", "1", 2 * M_PI / watch.exact / dt, false);
+        derived_add_answer(out, n, REFERENCE_PREDICTED, "omega_predicted", "w of this mesh", "1/time",
+                           watch.predicted);
+    derived_add_answer(out, n, REFERENCE_FREQUENCY, "period", "period", "time", 2 * M_PI / watch.exact);
+    derived_add_answer(out, n, REFERENCE_FREQUENCY, "steps_per_period", "steps/period", "1",
+                       2 * M_PI / watch.exact / dt);
 }
 
 /* --- every mode ----------------------------------------------------------------------------------- */

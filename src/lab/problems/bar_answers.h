@@ -24,9 +24,8 @@ typedef struct BarWatch {
 /* What References.own is of a bar. */
 typedef struct BarAnswers {
     BarTheory theory;
-    BarMesh mesh;     /* by the material point method */
-    RodModes *modes;  /* by peridynamics; NULL: v_cm is not predicted */
-    bool exact_known; /* false: the load changes in mid-run */
+    BarMesh mesh;    /* by the material point method */
+    RodModes *modes; /* by peridynamics; NULL: v_cm is not predicted */
     BarWatch watch;
 } BarAnswers;
 
@@ -54,6 +53,15 @@ bool bar_prepare(References *, const Settings *, const Simulation *, BarFrequenc
 /* Of both solvers. */
 double bar_profile(const References *, const char *field, double x, double time);
 void bar_read_out(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);
+
+/* The parameters that answers of the bar account for, by what they are about (Understanding). */
+#define BAR_KEYS                                                                                             \
+    "bar.length", "bar.youngs_modulus", "bar.density", "bar.supports", "initial.mode", "initial.velocity",   \
+        "initial.overtones", "load.body_force", "load.traction", "load.traction_layer", "scenario.method",   \
+        "time.end"
+#define BAR_MESH_KEYS     "mesh.cell_size", "mesh.particles_per_cell", "mesh.padding", "time.courant"
+#define BAR_TRANSFER_KEYS "mpm.algorithm", "mpm.shape", "mpm.transfer", "mpm.flip_fraction"
+#define BAR_LATTICE_KEYS  "pd.spacing", "pd.horizon", "pd.surface_correction", "pd.volume_correction"
 
 /* How many modes so many cells or nodes can carry. */
 int bar_modes_of(double count);

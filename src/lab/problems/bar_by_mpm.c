@@ -128,11 +128,11 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     derived_add(out, &n, "particles", "particles", "1", cells * settings->mesh.particles_per_cell, true);
     double largest = bar_endless_courant(&mesh);
     if (isfinite(largest))
-        derived_add(out, &n, "largest_courant", "courant limit", "1", largest, false);
+        derived_add_answer(out, &n, REFERENCE_PREDICTED, "largest_courant", "courant limit", "1", largest);
     return n;
 }
 
-static bool advice(const Settings *settings, char *text, size_t size, Status *status)
+static bool limit(const Settings *settings, char *text, size_t size, Status *status)
 {
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, status))
@@ -194,11 +194,23 @@ static const char *damping(const Settings *settings)
     return mpm->algorithm == MPM_USL ? "USL damping" : NULL;
 }
 
+static const char *const of_continuum[] = {BAR_KEYS, BAR_MESH_KEYS, BAR_TRANSFER_KEYS, NULL};
+static const char *const of_mesh[] = {BAR_KEYS, BAR_MESH_KEYS, BAR_TRANSFER_KEYS, NULL};
+static const char *const of_energy[] = {BAR_KEYS, BAR_MESH_KEYS, BAR_TRANSFER_KEYS, NULL};
+/* The continuum does not know by what it is computed; its frequencies do not depend on the loads. */
+static const char *const method_changes[] = {"mpm.algorithm", "mpm.transfer", "mpm.flip_fraction", NULL};
+static const char *const all_changes[] = {"mpm.algorithm",   "mpm.transfer",  "mpm.flip_fraction",
+                                          "load.body_force", "load.traction", NULL};
+
 const Solver bar_by_mpm = {
     .method = METHOD_MPM,
+    .understands = {[REFERENCE_EXACT] = {of_continuum, method_changes},
+                    [REFERENCE_PREDICTED] = {of_mesh, NULL},
+                    [REFERENCE_FREQUENCY] = {of_continuum, all_changes},
+                    [REFERENCE_ENERGY] = {of_energy, all_changes}},
     .check = check,
     .simulate = simulate,
-    .advice = advice,
+    .limit = limit,
     .derived = derived,
     .predict = predict,
     .prepare = prepare,

@@ -83,7 +83,7 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     const RodLatticeTheory lattice = bar_lattice_of(settings);
     /* what theory cannot predict is left out; for want of memory it must not be */
     errno = 0;
-    if (settings->n_changes == 0)
+    if (!refs->strangers[REFERENCE_PREDICTED])
         bar->modes = rod_modes_create(&theory, &lattice);
     const bool prepared =
         bar_prepare(refs, settings, sim, predicted_frequency, bar->modes ? predicted_v_cm : NULL,
@@ -123,7 +123,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     return n;
 }
 
-static bool advice(const Settings *settings, char *text, size_t size, Status *status)
+static bool limit(const Settings *settings, char *text, size_t size, Status *status)
 {
     const RodDef def = bar_pd_definition(settings);
     const double courant = settings->time.courant;
@@ -171,11 +171,18 @@ static bool mode(const Settings *settings, int number, ModeOnMesh *out)
     return true;
 }
 
+static const char *const of_continuum[] = {BAR_KEYS, BAR_MESH_KEYS, BAR_LATTICE_KEYS, NULL};
+static const char *const of_lattice[] = {BAR_KEYS, BAR_MESH_KEYS, BAR_LATTICE_KEYS, NULL};
+static const char *const load_changes[] = {"load.body_force", "load.traction", NULL}; /* no frequency */
+
 const Solver bar_by_pd = {
     .method = METHOD_PD,
+    .understands = {[REFERENCE_EXACT] = {of_continuum, NULL},
+                    [REFERENCE_PREDICTED] = {of_lattice, NULL},
+                    [REFERENCE_FREQUENCY] = {of_continuum, load_changes}},
     .check = check,
     .simulate = simulate,
-    .advice = advice,
+    .limit = limit,
     .derived = derived,
     .prepare = prepare,
     .profile = bar_profile,

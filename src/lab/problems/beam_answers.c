@@ -278,6 +278,8 @@ void beam_read_moving(const References *refs, const double *rows, size_t n_rows,
     if (!out->moving)
         return;
     int u = plan_find(refs, "u_probe"), modal = plan_find(refs, "u_modal");
+    if (u < 0 || modal < 0)
+        return; /* theory does not know this run */
     Zeros measured = find_zeros(rows, n_rows, n_columns, u, LONG_MAX);
     Zeros exact = find_zeros(rows, n_rows, n_columns, modal, LONG_MAX);
     long both = measured.count < exact.count ? measured.count : exact.count;

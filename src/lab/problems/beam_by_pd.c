@@ -7,49 +7,6 @@
 
 /* --- settings to simulation ----------------------------------------------------------------------- */
 
-static BeamProblem engine_problem(const Problem *problem)
-{
-    return problem->concerns & CONCERN_MOTION  ? BEAM_MOVING_CANTILEVER
-           : problem->concerns & CONCERN_NOTCH ? BEAM_NOTCHED
-                                               : BEAM_SIMPLY_SUPPORTED;
-}
-
-BeamDef beam_definition(const Settings *settings, int threads)
-{
-    return (BeamDef){
-        .problem = engine_problem(settings->problem),
-        .length = settings->geometry.length,
-        .height = settings->geometry.height,
-        .thickness = settings->geometry.thickness,
-        .youngs_modulus = settings->material.youngs_modulus,
-        .density = settings->material.density,
-        .horizon = settings->lattice.horizon,
-        .spacing = settings->lattice.spacing,
-        .surface_correction = settings->lattice.surface_correction,
-        .volume_correction = settings->lattice.volume_correction,
-        .critical_stretch = settings->bonds.critical_stretch,
-        .protected_depth = settings->bonds.protected_depth,
-        .amplitude = settings->start.amplitude,
-        .speed = settings->motion.speed,
-        .channel = settings->motion.channel,
-        .clamp = settings->motion.clamp,
-        .notch_position = settings->notch.position,
-        .notch_depth = settings->notch.depth,
-        .load_stress = settings->loads.stress,
-        .load_ramp = settings->loads.ramp,
-        .load_position = settings->loads.position,
-        .load_width = settings->loads.width,
-        .support_left = settings->supports.left,
-        .support_right = settings->supports.right,
-        .pinned = settings->supports.pinned,
-        .dt = settings->time.step,
-        .end = settings->time.end,
-        .threads = threads,
-        .go_on = settings->building.go_on,
-        .go_on_context = settings->building.context,
-    };
-}
-
 static bool check(const Settings *settings, Status *status)
 {
     const BeamDef beam = beam_definition(settings, 1);
@@ -93,14 +50,16 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
         derived_add(out, &n, "real_height", "real height", "m", facts.real_height, false);
         derived_add(out, &n, "real_span", "real span", "m", facts.real_span, false);
     }
-    if (engine_problem(settings->problem) == BEAM_SIMPLY_SUPPORTED) {
+    if (beam_definition(settings, 1).problem == BEAM_SIMPLY_SUPPORTED) {
         BeamTheory theory = beam_theory_of(settings);
-        derived_add(out, &n, "period_euler", "T Euler", "s", beam_period_euler(&theory), false);
-        derived_add(out, &n, "period_timoshenko", "T Timoshenko", "s", beam_period_timoshenko(&theory),
-                    false);
+        derived_add_answer(out, &n, REFERENCE_FREQUENCY, "period_euler", "T Euler", "s",
+                           beam_period_euler(&theory));
+        derived_add_answer(out, &n, REFERENCE_FREQUENCY, "period_timoshenko", "T Timoshenko", "s",
+                           beam_period_timoshenko(&theory));
         if (sim) {
             BeamTheory real = beam_real_theory_of(settings, sim);
-            derived_add(out, &n, "period_real", "T real size", "s", beam_period_timoshenko(&real), false);
+            derived_add_answer(out, &n, REFERENCE_PREDICTED, "period_real", "T real size", "s",
+                               beam_period_timoshenko(&real));
         }
     }
     return n;
@@ -115,11 +74,24 @@ static bool advice(const Settings *settings, char *text, size_t size, Status *st
     return true;
 }
 
+/* Theory's beam is whole: it knows nothing of bonds that break. */
+static const char *const of_beam[] = {
+    "beam.length",          "beam.height",       "beam.thickness", "beam.youngs_modulus",
+    "beam.density",         "initial.amplitude", "motion.speed",   "motion.channel",
+    "motion.clamp",         "pd.spacing",        "pd.horizon",     "pd.surface_correction",
+    "pd.volume_correction", "time.step",         "time.end",       NULL};
+
+#define UNDERSTAND_BEAMS                                                                                     \
+    .understands = {[REFERENCE_EXACT] = {of_beam, NULL},                                                     \
+                    [REFERENCE_PREDICTED] = {of_beam, NULL},                                                 \
+                    [REFERENCE_FREQUENCY] = {of_beam, NULL}}
+
 #define BY_PD_ALIKE                                                                                          \
     .method = METHOD_PD, .check = check, .simulate = simulate, .derived = derived, .advice = advice
 
 const Solver supported_beam_by_pd = {
     BY_PD_ALIKE,
+    UNDERSTAND_BEAMS,
     .predict = beam_predict_supported,
     .prepare = beam_prepare_supported,
     .profile = beam_supported_profile,
@@ -129,6 +101,7 @@ const Solver supported_beam_by_pd = {
 
 const Solver moving_cantilever_by_pd = {
     BY_PD_ALIKE,
+    UNDERSTAND_BEAMS,
     .prepare = beam_prepare_moving,
     .readout = beam_read_moving,
     .envelope = beam_moving_envelope,

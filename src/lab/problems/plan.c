@@ -8,7 +8,19 @@ void derived_add(Derived out[DERIVED_MAX], int *count, const char *name, const c
                  double value, bool integer)
 {
     if (*count < DERIVED_MAX)
-        out[(*count)++] = (Derived){name, label, unit, value, integer};
+        out[(*count)++] =
+            (Derived){.name = name, .label = label, .unit = unit, .value = value, .integer = integer};
+}
+
+void derived_add_answer(Derived out[DERIVED_MAX], int *count, Reference reference, const char *name,
+                        const char *label, const char *unit, double value)
+{
+    const int before = *count;
+    derived_add(out, count, name, label, unit, value, false);
+    if (*count > before) {
+        out[before].by_reference = true;
+        out[before].reference = reference;
+    }
 }
 
 int plan_find(const References *refs, const char *column)
@@ -40,6 +52,9 @@ void plan_rest_of_method(References *refs, const Simulation *sim)
 
 void plan_answer(References *refs, const Quantity *quantity, ColumnKind kind, const char *of, Answer *answer)
 {
+    if ((kind == COLUMN_EXACT && refs->strangers[REFERENCE_EXACT]) ||
+        (kind == COLUMN_PREDICTED && refs->strangers[REFERENCE_PREDICTED]))
+        return;
     plan_add(refs, (PlannedColumn){{*quantity, kind, of ? plan_find(refs, of) : -1}, -1, answer, false});
 }
 

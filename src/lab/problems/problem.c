@@ -2,6 +2,7 @@
 #include "lab/problems/problem.h"
 
 #include "base/text.h"
+#include "lab/problems/known.h"
 #include "lab/settings/parameters.h"
 
 #include <math.h>
@@ -14,21 +15,6 @@ const Problem *problem_find(const char *word)
         if (strcmp(problems[i]->word, word) == 0)
             return problems[i];
     return NULL;
-}
-
-const Solver *problem_solver(const Problem *problem, MethodKind method)
-{
-    for (int i = 0; problem->solvers[i]; i++)
-        if (problem->solvers[i]->method == method)
-            return problem->solvers[i];
-    return NULL;
-}
-
-bool problem_allows(const Problem *problem, MethodKind method, Status *status)
-{
-    return problem_solver(problem, method) ||
-           status_fail(status, STATUS_USAGE, "scenario.method: %s cannot solve problem %s (%s)",
-                       method_words[method], problem->word, method_words[problem->solvers[0]->method]);
 }
 
 static const Solver *need_solver(const Settings *settings, Status *status)
@@ -50,7 +36,12 @@ Simulation *problem_simulate(const Settings *settings, int threads, Status *stat
 int problem_derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
 {
     const Solver *solver = problem_solver(settings->problem, settings->method);
-    return solver && solver->derived ? solver->derived(settings, sim, out) : 0;
+    const int all = solver && solver->derived ? solver->derived(settings, sim, out) : 0;
+    int count = 0;
+    for (int i = 0; i < all; i++)
+        if (!out[i].by_reference || !known_stranger(settings, out[i].reference))
+            out[count++] = out[i];
+    return count;
 }
 
 bool problem_advice(const Settings *settings, char *advice, size_t size, Status *status)
@@ -58,7 +49,11 @@ bool problem_advice(const Settings *settings, char *advice, size_t size, Status 
     const Solver *solver = need_solver(settings, status);
     if (size > 0)
         advice[0] = '\0';
-    return solver && (!solver->advice || solver->advice(settings, advice, size, status));
+    if (!solver || (solver->advice && !solver->advice(settings, advice, size, status)))
+        return false;
+    /* the limit is predicted: with a parameter that the prediction does not know nobody knows it */
+    return !solver->limit || known_stranger_now(settings, REFERENCE_PREDICTED) ||
+           solver->limit(settings, advice, size, status);
 }
 
 bool problem_time_step(const Settings *settings, double *dt, Status *status)

@@ -44,6 +44,25 @@ typedef struct Readout Readout;
 typedef struct Derived Derived;
 typedef struct ModeOnMesh ModeOnMesh; /* answers/dispersion.h */
 
+/* The answers that stand beside a run. */
+typedef enum Reference {
+    REFERENCE_EXACT,     /* the motion of the continuum, or of beam theory: columns, profiles, envelopes */
+    REFERENCE_PREDICTED, /* of this mesh or lattice: columns, frequencies, limits */
+    REFERENCE_FREQUENCY, /* a steady frequency: measured by a fit, exact, how late the run is */
+    REFERENCE_ENERGY,    /* the sharp invariant E* */
+    REFERENCES
+} Reference;
+
+/* What a reference accounts for: it takes the parameter into its formula, or knows that it has none then, or
+ * that the parameter is of no matter to it. Of a parameter that is not named here it knows nothing: in a run
+ * where that is not at its neutral value the reference leaves by itself (known.h), with its column, curve and
+ * verdict. So a new parameter is named by those references that were made to account for it, and by no
+ * others. */
+typedef struct Understanding {
+    const char *const *keys;    /* ended by NULL; NULL: there is no such reference */
+    const char *const *changes; /* those of them that may change in mid-run; NULL: none */
+} Understanding;
+
 /* What a run of some settings is to show, known without it; periods in s (beams) or radians per unit time
  * (bar).
  */
@@ -56,11 +75,14 @@ typedef struct Prediction {
 /* A problem by a method. What is NULL there is not. */
 typedef struct Solver {
     MethodKind method;
+    Understanding understands[REFERENCES];
 
     /* Does the whole make sense? Else the status names the key to be changed. */
     bool (*check)(const Settings *, Status *);
     Simulation *(*simulate)(const Settings *, int threads, Status *);
-    /* Said before a run; see problem_advice(). */
+    /* Whether the time step is stable, where the prediction is known; and what else is said before a run: see
+     * problem_advice(). */
+    bool (*limit)(const Settings *, char *advice, size_t size, Status *);
     bool (*advice)(const Settings *, char *advice, size_t size, Status *);
     int (*derived)(const Settings *, const Simulation *, Derived *out);
 
@@ -140,6 +162,8 @@ struct Derived {
     const char *unit;
     double value;
     bool integer;
+    bool by_reference; /* it is an answer, and left out where that is not known */
+    Reference reference;
 };
 
 enum { DERIVED_MAX = 24 };

@@ -1,4 +1,5 @@
 /* The references of a run: made by its solver, asked by everyone. */
+#include "lab/problems/known.h"
 #include "lab/problems/solver.h"
 
 #include <math.h>
@@ -15,10 +16,12 @@ static References *make_references(const Solver *solver, const Settings *setting
     static const Quantity step = {"step", "step", "1", "whole time steps done"};
     Quantity time = {"time", "t", unit_of_time, "step * dt"};
     refs->solver = solver;
+    for (int i = 0; solver && i < REFERENCES; i++)
+        refs->strangers[i] = known_stranger(settings, (Reference)i);
     refs->dt = sim->dt;
     plan_answer(refs, &step, COLUMN_MEASURED, NULL, NULL);
     plan_answer(refs, &time, COLUMN_MEASURED, NULL, NULL);
-    if (solver && !solver->prepare(refs, settings, sim, status)) {
+    if (solver && solver->prepare && !solver->prepare(refs, settings, sim, status)) {
         references_destroy(refs);
         return NULL;
     }
@@ -109,23 +112,31 @@ void references_row_again(References *refs, long step, double time, const double
 double references_profile(const References *refs, const char *field, double x, double time)
 {
     const Solver *solver = refs->solver;
-    return solver && solver->profile ? solver->profile(refs, field, x, time) : NAN;
+    return solver && solver->profile && !refs->strangers[REFERENCE_EXACT]
+               ? solver->profile(refs, field, x, time)
+               : NAN;
 }
 
 double references_envelope(const References *refs, const char *column, double time)
 {
     const Solver *solver = refs->solver;
-    return solver && solver->envelope ? solver->envelope(refs, column, time) : NAN;
+    return solver && solver->envelope && !refs->strangers[REFERENCE_EXACT]
+               ? solver->envelope(refs, column, time)
+               : NAN;
 }
 
 double references_standing_frequency(const References *refs, double time)
 {
     const Solver *solver = refs->solver;
-    return solver && solver->standing_frequency ? solver->standing_frequency(refs, time) : NAN;
+    return solver && solver->standing_frequency && !refs->strangers[REFERENCE_FREQUENCY]
+               ? solver->standing_frequency(refs, time)
+               : NAN;
 }
 
 int references_thickness_lines(const References *refs, double out[THICKNESS_LINES_MAX])
 {
     const Solver *solver = refs->solver;
-    return solver && solver->thickness_lines ? solver->thickness_lines(refs, out) : 0;
+    return solver && solver->thickness_lines && !refs->strangers[REFERENCE_PREDICTED]
+               ? solver->thickness_lines(refs, out)
+               : 0;
 }

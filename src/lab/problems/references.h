@@ -75,6 +75,7 @@ struct Readout {
     double times;           /* which swings so many times as fast */
     int mode;               /* of a bar: the number of the mode that it is; 0: none */
     const char *unmeasured; /* of what moves: why there is no measured number, in a few words; else "" */
+    const char *stranger;   /* the parameter with which no frequency is known; NULL: it is known */
 };
 
 /* Periods behind the exact answer at another time than the readout's; NAN: not known. */

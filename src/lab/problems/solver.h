@@ -23,7 +23,8 @@ typedef struct Window {
 } Window;
 
 struct References {
-    const Solver *solver; /* NULL: none, the simulation came from elsewhere */
+    const Solver *solver;              /* NULL: none, the simulation came from elsewhere */
+    const char *strangers[REFERENCES]; /* what each does not account for: known.h; NULL: it knows the run */
     PlannedColumn plan[COLUMNS_MAX];
     int n_columns;
     double dt;
@@ -35,6 +36,7 @@ struct References {
 /* For prepare(): appends columns to the plan. */
 void plan_method(References *, const Simulation *, const char *series); /* no such series: nothing */
 void plan_rest_of_method(References *, const Simulation *);             /* all that is not planned yet */
+/* An answer that is exact or predicted, and is not known, is left out. */
 void plan_answer(References *, const Quantity *, ColumnKind, const char *of, Answer *);
 void plan_filter(References *, const Quantity *, const char *of, Answer *); /* an answer that remembers */
 int plan_find(const References *, const char *column);                      /* -1: there is none */
@@ -52,7 +54,10 @@ bool plan_window(References *, const Simulation *, const char *series, long rows
 bool readout_fit(const double *rows, size_t n_rows, int n_columns, int column, double start,
                  const double *ratios, int n_lines, double *frequency);
 
-/* Appends a derived number. */
+/* Appends a derived number; that of a reference is left out where the reference is not known. */
+void derived_add_answer(Derived out[DERIVED_MAX], int *count, Reference, const char *name, const char *label,
+                        const char *unit, double value);
+
 void derived_add(Derived out[DERIVED_MAX], int *count, const char *name, const char *label, const char *unit,
                  double value, bool integer);
 

@@ -1,5 +1,6 @@
 #include "lab/run/story.h"
 #include "base/text.h"
+#include "lab/problems/known.h"
 #include "lab/settings/changes.h"
 
 #include <math.h>
@@ -31,6 +32,15 @@ static void tell_advice(Story *story, const Settings *settings, long step, char 
     memcpy(last, advice, sizeof advice);
     if (advice[0])
         add(story->told, &story->n_told, STORY_TOLD_MAX, step, EVENT_ADVICE, advice);
+}
+
+/* What stands beside the run no more, and because of what. */
+static void tell_strangers(Story *story, const Settings *settings)
+{
+    char text[KNOWN_TEXT_MAX];
+    long step;
+    if (known_text(settings, text, &step))
+        add(story->told, &story->n_told, STORY_TOLD_MAX, step, EVENT_ADVICE, text);
 }
 
 static void tell_changes(Story *story, const Settings *settings)
@@ -193,6 +203,7 @@ void story_tell(Story *story, const Trial *trial, const Readout *readout)
     if (!story->begun) {
         *story = (Story){.begun = true, .newest = -1};
         tell_changes(story, &trial->base);
+        tell_strangers(story, &trial->base);
     }
     const double late = lag_per_time(readout);
     if (story->newest == trial->newest && story->failed == trial->failed &&

@@ -298,14 +298,34 @@ static void refill_references(Trial *trial, long step)
     free(present);
 }
 
+static int find_column(const Trial *trial, const char *name)
+{
+    for (int i = 0; i < trial->n_columns; i++)
+        if (strcmp(trial->columns[i].quantity.name, name) == 0)
+            return i;
+    return -1;
+}
+
+static bool same_columns(const Trial *trial, const Column *columns, int n_columns)
+{
+    for (int i = 0; i < n_columns && n_columns == trial->n_columns; i++)
+        if (find_column(trial, columns[i].quantity.name) != i)
+            return false;
+    return n_columns == trial->n_columns;
+}
+
 /* The kept rows up to a step as other references would have written them: what the method gave is in every
  * row, the answers beside it are worked out again. False: no memory. */
-static bool write_rows_again(const Trial *trial, References *refs, int n_columns, long step, Record *out)
+static bool write_rows_again(const Trial *trial, References *refs, const Column *columns, int n_columns,
+                             long step, Record *out)
 {
-    int series[COLUMNS_MAX];
+    int series[COLUMNS_MAX], kept[COLUMNS_MAX];
     double row[COLUMNS_MAX], *given = trial->block;
     for (int i = 0; i < trial->n_columns; i++)
         series[i] = simulation_find_series(trial->sim, trial->columns[i].quantity.name);
+    for (int i = 0; i < n_columns; i++)
+        kept[i] = find_column(trial, columns[i].quantity.name);
+    const bool memory = references_memory(refs) > 0;
     record_open(out, n_columns, trial->record.spacing, record_budget);
     out->thinned = trial->record.thinned;
     for (size_t k = 0; k < trial->record.count && record_row(&trial->record, k)[0] <= (double)step; k++) {
@@ -314,6 +334,9 @@ static bool write_rows_again(const Trial *trial, References *refs, int n_columns
             if (series[i] >= 0)
                 given[series[i]] = old[i];
         references_row(refs, (long)old[0], old[1], given, row);
+        /* what looked back over rows that the record no longer has */
+        for (int i = 0; i < n_columns && memory; i++)
+            row[i] = kept[i] >= 0 ? old[kept[i]] : row[i];
         if (!record_append(out, row)) {
             record_close(out);
             return false;
@@ -326,15 +349,17 @@ static bool write_rows_again(const Trial *trial, References *refs, int n_columns
  * those that a run from t = 0 would have. */
 static bool renew_references(Trial *trial, long step, Status *status)
 {
-    if (references_memory(trial->refs) > 0)
-        return true; /* its columns do not depend on what is live */
     References *refs = problem_references(&trial->base, trial->sim, status);
     if (!refs)
         return false;
     Column columns[COLUMNS_MAX];
     const int n = references_columns(refs, columns);
     Record record;
-    if (!write_rows_again(trial, refs, n, step, &record)) {
+    if (references_memory(trial->refs) > 0 && same_columns(trial, columns, n)) {
+        references_destroy(refs); /* it would have to look back anew */
+        return true;
+    }
+    if (!write_rows_again(trial, refs, columns, n, step, &record)) {
         references_destroy(refs);
         return out_of_memory(status);
     }
@@ -344,6 +369,7 @@ static bool renew_references(Trial *trial, long step, Status *status)
     trial->n_columns = n;
     references_destroy(trial->refs);
     trial->refs = refs;
+    refill_references(trial, least(step, trial->newest));
     return true;
 }
 

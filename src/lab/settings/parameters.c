@@ -47,7 +47,7 @@ const TextKey *text_key_find(const char *key)
 
 bool parameter_applies(const Parameter *parameter, const Problem *problem)
 {
-    return (parameter->concern & problem->concerns) != 0;
+    return parameter->concern == CONCERN_ANY || (parameter->concern & problem->concerns) != 0;
 }
 
 const ParameterUse *parameter_use(const Parameter *parameter, const Problem *problem)

@@ -148,6 +148,7 @@ typedef struct Settings {
     TimeSettings time;
     Output output;
 
+    double spare[2]; /* for parameters on trial, that have no place of their own yet */
     Building building;
 
     char question[KEY_MAX]; /* what `t` toggles */

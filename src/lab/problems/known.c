@@ -1,0 +1,78 @@
+#include "lab/problems/known.h"
+
+#include "base/text.h"
+#include "lab/settings/parameters.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static bool is_among(const char *const *keys, const char *key)
+{
+    for (; keys && *keys; keys++)
+        if (strcmp(*keys, key) == 0)
+            return true;
+    return false;
+}
+
+/* Whether it does something to the run. */
+static bool is_at_work(const Settings *settings, const Parameter *parameter)
+{
+    char text[LIST_MAX];
+    if (parameter->output || !settings_have(settings, parameter))
+        return false;
+    if (parameter->type != PARAMETER_TEXT)
+        return settings_number(settings, parameter) != parameter->neutral;
+    settings_get(settings, parameter, text);
+    return *text != '\0';
+}
+
+/* NULL: the reference does not exist. */
+static const Understanding *understanding(const Settings *settings, Reference reference)
+{
+    const Solver *solver = problem_solver(settings->problem, settings->method);
+    return solver && solver->understands[reference].keys ? &solver->understands[reference] : NULL;
+}
+
+const char *known_stranger_now(const Settings *settings, Reference reference)
+{
+    const Understanding *known = understanding(settings, reference);
+    for (int i = 0; known && i < n_parameters; i++)
+        if (!is_among(known->keys, parameters[i].key) && is_at_work(settings, &parameters[i]))
+            return parameters[i].key;
+    return NULL;
+}
+
+const char *known_stranger(const Settings *settings, Reference reference)
+{
+    const Understanding *known = understanding(settings, reference);
+    for (int i = 0; known && i < settings->n_changes; i++)
+        if (!is_among(known->changes, settings->changes[i].to.key)) {
+            const Parameter *parameter = parameter_find(settings->changes[i].to.key);
+            return parameter ? parameter->key : NULL;
+        }
+    return known_stranger_now(settings, reference);
+}
+
+bool known_text(const Settings *settings, char out[KNOWN_TEXT_MAX], long *step)
+{
+    static const char *const names[REFERENCES] = {"exact", "predicted", "frequency", "energy E*"};
+    const char *stranger = NULL;
+    out[0] = '\0';
+    for (int i = 0; i < REFERENCES; i++) {
+        const char *key = known_stranger(settings, (Reference)i);
+        stranger = stranger ? stranger : key;
+        if (key && strcmp(key, stranger) == 0)
+            text_list_add(out, KNOWN_TEXT_MAX, names[i]);
+    }
+    if (!stranger)
+        return false;
+    const size_t used = strlen(out);
+    snprintf(out + used, KNOWN_TEXT_MAX - used, ": not known with %s", stranger);
+    if (step)
+        *step = 0;
+    const Parameter *parameter = parameter_find(stranger);
+    for (int i = settings->n_changes - 1; step && !is_at_work(settings, parameter) && i >= 0; i--)
+        if (strcmp(settings->changes[i].to.key, stranger) == 0)
+            *step = settings->changes[i].step;
+    return true;
+}

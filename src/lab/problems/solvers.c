@@ -1,0 +1,17 @@
+/* Who solves a problem by which method. */
+#include "lab/problems/solvers.h"
+
+const Solver *problem_solver(const Problem *problem, MethodKind method)
+{
+    for (int i = 0; problem->solvers[i]; i++)
+        if (problem->solvers[i]->method == method)
+            return problem->solvers[i];
+    return NULL;
+}
+
+bool problem_allows(const Problem *problem, MethodKind method, Status *status)
+{
+    return problem_solver(problem, method) ||
+           status_fail(status, STATUS_USAGE, "scenario.method: %s cannot solve problem %s (%s)",
+                       method_words[method], problem->word, method_words[problem->solvers[0]->method]);
+}
