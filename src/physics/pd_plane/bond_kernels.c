@@ -1,57 +1,33 @@
-/* See bonds.h. Compiled once for each CpuLevel, with KERNEL_NAME(x) giving the level's suffix.
+/* The forces and energies of bonds, for rows of the lattice: the stage of a step in which all the time goes.
+ * What is computed, and why without a root, stands in bonds.h.
  *
- * Vectors are those of the compiler (one type, as wide as the level allows); blocks are always eight columns,
- * and every sum keeps eight partial sums, so that the width leaves no trace. */
+ * Bonds of one direction xi whose owners stand side by side in a row are a segment: owner i at u[i], the
+ * other end at v[i], coefficient c G w V at coefficient[i], no list of indices. A tile is a piece of a row
+ * with all its directions to one row distance q; its forces go into two padded arrays first, a row for each
+ * direction, and are then added to the owners and subtracted, p columns on, from the other ends (p the
+ * direction's columns).
+ *
+ * The file is compiled once for each CpuLevel. Blocks are always eight columns, and every sum keeps eight
+ * partial sums, so that the width of the vectors leaves no trace. Units: m, N/m^3 for forces, J for energies.
+ */
 #include "physics/pd_plane/bonds.h"
+#include "physics/vector.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #if defined(__AVX512F__)
-enum { LANES = 8 };
 #define LEVEL   CPU_AVX512
 #define KERNELS bond_kernels_avx512
 #elif defined(__AVX2__)
-enum { LANES = 4 };
 #define LEVEL   CPU_AVX2
 #define KERNELS bond_kernels_avx2
 #else
-enum { LANES = 2 };
 #define LEVEL   CPU_PLAIN
 #define KERNELS bond_kernels_plain
 #endif
 
-enum { PARTS = LATTICE_BLOCK / LANES };
-
-typedef double Vector __attribute__((vector_size(LANES * sizeof(double))));
-typedef double Loose __attribute__((vector_size(LANES * sizeof(double)), aligned(sizeof(double))));
-typedef int64_t Mask __attribute__((vector_size(LANES * sizeof(double))));
-
-#define INLINE static inline __attribute__((always_inline))
-
-#if defined(__clang__)
-#define UNROLL _Pragma("unroll")
-#else
-#define UNROLL _Pragma("GCC unroll 8")
-#endif
-
-INLINE Vector load(const double *from)
-{
-    return *(const Loose *)from;
-}
-
-INLINE void store(double *to, Vector value)
-{
-    *(Loose *)to = value;
-}
-
-INLINE bool any(Mask mask)
-{
-    int64_t all = 0;
-    for (int lane = 0; lane < LANES; lane++)
-        all |= mask[lane];
-    return all != 0;
-}
+enum { LANES = VECTOR_WIDTH, PARTS = LATTICE_BLOCK / LANES };
 
 /* The eight partial sums of a block, always added up in this order. */
 static double sum_lanes(const double *lanes)
@@ -69,10 +45,17 @@ typedef struct Segment {
     size_t count; /* whole blocks */
 } Segment;
 
-/* The series over a segment: forces into fx, fy, the sum of c G w V s^2 into eight parts. False: a
- * live bond lies beyond the series' range or may break, and the segment is to be done bond by bond. */
-INLINE bool by_series(const Segment *segment, bool with_forces, bool with_energy, double *restrict fx,
-                      double *restrict fy, double *sums)
+/* A segment by the series of bonds.h:
+ *
+ *     eta = u_j - u_i           d = eta . (xi + (xi + eta))                  = 2 xi.eta + |eta|^2
+ *     series = C_0 + C_1 d + ... + C_5 d^5                                   = s / (d |xi + eta|)
+ *     f = k d series (xi + eta), k = c G w V                                 eqs. 2, 3, 8 of paper P
+ *     k s^2 = k (d series)^2 (|xi|^2 + d), since |xi + eta|^2 = |xi|^2 + d      times V |xi| / 2: its energy
+ *
+ * Forces go into fx, fy, the sums of k s^2 into eight parts. False: a live bond lies beyond the series' range
+ * or may break, and the segment is to be done bond by bond; what was written is of no use. */
+KERNEL_INLINE bool by_series(const Segment *segment, bool with_forces, bool with_energy, double *restrict fx,
+                             double *restrict fy, double *sums)
 {
     const Offset *direction = segment->direction;
     const double *restrict coefficient = segment->coefficient;
@@ -82,19 +65,20 @@ INLINE bool by_series(const Segment *segment, bool with_forces, bool with_energy
     const double c0 = direction->series[0], c1 = direction->series[1], c2 = direction->series[2];
     const double c3 = direction->series[3], c4 = direction->series[4], c5 = direction->series[5];
     const Vector limit = (Vector){0} + segment->series_limit * segment->series_limit;
-    Mask beyond = {0};
+    VectorMask beyond = {0};
     Vector sum[PARTS];
     for (int part = 0; part < PARTS; part++)
         sum[part] = (Vector){0};
 
     for (size_t i = 0; i < segment->count; i += LATTICE_BLOCK) {
-        UNROLL for (int part = 0; part < PARTS; part++)
-        {
+#pragma GCC unroll 4
+        for (int part = 0; part < PARTS; part++) {
             const size_t at = i + (size_t)(part * LANES);
-            const Vector ex = load(vx + at) - load(ux + at), ey = load(vy + at) - load(uy + at);
+            const Vector ex = vector_load(vx + at) - vector_load(ux + at),
+                         ey = vector_load(vy + at) - vector_load(uy + at);
             const Vector rx = x + ex, ry = y + ey;
             const Vector d = ex * (x + rx) + ey * (y + ry);
-            const Vector k = load(coefficient + at);
+            const Vector k = vector_load(coefficient + at);
             __builtin_prefetch(coefficient + at + 256);
             const Vector dd = d * d;
             /* written so that a d which is no number counts as beyond */
@@ -102,8 +86,8 @@ INLINE bool by_series(const Segment *segment, bool with_forces, bool with_energy
             const Vector series = c0 + c1 * d + dd * (c2 + c3 * d + dd * (c4 + c5 * d));
             const Vector g = k * d * series;
             if (with_forces) {
-                store(fx + at, g * rx);
-                store(fy + at, g * ry);
+                vector_store(fx + at, g * rx);
+                vector_store(fy + at, g * ry);
             }
             if (with_energy) /* s^2 = (t |xi|)^2 (1 + e) */
                 sum[part] += g * (d * series) * (squared + d);
@@ -111,11 +95,11 @@ INLINE bool by_series(const Segment *segment, bool with_forces, bool with_energy
     }
     if (with_energy)
         for (int part = 0; part < PARTS; part++)
-            store(sums + part * LANES, sum[part]);
-    return !any(beyond);
+            vector_store(sums + part * LANES, sum[part]);
+    return vector_is_zero(beyond);
 }
 
-/* One bond with the root: eta, d and the length. */
+/* One bond with the root: xi + eta, d, s = d / (|xi| (|xi + eta| + |xi|)) and |xi + eta|. */
 typedef struct Bond {
     double rx, ry, d, stretch, length;
 } Bond;
@@ -161,7 +145,8 @@ static bool may_break(const BondSystem *system, BondPlace bond)
     return !system->unbreakable[a] && !system->unbreakable[b];
 }
 
-/* Bond by bond with the root: breaks what has to break and writes the forces of the rest. */
+/* Bond by bond with the root: f = k s (xi + eta) / |xi + eta|. A bond with s >= s0 breaks (eq. 4) unless an
+ * end is protected: its coefficient becomes 0, its bit is set, and its energy goes to the log. */
 static void by_root(const BondSystem *system, const Segment *segment, BondPlace first, double *fx, double *fy,
                     BondLog *log)
 {
@@ -212,8 +197,8 @@ static double segment_energy(const BondSystem *system, const Segment *segment, c
     return sum_lanes(sums) * direction->length * system->energy_scale;
 }
 
-INLINE Segment segment_of(const BondSystem *system, int j, int o, size_t from, size_t count,
-                          double *coefficient)
+KERNEL_INLINE Segment segment_of(const BondSystem *system, int j, int o, size_t from, size_t count,
+                                 double *coefficient)
 {
     const Lattice *lattice = system->lattice;
     const Offset *direction = &lattice->offsets[o];
@@ -240,39 +225,39 @@ typedef struct Parts {
 } Parts;
 
 /* Every bond's force to its owner. */
-INLINE void add_own(const Parts *parts, int n, double *restrict fx, double *restrict fy)
+KERNEL_INLINE void add_own(const Parts *parts, int n, double *restrict fx, double *restrict fy)
 {
     const double *restrict px = parts->x + BONDS_MARGIN, *restrict py = parts->y + BONDS_MARGIN;
     for (size_t i = 0; i < parts->count; i += LANES) {
-        Vector x = load(fx + i), y = load(fy + i);
+        Vector x = vector_load(fx + i), y = vector_load(fy + i);
         for (int o = 0; o < n; o++) {
-            x += load(px + o * BONDS_SPAN + i);
-            y += load(py + o * BONDS_SPAN + i);
+            x += vector_load(px + o * BONDS_SPAN + i);
+            y += vector_load(py + o * BONDS_SPAN + i);
         }
-        store(fx + i, x);
-        store(fy + i, y);
+        vector_store(fx + i, x);
+        vector_store(fy + i, y);
     }
 }
 
 /* And, reversed, to its other end, p columns on. */
-INLINE void subtract_other(const Parts *parts, int n, double *restrict fx, double *restrict fy)
+KERNEL_INLINE void subtract_other(const Parts *parts, int n, double *restrict fx, double *restrict fy)
 {
     const double *restrict px = parts->x, *restrict py = parts->y;
     ptrdiff_t shift[2 * LATTICE_REACH_MAX + 1];
     for (int o = 0; o < n; o++)
         shift[o] = o * BONDS_SPAN + BONDS_MARGIN - LATTICE_BLOCK - parts->offsets[o].p;
     for (size_t i = 0; i < parts->count + 2 * LATTICE_BLOCK; i += LANES) {
-        Vector x = load(fx + i - LATTICE_BLOCK), y = load(fy + i - LATTICE_BLOCK);
+        Vector x = vector_load(fx + i - LATTICE_BLOCK), y = vector_load(fy + i - LATTICE_BLOCK);
         for (int o = 0; o < n; o++) {
-            x -= load(px + (ptrdiff_t)i + shift[o]);
-            y -= load(py + (ptrdiff_t)i + shift[o]);
+            x -= vector_load(px + (ptrdiff_t)i + shift[o]);
+            y -= vector_load(py + (ptrdiff_t)i + shift[o]);
         }
-        store(fx + i - LATTICE_BLOCK, x);
-        store(fy + i - LATTICE_BLOCK, y);
+        vector_store(fx + i - LATTICE_BLOCK, x);
+        vector_store(fy + i - LATTICE_BLOCK, y);
     }
 }
 
-INLINE void gather(const Parts *parts, int n, double *fx, double *fy, double *other_x, double *other_y)
+KERNEL_INLINE void gather(const Parts *parts, int n, double *fx, double *fy, double *other_x, double *other_y)
 {
     add_own(parts, n, fx, fy);
     subtract_other(parts, n, other_x, other_y);
@@ -308,14 +293,14 @@ static void clear_margin(const Parts *parts)
     for (int o = 0; o < parts->n; o++)
         for (int i = 0; i < BONDS_MARGIN; i += LANES) {
             size_t at = (size_t)(o * BONDS_SPAN + BONDS_MARGIN + i) + parts->count;
-            store(parts->x + at, (Vector){0});
-            store(parts->y + at, (Vector){0});
+            vector_store(parts->x + at, (Vector){0});
+            vector_store(parts->y + at, (Vector){0});
         }
 }
 
 /* All bonds from columns [from, from + count) of row j to row j + q. */
-INLINE double tile(const BondSystem *system, int j, int q, size_t from, size_t count, double *const *fx,
-                   double *const *fy, BondLog *log, bool with_energy)
+KERNEL_INLINE double tile(const BondSystem *system, int j, int q, size_t from, size_t count,
+                          double *const *fx, double *const *fy, BondLog *log, bool with_energy)
 {
     const Lattice *lattice = system->lattice;
     const int first = lattice->first[q];
@@ -396,7 +381,7 @@ static void stretches(const BondSystem *system, BondPlace first, size_t count, d
 static void add(double *y, const double *x, double factor, size_t count)
 {
     for (size_t i = 0; i < count; i += LANES)
-        store(y + i, load(y + i) + factor * load(x + i));
+        vector_store(y + i, vector_load(y + i) + factor * vector_load(x + i));
 }
 
 static double dot(const double *x, const double *y, size_t count)
@@ -407,9 +392,9 @@ static double dot(const double *x, const double *y, size_t count)
         sum[part] = (Vector){0};
     for (size_t i = 0; i < count; i += LATTICE_BLOCK)
         for (int part = 0; part < PARTS; part++)
-            sum[part] += load(x + i + part * LANES) * load(y + i + part * LANES);
+            sum[part] += vector_load(x + i + part * LANES) * vector_load(y + i + part * LANES);
     for (int part = 0; part < PARTS; part++)
-        store(lanes + part * LANES, sum[part]);
+        vector_store(lanes + part * LANES, sum[part]);
     return sum_lanes(lanes);
 }
 
