@@ -78,11 +78,6 @@ judge "src includes files of src only"
 circles() {
 	cat <<'END'
 lab: experiment.o experiment_edit.o
-physics: bar.o bar_exchange.o bar_explain.o bar_fields.o bar_sums.o
-physics: bar_steps.o bar_tiles.o
-physics: beam_break.o beam_family.o beam_fields.o beam_series.o beam_state.o beam_step.o crack.o
-physics: rod_create.o rod_lattice.o
-physics: rod_fields.o rod_step.o
 tui: control_keys.o session.o
 view: area.o axes.o plot.o sketch.o
 view: family_forces.o pane_family.o

@@ -8,40 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool bar_has_done(const Bar *bar, BarOp op)
-{
-    const BarSchedule *schedule = bar_schedule(bar->head, bar->def.shape);
-    for (int i = 0; i < bar->sim.stage; i++)
-        if (schedule->ops[i] == op)
-            return true;
-    return false;
-}
-
-bool bar_node_is_fixed(const Bar *bar, int node)
-{
-    return node < bar->fixed_left || node >= bar->n_nodes - bar->fixed_right;
-}
-
-double bar_node_position(const Bar *bar, int node)
-{
-    int cell = node < bar->n_cells ? node : bar->n_cells - 1;
-    double offset = shape_node_offset(bar->def.shape, bar->n_cells, cell, node - cell);
-    return ((cell - bar->origin) + offset) * bar->dx;
-}
-
-int bar_cell_of(const Bar *bar, int particle)
-{
-    int low = 0, high = bar->n_cells; /* first[low] <= particle < first[high] */
-    while (high - low > 1) {
-        int middle = low + (high - low) / 2;
-        if (bar->first[middle] <= particle)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
-}
-
 /* --- memory --------------------------------------------------------------------------------------- */
 
 /* Arrays of one block, placed so that no two begin at the same distance from a multiple of 4096 bytes:

@@ -56,34 +56,6 @@ const Quantity bar_series[BAR_SERIES] = {
     AXIAL_SERIES_END,
 };
 
-double bar_node_velocity(const Bar *bar, int node)
-{
-    return bar->node_momentum[node] * bar->node_inverse[node];
-}
-
-double bar_integrated_velocity(const Bar *bar, int node)
-{
-    return bar->node_drift[node] * (bar->dx / bar->dt);
-}
-
-double bar_node_force(const Bar *bar, int node)
-{
-    if (bar_node_is_fixed(bar, node))
-        return 0.0;
-    return bar_is_loaded(bar) ? bar->node_f_int[node] + bar->node_f_ext[node] : bar->node_f_int[node];
-}
-
-void bar_strain_velocities(const Bar *bar, int cell, double *v)
-{
-    /* update stress first: those of before the momentum was integrated */
-    const bool integrated = bar->head->algorithm == MPM_USF && bar_has_done(bar, OP_INTEGRATE);
-    for (int a = 0, node = cell; a < bar->support; a++, node++)
-        v[a] = integrated ? bar_integrated_velocity(bar, node) - bar->node_kick[node]
-                          : bar_node_velocity(bar, node);
-    if (bar->def.shape == MPM_HAT)
-        bar_lend_velocity(bar, cell, v);
-}
-
 static double strain_increment(const Bar *bar, int cell, double s)
 {
     double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX], v[BAR_SUPPORT_MAX], gradient = 0.0;

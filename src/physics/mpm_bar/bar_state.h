@@ -231,12 +231,18 @@ const Exchange *bar_exchanges(const BarHead *head, int *count);
 void bar_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
                  char *out, size_t size);
 
-/* bar_steps.c: stages, whole steps, rows. */
+/* bar_steps.c: stages and whole steps. */
 bool bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status);
 bool bar_steps(Simulation *sim, long count, double *rows, long *done, Status *status);
-void bar_row(Simulation *sim, double *row);
-double bar_energy(const Bar *bar);
+
+/* bar_do.c: the work of a stage on cells [first, end). */
 bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status);
+void bar_map_and_fix(Bar *bar);
+
+/* bar_rows.c: energies and the row. A row from the sums over the particles, and over the grid as it stands
+ * after map and boundary conditions. */
+double bar_energy(const Bar *bar);
+void bar_row(Simulation *sim, double *row);
 void bar_write_row(const Bar *bar, const BarSums *sums, const double *grid_lanes, int64_t cell_sum,
                    double *row);
 

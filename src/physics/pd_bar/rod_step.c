@@ -126,7 +126,7 @@ bool rod_steps(Simulation *sim, long count, double *rows, long *done, Status *st
             }
         sim->step++;
         if (rows)
-            rod_row(sim, rows + *done * sim->n_series);
+            sim->method->row(sim, rows + *done * sim->n_series);
     }
     return true;
 }

@@ -5,11 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-bool beam_bit(const uint8_t *bits, size_t slot)
-{
-    return bits[slot / 8] >> slot % 8 & 1;
-}
-
 static void mark_dirty(Beam *beam, size_t node)
 {
     if (!beam->is_dirty[node]) {

@@ -154,7 +154,6 @@ double beam_body_force(const Beam *beam, double time); /* on a loaded node, N/m^
 bool beam_take_log(Beam *beam, BondLog *log, long step); /* false: memory was short */
 void beam_update_damage(Beam *beam, long step);
 void beam_rebuild_damage(Beam *beam);
-bool beam_bit(const uint8_t *bits, size_t slot);
 
 /* crack.c: to be told of every change of damage, keeps the crack's length at its longest */
 void crack_follow(Beam *beam);
@@ -199,6 +198,12 @@ size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_
 void beam_set_stages(Beam *);
 void beam_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
                   char *out, size_t size);
+
+/* The bit of a slot: of broken bonds, or of those that the notch cut. */
+static inline bool beam_bit(const uint8_t *bits, size_t slot)
+{
+    return bits[slot / 8] >> slot % 8 & 1;
+}
 
 static inline double beam_volume(const Beam *beam)
 {

@@ -8,7 +8,7 @@
 
 static const Beam *notched(const Simulation *sim)
 {
-    const Beam *beam = sim->method->field == beam_field ? (const Beam *)sim : NULL;
+    const Beam *beam = sim->method->links == beam_links ? (const Beam *)sim : NULL;
     return beam && beam->def.problem == BEAM_NOTCHED ? beam : NULL;
 }
 

@@ -1,0 +1,55 @@
+/* The work of a bar's stages on a range of cells: the kernels, the supports, and what makes a run fail.
+ * Stages one by one and whole steps in tiles (bar_tiles.c) both call this. */
+#include "physics/mpm_bar/bar_state.h"
+#include "physics/mpm_bar/kernels.h"
+
+/* Supports hold the nodes that come with these cells. */
+static void fix(Bar *bar, int first, int end)
+{
+    int last = end == bar->n_cells ? bar->n_nodes : end;
+    for (int i = first; i < last && i < bar->fixed_left; i++)
+        bar->node_momentum[i] = 0.0;
+    for (int i = last - 1; i >= first && i >= bar->n_nodes - bar->fixed_right; i--)
+        bar->node_momentum[i] = 0.0;
+}
+
+bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status)
+{
+    const BarKernels *kernels = bar->kernels;
+    switch (op) {
+    case OP_MAP:
+        kernels->map(bar, first, end);
+        return true;
+    case OP_FIX:
+        fix(bar, first, end);
+        return true;
+    case OP_STRAIN: {
+        int bad = kernels->strain(bar, first, end);
+        return bad < 0 || bar_fail_particle(bar, status, bad, "was crushed (1 + de <= 0)");
+    }
+    case OP_FORCE:
+        kernels->force(bar, first, end);
+        return true;
+    case OP_INTEGRATE:
+        kernels->integrate(bar, first, end);
+        return true;
+    case OP_UPDATE:
+        kernels->update(bar, first, end);
+        return true;
+    case OP_MAP_AGAIN:
+        kernels->map(bar, first, end);
+        fix(bar, first, end);
+        return true;
+    case OP_FORGET:
+        return bar_settle(bar, first, end, status);
+    case OP_COUNT:
+        break;
+    }
+    return true;
+}
+
+void bar_map_and_fix(Bar *bar)
+{
+    bar->kernels->map(bar, 0, bar->n_cells);
+    fix(bar, 0, bar->n_cells);
+}

@@ -1,0 +1,83 @@
+/* Energies of a bar and the row of its series: sums over all particles and nodes, per unit cross-section,
+ *
+ *     kinetic      sum m v^2 / 2, with APIC + sum m D C^2 / 2, D = sum N (x_i - x)^2
+ *     kinetic_grid sum p_i^2 / (2 m_i) of the particles mapped as in the first stage, supports applied
+ *     strain       sum stress^2 volume / (2 E)
+ *
+ * Each is kept in BAR_LANES partial sums, so that neither vectors nor tiles leave a trace. */
+#include "physics/mpm_bar/bar_state.h"
+#include "physics/mpm_bar/kernels.h"
+#include "physics/mpm_bar/shape.h"
+
+/* The partial sums of a sum, always in the same tree. */
+static double fold(const double *lane)
+{
+    return ((lane[0] + lane[4]) + (lane[2] + lane[6])) + ((lane[1] + lane[5]) + (lane[3] + lane[7]));
+}
+
+/* sum m D C^2 / 2 with D = sum N d^2: what the particles' affine motion holds */
+static double affine_energy(const Bar *bar)
+{
+    double sum = 0.0;
+    for (int c = 0; c < bar->n_cells; c++)
+        for (int p = bar->first[c]; p < bar->first[c + 1]; p++) {
+            int j = p % bar->slots, k = p / bar->slots;
+            double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX], spread = 0.0, s = bar->s[j][k];
+            shape_at(bar->def.shape, bar->gimp_half, bar->n_cells, c, s, n, dn);
+            for (int a = 0; a < bar->support; a++) {
+                double arm = shape_node_offset(bar->def.shape, bar->n_cells, c, a) - s;
+                spread += n[a] * (arm * arm);
+            }
+            double speed = bar->affine[j][k] * bar->dx;
+            sum += spread * (speed * speed);
+        }
+    return 0.5 * bar->mass * sum;
+}
+
+static double kinetic_of(const Bar *bar, const BarSums *sums)
+{
+    double kinetic = 0.5 * bar->mass * fold(sums->square);
+    return bar->head->transfer == MPM_APIC ? kinetic + affine_energy(bar) : kinetic;
+}
+
+static double strain_of(const Bar *bar, const BarSums *sums)
+{
+    return fold(sums->strain) / (2.0 * bar->def.youngs_modulus);
+}
+
+double bar_energy(const Bar *bar)
+{
+    BarSums sums = {.v = {0}};
+    bar->kernels->particle_sums(bar, 0, bar->places, &sums);
+    return kinetic_of(bar, &sums) + strain_of(bar, &sums);
+}
+
+/* From the sums over the particles, and over the grid as it stands after map and boundary conditions. */
+void bar_write_row(const Bar *bar, const BarSums *sums, const double *grid_lanes, int64_t cell_sum,
+                   double *row)
+{
+    const double kinetic = kinetic_of(bar, sums), strain = strain_of(bar, sums);
+    row[0] = fold(sums->v) / bar->n_particles;
+    row[1] = bar->dx * (((double)cell_sum + fold(sums->s)) / bar->n_particles);
+    row[2] = kinetic;
+    row[3] = 0.5 * fold(grid_lanes);
+    row[4] = strain;
+    row[5] = bar->head->work;
+    row[6] = kinetic + strain;
+}
+
+static void write_row(const Bar *bar, double *row)
+{
+    BarSums sums = {.v = {0}};
+    double grid[BAR_LANES] = {0};
+    bar->kernels->particle_sums(bar, 0, bar->places, &sums);
+    bar->kernels->node_sums(bar, 0, bar->n_nodes, grid);
+    bar_write_row(bar, &sums, grid, bar->head->cell_sum, row);
+}
+
+void bar_row(Simulation *sim, double *row)
+{
+    Bar *bar = bar_of(sim);
+    bar_map_and_fix(bar); /* the grid is scratch between steps */
+    write_row(bar, row);
+}
