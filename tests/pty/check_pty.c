@@ -183,79 +183,6 @@ START_TEST(resizes_while_running)
 }
 END_TEST
 
-static const int ends[] = {SIGTERM, SIGHUP, SIGINT, SIGQUIT};
-
-START_TEST(signals_end_it_and_restore_the_terminal)
-{
-    Session session;
-    session_open_paused(&session, 80, 24, NULL);
-    kill(session.child, ends[_i]);
-    ck_assert_int_eq(session_exit(&session), 128 + ends[_i]);
-    session_check_restored(&session);
-    session_close(&session);
-}
-END_TEST
-
-START_TEST(a_running_one_ends_by_signal_too)
-{
-    Session session;
-    session_open(&session, 80, 24, NULL, (const char *const[]){matvib(), "mode1", NULL});
-    session_frame(&session);
-    kill(session.child, SIGTERM);
-    ck_assert_int_eq(session_exit(&session), 128 + SIGTERM);
-    session_check_restored(&session);
-    session_close(&session);
-}
-END_TEST
-
-START_TEST(a_terminal_that_goes_away_ends_it)
-{
-    Session session;
-    session_open(&session, 80, 24, NULL,
-                 (const char *const[]){matvib(), _i ? "notched-beam-coarse" : "mode1", NULL});
-    for (int i = 0; i < 3; i++)
-        session_frame(&session);
-    session_hang_up(&session); /* in the middle of a frame or between two */
-    ck_assert_int_eq(session_exit(&session), 128 + SIGHUP);
-    session_close(&session);
-}
-END_TEST
-
-/* Shell, terminal and kernel each say that it ends. What was done is kept whole, and what a session that was
- * killed left behind a while ago goes. */
-START_TEST(a_session_that_is_ended_twice_is_kept)
-{
-    char folder[] = "/tmp/matvib-XXXXXX", state[64], path[128], old[128], command[192];
-    ck_assert_ptr_nonnull(mkdtemp(folder));
-    snprintf(state, sizeof state, "XDG_STATE_HOME=%s", folder);
-    const pid_t gone = fork();
-    if (gone == 0)
-        _exit(0);
-    waitpid(gone, NULL, 0);
-    snprintf(command, sizeof command,
-             "mkdir %s/matvib && touch -d '2 minutes ago' %s/matvib/last.session.%ld-0.part", folder, folder,
-             (long)gone);
-    ck_assert_int_eq(system(command), 0);
-    snprintf(old, sizeof old, "%s/matvib/last.session.%ld-0.part", folder, (long)gone);
-    snprintf(path, sizeof path, "%s/matvib/last.session", folder);
-    Session session;
-    session_open_paused(&session, 80, 24, (const char *const[]){state, NULL});
-    session_keys(&session, "..");
-    for (int i = 0; i < 20; i++) {
-        kill(session.child, SIGHUP);
-        kill(session.child, SIGTERM);
-        usleep(200);
-    }
-    const int status = session_exit(&session);
-    ck_assert(status == 128 + SIGHUP || status == 128 + SIGTERM);
-    session_close(&session);
-    ck_assert_int_eq(access(path, F_OK), 0);
-    ck_assert_int_ne(access(old, F_OK), 0);
-    snprintf(command, sizeof command, "test \"$(ls %s/matvib)\" = last.session && rm -r %s", folder, folder);
-    ck_assert_int_eq(system(command), 0);
-}
-END_TEST
-
 START_TEST(a_recorded_session_is_the_last_one_too)
 {
     char folder[] = "/tmp/matvib-XXXXXX", state[64], file[64], command[192];
@@ -272,36 +199,6 @@ START_TEST(a_recorded_session_is_the_last_one_too)
     session_close(&session);
     snprintf(command, sizeof command, "cmp %s %s/matvib/last.session && rm -r %s", file, folder, folder);
     ck_assert_int_eq(system(command), 0);
-}
-END_TEST
-
-/* Nobody reads what it writes, as when a connection hangs: it stops in the middle of a picture. */
-START_TEST(a_terminal_that_hangs_can_be_left)
-{
-    Session session;
-    session_open(&session, 200, 60, NULL, (const char *const[]){matvib(), "mode1", NULL});
-    session_frame(&session);
-    struct pollfd frames = {.fd = session.frames, .events = POLLIN};
-    char lines[4096];
-    for (int i = 0; i < 100; i++)
-        session_send(&session, "\014"); /* everything anew */
-    while (poll(&frames, 1, 500) > 0)
-        ck_assert_int_gt(read(session.frames, lines, sizeof lines), 0);
-    kill(session.child, SIGTERM);
-    session_ignore(&session);
-    ck_assert_int_eq(session_exit(&session), 128 + SIGTERM);
-    session_close(&session);
-}
-END_TEST
-
-START_TEST(a_crash_restores_the_terminal)
-{
-    Session session;
-    session_open_paused(&session, 80, 24, NULL);
-    kill(session.child, SIGABRT);
-    ck_assert_int_eq(session_exit(&session), 128 + SIGABRT);
-    session_check_restored(&session);
-    session_close(&session);
 }
 END_TEST
 
@@ -326,6 +223,26 @@ START_TEST(escape_is_told_from_a_sequence)
     ck_assert(session_shows(&session, "PAUSED"));
     session_keys(&session, "\033[4~\033[1~"); /* End, Home under xterm's TERM */
     ck_assert(session_shows(&session, "step 0"));
+    session_close(&session);
+}
+END_TEST
+
+/* A stopped program gets no SIGWINCH: that goes to whoever has the terminal then. */
+START_TEST(takes_the_size_that_it_finds_after_a_stop)
+{
+    Session session;
+    char script[4096];
+    snprintf(script, sizeof script, "set -m; '%s' mode1 --paused; echo STOPPED; read line; fg >/dev/null",
+             matvib());
+    session_open(&session, 80, 24, NULL, (const char *const[]){"sh", "-c", script, NULL});
+    session_idle(&session);
+    session_send(&session, "\032");
+    session_wait_for(&session, "STOPPED");
+    session_resize(&session, 132, 43);
+    session_send(&session, "\n");
+    session_idle(&session);
+    ck_assert(session_shows(&session, "PAUSED"));
+    ck_assert(strstr(session_row(&session, 42), "quit") != NULL);
     session_close(&session);
 }
 END_TEST
@@ -356,27 +273,85 @@ START_TEST(suspends_and_comes_back)
 }
 END_TEST
 
-static bool wrote(const Session *session, const char *text)
-{
-    return memmem(session->bytes, session->n_bytes, text, strlen(text)) != NULL;
-}
-
 START_TEST(colours_and_no_colours)
 {
     Session session;
     session_open_paused(&session, 80, 24, NULL);
-    ck_assert(wrote(&session, "\033[38;5;") || wrote(&session, ";38;5;"));
+    ck_assert(session_wrote(&session, "\033[38;5;") || session_wrote(&session, ";38;5;"));
     session_close(&session);
     session_open_paused(&session, 80, 24, (const char *const[]){"NO_COLOR=1", NULL});
-    ck_assert(!wrote(&session, "38;5;") && !wrote(&session, "48;5;"));
+    ck_assert(!session_wrote(&session, "38;5;") && !session_wrote(&session, "48;5;"));
     for (int colour = 0; colour < 8; colour++) {
         char set[16];
         snprintf(set, sizeof set, "\033[3%dm", colour);
-        ck_assert(!wrote(&session, set));
+        ck_assert(!session_wrote(&session, set));
     }
     session_close(&session);
     session_open_paused(&session, 80, 24, (const char *const[]){"NO_COLOR=", NULL});
-    ck_assert(wrote(&session, "38;5;"));
+    ck_assert(session_wrote(&session, "38;5;"));
+    session_close(&session);
+}
+END_TEST
+
+START_TEST(the_mouse_is_asked_for_unless_it_is_not_wanted)
+{
+    Session session;
+    session_open_paused(&session, 80, 24, NULL);
+    ck_assert_int_eq(session.mouse, VTERM_PROP_MOUSE_DRAG);
+    session_send(&session, "q");
+    ck_assert_int_eq(session_exit(&session), 0);
+    session_check_restored(&session);
+    session_close(&session);
+    session_open_paused(&session, 80, 24, NULL);
+    session_keys(&session, "\033[<0;6;11M\033[<32;10;11M\033[<0;10;11m"); /* a value is pulled up */
+    ck_assert(session_shows(&session, "velocity            0.5"));
+    session_close(&session);
+    session_open(&session, 80, 24, NULL,
+                 (const char *const[]){matvib(), "mode1", "--paused", "--no-mouse", NULL});
+    session_idle(&session);
+    ck_assert_int_eq(session.mouse, VTERM_PROP_MOUSE_NONE);
+    session_keys(&session, "\033[<0;6;11M\033[<32;10;11M\033[<0;10;11m."); /* that of another program */
+    ck_assert(session_shows(&session, "velocity            0.1"));
+    session_close(&session);
+}
+END_TEST
+
+/* Only a terminal that says so is told where a picture begins and ends. */
+START_TEST(pictures_are_whole_where_the_terminal_can_wait)
+{
+    Session session;
+    session_open_paused(&session, 80, 24, NULL);
+    ck_assert(session_wrote(&session, "\033[?2026$p"));
+    session_keys(&session, "\033[?2026;0$y.");
+    ck_assert(session_shows(&session, "step 1"));
+    ck_assert(!session_wrote(&session, "\033[?2026h"));
+    session_keys(&session, "\033[?2026;2$y.");
+    ck_assert(session_shows(&session, "step 2"));
+    const char *begin = memmem(session.bytes, session.n_bytes, "\033[?2026h", 8);
+    ck_assert_ptr_nonnull(begin);
+    ck_assert(session_wrote_last(&session, "\033[?2026l", "\033[?2026h"));
+    ck_assert_mem_eq(session.bytes + session.n_bytes - 8, "\033[?2026l", 8);
+    session_close(&session);
+}
+END_TEST
+
+/* Wide characters, one that goes on top of another, one that turns the row, C1: from a keyboard all can come.
+ */
+START_TEST(no_text_leaves_its_cells)
+{
+    char row[256];
+    Session session;
+    session_open_paused(&session, 80, 24, NULL);
+    session_keys(&session, ":梁の振動e\xcc\x81\xc2\x9b"
+                           "31m\xe2\x80\xaex");
+    ck_assert_msg(session_shows(&session, ": 梁の振動e? 31m?x"), "%s", session_row(&session, 23));
+    for (int i = 0; i < 50; i++) /* up to the end of the row, and beyond */
+        session_keys(&session, "梁");
+    ck_assert(!session_wrote(&session, "\xc2\x9b") && !session_wrote(&session, "\xcc\x81"));
+    ck_assert(!session_wrote(&session, "\xe2\x80\xae"));
+    snprintf(row, sizeof row, "%s", session_row(&session, 22));
+    session_keys(&session, "\014"); /* drawn anew, nothing has moved */
+    ck_assert_str_eq(session_row(&session, 22), row);
     session_close(&session);
 }
 END_TEST
@@ -423,11 +398,11 @@ START_TEST(tells_what_an_unknown_terminal_is_taken_for)
     session_open_paused(&session, 80, 24, (const char *const[]){"TERM=xterm-nobody-knows", NULL});
     ck_assert(session_shows(&session, "TERM=xterm-nobody-knows"));
     ck_assert(session_shows(&session, "drawn as on xterm-256color"));
-    ck_assert(wrote(&session, "38;5;"));
+    ck_assert(session_wrote(&session, "38;5;"));
     session_close(&session);
     session_open_paused(&session, 80, 24, (const char *const[]){"TERM=no-such-terminal", NULL});
     ck_assert(session_shows(&session, "drawn as on vt100"));
-    ck_assert(!wrote(&session, "38;5;") && !wrote(&session, "\033[34m"));
+    ck_assert(!session_wrote(&session, "38;5;") && !session_wrote(&session, "\033[34m"));
     session_close(&session);
 }
 END_TEST
@@ -466,7 +441,7 @@ START_TEST(says_what_to_use_where_it_cannot_draw)
     session_open(&session, 80, 24, (const char *const[]){unusable[_i], NULL},
                  (const char *const[]){matvib(), "mode1", NULL});
     ck_assert_int_eq(session_exit(&session), 2);
-    ck_assert(wrote(&session, "matvib run"));
+    ck_assert(session_wrote(&session, "matvib run"));
     session_check_restored(&session);
     session_close(&session);
 }
@@ -499,17 +474,15 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, escape_is_answered_while_a_crack_runs);
     tcase_add_test(tcase, resizes);
     tcase_add_test(tcase, resizes_while_running);
-    tcase_add_loop_test(tcase, signals_end_it_and_restore_the_terminal, 0, 4);
-    tcase_add_test(tcase, a_running_one_ends_by_signal_too);
-    tcase_add_loop_test(tcase, a_terminal_that_goes_away_ends_it, 0, 2);
-    tcase_add_test(tcase, a_session_that_is_ended_twice_is_kept);
     tcase_add_test(tcase, a_recorded_session_is_the_last_one_too);
-    tcase_add_test(tcase, a_terminal_that_hangs_can_be_left);
-    tcase_add_test(tcase, a_crash_restores_the_terminal);
     tcase_add_test(tcase, control_c_leaves);
     tcase_add_test(tcase, escape_is_told_from_a_sequence);
+    tcase_add_test(tcase, takes_the_size_that_it_finds_after_a_stop);
     tcase_add_test(tcase, suspends_and_comes_back);
     tcase_add_test(tcase, colours_and_no_colours);
+    tcase_add_test(tcase, the_mouse_is_asked_for_unless_it_is_not_wanted);
+    tcase_add_test(tcase, pictures_are_whole_where_the_terminal_can_wait);
+    tcase_add_test(tcase, no_text_leaves_its_cells);
     tcase_add_test(tcase, the_c_locale_gets_ascii);
     tcase_add_loop_test(tcase, works_on_many_terminals, 0, 2 * N_TERMS);
     tcase_add_test(tcase, tells_what_an_unknown_terminal_is_taken_for);

@@ -35,6 +35,8 @@ static int on_property(VTermProp property, VTermValue *value, void *user)
         session->alternate = value->boolean;
     if (property == VTERM_PROP_CURSORVISIBLE)
         session->cursor_visible = value->boolean;
+    if (property == VTERM_PROP_MOUSE)
+        session->mouse = value->number;
     return 1;
 }
 
@@ -42,6 +44,7 @@ static const VTermScreenCallbacks callbacks = {.settermprop = on_property};
 
 static void become(Session *session, int frames, const char *const *environment, const char *const *command)
 {
+    signal(SIGTERM, SIG_DFL); /* the tests' own handler ends all that they started */
     setenv("TERM", "xterm-256color", 1);
     setenv("LC_ALL", "C.UTF-8", 1);
     unsetenv("NO_COLOR");
@@ -301,12 +304,33 @@ bool session_shows(Session *session, const char *text)
     return false;
 }
 
+static const char *last_of(const Session *session, const char *text)
+{
+    const char *left = session->bytes, *end = session->bytes + session->n_bytes, *last = NULL;
+    while (left < end && (left = memmem(left, (size_t)(end - left), text, strlen(text))) != NULL)
+        last = left++;
+    return last;
+}
+
+bool session_wrote(const Session *session, const char *text)
+{
+    return last_of(session, text) != NULL;
+}
+
+bool session_wrote_last(const Session *session, const char *text, const char *other)
+{
+    const char *one = last_of(session, text), *before = last_of(session, other);
+    return one && (!before || one > before);
+}
+
 void session_check_restored(Session *session)
 {
     struct termios modes;
     tcgetattr(session->slave, &modes);
     ck_assert_msg(!session->alternate, "the alternate screen is still on");
     ck_assert_msg(session->cursor_visible, "the cursor is still hidden");
+    ck_assert_msg(session->mouse == VTERM_PROP_MOUSE_NONE, "the mouse is still reported");
+    ck_assert_msg(!session_wrote_last(session, "\033[?2004h", "\033[?2004l"), "pastes are still marked");
     ck_assert_int_eq(modes.c_lflag, session->modes.c_lflag);
     ck_assert_int_eq(modes.c_iflag, session->modes.c_iflag);
     ck_assert_int_eq(modes.c_oflag, session->modes.c_oflag);

@@ -19,6 +19,7 @@ typedef struct Session {
     VTermScreen *screen;
     bool ignored; /* see session_ignore() */
     bool alternate, cursor_visible;
+    int mouse;   /* what the mouse reports: VTERM_PROP_MOUSE_NONE, _DRAG, ... */
     char *bytes; /* all that the program wrote */
     size_t n_bytes, room;
     struct termios modes; /* at the start */
@@ -62,7 +63,11 @@ int session_exit(Session *);
 bool session_shows(Session *, const char *text);
 const char *session_row(Session *, int row);
 
-/* Fails the test unless modes, cursor and screen are as they were before the program came. */
+/* Whether the program wrote a text, and whether it wrote that behind what it wrote of the other one. */
+bool session_wrote(const Session *, const char *text);
+bool session_wrote_last(const Session *, const char *text, const char *other);
+
+/* Fails the test unless modes, mouse, cursor and screen are as they were before the program came. */
 void session_check_restored(Session *);
 
 #endif

@@ -156,7 +156,7 @@ static Key next_key(Fingers *fingers, const Bench *bench)
         return key;
     }
     static const char *const closers[] = {"Enter", "Enter", "Enter", "Enter", "Esc", "Tab"};
-    static const char *const mouse[] = {"Click", "Click", "Click", "WheelUp", "WheelDown"};
+    static const char *const mouse[] = {"Click", "Click", "Drag", "WheelUp", "WheelDown"};
     uint64_t kind = draw_below(fingers, 100);
     const Command *command = &commands[draw_below(fingers, (uint64_t)n_commands)];
     if (kind < 12) {

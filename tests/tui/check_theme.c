@@ -62,6 +62,24 @@ START_TEST(everything_stands_out_from_the_ground)
 }
 END_TEST
 
+/* The three curves have the hues of blue, orange and purple that all kinds of colour vision tell apart (Okabe
+ * and Ito), with 256 colours and, as near as may be, with eight. */
+START_TEST(curves_have_their_colours)
+{
+    static const struct {
+        Style style;
+        int dark, light, eight, eight_light;
+    } curves[] = {
+        {STYLE_MEASURED, 75, 25, 6, 4}, {STYLE_PREDICTED, 214, 130, 3, 1}, {STYLE_EXACT, 183, 90, 5, 5}};
+    for (size_t i = 0; i < sizeof curves / sizeof *curves; i++) {
+        ck_assert_int_eq(theme_look(256, false, curves[i].style, 0).foreground, curves[i].dark);
+        ck_assert_int_eq(theme_look(256, true, curves[i].style, 0).foreground, curves[i].light);
+        ck_assert_int_eq(theme_look(8, false, curves[i].style, 0).foreground, curves[i].eight);
+        ck_assert_int_eq(theme_look(8, true, curves[i].style, 0).foreground, curves[i].eight_light);
+    }
+}
+END_TEST
+
 START_TEST(the_ground_is_told)
 {
     ck_assert(theme_is_light("light", NULL));
@@ -92,6 +110,7 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("theme");
+    tcase_add_test(tcase, curves_have_their_colours);
     tcase_add_test(tcase, the_ground_is_told);
     tcase_add_test(tcase, the_ramp_rises);
     tcase_add_test(tcase, everything_stands_out_from_the_ground);

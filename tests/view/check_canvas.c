@@ -3,8 +3,10 @@
 #include "view/draw/canvas.h"
 #include "view/panes/commands.h"
 
+#include <locale.h>
 #include <stdlib.h>
 #include <string.h>
+#include <wchar.h>
 
 static Canvas open_canvas(int width, int height)
 {
@@ -60,6 +62,68 @@ START_TEST(bad_bytes_become_question_marks)
 }
 END_TEST
 
+/* Whatever reaches a cell, no terminal sees a byte of it that it would obey. */
+START_TEST(no_control_reaches_a_cell)
+{
+    Canvas canvas = open_canvas(3, 1);
+    for (uint32_t glyph = 1; glyph < 0x110000; glyph++) {
+        char text[5] = "";
+        utf8_put(text, glyph);
+        canvas_put(&canvas, 0, 0, glyph, STYLE_NORMAL);
+        canvas_text(&canvas, 1, 0, 1, text, STYLE_NORMAL);
+        for (int x = 0; x < 2; x++) {
+            const uint32_t shown = canvas.cells[x].glyph;
+            const bool acts = shown < ' ' || (shown >= 0x7f && shown < 0xa0) ||
+                              (shown >= 0xd800 && shown < 0xe000) || shown > CELL_FOLLOWS;
+            ck_assert_msg(!acts, "U+%04X", glyph);
+        }
+    }
+    canvas_close(&canvas);
+}
+END_TEST
+
+/* What takes a cell or two here does so for the C library, or is unknown to it; what goes on top of another
+ * character or has no width takes part in no row. */
+START_TEST(every_cell_is_measured)
+{
+    ck_assert_ptr_nonnull(setlocale(LC_CTYPE, "C.UTF-8"));
+    for (uint32_t glyph = 1; glyph < 0x110000; glyph++) {
+        const int here = glyph_columns(glyph), there = wcwidth((wchar_t)glyph);
+        if (here > 0 && there >= 0)
+            ck_assert_msg(here == there, "U+%04X: %d, not %d", glyph, here, there);
+        if (there == 0 || glyph < ' ')
+            ck_assert_msg(here == 0, "U+%04X", glyph);
+    }
+    for (uint32_t glyph = 0x2500; glyph < 0x2900; glyph++) /* lines, blocks, braille */
+        ck_assert(glyph_columns(glyph) == 1 || (glyph >= 0x25fd && glyph < 0x27c0));
+}
+END_TEST
+
+START_TEST(wide_characters_keep_their_two_cells)
+{
+    Canvas canvas = open_canvas(6, 2);
+    ck_assert_int_eq(text_columns("梁x"), 3);
+    ck_assert_int_eq(canvas_text(&canvas, 0, 0, 6, "梁の振", STYLE_NORMAL), 6);
+    expect_dump(&canvas, "梁の振\n\n");
+    canvas_put(&canvas, 1, 0, '!', STYLE_NORMAL); /* the second half */
+    canvas_put(&canvas, 4, 0, '!', STYLE_NORMAL); /* the first */
+    expect_dump(&canvas, " !の!\n\n");
+    canvas_put(&canvas, 1, 0, 0x6881, STYLE_NORMAL); /* over one and a half */
+    expect_dump(&canvas, " 梁 !\n\n");
+    canvas_clear(&canvas);
+    canvas_put(&canvas, 5, 0, 0x6881, STYLE_NORMAL); /* no room, and not in the next row */
+    expect_dump(&canvas, "     ?\n\n");
+    canvas_clear(&canvas);
+    ck_assert_int_eq(canvas_text(&canvas, 0, 0, 4, "梁の振", STYLE_NORMAL), 3);
+    ck_assert_int_eq(canvas_text(&canvas, 0, 1, 4, "a梁の", STYLE_NORMAL), 4);
+    expect_dump(&canvas, "梁…\na梁…\n");
+    canvas_clear(&canvas);
+    ck_assert_int_eq(canvas_text(&canvas, 0, 0, 6, "e\xcc\x81x", STYLE_NORMAL), 3);
+    expect_dump(&canvas, "e?x\n\n");
+    canvas_close(&canvas);
+}
+END_TEST
+
 START_TEST(scalars_survive_utf8)
 {
     const uint32_t glyphs[] = {'A', 0x7f, 0xb2, 0x7ff, 0x800, 0x2800, 0xffff, 0x10000, 0x10ffff};
@@ -101,6 +165,9 @@ void add_cases(Suite *suite)
     tcase_add_test(canvas, text_is_cut_with_an_ellipsis);
     tcase_add_test(canvas, outside_nothing_happens);
     tcase_add_test(canvas, bad_bytes_become_question_marks);
+    tcase_add_test(canvas, no_control_reaches_a_cell);
+    tcase_add_test(canvas, every_cell_is_measured);
+    tcase_add_test(canvas, wide_characters_keep_their_two_cells);
     tcase_add_test(canvas, scalars_survive_utf8);
     suite_add_tcase(suite, canvas);
     TCase *table = tcase_create("commands");

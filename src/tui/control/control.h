@@ -103,6 +103,8 @@ struct Laboratory {
     bool in_parts;       /* a step that takes long is under way, in parts: nothing new to look at as yet */
     double part_seconds; /* what it has taken so far */
     int frames_in_time;  /* since the engine was last the limit */
+    enum { DRAG_NOTHING, DRAG_VALUE, DRAG_TIME } drag; /* what the pressed mouse holds */
+    int drag_x;          /* where it was nudged last */
     bool pasted_line;    /* a pasted line has ended; what is pasted behind it is another word */
     Answer answer;
     const Typing *typing;   /* NULL: nothing special */

@@ -245,7 +245,7 @@ void complete_prompt(Laboratory *lab)
     } else if (before + strlen(completion.common) + 2 < sizeof prompt->text) {
         snprintf(prompt->text + before, sizeof prompt->text - before, "%s%s", completion.common,
                  completion.found == 1 ? completion.tail : "");
-        prompt->cursor = text_columns(prompt->text);
+        prompt->cursor = text_characters(prompt->text);
         const BuiltinScenario *scenario = completion.found == 1 ? scenario_builtin(completion.common) : NULL;
         char title[TITLE_MAX];
         if (scenario && !prompt->scenarios && scenario_title(scenario, title))

@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* --- help ------------------------------------------------------------------------------------------- */
@@ -84,6 +85,7 @@ static void click(Laboratory *lab, int x, int y)
         return;
     const long step = screen_timeline_step(screen, lab->width, lab->height, x, y);
     if (step >= 0) {
+        lab->drag = DRAG_TIME;
         pause_run(lab);
         seek(lab, step, 0);
         return;
@@ -106,9 +108,26 @@ static void click(Laboratory *lab, int x, int y)
     int row = screen_parameter_at(screen, lab->width, lab->height, x, y);
     if (row < 0)
         return;
+    lab->drag = DRAG_VALUE;
+    lab->drag_x = x;
     if (row == screen->selected)
         laboratory_command(lab, COMMAND_ENTER);
     screen->selected = row;
+}
+
+/* The value goes down to the left and up to the right, the time goes where the mouse is. */
+static void drag(Laboratory *lab, int x)
+{
+    enum { CELLS_A_NUDGE = 2 };
+    const int nudges = (x - lab->drag_x) / CELLS_A_NUDGE;
+    if (lab->drag == DRAG_TIME) {
+        seek(lab, screen_timeline_nearest(&lab->screen, lab->width, lab->height, x), 0);
+    } else if (lab->drag == DRAG_VALUE && nudges != 0) {
+        lab->screen.editing = false; /* the press was the beginning of a way */
+        lab->drag_x += CELLS_A_NUDGE * nudges;
+        for (int i = 0; i < abs(nudges); i++)
+            nudge_selected(lab, nudges > 0 ? 1 : -1);
+    }
 }
 
 static void wheel(Laboratory *lab, int direction, int x, int y)
@@ -124,9 +143,14 @@ static void wheel(Laboratory *lab, int direction, int x, int y)
 static bool mouse_key(Laboratory *lab, const Key *key)
 {
     bool busy = lab->screen.prompt.open || lab->screen.editing;
+    const bool drags = strcmp(key->name, "Drag") == 0;
+    if (!drags)
+        lab->drag = DRAG_NOTHING;
     if (strcmp(key->name, "Click") == 0) {
         if (!busy)
             click(lab, key->x, key->y);
+    } else if (drags) {
+        drag(lab, key->x);
     } else if (strcmp(key->name, "WheelUp") == 0 || strcmp(key->name, "WheelDown") == 0) {
         if (!busy)
             wheel(lab, key->name[5] == 'U' ? -1 : 1, key->x, key->y);

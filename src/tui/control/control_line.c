@@ -32,7 +32,7 @@ static void recall(Laboratory *lab, int direction)
         memcpy(past->unfinished, prompt->text, sizeof past->unfinished);
     past->at = to;
     memcpy(prompt->text, to == past->count ? past->unfinished : past->lines[to], sizeof prompt->text);
-    prompt->cursor = text_columns(prompt->text);
+    prompt->cursor = text_characters(prompt->text);
     prompt->problem[0] = prompt->hint[0] = '\0';
     lab->fresh = false;
 }

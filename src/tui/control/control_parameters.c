@@ -179,7 +179,7 @@ void begin_edit(Laboratory *lab)
         return;
     }
     settings_get(experiment_settings(lab->screen.experiment), parameter, screen->edit_text);
-    screen->edit_cursor = text_columns(screen->edit_text);
+    screen->edit_cursor = text_characters(screen->edit_text);
     screen->edit_problem[0] = '\0';
     screen->editing = true;
     lab->fresh = true;

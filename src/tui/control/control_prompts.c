@@ -43,7 +43,7 @@ void fill_prompt(Laboratory *lab, const char *text)
 {
     Prompt *prompt = &lab->screen.prompt;
     snprintf(prompt->text, sizeof prompt->text, "%s", text);
-    prompt->cursor = text_columns(prompt->text);
+    prompt->cursor = text_characters(prompt->text);
     prompt->problem[0] = '\0';
     lab->fresh = true;
 }

@@ -111,13 +111,23 @@ static bool do_key(Player *player, char *rest, Status *status)
     return true;
 }
 
-static bool do_click(Player *player, char *rest, Status *status)
+static bool press_mouse(Player *player, const char *word, const char *name, const char *rest, Status *status)
 {
     int x, y;
     char end;
     if (sscanf(rest, "%d %d%c", &x, &y, &end) != 2)
-        return status_fail(status, STATUS_USAGE, "click: a column and a row are wanted, not: %s", rest);
-    return press_at(player, "Click", x, y, status);
+        return status_fail(status, STATUS_USAGE, "%s: a column and a row are wanted, not: %s", word, rest);
+    return press_at(player, name, x, y, status);
+}
+
+static bool do_click(Player *player, char *rest, Status *status)
+{
+    return press_mouse(player, "click", "Click", rest, status);
+}
+
+static bool do_drag(Player *player, char *rest, Status *status)
+{
+    return press_mouse(player, "drag", "Drag", rest, status);
 }
 
 static bool do_type(Player *player, char *rest, Status *status)
@@ -247,6 +257,7 @@ const ScriptInstruction script_instructions[] = {
     {"key", "NAME...", "presses keys by name: Space, Enter, ^C, ], ...", do_key},
     {"type", "TEXT", "presses the characters of the text one by one", do_type},
     {"click", "X Y", "presses the mouse in a column and a row, from 0", do_click},
+    {"drag", "X Y", "moves the mouse there, its button still pressed", do_drag},
     {"scene", "NAME",
      "a scene of a lecture begins; until the next one not more than four keys and clicks are pressed",
      do_scene},

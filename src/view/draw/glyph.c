@@ -91,6 +91,14 @@ uint32_t glyph_shown(uint32_t glyph)
     return glyph_columns(glyph) > 0 ? glyph : REPLACEMENT;
 }
 
+int text_characters(const char *utf8)
+{
+    int count = 0;
+    while (utf8_next(&utf8))
+        count++;
+    return count;
+}
+
 int text_columns(const char *utf8)
 {
     int columns = 0;

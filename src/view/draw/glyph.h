@@ -20,7 +20,8 @@ uint32_t glyph_shown(uint32_t glyph);
 /* What stands for it where only ASCII can be shown, one cell for one cell; '?' where nothing does. */
 uint32_t glyph_ascii(uint32_t glyph);
 
-/* Cells that a text takes. */
+/* Cells that a text takes; characters that it has. */
 int text_columns(const char *utf8);
+int text_characters(const char *utf8);
 
 #endif

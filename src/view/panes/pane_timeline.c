@@ -113,13 +113,23 @@ void pane_timeline(const Screen *screen, Area area)
         draw_marks(screen, area, line.first, seen);
 }
 
+long screen_timeline_nearest(const Screen *screen, int width, int height, int x)
+{
+    const Rect rect = layout_make(screen, width, height).timeline;
+    const Line line = line_of(screen, rect.width);
+    int cell = x - rect.x - line.first;
+    if (rect.width < 1 || line.cells < 8)
+        return experiment_step(screen->experiment);
+    cell = cell < 0 ? 0 : cell >= line.cells ? line.cells - 1 : cell;
+    return lround((double)cell / (line.cells - 1) * (double)experiment_last_step(screen->experiment));
+}
+
 long screen_timeline_step(const Screen *screen, int width, int height, int x, int y)
 {
-    const Layout layout = layout_make(screen, width, height);
-    const Rect rect = layout.timeline;
+    const Rect rect = layout_make(screen, width, height).timeline;
     const Line line = line_of(screen, rect.width);
     const int cell = x - rect.x - line.first;
     if (rect.width < 1 || y != rect.y || line.cells < 8 || cell < 0 || cell >= line.cells)
         return -1;
-    return lround((double)cell / (line.cells - 1) * (double)experiment_last_step(screen->experiment));
+    return screen_timeline_nearest(screen, width, height, x);
 }

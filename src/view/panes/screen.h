@@ -228,6 +228,9 @@ long screen_bookmark_step(const Screen *, int index);
 /* The step that lies under a cell of the timeline, for the mouse; -1: the cell is not on it. */
 long screen_timeline_step(const Screen *, int width, int height, int x, int y);
 
+/* The step of the place of the timeline that is nearest to a column, in whatever row the mouse is. */
+long screen_timeline_nearest(const Screen *, int width, int height, int x);
+
 /* The inspector, the pane that `i` opens over the plots: whether this method has one, and the arrows in it.
  * False: they do what they do in the mesh strip. */
 bool screen_has_inspector(const Screen *);
