@@ -362,6 +362,11 @@ FILE *output_update(Asker asker, const char *name, Status *status)
     return stream;
 }
 
+bool output_cut(FILE *stream, long size)
+{
+    return ftruncate(fileno(stream), size) == 0 && fseek(stream, size, SEEK_SET) == 0;
+}
+
 void output_remove(Asker asker, const char *name)
 {
     if (output_allowed(asker, name, NULL))

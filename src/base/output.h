@@ -70,6 +70,7 @@ bool output_publish(OutputFile *, Status *);
  * why.
  */
 FILE *output_update(Asker, const char *name, Status *);
+bool output_cut(FILE *, long size); /* such a file ends here now, and goes on here */
 void output_remove(Asker, const char *name);
 
 /* Makes a folder; *made: it was not there. output_remove_folder() takes back one that is empty. */

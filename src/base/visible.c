@@ -3,6 +3,8 @@
 #include <stdarg.h>
 #include <string.h>
 
+enum { LINE_MOST = 2048 }; /* bytes of a line that is printed */
+
 /* Characters that are format or control, by ranges, ascending. */
 static const struct {
     uint32_t first, last;
@@ -83,9 +85,17 @@ size_t text_visible(char *out, size_t size, const char *text)
     return used;
 }
 
+/* One line between what begins and what ends it. */
+static void print_line(FILE *stream, const char *before, const char *text, const char *after)
+{
+    char shown[4 * LINE_MOST];
+    text_visible(shown, sizeof shown, text);
+    fprintf(stream, "%s%s%s", before, shown, after);
+}
+
 void text_print(FILE *stream, const char *format, ...)
 {
-    char text[2048], shown[4 * sizeof text];
+    char text[LINE_MOST];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
@@ -94,8 +104,15 @@ void text_print(FILE *stream, const char *format, ...)
     const bool ends_line = length > 0 && text[length - 1] == '\n';
     if (ends_line)
         text[length - 1] = '\0';
-    text_visible(shown, sizeof shown, text);
-    fputs(shown, stream);
-    if (ends_line)
-        fputc('\n', stream);
+    print_line(stream, "", text, ends_line ? "\n" : "");
+}
+
+void text_progress(FILE *stream, const char *format, ...)
+{
+    char text[LINE_MOST];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    print_line(stream, "\r", text, "\033[K");
 }

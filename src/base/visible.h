@@ -31,4 +31,7 @@ size_t text_visible(char *out, size_t size, const char *text);
 /* Prints one line of at most 2000 bytes as it can be shown. A newline is kept at the end of the line only. */
 void text_print(FILE *, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* Writes over the line that the terminal is in, for progress; "" only clears it. */
+void text_progress(FILE *, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
 #endif

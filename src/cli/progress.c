@@ -2,6 +2,7 @@
 
 #include "base/signals.h"
 #include "base/threads.h"
+#include "base/visible.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -24,7 +25,7 @@ static void draw_bar(const Progress *progress, double share, double now)
         line[i] = i < full ? '#' : '.';
     line[WIDTH] = '\0';
     double left = share > 0 ? (now - progress->began) * (1 - share) / share : 0;
-    fprintf(stderr, "\r[%s] %3.0f %%  %.0f s left \033[K", line, floor(100 * share), ceil(left));
+    text_progress(stderr, "[%s] %3.0f %%  %.0f s left ", line, floor(100 * share), ceil(left));
 }
 
 void progress_begin(Progress *progress, bool quiet)
@@ -48,7 +49,7 @@ bool progress_show(double share, void *context)
 void progress_end(const Progress *progress)
 {
     if (progress->shown > 0)
-        fputs("\r\033[K", stderr);
+        text_progress(stderr, "%s", "");
 }
 
 double progress_seconds(const Progress *progress)

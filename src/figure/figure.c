@@ -187,8 +187,10 @@ bool figure_add(Figure *figure, const Screen *screen, int view, int panels, Stat
         if (in_want)
             no_memory(status);
         else
-            status_fail(status, STATUS_FAILED, "%s: nothing to draw%s%s", sketch->heading,
-                        sketch->n_notes > 0 ? ": " : "", sketch->n_notes > 0 ? sketch->notes[0].text : "");
+            status_fail(status, sketch->n_notes > 0 ? STATUS_FAILED : STATUS_USAGE, "%s: nothing to draw: %s",
+                        *sketch->heading ? sketch->heading : screen_view_word(screen, view),
+                        sketch->n_notes > 0 ? sketch->notes[0].text
+                                            : "the page is too small for it (at least 30x30 mm)");
         sketch_close(&panel->sketch);
         free(panel);
         return false;

@@ -57,6 +57,8 @@ compare() {
 }
 result "every row lies where it should, to a hundredth of a point" compare
 
+refuse "a page that is too small" 'probe: nothing to draw: the page is too small for it (at least 30x30 mm)' \
+	mode1 --view probe --size 1x1 --end 1 --output small.svg
 expect "signs of XML" 0 mode5 --end 5 --view probe --output xml.svg --set 'scenario.title=a<b>&"c'
 result "are written as it wants them" says xml.svg '<title>.*a&lt;b&gt;&amp;"c.*</title>'
 result "everywhere" test -z "$(grep -F -e 'a<b' xml.svg)"

@@ -33,6 +33,18 @@ result "in one line" lines err 1
 result "that says how" says err '^matvib: a.csv: exists (--force replaces it)$'
 result "and is left alone" cmp -s a.csv b.csv
 expect "unless it may be replaced" 0 mode5 --series a.csv --force --quiet
+ln -s nowhere/at-all dangling.csv
+refuse "a link to nothing is judged before the run" 'dangling.csv: is a link that leads nowhere' \
+	mode1 --set time.end=1e9 --series dangling.csv
+longest=$(printf "%0250d" 0)
+expect "a name of 250 bytes, 254 with .ini" 0 mode1 --end 1 --series "$longest" --quiet
+result "is a file like others" test -s "$longest" -a -s "$longest.ini"
+rm -f dangling.csv "$longest" "$longest.ini"
+refuse "a name that a terminal would obey" \
+	'a\x1b[2J.csv: is no name for a file (UTF-8 without control characters)' mode1 --series "$(printf 'a\033[2J.csv')"
+refuse "a density beyond numbers blames the density" \
+	'--set: beam.density: 1e-300 is too light for the forces of its bonds (a larger one)' \
+	notched-beam-coarse --set beam.density=1e-300
 result "then it is another" sh -c '! cmp -s a.csv b.csv'
 rm -f ./*.csv ./*.ini
 

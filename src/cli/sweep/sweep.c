@@ -138,7 +138,7 @@ static int next_combination(void *context)
 static void wipe_bar(const Sweep *sweep)
 {
     if (sweep->shown > 0)
-        fputs("\r\033[K", stderr);
+        text_progress(stderr, "%s", "");
 }
 
 static void tell(const Sweep *sweep, const char *what, int combination, const char *why)
@@ -177,8 +177,8 @@ static void show_progress(void *context, double begun)
     for (int i = 0; i < WIDTH; i++)
         bar[i] = i < (int)(share * WIDTH) ? '#' : '.';
     bar[WIDTH] = '\0';
-    fprintf(stderr, "\r[%s] %3.0f %%  %d of %d runs  %.0f s left \033[K", bar, floor(100 * share),
-            sweep->ready, sweep->to_do, ceil(left));
+    text_progress(stderr, "[%s] %3.0f %%  %d of %d runs  %.0f s left ", bar, floor(100 * share), sweep->ready,
+                  sweep->to_do, ceil(left));
 }
 
 static int run_all(Sweep *sweep, Status *status)

@@ -119,8 +119,7 @@ static bool begin(SweepPartial *partial, Status *status)
 {
     char text[LINE_BYTES * 2];
     heading(text);
-    rewind(partial->stream);
-    return (ftruncate(fileno(partial->stream), 0) == 0 && fputs(text, partial->stream) >= 0 &&
+    return (output_cut(partial->stream, 0) && fputs(text, partial->stream) >= 0 &&
             fflush(partial->stream) == 0) ||
            cannot_write(partial, status);
 }
@@ -164,8 +163,7 @@ static bool resume(SweepPartial *partial, Search *search, bool force, SweepResul
         return status_fail(status, STATUS_USAGE, "%s: holds rows of another sweep (--force begins anew)",
                            partial->name);
     if (end > 0)
-        return (ftruncate(fileno(partial->stream), end) == 0 && fseek(partial->stream, 0, SEEK_END) == 0) ||
-               cannot_write(partial, status);
+        return output_cut(partial->stream, end) || cannot_write(partial, status);
     for (int i = 0; i < search->count; i++)
         results[i].done = false;
     partial->rows = 0;

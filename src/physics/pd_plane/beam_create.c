@@ -176,6 +176,12 @@ static bool start(Beam *beam, Status *status)
 {
     beam_all_forces(beam);
     for (int band = 0; band < beam->n_bands; band++) {
+        const BeamDef *def = &beam->def;
+        if (beam->band_logs[band].unstable &&
+            !isfinite(def->youngs_modulus / def->density / (def->spacing * def->spacing)))
+            return status_fail(status, STATUS_USAGE,
+                               "beam.density: %g is too light for the forces of its bonds (a larger one)",
+                               def->density);
         if (beam->band_logs[band].unstable)
             return status_fail(status, STATUS_USAGE,
                                "initial.amplitude: %g tears the beam apart at the start (a smaller one)",

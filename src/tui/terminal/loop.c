@@ -1,5 +1,6 @@
 #include "tui/terminal/loop.h"
 
+#include "base/visible.h"
 #include "tui/control/control.h"
 #include "tui/terminal/terminal.h"
 
@@ -23,7 +24,7 @@ typedef struct Loop {
     Session *replay;    /* NULL: none */
     bool fast;          /* replay as fast as it can */
     double replayed_at; /* when its last key was done again */
-    int told;           /* characters on the shell's last line that tell how far the opening has come */
+    bool told;          /* something stands on the shell's last line that tell how far the opening has come */
     bool stale;         /* what is shown is not what is */
     bool unannounced;   /* a picture is not yet announced, for the terminal has not taken all of it */
 } Loop;
@@ -74,14 +75,15 @@ static void tell_opening(Loop *loop)
     if (!isatty(STDERR_FILENO) || now(NULL) - loop->drawn_at < PROGRESS_SECONDS)
         return;
     loop->drawn_at = now(NULL);
-    loop->told = fprintf(stderr, "\r%s", loop->lab.screen.message);
+    text_progress(stderr, "%s", loop->lab.screen.message);
+    loop->told = true;
 }
 
 static void forget_opening(Loop *loop)
 {
-    if (loop->told > 0)
-        fprintf(stderr, "\r%*s\r", loop->told, "");
-    loop->told = 0;
+    if (loop->told)
+        text_progress(stderr, "%s", "");
+    loop->told = false;
 }
 
 static bool go_on(void *context)
