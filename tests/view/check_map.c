@@ -400,18 +400,14 @@ END_TEST
 /* Displacements may be drawn so large that the load leaves the picture, at any of its edges. */
 START_TEST(what_is_drawn_far_too_large_stays_in_the_picture)
 {
-    static const char *const factors[] = {"1e4", "1e9", "1e300"};
-    static const char *const stresses[] = {"60e6", "-60e6"};
-    for (size_t i = 0; i < sizeof factors / sizeof *factors; i++)
-        for (size_t k = 0; k < sizeof stresses / sizeof *stresses; k++) {
-            char words[160];
-            Scene scene;
-            snprintf(words, sizeof words,
-                     "notched-beam-coarse 80x24 20 upper 8 load.stress=%s view.exaggeration=%s", stresses[k],
-                     factors[i]);
-            open_scene(&scene, words);
-            scene_close(&scene);
-        }
+    for (int power = 2; power < 14; power++) {
+        char words[160];
+        Scene scene;
+        snprintf(words, sizeof words, "notched-beam-coarse 80x24 2 upper 8 variant 4 view.exaggeration=1e%d",
+                 power);
+        open_scene(&scene, words);
+        scene_close(&scene);
+    }
 }
 END_TEST
 
