@@ -1,6 +1,7 @@
-/* What verify says of a number, and that it says so with its exit status. */
+/* What verify says of a number in its two columns, and that it says so with its exit status. */
 #include "cli/verify/verify.h"
-#include "cli/verify/verify_sheet.h"
+#include "cli/verify/verify_quantity.h"
+#include "cli/verify/verify_runner.h"
 #include "suite.h"
 
 #include <math.h>
@@ -9,24 +10,41 @@
 
 START_TEST(numbers_in_and_out_of_bounds)
 {
-    const Bound wide = {-1, 1}, narrow = {0.25, 0.75}, open = {5, INFINITY};
-    const Bound both[2] = {wide, narrow};
-    ck_assert_int_eq(verdict_of(0.5, both, 2), VERDICT_HOLDS);
-    ck_assert_int_eq(verdict_of(0.25, both, 2), VERDICT_HOLDS);
-    ck_assert_int_eq(verdict_of(0.75, both, 2), VERDICT_HOLDS);
-    ck_assert_int_eq(verdict_of(0.2499999, both, 2), VERDICT_MISSED);
-    ck_assert_int_eq(verdict_of(0.2499999, both, 1), VERDICT_HOLDS);
-    ck_assert_int_eq(verdict_of(1.5, both, 2), VERDICT_MISSED);
-    ck_assert_int_eq(verdict_of(-1.5, both, 2), VERDICT_MISSED);
-    ck_assert_int_eq(verdict_of(4.9, &open, 1), VERDICT_MISSED);
-    ck_assert_int_eq(verdict_of(1e300, &open, 1), VERDICT_HOLDS);
-    /* what is no number can hold nothing */
-    ck_assert_int_eq(verdict_of(NAN, &wide, 1), VERDICT_MISSED);
-    ck_assert_int_eq(verdict_of(NAN, &open, 1), VERDICT_MISSED);
-    ck_assert_int_eq(verdict_of(INFINITY, &wide, 1), VERDICT_MISSED);
-    ck_assert_int_eq(verdict_of(NAN, NULL, 0), VERDICT_SHOWN);
-    ck_assert_double_eq(within(3, 0.5).low, 2.5);
-    ck_assert_double_eq(within(3, 0.5).high, 3.5);
+    const VerifyRow row = {.reference = WITHIN(0.5, 0.25)};
+    ck_assert(verify_reproduces(&row, 0.5, NAN));
+    ck_assert(verify_reproduces(&row, 0.25, NAN));
+    ck_assert(verify_reproduces(&row, 0.75, NAN));
+    ck_assert(!verify_reproduces(&row, 0.2499999, NAN));
+    ck_assert(!verify_reproduces(&row, -0.5, NAN));
+    ck_assert(!verify_reproduces(&row, INFINITY, NAN));
+    ck_assert(!verify_reproduces(&row, NAN, NAN));
+    /* theory has its own say where it has a tolerance */
+    const VerifyRow both = {.reference = WITHIN(0.5, 0.25), .tolerance = 0.1};
+    ck_assert(verify_reproduces(&both, 0.5, 0.59));
+    ck_assert(!verify_reproduces(&both, 0.5, 0.61));
+    ck_assert(!verify_reproduces(&both, 0.5, NAN));
+    ck_assert(!verify_reproduces(&both, 0.8, 0.8));
+    const VerifyRow theory = {.tolerance = 0.1};
+    ck_assert(verify_reproduces(&theory, 7, 7.05));
+    ck_assert(!verify_reproduces(&theory, 7, 7.2));
+}
+END_TEST
+
+START_TEST(what_the_paper_says_has_a_verdict_of_its_own)
+{
+    const Claim silent = NOTHING, printed = PRINTS("90", 90), about = ABOUT("about 5", -5),
+                words = SAYS("longer", 0, INFINITY);
+    ck_assert_int_eq(verify_agreement(&silent, 1), PAPER_SILENT);
+    ck_assert_int_eq(verify_agreement(&printed, 91), PAPER_AGREES);
+    ck_assert_int_eq(verify_agreement(&printed, 82.8), PAPER_NEAR);
+    ck_assert_int_eq(verify_agreement(&printed, 73.4), PAPER_DIFFERS);
+    ck_assert_int_eq(verify_agreement(&printed, NAN), PAPER_DIFFERS);
+    ck_assert_int_eq(verify_agreement(&about, -4.6), PAPER_AGREES);
+    ck_assert_int_eq(verify_agreement(&about, -4.239), PAPER_NEAR);
+    ck_assert_int_eq(verify_agreement(&about, 4.239), PAPER_DIFFERS);
+    ck_assert_int_eq(verify_agreement(&words, 0.1), PAPER_AGREES);
+    ck_assert_int_eq(verify_agreement(&words, -0.1), PAPER_DIFFERS);
+    ck_assert_int_eq(verify_agreement(&words, NAN), PAPER_DIFFERS);
 }
 END_TEST
 
@@ -43,57 +61,124 @@ static void capture_open(Capture *capture)
     ck_assert_ptr_nonnull(capture->file);
 }
 
-START_TEST(a_miss_is_counted_and_ends_in_status_1)
+/* Runs a check of two rows on a quick run, with a reference and a run of its second. */
+static int run_rows(Band reference, const char *scenario, char **text, Status *status)
 {
     Capture out;
     capture_open(&out);
-    Verify verify = {.out = out.file};
-    VerifyRow row = {"omega", "about 5", 5.415, 5.415, 3, 1, {within(5.4, 0.02)}};
-    verify_head(&verify, NULL);
-    verify_row(&verify, &row);
-    Status status = {0};
-    ck_assert_int_eq(verify_end(&verify, &status), 0);
-    ck_assert_int_eq(status.code, STATUS_DONE);
-    row.measured = 5.65;
-    verify_row(&verify, &row);
-    ck_assert_int_eq(verify_end(&verify, &status), 1);
+    const VerifyRow rows[] = {
+        {.what = "v_cm at once",
+         .scenario = "mode1 time.end=1",
+         .quantity = quantity_value_at,
+         .column = "v_cm",
+         .decimals = 3,
+         .reference = WITHIN(0.064, 0.001),
+         .paper = PRINTS(".08", 0.08)},
+        {.what = "the same",
+         .scenario = scenario,
+         .quantity = quantity_value_at,
+         .column = "v_cm",
+         .decimals = 3,
+         .reference = reference,
+         .paper = PRINTS(".06", 0.06)},
+        {.what = "late", .quantity = quantity_value_at, .column = "v_cm", .from = 99, .full = true},
+    };
+    const VerifyCheck check = {"X", "a check", VERIFY_ROWS(rows), "A note."};
+    Verify verify = {.out = out.file, .threads = 1};
+    *status = (Status){0};
+    verify_check_run(&verify, &check, false);
+    int result = verify_end(&verify, status);
+    fclose(out.file);
+    *text = out.text;
+    return result;
+}
+
+static void expect_text(const char *text, const char *part)
+{
+    ck_assert_msg(strstr(text, part) != NULL, "\"%s\" is not in \"%s\"", part, text);
+}
+
+START_TEST(a_miss_ends_in_status_1_and_what_differs_does_not)
+{
+    char *text;
+    Status status;
+    ck_assert_int_eq(run_rows((Band)WITHIN(0.064, 0.001), NULL, &text, &status), 0);
+    expect_text(text, "X  a check\n");
+    expect_text(text, "  v_cm at once                               0.064  0.063..0.065        yes\n"
+                      "    the paper: \".08\": differs, -20 %\n");
+    expect_text(text, "    the paper: \".06\": near, +6.1 %\n");
+    expect_text(text, "  A note.\n");
+    expect_text(text, "\nours: 2 of 2 reproduced; paper: 0 agree, 1 near, 1 differs, 0 not given\n");
+    ck_assert_ptr_null(strstr(text, "late"));
+    free(text);
+    ck_assert_int_eq(run_rows((Band){0.07, 0.08}, NULL, &text, &status), 1);
     ck_assert_int_eq(status.code, STATUS_FAILED);
     ck_assert_str_eq(status.text, "verify: 1 of 2 missed");
-    row.measured = NAN;
-    verify_row(&verify, &row);
-    row.n_bounds = 0, row.measured = 1;
-    verify_row(&verify, &row); /* shown only */
-    ck_assert_int_eq(verify_end(&verify, &status), 1);
-    ck_assert_str_eq(status.text, "verify: 2 of 3 missed");
-    fclose(out.file);
-    ck_assert_ptr_nonnull(strstr(out.text, "omega                  about 5        5.415     5.415"));
-    ck_assert_ptr_nonnull(strstr(out.text, "5.380..5.420  holds\n"));
-    ck_assert_ptr_nonnull(strstr(out.text, "5.650     5.380..5.420  MISSED\n"));
-    ck_assert_ptr_nonnull(strstr(out.text, "none     5.380..5.420  MISSED\n"));
-    ck_assert_ptr_nonnull(strstr(out.text, "1 of 3 hold\n"));
-    free(out.text);
+    expect_text(text, "0.064  0.070..0.080        MISSED\n");
+    expect_text(text, "\nours: 1 of 2 reproduced;");
+    free(text);
+    /* a run that cannot be made says why */
+    ck_assert_int_eq(run_rows((Band)WITHIN(0.064, 0.001), "mode1 bar.length=-1", &text, &status), 1);
+    expect_text(text, "      none  0.063..0.065        MISSED\n");
+    expect_text(text, "\n    --set: bar.length: ");
+    free(text);
 }
 END_TEST
 
-static void expect_allowed(int decimals, double low, double high, const char *text)
+static void expect_reference(int decimals, double low, double high, const char *part)
 {
     Capture out;
     capture_open(&out);
-    Verify verify = {.out = out.file};
-    verify_row(&verify, &(VerifyRow){"x", NULL, NAN, (low + high) / 2, decimals, 1, {{low, high}}});
+    const VerifyRow row = {.what = "x",
+                           .scenario = "mode1 time.end=0.01",
+                           .quantity = quantity_value_at,
+                           .column = "v_cm",
+                           .decimals = decimals,
+                           .reference = {low, high}};
+    const VerifyCheck check = {"X", "a check", &row, 1, NULL};
+    Verify verify = {.out = out.file, .threads = 1};
+    verify_check_run(&verify, &check, false);
+    verify_end(&verify, &(Status){0});
     fclose(out.file);
-    ck_assert_msg(strstr(out.text, text) != NULL, "\"%s\" is not in \"%s\"", text, out.text);
+    expect_text(out.text, part);
     free(out.text);
 }
 
 START_TEST(what_is_allowed_is_legible)
 {
-    expect_allowed(1, 2, 3, " 2.0..3.0  ");
-    expect_allowed(0, 1378, 1378, " 1378  ");
-    expect_allowed(2, 5, INFINITY, " >= 5.00  ");
-    expect_allowed(2, -INFINITY, 5, " <= 5.00  ");
-    expect_allowed(0, 0.25, 0.75, " 0.2..0.8  ");
-    expect_allowed(6, 1.139777, 1.139779, " within 1e-06  ");
+    expect_reference(1, 2, 3, " 2.0..3.0  ");
+    expect_reference(0, 1378, 1378, " 1378  ");
+    expect_reference(2, 5, INFINITY, " >= 5.00  ");
+    expect_reference(2, -INFINITY, 5, " <= 5.00  ");
+    expect_reference(0, 0.25, 0.75, " 0.2..0.8  ");
+    expect_reference(6, 63.6630537, 63.6630539, " 63.663054 +- 1e-07  ");
+}
+END_TEST
+
+/* --- the tables ----------------------------------------------------------------------------------- */
+
+static void expect_sound(const VerifyCheck *check)
+{
+    ck_assert_msg(check->rows[0].scenario, "%s begins without a run", check->name);
+    for (int i = 0; i < check->n_rows; i++) {
+        const VerifyRow *row = &check->rows[i];
+        Settings settings;
+        Status status;
+        ck_assert_msg(row->reference.low != 0 || row->reference.high != 0 || row->tolerance > 0,
+                      "%s, %s: cannot miss", check->name, row->what);
+        ck_assert_msg(row->reference.low <= row->reference.high, "%s, %s", check->name, row->what);
+        ck_assert_msg(row->tolerance == 0 || row->theory, "%s, %s: no theory", check->name, row->what);
+        ck_assert_msg(!row->scenario || verify_settings(row->scenario, &settings, &status), "%s, %s: %s",
+                      check->name, row->what, status.text);
+    }
+}
+
+START_TEST(every_row_can_be_run_and_can_miss)
+{
+    const VerifyCheck *const subjects[] = {verify_bar_checks, verify_beam_checks, verify_crack_checks};
+    for (int s = 0; s < 3; s++)
+        for (const VerifyCheck *check = subjects[s]; check->name; check++)
+            expect_sound(check);
 }
 END_TEST
 
@@ -157,7 +242,7 @@ static void expect_narrow(const char *text)
 }
 
 /* Runs these and finds no miss, on lines that a terminal can show. The text is the caller's. */
-static char *expect_held(const char *words)
+static char *expect_reproduced(const char *words)
 {
     char *text;
     Status status;
@@ -167,34 +252,33 @@ static char *expect_held(const char *words)
     return text;
 }
 
-START_TEST(the_bar_holds)
+START_TEST(the_bar_is_reproduced)
 {
-    char *text = expect_held("M-fig2 M-fig3 M-fig4 M-cell M-particles M-dt");
+    char *text = expect_reproduced("M-fig2 M-fig3 M-fig4 M-cell M-particles M-dt");
     ck_assert_ptr_nonnull(strstr(text, "M-fig3  mode 5 of the bar"));
-    ck_assert_ptr_nonnull(strstr(text, "30 of 30 hold\n"));
+    ck_assert_ptr_nonnull(
+        strstr(text, "ours: 33 of 33 reproduced; paper: 12 agree, 3 near, 0 differ, 18 not given\n"));
     ck_assert_ptr_null(strstr(text, "Left out"));
     free(text);
-    free(expect_held("M-usl M-hidden M-crossing M-load"));
+    free(expect_reproduced("M-usl M-hidden M-crossing M-load"));
 }
 END_TEST
 
-START_TEST(the_bar_by_peridynamics_holds)
+START_TEST(the_bar_by_peridynamics_is_reproduced)
 {
-    char *text = expect_held("P-bar");
-    ck_assert_ptr_nonnull(strstr(text, "12 of 12 hold\n"));
-    /* measured, predicted, exact of mode 5 between fixed ends, and how far off */
-    ck_assert_ptr_nonnull(strstr(text, "6.28319"));
-    ck_assert_ptr_nonnull(strstr(text, "-2.016"));
+    char *text = expect_reproduced("P-bar");
+    ck_assert_ptr_nonnull(strstr(text, "ours: 12 of 12 reproduced;"));
+    expect_text(text, "6.1565471  6.1565471 ");
     free(text);
 }
 END_TEST
 
 /* A beam that is quick, and what was left out of it. */
-START_TEST(beams_hold)
+START_TEST(beams_are_reproduced)
 {
-    char *text = expect_held("P-step P-surface P-table1");
-    ck_assert_ptr_nonnull(strstr(text, "Left out without --full:\n  P-step "));
-    ck_assert_ptr_nonnull(strstr(text, "  P-table1     the four finer horizons\n"));
+    char *text = expect_reproduced("P-step P-surface P-table1");
+    ck_assert_ptr_nonnull(strstr(text, "Left out without --full:\n  P-step       5 of 9 rows\n"));
+    ck_assert_ptr_nonnull(strstr(text, "  P-table1     12 of 18 rows\n"));
     ck_assert_ptr_null(strstr(text, "P-fig7"));
     free(text);
 }
@@ -204,8 +288,10 @@ void add_cases(Suite *suite)
 {
     TCase *verdicts = tcase_create("verdicts");
     tcase_add_test(verdicts, numbers_in_and_out_of_bounds);
-    tcase_add_test(verdicts, a_miss_is_counted_and_ends_in_status_1);
+    tcase_add_test(verdicts, what_the_paper_says_has_a_verdict_of_its_own);
+    tcase_add_test(verdicts, a_miss_ends_in_status_1_and_what_differs_does_not);
     tcase_add_test(verdicts, what_is_allowed_is_legible);
+    tcase_add_test(verdicts, every_row_can_be_run_and_can_miss);
     suite_add_tcase(suite, verdicts);
     TCase *words = tcase_create("words");
     tcase_add_test(words, bad_words_are_refused);
@@ -213,8 +299,8 @@ void add_cases(Suite *suite)
     suite_add_tcase(suite, words);
     TCase *runs = tcase_create("runs");
     tcase_set_timeout(runs, 60);
-    tcase_add_test(runs, the_bar_holds);
-    tcase_add_test(runs, the_bar_by_peridynamics_holds);
-    tcase_add_test(runs, beams_hold);
+    tcase_add_test(runs, the_bar_is_reproduced);
+    tcase_add_test(runs, the_bar_by_peridynamics_is_reproduced);
+    tcase_add_test(runs, beams_are_reproduced);
     suite_add_tcase(suite, runs);
 }

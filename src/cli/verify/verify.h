@@ -2,9 +2,10 @@
  *
  *     matvib verify [NAME]... [--full] [--list]
  *
- * Each name is a figure or a table of one of the two papers, or one more thing that is known of a method. The
- * engine runs, and a table tells for each number what the paper says, what theory predicts, what was
- * measured, what is allowed, and whether it holds. */
+ * Each name is a figure or a table of one of the two papers, or one more thing that is known of a method: a
+ * table of rows (verify_row.h). The engine runs, and each row tells what theory knows, what was measured,
+ * what our reference allows and whether it is reproduced; and under it, with a verdict of its own, what the
+ * paper says. */
 #ifndef CLI_VERIFY_H
 #define CLI_VERIFY_H
 
@@ -15,8 +16,9 @@
 /* The names, in the order of --list; NULL behind the last. */
 const char *verify_name(int index);
 
-/* `arguments` are those after the word "verify". Tables go to `out`. Returns the exit status: 0 all holds;
- * 1 a miss (the status says how many); 2 bad usage (the status says what is allowed). */
+/* `arguments` are those after the word "verify". Tables go to `out`. Returns the exit status: 0 our
+ * reference and theory are reproduced; 1 a miss (the status says how many); 2 bad usage (the status says what
+ * is allowed). */
 int verify_main(int count, char **arguments, FILE *out, Status *status);
 
 #endif

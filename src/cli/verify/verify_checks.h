@@ -1,38 +1,22 @@
-/* The checks of a verification, one function each. A check prints its table; it returns false, with a status,
- * where a run could not be made or stopped: that is a miss too. */
+/* The checks of a verification, by subject: each a table of rows under a name. */
 #ifndef CLI_VERIFY_CHECKS_H
 #define CLI_VERIFY_CHECKS_H
 
-#include "base/status.h"
-#include "cli/verify/verify_sheet.h"
+#include "cli/verify/verify_row.h"
 
-#include <stdbool.h>
+typedef struct VerifyCheck {
+    const char *name;
+    const char *title;
+    const VerifyRow *rows; /* the first names a scenario */
+    int n_rows;
+    const char *note; /* said under them; NULL: nothing */
+} VerifyCheck;
 
-/* The bar by the material point method: verify_bar.c, verify_energy.c. */
-bool verify_mode1(Verify *verify, Status *status);
-bool verify_mode5(Verify *verify, Status *status);
-bool verify_mode10(Verify *verify, Status *status);
-bool verify_cell_size(Verify *verify, Status *status);
-bool verify_particles(Verify *verify, Status *status);
-bool verify_time_step(Verify *verify, Status *status);
-bool verify_energy_left(Verify *verify, Status *status);
-bool verify_hidden_energy(Verify *verify, Status *status);
-bool verify_crossing(Verify *verify, Status *status);
-bool verify_loads(Verify *verify, Status *status);
-bool verify_limits(Verify *verify, Status *status);
+#define VERIFY_ROWS(rows) rows, (int)(sizeof(rows) / sizeof *(rows))
 
-/* The same bar by peridynamics: verify_rod.c. */
-bool verify_rod(Verify *verify, Status *status);
-
-/* Beams by peridynamics: verify_beam.c, verify_moving.c, verify_notch.c. */
-bool verify_surface(Verify *verify, Status *status);
-bool verify_critical_step(Verify *verify, Status *status);
-bool verify_table1(Verify *verify, Status *status);
-bool verify_midpoint(Verify *verify, Status *status);
-bool verify_midpoint_velocity(Verify *verify, Status *status);
-bool verify_moving_tip(Verify *verify, Status *status);
-bool verify_moving_velocity(Verify *verify, Status *status);
-bool verify_crack_times(Verify *verify, Status *status);
-bool verify_crack_path(Verify *verify, Status *status);
+/* Each ends with a NULL name. */
+extern const VerifyCheck verify_bar_checks[];   /* the bar: verify_bar.c */
+extern const VerifyCheck verify_beam_checks[];  /* beams that vibrate: verify_beam.c */
+extern const VerifyCheck verify_crack_checks[]; /* the notched beam: verify_crack.c */
 
 #endif

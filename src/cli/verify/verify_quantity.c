@@ -1,0 +1,429 @@
+/* What a verification reads from a run: see verify_quantity.h. Times are those of rows. */
+#include "cli/verify/verify_quantity.h"
+
+#include "lab/answers/crack.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static double scaled(const VerifyRow *row, double value)
+{
+    return row->scale != 0 ? row->scale * value : value;
+}
+
+/* The value of a column in a row; the column is there. */
+static double at(const VerifyRun *run, const double *column, size_t k)
+{
+    return column[k * (size_t)run->n_columns];
+}
+
+static double time_of(const VerifyRun *run, size_t k)
+{
+    return (double)k * run->spacing;
+}
+
+/* --- the readout --------------------------------------------------------------------------------- */
+
+double quantity_measured(VerifyRun *run, const VerifyRow *row)
+{
+    return run->readout.measured_known ? scaled(row, run->readout.measured) : NAN;
+}
+
+double quantity_predicted(VerifyRun *run, const VerifyRow *row)
+{
+    return run->readout.predicted_known ? scaled(row, run->readout.predicted) : NAN;
+}
+
+double quantity_measured_over_predicted(VerifyRun *run, const VerifyRow *row)
+{
+    return scaled(row, run->readout.measured / run->readout.predicted - 1);
+}
+
+double quantity_frequency_error(VerifyRun *run, const VerifyRow *row)
+{
+    (void)row;
+    return run->readout.measured_known ? run->readout.error_frequency : NAN;
+}
+
+double quantity_predicted_frequency_error(VerifyRun *run, const VerifyRow *row)
+{
+    (void)row;
+    return 100 * (run->readout.predicted / run->readout.exact - 1);
+}
+
+double quantity_period_error(VerifyRun *run, const VerifyRow *row)
+{
+    (void)row;
+    return run->readout.measured_known ? run->readout.error_period : NAN;
+}
+
+double quantity_predicted_period_error(VerifyRun *run, const VerifyRow *row)
+{
+    (void)row;
+    return 100 * (run->readout.exact / run->readout.predicted - 1);
+}
+
+static double derived_of(const VerifyRun *run, const char *name)
+{
+    for (int i = 0; i < run->n_derived; i++)
+        if (strcmp(run->derived[i].name, name) == 0)
+            return run->derived[i].value;
+    return NAN;
+}
+
+double quantity_derived_number(VerifyRun *run, const VerifyRow *row)
+{
+    return scaled(row, derived_of(run, row->column));
+}
+
+double quantity_measured_over(VerifyRun *run, const VerifyRow *row)
+{
+    return quantity_measured(run, row) / derived_of(run, row->column);
+}
+
+double quantity_longer_than(VerifyRun *run, const VerifyRow *row)
+{
+    VerifyRun shorter;
+    double percent = NAN;
+    if (verify_run_open(&shorter, row->other, run->threads))
+        percent = 100 * (run->readout.measured / shorter.readout.measured - 1);
+    verify_run_close(&shorter);
+    return percent;
+}
+
+/* --- a column of the series ---------------------------------------------------------------------- */
+
+/* By straight lines between rows. */
+static double at_time(const VerifyRun *run, const char *name, double t)
+{
+    const double *column = verify_column(run, name);
+    double place = t / run->spacing;
+    if (!column || !(place < (double)run->count))
+        return NAN;
+    size_t k = (size_t)(place + 1e-9);
+    double share = fmax(place - (double)k, 0);
+    if (share < 1e-9)
+        return at(run, column, k);
+    return k + 1 < run->count ? at(run, column, k) + share * (at(run, column, k + 1) - at(run, column, k))
+                              : NAN;
+}
+
+double quantity_value_at(VerifyRun *run, const VerifyRow *row)
+{
+    return scaled(row, at_time(run, row->column, row->from));
+}
+
+double quantity_other_at(VerifyRun *run, const VerifyRow *row)
+{
+    return scaled(row, at_time(run, row->other, row->from));
+}
+
+static double mean(const VerifyRun *run, const char *name, double from, double to)
+{
+    const double *column = verify_column(run, name);
+    size_t first, count = verify_rows_between(run, from, to, &first);
+    double sum = 0;
+    for (size_t k = first; column && k < first + count; k++)
+        sum += at(run, column, k);
+    return column ? sum / (double)count : NAN;
+}
+
+double quantity_mean_share(VerifyRun *run, const VerifyRow *row)
+{
+    return scaled(row,
+                  mean(run, row->column, row->from, row->to) / mean(run, row->other, row->from, row->to));
+}
+
+double quantity_amplitude_share(VerifyRun *run, const VerifyRow *row)
+{
+    const double *column = verify_column(run, row->column), *exact = verify_column(run, row->other);
+    size_t first, count = verify_rows_between(run, row->from, row->to, &first);
+    double *values = malloc(run->count * sizeof *values);
+    FrequencyFit fit = {.amplitude = NAN};
+    const Readout *readout = &run->readout;
+    double start = readout->is_period ? 2 * M_PI / readout->measured : readout->measured;
+    for (size_t k = 0; values && column && k < count; k++)
+        values[k] = at(run, column, first + k);
+    if (!values || !column || !exact ||
+        !frequency_fit(values, count, time_of(run, first), run->spacing, start, &fit, &run->failure))
+        fit.amplitude = NAN;
+    free(values);
+    return exact ? fit.amplitude / fabs(at(run, exact, 0)) : NAN;
+}
+
+double quantity_furthest(VerifyRun *run, const VerifyRow *row)
+{
+    const double *column = verify_column(run, row->column), *other = verify_column(run, row->other);
+    double most = 0;
+    for (size_t k = 0; column && other && k < run->count; k++)
+        most = fmax(most, fabs(at(run, column, k) - at(run, other, k)));
+    return column && other ? scaled(row, most) : NAN;
+}
+
+typedef struct Peaks {
+    double first, first_time, largest, largest_time;
+} Peaks;
+
+/* The first local maximum of a column, and its largest value. */
+static Peaks peaks_of(const VerifyRun *run, const char *name)
+{
+    Peaks peaks = {NAN, NAN, NAN, NAN};
+    const double *column = verify_column(run, name);
+    for (size_t k = 1; column && k + 1 < run->count; k++) {
+        double before = at(run, column, k - 1), here = at(run, column, k);
+        if (isnan(peaks.first) && here > before && here >= at(run, column, k + 1))
+            peaks.first = here, peaks.first_time = time_of(run, k);
+        if (!(here <= peaks.largest))
+            peaks.largest = here, peaks.largest_time = time_of(run, k);
+    }
+    return peaks;
+}
+
+double quantity_first_peak(VerifyRun *run, const VerifyRow *row)
+{
+    return scaled(row, peaks_of(run, row->column).first);
+}
+
+double quantity_first_peak_time(VerifyRun *run, const VerifyRow *row)
+{
+    return scaled(row, peaks_of(run, row->column).first_time);
+}
+
+double quantity_largest(VerifyRun *run, const VerifyRow *row)
+{
+    return scaled(row, peaks_of(run, row->column).largest);
+}
+
+double quantity_largest_time(VerifyRun *run, const VerifyRow *row)
+{
+    return scaled(row, peaks_of(run, row->column).largest_time);
+}
+
+/* The zero of a column nearest to a time; NAN: there is none within a tenth of it. */
+static double zero_of(const VerifyRun *run, const char *name, double t)
+{
+    const double *column = verify_column(run, name);
+    double best = NAN;
+    for (size_t k = 1; column && k < run->count; k++) {
+        double before = at(run, column, k - 1), after = at(run, column, k);
+        if ((before < 0) == (after < 0))
+            continue;
+        double here = run->spacing * ((double)(k - 1) + before / (before - after));
+        if (fabs(here - t) < 0.1 * t && !(fabs(here - t) >= fabs(best - t)))
+            best = here;
+    }
+    return best;
+}
+
+double quantity_zero_over_other(VerifyRun *run, const VerifyRow *row)
+{
+    return zero_of(run, row->column, row->from) / zero_of(run, row->other, row->from);
+}
+
+double quantity_distance(VerifyRun *run, const VerifyRow *row)
+{
+    const double *column = verify_column(run, row->column), *other = verify_column(run, row->other);
+    size_t first, count = verify_rows_between(run, row->from, row->to, &first);
+    double left = 0, whole = 0;
+    for (size_t k = first; column && other && k < first + count; k++) {
+        double difference = at(run, column, k) - at(run, other, k);
+        left += difference * difference;
+        whole += at(run, other, k) * at(run, other, k);
+    }
+    return 100 * sqrt(left / whole);
+}
+
+static double swing_ratio(const VerifyRun *run, const VerifyRow *row, const char *name)
+{
+    const double *column = verify_column(run, name);
+    double before = 0, after = 0;
+    for (size_t k = 0; column && k < run->count; k++) {
+        double size = fabs(at(run, column, k));
+        if (time_of(run, k) <= row->from)
+            before = fmax(before, size);
+        if (time_of(run, k) >= row->to)
+            after = fmax(after, size);
+    }
+    return after / before;
+}
+
+double quantity_swing_ratio(VerifyRun *run, const VerifyRow *row)
+{
+    return swing_ratio(run, row, row->column);
+}
+
+double quantity_other_swing_ratio(VerifyRun *run, const VerifyRow *row)
+{
+    return swing_ratio(run, row, row->other);
+}
+
+double quantity_line(VerifyRun *run, const VerifyRow *row)
+{
+    const double *column = verify_column(run, row->column);
+    double *values = malloc(run->count * sizeof *values);
+    double *lines = malloc((run->count / 2 + 1) * sizeof *lines);
+    double bin = 1 / ((double)run->count * run->spacing), frequency = NAN, highest = 0;
+    for (size_t k = 0; values && column && k < run->count; k++)
+        values[k] = at(run, column, k);
+    if (column && values && lines && frequency_spectrum(values, run->count, lines))
+        for (size_t k = (size_t)ceil(row->from / bin); k <= run->count / 2 && (double)k * bin <= row->to; k++)
+            if (lines[k] > highest)
+                highest = lines[k], frequency = (double)k * bin;
+    free(values), free(lines);
+    return scaled(row, frequency);
+}
+
+double quantity_first_above(VerifyRun *run, const VerifyRow *row)
+{
+    const double *column = verify_column(run, row->column);
+    for (size_t k = 0; column && k < run->count; k++)
+        if (at(run, column, k) >= row->from)
+            return scaled(row, time_of(run, k));
+    return NAN;
+}
+
+/* --- energy -------------------------------------------------------------------------------------- */
+
+double quantity_energy_left(VerifyRun *run, const VerifyRow *row)
+{
+    double first = mean(run, "kinetic", 0, row->from) + mean(run, "strain", 0, row->from);
+    return (mean(run, "kinetic", row->to, INFINITY) + mean(run, "strain", row->to, INFINITY)) / first;
+}
+
+double quantity_energy_off_work(VerifyRun *run, const VerifyRow *row)
+{
+    const double *total = verify_column(run, "total"), *work = verify_column(run, "work");
+    size_t first, count = verify_rows_between(run, row->from, INFINITY, &first);
+    double most = total && work ? 0 : NAN;
+    for (size_t k = first; total && work && k < first + count; k++)
+        most = fmax(most, 100 * fabs(at(run, total, k) / at(run, work, k) - 1));
+    return most;
+}
+
+/* --- by bisection ---------------------------------------------------------------------------------- */
+
+/* Whether a particle enters another cell: *out. */
+static bool crosses(const Settings *settings, bool *out, Status *status)
+{
+    Simulation *sim = problem_simulate(settings, 1, status);
+    bool sound =
+        sim && simulation_steps(sim, problem_last_step(sim->dt, settings->time.end), NULL, NULL, status);
+    *out = false;
+    for (int i = 0; sound && i < sim->n_events; i++)
+        *out = *out || sim->events[i].kind == EVENT_CROSSING;
+    simulation_destroy(sim);
+    return sound;
+}
+
+double quantity_crossing_velocity(VerifyRun *run, const VerifyRow *row)
+{
+    Settings settings = run->settings;
+    double low = row->from, high = row->to;
+    while (high - low > 1e-4) {
+        bool crossed;
+        settings.start.velocity = (low + high) / 2;
+        if (!crosses(&settings, &crossed, &run->failure))
+            return NAN;
+        *(crossed ? &high : &low) = settings.start.velocity;
+    }
+    return high;
+}
+
+/* Whether the energy stays what it was, but for a ripple. What grows, grows from the rounding of numbers. */
+static bool stays_bounded(const Settings *settings, bool *bounded, Status *status)
+{
+    enum { STEPS = 20000 };
+    double row[COLUMNS_MAX];
+    Simulation *sim = problem_simulate(settings, 1, status);
+    if (!sim)
+        return false;
+    int total = simulation_find_series(sim, "total");
+    simulation_row(sim, row);
+    double start = row[total];
+    Status stopped; /* a run that blows up may stop by itself: that is the answer, not a failure */
+    *bounded = simulation_steps(sim, STEPS, NULL, NULL, &stopped);
+    simulation_row(sim, row);
+    *bounded = *bounded && row[total] < 100 * start;
+    simulation_destroy(sim);
+    return true;
+}
+
+double quantity_courant_limit(VerifyRun *run, const VerifyRow *row)
+{
+    Settings settings = run->settings;
+    double low = row->from, high = row->to;
+    while (high - low > 2e-4 * high) {
+        bool bounded;
+        settings.time.courant = (low + high) / 2;
+        if (!stays_bounded(&settings, &bounded, &run->failure))
+            return NAN;
+        *(bounded ? &low : &high) = settings.time.courant;
+    }
+    return (low + high) / 2;
+}
+
+/* --- beams ----------------------------------------------------------------------------------------- */
+
+double quantity_middle_factor(VerifyRun *run, const VerifyRow *row)
+{
+    (void)row;
+    double factor = NAN;
+    size_t columns = (size_t)derived_of(run, "columns"), rows = (size_t)derived_of(run, "rows");
+    int field = simulation_find_field(run->sim, 0, "surface_factor");
+    if (field >= 0)
+        run->sim->method->field(run->sim, field, rows / 2 * columns + columns / 2, 1, &factor);
+    return factor;
+}
+
+double quantity_energy_after_steps(VerifyRun *run, const VerifyRow *row)
+{
+    Settings settings = run->settings;
+    settings.time.step = row->from * derived_of(run, "dt_crit");
+    Simulation *sim = problem_simulate(&settings, run->threads, &run->failure);
+    double values[COLUMNS_MAX], ratio = NAN;
+    if (sim && simulation_steps(sim, 1, NULL, NULL, &run->failure)) {
+        int total = simulation_find_series(sim, "total");
+        simulation_row(sim, values);
+        double start = values[total];
+        if (simulation_steps(sim, (long)row->to, NULL, NULL, &run->failure)) {
+            simulation_row(sim, values);
+            ratio = values[total] / start;
+        }
+    }
+    simulation_destroy(sim);
+    return ratio;
+}
+
+/* --- the crack ------------------------------------------------------------------------------------- */
+
+static Crack crack_of(const VerifyRun *run)
+{
+    Crack crack = {.first_break = NAN, .twentieth_break = NAN};
+    crack_measure(run->sim, &crack);
+    return crack;
+}
+
+double quantity_first_break(VerifyRun *run, const VerifyRow *row)
+{
+    return scaled(row, crack_of(run).first_break);
+}
+
+double quantity_twentieth_break(VerifyRun *run, const VerifyRow *row)
+{
+    return scaled(row, crack_of(run).twentieth_break);
+}
+
+double quantity_broken_bonds(VerifyRun *run, const VerifyRow *row)
+{
+    return scaled(row, (double)crack_of(run).broken);
+}
+
+double quantity_angle_over(VerifyRun *run, const VerifyRow *row)
+{
+    return crack_angle(run->sim, row->from);
+}
+
+double quantity_angle_turned(VerifyRun *run, const VerifyRow *row)
+{
+    return crack_angle(run->sim, row->to) - crack_angle(run->sim, row->from);
+}

@@ -1,0 +1,64 @@
+/* Numbers that a verification takes from a run; what `row` has to say for each stands behind it. NAN where
+ * the run has no such number. */
+#ifndef CLI_VERIFY_QUANTITY_H
+#define CLI_VERIFY_QUANTITY_H
+
+#include "cli/verify/verify_row.h"
+
+/* The readout, as `matvib run` tells it. */
+double quantity_measured(VerifyRun *, const VerifyRow *);                /* frequency or period; scale */
+double quantity_predicted(VerifyRun *, const VerifyRow *);               /* likewise */
+double quantity_measured_over_predicted(VerifyRun *, const VerifyRow *); /* less 1; scale */
+double quantity_measured_over(VerifyRun *, const VerifyRow *);   /* a derived number; column: its name */
+double quantity_frequency_error(VerifyRun *, const VerifyRow *); /* against exact, percent */
+double quantity_predicted_frequency_error(VerifyRun *, const VerifyRow *);
+double quantity_period_error(VerifyRun *, const VerifyRow *);
+double quantity_predicted_period_error(VerifyRun *, const VerifyRow *);
+double quantity_derived_number(VerifyRun *, const VerifyRow *); /* column: its name; scale */
+double quantity_longer_than(VerifyRun *,
+                            const VerifyRow *); /* period, percent; other: the scenario of the shorter */
+
+/* A column of the series. */
+double quantity_value_at(VerifyRun *, const VerifyRow *);   /* column, from: the time, scale */
+double quantity_other_at(VerifyRun *, const VerifyRow *);   /* the same of the other column */
+double quantity_mean_share(VerifyRun *, const VerifyRow *); /* column over other, means of from..to; scale */
+double quantity_amplitude_share(VerifyRun *,
+                                const VerifyRow *);         /* column from..to, of other's value at t = 0 */
+double quantity_furthest(VerifyRun *, const VerifyRow *);   /* largest |column - other|; scale */
+double quantity_first_peak(VerifyRun *, const VerifyRow *); /* column, scale */
+double quantity_first_peak_time(VerifyRun *, const VerifyRow *);
+double quantity_largest(VerifyRun *, const VerifyRow *);
+double quantity_largest_time(VerifyRun *, const VerifyRow *);
+double quantity_zero_over_other(VerifyRun *, const VerifyRow *); /* over that of other's */
+double quantity_distance(VerifyRun *,
+                         const VerifyRow *); /* relative L2 of column and other in from..to, percent */
+double quantity_swing_ratio(VerifyRun *,
+                            const VerifyRow *); /* largest |column| from `to` on, over that until `from` */
+double quantity_other_swing_ratio(VerifyRun *, const VerifyRow *); /* the same of the other column */
+double quantity_line(VerifyRun *,
+                     const VerifyRow *); /* frequency of column's highest line in from..to (Hz); scale */
+double quantity_first_above(VerifyRun *, const VerifyRow *); /* time at which column comes to `from`; scale */
+
+/* Energy: mean of kinetic and strain over t >= to, over that until `from`; how far kinetic, strain and
+ * dissipated together are from the work after `from`, largest, percent. */
+double quantity_energy_left(VerifyRun *, const VerifyRow *);
+double quantity_energy_off_work(VerifyRun *, const VerifyRow *);
+
+/* The bar: the smallest velocity with which a particle of the scenario leaves its cell, by bisection; the
+ * largest courant number with which a motion of all waves stays bounded, likewise, between from and to. */
+double quantity_crossing_velocity(VerifyRun *, const VerifyRow *);
+double quantity_courant_limit(VerifyRun *, const VerifyRow *);
+
+/* Beams: the surface factor of the node in the middle; the energy after `to` steps of `from` critical ones,
+ * over that at the start. */
+double quantity_middle_factor(VerifyRun *, const VerifyRow *);
+double quantity_energy_after_steps(VerifyRun *, const VerifyRow *);
+
+/* The crack. */
+double quantity_first_break(VerifyRun *, const VerifyRow *); /* scale */
+double quantity_twentieth_break(VerifyRun *, const VerifyRow *);
+double quantity_broken_bonds(VerifyRun *, const VerifyRow *);
+double quantity_angle_over(VerifyRun *, const VerifyRow *);   /* degrees over the height `from` */
+double quantity_angle_turned(VerifyRun *, const VerifyRow *); /* over the height `to` less that over `from` */
+
+#endif

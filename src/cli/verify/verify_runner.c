@@ -1,0 +1,127 @@
+/* The runner: makes the runs that rows ask for, and tells each number with its verdicts. */
+#include "cli/verify/verify_runner.h"
+
+#include <string.h>
+
+/* --- a row --------------------------------------------------------------------------------------- */
+
+static void tell_number(char out[32], double value, int decimals)
+{
+    out[0] = '\0';
+    if (!isnan(value))
+        snprintf(out, 32, "%.*f", decimals, value);
+}
+
+enum { REFERENCE_WIDTH = 18 };
+
+/* "2..3", ">= 2", "<= 3", or "2" alone; where that has no room, the middle and how far it may be off. */
+static void tell_reference(char out[64], const VerifyRow *row)
+{
+    double low = row->reference.low, high = row->reference.high;
+    int decimals = row->decimals, length = 0;
+    /* more digits than the number has, where both ends would look the same */
+    while (high > low && high - low < 1.9 * pow(10, -decimals) && decimals < 12)
+        decimals++;
+    out[0] = '\0';
+    if (low == 0 && high == 0)
+        return;
+    if (low == high)
+        snprintf(out, 64, "%.*f", decimals, low);
+    else if (isinf(low) || isinf(high))
+        snprintf(out, 64, isinf(low) ? "<= %.*f" : ">= %.*f", decimals, isinf(low) ? high : low);
+    else
+        length = snprintf(out, 64, "%.*f..%.*f", decimals, low, decimals, high);
+    if (length > REFERENCE_WIDTH)
+        snprintf(out, 64, "%.*f +- %.0e", row->decimals, (low + high) / 2, (high - low) / 2);
+}
+
+static void tell_head(FILE *out)
+{
+    fprintf(out, "  %-26s %10s %10s  %-18s  %s\n", "", "theory", "measured", "our reference", "");
+}
+
+static void tell_row(FILE *out, const VerifyRow *row, double measured, double theory, bool reproduced)
+{
+    char numbers[2][32], reference[64];
+    tell_number(numbers[0], theory, row->decimals);
+    tell_number(numbers[1], measured, row->decimals);
+    tell_reference(reference, row);
+    fprintf(out, "  %-26s %10s %10s  %-18s  %s\n", row->what, numbers[0],
+            isnan(measured) ? "none" : numbers[1], reference, reproduced ? "yes" : "MISSED");
+}
+
+static void tell_agreement(FILE *out, const Claim *claim, double measured, Agreement agreement)
+{
+    static const char *const words[AGREEMENTS] = {
+        [PAPER_AGREES] = "agrees", [PAPER_NEAR] = "near", [PAPER_DIFFERS] = "differs"};
+    if (agreement == PAPER_SILENT)
+        return;
+    fprintf(out, "    the paper: \"%s\": %s", claim->words, words[agreement]);
+    if (!isnan(claim->number) && !isnan(measured))
+        fprintf(out, fabs(measured / claim->number - 1) < 0.1 ? ", %+.1f %%" : ", %+.0f %%",
+                100 * (measured / claim->number - 1));
+    if (claim->remark)
+        fprintf(out, "\n      (%s)", claim->remark);
+    fputc('\n', out);
+}
+
+/* --- running ------------------------------------------------------------------------------------- */
+
+static bool same_run(const VerifyRun *run, const char *scenario)
+{
+    return run->scenario && strcmp(run->scenario, scenario) == 0;
+}
+
+static void run_row(Verify *verify, const VerifyRow *row, const char *scenario)
+{
+    VerifyRun *run = &verify->run;
+    if (!same_run(run, scenario)) {
+        verify_run_close(run);
+        verify_run_open(run, scenario, verify->threads);
+    }
+    double measured = NAN, theory = NAN;
+    if (run->failure.code == STATUS_DONE) {
+        measured = row->quantity(run, row);
+        theory = row->theory ? row->theory(run, row) : NAN;
+    }
+    bool reproduced = verify_reproduces(row, measured, theory);
+    Agreement agreement = verify_agreement(&row->paper, measured);
+    tell_row(verify->out, row, measured, theory, reproduced);
+    tell_agreement(verify->out, &row->paper, measured, agreement);
+    if (run->failure.code != STATUS_DONE)
+        fprintf(verify->out, "    %s\n", run->failure.text);
+    fflush(verify->out);
+    verify->reproduced += reproduced;
+    verify->missed += !reproduced;
+    verify->papers[agreement]++;
+}
+
+void verify_check_run(Verify *verify, const VerifyCheck *check, bool full)
+{
+    const char *scenario = NULL;
+    fprintf(verify->out, "%s  %s\n", check->name, check->title);
+    tell_head(verify->out);
+    for (int i = 0; i < check->n_rows && !ferror(verify->out); i++) {
+        scenario = check->rows[i].scenario ? check->rows[i].scenario : scenario;
+        if (full || !check->rows[i].full)
+            run_row(verify, &check->rows[i], scenario);
+    }
+    fprintf(verify->out, check->note ? "  %s\n\n" : "\n", check->note);
+}
+
+int verify_end(Verify *verify, Status *status)
+{
+    verify_run_close(&verify->run);
+    long all = verify->reproduced + verify->missed;
+    if (ferror(verify->out))
+        return STATUS_DONE; /* not all was run; who closes the stream tells */
+    fprintf(verify->out,
+            "ours: %ld of %ld reproduced; paper: %ld agree, %ld near, %ld differ%s, %ld not given\n",
+            verify->reproduced, all, verify->papers[PAPER_AGREES], verify->papers[PAPER_NEAR],
+            verify->papers[PAPER_DIFFERS], verify->papers[PAPER_DIFFERS] == 1 ? "s" : "",
+            verify->papers[PAPER_SILENT]);
+    if (verify->missed == 0)
+        return STATUS_DONE;
+    status_fail(status, STATUS_FAILED, "verify: %ld of %ld missed", verify->missed, all);
+    return STATUS_FAILED;
+}
