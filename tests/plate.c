@@ -138,8 +138,8 @@ static size_t links(const Simulation *sim, int set, size_t index, Link *out, siz
         if (count < max)
             out[count] = (Link){.set = set,
                                 .index = at(plate, p, q),
-                                .weight = 1,
-                                .gradient = plate->u[at(plate, p, q)] - plate->u[index]};
+                                .stretch = 1,
+                                .pull = plate->u[at(plate, p, q)] - plate->u[index]};
         count++;
     }
     return count;
@@ -238,6 +238,10 @@ Simulation *plate_create(int columns, int rows, long fails_at)
         .n_fields = N_FIELDS,
         .series = series,
         .n_series = (int)(sizeof series / sizeof *series),
+        .has = HAS_PLANE | HAS_BONDS,
+        .columns = (size_t)columns,
+        .rows = (size_t)rows,
+        .spacing = 1,
         .dimensions = 2,
         .position = {F_X0, F_Y0},
         .displacement = {F_UX, F_UY},

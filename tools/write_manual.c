@@ -9,7 +9,7 @@
 #include "lab/settings/parameters.h"
 #include "lab/problems/references.h"
 #include "tui/control/script.h"
-#include "view/panes/commands.h"
+#include "view/help/commands.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -158,7 +158,7 @@ static bool write_keys(const char *unused)
         printf(" (");
         say(commands[i].name);
         puts(")");
-        say_line(commands[i].help);
+        say_line(command_help(&commands[i]));
     }
     heading("Behind :");
     for (int i = 0; i < n_line_verbs; i++) {

@@ -7,6 +7,7 @@
 #include "cli/progress.h"
 #include "lab/export/frames.h"
 #include "base/output.h"
+#include "view/views/view.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -57,8 +58,8 @@ static bool run_against(Experiment *experiment, const Settings *settings, long s
 }
 
 /* Goes from one time to the next and takes each down. */
-static bool take_frames(Figure *figure, Screen *screen, int view, const Frames *frames, Progress *progress,
-                        Status *status)
+static bool take_frames(Figure *figure, Screen *screen, const View *view, const Frames *frames,
+                        Progress *progress, Status *status)
 {
     Experiment *experiment = screen->experiment;
     const int count = (int)frames->count;
@@ -82,8 +83,8 @@ static bool take_frames(Figure *figure, Screen *screen, int view, const Frames *
 
 /* Pictures of one page are compared, so displacements are enlarged alike: once more with a factor that suits
  * all, where each would have its own. */
-static bool take_alike(Figure *figure, Screen *screen, int view, const Frames *frames, Progress *progress,
-                       Status *status)
+static bool take_alike(Figure *figure, Screen *screen, const View *view, const Frames *frames,
+                       Progress *progress, Status *status)
 {
     bool differ;
     const double least = figure_enlargement(figure, &differ);
@@ -98,7 +99,7 @@ static bool take_alike(Figure *figure, Screen *screen, int view, const Frames *f
            take_frames(figure, screen, view, frames, progress, status);
 }
 
-static bool draw_frames(Screen *screen, int view, const Frames *frames, const Options *options,
+static bool draw_frames(Screen *screen, const View *view, const Frames *frames, const Options *options,
                         Progress *progress, Status *status)
 {
     Figure figure;
@@ -130,14 +131,15 @@ static bool other_settings(const Options *options, const Settings *settings, Set
 
 /* The steps of the pictures; their number depends on the time step, so those of another run are others. What
  * shows the start needs no run. */
-static bool plan(Frames *frames, const Screen *screen, int view, const Settings *settings, Status *status)
+static bool plan(Frames *frames, const Screen *screen, const View *view, const Settings *settings,
+                 Status *status)
 {
     const Experiment *experiment = screen->experiment;
     frames_free(frames);
     if (!frames_plan(frames, settings, experiment_simulation(experiment)->dt,
                      experiment_last_step(experiment), status))
         return false;
-    if (screen_shows_start(screen, view)) {
+    if (view_shows_start(view, screen)) {
         frames->count = 1;
         frames->steps[0] = 0;
     }
@@ -148,7 +150,7 @@ static bool draw(const Options *options, const Settings *settings, Screen *scree
                  Status *status)
 {
     Frames frames = {0};
-    int view = 0;
+    const View *view = NULL;
     screen->state = STATE_RUNNING; /* nothing is chosen by hand */
     screen_read_view(screen, &settings->view);
     bool sound =

@@ -2,7 +2,7 @@
 #include "cli/cli.h"
 #include "cli/options.h"
 #include "lab/lessons/lesson.h"
-#include "view/panes/commands.h"
+#include "view/help/commands.h"
 
 #include <stdio.h>
 #include <string.h>

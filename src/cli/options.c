@@ -1,6 +1,7 @@
 #include "cli/options.h"
 
 #include "base/text.h"
+#include "view/views/view.h"
 #include "lab/settings/parameters.h"
 #include "lab/problems/references.h"
 #include "tui/control/script.h"
@@ -318,7 +319,7 @@ void options_print(const char *command)
 
 /* --- the settings --------------------------------------------------------------------------------- */
 
-bool options_load(const Options *options, const char *scenario, Settings *settings, Status *status)
+static bool load_run(const Options *options, const char *scenario, Settings *settings, Status *status)
 {
     Override overrides[OVERRIDES_MAX + 2];
     int count = options->n_overrides;
@@ -342,6 +343,17 @@ bool options_load(const Options *options, const char *scenario, Settings *settin
     }
     text_shortest(end, (double)options->steps * dt);
     return scenario_load_with(scenario, overrides, count + 1, settings, status);
+}
+
+/* Which views there are no scenario file knows. */
+bool options_load(const Options *options, const char *scenario, Settings *settings, Status *status)
+{
+    if (!load_run(options, scenario, settings, status))
+        return false;
+    if (view_check(&settings->view, status))
+        return true;
+    options_blame(options, scenario, status);
+    return false;
 }
 
 void options_blame(const Options *options, const char *scenario, Status *status)

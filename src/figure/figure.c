@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "figure/page.h"
+#include "view/views/view.h"
 
 #include <errno.h>
 #include <math.h>
@@ -12,7 +13,7 @@
 
 #define WIDTH_DEFAULT 160.0 /* mm: the text of an A4 page */
 
-enum { VIEWS = 9, NAME_MAX_BYTES = 48 };
+enum { NAME_MAX_BYTES = 48 };
 
 /* --- kinds of files -------------------------------------------------------------------------------- */
 
@@ -44,12 +45,12 @@ bool figure_allowed(const char *file, Status *status)
 
 /* --- views by name --------------------------------------------------------------------------------- */
 
-/* "beam", or "beam:damage" for a variant; "": there is none of that number. */
-static void name_of(const Screen *screen, int view, int variant, char out[NAME_MAX_BYTES])
+/* "beam", or "beam:damage" for a variant; "": there is no such variant, or no figure. */
+static void name_of(const Screen *screen, const View *view, int variant, char out[NAME_MAX_BYTES])
 {
-    const char *word = screen_view_word(screen, view), *part = screen_variant_word(screen, view, variant);
+    const char *word = view->word, *part = view_variant_word(view, screen, variant);
     out[0] = '\0';
-    if (word && (part || variant == 0))
+    if (view_is_on_paper(view, screen) && (part || variant == 0))
         snprintf(out, NAME_MAX_BYTES, "%s%s%s", word, part ? ":" : "", part ? part : "");
 }
 
@@ -58,11 +59,11 @@ static void list_names(const Screen *screen, char *out, size_t size)
     char name[NAME_MAX_BYTES];
     size_t used = 0;
     out[0] = '\0';
-    for (int view = 1; view <= VIEWS; view++)
-        for (int variant = 0; name_of(screen, view, variant, name), name[0]; variant++) {
+    for (int i = 0; i < n_views; i++)
+        for (int variant = 0; name_of(screen, views[i], variant, name), name[0]; variant++) {
             /* the view is named once: profile:u|v|stress */
             const char *part = variant > 0 ? strchr(name, ':') + 1 : name;
-            const char *gap = variant > 0 ? "|" : view > 1 ? " " : "";
+            const char *gap = variant > 0 ? "|" : used > 0 ? " " : "";
             if (used < size)
                 used += (size_t)snprintf(out + used, size - used, "%s%s", gap, part);
             if (!strchr(name, ':'))
@@ -70,17 +71,21 @@ static void list_names(const Screen *screen, char *out, size_t size)
         }
 }
 
-bool figure_view(Screen *screen, const char *wanted, int *view, Status *status)
+bool figure_view(Screen *screen, const char *wanted, const View **view, Status *status)
 {
     char name[NAME_MAX_BYTES], all[400];
-    for (*view = 1; *view <= VIEWS; ++*view)
-        for (int variant = 0; name_of(screen, *view, variant, name), name[0]; variant++) {
+    *view = view_named(wanted); /* by its digit */
+    if (*view && view_is_on_paper(*view, screen))
+        return true;
+    for (int i = 0; i < n_views; i++)
+        for (int variant = 0; name_of(screen, views[i], variant, name), name[0]; variant++) {
             const char *colon = strchr(name, ':');
             const bool whole = strcmp(name, wanted) == 0;
             const bool bare = colon && strlen(wanted) == (size_t)(colon - name) &&
                               strncmp(name, wanted, (size_t)(colon - name)) == 0;
+            *view = views[i];
             if (whole)
-                screen->variant[*view] = variant;
+                view_choose_variant(*view, screen, variant);
             if (whole || bare)
                 return true;
             if (!colon)
@@ -93,8 +98,8 @@ bool figure_view(Screen *screen, const char *wanted, int *view, Status *status)
 void figure_names(const Screen *screen, FILE *stream)
 {
     char name[NAME_MAX_BYTES];
-    for (int view = 1; view <= VIEWS; view++)
-        for (int variant = 0; name_of(screen, view, variant, name), name[0]; variant++) {
+    for (int i = 0; i < n_views; i++)
+        for (int variant = 0; name_of(screen, views[i], variant, name), name[0]; variant++) {
             fprintf(stream, "%s\n", name);
             if (!strchr(name, ':'))
                 break;
@@ -168,7 +173,7 @@ static void caption_of(const char *time, char *out, size_t size)
     snprintf(out, size, "t = %.*s%s", (int)kept, number, number + strspn(number, "0123456789."));
 }
 
-bool figure_add(Figure *figure, const Screen *screen, int view, int panels, Status *status)
+bool figure_add(Figure *figure, const Screen *screen, const View *view, int panels, Status *status)
 {
     const Settings *settings = experiment_settings(screen->experiment);
     if (figure->count == FIGURE_PANELS_MAX)

@@ -32,7 +32,7 @@ bool figure_allowed(const char *file, Status *);
 
 /* The view that a name stands for on this screen: "profile:stress" chooses a variant, "profile" has the one
  * that the screen shows. */
-bool figure_view(Screen *, const char *name, int *view, Status *);
+bool figure_view(Screen *, const char *name, const View **view, Status *);
 
 /* The names that figure_view() takes for this screen, one a line, each with what it shows. */
 void figure_names(const Screen *, FILE *);
@@ -42,7 +42,7 @@ void figure_close(Figure *);
 
 /* Adds what a view shows at present as the next of so many panels. False: it has nothing to show (the status
  * says why), or there are too many panels. */
-bool figure_add(Figure *, const Screen *, int view, int panels, Status *);
+bool figure_add(Figure *, const Screen *, const View *, int panels, Status *);
 
 /* The factor of the displacements that suits all maps of the figure: the least. *differ: they have several.
  * 0: there are no maps. */

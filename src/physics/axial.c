@@ -20,10 +20,15 @@ bool axial_check_layer(double layer, double spacing, double length, Status *stat
     return true;
 }
 
-void axial_set_motion(Simulation *sim)
+void axial_set_motion(Simulation *sim, unsigned has, double spacing)
 {
+    sim->has = HAS_LINE | has;
+    sim->columns = sim->counts[0];
+    sim->rows = 1;
+    sim->spacing = spacing;
     sim->dimensions = 1;
     sim->position[0] = AXIAL_X0;
     sim->displacement[0] = AXIAL_U;
     sim->velocity[0] = AXIAL_V;
+    sim->position[1] = sim->displacement[1] = sim->velocity[1] = -1;
 }

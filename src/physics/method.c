@@ -5,6 +5,11 @@
 #include <stdio.h>
 #include <string.h>
 
+bool simulation_has(const Simulation *sim, unsigned what)
+{
+    return (sim->has & what) == what;
+}
+
 double simulation_time(const Simulation *sim)
 {
     return (double)sim->step * sim->dt;

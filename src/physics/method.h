@@ -6,7 +6,8 @@
  *
  * Front ends see named arrays (fields) over sets of things (particles, nodes, bonds), a row of numbers per
  * time step (the series), the stages with their equations, and links between things (who gives to whom).
- * Nothing here says whether the method is one- or two-dimensional, with or without a mesh.
+ * What of this a simulation has (a mesh, bonds, a lattice in the plane ...) it says itself, in
+ * Simulation.has: nobody needs to know the method or the problem to decide what can be shown.
  *
  * Files of this folder use no clock, no screen, no file, no printf, no exit, no rand and no global state.
  * Every result is a function of the parameters alone: the same bits forwards, rewound, sliced, observed or
@@ -63,16 +64,35 @@ typedef struct Stage {
     const char *writes;
 } Stage;
 
+enum { SIMULATION_EVENTS_MAX = 256, SIMULATION_DIMENSIONS_MAX = 2 };
+
+/* What a simulation has: bits of Simulation.has. */
+enum {
+    HAS_MESH =
+        1 << 0, /* set 1 are the nodes of a grid with which the particles of set 0 exchange: shapes() */
+    HAS_BONDS = 1 << 1,    /* the things of set 0 act on each other by bonds: links() of set 0 are these */
+    HAS_LINE = 1 << 2,     /* set 0 lies along a line: places have one component */
+    HAS_PLANE = 1 << 3,    /* set 0 lies in rows and columns of a plane: places have two */
+    HAS_BREAKING = 1 << 4, /* bonds can break in this run */
+    HAS_STRETCH = 1 << 5   /* the things of set 0 tell the largest stretch of their bonds: field "stretch" */
+};
+
 /* "set_from[index_from] and the other are linked": a particle and a node of its cell, the two ends of a bond.
  */
 typedef struct Link {
-    int set;          /* of the other end */
-    size_t index;     /* of the other end */
-    double weight;    /* shape function N of the pair; for a bond its stretch */
-    double gradient;  /* dN/dx of the pair; for a bond its force density times volume */
-    bool broken;      /* a bond that carries nothing any more */
+    int set;      /* of the other end */
+    size_t index; /* of the other end */
+
+    /* of a particle and a node of the mesh */
+    double weight;                              /* shape function N of the pair */
+    double gradient[SIMULATION_DIMENSIONS_MAX]; /* dN/dx, dN/dy; 0 in a direction that there is not */
+
+    /* of a bond */
+    double stretch;
+    double pull;      /* its force density times the volume of the other end: > 0 pulls towards that */
+    bool broken;      /* it carries nothing any more */
     long broken_at;   /* of such a one: the step after which it was broken; 0: before the run, by a notch */
-    double length;    /* of a bond in one dimension: to the other end at rest, with its sign; else 0 */
+    double length;    /* along a line: to the other end at rest, with its sign; else 0 */
     double stiffness; /* likewise its force density per unit of stretch */
 } Link;
 
@@ -107,8 +127,6 @@ typedef struct Event {
     char text[120]; /* "particle 49 crossed into cell 25" */
 } Event;
 
-enum { SIMULATION_EVENTS_MAX = 256, SIMULATION_DIMENSIONS_MAX = 2 };
-
 typedef struct Simulation Simulation;
 
 /* The verbs of a method. Each gets the simulation it belongs to. */
@@ -137,9 +155,9 @@ typedef struct Method {
     /* The links of one thing, the first `max` of them; returns how many were written. May be NULL. */
     size_t (*links)(const Simulation *, int set, size_t index, Link *out, size_t max);
 
-    /* The shape functions of the mesh at a place x of a one-dimensional method: one link for each node that
-     * has a part there. NULL: there is no mesh. */
-    size_t (*shapes)(const Simulation *, double x, Link *out, size_t max);
+    /* The shape functions of the mesh at a place (x, or x and y): one link for each node that has a part
+     * there; 0: the place is outside. NULL: there is no mesh. */
+    size_t (*shapes)(const Simulation *, const double *place, Link *out, size_t max);
 
     /* The factors of what thing `from` gives to thing `to` in an exchange; returns how many there are. 0:
      * they are not at hand at the present stage, or the pair exchanges nothing. NULL: there are no exchanges.
@@ -187,7 +205,14 @@ struct Simulation {
     const Quantity *series;
     int n_series;
 
-    /* Where things are: reference position and displacement fields of set 0, one per dimension. */
+    unsigned has; /* HAS_... */
+
+    /* How set 0 lies at rest: thing k in column k % columns and row k / columns, row 0 lowest, neighbours
+     * `spacing` apart both ways (m, or the problem's unit of length). A line has one row. */
+    size_t columns, rows;
+    double spacing;
+
+    /* Where things are: fields of set 0, one per dimension, -1 for a direction that there is not. */
     int dimensions;
     int position[SIMULATION_DIMENSIONS_MAX];
     int displacement[SIMULATION_DIMENSIONS_MAX];
@@ -205,6 +230,9 @@ struct Simulation {
     bool failed; /* the run cannot go on; failure says why */
     Status failure;
 };
+
+/* Whether it has all of these (HAS_...). */
+bool simulation_has(const Simulation *, unsigned what);
 
 /* step * dt: never accumulated. */
 double simulation_time(const Simulation *);

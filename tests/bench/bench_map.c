@@ -2,6 +2,7 @@
  * of the screen; then seen from near, and the inspector. A frame is at most 33 ms long.
  *
  * Usage: bench_map [SCENARIO [STEPS]] */
+#include "view/views/view.h"
 #include "lab/settings/parameters.h"
 #include "view/scene.h"
 
@@ -43,10 +44,10 @@ int main(int count, char **arguments)
         printf("map of %s (%zu nodes) at %s\n", scenario,
                experiment_simulation(scene.screen.experiment)->counts[0], sizes[size]);
         for (int variant = 0; colour_words[variant]; variant++) {
-            scene.screen.variant[8] = variant;
+            view_choose_variant(view_of_map(), &scene.screen, variant);
             measure(&scene, colour_words[variant]);
         }
-        scene.screen.variant[8] = 4;
+        view_choose_variant(view_of_map(), &scene.screen, 4);
         scene.screen.colours = 0;
         measure(&scene, "dots");
         scene.screen.magnified = 64;

@@ -70,12 +70,14 @@ refuse "--set of an unknown key" '--set: mesh.cellsize: unknown key (did you mea
 	show mode1 --set mesh.cellsize=1
 refuse "--set out of range" '--set: mesh.particles_per_cell: 9 is out of range (1 to 8)' \
 	show mode1 --set mesh.particles_per_cell=9
-refuse "a view that is none" '--set: view.upper: 99 is not allowed (1 to 9)' show mode1 --set view.upper=99
-refuse "half a view" '--set: view.lower: 1.5 is not allowed (1 to 9)' show mode1 --set view.lower=1.5
+refuse "a view that is none" '--set: view.upper: 99 is not allowed (1 to 9, or a view'\''s word)' show mode1 --set view.upper=99
+refuse "half a view" '--set: view.lower: 1.5 is not allowed (1 to 9, or a view'\''s word)' show mode1 --set view.lower=1.5
 refuse "a window without length" '--set: view.window: 0 is not allowed (> 0)' show mode1 --set view.window=0
 refuse "a pace in words" '--set: view.pace: fast is not allowed (> 0)' show mode1 --set view.pace=fast
 refuse "curves that are none" \
 	'--set: view.references: some is not allowed (all | exact | predicted | none)' show mode1 --set view.references=some
+refuse "a word that names none" '--set: view.lower: bogus is not allowed (profile, probe, energies, shapes, dispersion, spectrum, tables, beam, log, or 1 to 9)' show mode1 --set view.lower=bogus
+expect "a view by its word" 0 show mode1 --set view.upper=energies
 expect "a view, a window, curves" 0 show mode1 --set view.upper=3 --set view.window=20 --set view.references=exact
 result "they are in the scenario" says out '^references = exact$'
 refuse "--end that is no time" '--end: time.end: soon is not a number (> 0)' show mode1 --end soon

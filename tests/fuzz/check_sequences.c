@@ -9,7 +9,7 @@
 #include "lab/settings/parameters.h"
 #include "lab/settings/scenario.h"
 #include "tui/control/script.h"
-#include "view/panes/commands.h"
+#include "view/help/commands.h"
 
 #include <errno.h>
 #include <fcntl.h>

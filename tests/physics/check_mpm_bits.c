@@ -357,7 +357,7 @@ START_TEST(words_fit)
         size_t count = sim->method->links(sim, 0, p, links, 8);
         double sum = 0, slope = 0;
         for (size_t i = 0; i < count; i++) {
-            sum += links[i].weight, slope += links[i].gradient;
+            sum += links[i].weight, slope += links[i].gradient[0];
             ck_assert_int_eq(links[i].set, 1);
             size_t n = sim->method->links(sim, 1, links[i].index, back, 64), found = 0;
             for (size_t k = 0; k < n; k++)

@@ -323,13 +323,13 @@ START_TEST(links_add_up_to_the_force)
             size_t other = links[l].index;
             double dx = x[other] + ux[other] - x[p] - ux[p], dy = y[other] + uy[other] - y[p] - uy[p];
             double length = hypot(dx, dy), start = hypot(x[other] - x[p], y[other] - y[p]);
-            ck_assert_msg(fabs(links[l].weight - (length / start - 1)) < 1e-12, "stretch %.17g",
-                          links[l].weight);
-            sum_x += links[l].gradient / area * dx / length;
-            sum_y += links[l].gradient / area * dy / length;
-            size += fabs(links[l].gradient) / area;
+            ck_assert_msg(fabs(links[l].stretch - (length / start - 1)) < 1e-12, "stretch %.17g",
+                          links[l].stretch);
+            sum_x += links[l].pull / area * dx / length;
+            sum_y += links[l].pull / area * dy / length;
+            size += fabs(links[l].pull) / area;
             n_broken += links[l].broken;
-            ck_assert(!links[l].broken || links[l].gradient == 0);
+            ck_assert(!links[l].broken || links[l].pull == 0);
         }
         ck_assert_msg(fabs(sum_x - fx[p]) <= 1e-10 * size && fabs(sum_y - fy[p]) <= 1e-10 * size,
                       "node %zu: links %.10g %.10g, force %.10g %.10g", p, sum_x, sum_y, fx[p], fy[p]);
@@ -404,7 +404,7 @@ START_TEST(nodes_have_what_their_bonds_have)
         double most = -1;
         for (size_t l = 0; l < n; l++)
             if (!links[l].broken)
-                most = fmax(most, links[l].weight);
+                most = fmax(most, links[l].stretch);
         if (!(fabs(energy[p] - sum[p]) <= 1e-13 * sum[p] && stretch[p] == most))
             ck_abort_msg("node %zu: %.17g J of %.17g J, stretch %.17g of %.17g", p, energy[p], sum[p],
                          stretch[p], most);

@@ -1,4 +1,5 @@
 /* The command line behind `:`: its verbs, completion, history, and foreign series over the plots. */
+#include "view/views/view.h"
 #include "suite.h"
 #include "tui/tui_case.h"
 
@@ -280,22 +281,22 @@ START_TEST(a_scenario_opens_as_its_view_says)
     Bench *bench = open_bench("seen.ini", true);
     const Screen *screen = &bench->lab.screen;
     double from, to;
-    ck_assert_int_eq(screen->upper, 3);
-    ck_assert_int_eq(screen->lower, 6);
+    ck_assert_int_eq(screen->upper->digit, 3);
+    ck_assert_int_eq(screen->lower->digit, 6);
     screen_time_window(screen, &from, &to);
     ck_assert_double_eq(to - from, 7.5);
     ck_assert_double_eq(screen->pace, 3);
     ck_assert_int_eq(screen->references, SHOW_EXACT);
     ck_assert(shows(bench, "energy"));
     enter_line(bench, "open plain.ini"); /* nothing of it stays */
-    ck_assert_int_eq(screen->upper, 1);
-    ck_assert_int_eq(screen->lower, 2);
+    ck_assert_int_eq(screen->upper->digit, 1);
+    ck_assert_int_eq(screen->lower->digit, 2);
     ck_assert_double_eq(screen->window, 0);
     ck_assert_double_ne(screen->pace, 3);
     ck_assert_int_eq(screen->references, SHOW_ALL);
     enter_line(bench, "open beam.ini"); /* of a beam the whole is seen */
-    ck_assert_int_eq(screen->upper, 8);
-    ck_assert_int_eq(screen->lower, 9);
+    ck_assert_int_eq(screen->upper->digit, 8);
+    ck_assert_int_eq(screen->lower->digit, 9);
     close_bench(bench);
     leave_folder(folder);
 }

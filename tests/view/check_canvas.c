@@ -1,7 +1,7 @@
 /* A canvas keeps what is put on it, inside its bounds; commands are found by name and key. */
 #include "suite.h"
 #include "view/draw/canvas.h"
-#include "view/panes/commands.h"
+#include "view/help/commands.h"
 
 #include <locale.h>
 #include <stdlib.h>
@@ -143,8 +143,9 @@ START_TEST(commands_are_unambiguous)
         const Command *command = &commands[i];
         ck_assert_ptr_eq(command_find(command->id), command);
         ck_assert_ptr_eq(command_by_name(command->name), command);
-        ck_assert_msg(text_columns(command->brief) <= 8, "%s: %s", command->name, command->brief);
-        ck_assert_msg(text_columns(command->help) <= 84, "%s: help is long", command->name);
+        ck_assert_msg(text_columns(command_brief(command)) <= 8, "%s: %s", command->name,
+                      command_brief(command));
+        ck_assert_msg(text_columns(command_help(command)) <= 84, "%s: help is long", command->name);
         char keys[64];
         ck_assert_uint_lt(strlen(command->keys), sizeof keys);
         strcpy(keys, command->keys);

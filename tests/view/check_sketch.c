@@ -1,5 +1,6 @@
 /* A sketch holds what a view shows, in the view's own numbers: strokes against the record, words against the
  * heading and the legend. */
+#include "view/views/view.h"
 #include "suite.h"
 #include "view/scene.h"
 
@@ -14,14 +15,14 @@ typedef struct Drawing {
 } Drawing;
 
 /* In place: the screen points into its scene. `window` is that of plots over time; 0: as the scene has it. */
-static void open_drawing(Drawing *drawing, const char *words, int view, double window)
+static void open_drawing(Drawing *drawing, const char *words, const char *view, double window)
 {
     Status status = {STATUS_DONE, ""};
     ck_assert_msg(scene_open(&drawing->scene, words, &status), "%s: %s", words, status.text);
     drawing->sim = experiment_simulation(drawing->scene.screen.experiment);
     if (window > 0)
         drawing->scene.screen.window = window;
-    screen_sketch(&drawing->scene.screen, view, 84, 25, &drawing->sketch);
+    screen_sketch(&drawing->scene.screen, view_named(view), 84, 25, &drawing->sketch);
 }
 
 static void close_drawing(Drawing *drawing)
@@ -56,7 +57,7 @@ static bool has_key(const Sketch *sketch, const char *name)
 START_TEST(curve_over_time_is_the_record)
 {
     Drawing drawing;
-    open_drawing(&drawing, "mode1 80x24 900", 2, 10);
+    open_drawing(&drawing, "mode1 80x24 900", "probe", 10);
     const Sketch *sketch = &drawing.sketch;
     const Record *record = experiment_record(drawing.scene.screen.experiment);
     ck_assert(sketch->has_axes);
@@ -81,7 +82,7 @@ END_TEST
 START_TEST(profile_is_the_field)
 {
     Drawing drawing;
-    open_drawing(&drawing, "mode5 80x24 300", 1, 0);
+    open_drawing(&drawing, "mode5 80x24 300", "profile", 0);
     const Sketch *sketch = &drawing.sketch;
     const Stroke *measured = stroke_of(sketch, STYLE_MEASURED);
     ck_assert_ptr_nonnull(measured);
@@ -98,7 +99,7 @@ END_TEST
 START_TEST(particles_are_marks_in_coordinates)
 {
     Drawing drawing;
-    open_drawing(&drawing, "mode5 80x24 0", 4, 0);
+    open_drawing(&drawing, "mode5 80x24 0", "shapes", 0);
     const Sketch *sketch = &drawing.sketch;
     ck_assert_uint_gt(sketch->n_marks, 0);
     const int field = simulation_find_field(drawing.sim, 0, "x");
@@ -115,7 +116,7 @@ END_TEST
 START_TEST(earlier_run_has_its_letter_and_its_words)
 {
     Drawing drawing;
-    open_drawing(&drawing, "mode5 80x24 900 ghost mesh.cell_size=0.5", 2, 0);
+    open_drawing(&drawing, "mode5 80x24 900 ghost mesh.cell_size=0.5", "probe", 0);
     const Sketch *sketch = &drawing.sketch;
     bool letter = false, words = false;
     for (size_t i = 0; i < sketch->n_marks; i++)
@@ -131,7 +132,7 @@ END_TEST
 START_TEST(map_is_the_nodes)
 {
     Drawing drawing;
-    open_drawing(&drawing, "notched-beam-coarse 80x24 30 variant 4", 8, 0);
+    open_drawing(&drawing, "notched-beam-coarse 80x24 30 variant 4", "beam", 0);
     const Sketch *sketch = &drawing.sketch;
     const SketchMap *map = sketch->map;
     ck_assert_ptr_nonnull(map);
@@ -153,7 +154,7 @@ END_TEST
 START_TEST(drawing_is_to_scale)
 {
     Drawing drawing;
-    open_drawing(&drawing, "notched-beam-coarse 80x24 3 variant 7", 8, 0);
+    open_drawing(&drawing, "notched-beam-coarse 80x24 3 variant 7", "beam", 0);
     const Sketch *sketch = &drawing.sketch;
     ck_assert(sketch->has_axes && sketch->bare);
     ck_assert_str_eq(sketch->time, "t 0.0000 ms");
@@ -179,7 +180,7 @@ END_TEST
 START_TEST(view_without_a_picture_says_why)
 {
     Drawing drawing;
-    open_drawing(&drawing, "mode1 80x24 0", 6, 0);
+    open_drawing(&drawing, "mode1 80x24 0", "spectrum", 0);
     const Sketch *sketch = &drawing.sketch;
     ck_assert(!sketch->has_axes);
     ck_assert_int_gt(sketch->n_notes, 0);

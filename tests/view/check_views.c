@@ -4,6 +4,7 @@
 #include "lab/answers/dispersion.h"
 #include "suite.h"
 #include "view/panes/screen.h"
+#include "view/views/view.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -151,7 +152,7 @@ START_TEST(predicted_curve_is_where_theory_says)
     for (int i = 0; i < 2; i++) {
         Show show;
         open_show(&show, cases[i].scenario, 2000);
-        show.screen.lower = 5;
+        show.screen.lower = view_named("dispersion");
         show.screen.focus = PANE_LOWER;
         show.screen.zoomed = true;
         show.screen.references = SHOW_PREDICTED;
@@ -182,7 +183,7 @@ START_TEST(earlier_runs_leave_a_dot)
     ck_assert(settings_set(&settings, "initial.mode", "10", &show.status));
     ck_assert(experiment_edit(show.screen.experiment, &settings, &show.status));
     work(&show);
-    show.screen.lower = 5;
+    show.screen.lower = view_named("dispersion");
     show.screen.focus = PANE_LOWER;
     show.screen.zoomed = true;
     draw(&show, 100, 30);
@@ -274,7 +275,7 @@ START_TEST(spectrum_on_screen)
 {
     Show show;
     open_show(&show, "mode5", 100);
-    show.screen.lower = 6;
+    show.screen.lower = view_named("spectrum");
     show.screen.focus = PANE_LOWER;
     show.screen.zoomed = true;
     draw(&show, 100, 30);

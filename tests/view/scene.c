@@ -1,3 +1,4 @@
+#include "view/views/view.h"
 #include "view/scene.h"
 
 #include "lab/settings/scenario.h"
@@ -65,12 +66,12 @@ static bool number_word(Scene *scene, Plan *plan, const char *word, const char *
     else if (strcmp(word, "scroll") == 0)
         screen->help_scroll = atoi(number);
     else if (strcmp(word, "upper") == 0)
-        screen->upper = atoi(number);
+        screen->upper = view_named(number);
     else if (strcmp(word, "lower") == 0)
-        screen->lower = atoi(number);
+        screen->lower = view_named(number);
     else if (strcmp(word, "variant") == 0)
-        for (int v = 0; v < 10; v++)
-            screen->variant[v] = atoi(number);
+        for (int i = 0; i < n_views; i++)
+            view_choose_variant(views[i], screen, atoi(number));
     else if (strcmp(word, "focus") == 0)
         screen->focus = (PaneId)atoi(number);
     else if (strcmp(word, "select") == 0)

@@ -71,7 +71,7 @@ extern const BuiltinLesson builtin_lessons[]; /* generated; ended by a NULL name
 
 /* Whether a lesson may have this line done: it changes the laboratory and nothing else. A lesson is a file
  * from anybody, so a line that would write, draw a figure, record or leave is refused when it is read; which
- * lines those are is known to the table of commands (view/panes/commands.h). False: the status says why. */
+ * lines those are is known to the table of commands (view/help/commands.h). False: the status says why. */
 typedef bool (*LessonJudge)(const char *line, Status *);
 
 /* Reads a lesson by built-in name or, failing that, by path. False: "FILE:LINE: what is wrong (what is

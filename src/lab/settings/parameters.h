@@ -57,7 +57,7 @@ extern const int n_parameters;
 /* What a text may be; empty is always allowed. */
 typedef enum TextRule {
     TEXT_ANY,
-    TEXT_VIEW,       /* the number of a view, 1 to 9 */
+    TEXT_VIEW,       /* a view's digit, 1 to 9, or its word */
     TEXT_POSITIVE,   /* a number > 0 */
     TEXT_REFERENCES, /* one of reference_words */
     TEXT_COLOUR      /* one of colour_words */

@@ -202,16 +202,27 @@ static const char *const *words_of(TextRule rule)
     return rule == TEXT_REFERENCES ? reference_words : rule == TEXT_COLOUR ? colour_words : NULL;
 }
 
+/* A view's digit, or a word such as name views; which there are the laboratory knows, not the scenario. */
+static bool can_be_view(const char *text)
+{
+    const size_t letters = strspn(text, "abcdefghijklmnopqrstuvwxyz-");
+    const bool digit = text[0] >= '1' && text[0] <= '9' && text[1] == '\0';
+    return digit || (letters > 0 && text[letters] == '\0');
+}
+
 /* Empty is always allowed: as the laboratory likes. */
 static bool check_words(const TextKey *key, const char *text, Status *status)
 {
     const char *const *words = words_of(key->rule);
     char allowed[160];
     double value;
-    snprintf(allowed, sizeof allowed, "%s", key->rule == TEXT_VIEW ? "1 to 9" : words ? "" : "> 0");
-    bool sound = !*text || key->rule == TEXT_ANY;
-    if (!sound && !words && text_to_double(text, &value))
-        sound = key->rule == TEXT_VIEW ? value >= 1 && value <= 9 && value == floor(value) : value > 0;
+    snprintf(allowed, sizeof allowed, "%s",
+             key->rule == TEXT_VIEW ? "1 to 9, or a view's word"
+             : words                ? ""
+                                    : "> 0");
+    bool sound = !*text || key->rule == TEXT_ANY || (key->rule == TEXT_VIEW && can_be_view(text));
+    if (key->rule == TEXT_POSITIVE && text_to_double(text, &value))
+        sound = value > 0;
     for (size_t used = 0; words && *words; words++) {
         sound |= strcmp(*words, text) == 0;
         used += (size_t)snprintf(allowed + used, sizeof allowed - used, "%s%s", used ? " | " : "", *words);

@@ -286,7 +286,7 @@ Simulation *bar_create(const BarDef *definition, Status *status)
     sim->n_fields = BAR_FIELDS;
     sim->series = bar_series;
     sim->n_series = BAR_SERIES;
-    axial_set_motion(sim);
+    axial_set_motion(sim, HAS_MESH, bar->def.cell_size / bar->def.particles_per_cell);
     sim->dt = bar->dt;
     if (!begin(bar, status)) {
         simulation_destroy(sim);

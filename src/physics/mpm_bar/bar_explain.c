@@ -202,7 +202,7 @@ static void say_slope(const BarSubject *subject)
         const double offset = shape_node_offset(bar->def.shape, bar->n_cells, cell, (int)link->index - cell);
         const double arm = bar->dx * (offset - bar->s[slot][k]);
         if (hat)
-            working_add(&sum, 2, link->gradient, speed, 0);
+            working_add(&sum, 2, link->gradient[0], speed, 0);
         else
             working_add(&sum, 3, link->weight, speed, arm);
         sum.divisor += hat ? 0 : link->weight * arm * arm;

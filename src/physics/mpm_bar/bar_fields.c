@@ -182,8 +182,10 @@ static Link link_of(const Bar *bar, int set, int index, int particle, int cell, 
     double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
     double s = bar->s[particle % bar->slots][particle / bar->slots];
     shape_at(bar->def.shape, bar->gimp_half, bar->n_cells, cell, s, n, dn);
-    return (Link){
-        .set = set, .index = (size_t)index, .weight = n[node - cell], .gradient = dn[node - cell] / bar->dx};
+    return (Link){.set = set,
+                  .index = (size_t)index,
+                  .weight = n[node - cell],
+                  .gradient = {dn[node - cell] / bar->dx}};
 }
 
 /* During a step shape functions are those of its beginning. A uGIMP particle far from a ghost node has no
@@ -196,7 +198,7 @@ size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t
         int cell = bar_cell_of(bar, (int)index);
         for (int node = cell; node < cell + bar->support && count < max; node++) {
             Link link = link_of(bar, BAR_NODES, node, (int)index, cell, node);
-            if (link.weight != 0.0 || link.gradient != 0.0)
+            if (link.weight != 0.0 || link.gradient[0] != 0.0)
                 out[count++] = link;
         }
         return count;
@@ -207,16 +209,16 @@ size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t
     for (int cell = low; cell <= high; cell++)
         for (int p = bar->first[cell]; p < bar->first[cell + 1] && count < max; p++) {
             Link link = link_of(bar, BAR_PARTICLES, p, p, cell, node);
-            if (link.weight != 0.0 || link.gradient != 0.0)
+            if (link.weight != 0.0 || link.gradient[0] != 0.0)
                 out[count++] = link;
         }
     return count;
 }
 
-size_t bar_shapes(const Simulation *sim, double x, Link *out, size_t max)
+size_t bar_shapes(const Simulation *sim, const double *at, Link *out, size_t max)
 {
     const Bar *bar = bar_of_const(sim);
-    double place = x / bar->dx + bar->origin;
+    double place = at[0] / bar->dx + bar->origin;
     if (!(place >= 0.0 && place <= bar->n_cells))
         return 0;
     int cell = (int)place < bar->n_cells ? (int)place : bar->n_cells - 1;
@@ -226,6 +228,6 @@ size_t bar_shapes(const Simulation *sim, double x, Link *out, size_t max)
     for (int a = 0; a < bar->support && count < max; a++)
         if (n[a] != 0.0 || dn[a] != 0.0)
             out[count++] = (Link){
-                .set = BAR_NODES, .index = (size_t)(cell + a), .weight = n[a], .gradient = dn[a] / bar->dx};
+                .set = BAR_NODES, .index = (size_t)(cell + a), .weight = n[a], .gradient = {dn[a] / bar->dx}};
     return count;
 }

@@ -213,7 +213,7 @@ extern const Field bar_fields[BAR_FIELDS];
 extern const Quantity bar_series[BAR_SERIES];
 void bar_field(const Simulation *sim, int field, size_t first, size_t count, double *out);
 size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t max);
-size_t bar_shapes(const Simulation *sim, double x, Link *out, size_t max);
+size_t bar_shapes(const Simulation *sim, const double *at, Link *out, size_t max);
 typedef enum BarExchange {
     GIVE_MASS,
     GIVE_MOMENTUM,

@@ -28,7 +28,7 @@ double bar_add_gifts(const BarSubject *subject, BarExchange exchange, WorkingSum
         const Link *link = &subject->links[i];
         double f[EXCHANGE_FACTORS_MAX] = {0};
         const int n = bar_exchange(sim, (int)exchange, link->index, (size_t)subject->index, f);
-        if (n == 0 || (uses_slope(exchange) ? link->gradient : link->weight) == 0.0)
+        if (n == 0 || (uses_slope(exchange) ? link->gradient[0] : link->weight) == 0.0)
             continue;
         total += f[0] * f[1] * (n == 3 ? f[2] : 1);
         if (exchange == GIVE_F_INT)

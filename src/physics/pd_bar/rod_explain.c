@@ -126,7 +126,7 @@ static void explain_bond(const Rod *rod, Working *working, size_t index)
     rod_links(&rod->sim, ROD_BOND, index, ends, 2);
     working_say(working, "bond p%zu to p%zu: ", ends[0].index, ends[1].index);
     working_number(working, "s = ", ends[0].weight);
-    working_number(working, ", pull ", ends[0].gradient);
+    working_number(working, ", pull ", ends[0].pull);
     working_say(working, " per unit cross-section\n");
 }
 

@@ -292,8 +292,8 @@ size_t rod_links(const Simulation *sim, int set, size_t index, Link *out, size_t
         double stretch = b_stretch(rod, &bond), pull = b_pull(rod, &bond) * h;
         const int ends[2] = {bond.k, bond.k + bond.m};
         for (; count < 2 && count < max; count++)
-            out[count] = (Link){
-                .set = ROD_PARTICLE, .index = (size_t)ends[count], .weight = stretch, .gradient = pull};
+            out[count] =
+                (Link){.set = ROD_PARTICLE, .index = (size_t)ends[count], .stretch = stretch, .pull = pull};
         return count;
     }
     for (int m = -rod->lattice.reach; m <= rod->lattice.reach && count < max; m++) {
@@ -305,8 +305,8 @@ size_t rod_links(const Simulation *sim, int set, size_t index, Link *out, size_t
             continue;
         out[count++] = (Link){.set = ROD_PARTICLE,
                               .index = (size_t)rod_partner(&rod->lattice, i + m),
-                              .weight = b_stretch(rod, &bond),
-                              .gradient = b_pull(rod, &bond) * h,
+                              .stretch = b_stretch(rod, &bond),
+                              .pull = b_pull(rod, &bond) * h,
                               .length = m * h,
                               .stiffness = bond.stiffness * bond.m * h};
     }
@@ -350,5 +350,5 @@ void rod_set_fields(Rod *rod)
     sim->n_fields = N_FIELDS;
     sim->series = series;
     sim->n_series = ROD_SERIES;
-    axial_set_motion(sim);
+    axial_set_motion(sim, HAS_BONDS | HAS_STRETCH, rod->lattice.h);
 }

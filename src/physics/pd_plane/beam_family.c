@@ -47,8 +47,8 @@ static Link link_from(const Beam *beam, BondPlace place, size_t end)
     const BondNow bond = beam_bond(beam, place);
     return (Link){.set = SET_PARTICLE,
                   .index = bond.a == end ? bond.b : bond.a,
-                  .weight = bond.stretch,
-                  .gradient = bond.pull * beam_volume(beam),
+                  .stretch = bond.stretch,
+                  .pull = bond.pull * beam_volume(beam),
                   .broken = bond.broken,
                   .broken_at = bond.broken ? beam->broken_at[lattice_slot(&beam->lattice, place)] : 0};
 }

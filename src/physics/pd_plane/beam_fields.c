@@ -358,6 +358,10 @@ void beam_set_fields(Beam *beam)
     sim->counts[SET_BOND] = lattice_bonds(&beam->lattice);
     sim->fields = fields;
     sim->n_fields = N_FIELDS;
+    sim->has = HAS_PLANE | HAS_BONDS | HAS_STRETCH | (beam->def.critical_stretch > 0.0 ? HAS_BREAKING : 0);
+    sim->columns = (size_t)beam->lattice.nx;
+    sim->rows = (size_t)beam->lattice.ny;
+    sim->spacing = beam->lattice.spacing;
     sim->dimensions = 2;
     sim->position[0] = F_X0;
     sim->position[1] = F_Y0;

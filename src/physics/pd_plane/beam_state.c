@@ -31,13 +31,21 @@ static void follow_bits(Beam *beam, const uint8_t *bits)
     }
 }
 
+/* Bonds that could break once in a run may have done so: that stays true of it. */
+static void set_breaking(Beam *beam)
+{
+    bonds_set_limits(&beam->system, beam->head->critical_stretch);
+    if (beam->head->critical_stretch > 0)
+        beam->sim.has |= HAS_BREAKING;
+}
+
 void beam_load(Simulation *sim, const void *bytes)
 {
     Beam *beam = (Beam *)sim;
     size_t head = (size_t)((char *)beam->broken - (char *)beam->state);
     follow_bits(beam, (const uint8_t *)bytes + head);
     memcpy(beam->state, bytes, beam->state_size);
-    bonds_set_limits(&beam->system, beam->head->critical_stretch);
+    set_breaking(beam);
     beam_rebuild_damage(beam);
     beam->strain_known = false;
     beam->rescue.valid = false;
@@ -78,7 +86,7 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
         if (!live->allowed(beam, value))
             return status_fail(status, STATUS_USAGE, "%s: %g is not allowed (%s)", key, value, live->what);
         memcpy((char *)beam->head + live->offset, &value, sizeof value);
-        bonds_set_limits(&beam->system, beam->head->critical_stretch);
+        set_breaking(beam);
         beam->rescue.valid = false;
         return true;
     }

@@ -177,7 +177,8 @@ void choose_pace(Laboratory *);
 /* Where the steps of a key begin: the place on screen, or where the work on the way will end. */
 void present(const Laboratory *, long *step, int *stage);
 
-void show_view(Laboratory *, int view);
+void show_view(Laboratory *, const View *);
+void show_digit(Laboratory *, int digit); /* the view that has this key */
 const Parameter *selected_parameter(const Laboratory *);
 void move_selection(Laboratory *, int rows);
 void nudge_selected(Laboratory *, int direction);

@@ -149,8 +149,7 @@ static const Carry carries[COMMAND_COUNT] = {
 
 bool laboratory_can(CommandId id)
 {
-    return (id >= COMMAND_VIEW_1 && id <= COMMAND_VIEW_9) ||
-           (id > COMMAND_NONE && id < COMMAND_COUNT && carries[id]);
+    return command_digit(id) > 0 || (id > COMMAND_NONE && id < COMMAND_COUNT && carries[id]);
 }
 
 void laboratory_command(Laboratory *lab, CommandId id)
@@ -159,8 +158,8 @@ void laboratory_command(Laboratory *lab, CommandId id)
         return;
     lab->screen.used |= (uint64_t)1 << id;
     lab->play.used |= (uint64_t)1 << id;
-    if (id >= COMMAND_VIEW_1 && id <= COMMAND_VIEW_9)
-        show_view(lab, (int)(id - COMMAND_VIEW_1) + 1);
+    if (command_digit(id) > 0)
+        show_digit(lab, command_digit(id));
     else
         carries[id](lab);
 }

@@ -24,7 +24,6 @@ void command_jump(Laboratory *);
 /* control_move.c */
 void command_next_pane(Laboratory *);
 void command_previous_pane(Laboratory *);
-int view_in(const Screen *, PaneId); /* the number of the view in a pane; 0: it is no plot */
 void command_up(Laboratory *);
 void command_down(Laboratory *);
 void command_left(Laboratory *);

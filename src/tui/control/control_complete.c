@@ -4,6 +4,7 @@
 
 #include "base/visible.h"
 #include "lab/settings/scenario.h"
+#include "view/views/view.h"
 
 #include <dirent.h>
 #include <stdio.h>
@@ -131,15 +132,19 @@ void complete_scenarios(Completion *completion, const Laboratory *lab)
         offer_files(completion, false);
 }
 
-/* Their numbers are what is typed, so all that helps is what they mean. */
-static void tell_views(Completion *completion, const Screen *screen)
+/* Words; nothing typed as yet: each with its digit, and what it is. */
+static void offer_views(Completion *completion, const Screen *screen)
 {
-    for (int view = 1; view <= 9 && !*completion->start; view++) {
-        const Command *command = command_find((CommandId)(COMMAND_VIEW_1 + view - 1));
+    const bool typed = *completion->start != '\0';
+    for (int i = 0; i < n_views; i++) {
+        if (view_missing(views[i], screen))
+            continue;
         const size_t used = strlen(completion->list);
-        if (command && !screen_view_missing(screen, view))
-            snprintf(completion->list + used, sizeof completion->list - used, "%s%d %s", used ? "   " : "",
-                     view, command->brief);
+        if (typed)
+            offer(completion, views[i]->word, "");
+        else
+            snprintf(completion->list + used, sizeof completion->list - used, "%s%.0d%s%s", used ? "   " : "",
+                     views[i]->digit, views[i]->digit ? " " : "", views[i]->word);
     }
 }
 
@@ -183,7 +188,7 @@ static void offer_arguments(Completion *completion, const Laboratory *lab, LineA
         offer_files(completion, kind == ARGUMENT_SERIES);
         break;
     case ARGUMENT_VIEW:
-        tell_views(completion, &lab->screen);
+        offer_views(completion, &lab->screen);
         break;
     case ARGUMENT_REFERENCES:
         for (int i = 0; reference_words[i]; i++)

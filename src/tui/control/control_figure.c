@@ -2,13 +2,14 @@
 #include "tui/control/control.h"
 
 #include "figure/figure.h"
+#include "view/views/view.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
 
 /* Where no plot has the focus it is the lower one, as for the cursor. */
-static int view_in_focus(const Screen *screen)
+static const View *view_in_focus(const Screen *screen)
 {
     return screen->focus == PANE_UPPER ? screen->upper : screen->lower;
 }
@@ -16,7 +17,7 @@ static int view_in_focus(const Screen *screen)
 static bool write_figure(Laboratory *lab, bool force)
 {
     const Screen *screen = &lab->screen;
-    const int view = view_in_focus(screen);
+    const View *view = view_in_focus(screen);
     Status status = {STATUS_DONE, ""};
     Figure figure;
     if (!may_write(lab, lab->export_name))
@@ -35,8 +36,7 @@ static bool write_figure(Laboratory *lab, bool force)
         return true;
     }
     char *whole = realpath(lab->export_name, NULL);
-    say(lab, MESSAGE_INFO, "wrote %s: the view %s", whole ? whole : lab->export_name,
-        screen_view_word(screen, view));
+    say(lab, MESSAGE_INFO, "wrote %s: the view %s", whole ? whole : lab->export_name, view->word);
     free(whole);
     return true;
 }
@@ -59,7 +59,7 @@ bool draw_figure(Laboratory *lab, const char *file)
     pause_run(lab);
     if (lab->screen.state == STATE_COMPUTING)
         return refuse(lab, "wait until the run has come to its time, or cancel with Esc");
-    if (!screen_makes_figure(&lab->screen, view_in_focus(&lab->screen)))
+    if (!view_makes_figure(view_in_focus(&lab->screen), &lab->screen))
         return refuse(lab,
                       "this view makes no figure: put a plot or the beam into the pane and focus it (Tab)");
     char name[NAME_MAX_BYTES];

@@ -96,15 +96,9 @@ static void click(Laboratory *lab, int x, int y)
             screen->focus = (PaneId)pane;
             screen->cursor_time = NAN;
         }
-    if (click_lesson(lab, x, y) || screen_choose_row(screen, lab->width, lab->height, x, y) ||
-        screen_choose_event(screen, lab->width, lab->height, x, y) ||
+    if (click_lesson(lab, x, y) || screen_click_view(screen, lab->width, lab->height, x, y) ||
         screen_choose_in_strip(screen, lab->width, lab->height, x, y))
         return;
-    const long node = screen_map_node(screen, lab->width, lab->height, x, y);
-    if (node >= 0) {
-        screen->particle = (size_t)node;
-        screen->node_chosen = false;
-    }
     int row = screen_parameter_at(screen, lab->width, lab->height, x, y);
     if (row < 0)
         return;
@@ -135,7 +129,7 @@ static void wheel(Laboratory *lab, int direction, int x, int y)
     enum { LINES = 3 };
     if (lab->screen.help)
         scroll_help(lab, LINES * direction);
-    else if (!screen_scroll_log(&lab->screen, lab->width, lab->height, x, y, LINES * direction))
+    else if (!screen_scroll_view(&lab->screen, lab->width, lab->height, x, y, LINES * direction))
         laboratory_command(lab, direction < 0 ? COMMAND_UP : COMMAND_DOWN);
 }
 
@@ -223,7 +217,7 @@ static void take_key(Laboratory *lab, const Key *key)
     else if (command)
         laboratory_command(lab, command->id);
     else if (strlen(key->name) == 1 && key->name[0] >= '1' && key->name[0] <= '9')
-        laboratory_command(lab, (CommandId)(COMMAND_VIEW_1 + (key->name[0] - '1'))); /* says why not */
+        laboratory_command(lab, command_of_digit(key->name[0] - '0')); /* says why not */
     else if (strlen(key->name) == 1)
         say(lab, MESSAGE_INFO, "the key %s does nothing; ? tells what the others do", key->name);
 }

@@ -1,5 +1,6 @@
 /* The command line behind `:`: commands by name, KEY=VALUE, a time, and verbs that take arguments. */
 #include "tui/control/control.h"
+#include "view/views/view.h"
 
 #include "base/text.h"
 
@@ -43,7 +44,7 @@ static bool assign(Laboratory *lab, const char *key, const char *value)
 {
     Settings settings = *experiment_settings(lab->screen.experiment);
     Status status = {STATUS_DONE, ""};
-    return (settings_set(&settings, key, value, &status) &&
+    return (settings_set(&settings, key, value, &status) && view_check(&settings.view, &status) &&
             change_settings(lab, &settings, experiment_edit, &status)) ||
            refuse(lab, status.text);
 }
@@ -127,16 +128,21 @@ static bool overlay(Laboratory *lab, const char *words)
 
 static bool show(Laboratory *lab, const char *words)
 {
-    int view, variant = 1, first = 0, second = 0;
-    const bool sound = sscanf(words, "%d%n", &view, &first) == 1 &&
+    char word[32] = "", known[160], why[256];
+    int variant = 1, first = 0, second = 0;
+    const bool sound = sscanf(words, "%31s%n", word, &first) == 1 &&
                        (!words[first] || sscanf(words + first, "%d%n", &variant, &second) == 1) &&
                        !words[first + second];
-    if (!sound || view < 1 || view > 9 || variant < 1 || variant > 99)
-        return refuse(lab, "a view is wanted, 1 to 9, and its variant, as in show 3 or show 1 2");
-    if (screen_view_missing(&lab->screen, view))
-        return refuse(lab, screen_view_missing(&lab->screen, view));
+    const View *view = view_named(word);
+    view_names(known, sizeof known);
+    snprintf(why, sizeof why, "a view is wanted (%s), and its variant, as in show energies or show 1 2",
+             known);
+    if (!sound || !view || variant < 1 || variant > 99)
+        return refuse(lab, why);
+    if (view_missing(view, &lab->screen))
+        return refuse(lab, view_missing(view, &lab->screen));
     show_view(lab, view);
-    lab->screen.variant[view] = variant - 1;
+    view_choose_variant(view, &lab->screen, variant - 1);
     return true;
 }
 

@@ -1,11 +1,11 @@
 /* The map of a beam under the user's hands: magnified and moved, displacements drawn larger or smaller. */
 #include "tui/control/control.h"
 
+#include "view/views/view.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-enum { MAP_VIEW = 8 };
 
 #define FIRST_MAGNIFIED 4.0
 #define STRIDE          0.2 /* of what is seen, for an arrow */
@@ -15,24 +15,10 @@ static const Simulation *simulation_of(const Laboratory *lab)
     return experiment_simulation(lab->screen.experiment);
 }
 
-/* The lattice's columns: the nodes of the first row. */
-static size_t lattice_columns(const Simulation *simulation)
-{
-    double first, here;
-    size_t columns = 1;
-    simulation->method->field(simulation, simulation->position[1], 0, 1, &first);
-    for (; columns < simulation->counts[0]; columns++) {
-        simulation->method->field(simulation, simulation->position[1], columns, 1, &here);
-        if (here != first)
-            break;
-    }
-    return columns;
-}
-
 /* The place of a node as shares of the beam's length and height. */
 static void look_at_node(Screen *screen, const Simulation *simulation, size_t node)
 {
-    const size_t nx = lattice_columns(simulation), ny = simulation->counts[0] / nx;
+    const size_t nx = simulation->columns, ny = simulation->rows;
     screen->looked_at[0] = ((double)(node % nx) + 0.5) / (double)nx;
     screen->looked_at[1] = ((double)(node / nx) + 0.5) / (double)ny;
 }
@@ -70,7 +56,7 @@ void map_whole(Laboratory *lab)
 void map_magnify(Laboratory *lab, int direction)
 {
     Screen *screen = &lab->screen;
-    const double most = fmax(FIRST_MAGNIFIED, (double)lattice_columns(simulation_of(lab)) / 4);
+    const double most = fmax(FIRST_MAGNIFIED, (double)simulation_of(lab)->columns / 4);
     const double wanted = direction > 0 ? 2 * screen->magnified : screen->magnified / 2;
     screen->magnified = limited(wanted, 1, exp2(ceil(log2(most))));
 }
@@ -89,7 +75,7 @@ void map_pan(Laboratory *lab, int x, int y)
 void map_zoom(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
-    if (simulation_of(lab)->dimensions != 2) {
+    if (!simulation_has(simulation_of(lab), HAS_PLANE)) {
         say(lab, MESSAGE_INFO, "Z magnifies the map of a beam; n and N change the time window of a plot");
         return;
     }
@@ -97,9 +83,9 @@ void map_zoom(Laboratory *lab)
         map_whole(lab);
         return;
     }
-    if (screen->upper != MAP_VIEW && screen->lower != MAP_VIEW)
-        screen->upper = MAP_VIEW;
-    screen->focus = screen->upper == MAP_VIEW ? PANE_UPPER : PANE_LOWER;
+    if (!screen->upper->is_map && !screen->lower->is_map)
+        screen->upper = view_of_map();
+    screen->focus = screen->upper->is_map ? PANE_UPPER : PANE_LOWER;
     screen->zooming = true;
     screen->magnified = FIRST_MAGNIFIED;
     look_at_something(lab);
@@ -108,9 +94,9 @@ void map_zoom(Laboratory *lab)
 bool map_is_focused(const Laboratory *lab)
 {
     const Screen *screen = &lab->screen;
-    return simulation_of(lab)->dimensions == 2 &&
-           ((screen->focus == PANE_UPPER && screen->upper == MAP_VIEW) ||
-            (screen->focus == PANE_LOWER && screen->lower == MAP_VIEW));
+    return simulation_has(simulation_of(lab), HAS_PLANE) &&
+           ((screen->focus == PANE_UPPER && screen->upper->is_map) ||
+            (screen->focus == PANE_LOWER && screen->lower->is_map));
 }
 
 /* The size of displacements is part of the scenario's view, which an edit changes without a new run. */

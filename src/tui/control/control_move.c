@@ -1,5 +1,6 @@
 /* The commands that move: panes, rows, cursors, the inspector; Enter and Esc. */
 #include "tui/control/control_commands.h"
+#include "view/views/view.h"
 
 #include <math.h>
 
@@ -29,31 +30,6 @@ void command_previous_pane(Laboratory *lab)
     focus_by(lab, -1);
 }
 
-static void choose_particle(Laboratory *lab, int direction, size_t by)
-{
-    Screen *screen = &lab->screen;
-    const Simulation *simulation = experiment_simulation(screen->experiment);
-    bool node = screen->node_chosen && simulation->n_sets > 1;
-    size_t *chosen = node ? &screen->node : &screen->particle;
-    size_t count = simulation->counts[node ? 1 : 0];
-    if (count == 0)
-        return;
-    if (direction < 0)
-        *chosen = *chosen > by ? *chosen - by : 0;
-    else
-        *chosen = *chosen + by < count ? *chosen + by : count - 1;
-}
-
-int view_in(const Screen *screen, PaneId pane)
-{
-    return pane == PANE_UPPER ? screen->upper : pane == PANE_LOWER ? screen->lower : 0;
-}
-
-static bool is_time_plot(int view)
-{
-    return view == 2 || view == 3;
-}
-
 /* Moves the cursor of a time plot by about a column. */
 static void move_cursor(Laboratory *lab, int columns)
 {
@@ -72,12 +48,10 @@ static void move_cursor(Laboratory *lab, int columns)
         screen->cursor_time = to;
 }
 
-enum { TABLE_VIEW = 7, LOG_VIEW = 9 };
-
 static void move(Laboratory *lab, int x, int y, int page)
 {
     Screen *screen = &lab->screen;
-    int view = view_in(screen, screen->focus);
+    const View *view = screen_view_in(screen, screen->focus);
     const bool map = map_is_focused(lab);
     if (screen->zooming && map) {
         map_pan(lab, x, y);
@@ -92,22 +66,13 @@ static void move(Laboratory *lab, int x, int y, int page)
             nudge_selected(lab, x);
         else
             move_selection(lab, y * page);
-    } else if (view == TABLE_VIEW) {
-        /* the rows are those of the set that the table shows */
-        const int sets = experiment_simulation(screen->experiment)->n_sets;
-        screen->node_chosen = screen->variant[TABLE_VIEW] % sets == 1;
-        if (y)
-            choose_particle(lab, y, (size_t)page);
-        else
-            screen_scroll_table(screen, lab->width, lab->height, x);
-    } else if (view == LOG_VIEW) {
-        if (y)
-            screen_move_in_log(screen, lab->width, lab->height, y * page);
-    } else if (is_time_plot(view)) {
+    } else if (view && view->move) {
+        view->move(screen, screen_pane(screen, lab->width, lab->height, screen->focus), x, y, page);
+    } else if (view && view->has_time_axis) {
         move_cursor(lab, x ? x : y * page);
     } else if (x || page > 1) {
-        screen->node_chosen &= experiment_simulation(screen->experiment)->method->shapes != NULL;
-        choose_particle(lab, x ? x : y, (size_t)page);
+        screen->node_chosen &= simulation_has(experiment_simulation(screen->experiment), HAS_MESH);
+        screen_choose_next(screen, x ? x : y, (size_t)page);
     } else {
         screen_choose_across(screen, y < 0);
     }
@@ -146,20 +111,19 @@ void command_page_down(Laboratory *lab)
 void command_enter(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
+    const View *view = screen_view_in(screen, screen->focus);
     if (screen->focus == PANE_PARAMETERS && screen->lesson.open) {
         enter_in_lesson(lab);
     } else if (screen->focus == PANE_PARAMETERS) {
         begin_edit(lab);
-    } else if (is_time_plot(view_in(screen, screen->focus)) && !isnan(screen->cursor_time)) {
+    } else if (view && view->has_time_axis && !isnan(screen->cursor_time)) {
         pause_run(lab);
         seek(lab, lround(screen->cursor_time / experiment_simulation(screen->experiment)->dt), 0);
         screen->cursor_time = NAN;
-    } else if (view_in(screen, screen->focus) == LOG_VIEW && screen_log_chosen(screen) >= 0) {
-        const long step = screen_log_step(screen), broken = screen_broken_node(screen, step);
-        if (broken >= 0) { /* where it happened is what one wants to look at */
-            screen->particle = (size_t)broken;
-            screen->node_chosen = false;
-        }
+    } else if (view && view->enter) {
+        const long step = view->enter(screen);
+        if (step < 0)
+            return;
         pause_run(lab);
         seek(lab, step, 0);
     }

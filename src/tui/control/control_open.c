@@ -3,6 +3,7 @@
 
 #include "base/visible.h"
 #include "lab/settings/scenario.h"
+#include "view/views/view.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -14,14 +15,7 @@ static void read_view(Laboratory *lab)
     const ViewSettings *view = &experiment_settings(lab->screen.experiment)->view;
     Screen *screen = &lab->screen;
     double value;
-    int number;
-    /* of a beam there is more to see than its middle row */
-    if (experiment_simulation(screen->experiment)->dimensions == 2)
-        screen->upper = 8;
-    if (sscanf(view->upper, "%d", &number) == 1 && !screen_view_missing(screen, number))
-        screen->upper = number;
-    if (sscanf(view->lower, "%d", &number) == 1 && !screen_view_missing(screen, number))
-        screen->lower = number;
+    screen_open_views(screen, view);
     if (sscanf(view->pace, "%lf", &value) == 1 && value > 0) {
         screen->pace = value;
         lab->pace_automatic = false;
@@ -130,7 +124,8 @@ bool open_scenario(Laboratory *lab, const char *name, Status *status)
     if (!settings)
         return status_fail(status, STATUS_FAILED, "out of memory");
     Experiment *experiment = NULL;
-    if (scenario_load(name, settings, status) && settings_check(settings, status)) {
+    if (scenario_load(name, settings, status) && settings_check(settings, status) &&
+        (view_check(&settings->view, status) || (scenario_blame(name, NULL, 0, status), false))) {
         show_building_of(lab, settings);
         experiment = make_experiment(lab, settings, status);
         say(lab, MESSAGE_NONE, "%s", "");
@@ -142,9 +137,7 @@ bool open_scenario(Laboratory *lab, const char *name, Status *status)
         lab->screen.experiment = experiment;
         Screen fresh;
         screen_default(&fresh);
-        lab->screen.upper = fresh.upper;
-        lab->screen.lower = fresh.lower;
-        memcpy(lab->screen.variant, fresh.variant, sizeof fresh.variant);
+        lab->screen.n_variants = 0;
         lab->screen.window = fresh.window;
         lab->screen.references = fresh.references;
         map_whole(lab);

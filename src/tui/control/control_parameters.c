@@ -76,11 +76,12 @@ void settings_changed(Laboratory *lab)
         say(lab, MESSAGE_WARNING, "%s", advice);
 }
 
-/* Where a particle was at first, in each dimension. */
+/* Where a particle was at first; 0 in a direction that there is not. */
 static void place_of(const Simulation *sim, size_t particle, double place[SIMULATION_DIMENSIONS_MAX])
 {
-    for (int d = 0; d < sim->dimensions; d++)
-        sim->method->field(sim, sim->position[d], particle, 1, &place[d]);
+    for (int d = 0; d < SIMULATION_DIMENSIONS_MAX; d++)
+        if (sim->position[d] >= 0)
+            sim->method->field(sim, sim->position[d], particle, 1, &place[d]);
 }
 
 static size_t nearest_to(const Simulation *sim, const double place[SIMULATION_DIMENSIONS_MAX])
@@ -90,7 +91,7 @@ static size_t nearest_to(const Simulation *sim, const double place[SIMULATION_DI
     for (size_t i = 0; i < sim->counts[0]; i++) {
         double here[SIMULATION_DIMENSIONS_MAX] = {0}, square = 0;
         place_of(sim, i, here);
-        for (int d = 0; d < sim->dimensions; d++)
+        for (int d = 0; d < SIMULATION_DIMENSIONS_MAX; d++)
             square += (here[d] - place[d]) * (here[d] - place[d]);
         if (square < least)
             least = square, nearest = i;

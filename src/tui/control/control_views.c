@@ -1,38 +1,42 @@
 /* The commands that choose what is shown, and how. */
 #include "tui/control/control_commands.h"
+#include "view/views/view.h"
 
 #include <math.h>
 
-/* Pictures over x are at home above, pictures over time below. */
-static PaneId home_of(int view)
+void show_digit(Laboratory *lab, int digit)
 {
-    return view == 1 || view == 4 || view == 7 || view == 8 ? PANE_UPPER : PANE_LOWER;
+    const View *view = view_of_digit(digit);
+    if (view)
+        show_view(lab, view);
+    else
+        say(lab, MESSAGE_INFO, "no view has the key %d", digit);
 }
 
-void show_view(Laboratory *lab, int view)
+void show_view(Laboratory *lab, const View *view)
 {
     Screen *screen = &lab->screen;
     /* where panes are seen one at a time, who asks for a view wants to see it */
     const bool alone = screen->zoomed || (lab->width > 0 && !screen_is_whole(lab->width, lab->height));
-    const char *missing = screen_view_missing(screen, view);
+    const char *missing = view_missing(view, screen);
     if (missing) {
-        say(lab, MESSAGE_INFO, "view %d: %s", view, missing);
+        say(lab, MESSAGE_INFO, "%s: %s", view->word, missing);
         return;
     }
     if (screen->inspecting) /* it lies over the plots: who asks for one wants to see it */
         close_inspector(lab);
     bool in_plot = screen->focus == PANE_UPPER || screen->focus == PANE_LOWER;
     if (screen->upper == view || screen->lower == view) {
-        PaneId at = in_plot && view_in(screen, screen->focus) == view ? screen->focus
-                    : screen->upper == view                           ? PANE_UPPER
-                                                                      : PANE_LOWER;
+        PaneId at = in_plot && screen_view_in(screen, screen->focus) == view ? screen->focus
+                    : screen->upper == view                                  ? PANE_UPPER
+                                                                             : PANE_LOWER;
         if (alone && screen->focus != at)
             screen->focus = at;
         else
-            screen->variant[view]++;
+            view_choose_variant(view, screen, view_variant(view, screen) + 1);
         return;
     }
-    PaneId pane = in_plot ? screen->focus : home_of(view);
+    PaneId pane = in_plot ? screen->focus : view->home;
     if (pane == PANE_UPPER)
         screen->upper = view;
     else

@@ -20,26 +20,13 @@ enum { LEGEND_ROOM = 19, LEGEND_ROWS = 4 };
 bool body_of(const Simulation *sim, Body *body)
 {
     *body = (Body){.count = sim->counts[0]};
-    if (sim->dimensions != 2 || body->count < 4)
+    if (!simulation_has(sim, HAS_PLANE) || body->count < 4)
         return false;
     for (int d = 0; d < 2; d++)
         body->first[d] = field_at(sim, sim->position[d], 0);
-    /* the first row ends where the height changes */
-    enum { CHUNK = 256 };
-    double height[CHUNK];
-    size_t columns = 0;
-    for (bool same = true; same && columns < body->count;) {
-        size_t count = body->count - columns < CHUNK ? body->count - columns : CHUNK, i = 0;
-        sim->method->field(sim, sim->position[1], columns, count, height);
-        while (i < count && height[i] == body->first[1])
-            i++;
-        same = i == count;
-        columns += i;
-    }
-    body->nx = (int)columns;
-    body->ny = (int)(body->count / columns);
-    const double last = field_at(sim, sim->position[0], columns - 1);
-    body->spacing = columns > 1 ? (last - body->first[0]) / (double)(columns - 1) : 0;
+    body->nx = (int)sim->columns;
+    body->ny = (int)sim->rows;
+    body->spacing = sim->spacing;
     for (int d = 0; d < 2; d++) {
         body->low[d] = body->first[d] - body->spacing / 2;
         body->size[d] = body->spacing * (d == 0 ? body->nx : body->ny);

@@ -35,7 +35,7 @@ static bool is_near(const Map *map, double column, double row)
 /* The bonds' lines are marks: map_draw_lines() shows them. */
 void map_draw_bonds(Map *map)
 {
-    if (!map->sim->method->links)
+    if (!simulation_has(map->sim, HAS_BONDS))
         return;
     for (size_t node = 0; node < map->body.count; node++) {
         double column, row;

@@ -276,11 +276,6 @@ bool next_word(const char **text, char *out, size_t size)
     return true;
 }
 
-bool has_mesh(const Simulation *sim)
-{
-    return sim->n_sets > 1 && strcmp(sim->sets[1].name, "node") == 0;
-}
-
 /* How many of the names only this set has. */
 static int own_names(const Simulation *sim, const char *words, int set)
 {
@@ -293,7 +288,7 @@ static int own_names(const Simulation *sim, const char *words, int set)
 
 int stage_target(const Simulation *sim, const Stage *stage)
 {
-    if (!has_mesh(sim))
+    if (!simulation_has(sim, HAS_MESH))
         return 0;
     const int particles = own_names(sim, stage->writes, 0), nodes = own_names(sim, stage->writes, 1);
     if (particles != nodes)
@@ -304,7 +299,7 @@ int stage_target(const Simulation *sim, const Stage *stage)
 
 Flow stage_flow(const Simulation *sim, const Stage *stage)
 {
-    if (!has_mesh(sim))
+    if (!simulation_has(sim, HAS_MESH))
         return FLOW_NONE;
     if (strcmp(stage->id, "forget") == 0)
         return FLOW_FORGET;

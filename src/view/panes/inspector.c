@@ -1,17 +1,17 @@
-/* Which inspector a method has: one row for each, the first that fits is taken. */
+/* Which inspector a simulation has: one row for each, the first that fits is taken. */
 #include "view/panes/panes.h"
 
 static const Inspector inspectors[] = {
-    {has_mesh, pane_mesh_inspector, move_mesh_inspector},
-    {is_lattice_bar, pane_bonds, move_bonds},
-    {has_families, pane_family, move_node},
+    {HAS_MESH | HAS_LINE, pane_mesh_inspector, move_mesh_inspector},
+    {HAS_BONDS | HAS_LINE, pane_bonds, move_bonds},
+    {HAS_BONDS | HAS_PLANE, pane_family, move_node},
 };
 
 const Inspector *inspector_find(const Screen *screen)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     for (size_t i = 0; i < sizeof inspectors / sizeof *inspectors; i++)
-        if (inspectors[i].fits(sim))
+        if (simulation_has(sim, inspectors[i].needs))
             return &inspectors[i];
     return NULL;
 }
@@ -24,7 +24,7 @@ bool screen_has_inspector(const Screen *screen)
 void screen_choose_across(Screen *screen, bool node)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
-    if (has_mesh(sim))
+    if (simulation_has(sim, HAS_MESH))
         move_mesh_inspector(screen, 0, node ? -1 : 1, 1);
 }
 

@@ -2,6 +2,7 @@
  * experiment and the stage box of a paused one are of one size. Only the timeline, where it has no row of its
  * own, takes one from the lower plot while we are back in time. */
 #include "view/panes/panes.h"
+#include "view/views/view.h"
 
 enum {
     LEAST_WIDTH = 40,
@@ -30,8 +31,8 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
 {
     const int box = height < 22 ? 4 : height < 27 ? 5 : height < 30 ? 6 : height < 40 ? 9 : 10;
     /* a beam that stands in a plot pane is not drawn twice */
-    const bool drawn = experiment_simulation(screen->experiment)->dimensions == 2 &&
-                       (screen->upper == 8 || screen->lower == 8);
+    const bool drawn = simulation_has(experiment_simulation(screen->experiment), HAS_PLANE) &&
+                       (screen->upper->is_map || screen->lower->is_map);
     const int mesh = drawn ? 0 : height < 28 ? 2 : height < 40 ? 3 : 4;
     const int top = 1 + mesh, middle = height - 2 - box - mesh;
     const int fields = screen->lesson.open ? width < WIDE ? LESSON_WIDTH : WIDE_LESSON_WIDTH
@@ -44,7 +45,7 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     /* the map of a beam that is no rod wants height more than the curve below it */
     const Settings *settings = experiment_settings(screen->experiment);
     const bool tall =
-        drawn && screen->upper == 8 && settings->geometry.height > TALL_SHARE * settings->geometry.length;
+        drawn && screen->upper->is_map && settings->geometry.height > TALL_SHARE * settings->geometry.length;
     const int lower = tall ? middle * 4 / 9 + 1 : (middle + 3) / 2, upper = middle - lower;
     /* on a large screen with a row for what its marks are */
     const bool own = width >= TIMELINE_WIDTH && height >= TIMELINE_HEIGHT;

@@ -146,10 +146,10 @@ static const char *short_key(const Screen *screen, const char *key)
 static const char *word_of(const Screen *screen, const Command *command)
 {
     if (command->id != COMMAND_RUN_PAUSE)
-        return command->brief;
+        return command_brief(command);
     return screen->state == STATE_RUNNING                                  ? "pause"
            : screen->state == STATE_ENDED || screen->state == STATE_FAILED ? "again"
-                                                                           : command->brief;
+                                                                           : command_brief(command);
 }
 
 enum { BAR_OF_ONE_PANE = 80, OFFERS_MAX = 16 };

@@ -23,11 +23,6 @@ typedef struct BondSum {
     Writing writing;
 } BondSum;
 
-bool is_lattice_bar(const Simulation *sim)
-{
-    return sim->dimensions == 1 && sim->n_sets > 1 && !has_mesh(sim) && sim->method->links;
-}
-
 static double named(const BondSum *sum, const char *field)
 {
     double value = 0;
@@ -75,7 +70,7 @@ static void make_sum(BondSum *sum, const Screen *screen, int rows)
     sum->count = count < BONDS_MAX ? count : BONDS_MAX;
     for (size_t i = 0; i < sum->count; i++) {
         const Link *link = &sum->links[i];
-        sum->forces[i] = copysign(1, link->length) * link->stiffness * link->weight;
+        sum->forces[i] = copysign(1, link->length) * link->stiffness * link->stretch;
         sum->all += sum->forces[i];
     }
     sum->just_bonds = sim->stage == bonds + 1;
@@ -136,7 +131,7 @@ static void name_partner(const BondSum *sum, const Link *link, double spacing, c
 static void draw_bond(const BondSum *sum, Area area, size_t i, double spacing, int y)
 {
     const Link *link = &sum->links[i];
-    const double values[] = {link->length, link->weight, link->stiffness};
+    const double values[] = {link->length, link->stretch, link->stiffness};
     char text[NUMBER_TEXT_MAX + 32];
     name_partner(sum, link, spacing, text, sizeof text);
     area_text_right(area, NAME_WIDTH - 1, y, text, STYLE_NORMAL);

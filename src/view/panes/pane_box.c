@@ -1,6 +1,7 @@
 /* The box at the bottom. Of a duel: its readout, but within a time step. Running: a caption. At the end: the
  * summary. Paused: the stage box, pane_stage.c. */
 #include "view/panes/panes.h"
+#include "view/views/views.h"
 #include "lab/answers/summary.h"
 #include "view/views/runs.h"
 #include "view/views/time_plot.h"
@@ -12,9 +13,12 @@
 /* --- caption while running ------------------------------------------------------------------------ */
 
 /* A hint stands until its command was used, then the next one comes. */
-static const char *hint_of(const Screen *screen)
+static void hint_of(const Screen *screen, char *out, size_t size)
 {
-    static const struct {
+    char pictures[96];
+    snprintf(pictures, sizeof pictures, "%d shows the energies, %d the fields along it; again: the next one.",
+             view_energies.digit, view_profile.digit);
+    const struct {
         CommandId id;
         const char *text;
     } hints[] = {
@@ -22,19 +26,21 @@ static const char *hint_of(const Screen *screen)
         {COMMAND_RIGHT, "Left and Right change the marked parameter; the old curve stays behind, faint."},
         {COMMAND_INSPECT, "i, when paused, shows what a particle and its nodes give each other."},
         {COMMAND_REFERENCES, "e takes the exact and the predicted curve away: let the class guess first."},
-        {COMMAND_VIEW_3, "3 shows the energies, 1 the fields along it; again: the next one."},
+        {command_of_digit(view_energies.digit), pictures},
         {COMMAND_QUESTION, "t toggles what this scenario asks about."},
         {COMMAND_EXPORT, "x writes this run as CSV."},
         {COMMAND_HELP, "? explains the keys and what is solved."},
     };
-    for (size_t i = 0; i < sizeof hints / sizeof *hints; i++) {
+    const size_t n_hints = sizeof hints / sizeof *hints;
+    size_t i = 0;
+    for (; i < n_hints; i++) {
         const bool right =
             hints[i].id == COMMAND_RIGHT && (screen->lesson.open || screen->used & (1ull << COMMAND_LEFT));
         const bool nothing = hints[i].id == COMMAND_INSPECT && !screen_has_inspector(screen);
         if (command_find(hints[i].id) && !(screen->used & (1ull << hints[i].id)) && !right && !nothing)
-            return hints[i].text;
+            break;
     }
-    return "";
+    snprintf(out, size, "%s", i < n_hints ? hints[i].text : "");
 }
 
 /* " (continuum)" behind the word "exact", and so on; beam theories have names of their own. */
@@ -115,7 +121,8 @@ static void draw_caption(const Screen *screen, Area area)
 
     int last = rows - 1, y = 1;
     char text[256];
-    const char *hint = hint_of(screen);
+    char hint[96];
+    hint_of(screen, hint, sizeof hint);
     if (hint[0] && last > y)
         area_text(area, 1, last--, hint, STYLE_FAINT);
     int count;

@@ -1,6 +1,7 @@
 /* The inspector of beams: the chosen node's family, each bond with its stretch as a share of the critical
  * one, the bond that broke last, the most stretched one and why it holds, and the forces (family_forces.c).
  */
+#include "view/views/views.h"
 #include "view/map/family.h"
 
 #include <math.h>
@@ -15,12 +16,6 @@ double family_field(const Family *family, const char *name, size_t node)
     return field_at(family->sim, simulation_find_field(family->sim, 0, name), node);
 }
 
-bool has_families(const Simulation *sim)
-{
-    return sim->dimensions == 2 && sim->method->links && sim->n_sets > 1 &&
-           strcmp(sim->sets[1].name, "bond") == 0;
-}
-
 /* --- what there is ---------------------------------------------------------------------------------- */
 
 static Ray ray_of(const Family *family, const Link *link)
@@ -28,7 +23,7 @@ static Ray ray_of(const Family *family, const Link *link)
     const Simulation *sim = family->sim;
     const long nx = family->body.nx;
     Ray ray = {
-        .other = link->index, .stretch = link->weight, .broken = link->broken, .broken_at = link->broken_at};
+        .other = link->index, .stretch = link->stretch, .broken = link->broken, .broken_at = link->broken_at};
     ray.p = (int)((long)link->index % nx - family->i);
     ray.q = (int)((long)link->index / nx - family->j);
     const int steps[2] = {ray.p, ray.q};
@@ -39,7 +34,7 @@ static Ray ray_of(const Family *family, const Link *link)
     const double length = hypot(ray.direction[0], ray.direction[1]);
     for (int d = 0; d < 2 && length > 0; d++)
         ray.direction[d] /= length;
-    ray.pull = link->gradient / (family->body.spacing * family->body.spacing);
+    ray.pull = link->pull / (family->body.spacing * family->body.spacing);
     return ray;
 }
 
@@ -233,7 +228,7 @@ static void draw_place(const Screen *screen, Area area)
     if (whole.state == STATE_RUNNING)
         whole.state = STATE_PAUSED; /* the node that is inspected is shown in any case */
     Map map;
-    if (map_open(&map, &whole, area) && map_colour(&map, (MapVariant)(screen->variant[8] % MAP_VARIANTS))) {
+    if (map_open(&map, &whole, area) && map_colour(&map, (MapVariant)(view_variant(&view_beam, screen)))) {
         map.nodes_seen = true; /* no room for words */
         map_draw_heat(&map);
         map_draw_signs(&map);

@@ -116,7 +116,7 @@ static bool fill_block(Block *block, const Subject *subject, int stage, bool tak
     const int n = column_named(block, "N"), slope = column_named(block, ascii ? "N'" : "N′");
     for (size_t i = 0; i < subject->n_links; i++) {
         block->columns[n].values[i] = subject->links[i].weight;
-        block->columns[slope].values[i] = subject->links[i].gradient;
+        block->columns[slope].values[i] = subject->links[i].gradient[0];
     }
     bool any = false;
     for (int pass = 0; pass < 2; pass++)

@@ -112,8 +112,8 @@ static void list_bonds(Area area, const Simulation *sim, size_t chosen)
     area_print(area, 0, 0, STYLE_HEADING, "particle %zu and its bonds", chosen);
     for (size_t i = 0; i < count && i < FAMILY_MAX; i++) {
         char stretch[NUMBER_TEXT_MAX], pull[NUMBER_TEXT_MAX], line[128];
-        number_text(links[i].weight, 4, 10, stretch);
-        number_text(links[i].gradient, 4, 10, pull);
+        number_text(links[i].stretch, 4, 10, stretch);
+        number_text(links[i].pull, 4, 10, pull);
         snprintf(line, sizeof line, "to %zu  stretch %s  pull %s", links[i].index, stretch, pull);
         area_phrases(area, 0, 1 + (int)i, area.rect.width, 1, line, STYLE_NORMAL);
     }

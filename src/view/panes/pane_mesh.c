@@ -89,7 +89,7 @@ static void list_links(Area area, const Simulation *sim, size_t chosen, const Li
         char place[NUMBER_TEXT_MAX], weight[NUMBER_TEXT_MAX], slope[NUMBER_TEXT_MAX];
         number_text(field_at(sim, node_x, links[i].index), 5, 10, place);
         number_text(links[i].weight, 4, 10, weight);
-        number_text(links[i].gradient, 4, 10, slope);
+        number_text(links[i].gradient[0], 4, 10, slope);
         char line[128];
         snprintf(line, sizeof line, "node %zu  x %s  N %s  N' %s", links[i].index, place, weight, slope);
         area_phrases(area, 0, 1 + (int)i, area.rect.width, 1, line, STYLE_NORMAL);
@@ -336,8 +336,8 @@ static void draw_beam(const Screen *screen, Area area)
 void pane_mesh(const Screen *screen, Area area)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
-    if (sim->dimensions == 1)
-        (has_mesh(sim) ? draw_bar : pane_lattice)(screen, area);
+    if (simulation_has(sim, HAS_LINE))
+        (simulation_has(sim, HAS_MESH) ? draw_bar : pane_lattice)(screen, area);
     else
         draw_beam(screen, area);
 }
@@ -346,8 +346,8 @@ bool screen_choose_in_strip(Screen *screen, int width, int height, int x, int y)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     const Rect rect = screen_pane(screen, width, height, PANE_MESH);
-    if (sim->dimensions != 1 || x < rect.x || x >= rect.x + rect.width || y < rect.y ||
+    if (!simulation_has(sim, HAS_LINE) || x < rect.x || x >= rect.x + rect.width || y < rect.y ||
         y >= rect.y + rect.height)
         return false;
-    return (has_mesh(sim) ? choose_in_bar : choose_in_lattice)(screen, rect, x, y);
+    return (simulation_has(sim, HAS_MESH) ? choose_in_bar : choose_in_lattice)(screen, rect, x, y);
 }

@@ -28,52 +28,6 @@ typedef struct Layout {
 
 Layout layout_make(const Screen *, int width, int height);
 
-/* --- the views that can stand in the two plot panes --- */
-
-typedef struct View {
-    int number;
-    const char *name;
-    void (*draw)(const Screen *, Area, Style heading, int variant);
-    int (*variants)(const Screen *); /* how many there are, at least 1 */
-    const char *word;                /* names it in a command; NULL: it makes no figure */
-    const char *(*variant_word)(const Screen *, int variant); /* likewise a variant; NULL: there is one */
-    bool of_moment;                                           /* shows one moment, not the time up to it */
-} View;
-
-void view_draw(const Screen *, int number, Area, bool focused);
-
-void view_profile(const Screen *, Area, Style heading, int variant);
-int view_profile_variants(const Screen *);
-void view_section(const Screen *, Area, Style heading); /* a beam's last profile */
-const char *view_profile_word(const Screen *, int variant);
-void view_probe(const Screen *, Area, Style heading, int variant);
-int view_probe_variants(const Screen *);
-const char *view_probe_word(const Screen *, int variant);
-void view_energies(const Screen *, Area, Style heading, int variant);
-int view_energies_variants(const Screen *);
-const char *view_energies_word(const Screen *, int variant);
-void view_crack(const Screen *, Area, Style heading, int variant); /* of the probe's view */
-int view_crack_variants(const Screen *);                           /* 0: it does not break */
-void view_fracture(const Screen *, Area, Style heading);           /* of the energies' view */
-int view_fracture_variants(const Screen *);
-void view_shapes(const Screen *, Area, Style heading, int variant);
-int view_shapes_variants(const Screen *);
-void view_bond_law(const Screen *, Area, Style heading); /* in its place where there is no mesh */
-bool bond_law_fits(const Simulation *);                  /* its nodes tell their largest stretch */
-const char *view_shapes_word(const Screen *, int variant);
-void view_dispersion(const Screen *, Area, Style heading, int variant);
-int view_dispersion_variants(const Screen *);
-const char *view_dispersion_word(const Screen *, int variant);
-void view_spectrum(const Screen *, Area, Style heading, int variant);
-int view_spectrum_variants(const Screen *);
-const char *view_spectrum_word(const Screen *, int variant);
-void view_table(const Screen *, Area, Style heading, int set);
-int view_table_variants(const Screen *);
-void view_beam(const Screen *, Area, Style heading, int variant);
-int view_beam_variants(const Screen *);
-const char *view_beam_word(const Screen *, int variant);
-void view_log(const Screen *, Area, Style heading, int variant);
-
 /* --- the other panes --- */
 
 void pane_title(const Screen *, Area);
@@ -96,15 +50,13 @@ void pane_mesh_inspector(const Screen *, Area); /* of methods with particles and
 void move_mesh_inspector(Screen *, int x, int y, int page);
 
 void pane_bonds(const Screen *, Area); /* of a bar without a mesh */
-bool is_lattice_bar(const Simulation *);
 void move_bonds(Screen *, int x, int y, int page);
-void pane_family(const Screen *, Area); /* of beams */
-bool has_families(const Simulation *);
+void pane_family(const Screen *, Area);           /* of beams */
 void move_node(Screen *, int x, int y, int page); /* chooses the node beside; y downwards */
 
 /* What stands in the inspector; the seam is in inspector.c. */
 typedef struct Inspector {
-    bool (*fits)(const Simulation *); /* the methods that it is for */
+    unsigned needs; /* what the simulation must have, all of it (HAS_...) */
     void (*draw)(const Screen *, Area);
     /* The arrows: to the next thing. NULL: as in the mesh strip. */
     void (*move)(Screen *, int x, int y, int page);
@@ -211,7 +163,6 @@ typedef enum Flow { FLOW_NONE, FLOW_TO_NODES, FLOW_TO_PARTICLES, FLOW_FORGET } F
  * `room`. Taken from what the whole run reaches, so that it does not change while it goes on. */
 double exaggeration(double reach, double room);
 
-bool has_mesh(const Simulation *);                   /* its second set are nodes */
 int stage_target(const Simulation *, const Stage *); /* the set that a stage writes to */
 Flow stage_flow(const Simulation *, const Stage *);
 int stage_field(const Simulation *, int set, const char *name); /* -1: the set has none of that name */

@@ -10,7 +10,7 @@
 #include "lab/lessons/lesson.h"
 #include "lab/settings/parameters.h"
 #include "view/draw/canvas.h"
-#include "view/panes/commands.h"
+#include "view/help/commands.h"
 #include "view/draw/sketch.h"
 
 enum { FRAMES_PER_SECOND = 30 };
@@ -99,6 +99,17 @@ typedef struct LessonShown {
     int reached[LESSONS_MAX]; /* per lesson of the program: pages that were turned to */
 } LessonShown;
 
+/* What can stand in the plot panes: view/views/view.h. */
+typedef struct View View;
+
+enum { VIEWS_MAX = 32 };
+
+/* Which of its variants a view shows; of one that is not named, the first. */
+typedef struct ViewVariant {
+    const View *view;
+    int variant;
+} ViewVariant;
+
 typedef struct Screen {
     Experiment *experiment;
     const Duel *duel;     /* whose A is the experiment; its second run is drawn beside. NULL: there is none */
@@ -116,10 +127,11 @@ typedef struct Screen {
     double work_share; /* STATE_COMPUTING: share done */
 
     PaneId focus;
-    bool zoomed;      /* the focused pane fills the screen */
-    bool lecture;     /* time and state in large letters, thick curves, no parameters beside them */
-    int upper, lower; /* view numbers 1 to 9 in the two plot panes */
-    int variant[10];  /* of each view */
+    bool zoomed;               /* the focused pane fills the screen */
+    bool lecture;              /* time and state in large letters, thick curves, no parameters beside them */
+    const View *upper, *lower; /* in the two plot panes */
+    ViewVariant variants[VIEWS_MAX];
+    int n_variants;
     ReferencesShown references;
 
     int selected;         /* row in the parameter pane */
@@ -176,20 +188,15 @@ void screen_read_view(Screen *, const ViewSettings *);
 /* Draws everything. Below 40x12 a message. Never fails: what has no room is left out by a fixed order. */
 void screen_draw(const Screen *, Canvas *);
 
-/* The word that names a view in a command, and that of one of its variants, counted from 0. NULL: it makes no
- * figure here; there is no such variant, or only one. */
-const char *screen_view_word(const Screen *, int view);
-const char *screen_variant_word(const Screen *, int view, int variant);
+/* What stands in the plot panes when the run is opened: as the scenario says, else as the views like. */
+void screen_open_views(Screen *, const ViewSettings *);
 
-/* Whether the view's present variant can be drawn on paper. */
-bool screen_makes_figure(const Screen *, int view);
-
-/* Whether it shows the start of the run whatever the time: the drawing of a beam. */
-bool screen_shows_start(const Screen *, int view);
+/* The view in a pane; NULL: it is no plot pane. */
+const View *screen_view_in(const Screen *, PaneId);
 
 /* What a view shows at present as strokes and words in place of cells, for a picture as large as so many
  * columns and rows of text. */
-void screen_sketch(const Screen *, int view, int columns, int rows, Sketch *);
+void screen_sketch(const Screen *, const View *, int columns, int rows, Sketch *);
 
 /* The rows of the parameter pane, for drawing and for moving in it. Returns how many. */
 int screen_parameter_rows(const Screen *, ParameterRow rows[PARAMETER_ROWS_MAX]);
@@ -203,10 +210,13 @@ bool screen_is_whole(int width, int height);
 /* The command under column x of the bottom bar, for the mouse; COMMAND_NONE: none. */
 CommandId screen_bar_command(const Screen *, int width, int x);
 
-/* Tables: so many columns to the right in the one that has the focus; the thing whose row lies at a place of
- * the screen becomes the chosen one, false: no row lies there. */
-void screen_scroll_table(Screen *, int width, int height, int columns);
-bool screen_choose_row(Screen *, int width, int height, int x, int y);
+/* The mouse in the plot panes: a click on something that a view shows, and so many lines of the wheel. False:
+ * nothing of a view lies there. */
+bool screen_click_view(Screen *, int width, int height, int x, int y);
+bool screen_scroll_view(Screen *, int width, int height, int x, int y, int by);
+
+/* The chosen particle or, where a node is chosen, node: so many on. */
+void screen_choose_next(Screen *, int direction, size_t by);
 
 /* The row of the parameter pane at a place of the screen, for the mouse; -1: none. */
 int screen_parameter_at(const Screen *, int width, int height, int x, int y);
@@ -246,9 +256,6 @@ size_t screen_middle_particle(const Simulation *);
 /* An end of the first bond, as the lattice counts them, that broke in a step; -1: none that is known. */
 long screen_broken_node(const Screen *, long step);
 
-/* The node of the beam's map that is drawn in or near a cell, for the mouse; -1: none. */
-long screen_map_node(const Screen *, int width, int height, int x, int y);
-
 /* The factor by which the beam's map draws displacements; 0: it is not shown. */
 double screen_map_enlargement(const Screen *, int width, int height);
 
@@ -256,17 +263,8 @@ double screen_map_enlargement(const Screen *, int width, int height);
 int screen_log_chosen(const Screen *);
 long screen_log_step(const Screen *);
 
-/* So many events on in the log that has the focus; the one at a place of the screen; the log at that place
- * scrolled, and the chosen one kept in sight. False: there is no log. */
-void screen_move_in_log(Screen *, int width, int height, int by);
-bool screen_choose_event(Screen *, int width, int height, int x, int y);
-bool screen_scroll_log(Screen *, int width, int height, int x, int y, int by);
-
 /* The particle or node of the strip that is drawn nearest to a place of it becomes the chosen one. */
 bool screen_choose_in_strip(Screen *, int width, int height, int x, int y);
-
-/* Why this view has nothing to show for the problem at hand; NULL: it has. */
-const char *screen_view_missing(const Screen *, int view);
 
 /* The names of the curves on screen: of the plot over time, and of the field along the bar. */
 const char *screen_time_curve(const Screen *);

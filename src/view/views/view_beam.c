@@ -1,5 +1,7 @@
-/* View 8: a beam as it lies, coloured by a field, or drawn with its dimensions. Every factor is stated. */
+/* A body in the plane as it lies, coloured by a field, or drawn with its dimensions. Every factor is stated.
+ */
 #include "view/map/map.h"
+#include "view/views/views.h"
 
 #include "lab/answers/crack.h"
 
@@ -7,28 +9,24 @@
 #include <stdio.h>
 #include <string.h>
 
-int view_beam_variants(const Screen *screen)
+static bool in_plane(const Screen *screen)
 {
-    return experiment_simulation(screen->experiment)->dimensions == 2 ? MAP_VARIANTS : 1;
+    return simulation_has(experiment_simulation(screen->experiment), HAS_PLANE);
 }
 
-const char *view_beam_word(const Screen *screen, int variant)
+static int variants_of(const Screen *screen)
 {
-    return experiment_simulation(screen->experiment)->dimensions == 2 ? colour_words[variant] : NULL;
+    return in_plane(screen) ? MAP_VARIANTS : 1;
 }
 
-bool screen_shows_start(const Screen *screen, int view)
+static const char *word_of(const Screen *screen, int variant)
 {
-    const bool is_map = view == 8 && experiment_simulation(screen->experiment)->dimensions == 2;
-    return is_map && screen->variant[view] % MAP_VARIANTS == MAP_DRAWING;
+    return in_plane(screen) ? colour_words[variant] : NULL;
 }
 
-size_t screen_middle_particle(const Simulation *sim)
+static bool shows_start(const Screen *screen, int variant)
 {
-    Body body;
-    if (!body_of(sim, &body))
-        return sim->counts[0] / 2;
-    return (size_t)(body.ny / 2) * (size_t)body.nx + (size_t)(body.nx / 2);
+    return in_plane(screen) && variant == MAP_DRAWING;
 }
 
 /* --- heading --------------------------------------------------------------------------------------- */
@@ -179,9 +177,9 @@ static Area map_part(Area area)
     return area_part(area, 1, 1, area.rect.width - 2, area.rect.height - 2);
 }
 
-void view_beam(const Screen *screen, Area area, Style heading, int variant)
+static void draw(const Screen *screen, Area area, Style heading, int variant)
 {
-    if (experiment_simulation(screen->experiment)->dimensions != 2) {
+    if (!in_plane(screen)) {
         pane_mesh(screen, area);
         return;
     }
@@ -220,27 +218,12 @@ void view_beam(const Screen *screen, Area area, Style heading, int variant)
 /* The map in the pane that shows it. False: none does. */
 static bool open_shown(Map *map, const Screen *screen, int width, int height)
 {
-    const PaneId pane = screen->upper == 8 ? PANE_UPPER : PANE_LOWER;
+    const PaneId pane = screen->upper == &view_beam ? PANE_UPPER : PANE_LOWER;
     const Rect rect = screen_pane(screen, width, height, pane);
     *map = (Map){.block = NULL};
-    if (rect.width < 4 || rect.height < 4 || (screen->upper != 8 && screen->lower != 8))
+    if (rect.width < 4 || rect.height < 4 || (screen->upper != &view_beam && screen->lower != &view_beam))
         return false;
     return map_open(map, screen, map_part((Area){NULL, rect, screen->glyphs}));
-}
-
-long screen_map_node(const Screen *screen, int width, int height, int x, int y)
-{
-    Map map;
-    long node = -1;
-    if (open_shown(&map, screen, width, height)) {
-        const Rect *rect = &map.area.rect;
-        x -= rect->x;
-        y -= rect->y;
-        if (x >= 0 && y >= 0 && x < rect->width && y < rect->height)
-            node = map_node_at(&map, x, y);
-    }
-    map_close(&map);
-    return node;
 }
 
 double screen_map_enlargement(const Screen *screen, int width, int height)
@@ -250,3 +233,43 @@ double screen_map_enlargement(const Screen *screen, int width, int height)
     map_close(&map);
     return factor;
 }
+
+/* The node that is drawn in or near a cell becomes the chosen one. */
+static bool click(Screen *screen, Rect rect, int x, int y)
+{
+    Map map;
+    long node = -1;
+    if (rect.width >= 4 && rect.height >= 4 &&
+        map_open(&map, screen, map_part((Area){NULL, rect, screen->glyphs}))) {
+        const Rect *part = &map.area.rect;
+        x -= part->x;
+        y -= part->y;
+        if (x >= 0 && y >= 0 && x < part->width && y < part->height)
+            node = map_node_at(&map, x, y);
+        map_close(&map);
+    }
+    if (node < 0)
+        return false;
+    screen->particle = (size_t)node;
+    screen->node_chosen = false;
+    return true;
+}
+
+const View view_beam = {
+    .word = "beam",
+    .brief = "beam",
+    .help = "the beam as it lies, coloured; again: by another field",
+    .digit = 8,
+    .home = PANE_UPPER,
+    .opens = OPENS_IN_PLANE,
+    .draw = draw,
+    .variants = variants_of,
+    .variant_word = word_of,
+    .duel = DUEL_APART,
+    .of_moment = true,
+    .is_map = true,
+    .on_paper = true,
+    .on_paper_with = HAS_PLANE,
+    .shows_start = shows_start,
+    .click = click,
+};

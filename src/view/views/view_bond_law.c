@@ -1,6 +1,7 @@
 /* View 4 of peridynamics: what a bond answers to its stretch, where it breaks, and where on that line the
  * nodes stand: each by its most stretched whole bond. */
 #include "view/panes/panes.h"
+#include "view/views/views.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -14,11 +15,6 @@ typedef struct Stretches {
     size_t foremost;    /* the node with the largest of a bond that may break; count: there is none */
     double largest;     /* that stretch */
 } Stretches;
-
-bool bond_law_fits(const Simulation *sim)
-{
-    return simulation_find_field(sim, 0, "stretch") >= 0;
-}
 
 static void free_stretches(Stretches *all)
 {
@@ -35,7 +31,7 @@ static double breakable(const Simulation *sim, const Stretches *all, size_t node
     double largest = -HUGE_VAL;
     for (size_t i = 0; i < count && i < LINKS_MAX; i++)
         if (!links[i].broken && all->safe[links[i].index] == 0)
-            largest = fmax(largest, links[i].weight);
+            largest = fmax(largest, links[i].stretch);
     return largest;
 }
 
@@ -47,7 +43,7 @@ static bool take_stretches(const Simulation *sim, double s0, Stretches *all)
     const int stretch = simulation_find_field(sim, 0, "stretch");
     const int safe = simulation_find_field(sim, 0, "protected");
     *all = (Stretches){.count = count, .foremost = count, .largest = -HUGE_VAL};
-    if (!bond_law_fits(sim) || count == 0)
+    if (!simulation_has(sim, HAS_STRETCH) || count == 0)
         return false;
     all->values = malloc(count * sizeof *all->values);
     all->safe = calloc(count, sizeof *all->safe);
@@ -142,7 +138,7 @@ static void draw_law_heading(const Screen *screen, Area area, Style heading, con
     draw_heading(area, heading, shows_bar(screen) ? "force of a bond" : "force, N/m^6", scale, legend, n);
 }
 
-void view_bond_law(const Screen *screen, Area area, Style heading)
+void bond_law_draw(const Screen *screen, Area area, Style heading)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     const double s0 = derived_value(screen, "critical_stretch");

@@ -1,5 +1,6 @@
 /* More pictures of a beam that breaks: the crack's path with its angle, the angle over time, and what a piece
  * of crack has cost beside the fracture energy that it should cost. */
+#include "view/views/views.h"
 #include "view/views/runs.h"
 #include "view/views/time_plot.h"
 
@@ -225,12 +226,12 @@ static void draw_over_time(const Screen *screen, Area area, Style heading, const
     draw_lines(screen, area, under);
 }
 
-int view_crack_variants(const Screen *screen)
+int crack_variants(const Screen *screen)
 {
     return has_crack(screen) ? 2 : 0;
 }
 
-void view_crack(const Screen *screen, Area area, Style heading, int variant)
+void crack_draw(const Screen *screen, Area area, Style heading, int variant)
 {
     static const Told angle = {"chord to tip, deg", "30 deg", tip_angle, CRACK_PAPER_ANGLE};
     if (variant == 0)
@@ -239,12 +240,12 @@ void view_crack(const Screen *screen, Area area, Style heading, int variant)
         draw_over_time(screen, area, heading, &angle);
 }
 
-int view_fracture_variants(const Screen *screen)
+int fracture_variants(const Screen *screen)
 {
     return has_crack(screen) ? 1 : 0;
 }
 
-void view_fracture(const Screen *screen, Area area, Style heading)
+void fracture_draw(const Screen *screen, Area area, Style heading)
 {
     const Told cost = {"crack's cost, J/m^2", "G0", energy_of_crack,
                        derived_value(screen, "critical_energy")};

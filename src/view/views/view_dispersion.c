@@ -1,7 +1,9 @@
-/* View 5. A bar: by how much each mode of its mesh is off, which is the picture that explains the paper's 5 %
- * and 20 %. A beam: its period over the horizon, between the two beam theories. Earlier runs leave their dot.
+/* Errors by mode. A bar: by how much each mode of its mesh is off, which is the picture that explains the
+ * paper's 5 % and 20 %. A beam: its period over the horizon, between the two beam theories. Earlier runs
+ * leave their dot.
  */
 #include "view/views/runs.h"
+#include "view/views/views.h"
 
 #include "lab/answers/dispersion.h"
 
@@ -381,27 +383,48 @@ static void draw_beam(const Screen *screen, Area area, Style heading)
 
 /* --- either --------------------------------------------------------------------------------------- */
 
-int view_dispersion_variants(const Screen *screen)
+static void say_instead_of_period(Area area, Style heading)
+{
+    char text[96];
+    snprintf(text, sizeof text,
+             "This beam breaks; it has no period to be compared. The log (%d) tells when and where.",
+             view_log.digit);
+    say_instead(area, heading, "convergence", text);
+}
+
+static int variants_of(const Screen *screen)
 {
     return last_mode(screen, 1) < last_mode(screen, 0) ? 2 : 1;
 }
 
-const char *view_dispersion_word(const Screen *screen, int variant)
+static const char *word_of(const Screen *screen, int variant)
 {
     (void)screen;
     return variant == 1 ? "near" : "all";
 }
 
-void view_dispersion(const Screen *screen, Area area, Style heading, int variant)
+static void draw(const Screen *screen, Area area, Style heading, int variant)
 {
     const Settings *settings = experiment_settings(screen->experiment);
     if (settings->problem == &bar_problem)
         draw_bar(screen, area, heading, variant);
     else if (settings->problem == &notched_beam_problem)
-        say_instead(area, heading, "convergence",
-                    "This beam breaks; it has no period to be compared. The log (9) tells when and where.");
+        say_instead_of_period(area, heading);
     else if (!experiment_readout(screen->experiment)->moving)
         say_instead(area, heading, "convergence", "Nothing vibrates here: there is no period to measure.");
     else
         draw_beam(screen, area, heading);
 }
+
+const View view_dispersion = {
+    .word = "dispersion",
+    .brief = "errors",
+    .help = "dispersion: the error of every mode of this mesh; beams: period over horizon",
+    .digit = 5,
+    .home = PANE_LOWER,
+    .draw = draw,
+    .variants = variants_of,
+    .variant_word = word_of,
+    .duel = DUEL_TOGETHER,
+    .on_paper = true,
+};

@@ -1,7 +1,8 @@
-/* View 3: the energies over time, stacked. */
+/* The energies over time, stacked. */
 #include "view/views/overlay_plot.h"
 #include "view/views/runs.h"
 #include "view/views/time_plot.h"
+#include "view/views/views.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -42,7 +43,7 @@ static void add_layer(Stack *stack, const char *name, int column, int minus, Sty
 
 static bool breaks(const Screen *screen)
 {
-    return experiment_settings(screen->experiment)->bonds.critical_stretch > 0;
+    return simulation_has(experiment_simulation(screen->experiment), HAS_BREAKING);
 }
 
 /* The kinetic energy of the beam moving on as a whole, 1/2 m v0^2; 0: it does not. That of the vibration is a
@@ -184,21 +185,21 @@ static void residual_phrases(const Screen *screen, double most_work, char out[32
              sum, load);
 }
 
-int view_energies_variants(const Screen *screen)
+static int variants_of(const Screen *screen)
 {
-    return 1 + view_fracture_variants(screen);
+    return 1 + fracture_variants(screen);
 }
 
-const char *view_energies_word(const Screen *screen, int variant)
+static const char *word_of(const Screen *screen, int variant)
 {
     (void)screen;
     return variant == 1 ? "fracture" : "stack";
 }
 
-void view_energies(const Screen *screen, Area area, Style heading, int variant)
+static void draw(const Screen *screen, Area area, Style heading, int variant)
 {
     if (variant > 0) {
-        view_fracture(screen, area, heading);
+        fracture_draw(screen, area, heading);
         return;
     }
     const Stack stack = stack_of(screen);
@@ -296,3 +297,24 @@ void view_energies(const Screen *screen, Area area, Style heading, int variant)
         area_phrases(area, 3, height - under + run, area.rect.width - 4, 1, phrases, STYLE_NORMAL);
     }
 }
+
+static const char *curve(const Screen *screen)
+{
+    (void)screen;
+    return "total";
+}
+
+const View view_energies = {
+    .word = "energies",
+    .brief = "energy",
+    .help = "energies: seen by the grid, hidden, strain, work; again: what a crack costs",
+    .digit = 3,
+    .home = PANE_LOWER,
+    .draw = draw,
+    .variants = variants_of,
+    .variant_word = word_of,
+    .names_run = true,
+    .has_time_axis = true,
+    .on_paper = true,
+    .curve = curve,
+};

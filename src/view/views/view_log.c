@@ -1,13 +1,14 @@
-/* View 9: what happened, in words, newest last, of both runs of a duel; one event can be chosen and gone to.
+/* What happened, in words, newest last, of both runs of a duel; one event can be chosen and gone to.
  */
 #include "lab/run/story.h"
 #include "view/panes/panes.h"
+#include "view/views/views.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { VIEW_NUMBER = 9, TIME_COLUMNS = 40, LOG_MAX = 2 * STORY_MAX };
+enum { TIME_COLUMNS = 40, LOG_MAX = 2 * STORY_MAX };
 
 typedef struct LogEntry {
     const Event *event;
@@ -143,7 +144,7 @@ static void open_log(const Screen *screen, int width, int height, Log *log)
     log->first = log->count > 0 ? first_of(screen, log) : 0;
 }
 
-void view_log(const Screen *screen, Area area, Style heading, int variant)
+static void draw(const Screen *screen, Area area, Style heading, int variant)
 {
     (void)variant;
     Log log;
@@ -187,14 +188,12 @@ void view_log(const Screen *screen, Area area, Style heading, int variant)
 
 /* --- keys and mouse --------------------------------------------------------------------------------- */
 
-/* The log in a pane; false: another view stands there. */
-static bool log_in(const Screen *screen, int width, int height, PaneId pane, Log *log, Rect *rect)
+/* False: there is nothing in it. */
+static bool log_at(const Screen *screen, Rect rect, Log *log)
 {
-    const int view = pane == PANE_UPPER ? screen->upper : pane == PANE_LOWER ? screen->lower : 0;
-    *rect = screen_pane(screen, width, height, pane);
-    if (view != VIEW_NUMBER || rect->width <= 0)
+    if (rect.width <= 0)
         return false;
-    open_log(screen, rect->width, rect->height, log);
+    open_log(screen, rect.width, rect.height, log);
     return log->count > 0;
 }
 
@@ -205,14 +204,25 @@ static void choose(Screen *screen, const Log *log, int to)
     screen->log_first = first_of(screen, log);
 }
 
-void screen_move_in_log(Screen *screen, int width, int height, int by)
+static void move(Screen *screen, Rect rect, int x, int y, int page)
 {
     Log log;
-    Rect rect;
-    if (!log_in(screen, width, height, screen->focus, &log, &rect))
+    (void)x;
+    if (y == 0 || !log_at(screen, rect, &log))
         return;
     screen->log_first = log.first;
-    choose(screen, &log, chosen_of(screen, &log) + by);
+    choose(screen, &log, chosen_of(screen, &log) + y * page);
+}
+
+/* Where it happened is what one wants to look at. */
+static long enter(Screen *screen)
+{
+    const long step = screen_log_step(screen), broken = step >= 0 ? screen_broken_node(screen, step) : -1;
+    if (broken >= 0) {
+        screen->particle = (size_t)broken;
+        screen->node_chosen = false;
+    }
+    return step;
 }
 
 static bool holds(Rect rect, int x, int y)
@@ -220,40 +230,46 @@ static bool holds(Rect rect, int x, int y)
     return x >= rect.x && x < rect.x + rect.width && y > rect.y && y < rect.y + rect.height;
 }
 
-bool screen_choose_event(Screen *screen, int width, int height, int x, int y)
+static bool click(Screen *screen, Rect rect, int x, int y)
 {
     Log log;
-    Rect rect;
-    for (PaneId pane = PANE_UPPER; pane <= PANE_LOWER; pane++) {
-        if (!log_in(screen, width, height, pane, &log, &rect) || !holds(rect, x, y))
-            continue;
-        int at = log.first, end = rect.y + 1 + lines_of(&log, at);
-        while (end <= y && ++at < log.count)
-            end += lines_of(&log, at);
-        screen->log_first = log.first;
-        if (at < log.count)
-            choose(screen, &log, at);
-        return true;
-    }
-    return false;
+    if (!log_at(screen, rect, &log) || !holds(rect, x, y))
+        return false;
+    int at = log.first, end = rect.y + 1 + lines_of(&log, at);
+    while (end <= y && ++at < log.count)
+        end += lines_of(&log, at);
+    screen->log_first = log.first;
+    if (at < log.count)
+        choose(screen, &log, at);
+    return true;
 }
 
-bool screen_scroll_log(Screen *screen, int width, int height, int x, int y, int by)
+/* The chosen event is kept in sight. */
+static bool scroll(Screen *screen, Rect rect, int x, int y, int by)
 {
     Log log;
-    Rect rect;
-    for (PaneId pane = PANE_UPPER; pane <= PANE_LOWER; pane++) {
-        if (!log_in(screen, width, height, pane, &log, &rect) || !holds(rect, x, y))
-            continue;
-        const int most = first_with(&log, log.count - 1), to = log.first + by;
-        screen->log_first = to < 0 ? 0 : to > most ? most : to;
-        /* the chosen one stays in sight */
-        int last = screen->log_first, lines = lines_of(&log, last);
-        while (last + 1 < log.count && (lines += lines_of(&log, last + 1)) <= log.room)
-            last++;
-        const int chosen = chosen_of(screen, &log);
-        choose(screen, &log, chosen < screen->log_first ? screen->log_first : chosen > last ? last : chosen);
-        return true;
-    }
-    return false;
+    if (!log_at(screen, rect, &log) || !holds(rect, x, y))
+        return false;
+    const int most = first_with(&log, log.count - 1), to = log.first + by;
+    screen->log_first = to < 0 ? 0 : to > most ? most : to;
+    int last = screen->log_first, lines = lines_of(&log, last);
+    while (last + 1 < log.count && (lines += lines_of(&log, last + 1)) <= log.room)
+        last++;
+    const int chosen = chosen_of(screen, &log);
+    choose(screen, &log, chosen < screen->log_first ? screen->log_first : chosen > last ? last : chosen);
+    return true;
 }
+
+const View view_log = {
+    .word = "log",
+    .brief = "log",
+    .help = "what happened, in words; Enter goes there",
+    .digit = 9,
+    .home = PANE_LOWER,
+    .draw = draw,
+    .duel = DUEL_TOGETHER,
+    .move = move,
+    .enter = enter,
+    .click = click,
+    .scroll = scroll,
+};

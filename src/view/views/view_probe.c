@@ -1,8 +1,9 @@
-/* View 2: what is measured at the probe, over time, with the reference curves, earlier runs and the readout.
+/* What is measured at the probe, over time, with the reference curves, earlier runs and the readout.
  */
 #include "view/views/overlay_plot.h"
 #include "view/views/runs.h"
 #include "view/views/time_plot.h"
+#include "view/views/views.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -24,8 +25,8 @@ static int probe_columns(const Screen *screen, int out[COLUMNS_MAX])
 {
     int n, count = 0;
     const Column *columns = experiment_columns(screen->experiment, &n);
-    const bool cracks = view_crack_variants(screen) > 0;
-    const bool breaks = experiment_settings(screen->experiment)->bonds.critical_stretch > 0;
+    const bool cracks = crack_variants(screen) > 0;
+    const bool breaks = simulation_has(experiment_simulation(screen->experiment), HAS_BREAKING);
     const int broken = find_column(screen, "broken_bonds");
     if (cracks && broken >= 0)
         out[count++] = broken;
@@ -41,21 +42,21 @@ static int probe_columns(const Screen *screen, int out[COLUMNS_MAX])
 static int probe_column(const Screen *screen, int variant, int *picture)
 {
     int columns[COLUMNS_MAX];
-    const int count = probe_columns(screen, columns), pictures = view_crack_variants(screen);
+    const int count = probe_columns(screen, columns), pictures = crack_variants(screen);
     *picture = variant > 0 && variant <= pictures ? variant - 1 : -1;
     if (variant > pictures)
         variant -= pictures;
     return variant < count ? columns[variant] : -1;
 }
 
-int view_probe_variants(const Screen *screen)
+static int variants_of(const Screen *screen)
 {
     int columns[COLUMNS_MAX];
-    const int count = probe_columns(screen, columns) + view_crack_variants(screen);
+    const int count = probe_columns(screen, columns) + crack_variants(screen);
     return count > 0 ? count : 1;
 }
 
-const char *view_probe_word(const Screen *screen, int variant)
+static const char *word_of(const Screen *screen, int variant)
 {
     int n, picture;
     const int column = probe_column(screen, variant, &picture);
@@ -64,14 +65,12 @@ const char *view_probe_word(const Screen *screen, int variant)
     return column >= 0 ? experiment_columns(screen->experiment, &n)[column].quantity.name : NULL;
 }
 
-const char *screen_time_curve(const Screen *screen)
+static const char *curve(const Screen *screen)
 {
     int n, picture;
     const Column *columns = experiment_columns(screen->experiment, &n);
-    const int view = screen->focus == PANE_UPPER ? screen->upper : screen->lower;
-    const int variants = view_probe_variants(screen);
-    const int column = probe_column(screen, screen->variant[2] % variants, &picture);
-    return view == 3 ? "total" : column >= 0 ? columns[column].quantity.name : "";
+    const int column = probe_column(screen, view_variant(&view_probe, screen), &picture);
+    return column >= 0 ? columns[column].quantity.name : "";
 }
 
 static bool has_envelope(const Screen *screen, const char *name)
@@ -303,13 +302,13 @@ static int lines_under(const Screen *screen, Area area, const char *curve)
     return area.rect.width >= 100 || area.rect.height < 8 ? 1 : 2;
 }
 
-void view_probe(const Screen *screen, Area area, Style heading, int variant)
+static void draw(const Screen *screen, Area area, Style heading, int variant)
 {
     int n, picture;
     const Column *columns = experiment_columns(screen->experiment, &n);
     const int column = probe_column(screen, variant, &picture);
     if (picture >= 0) {
-        view_crack(screen, area, heading, picture);
+        crack_draw(screen, area, heading, picture);
         return;
     }
     if (column < 0) {
@@ -389,3 +388,18 @@ void view_probe(const Screen *screen, Area area, Style heading, int variant)
         draw_readout(screen, area_part(area, 0, area.rect.height - under, area.rect.width, under), lines,
                      n_lines, quantity->name);
 }
+
+const View view_probe = {
+    .word = "probe",
+    .brief = "v_cm",
+    .help = "the probe over time; again: its velocity, length, a crack's path and angle",
+    .digit = 2,
+    .home = PANE_LOWER,
+    .opens = OPENS_ALWAYS,
+    .draw = draw,
+    .variants = variants_of,
+    .variant_word = word_of,
+    .has_time_axis = true,
+    .on_paper = true,
+    .curve = curve,
+};

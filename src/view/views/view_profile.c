@@ -1,24 +1,25 @@
-/* View 1: a field of the particles along the bar, or along the middle of a beam, with the exact curve behind.
+/* A field of the particles along the bar, or along the middle of a beam, with the exact curve behind.
  */
 #include "view/views/overlay_plot.h"
 #include "view/views/runs.h"
+#include "view/views/views.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-int view_profile_variants(const Screen *screen)
+static int variants_of(const Screen *screen)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     int count = 0;
     while (profile_field(sim, count))
         count++;
-    /* a beam has a thickness too */
-    count += sim->dimensions == 2;
+    /* a body in the plane has a thickness too */
+    count += simulation_has(sim, HAS_PLANE);
     return count ? count : 1;
 }
 
-const char *view_profile_word(const Screen *screen, int variant)
+static const char *word_of(const Screen *screen, int variant)
 {
     const char *field = profile_field(experiment_simulation(screen->experiment), variant);
     return field ? field : "section";
@@ -67,8 +68,9 @@ static double least_reach(const Simulation *sim, const char *field, const Profil
 {
     const double rounding = 1e-15;
     bool moves = false;
-    for (int d = 0; d < sim->dimensions; d++)
-        moves |= strcmp(sim->fields[sim->displacement[d]].quantity.name, field) == 0;
+    for (int d = 0; d < SIMULATION_DIMENSIONS_MAX; d++)
+        moves |=
+            sim->displacement[d] >= 0 && strcmp(sim->fields[sim->displacement[d]].quantity.name, field) == 0;
     return moves ? rounding * fabs(profile->x[profile->count - 1] - profile->x[0]) : 0;
 }
 
@@ -79,7 +81,7 @@ static Axis value_axis(const Screen *screen, const Simulation *sim, const char *
     double reach = 0, base = 0;
     if (strcmp(field, "damage") == 0)
         return axis_make(0, 1, most);
-    if (strcmp(field, "density") == 0 && sim->dimensions == 1)
+    if (strcmp(field, "density") == 0 && simulation_has(sim, HAS_LINE))
         base = experiment_settings(screen->experiment)->material.density;
     for (int k = 0; k < n_curves; k++) {
         const Profile *profile = curves[k].profile;
@@ -176,7 +178,7 @@ static void draw_legends(const Screen *screen, Area area, Style heading, const c
         else if (runs[i].shown)
             legend[n_legend++] = run_legend(&runs[i]);
         if (runs[i].experiment && !runs[i].letter &&
-            experiment_simulation(runs[i].experiment)->dimensions > 1)
+            simulation_has(experiment_simulation(runs[i].experiment), HAS_PLANE))
             append(runs[i].word, sizeof runs[i].word, ", middle row");
     }
     if (exact)
@@ -197,25 +199,25 @@ static int variant_shown(const Screen *screen, int variant)
     const Experiment *clock = clock_run(screen);
     const bool at_start = experiment_step(clock) == 0 && experiment_stage(clock) == 0;
     return variant == 0 && at_start && screen->state != STATE_RUNNING &&
-                   experiment_simulation(screen->experiment)->dimensions == 1
+                   simulation_has(experiment_simulation(screen->experiment), HAS_LINE)
                ? 1
                : variant;
 }
 
-const char *screen_profile_curve(const Screen *screen)
+static const char *curve(const Screen *screen)
 {
-    const int variant = screen->variant[1] % view_profile_variants(screen);
+    const int variant = view_variant(&view_profile, screen);
     const char *name =
         profile_field(experiment_simulation(screen->experiment), variant_shown(screen, variant));
     return name ? name : "";
 }
 
-void view_profile(const Screen *screen, Area area, Style heading, int variant)
+static void draw(const Screen *screen, Area area, Style heading, int variant)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     const char *name = profile_field(sim, variant_shown(screen, variant));
-    if (!name && sim->dimensions == 2) {
-        view_section(screen, area, heading);
+    if (!name && simulation_has(sim, HAS_PLANE)) {
+        section_draw(screen, area, heading);
         return;
     }
     Run runs[RUNS_MAX];
@@ -276,3 +278,18 @@ void view_profile(const Screen *screen, Area area, Style heading, int variant)
     plot_close(&plot);
     close_curves(curves, n_curves);
 }
+
+const View view_profile = {
+    .word = "profile",
+    .brief = "profile",
+    .help = "along the bar or beam: displacement; again: velocity, stress, a beam's section",
+    .digit = 1,
+    .home = PANE_UPPER,
+    .opens = OPENS_ALWAYS,
+    .draw = draw,
+    .variants = variants_of,
+    .variant_word = word_of,
+    .of_moment = true,
+    .on_paper = true,
+    .curve = curve,
+};

@@ -1,5 +1,6 @@
 /* One more profile of a beam: the axial displacement through its thickness, at the chosen particle's x, with
  * the line on which it lies where sections stay plane and upright (eq. 14 of paper P): ux = -y duy/dx. */
+#include "view/views/views.h"
 #include "view/panes/panes.h"
 
 #include <math.h>
@@ -90,7 +91,7 @@ static void section_line(const Section *section, char out[160])
     append(out, 160, "  duy/dx %s", slope);
 }
 
-void view_section(const Screen *screen, Area area, Style heading)
+void section_draw(const Screen *screen, Area area, Style heading)
 {
     Section section;
     if (!take_section(screen, &section)) {

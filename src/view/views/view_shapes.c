@@ -1,34 +1,35 @@
-/* View 4: the shape functions of the nodes around the chosen particle, or their slopes, with the particles on
+/* The shape functions of the nodes around the chosen particle, or their slopes, with the particles on
  * them and the sum of all. */
 #include "view/panes/panes.h"
+#include "view/views/views.h"
 
 #include <math.h>
 #include <stdio.h>
 
 enum { LINKS_MAX = 8, NEIGHBOURS = 3 };
 
-int view_shapes_variants(const Screen *screen)
+static int variants_of(const Screen *screen)
 {
-    return bond_law_fits(experiment_simulation(screen->experiment)) ? 1 : 2; /* N and N' */
+    return simulation_has(experiment_simulation(screen->experiment), HAS_STRETCH) ? 1 : 2; /* N and N' */
 }
 
-const char *view_shapes_word(const Screen *screen, int variant)
+static const char *word_of(const Screen *screen, int variant)
 {
-    if (bond_law_fits(experiment_simulation(screen->experiment)))
+    if (simulation_has(experiment_simulation(screen->experiment), HAS_STRETCH))
         return "law";
     return variant == 1 ? "slopes" : "values";
 }
 
 static double pick(const Link *link, bool slope)
 {
-    return slope ? link->gradient : link->weight;
+    return slope ? link->gradient[0] : link->weight;
 }
 
 /* The value of one node's function at a place. */
 static double value_at(const Simulation *sim, double x, size_t node, bool slope, double *sum)
 {
     Link links[LINKS_MAX];
-    size_t count = sim->method->shapes(sim, x, links, LINKS_MAX);
+    size_t count = sim->method->shapes(sim, &x, links, LINKS_MAX);
     double value = 0;
     *sum = count ? 0 : NAN;
     for (size_t i = 0; i < count && i < LINKS_MAX; i++) {
@@ -47,14 +48,14 @@ static void say_no_mesh(Area area, Style heading)
                    STYLE_FAINT);
 }
 
-void view_shapes(const Screen *screen, Area area, Style heading, int variant)
+static void draw(const Screen *screen, Area area, Style heading, int variant)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
-    if (bond_law_fits(sim)) {
-        view_bond_law(screen, area, heading);
+    if (simulation_has(sim, HAS_STRETCH)) {
+        bond_law_draw(screen, area, heading);
         return;
     }
-    if (!sim->method->shapes || sim->n_sets < 2) {
+    if (!simulation_has(sim, HAS_MESH)) {
         say_no_mesh(area, heading);
         return;
     }
@@ -63,7 +64,7 @@ void view_shapes(const Screen *screen, Area area, Style heading, int variant)
     const size_t chosen = screen->particle < sim->counts[0] ? screen->particle : 0;
     const double place = field_at(sim, position, chosen);
     Link links[LINKS_MAX];
-    size_t n_links = sim->method->shapes(sim, place, links, LINKS_MAX);
+    size_t n_links = sim->method->shapes(sim, &place, links, LINKS_MAX);
     n_links = n_links < LINKS_MAX ? n_links : LINKS_MAX;
     if (n_links == 0) {
         say_no_mesh(area, heading);
@@ -119,9 +120,25 @@ void view_shapes(const Screen *screen, Area area, Style heading, int variant)
         if (at < from || at > to)
             continue;
         Link seen[LINKS_MAX];
-        size_t count = sim->method->shapes(sim, at, seen, LINKS_MAX);
+        size_t count = sim->method->shapes(sim, &at, seen, LINKS_MAX);
         for (size_t i = 0; i < count && i < LINKS_MAX; i++)
             axes_mark(inner, &x, &y, at, pick(&seen[i], slope), p == chosen ? 0x25cf : 'o',
                       p == chosen ? STYLE_CHANGED : STYLE_NORMAL);
     }
 }
+
+const View view_shapes = {
+    .word = "shapes",
+    .brief = "shapes",
+    .help = "shape functions of the mesh and their slopes; beams: a bond's force and its cut",
+    .digit = 4,
+    .home = PANE_UPPER,
+    .draw = draw,
+    .variants = variants_of,
+    .variant_word = word_of,
+    .duel = DUEL_APART,
+    .of_moment = true,
+    .on_paper = true,
+    .needs = HAS_MESH | HAS_STRETCH,
+    .lacking = "this method has no mesh, so no shape functions",
+};

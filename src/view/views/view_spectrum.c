@@ -1,6 +1,7 @@
-/* View 6: the amplitude spectrum of the probe, with the predicted and the exact lines marked. The slow lines
+/* The amplitude spectrum of the probe, with the predicted and the exact lines marked. The slow lines
  * on an even scale, or everything that the mesh can do on a logarithmic one. */
 #include "view/views/runs.h"
+#include "view/views/views.h"
 
 #include "lab/answers/dispersion.h"
 
@@ -41,12 +42,12 @@ static Choice choice_of(const Screen *screen, int variant)
     return (Choice){find_column(screen, variant < 2 ? "v_probe" : "u_probe"), variant == 0};
 }
 
-int view_spectrum_variants(const Screen *screen)
+static int variants_of(const Screen *screen)
 {
     return shows_bar(screen) ? 2 : 3;
 }
 
-const char *view_spectrum_word(const Screen *screen, int variant)
+static const char *word_of(const Screen *screen, int variant)
 {
     static const char *const bar[] = {"slow", "fast"}, *const beam[] = {"fast", "slow", "displacement"};
     return shows_bar(screen) ? bar[variant % 2] : beam[variant % 3];
@@ -294,7 +295,7 @@ static void letter_at_peak(const Screen *screen, const Plot *plot, Area inner, c
     run_letter(run, plot, inner, x, y);
 }
 
-void view_spectrum(const Screen *screen, Area area, Style heading, int variant)
+static void draw(const Screen *screen, Area area, Style heading, int variant)
 {
     Choice choice = choice_of(screen, variant);
     int n;
@@ -396,3 +397,15 @@ void view_spectrum(const Screen *screen, Area area, Style heading, int variant)
     if (under > 1)
         area_text(area, 1, area.rect.height - 1, lines, STYLE_FAINT);
 }
+
+const View view_spectrum = {
+    .word = "spectrum",
+    .brief = "spectrum",
+    .help = "amplitude spectrum of the probe; again: all frequencies, logarithmic",
+    .digit = 6,
+    .home = PANE_LOWER,
+    .draw = draw,
+    .variants = variants_of,
+    .variant_word = word_of,
+    .on_paper = true,
+};

@@ -1,15 +1,16 @@
-/* View 7: numbers of things, one row each; what the last stage changed is marked. The chosen thing is kept in
+/* Numbers of things, one row each; what the last stage changed is marked. The chosen thing is kept in
  * sight, and the columns that do not fit come with the arrows. */
 #include "view/panes/panes.h"
 #include "view/draw/sum_column.h"
+#include "view/views/views.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { CELL_WIDTH = 10, INDEX_WIDTH = 9, FIELDS_MAX = 48, ROWS_MAX = 256, HEAD_ROWS = 2, VIEW_NUMBER = 7 };
+enum { CELL_WIDTH = 10, INDEX_WIDTH = 9, FIELDS_MAX = 48, ROWS_MAX = 256, HEAD_ROWS = 2 };
 
-int view_table_variants(const Screen *screen)
+static int variants_of(const Screen *screen)
 {
     return experiment_simulation(screen->experiment)->n_sets;
 }
@@ -89,7 +90,8 @@ static void draw_heading_of(const Screen *screen, Area area, const Table *table,
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     char text[96], more[64] = "";
-    const bool empty = table->set == 1 && has_mesh(sim) && experiment_stage(screen->experiment) == 0;
+    const bool empty =
+        table->set == 1 && simulation_has(sim, HAS_MESH) && experiment_stage(screen->experiment) == 0;
     snprintf(text, sizeof text, "%s, %zu of them%s", sim->sets[table->set].plural, sim->counts[table->set],
              empty ? ": no mass until stage 1" : "");
     area_rule(area, 0, text, heading);
@@ -124,7 +126,7 @@ static void draw_column(const Screen *screen, Area area, const Table *table, con
     }
 }
 
-void view_table(const Screen *screen, Area area, Style heading, int set)
+static void draw(const Screen *screen, Area area, Style heading, int set)
 {
     const Table table = table_of(screen, set, area.rect.width, area.rect.height);
     const Simulation *sim = experiment_simulation(screen->experiment);
@@ -150,42 +152,46 @@ void view_table(const Screen *screen, Area area, Style heading, int set)
 
 /* --- keys and mouse ------------------------------------------------------------------------------- */
 
-/* The table in a pane; false: another view stands there. */
-static bool table_in(const Screen *screen, int width, int height, PaneId pane, Table *table, Rect *rect)
+static Table table_at(const Screen *screen, Rect rect)
 {
-    const int view = pane == PANE_UPPER ? screen->upper : pane == PANE_LOWER ? screen->lower : 0;
-    *rect = screen_pane(screen, width, height, pane);
-    if (view != VIEW_NUMBER || rect->width <= 0)
+    return table_of(screen, view_variant(&view_table, screen), rect.width, rect.height);
+}
+
+/* Up and down go from row to row, left and right bring the columns that do not fit. */
+static void move(Screen *screen, Rect rect, int x, int y, int page)
+{
+    const Table table = table_at(screen, rect);
+    screen->node_chosen = table.set == 1;
+    if (y != 0) {
+        screen_choose_next(screen, y, (size_t)page);
+    } else if (rect.width > 0) {
+        const int most = table.end_column < table.n_columns ? table.n_columns - 1 : table.first_column;
+        const int to = table.first_column + x;
+        screen->table_column = to < 0 ? 0 : to > most ? most : to;
+    }
+}
+
+static bool click(Screen *screen, Rect rect, int x, int y)
+{
+    const Table table = table_at(screen, rect);
+    const int row = y - rect.y - HEAD_ROWS;
+    if (x < rect.x || x >= rect.x + rect.width || row < 0 || row >= (int)table.rows)
         return false;
-    *table = table_of(screen, screen->variant[VIEW_NUMBER] % view_table_variants(screen), rect->width,
-                      rect->height);
+    *(table.set == 0 ? &screen->particle : &screen->node) = table.first + (size_t)row;
+    screen->node_chosen = table.set == 1;
     return true;
 }
 
-void screen_scroll_table(Screen *screen, int width, int height, int columns)
-{
-    Table table;
-    Rect rect;
-    if (!table_in(screen, width, height, screen->focus, &table, &rect))
-        return;
-    const int most = table.end_column < table.n_columns ? table.n_columns - 1 : table.first_column;
-    const int to = table.first_column + columns;
-    screen->table_column = to < 0 ? 0 : to > most ? most : to;
-}
-
-bool screen_choose_row(Screen *screen, int width, int height, int x, int y)
-{
-    Table table;
-    Rect rect;
-    for (PaneId pane = PANE_UPPER; pane <= PANE_LOWER; pane++) {
-        if (!table_in(screen, width, height, pane, &table, &rect))
-            continue;
-        const int row = y - rect.y - HEAD_ROWS;
-        if (x < rect.x || x >= rect.x + rect.width || row < 0 || row >= (int)table.rows)
-            continue;
-        *(table.set == 0 ? &screen->particle : &screen->node) = table.first + (size_t)row;
-        screen->node_chosen = table.set == 1;
-        return true;
-    }
-    return false;
-}
+const View view_table = {
+    .word = "tables",
+    .brief = "tables",
+    .help = "numbers of particles; again: of nodes",
+    .digit = 7,
+    .home = PANE_UPPER,
+    .draw = draw,
+    .variants = variants_of,
+    .duel = DUEL_APART,
+    .of_moment = true,
+    .move = move,
+    .click = click,
+};

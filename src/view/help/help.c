@@ -1,6 +1,6 @@
 /* The help: keys by group, what the curves mean, and what is solved, with every equation and every slip of
  * the papers. */
-#include "view/panes/help_text.h"
+#include "view/help/help_text.h"
 #include "view/panes/panes.h"
 
 #include <stdio.h>
@@ -94,7 +94,8 @@ static void write_keys(Sheet *sheet, int width)
                 put_line(sheet, STYLE_NORMAL, "");
             put_line(sheet, STYLE_HEADING, group = commands[i].group);
         }
-        put_key(sheet, width, commands[i].keys, commands[i].help);
+        if (command_help(&commands[i]))
+            put_key(sheet, width, commands[i].keys, command_help(&commands[i]));
     }
     write_verbs(sheet, width);
 }

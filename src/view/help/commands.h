@@ -36,7 +36,7 @@ typedef enum CommandId {
     COMMAND_CANCEL,
     COMMAND_UNDO,
     COMMAND_REDO,
-    COMMAND_VIEW_1, /* to COMMAND_VIEW_9: consecutive */
+    COMMAND_VIEW_1, /* to COMMAND_VIEW_9, the digits: whichever view has it as its own */
     COMMAND_VIEW_2,
     COMMAND_VIEW_3,
     COMMAND_VIEW_4,
@@ -78,8 +78,8 @@ typedef struct Command {
     const char *name;  /* "run-pause": for scripts and the `:` line */
     const char *keys;  /* names separated by spaces: "Space", "] s", "Home 0", "^R", "F1 ?" */
     const char *group; /* heading in the help: "Time", "Stages", "Views", ... */
-    const char *brief; /* at most 8 columns, for the bottom bar: "pause" */
-    const char *help;  /* one line */
+    const char *brief; /* at most 8 columns, for the bottom bar: "pause"; NULL: see command_brief() */
+    const char *help;  /* one line; NULL: see command_help() */
     bool lesson; /* a lesson may ask for it: it changes the laboratory, and opens no question to write */
 } Command;
 
@@ -144,6 +144,14 @@ bool line_is_for_lessons(const char *text, Status *);
 /* Only commands that work stand in it: a row and the function that carries it out land together. */
 extern const Command commands[];
 extern const int n_commands;
+
+/* The digit of a command that shows a view, 1 to 9; 0: it is another one. */
+int command_digit(CommandId);
+CommandId command_of_digit(int digit);
+
+/* What the bar and the help say of a command: of a digit, what its view says. NULL: no view has it. */
+const char *command_brief(const Command *);
+const char *command_help(const Command *);
 
 const Command *command_find(CommandId id);
 const Command *command_by_name(const char *name);

@@ -1,5 +1,5 @@
 #include "lab/problems/problem.h"
-#include "view/panes/help_text.h"
+#include "view/help/help_text.h"
 
 /* --- words of the curves --------------------------------------------------------------------------- */
 

@@ -1,4 +1,4 @@
-#include "view/panes/commands.h"
+#include "view/help/commands.h"
 
 #include "base/text.h"
 
@@ -52,22 +52,15 @@ const Command commands[] = {
     {COMMAND_FILTER, "filter", "/", "Parameters", "filter", "show only parameters whose name holds a text",
      USER},
 
-    {COMMAND_VIEW_1, "view-1", "1", "Views", "profile",
-     "along the bar or beam: displacement; again: velocity, stress, a beam's section", LESSON},
-    {COMMAND_VIEW_2, "view-2", "2", "Views", "v_cm",
-     "the probe over time; again: its velocity, length, a crack's path and angle", LESSON},
-    {COMMAND_VIEW_3, "view-3", "3", "Views", "energy",
-     "energies: seen by the grid, hidden, strain, work; again: what a crack costs", LESSON},
-    {COMMAND_VIEW_4, "view-4", "4", "Views", "shapes",
-     "shape functions of the mesh and their slopes; beams: a bond's force and its cut", LESSON},
-    {COMMAND_VIEW_5, "view-5", "5", "Views", "errors",
-     "dispersion: the error of every mode of this mesh; beams: period over horizon", LESSON},
-    {COMMAND_VIEW_6, "view-6", "6", "Views", "spectrum",
-     "amplitude spectrum of the probe; again: all frequencies, logarithmic", LESSON},
-    {COMMAND_VIEW_7, "view-7", "7", "Views", "tables", "numbers of particles; again: of nodes", LESSON},
-    {COMMAND_VIEW_8, "view-8", "8", "Views", "beam", "the beam as it lies, coloured; again: by another field",
-     LESSON},
-    {COMMAND_VIEW_9, "view-9", "9", "Views", "log", "what happened, in words; Enter goes there", LESSON},
+    {COMMAND_VIEW_1, "view-1", "1", "Views", NULL, NULL, LESSON},
+    {COMMAND_VIEW_2, "view-2", "2", "Views", NULL, NULL, LESSON},
+    {COMMAND_VIEW_3, "view-3", "3", "Views", NULL, NULL, LESSON},
+    {COMMAND_VIEW_4, "view-4", "4", "Views", NULL, NULL, LESSON},
+    {COMMAND_VIEW_5, "view-5", "5", "Views", NULL, NULL, LESSON},
+    {COMMAND_VIEW_6, "view-6", "6", "Views", NULL, NULL, LESSON},
+    {COMMAND_VIEW_7, "view-7", "7", "Views", NULL, NULL, LESSON},
+    {COMMAND_VIEW_8, "view-8", "8", "Views", NULL, NULL, LESSON},
+    {COMMAND_VIEW_9, "view-9", "9", "Views", NULL, NULL, LESSON},
     {COMMAND_ZOOM_2D, "map-zoom", "Z", "Views", "magnify",
      "magnify the map of a beam: arrows move, + and - size, Esc shows the whole", LESSON},
     {COMMAND_REFERENCES, "references", "e", "Views", "curves",
@@ -118,8 +111,8 @@ const LineVerb line_verbs[] = {
      LESSON},
     {LINE_DUEL, "duel", "KEY=VALUE ...", ARGUMENT_KEYS,
      "a second run beside that differs in these keys, in place of one that there is", LESSON},
-    {LINE_SHOW, "show", "VIEW [VARIANT]", ARGUMENT_VIEW, "a view by its number, and which of its variants",
-     LESSON},
+    {LINE_SHOW, "show", "VIEW [VARIANT]", ARGUMENT_VIEW,
+     "a view by its word or digit, and which of its variants", LESSON},
     {LINE_REFERENCES, "references", "all|exact|predicted|none", ARGUMENT_REFERENCES, "which reference curves",
      LESSON},
     {LINE_PARTICLE, "particle", "NUMBER", ARGUMENT_OTHER, "choose a particle", LESSON},
@@ -136,6 +129,16 @@ const LineVerb *line_verb_find(const char *word, size_t length)
         if (strlen(line_verbs[i].name) == length && memcmp(line_verbs[i].name, word, length) == 0)
             return &line_verbs[i];
     return NULL;
+}
+
+int command_digit(CommandId id)
+{
+    return id >= COMMAND_VIEW_1 && id <= COMMAND_VIEW_9 ? (int)(id - COMMAND_VIEW_1) + 1 : 0;
+}
+
+CommandId command_of_digit(int digit)
+{
+    return digit >= 1 && digit <= 9 ? (CommandId)(COMMAND_VIEW_1 + digit - 1) : COMMAND_NONE;
 }
 
 const Command *command_find(CommandId id)

@@ -1,0 +1,92 @@
+/* Views by what people call them, and where they stand when a run is opened: all read off the list. */
+#include "view/views/view.h"
+
+#include <stdio.h>
+#include <string.h>
+
+const View *view_of_digit(int digit)
+{
+    for (int i = 0; i < n_views && digit != 0; i++)
+        if (views[i]->digit == digit)
+            return views[i];
+    return NULL;
+}
+
+const View *view_named(const char *word)
+{
+    for (int i = 0; i < n_views; i++)
+        if (strcmp(views[i]->word, word) == 0)
+            return views[i];
+    return word[0] >= '1' && word[0] <= '9' && word[1] == '\0' ? view_of_digit(word[0] - '0') : NULL;
+}
+
+void view_names(char *out, size_t size)
+{
+    size_t used = 0;
+    for (int i = 0; i < n_views && used < size; i++)
+        used += (size_t)snprintf(out + used, size - used, "%s, ", views[i]->word);
+    if (used < size)
+        snprintf(out + used, size - used, "or 1 to 9");
+}
+
+const View *view_at_home(PaneId home, const Simulation *sim)
+{
+    const bool plane = sim && simulation_has(sim, HAS_PLANE);
+    const View *found = views[0];
+    ViewOpening most = OPENS_ON_DEMAND;
+    for (int i = 0; i < n_views; i++)
+        if (views[i]->home == home && views[i]->opens > most &&
+            (views[i]->opens != OPENS_IN_PLANE || plane)) {
+            found = views[i];
+            most = found->opens;
+        }
+    return found;
+}
+
+const View *view_of_map(void)
+{
+    for (int i = 0; i < n_views; i++)
+        if (views[i]->is_map)
+            return views[i];
+    return NULL;
+}
+
+bool view_check(const ViewSettings *view, Status *status)
+{
+    const char *const names[2] = {view->upper, view->lower};
+    char known[160];
+    for (int i = 0; i < 2; i++)
+        if (names[i][0] && !view_named(names[i])) {
+            view_names(known, sizeof known);
+            return status_fail(status, STATUS_USAGE, "view.%s: %.60s is not allowed (%s)",
+                               i == 0 ? "upper" : "lower", names[i], known);
+        }
+    return true;
+}
+
+void screen_open_views(Screen *screen, const ViewSettings *settings)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const View *upper = view_named(settings->upper), *lower = view_named(settings->lower);
+    screen->upper = upper && !view_missing(upper, screen) ? upper : view_at_home(PANE_UPPER, sim);
+    screen->lower = lower && !view_missing(lower, screen) ? lower : view_at_home(PANE_LOWER, sim);
+}
+
+/* The view whose curve is meant: that in focus, else the first of the list with such an axis. */
+static const char *curve_of(const Screen *screen, bool over_time)
+{
+    const View *view = screen->focus == PANE_UPPER ? screen->upper : screen->lower;
+    for (int i = 0; i < n_views && (!view->curve || view->has_time_axis != over_time); i++)
+        view = views[i];
+    return view->curve ? view->curve(screen) : "";
+}
+
+const char *screen_time_curve(const Screen *screen)
+{
+    return curve_of(screen, true);
+}
+
+const char *screen_profile_curve(const Screen *screen)
+{
+    return curve_of(screen, false);
+}

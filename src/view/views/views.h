@@ -1,0 +1,24 @@
+/* The names of the views for their list, and of the pictures that some of them have in a file of their own.
+ */
+#ifndef VIEW_VIEWS_H
+#define VIEW_VIEWS_H
+
+#include "view/views/view.h"
+
+extern const View view_profile, view_probe, view_energies, view_shapes, view_dispersion, view_spectrum,
+    view_table, view_beam, view_log;
+
+/* The last profile of a body in the plane: through its thickness. */
+void section_draw(const Screen *, Area, Style heading);
+
+/* Of a body that breaks: the crack's path and angle among the probe's pictures, what it costs among the
+ * energies. Counts of 0: it does not break. */
+int crack_variants(const Screen *);
+void crack_draw(const Screen *, Area, Style heading, int variant);
+int fracture_variants(const Screen *);
+void fracture_draw(const Screen *, Area, Style heading);
+
+/* A bond's force over its stretch, in the place of shape functions where there is no mesh. */
+void bond_law_draw(const Screen *, Area, Style heading);
+
+#endif
