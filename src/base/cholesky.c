@@ -22,7 +22,7 @@ static double dot(const double *a, const double *b, size_t count)
 
 /* L(i,j) = (K(i,j) - sum_k<j L(i,k) L(j,k)) / L(j,j),  L(i,i)^2 = K(i,i) - sum_k<i L(i,k)^2,
  * row by row: with distances d = i - k from the diagonal both rows are read forwards. */
-CholeskyEnd cholesky_factor(CholeskyBand *band, bool (*go_on)(double share, void *context), void *context)
+CholeskyEnd cholesky_factor(CholeskyBand *band, const Patience *patience)
 {
     const size_t width = band->width, stride = width + 1;
     size_t products = 0;
@@ -39,9 +39,9 @@ CholeskyEnd cholesky_factor(CholeskyBand *band, bool (*go_on)(double share, void
             return CHOLESKY_SINGULAR;
         row[0] = sqrt(pivot);
         products += left * left / 2;
-        if (go_on && products > PRODUCTS_BETWEEN_QUESTIONS) {
+        if (products > PRODUCTS_BETWEEN_QUESTIONS) {
             products = 0;
-            if (!go_on((double)i / (double)band->size, context))
+            if (!patience_lasts(patience, (double)i / (double)band->size))
                 return CHOLESKY_GIVEN_UP;
         }
     }

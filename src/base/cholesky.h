@@ -6,7 +6,8 @@
 #ifndef BASE_CHOLESKY_H
 #define BASE_CHOLESKY_H
 
-#include <stdbool.h>
+#include "base/patience.h"
+
 #include <stddef.h>
 
 /* rows[i * (width + 1) + d] = K(i, i - d), d = 0 .. width; after cholesky_factor() the same of L. What lies
@@ -19,11 +20,11 @@ typedef struct CholeskyBand {
 typedef enum CholeskyEnd {
     CHOLESKY_DONE,
     CHOLESKY_SINGULAR, /* a pivot below 1e-14 of its diagonal: not positive definite to rounding */
-    CHOLESKY_GIVEN_UP  /* go_on said so */
+    CHOLESKY_GIVEN_UP  /* so it was asked for */
 } CholeskyEnd;
 
-/* In place. `go_on` is asked now and then with the share that is done; NULL: nobody. */
-CholeskyEnd cholesky_factor(CholeskyBand *, bool (*go_on)(double share, void *context), void *context);
+/* In place. The patience is asked now and then. */
+CholeskyEnd cholesky_factor(CholeskyBand *, const Patience *);
 
 /* x <- K^-1 x, after cholesky_factor(). */
 void cholesky_solve(const CholeskyBand *, double *x);

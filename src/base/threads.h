@@ -4,6 +4,8 @@
 
 #include <stdbool.h>
 
+enum { THREADS_MAX = 1024 }; /* that may be asked for: more would only wait for each other */
+
 /* The processors that this process may use, at least 1: those of its affinity mask (taskset, cgroups'
  * cpusets, a batch system) where the system has one, else all that are on. */
 int threads_allowed(void);

@@ -1,5 +1,6 @@
 #include "cli/options.h"
 
+#include "base/threads.h"
 #include "base/text.h"
 #include "view/views/view.h"
 #include "lab/settings/parameters.h"
@@ -64,7 +65,8 @@ const Option options_table[] = {
      OPTION_FLAG, AT(force)},
     {"--quiet", NULL, " run figure sweep ", "neither progress nor summary", OPTION_FLAG, AT(quiet)},
     {"--threads", "N", " open lesson run figure sweep ",
-     "threads to compute with; the numbers do not depend on it", OPTION_COUNT, AT(threads)},
+     "threads to compute with; the numbers do not depend on it", OPTION_COUNT, AT(threads),
+     .most = THREADS_MAX},
     {"--full", NULL, " verify ", "everything, however long it takes", OPTION_FLAG, AT(full)},
     {"--list", NULL, " verify figure lesson ", "tells the names", OPTION_FLAG, AT(list)},
     {"--paused", NULL, " open ", "opens paused at t = 0", OPTION_FLAG, AT(paused)},
@@ -178,7 +180,9 @@ static bool take(const Option *option, const char *value, Options *options, Stat
         if (!text_to_long(value, (long *)member) || *(long *)member < 1)
             return status_fail(status, STATUS_USAGE, "%s: %.60s is not allowed (a whole number, 1 or more)",
                                option->name, value);
-        return true;
+        return (option->most == 0 || *(long *)member <= option->most) ||
+               status_fail(status, STATUS_USAGE, "%s: %ld are too many (1 to %d)", option->name,
+                           *(long *)member, option->most);
     case OPTION_BYTES:
         if (!read_bytes(value, member))
             return status_fail(status, STATUS_USAGE, "%s: %.60s is no size (such as 64M or 2G)", option->name,

@@ -68,6 +68,7 @@ int cli_run(int count, char **arguments, Status *status)
         return (int)status->code;
     Progress progress;
     progress_begin(&progress, options.quiet);
+    settings.patience = (Patience){progress_show, &progress};
     RunSummary summary;
     bool done = export_run(&settings, &options.outputs, progress_threads(options.threads), progress_show,
                            &progress, &summary, status);

@@ -3,6 +3,7 @@
 #ifndef THEORY_BEAM_H
 #define THEORY_BEAM_H
 
+#include "base/patience.h"
 #include "base/status.h"
 
 #include <stddef.h>
@@ -10,7 +11,8 @@
 typedef struct BeamTheory {
     double length, height; /* m */
     double youngs_modulus, density;
-    double amplitude; /* U */
+    double amplitude;  /* U */
+    Patience patience; /* asked while a motion is being solved */
 } BeamTheory;
 
 /* First period of the simply supported beam, s. Timoshenko: kappa 5/6, Poisson's ratio 1/3, exact frequency

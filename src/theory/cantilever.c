@@ -19,12 +19,15 @@
 #include <gsl/gsl_odeiv2.h>
 #include <gsl/gsl_roots.h>
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 
 /* Four modes are right to a nanometre in six micrometres, ten to the digits that the tests know. The fast
  * modes hardly move, so few samples of them suffice. */
 enum { MODES = 10, GAUSS_POINTS = 64, SAMPLES_PER_FAST_PERIOD = 16 };
+
+/* More take many minutes and a quarter of a gigabyte. */
+#define SAMPLES_MAX 1e7
+enum { SAMPLES_A_QUESTION = 64, STEPS_A_SAMPLE = 10000 };
 
 typedef struct Tip {
     double displacement, velocity, acceleration;
@@ -153,7 +156,8 @@ static Tip tip_of(const Modes *modes, double t, const double y[])
 
 /* Fills the samples for U = 1 and scales them: the equations are linear, and the solver's tolerance is
  * relative to 1. */
-static bool integrate_motion(const Modes *modes, double amplitude, MovingCantilever *solution, Status *status)
+static bool integrate_motion(const Modes *modes, const BeamTheory *beam, MovingCantilever *solution,
+                             Status *status)
 {
     gsl_odeiv2_system system = {modal_equations, NULL, 2 * MODES, (void *)modes};
     /* velocities are larger than displacements by about omega_1 */
@@ -165,12 +169,18 @@ static bool integrate_motion(const Modes *modes, double amplitude, MovingCantile
         &system, gsl_odeiv2_step_rk8pd, solution->step, 1e-13, 1e-12, 1, 0, weights);
     if (!driver)
         return status_fail(status, STATUS_FAILED, "not enough memory for the moving cantilever");
+    gsl_odeiv2_driver_set_nmax(driver, STEPS_A_SAMPLE);
     double y[2 * MODES] = {1}, t = 0;
     for (int m = 0; m < MODES; m++)
         y[MODES + m] = -modes->speed / modes->length * modes->b[m][0];
     bool sound = true;
     for (size_t k = 0; sound && k < solution->count; k++) {
-        double next = solution->step * (double)k;
+        const double next = solution->step * (double)k, amplitude = beam->amplitude;
+        if (k % SAMPLES_A_QUESTION == 0 &&
+            !patience_lasts(&beam->patience, (double)k / (double)solution->count)) {
+            gsl_odeiv2_driver_free(driver);
+            return status_fail(status, STATUS_FAILED, "the solving of the cantilever's motion was given up");
+        }
         sound = k == 0 || gsl_odeiv2_driver_apply(driver, &t, next, y) == GSL_SUCCESS;
         Tip tip = tip_of(modes, next, y);
         sound = sound && isfinite(tip.displacement) && isfinite(tip.velocity) && isfinite(tip.acceleration);
@@ -211,8 +221,12 @@ static MovingCantilever *solve(const BeamTheory *beam, double speed, double end,
     double fastest = sqrt(modes.stiffness) * pow(modes.lambda[MODES - 1] / shortest, 2);
     double spacing = 2 * M_PI / fastest / SAMPLES_PER_FAST_PERIOD;
     double steps = ceil(fmax(1, end / spacing));
-    if (!(steps < (double)(SIZE_MAX / sizeof(Tip) / 4)))
-        return status_fail(status, STATUS_FAILED, "too long a motion of the cantilever: t = %g", end), NULL;
+    if (!(steps <= SAMPLES_MAX))
+        return status_fail(
+                   status, STATUS_USAGE,
+                   "time.end: the exact motion until %g s is that of %.3g oscillations (at most %.3g)", end,
+                   steps / SAMPLES_PER_FAST_PERIOD, SAMPLES_MAX / SAMPLES_PER_FAST_PERIOD),
+               NULL;
     size_t count = (size_t)steps + 1;
     MovingCantilever *solution = malloc(sizeof *solution + count * sizeof solution->samples[0]);
     if (!solution)
@@ -222,7 +236,7 @@ static MovingCantilever *solve(const BeamTheory *beam, double speed, double end,
     solution->step = end > 0 && speed < 0 ? end / steps : spacing;
     solution->end = end;
     solution->count = end > 0 ? count : 1;
-    if (!integrate_motion(&modes, beam->amplitude, solution, status)) {
+    if (!integrate_motion(&modes, beam, solution, status)) {
         free(solution);
         return NULL;
     }

@@ -149,6 +149,24 @@ static void expect_refused(BeamTheory beam, double speed, double end, const char
                   status.text, words);
 }
 
+static bool a_few_times(double share, void *context)
+{
+    int *asked = context;
+    ck_assert(share >= 0 && share < 1);
+    return ++*asked < 5;
+}
+
+/* A motion that takes minutes is left as soon as nobody waits for it any more. */
+START_TEST(a_long_motion_can_be_given_up)
+{
+    int asked = 0;
+    BeamTheory beam = paper;
+    beam.patience = (Patience){a_few_times, &asked};
+    expect_refused(beam, 1e-6, 1, "given up");
+    ck_assert_int_eq(asked, 5);
+}
+END_TEST
+
 START_TEST(what_cannot_be_solved)
 {
     BeamTheory thin = paper, soft = paper, odd = paper;
@@ -159,7 +177,7 @@ START_TEST(what_cannot_be_solved)
     expect_refused(paper, -10, 0.011, "no length left");
     expect_refused(paper, 10, -1, "until t = -1");
     expect_refused(paper, NAN, 1, "speed nan");
-    expect_refused(paper, 0, 1e300, "too long");
+    expect_refused(paper, 0, 1e300, "oscillations (at most 6.25e+05)");
     MovingCantilever *start = moving_cantilever_solve(&paper, 10, 0, NULL);
     ck_assert_ptr_nonnull(start);
     ck_assert_double_eq_tol(moving_cantilever_tip(start, 0), 6e-6, 1e-18);
@@ -208,6 +226,7 @@ void add_cases(Suite *suite)
     tcase_add_test(moving, standing_still_it_is_a_cantilever);
     tcase_add_test(moving, amplitude_grows_with_length);
     tcase_add_test(moving, what_cannot_be_solved);
+    tcase_add_test(moving, a_long_motion_can_be_given_up);
     suite_add_tcase(suite, moving);
     TCase *speed = tcase_create("crack speed");
     tcase_add_test(speed, rayleigh_speed_is_the_root);

@@ -235,6 +235,24 @@ START_TEST(a_long_step_is_cut_into_frames)
 }
 END_TEST
 
+/* So can the exact motion of a slow beam, which has very many oscillations. */
+START_TEST(a_motion_that_is_solved_can_be_given_up)
+{
+    Bench *bench = open_bench("moving-cantilever-coarse", true);
+    press_all(bench, ": m o t i o n . s p e e d = 1 e - 6 Enter");
+    ck_assert(!bench->lab.screen.prompt.open);
+    const Simulation *before = experiment_simulation(bench->lab.screen.experiment);
+    bench->tick = 0.01;
+    bench->gives_up = true;
+    press_all(bench, ": t i m e . e n d = 2 Enter");
+    ck_assert(bench->lab.screen.prompt.open);
+    ck_assert_msg(strstr(bench->lab.screen.prompt.problem, "given up") != NULL, "%s",
+                  bench->lab.screen.prompt.problem);
+    ck_assert_ptr_eq(experiment_simulation(bench->lab.screen.experiment), before);
+    close_bench(bench);
+}
+END_TEST
+
 /* The building of a large beam says how far it is and can be given up; what was there stays. */
 START_TEST(a_beam_that_is_built_can_be_given_up)
 {
@@ -247,7 +265,7 @@ START_TEST(a_beam_that_is_built_can_be_given_up)
     ck_assert(bench->lab.screen.prompt.open);
     ck_assert_msg(strstr(bench->lab.screen.prompt.problem, "given up") != NULL, "%s",
                   bench->lab.screen.prompt.problem);
-    ck_assert_msg(strncmp(bench->progress, "building the beam: ", 19) == 0, "%s", bench->progress);
+    ck_assert_msg(strncmp(bench->progress, "building the run: ", 18) == 0, "%s", bench->progress);
     ck_assert_ptr_eq(experiment_simulation(bench->lab.screen.experiment), before);
     ck_assert_int_eq(step_of(bench), 20);
     press(bench, "Esc");
@@ -796,6 +814,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, a_long_seek_is_cut_into_frames);
     tcase_add_test(tcase, a_long_step_is_cut_into_frames);
     tcase_add_test(tcase, a_beam_that_is_built_can_be_given_up);
+    tcase_add_test(tcase, a_motion_that_is_solved_can_be_given_up);
     tcase_add_test(tcase, a_run_that_took_long_is_not_given_up_unasked);
     tcase_add_test(tcase, ten_nudges_redraw_ten_times);
     tcase_add_test(tcase, nudges_of_the_cell_keep_the_time);

@@ -22,10 +22,12 @@ static const char *table_name(const Outputs *outputs, int i)
     return given[i];
 }
 
+enum { NAMES_A_QUESTION = 256 };
+
 /* All names that will be files, collected to see whether two are the same and whether any exists. */
 typedef struct Names {
     char **real;
-    size_t count;
+    size_t count, room;
     int standard;
     bool force;
 } Names;
@@ -39,18 +41,34 @@ static bool take_name(Names *names, const char *name, Status *status)
             return status_fail(status, STATUS_USAGE, "two outputs cannot both be standard output");
         return true;
     }
-    char **grown = realloc(names->real, (names->count + 1) * sizeof *grown);
-    if (grown)
-        names->real = grown;
+    char **grown = names->real;
+    if (names->count == names->room) {
+        names->room = 2 * names->room + 16;
+        grown = realloc(names->real, names->room * sizeof *grown);
+        if (grown)
+            names->real = grown;
+    }
     char *real = grown ? output_real_name(name, status) : NULL;
     if (!real)
         return grown ? false : status_fail(status, STATUS_FAILED, "not enough memory for file names");
-    for (size_t i = 0; i < names->count; i++)
-        if (strcmp(names->real[i], real) == 0) {
-            free(real);
-            return status_fail(status, STATUS_USAGE, "%s: two outputs cannot be the same file", name);
-        }
     names->real[names->count++] = real;
+    return true;
+}
+
+static int compare_names(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+/* There may be a million of them: two that are alike stand side by side once they are sorted. */
+static bool all_differ(Names *names, Status *status)
+{
+    if (names->count > 0)
+        qsort(names->real, names->count, sizeof *names->real, compare_names);
+    for (size_t i = 1; i < names->count; i++)
+        if (strcmp(names->real[i - 1], names->real[i]) == 0)
+            return status_fail(status, STATUS_USAGE, "%s: two outputs cannot be the same file",
+                               names->real[i]);
     return true;
 }
 
@@ -81,7 +99,8 @@ static bool take_table_names(Names *names, const char *name, Status *status)
     return good;
 }
 
-static bool take_vtk_names(Names *names, const char *name, size_t frames, Status *status)
+static bool take_vtk_names(Names *names, const char *name, size_t frames, const Patience *patience,
+                           Status *status)
 {
     if (!name)
         return true;
@@ -93,6 +112,8 @@ static bool take_vtk_names(Names *names, const char *name, size_t frames, Status
         good = one ? take_name(names, one, status)
                    : status_fail(status, STATUS_FAILED, "not enough memory for file names");
         free(one);
+        if (good && i % NAMES_A_QUESTION == 0 && !patience_lasts(patience, (double)i / (double)frames))
+            good = status_fail(status, STATUS_FAILED, "the export was given up");
     }
     return good;
 }
@@ -105,7 +126,9 @@ bool export_check_names(const Export *export, Status *status)
     bool good = take_table_names(&names, outputs->series, status);
     for (int i = 0; good && i < TABLES; i++)
         good = take_table_names(&names, table_name(outputs, i), status);
-    good = good && take_vtk_names(&names, outputs->vtk, export->frames.count, status);
+    good = good &&
+           take_vtk_names(&names, outputs->vtk, export->frames.count, &export->settings->patience, status) &&
+           all_differ(&names, status);
     for (size_t i = 0; i < names.count; i++)
         free(names.real[i]);
     free(names.real);

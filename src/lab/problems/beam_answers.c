@@ -250,7 +250,9 @@ bool beam_prepare_moving(References *refs, const Settings *settings, const Simul
     beam->theory = beam_theory_of(settings);
     /* the last step may lie beyond the end by almost a step */
     double end = (double)problem_last_step(sim->dt, settings->time.end) * sim->dt;
-    beam->moving = moving_cantilever_solve(&beam->theory, settings->motion.speed, fmax(end, sim->dt), status);
+    BeamTheory asking = beam->theory;
+    asking.patience = settings->patience;
+    beam->moving = moving_cantilever_solve(&asking, settings->motion.speed, fmax(end, sim->dt), status);
     if (!beam->moving)
         return false;
     beam->speed = settings->motion.speed;

@@ -39,7 +39,6 @@ BeamDef beam_definition(const Settings *settings, int threads)
         .dt = settings->time.step,
         .end = settings->time.end,
         .threads = threads,
-        .go_on = settings->building.go_on,
-        .go_on_context = settings->building.context,
+        .patience = settings->patience,
     };
 }

@@ -3,6 +3,7 @@
 #ifndef LAB_SETTINGS_H
 #define LAB_SETTINGS_H
 
+#include "base/patience.h"
 #include "base/status.h"
 #include "physics/mpm_bar/bar.h"
 #include "physics/pd_plane/beam.h"
@@ -122,12 +123,6 @@ typedef struct Output {
     char at[LIST_MAX]; /* "0,1e-4,2e-4"; "": none */
 } Output;
 
-/* Asked while a large body is being built, with the share that is done; false: give up. NULL: nobody. */
-typedef struct Building {
-    bool (*go_on)(double share, void *context);
-    void *context;
-} Building;
-
 typedef struct Settings {
     char title[TITLE_MAX]; /* one line, UTF-8 */
     char about[ABOUT_MAX];
@@ -149,7 +144,7 @@ typedef struct Settings {
     Output output;
 
     double spare[2]; /* for parameters on trial, that have no place of their own yet */
-    Building building;
+    Patience patience; /* asked while the simulation and its references are being made */
 
     char question[KEY_MAX]; /* what `t` toggles */
     Assignment duel[DUEL_MAX];

@@ -6,6 +6,7 @@
 #ifndef PHYSICS_PD_BEAM_H
 #define PHYSICS_PD_BEAM_H
 
+#include "base/patience.h"
 #include "physics/method.h"
 
 typedef enum BeamProblem { BEAM_SIMPLY_SUPPORTED, BEAM_MOVING_CANTILEVER, BEAM_NOTCHED } BeamProblem;
@@ -38,10 +39,7 @@ typedef struct BeamDef {
     double end;  /* s: the channel must hold the beam until then; moving cantilever */
     int threads; /* at least 1 */
 
-    /* Asked while the beam is being built, with the share that is done, 0 first; false: give up. NULL:
-     * nobody. */
-    bool (*go_on)(double share, void *context);
-    void *go_on_context;
+    Patience patience; /* asked while the beam is being built, with share 0 first */
 } BeamDef;
 
 /* The defaults of the problem, as in the manual page on scenario files. */

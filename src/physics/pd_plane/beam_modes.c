@@ -124,7 +124,7 @@ static bool solve(const Lattice *lattice, const BeamDef *def, double *period, St
             held[unknown(lattice, supports[k].i, supports[k].j, 1)] = supports[k].y;
         }
         assemble(&band, lattice, held);
-        const CholeskyEnd end = cholesky_factor(&band, def->go_on, def->go_on_context);
+        const CholeskyEnd end = cholesky_factor(&band, &def->patience);
         done = end != CHOLESKY_GIVEN_UP ||
                status_fail(status, STATUS_FAILED, "the predicted period was given up");
         if (end == CHOLESKY_DONE)

@@ -78,7 +78,7 @@ static double family_area(const Lattice *lattice, int i, int j)
 
 bool lattice_go_on(const BeamDef *def, double share, Status *status)
 {
-    return !def->go_on || def->go_on(share, def->go_on_context) ||
+    return patience_lasts(&def->patience, share) ||
            status_fail(status, STATUS_FAILED, "the building of the beam was given up");
 }
 

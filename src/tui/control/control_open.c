@@ -97,15 +97,14 @@ static bool show_building(double share, void *context)
         lab->built_at = now;
     if (now < lab->built_at + BUILDING_SECONDS)
         return true;
-    say(lab, MESSAGE_INFO, "building the beam: %d %%   ^C gives up", (int)(100 * share));
+    say(lab, MESSAGE_INFO, "building the run: %d %%   ^C gives up", (int)(100 * share));
     return lab->host.go_on(lab->host.context);
 }
 
 /* Settings whose simulation shows on the screen how far its building has come; copies of them do too. */
 void show_building_of(Laboratory *lab, Settings *settings)
 {
-    settings->building.go_on = show_building;
-    settings->building.context = lab;
+    settings->patience = (Patience){show_building, lab};
 }
 
 Experiment *make_experiment(const Laboratory *lab, const Settings *settings, Status *status)
