@@ -193,7 +193,7 @@ bool figure_add(Figure *figure, const Screen *screen, const View *view, int pane
             no_memory(status);
         else
             status_fail(status, sketch->n_notes > 0 ? STATUS_FAILED : STATUS_USAGE, "%s: nothing to draw: %s",
-                        *sketch->heading ? sketch->heading : screen_view_word(screen, view),
+                        *sketch->heading ? sketch->heading : view->word,
                         sketch->n_notes > 0 ? sketch->notes[0].text
                                             : "the page is too small for it (at least 30x30 mm)");
         sketch_close(&panel->sketch);
