@@ -103,13 +103,8 @@ START_TEST(can_be_given_up)
     BeamDef def = golden_beam(0.2, 1, "energy", "partial");
     Status status = {0};
     double period;
-<<<<<<< HEAD
-    def.go_on = never;
-    ck_assert(!beam_predicted_period(&def, &period, NULL, NULL, &status));
-=======
     def.patience.go_on = never;
-    ck_assert(!beam_predicted_period(&def, &period, &status));
->>>>>>> 956ce53 (Let whoever waits for long work stop it, through one question)
+    ck_assert(!beam_predicted_period(&def, &period, NULL, NULL, &status));
     ck_assert_str_ne(status.text, "");
 }
 END_TEST

@@ -10,16 +10,10 @@
 enum { BEAM_MODES_NUMBERS_MAX = 1 << 25 };
 
 /* The period in s of a simply supported beam; NAN where the lattice is so fine that the factor of its
-<<<<<<< HEAD
  * stiffness would not fit (BEAM_MODES_NUMBERS_MAX), and for other problems, which have none. `span` and
  * `height` (NULL: not wanted): the distance of the supports and the height as the nodes lie, m. It takes n
  * B^2 products, n twice the number of nodes and B twice the nodes of a column times the reach: a tenth of a
- * second at 400 x 20 nodes, seconds at 800 x 40. BeamDef.go_on is asked on the way. False: the status says
-=======
- * stiffness would not fit (BEAM_MODES_NUMBERS_MAX), and for other problems, which have none. It takes n B^2
- * products, n twice the number of nodes and B twice the nodes of a column times the reach: a tenth of a
  * second at 400 x 20 nodes, seconds at 800 x 40. BeamDef.patience is asked on the way. False: the status says
->>>>>>> 956ce53 (Let whoever waits for long work stop it, through one question)
  * why (a definition that is no beam, no memory, given up). */
 bool beam_predicted_period(const BeamDef *definition, double *period, double *span, double *height,
                            Status *status);
