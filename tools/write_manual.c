@@ -5,6 +5,7 @@
 #include "cli/cli.h"
 #include "cli/options.h"
 #include "cli/sweep/sweep_result.h"
+#include "lab/answers/choices.h"
 #include "lab/lessons/lesson.h"
 #include "lab/settings/parameters.h"
 #include "lab/problems/references.h"
@@ -368,6 +369,23 @@ static bool write_results(const char *argument)
     return true;
 }
 
+/* --- where the papers are silent ------------------------------------------------------------------- */
+
+/* By what they are about, so that each stands under one heading. */
+static bool write_choices(const char *argument)
+{
+    (void)argument;
+    for (const Choice *choice = choices; choice < choices + n_choices; choice++) {
+        fputs(".TP\n.B ", stdout);
+        say_line(choice->what);
+        fputs("Paper: ", stdout);
+        say_line(choice->paper);
+        fputs("Here: ", stdout);
+        say_line(choice->here);
+    }
+    return true;
+}
+
 /* --- the frame ------------------------------------------------------------------------------------ */
 
 static const struct {
@@ -377,7 +395,7 @@ static const struct {
     {"commands", write_commands},     {"keys", write_keys},       {"options", write_options},
     {"parameters", write_parameters}, {"results", write_results}, {"scenarios", write_scenarios},
     {"lessons", write_lessons},       {"script", write_script},   {"series", write_series},
-    {"tables", write_tables},         {"texts", write_texts},
+    {"choices", write_choices},       {"tables", write_tables},   {"texts", write_texts},
 };
 
 static bool fill(char *line)

@@ -1,5 +1,6 @@
 /* The help: keys by group, what the curves mean, and what is solved, with every equation and every slip of
  * the papers. */
+#include "lab/answers/choices.h"
 #include "view/help/help_text.h"
 #include "view/panes/panes.h"
 
@@ -110,12 +111,10 @@ static void write_curves(Sheet *sheet, int width, const HelpText *text)
         {"measured", "what this run does: solid. A number with ~ is a little behind while the run goes on. "
                      "In a time plot each column shows the least and the largest of "
                      "its rows, so no peak is lost."},
-        {"predicted",
-         "what theory says this mesh and this time step must do: dashed. It holds the error of the "
-         "method, worked out beforehand."},
-        {"exact",
-         "the continuum without mesh and time step: dotted. Where two beam theories are known both are "
-         "drawn, by name."},
+        {"predicted", "what the equations of this very mesh or lattice and this time step give, worked out "
+                      "beforehand: dashed. It holds the error of the method."},
+        {"exact", "the continuum's exact answer, without mesh and time step: dotted. A beam has no such "
+                  "answer here: it is set beside beam theories, by name."},
         {"faint",
          "curves of an earlier run: the one before the last edit, or pinned ones with their letter."},
     };
@@ -183,6 +182,24 @@ static void write_solved(Sheet *sheet, const Screen *screen, int width, const He
     write_passages(sheet, width, ascii, text->after, text->n_after);
 }
 
+/* --- where the papers are silent ------------------------------------------------------------------- */
+
+static void write_choices(Sheet *sheet, const Settings *settings, int width)
+{
+    put_text(sheet, STYLE_HEADING, width, 0,
+             "Where the paper is silent or does otherwise, and what is done here");
+    for (const Choice *choice = choices; choice < choices + n_choices; choice++) {
+        char line[512];
+        if (!choice_is_about(choice, settings->problem, settings->method))
+            continue;
+        put_text(sheet, STYLE_FOCUS, width, 0, choice->what);
+        snprintf(line, sizeof line, "paper: %s", choice->paper);
+        put_text(sheet, STYLE_FAINT, width, 4, line);
+        snprintf(line, sizeof line, "here: %s", choice->here);
+        put_text(sheet, STYLE_NORMAL, width, 4, line);
+    }
+}
+
 static int page_of(const Screen *screen)
 {
     return screen->help_page < 0 ? 0 : screen->help_page >= HELP_PAGES ? HELP_PAGES - 1 : screen->help_page;
@@ -203,6 +220,8 @@ static void write_page(Sheet *sheet, const Screen *screen, int screen_width)
         write_curves(sheet, width, text);
     if (page == 2)
         write_solved(sheet, screen, width, text);
+    if (page == 3)
+        write_choices(sheet, experiment_settings(screen->experiment), width);
 }
 
 int screen_help_pages(void)
@@ -222,7 +241,8 @@ int screen_help_most(const Screen *screen, int width, int height)
 
 void pane_help(const Screen *screen, Area area)
 {
-    static const char *const names[HELP_PAGES] = {"this scenario, the keys", "the curves", "what is solved"};
+    static const char *const names[HELP_PAGES] = {"this scenario, the keys", "the curves", "what is solved",
+                                                  "where the paper is silent"};
     const int page = page_of(screen), room = area.rect.height - 1;
     Sheet sheet;
     write_page(&sheet, screen, area.rect.width);

@@ -178,7 +178,7 @@ typedef struct Screen {
 
 _Static_assert(COMMAND_COUNT <= 8 * (int)sizeof((Screen *)0)->used, "a bit for each command");
 
-enum { HELP_PAGES = 3 }; /* keys, curves, what is solved */
+enum { HELP_PAGES = 4 }; /* keys, curves, what is solved, where the papers are silent */
 
 void screen_default(Screen *);
 
