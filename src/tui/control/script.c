@@ -287,7 +287,7 @@ static bool play_line(Player *player, char *line, Status *status)
     for (const ScriptInstruction *row = script_instructions; row->name; row++)
         if (strlen(row->name) == length && strncmp(line, row->name, length) == 0)
             return row->run(player, rest, status);
-    char known[128] = "";
+    char known[256] = "";
     size_t used = 0;
     for (const ScriptInstruction *row = script_instructions; row->name && used < sizeof known; row++)
         used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", used ? " | " : "", row->name);
