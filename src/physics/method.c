@@ -1,6 +1,8 @@
 /* The driver that all methods share: stages, steps, snapshots, events. */
 #include "physics/method.h"
 
+#include "base/assertion.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -27,6 +29,8 @@ static bool may_go_on(const Simulation *sim, Status *status)
 bool simulation_slice(Simulation *sim, size_t items, bool *stage_done, Status *status)
 {
     *stage_done = false;
+    ASSERT_INT(sim->stage, <, sim->n_stages);
+    ASSERT_INT(sim->item, <, sim->stage_items);
     if (!may_go_on(sim, status))
         return false;
     size_t left = sim->stage_items - sim->item;
@@ -54,6 +58,7 @@ bool simulation_stage(Simulation *sim, Status *status)
 
 bool simulation_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
 {
+    ASSERT_INT(count, >=, 0);
     long counted = 0;
     long *total = done ? done : &counted;
     *total = 0;
@@ -77,6 +82,9 @@ bool simulation_steps(Simulation *sim, long count, double *rows, long *done, Sta
 
 void simulation_row(Simulation *sim, double *row)
 {
+    /* between steps only */
+    ASSERT_INT(sim->stage, ==, 0);
+    ASSERT_INT(sim->item, ==, 0);
     sim->method->row(sim, row);
 }
 
@@ -104,6 +112,7 @@ void simulation_restore(Simulation *sim, const void *bytes)
 {
     SnapshotHead head;
     memcpy(&head, bytes, sizeof head);
+    ASSERT_INT(head.n_events, <=, SIMULATION_EVENTS_MAX);
     sim->step = head.step;
     sim->stage = head.stage;
     sim->item = 0;

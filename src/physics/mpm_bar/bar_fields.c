@@ -1,4 +1,5 @@
 /* What front ends read of a bar: fields, series, links. */
+#include "base/assertion.h"
 #include "physics/axial.h"
 #include "physics/mpm_bar/bar_state.h"
 #include "physics/mpm_bar/shape.h"
@@ -169,6 +170,8 @@ static void node_field(const Bar *bar, int field, int first, int count, double *
 void bar_field(const Simulation *sim, int field, size_t first, size_t count, double *out)
 {
     const Bar *bar = bar_of_const(sim);
+    ASSERT_INT(field, <, sim->n_fields);
+    ASSERT_INT(first + count, <=, sim->counts[bar_fields[field].set]);
     if (count == 0)
         return;
     if (bar_fields[field].set == BAR_PARTICLES)
@@ -193,6 +196,7 @@ static Link link_of(const Bar *bar, int set, int index, int particle, int cell, 
 size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t max)
 {
     const Bar *bar = bar_of_const(sim);
+    ASSERT_INT(index, <, sim->counts[set]);
     size_t count = 0;
     if (set == BAR_PARTICLES) {
         int cell = bar_cell_of(bar, (int)index);

@@ -1,4 +1,5 @@
 /* What front ends read of the bar by peridynamics: fields, series, links. */
+#include "base/assertion.h"
 #include "physics/axial.h"
 #include "physics/pd_bar/rod_internal.h"
 
@@ -272,6 +273,8 @@ static BondValue *const bond_values[N_FIELDS] = {
 void rod_field(const Simulation *sim, int field, size_t first, size_t count, double *out)
 {
     const Rod *rod = (const Rod *)sim;
+    ASSERT_INT(field, <, sim->n_fields);
+    ASSERT_INT(first + count, <=, sim->counts[fields[field].set]);
     for (size_t k = 0; k < count; k++) {
         if (fields[field].set == ROD_PARTICLE) {
             out[k] = node_values[field](rod, (int)(first + k));
@@ -286,6 +289,7 @@ size_t rod_links(const Simulation *sim, int set, size_t index, Link *out, size_t
 {
     const Rod *rod = (const Rod *)sim;
     const double h = rod->lattice.h;
+    ASSERT_INT(index, <, sim->counts[set]);
     size_t count = 0;
     if (set == ROD_BOND) {
         BondAt bond = bond_number(rod, index);

@@ -1,4 +1,5 @@
 /* Single bonds as they stand, families, and the links that front ends draw. */
+#include "base/assertion.h"
 #include "physics/pd_plane/beam_internal.h"
 
 #include <math.h>
@@ -56,6 +57,7 @@ static Link link_from(const Beam *beam, BondPlace place, size_t end)
 size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_t max)
 {
     const Beam *beam = (const Beam *)sim;
+    ASSERT_INT(index, <, sim->counts[set]);
     if (set == SET_BOND) {
         const BondPlace place = lattice_bond_place(&beam->lattice, index);
         const BondNow bond = beam_bond(beam, place);

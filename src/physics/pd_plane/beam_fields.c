@@ -1,4 +1,5 @@
 /* What front ends see of nodes and bonds: sets and fields. */
+#include "base/assertion.h"
 #include "physics/pd_plane/beam_internal.h"
 
 #include <math.h>
@@ -326,6 +327,8 @@ static BondValue *const bond_values[N_FIELDS] = {
 void beam_field(const Simulation *sim, int field, size_t first, size_t count, double *out)
 {
     const Beam *beam = (const Beam *)sim;
+    ASSERT_INT(field, <, sim->n_fields);
+    ASSERT_INT(first + count, <=, sim->counts[fields[field].set]);
     if (count == 0)
         return;
     if (field == F_STRAIN_ENERGY) {
