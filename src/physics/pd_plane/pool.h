@@ -16,7 +16,7 @@ typedef void PoolWork(void *context, int chunk, int worker);
 Pool *pool_create(int threads, Status *status);
 void pool_destroy(Pool *pool); /* NULL is allowed */
 
-/* Does chunks 0 .. chunks - 1 (at most 65,535), in any order, and returns when all are done. */
+/* Does chunks 0 .. chunks - 1, in any order, and returns when all are done. */
 void pool_run(Pool *pool, PoolWork *work, void *context, int chunks);
 
 #endif
