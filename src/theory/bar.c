@@ -68,6 +68,14 @@ double bar_initial_velocity(const BarTheory *bar, double x)
     return sum;
 }
 
+double bar_initial_slope(const BarTheory *bar, double x)
+{
+    double sum = 0;
+    for (int i = 0; i < bar->n_modes; i++)
+        sum += bar->modes[i].velocity * mode_slope(bar, bar->modes[i].number, x);
+    return sum;
+}
+
 /* The static displacement under the loads, 0 <= x <= L. */
 static double static_displacement(const BarTheory *bar, double x)
 {

@@ -28,6 +28,7 @@ double bar_frequency(const BarTheory *bar, int number);   /* omega_n, eq. 18, ra
 double bar_mode_shape(const BarTheory *bar, int number, double x); /* phi_n(x), eq. 16 */
 
 double bar_initial_velocity(const BarTheory *bar, double x); /* eq. 19 with overtones */
+double bar_initial_slope(const BarTheory *bar, double x);    /* its derivative by x */
 
 /* The continuum's fields and means at a time; loads by superposition (d'Alembert). A body force accelerates
  * the free-free bar as a whole. Beyond the bar's ends there is no answer. */

@@ -10,7 +10,7 @@ nothing_else() { test "$(ls)" = "$(printf 'err\nout')"; }
 # --- tables ---
 expect "the paper's first mode runs" 0 mode1 --series a.csv --particles p.csv --nodes n.csv
 result "columns of the series" header a.csv \
-	step,time,v_cm,v_cm_exact,v_cm_predicted,x_cm,kinetic,kinetic_grid,strain,work,total
+	step,time,v_cm,v_cm_exact,v_cm_predicted,x_cm,kinetic,kinetic_grid,kinetic_null,strain,work,total
 result "columns of the particles" header p.csv step,time,particle,x0,x,u,v,stress,strain,density,mass
 result "columns of the nodes" header n.csv step,time,node,x,mass,momentum,velocity,f_int,f_ext,f
 result "a row for each step" lines a.csv 10002

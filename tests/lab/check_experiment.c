@@ -269,14 +269,14 @@ START_TEST(a_live_parameter_changes_in_mid_run)
     Experiment *experiment = open_experiment(&settings, MEGABYTE);
     int n;
     experiment_columns(experiment, &n);
-    ck_assert_int_eq(n, 11);
+    ck_assert_int_eq(n, 12);
     ck_assert(experiment_advance(experiment, 300, NULL));
     edit_one(experiment, "mpm.algorithm", "usl");
     ck_assert_int_eq(experiment_step(experiment), 300);
     ck_assert(!experiment_ghosts(experiment)[0].used); /* nothing was cut off */
     experiment_columns(experiment, &n);
-    ck_assert_int_eq(n, 10); /* no prediction any more */
-    ck_assert_int_eq(experiment_record(experiment)->n_columns, 10);
+    ck_assert_int_eq(n, 11); /* no prediction any more */
+    ck_assert_int_eq(experiment_record(experiment)->n_columns, 11);
     ck_assert(experiment_advance(experiment, 300, NULL));
     expect_repeats(experiment, "changed at the newest step");
 
@@ -476,7 +476,7 @@ START_TEST(undo_brings_back_what_was)
     finish_work(experiment);
     int n;
     experiment_columns(experiment, &n);
-    ck_assert_int_eq(n, 11);
+    ck_assert_int_eq(n, 12);
     expect_straight(experiment, "undone");
 
     /* the other algorithm from the start, and back: not as a change in mid-run */
@@ -753,7 +753,7 @@ START_TEST(a_million_steps_stay_within_bounds)
     const double *row = experiment_row(experiment);
     ck_assert_double_eq(row[0], 777777);
     ck_assert_double_eq_tol(row[1], 7777.77, 1e-9);
-    ck_assert_double_eq_tol(row[6], row[10], 0.04); /* kinetic up to total */
+    ck_assert_double_eq_tol(row[6], row[11], 0.04); /* kinetic up to total */
     experiment_destroy(experiment);
 }
 END_TEST

@@ -36,10 +36,23 @@ static double velocity(double x, const void *context)
     return v;
 }
 
+static double slope(double x, const void *context)
+{
+    const BarCase *which = context;
+    bool left_fixed = which->def.supports == BAR_FIXED_FREE || which->def.supports == BAR_FIXED_FIXED;
+    double sum = 0;
+    for (int i = 0; i < which->n_modes; i++) {
+        const double beta = bar_case_wave_number(which, which->modes[i].number);
+        sum += which->modes[i].velocity * beta * (left_fixed ? cos(beta * x) : -sin(beta * x));
+    }
+    return sum;
+}
+
 Simulation *bar_case_create(const BarCase *which)
 {
     BarDef def = which->def;
     def.initial_velocity = velocity;
+    def.initial_slope = which->zero_slope ? NULL : slope;
     def.initial_context = which;
     Status status = {0};
     Simulation *sim = bar_create(&def, &status);

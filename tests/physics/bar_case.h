@@ -14,6 +14,7 @@ typedef struct BarCase {
         int number;
         double velocity;
     } modes[BAR_CASE_MODES];
+    bool zero_slope; /* APIC's affine velocities start from 0, not from the velocity's slope */
 } BarCase;
 
 /* Paper M's bar, mode n with amplitude v0 (n = 0: at rest unless the bar is free at both ends). */

@@ -9,7 +9,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SAMPLES_MAX = 16, PARTICLES_MAX = 512 };
+enum { SAMPLES_MAX = 16, PARTICLES_MAX = 512, SPOTS_MAX = 64 };
+
+/* Files of cases, and how many there are in each. */
+static const struct {
+    const char *path;
+    int count;
+} files[] = {{"tests/golden/mpm.txt", 13}, {"tests/golden/cures.txt", 3}};
+enum { CASES = 16 };
 
 typedef struct Golden {
     char name[40];
@@ -19,7 +26,15 @@ typedef struct Golden {
     struct {
         long step;
         double v_cm, x_cm, kinetic, strain;
+        int n_more; /* of the rest: 0 or 3 */
+        double kinetic_grid, kinetic_null, kinetic_affine;
     } samples[SAMPLES_MAX];
+    int n_spots; /* some particles at the time of some samples */
+    struct {
+        long step;
+        int particle;
+        double x, v, stress, density, affine;
+    } spots[SPOTS_MAX];
     double x[PARTICLES_MAX], v[PARTICLES_MAX], stress[PARTICLES_MAX], density[PARTICLES_MAX];
 } Golden;
 
@@ -38,6 +53,7 @@ static void set(Golden *golden, const char *key, const char *value)
     static const char *const algorithms[] = {"usf", "usl", "musl", NULL};
     static const char *const shapes[] = {"hat", "gimp", "bspline2", "bspline3", NULL};
     static const char *const transfers[] = {"flip", "apic", NULL};
+    static const char *const affine_starts[] = {"gradient", "zero", NULL};
     BarDef *def = &golden->bar.def;
     const struct {
         const char *key;
@@ -61,6 +77,8 @@ static void set(Golden *golden, const char *key, const char *value)
         def->shape = (MpmShape)word_index(value, shapes);
     else if (strcmp(key, "mpm.transfer") == 0)
         def->transfer = (MpmTransfer)word_index(value, transfers);
+    else if (strcmp(key, "mpm.affine_start") == 0)
+        golden->bar.zero_slope = word_index(value, affine_starts) == 1;
     else if (strcmp(key, "initial.mode") == 0)
         golden->bar.modes[0].number = atoi(value);
     else if (strcmp(key, "mesh.particles_per_cell") == 0)
@@ -83,6 +101,7 @@ static bool read_case(FILE *file)
     char line[400], key[40], value[40];
     bool begun = false;
     golden = (Golden){.bar = bar_case(1, 0)};
+    golden.bar.zero_slope = true; /* unless a case says other */
     while (fgets(line, sizeof line, file)) {
         if (sscanf(line, "case %39s", golden.name) == 1)
             begun = true;
@@ -93,10 +112,20 @@ static bool read_case(FILE *file)
         else if (strncmp(line, "sample", 6) == 0) {
             int i = golden.n_samples++;
             ck_assert_int_lt(i, SAMPLES_MAX);
-            ck_assert_int_eq(sscanf(line, "sample %ld %lf %lf %lf %lf", &golden.samples[i].step,
-                                    &golden.samples[i].v_cm, &golden.samples[i].x_cm,
-                                    &golden.samples[i].kinetic, &golden.samples[i].strain),
-                             5);
+            int read = sscanf(line, "sample %ld %lf %lf %lf %lf %lf %lf %lf", &golden.samples[i].step,
+                              &golden.samples[i].v_cm, &golden.samples[i].x_cm, &golden.samples[i].kinetic,
+                              &golden.samples[i].strain, &golden.samples[i].kinetic_grid,
+                              &golden.samples[i].kinetic_null, &golden.samples[i].kinetic_affine);
+            ck_assert(read == 5 || read == 8);
+            golden.samples[i].n_more = read - 5;
+        } else if (strncmp(line, "at ", 3) == 0) {
+            int i = golden.n_spots++;
+            ck_assert_int_lt(i, SPOTS_MAX);
+            ck_assert_int_eq(sscanf(line, "at %ld %d %lf %lf %lf %lf %lf", &golden.spots[i].step,
+                                    &golden.spots[i].particle, &golden.spots[i].x, &golden.spots[i].v,
+                                    &golden.spots[i].stress, &golden.spots[i].density,
+                                    &golden.spots[i].affine),
+                             7);
         } else if (sscanf(line, "particles %d", &(int){0}) == 1 || line[0] == '#')
             continue;
         else if (strncmp(line, "particle", 8) == 0) {
@@ -135,10 +164,45 @@ static void expect_array(const Simulation *sim, const char *name, const double *
     free(got);
 }
 
+/* The energies of a sample that tell what the grid sees. */
+static void expect_more(Simulation *sim, int i, double energy_most)
+{
+    if (golden.samples[i].n_more == 0)
+        return;
+    const double tolerance = 1e-12 * energy_most;
+    expect_close("kinetic_null at step", sim->step, series_now(sim, "kinetic_null"),
+                 golden.samples[i].kinetic_null, tolerance);
+    expect_close("kinetic at step", sim->step, series_now(sim, "kinetic"), golden.samples[i].kinetic_affine,
+                 tolerance);
+    if (golden.bar.def.transfer == MPM_FLIP) /* else the grid sees affine motion too */
+        expect_close("kinetic_grid at step", sim->step, series_now(sim, "kinetic_grid"),
+                     golden.samples[i].kinetic_grid, tolerance);
+}
+
+static void expect_spots(const Simulation *sim, double v_most, double stress_most)
+{
+    static const char *const names[] = {"x", "v", "stress", "density", "affine"};
+    for (int i = 0; i < golden.n_spots; i++) {
+        if (golden.spots[i].step != sim->step)
+            continue;
+        const double expected[] = {golden.spots[i].x, golden.spots[i].v, golden.spots[i].stress,
+                                   golden.spots[i].density, golden.spots[i].affine};
+        const double tolerance[] = {1e-13 * golden.bar.def.length, 1e-11 * v_most,
+                                    1e-11 * fmax(stress_most, 1e-3), 1e-12, 1e-11 * v_most};
+        for (int q = 0; q < 5; q++) {
+            double *got = field_now(sim, 0, names[q]);
+            expect_close(names[q], golden.spots[i].particle, got[golden.spots[i].particle], expected[q],
+                         tolerance[q]);
+            free(got);
+        }
+    }
+}
+
 static void run_golden(void)
 {
     Simulation *sim = bar_case_create(&golden.bar);
-    ck_assert_uint_eq(sim->counts[0], (size_t)golden.n_particles);
+    if (golden.n_spots == 0)
+        ck_assert_uint_eq(sim->counts[0], (size_t)golden.n_particles);
     double v_cm_most = 0, v_most = 0, stress_most = 0, energy_most = 0;
     for (int i = 0; i < golden.n_samples; i++) {
         v_cm_most = fmax(v_cm_most, fabs(golden.samples[i].v_cm));
@@ -152,10 +216,11 @@ static void run_golden(void)
         advance(sim, golden.samples[i].step - sim->step);
         long step = sim->step;
         double *v = field_now(sim, 0, "v"), *stress = field_now(sim, 0, "stress"), kinetic = 0;
-        for (int p = 0; p < golden.n_particles; p++)
+        const int particles = (int)sim->counts[0];
+        for (int p = 0; p < particles; p++)
             kinetic += 0.5 * mass * v[p] * v[p];
-        v_most = fmax(v_most, largest(v, golden.n_particles));
-        stress_most = fmax(stress_most, largest(stress, golden.n_particles));
+        v_most = fmax(v_most, largest(v, particles));
+        stress_most = fmax(stress_most, largest(stress, particles));
         free(v);
         free(stress);
         expect_close("v_cm at step", step, series_now(sim, "v_cm"), golden.samples[i].v_cm,
@@ -168,6 +233,8 @@ static void run_golden(void)
         if (golden.bar.def.transfer == MPM_FLIP)
             expect_close("kinetic at step", step, series_now(sim, "kinetic"), golden.samples[i].kinetic,
                          1e-12 * energy_most);
+        expect_more(sim, i, energy_most);
+        expect_spots(sim, v_most, stress_most);
     }
     ck_assert_int_eq(sim->step, golden.steps);
     expect_array(sim, "x", golden.x, 1e-13 * golden.bar.def.length);
@@ -181,7 +248,10 @@ static void run_golden(void)
 
 static void run_case(int which)
 {
-    FILE *file = fopen(source_path("tests/golden/mpm.txt"), "r");
+    int file_number = 0;
+    while (which >= files[file_number].count)
+        which -= files[file_number++].count;
+    FILE *file = fopen(source_path(files[file_number].path), "r");
     ck_assert_ptr_nonnull(file);
     for (int i = 0; i <= which; i++)
         ck_assert(read_case(file));
@@ -197,13 +267,18 @@ END_TEST
 
 START_TEST(all_cases_are_there)
 {
-    FILE *file = fopen(source_path("tests/golden/mpm.txt"), "r");
-    ck_assert_ptr_nonnull(file);
-    int count = 0;
-    while (read_case(file))
-        count++;
-    fclose(file);
-    ck_assert_int_eq(count, 13);
+    int all = 0;
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        FILE *file = fopen(source_path(files[i].path), "r");
+        ck_assert_ptr_nonnull(file);
+        int count = 0;
+        while (read_case(file))
+            count++;
+        fclose(file);
+        ck_assert_int_eq(count, files[i].count);
+        all += count;
+    }
+    ck_assert_int_eq(all, CASES);
 }
 END_TEST
 
@@ -233,6 +308,6 @@ void add_cases(Suite *suite)
     TCase *test = tcase_create("golden");
     tcase_add_test(test, all_cases_are_there);
     tcase_add_test(test, first_step_of_the_first_mode);
-    tcase_add_loop_test(test, golden_case, 0, 13);
+    tcase_add_loop_test(test, golden_case, 0, CASES);
     suite_add_tcase(suite, test);
 }

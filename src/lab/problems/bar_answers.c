@@ -48,6 +48,11 @@ double bar_start(double x, const void *theory)
     return bar_initial_velocity(theory, x);
 }
 
+double bar_start_slope(double x, const void *theory)
+{
+    return bar_initial_slope(theory, x);
+}
+
 /* --- does it make sense? -------------------------------------------------------------------------- */
 
 bool bar_check_modes(const Settings *settings, double particles, Status *status)

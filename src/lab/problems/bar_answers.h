@@ -36,6 +36,7 @@ BarAnswers *bar_answers_create(References *, Status *);
 
 /* The velocity at t = 0; the context is a BarTheory. */
 double bar_start(double x, const void *theory);
+double bar_start_slope(double x, const void *theory); /* its slope */
 
 /* The mode that is watched: the first that moves and is no rigid motion; else 0. */
 int bar_watched_mode(const BarTheory *);

@@ -1,6 +1,8 @@
 /* The bar by the material point method: settings to simulation, exact and predicted answers beside. */
 #include "lab/problems/bar_answers.h"
 #include "lab/problems/solvers.h"
+#include "theory/step_limit.h"
+#include "theory/step_spectrum.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -16,6 +18,7 @@ BarMesh bar_mesh_of(const Settings *settings, double dt)
     const Transfer *mpm = &settings->mpm;
     return (BarMesh){.cell_size = settings->mesh.cell_size,
                      .particles_per_cell = settings->mesh.particles_per_cell,
+                     .padding = settings->mesh.padding,
                      .algorithm = algorithms[mpm->algorithm],
                      .shape = shapes[mpm->shape],
                      .apic = mpm->transfer == MPM_APIC,
@@ -60,6 +63,7 @@ static Simulation *simulate(const Settings *settings, int threads, Status *statu
         return NULL;
     BarDef def = bar_mpm_definition(settings);
     def.initial_velocity = bar_start;
+    def.initial_slope = settings->mpm.affine_start == AFFINE_GRADIENT ? bar_start_slope : NULL;
     def.initial_context = &theory;
     return bar_create(&def, status);
 }
@@ -67,8 +71,8 @@ static Simulation *simulate(const Settings *settings, int threads, Status *statu
 static double predicted_frequency(const Settings *settings, const BarTheory *theory, double dt, int mode)
 {
     const BarMesh mesh = bar_mesh_of(settings, dt);
-    const Dispersion wave = bar_dispersion(theory, &mesh, bar_wave_number(theory, mode));
-    return wave.known ? wave.frequency : NAN;
+    const StepMode found = step_mode(theory, &mesh, mode);
+    return found.known ? found.frequency : NAN;
 }
 
 static bool predict(const Settings *settings, Prediction *out, Status *status)
@@ -126,7 +130,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
                     false);
     derived_add(out, &n, "cells", "cells", "1", cells, true);
     derived_add(out, &n, "particles", "particles", "1", cells * settings->mesh.particles_per_cell, true);
-    double largest = bar_endless_courant(&mesh);
+    double largest = step_limit(&theory, &mesh);
     if (isfinite(largest))
         derived_add_answer(out, &n, REFERENCE_PREDICTED, "largest_courant", "courant limit", "1", largest);
     return n;
@@ -138,15 +142,17 @@ static bool limit(const Settings *settings, char *text, size_t size, Status *sta
     if (!bar_theory_of(settings, &theory, status))
         return false;
     BarMesh mesh = bar_mesh_of(settings, bar_time_step(settings));
-    double courant = settings->time.courant, largest = bar_endless_courant(&mesh);
-    double warn = settings->mpm.algorithm == MPM_USL ? 0.7 : 1;
+    const double courant = settings->time.courant, largest = step_limit(&theory, &mesh);
+    if (courant > largest && !settings->time.unstable)
+        return status_fail(
+            status, STATUS_USAGE,
+            "time.courant: %.6g is unstable on this mesh (at most %.5g, or time.unstable = yes)", courant,
+            largest);
     if (courant > largest)
-        return status_fail(status, STATUS_USAGE, "time.courant: %.6g is unstable on this mesh (at most %.5g)",
-                           courant, largest);
-    if (courant >= warn && isfinite(largest))
+        snprintf(text, size, "courant %.4g is beyond the largest stable one, %.5g: this run will blow up",
+                 courant, largest);
+    else if (courant >= (settings->mpm.algorithm == MPM_USL ? 0.7 : 1))
         snprintf(text, size, "courant %.4g is near the largest stable one, %.5g", courant, largest);
-    else if (courant >= warn)
-        snprintf(text, size, "courant %.4g may be unstable (no limit is known for this shape)", courant);
     return true;
 }
 

@@ -65,12 +65,16 @@ typedef struct Mesh {
     int padding; /* empty cells beyond each free end */
 } Mesh;
 
+/* With what slope of velocity APIC's particles start: that of the velocity, or none. */
+typedef enum AffineStart { AFFINE_GRADIENT, AFFINE_ZERO } AffineStart;
+
 /* How the material point method carries momentum to its mesh and back. */
 typedef struct Transfer {
     MpmAlgorithm algorithm;
     MpmShape shape;
     MpmTransfer transfer;
     double flip_fraction;
+    AffineStart affine_start;
 } Transfer;
 
 /* The nodes of peridynamics and the reach of their bonds. */
@@ -112,6 +116,7 @@ typedef struct Supports {
 
 typedef struct TimeSettings {
     double courant; /* of a mesh: the step as a share of the time in which a wave crosses a cell */
+    bool unstable;  /* a larger step than the mesh stands is run all the same */
     double step;    /* 0: half the critical one */
     double end;
 } TimeSettings;

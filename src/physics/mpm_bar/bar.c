@@ -97,6 +97,7 @@ static void take_schedule(Bar *bar)
     bar->sim.stages = schedule->stages;
     bar->sim.n_stages = schedule->count;
     bar->sim.sets = schedule->sets;
+    bar->sim.fields = bar->head->transfer == MPM_APIC ? bar_fields_apic : bar_fields;
     bar->sim.exchanges = bar_exchanges(bar->head, &bar->sim.n_exchanges);
 }
 
@@ -243,6 +244,8 @@ static bool begin(Bar *bar, Status *status)
             bar->s[j][k] = s;
             bar->v[j][k] = def->initial_velocity ? def->initial_velocity(x, def->initial_context) : 0.0;
             bar->volume[j][k] = bar->mass / def->density;
+            if (def->transfer == MPM_APIC && def->initial_slope)
+                bar->affine[j][k] = def->initial_slope(x, def->initial_context);
             if (!isfinite(bar->v[j][k]))
                 return status_fail(status, STATUS_USAGE, "initial.velocity: no finite number at x = %g", x);
         }
@@ -282,7 +285,6 @@ Simulation *bar_create(const BarDef *definition, Status *status)
     sim->n_sets = BAR_SETS;
     sim->counts[BAR_PARTICLES] = (size_t)bar->n_particles;
     sim->counts[BAR_NODES] = (size_t)bar->n_nodes;
-    sim->fields = bar_fields;
     sim->n_fields = BAR_FIELDS;
     sim->series = bar_series;
     sim->n_series = BAR_SERIES;

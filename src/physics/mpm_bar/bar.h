@@ -43,7 +43,9 @@ typedef struct BarDef {
 
     /* The particle velocity at t = 0 (eq. 19 and its overtones); NULL: at rest. */
     double (*initial_velocity)(double x, const void *context);
-    const void *initial_context; /* used during bar_create only */
+    /* Its slope dv0/dx, the affine velocities with which APIC's particles start; NULL: they start from 0. */
+    double (*initial_slope)(double x, const void *context);
+    const void *initial_context; /* of both; used during bar_create only */
 } BarDef;
 
 /* Paper M's first mode, at rest: L 25, E 100, rho 1, dx 1, two particles per cell, USF, hat, courant 0.1. */
@@ -54,9 +56,10 @@ BarDef bar_default(void);
 bool bar_check(const BarDef *definition, Status *status);
 
 /* Builds the simulation at t = 0. NULL: the status says what is wrong with the definition or that there is
- * not enough memory. Fields: particles x0 x u v stress strain density mass (the CSV columns, in this order),
- * then what only the screen shows; nodes x mass momentum velocity f_int f_ext f, then likewise. Series: v_cm
- * x_cm kinetic kinetic_grid strain work total (total = kinetic + strain; less the work it keeps its value).
+ * not enough memory. Fields: particles x0 x u v stress strain density mass (the CSV columns, in this order,
+ * with APIC also affine), then what only the screen shows; nodes x mass momentum velocity f_int f_ext f, then
+ * likewise. Series: v_cm x_cm kinetic kinetic_grid kinetic_null strain work total (total = kinetic + strain;
+ * less the work it keeps its value).
  *
  * A run fails, with particle, step and time in its status, when a particle leaves the mesh, when 1 + de <= 0
  * for one (or one overtakes its neighbour), and when the energy is more than 1e4 times what the start and the

@@ -26,33 +26,44 @@ enum FieldIndex {
 #define SHOWN(name, label, unit, meaning) FIELD_ROW(BAR_PARTICLES, false, false, name, label, unit, meaning)
 #define NODE(name, label, unit, meaning)  FIELD_ROW(BAR_NODES, true, false, name, label, unit, meaning)
 
-const Field bar_fields[BAR_FIELDS] = {
-    AXIAL_FIELD_ROWS("axial stress, tension positive", "sum of the strain increments"),
-    [P_CELL] = FIELD_ROW(BAR_PARTICLES, false, true, "cell", "cell", "1",
-                         "cell of the mesh that the particle is in"),
-    [P_NATURAL] = SHOWN("natural", "place in cell", "1", "0 at the left edge of its cell, 1 at the right"),
-    [P_STRAIN_INCREMENT] =
-        SHOWN("strain_increment", "strain increment", "1", "strain of this time step; 0 before its stage"),
-    [P_MOMENTUM] = SHOWN("momentum", "momentum", "mass/(length*time)", "mass times velocity"),
-    [P_AFFINE] = SHOWN("affine", "slope C", "1/time", "slope of the velocity that APIC carries"),
-    [N_X] = NODE("x", "x", "length", "position of the node (Greville abscissa of a B-spline)"),
-    [N_MASS] = NODE("mass", "mass", "mass/length^2", "mass mapped from the particles"),
-    [N_MOMENTUM] = NODE("momentum", "momentum", "mass/(length*time)", "momentum"),
-    [N_VELOCITY] =
-        NODE("velocity", "velocity", "length/time", "momentum over mass; 0 where the node is inactive"),
-    [N_F_INT] = NODE("f_int", "internal force", "force/length^2", "force of the particles' stress"),
-    [N_F_EXT] = NODE("f_ext", "external force", "force/length^2", "force of body force and traction"),
-    [N_F] = NODE("f", "force", "force/length^2", "whole force; 0 at fixed nodes"),
-    [N_ACCELERATION] = FIELD_ROW(BAR_NODES, false, false, "acceleration", "acceleration", "length/time^2",
-                                 "force over mass"),
-    [N_ACTIVE] = FIELD_ROW(BAR_NODES, false, true, "active", "active", "1", "1: the node has mass"),
-    [N_FIXED] = FIELD_ROW(BAR_NODES, false, true, "fixed", "fixed", "1", "1: a support holds the node"),
-};
+/* The slope C is a column of the table where it exists: with APIC. */
+#define ROWS(affine_in_table)                                                                                \
+    {                                                                                                        \
+        AXIAL_FIELD_ROWS("axial stress, tension positive", "sum of the strain increments"),                  \
+            [P_CELL] = FIELD_ROW(BAR_PARTICLES, false, true, "cell", "cell", "1",                            \
+                                 "cell of the mesh that the particle is in"),                                \
+            [P_NATURAL] =                                                                                    \
+                SHOWN("natural", "place in cell", "1", "0 at the left edge of its cell, 1 at the right"),    \
+            [P_STRAIN_INCREMENT] = SHOWN("strain_increment", "strain increment", "1",                        \
+                                         "strain of this time step; 0 before its stage"),                    \
+            [P_MOMENTUM] = SHOWN("momentum", "momentum", "mass/(length*time)", "mass times velocity"),       \
+            [P_AFFINE] = FIELD_ROW(BAR_PARTICLES, affine_in_table, false, "affine", "slope C", "1/time",     \
+                                   "slope of the velocity that APIC carries"),                               \
+            [N_X] = NODE("x", "x", "length", "position of the node (Greville abscissa of a B-spline)"),      \
+            [N_MASS] = NODE("mass", "mass", "mass/length^2", "mass mapped from the particles"),              \
+            [N_MOMENTUM] = NODE("momentum", "momentum", "mass/(length*time)", "momentum"),                   \
+            [N_VELOCITY] = NODE("velocity", "velocity", "length/time",                                       \
+                                "momentum over mass; 0 where the node is inactive"),                         \
+            [N_F_INT] = NODE("f_int", "internal force", "force/length^2", "force of the particles' stress"), \
+            [N_F_EXT] =                                                                                      \
+                NODE("f_ext", "external force", "force/length^2", "force of body force and traction"),       \
+            [N_F] = NODE("f", "force", "force/length^2", "whole force; 0 at fixed nodes"),                   \
+            [N_ACCELERATION] = FIELD_ROW(BAR_NODES, false, false, "acceleration", "acceleration",            \
+                                         "length/time^2", "force over mass"),                                \
+            [N_ACTIVE] = FIELD_ROW(BAR_NODES, false, true, "active", "active", "1", "1: the node has mass"), \
+            [N_FIXED] =                                                                                      \
+                FIELD_ROW(BAR_NODES, false, true, "fixed", "fixed", "1", "1: a support holds the node")      \
+    }
+
+const Field bar_fields[BAR_FIELDS] = ROWS(false);
+const Field bar_fields_apic[BAR_FIELDS] = ROWS(true);
 
 const Quantity bar_series[BAR_SERIES] = {
     AXIAL_SERIES_BEGIN,
     {"kinetic_grid", "seen by grid", "force/length",
      "the part of it that the grid sees: sum p^2/(2m) of the nodes, boundary applied"},
+    {"kinetic_null", "null space", "force/length",
+     "the part of it that no velocities of the grid can give: the rest is seen, or lost to lumped masses"},
     {"strain", "strain", "force/length", "strain energy of the particles"},
     AXIAL_SERIES_END,
 };

@@ -2,9 +2,11 @@
  *
  *     kinetic      sum m v^2 / 2, with APIC + sum m D C^2 / 2, D = sum N (x_i - x)^2
  *     kinetic_grid sum p_i^2 / (2 m_i) of the particles mapped as in the first stage, supports applied
+ *     kinetic_null what the grid cannot see at all (bar_null.h)
  *     strain       sum stress^2 volume / (2 E)
  *
  * Each is kept in BAR_LANES partial sums, so that neither vectors nor tiles leave a trace. */
+#include "physics/mpm_bar/bar_null.h"
 #include "physics/mpm_bar/bar_state.h"
 #include "physics/mpm_bar/kernels.h"
 #include "physics/mpm_bar/shape.h"
@@ -53,26 +55,29 @@ double bar_energy(const Bar *bar)
 }
 
 /* From the sums over the particles, and over the grid as it stands after map and boundary conditions. */
-void bar_write_row(const Bar *bar, const BarSums *sums, const double *grid_lanes, int64_t cell_sum,
-                   double *row)
+void bar_write_row(const Bar *bar, const BarSums *sums, const double *grid_lanes, double null_energy,
+                   int64_t cell_sum, double *row)
 {
     const double kinetic = kinetic_of(bar, sums), strain = strain_of(bar, sums);
     row[0] = fold(sums->v) / bar->n_particles;
     row[1] = bar->dx * (((double)cell_sum + fold(sums->s)) / bar->n_particles);
     row[2] = kinetic;
     row[3] = 0.5 * fold(grid_lanes);
-    row[4] = strain;
-    row[5] = bar->head->work;
-    row[6] = kinetic + strain;
+    row[4] = null_energy;
+    row[5] = strain;
+    row[6] = bar->head->work;
+    row[7] = kinetic + strain;
 }
 
 static void write_row(const Bar *bar, double *row)
 {
     BarSums sums = {.v = {0}};
     double grid[BAR_LANES] = {0};
+    BarNull null = {0};
     bar->kernels->particle_sums(bar, 0, bar->places, &sums);
     bar->kernels->node_sums(bar, 0, bar->n_nodes, grid);
-    bar_write_row(bar, &sums, grid, bar->head->cell_sum, row);
+    bar_null_add(bar, &null, bar->n_cells);
+    bar_write_row(bar, &sums, grid, bar_null_energy(bar, &null), bar->head->cell_sum, row);
 }
 
 void bar_row(Simulation *sim, double *row)

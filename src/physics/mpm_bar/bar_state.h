@@ -208,8 +208,8 @@ void bar_strain_velocities(const Bar *bar, int cell, double *v);
 int bar_cell_of(const Bar *bar, int particle);
 
 /* bar_fields.c, bar_exchange.c, bar_explain.c: what front ends read. */
-enum { BAR_FIELDS = 23, BAR_SERIES = 7 };
-extern const Field bar_fields[BAR_FIELDS];
+enum { BAR_FIELDS = 23, BAR_SERIES = 8 };
+extern const Field bar_fields[BAR_FIELDS], bar_fields_apic[BAR_FIELDS];
 extern const Quantity bar_series[BAR_SERIES];
 void bar_field(const Simulation *sim, int field, size_t first, size_t count, double *out);
 size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t max);
@@ -243,8 +243,8 @@ void bar_map_and_fix(Bar *bar);
  * after map and boundary conditions. */
 double bar_energy(const Bar *bar);
 void bar_row(Simulation *sim, double *row);
-void bar_write_row(const Bar *bar, const BarSums *sums, const double *grid_lanes, int64_t cell_sum,
-                   double *row);
+void bar_write_row(const Bar *bar, const BarSums *sums, const double *grid_lanes, double null_energy,
+                   int64_t cell_sum, double *row);
 
 /* bar_cells.c: particles find their cells. False: the run fails, or a particle jumped (bar->jumped). */
 bool bar_settle(Bar *bar, int first, int end, Status *status);

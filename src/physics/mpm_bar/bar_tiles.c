@@ -8,6 +8,7 @@
  * What a stage needs of the cells ahead is small: a cell's nodes reach support - 1 <= 3 cells further, and a
  * particle may come from the next cell. A distance of CLEARANCE cells covers both; stages that need nothing
  * from ahead follow at once. */
+#include "physics/mpm_bar/bar_null.h"
 #include "physics/mpm_bar/bar_state.h"
 #include "physics/mpm_bar/kernels.h"
 
@@ -39,6 +40,7 @@ typedef struct Flight {
         BarSums sums;
         int places; /* that are in the sums */
         double grid[BAR_LANES];
+        BarNull null;
         int64_t edges; /* cell edges passed in this step, to the right */
     } rows[IN_FLIGHT];
 } Flight;
@@ -104,6 +106,7 @@ static bool do_task(Bar *bar, Flight *flight, Task *task, int end)
     } else if (task->what == SUM_NODES) {
         int last = end == bar->n_cells ? bar->n_nodes : end;
         bar->kernels->node_sums(bar, task->done, last, flight->rows[task->step].grid);
+        bar_null_add(bar, &flight->rows[task->step].null, end);
     } else {
         int64_t before = bar->head->cell_sum;
         bar->step_in_flight = task->step;
@@ -161,7 +164,8 @@ bool bar_tiled_steps(Bar *bar, long count, double *rows)
             break;
         for (int step = 0; rows && step < steps; step++, rows += BAR_SERIES) {
             cell_sum += flight.rows[step].edges;
-            bar_write_row(bar, &flight.rows[step].sums, flight.rows[step].grid, cell_sum, rows);
+            bar_write_row(bar, &flight.rows[step].sums, flight.rows[step].grid,
+                          bar_null_energy(bar, &flight.rows[step].null), cell_sum, rows);
         }
         bar_report_crossings(bar);
         bar->sim.step += steps;

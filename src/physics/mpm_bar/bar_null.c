@@ -1,0 +1,103 @@
+/* Least squares by Givens rotations, row by row in the order of the particles.
+ *
+ * A particle brings the row (N_1 .. N_b | v), which is turned against the rows of a triangle until nothing is
+ * left of it but a number on the right: its square belongs to the minimum. Rotations are done without roots
+ * (Gentleman 1973): a row is kept as its diagonal's square d and the rest over the diagonal r, the new row
+ * has a weight w, at first 1, and for each of its entries x in turn
+ *
+ *     d' = d + w x^2    c = d/d'    g = w x/d'    w' = c w
+ *     of what stands right of it   y' = y - x r    r' = c r + g y
+ *
+ * A row that is empty (d = 0) takes the new one whole: c = 0, and nothing is left of it. So no pivot is too
+ * small, and no tolerance says which one would be. As particles are in order, a triangle's row is complete
+ * when their cells have passed it: only as many rows are kept as a cell has nodes. */
+#include "physics/mpm_bar/bar_null.h"
+#include "physics/mpm_bar/shape.h"
+
+static inline void add_row(BarNull *null, const int support, double *x, double v)
+{
+    double w = 1.0;
+#pragma GCC unroll 4
+    for (int a = 0; a < support; a++) {
+        const double first = x[a], whole = null->weight[a] + w * (first * first);
+        if (!(whole > 0.0))
+            continue;
+        const double inverse = 1.0 / whole, keep = null->weight[a] * inverse, gain = w * first * inverse;
+        null->weight[a] = whole;
+        w *= keep;
+#pragma GCC unroll 4
+        for (int k = a + 1; k < support; k++) {
+            const double before = x[k], row = null->above[a][k];
+            x[k] = before - first * row;
+            null->above[a][k] = keep * row + gain * before;
+        }
+        const double before = v, row = null->value[a];
+        v = before - first * row;
+        null->value[a] = keep * row + gain * before;
+    }
+    null->sum += w * (v * v);
+}
+
+/* On to the next cell: its first node was this one's second. */
+static inline void shift(BarNull *null, const int support)
+{
+#pragma GCC unroll 4
+    for (int a = 0; a + 1 < support; a++) {
+        null->weight[a] = null->weight[a + 1];
+        null->value[a] = null->value[a + 1];
+#pragma GCC unroll 4
+        for (int k = a + 1; k + 1 < support; k++)
+            null->above[a][k] = null->above[a + 1][k + 1];
+        null->above[a][support - 1] = 0.0;
+    }
+    null->weight[support - 1] = null->value[support - 1] = 0.0;
+}
+
+static inline void add_cells(const Bar *bar, BarNull *null, const MpmShape shape, int end)
+{
+    const int support = shape_support(shape);
+    BarNull local = *null;
+    for (int c = local.next; c < end; c++) {
+        double free[BAR_SUPPORT_MAX];
+        for (int a = 0; a < support; a++)
+            free[a] = bar->node_inverse[c + a] > 0.0 && !bar_node_is_fixed(bar, c + a) ? 1.0 : 0.0;
+        const int count = bar->first[c + 1] - bar->first[c];
+        int j = bar->first[c] % bar->slots, k = bar->first[c] / bar->slots;
+        for (int i = 0; i < count; i++) {
+            double n[BAR_SUPPORT_MAX], slope[BAR_SUPPORT_MAX];
+            shape_at(shape, bar->gimp_half, bar->n_cells, c, bar->s[j][k], n, slope);
+            for (int a = 0; a < support; a++)
+                n[a] *= free[a];
+            add_row(&local, support, n, bar->v[j][k]);
+            if (++j == bar->slots)
+                j = 0, k++;
+        }
+        shift(&local, support);
+    }
+    local.next = end > local.next ? end : local.next;
+    *null = local;
+}
+
+void bar_null_add(const Bar *bar, BarNull *null, int end)
+{
+    const int mapped = end == bar->n_cells ? end : end - bar->support + 1;
+    switch (bar->def.shape) {
+    case MPM_HAT:
+        add_cells(bar, null, MPM_HAT, mapped);
+        return;
+    case MPM_GIMP:
+        add_cells(bar, null, MPM_GIMP, mapped);
+        return;
+    case MPM_BSPLINE2:
+        add_cells(bar, null, MPM_BSPLINE2, mapped);
+        return;
+    case MPM_BSPLINE3:
+        add_cells(bar, null, MPM_BSPLINE3, mapped);
+        return;
+    }
+}
+
+double bar_null_energy(const Bar *bar, const BarNull *null)
+{
+    return 0.5 * bar->mass * null->sum;
+}
