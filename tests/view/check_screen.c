@@ -85,7 +85,7 @@ static const Picture pictures[] = {
     {"dispersion-zoomed", "mode10 100x30 2000 lower 5 focus 3 zoom"},
     {"dispersion-ascii", "mode5 80x24 2000 lower 5 ascii"},
     {"dispersion-near", "mode5-fine 100x30 1000 lower 5 variant 1"},
-    {"dispersion-unknown", "mode5 80x24 1000 lower 5 mpm.shape=bspline3"},
+    {"dispersion-cubic", "mode5 80x24 1000 lower 5 mpm.shape=bspline3"},
     {"convergence", "supported-beam-coarse 80x24 8400 lower 5"},
     {"spectrum", "mode5 80x24 2000 lower 6"},
     {"spectrum-block", "mode5 80x24 2000 lower 6 block"},
