@@ -356,14 +356,11 @@ static bool write_tables(const char *scenario)
     return simulation != NULL;
 }
 
-/* Units that depend on the problem are told by the meaning. */
 static bool write_results(const char *argument)
 {
     (void)argument;
     for (int column = 0; column < RESULT_COLUMNS; column++) {
-        Quantity quantity = result_quantity((ResultColumn)column, &bar_problem);
-        if (strcmp(quantity.unit, result_quantity((ResultColumn)column, &supported_beam_problem).unit) != 0)
-            quantity.unit = "";
+        Quantity quantity = result_quantity((ResultColumn)column);
         write_quantity(&quantity);
     }
     return true;

@@ -4,33 +4,39 @@
 #include <stdio.h>
 #include <string.h>
 
-typedef struct ColumnText {
-    const char *name, *unit_bar, *unit_beam, *meaning;
-} ColumnText;
-
-/* Of the bar a frequency in radians per unit time is compared, of beams a period. */
-static const ColumnText texts[RESULT_COLUMNS] = {
-    [RESULT_MEASURED] = {"measured", "1/time", "s",
-                         "frequency in radians per time (bar) or period (beams), fitted to the series"},
-    [RESULT_PREDICTED] =
-        {"predicted", "1/time", "s",
-         "the same predicted by the equations of this very mesh (bar) or lattice (supported beam)"},
-    [RESULT_EXACT] = {"exact", "1/time", "s",
-                      "the same exact: of the continuum (bar), by Timoshenko's theory (supported beam), by "
-                      "the modal equations (moving cantilever)"},
-    [RESULT_ERROR] = {"error", "%", "%", "measured against exact"},
-    [RESULT_EXACT_EULER] = {"exact_euler", "s", "s", "period by Euler-Bernoulli's theory"},
-    [RESULT_ERROR_EULER] = {"error_euler", "%", "%", "measured against exact_euler"},
-    [RESULT_REAL_HEIGHT] = {"real_height", "m", "m", "height of the lattice: rows times spacing"},
-    [RESULT_REAL_SPAN] = {"real_span", "m", "m", "length of the lattice that vibrates"},
-    [RESULT_BROKEN_BONDS] = {"broken_bonds", "1", "1", "bonds broken at the end"},
-    [RESULT_CRACK_LENGTH] = {"crack_length", "m", "m", "length of the crack at the end"},
+/* What a column measures and in which unit its name and its unit say: a frequency is a bar's, a period a
+ * beam's. */
+static const struct {
+    const char *name, *unit, *meaning;
+} texts[RESULT_COLUMNS] = {
+    [RESULT_FREQUENCY_MEASURED] = {"frequency_measured", "1/time",
+                                   "bar: radians per time, fitted to the series"},
+    [RESULT_FREQUENCY_PREDICTED] = {"frequency_predicted", "1/time",
+                                    "the same by the equations of this very mesh or lattice"},
+    [RESULT_FREQUENCY_EXACT] = {"frequency_exact", "1/time", "the same of the continuum"},
+    [RESULT_FREQUENCY_ERROR] = {"frequency_error", "%", "measured against exact"},
+    [RESULT_PERIOD_MEASURED] = {"period_measured", "s", "beam: fitted to the series"},
+    [RESULT_PERIOD_PREDICTED] = {"period_predicted", "s",
+                                 "the same by the equations of this very lattice (supported beam)"},
+    [RESULT_PERIOD_THEORY] = {"period_theory", "s",
+                              "the same by beam theory: Timoshenko's (supported beam), the modal equations "
+                              "(moving cantilever)"},
+    [RESULT_PERIOD_ERROR] = {"period_error", "%", "measured against theory"},
+    [RESULT_PERIOD_EULER] = {"period_euler", "s", "period by Euler-Bernoulli's theory"},
+    [RESULT_PERIOD_ERROR_EULER] = {"period_error_euler", "%", "measured against Euler-Bernoulli's"},
+    [RESULT_REAL_HEIGHT] = {"real_height", "m", "height of the lattice: rows times spacing"},
+    [RESULT_REAL_SPAN] = {"real_span", "m", "length of the lattice that vibrates"},
+    [RESULT_FIRST_BREAK] = {"first_break", "s", "time at which the first bond breaks at the notch's end"},
+    [RESULT_CRACK_ANGLE] = {"crack_angle", "degree",
+                            "between the notch and the straight line through the whole path of the crack"},
+    [RESULT_CRACK_LENGTH] = {"crack_length", "m", "length of the crack at the end"},
+    [RESULT_BROKEN_BONDS] = {"broken_bonds", "1", "bonds broken at the end"},
     [RESULT_ENERGY_LEFT] =
-        {"energy_left", "1", "1",
+        {"energy_left", "1",
          "energy at the end as a share of that at the start: E* where there is one, else the "
          "means of total less the work of loads over the first and the last period"},
-    [RESULT_STEPS] = {"steps", "1", "1", "time steps done"},
-    [RESULT_WALL] = {"wall", "s", "s", "seconds that the run took"},
+    [RESULT_STEPS] = {"steps", "1", "time steps done"},
+    [RESULT_WALL] = {"wall", "s", "seconds that the run took"},
 };
 
 const char *result_name(ResultColumn column)
@@ -38,11 +44,9 @@ const char *result_name(ResultColumn column)
     return texts[column].name;
 }
 
-Quantity result_quantity(ResultColumn column, const Problem *problem)
+Quantity result_quantity(ResultColumn column)
 {
-    const ColumnText *text = &texts[column];
-    const char *unit = problem->si ? text->unit_beam : text->unit_bar;
-    return (Quantity){text->name, text->name, unit, text->meaning};
+    return (Quantity){texts[column].name, texts[column].name, texts[column].unit, texts[column].meaning};
 }
 
 static double derived_value(const RunSummary *summary, const char *name)
@@ -72,15 +76,17 @@ static void put_readout(const RunSummary *summary, double cells[RESULT_COLUMNS])
     const Readout *readout = &summary->readout;
     if (!readout->moving)
         return;
+    /* four columns for either: measured, predicted, exact or theory, and the error */
+    double *four = cells + (readout->is_period ? RESULT_PERIOD_MEASURED : RESULT_FREQUENCY_MEASURED);
     if (readout->measured_known)
-        cells[RESULT_MEASURED] = readout->measured;
+        four[0] = readout->measured;
     if (readout->predicted_known)
-        cells[RESULT_PREDICTED] = readout->predicted;
+        four[1] = readout->predicted;
     if (readout->exact_known)
-        cells[RESULT_EXACT] = readout->exact;
-    cells[RESULT_ERROR] = percent(cells[RESULT_MEASURED], cells[RESULT_EXACT]);
-    cells[RESULT_EXACT_EULER] = derived_value(summary, "period_euler");
-    cells[RESULT_ERROR_EULER] = percent(cells[RESULT_MEASURED], cells[RESULT_EXACT_EULER]);
+        four[2] = readout->exact;
+    four[3] = percent(four[0], four[2]);
+    cells[RESULT_PERIOD_EULER] = derived_value(summary, "period_euler");
+    cells[RESULT_PERIOD_ERROR_EULER] = percent(cells[RESULT_PERIOD_MEASURED], cells[RESULT_PERIOD_EULER]);
 }
 
 void result_of(const RunSummary *summary, const Settings *settings, double wall, SweepResult *result)
@@ -93,6 +99,10 @@ void result_of(const RunSummary *summary, const Settings *settings, double wall,
     cells[RESULT_REAL_SPAN] = derived_value(summary, "real_span");
     if (settings->problem != &bar_problem && settings->bonds.critical_stretch > 0)
         cells[RESULT_BROKEN_BONDS] = last_value(summary, "broken_bonds");
+    if (summary->crack_known) {
+        cells[RESULT_FIRST_BREAK] = summary->crack.measured.first_break;
+        cells[RESULT_CRACK_ANGLE] = summary->crack.angle;
+    }
     cells[RESULT_CRACK_LENGTH] = last_value(summary, "crack_length");
     if (summary->energy_told != ENERGY_UNTOLD && !summary->energy_of_work)
         cells[RESULT_ENERGY_LEFT] = 1 + summary->energy_change / 100;

@@ -5,16 +5,22 @@
 #include "lab/export/export.h"
 
 typedef enum ResultColumn {
-    RESULT_MEASURED,
-    RESULT_PREDICTED,
-    RESULT_EXACT,
-    RESULT_ERROR,
-    RESULT_EXACT_EULER,
-    RESULT_ERROR_EULER,
+    RESULT_FREQUENCY_MEASURED,
+    RESULT_FREQUENCY_PREDICTED,
+    RESULT_FREQUENCY_EXACT,
+    RESULT_FREQUENCY_ERROR,
+    RESULT_PERIOD_MEASURED,
+    RESULT_PERIOD_PREDICTED,
+    RESULT_PERIOD_THEORY,
+    RESULT_PERIOD_ERROR,
+    RESULT_PERIOD_EULER,
+    RESULT_PERIOD_ERROR_EULER,
     RESULT_REAL_HEIGHT,
     RESULT_REAL_SPAN,
-    RESULT_BROKEN_BONDS,
+    RESULT_FIRST_BREAK,
+    RESULT_CRACK_ANGLE,
     RESULT_CRACK_LENGTH,
+    RESULT_BROKEN_BONDS,
     RESULT_ENERGY_LEFT,
     RESULT_STEPS,
     RESULT_WALL,
@@ -29,8 +35,7 @@ typedef struct SweepResult {
 
 const char *result_name(ResultColumn);
 
-/* The column as a problem's table has it. */
-Quantity result_quantity(ResultColumn, const Problem *);
+Quantity result_quantity(ResultColumn);
 
 /* The row of a run that came to its end in `wall` seconds. */
 void result_of(const RunSummary *, const Settings *, double wall, SweepResult *);

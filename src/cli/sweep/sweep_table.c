@@ -130,7 +130,7 @@ void table_describe(const SweepTable *table, FILE *stream)
         describe_key(table, &table->plan->keys[k], stream);
     for (int column = 0; column < RESULT_COLUMNS; column++)
         if (table->has[column]) {
-            Quantity quantity = result_quantity((ResultColumn)column, table->problem);
+            Quantity quantity = result_quantity((ResultColumn)column);
             fprintf(stream, "%s [%s]: %s\n", quantity.name, quantity.unit, quantity.meaning);
         }
 }
