@@ -181,7 +181,7 @@ int main(int count, char **arguments)
         return 1;
     }
     printf("moving picture, mode1 at 80x24 for %.0f s: %.1f frames a second, %.2f %% of a core,\n"
-           "%.0f bytes and %.2f pieces a frame\n",
+           "%.0f bytes and %.2f pieces a frame (aims: 30 frames, below 2 %% and 1000 bytes)\n",
            cost.seconds, (double)cost.frames / cost.seconds, 100 * cost.cpu / cost.seconds,
            (double)cost.bytes / (double)cost.frames, (double)cost.pieces / (double)cost.frames);
     enum { KEYS = 24 };

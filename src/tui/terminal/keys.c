@@ -61,18 +61,11 @@ static const char *const modifier_names[MODIFIERS] = {"", "S-", "M-", "S-M-", "C
 
 /* --- what curses is told --------------------------------------------------------------------------- */
 
-/* What the description says of the same sequence gives way. */
-static void define_one(const char *sequence, int code)
-{
-    define_key(sequence, 0);
-    define_key(sequence, code);
-}
-
 static void define(int code, const char *format, int a, int b)
 {
     char sequence[24];
     snprintf(sequence, sizeof sequence, format, a, b);
-    define_one(sequence, code);
+    define_key(sequence, code);
 }
 
 static int modified_code(int row, int modifiers)
@@ -114,7 +107,7 @@ void keys_define(WINDOW *from)
             define_number(row);
     }
     for (size_t i = 0; i < sizeof singles / sizeof *singles; i++)
-        define_one(singles[i].sequence, singles[i].code);
+        define_key(singles[i].sequence, singles[i].code);
     for (int i = 0; keypad_letters[i]; i++)
         define(modified_code(N_ROWS + i, 0), "\033O%c", keypad_letters[i], 0);
 }
