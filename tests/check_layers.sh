@@ -67,6 +67,13 @@ for folder in view figure tui; do
 	found=$(grep -rn '#include "physics/[^"]*/' "${MATVIB_SRCDIR:-..}/src/$folder")
 	judge "src/$folder includes no method's header"
 done
+# They ask a simulation what it has and a problem for its concerns, never which problem or method it is or how many
+# dimensions it has. verify alone speaks of named problems: it is about them.
+for folder in view figure tui cli; do
+	found=$(cd "${MATVIB_SRCDIR:-..}/src/$folder" && grep -rnE --include='*.[ch]' \
+		'\<(PROBLEM|METHOD)_[A-Z]|[a-z]_problem\>[^(]*[;)&|]|(->|\.)dimensions\>' . | grep -vE '^\./verify/|edit_problem|print_problem|find_problem')
+	judge "src/$folder asks for no problem, method or number of dimensions"
+done
 # The product includes nothing of the tests, whose folder is on the path of includes too.
 found=$(cd "${MATVIB_SRCDIR:-..}/src" && grep -rnoE --include='*.[ch]' '#include "[^"]+"' . | while IFS='"' read -r place header rest; do
 	test -e "$header" || test -e "$(dirname "${place%%:*}")/$header" || echo "$place$header"
@@ -79,11 +86,6 @@ circles() {
 	cat <<'END'
 lab: experiment.o experiment_edit.o
 tui: control_keys.o session.o
-view: area.o axes.o plot.o sketch.o
-view: family_forces.o pane_family.o
-view: layout.o pane_banner.o pane_parameters.o pane_timeline.o
-view: map_drawing.o map_frame.o map_heat.o map_marks.o map_sketch.o
-view: pane_lattice.o pane_mesh.o
 END
 }
 find_circles() { # LAYER LIBRARY...: the circles of its members, and under each what closes it

@@ -182,7 +182,7 @@ int cli_figure(int count, char **arguments, Status *status)
         !options_load(&options, options.words[0], &settings, status))
         return (int)status->code;
     /* pictures of a crack are compared with each other, so displacements are as they are unless it is said */
-    if (settings.problem == &notched_beam_problem && !settings.view.exaggeration[0])
+    if (settings.problem->concerns & CONCERN_NOTCH && !settings.view.exaggeration[0])
         strcpy(settings.view.exaggeration, "1");
     first = settings;
     bool sound = true;

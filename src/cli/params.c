@@ -21,8 +21,7 @@ static void print_parameter(const Settings *settings, const Parameter *parameter
     snprintf(assignment, sizeof assignment, "%s =%s%.60s%s%s", parameter->key, *value ? " " : "", value,
              *unit ? " " : "", unit);
     static const char *const methods[] = {[BY_EVERY_METHOD] = "", [BY_MPM] = "  [mpm]", [BY_PD] = "  [pd]"};
-    const bool choice = problem_allows(settings->problem, METHOD_MPM, NULL) &&
-                        problem_allows(settings->problem, METHOD_PD, NULL);
+    const bool choice = settings->problem->concerns & CONCERN_METHODS;
     printf("  %-42s %s%s%s\n      %s\n", assignment, range, parameter->live ? "  [live]" : "",
            choice ? methods[parameter->methods] : "", parameter_help(parameter, settings->problem));
 }

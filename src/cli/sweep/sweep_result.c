@@ -97,7 +97,7 @@ void result_of(const RunSummary *summary, const Settings *settings, double wall,
     put_readout(summary, cells);
     cells[RESULT_REAL_HEIGHT] = derived_value(summary, "real_height");
     cells[RESULT_REAL_SPAN] = derived_value(summary, "real_span");
-    if (settings->problem != &bar_problem && settings->bonds.critical_stretch > 0)
+    if (settings->problem->concerns & CONCERN_BREAKING && settings->bonds.critical_stretch > 0)
         cells[RESULT_BROKEN_BONDS] = last_value(summary, "broken_bonds");
     if (summary->crack_known) {
         cells[RESULT_FIRST_BREAK] = summary->crack.measured.first_break;

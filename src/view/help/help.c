@@ -209,7 +209,7 @@ static int page_of(const Screen *screen)
 static void write_page(Sheet *sheet, const Screen *screen, int screen_width)
 {
     const int width = screen_width - 2 < 100 ? screen_width - 2 : 100, page = page_of(screen);
-    const HelpText *text = help_text_of(experiment_settings(screen->experiment));
+    const HelpText *text = help_text_of(experiment_simulation(screen->experiment));
     sheet->used = 0;
     sheet->count = 0;
     if (page == 0) {

@@ -1,4 +1,3 @@
-#include "lab/problems/problem.h"
 #include "view/help/help_text.h"
 
 /* --- words of the curves --------------------------------------------------------------------------- */
@@ -195,11 +194,11 @@ static const HelpPassage beam_after[] = {
      NULL},
 };
 
-/* --- by problem and method ------------------------------------------------------------------------- */
+/* --- by what the simulation has ------------------------------------------------------------------------- */
 
 #define LIST(list) list, sizeof list / sizeof *list
 
-const HelpText *help_text_of(const Settings *settings)
+const HelpText *help_text_of(const Simulation *sim)
 {
     static const HelpText bar = {"One time step", LIST(bar_words), LIST(bar_before), LIST(bar_exact),
                                  LIST(bar_after)};
@@ -207,7 +206,12 @@ const HelpText *help_text_of(const Settings *settings)
                                  LIST(bar_exact), LIST(rod_after)};
     static const HelpText beam = {
         "One time step (velocity Verlet)", LIST(beam_words), LIST(beam_before), NULL, 0, LIST(beam_after)};
-    if (settings->problem != &bar_problem)
-        return &beam;
-    return settings->method == METHOD_PD ? &rod : &bar;
+    static const struct {
+        unsigned has;
+        const HelpText *text;
+    } texts[] = {{HAS_LINE | HAS_MESH, &bar}, {HAS_LINE | HAS_BONDS, &rod}, {HAS_PLANE | HAS_BONDS, &beam}};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        if (simulation_has(sim, texts[i].has))
+            return texts[i].text;
+    return &beam;
 }

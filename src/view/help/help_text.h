@@ -2,7 +2,7 @@
 #ifndef VIEW_HELP_TEXT_H
 #define VIEW_HELP_TEXT_H
 
-#include "lab/settings/settings.h"
+#include "physics/method.h"
 
 #include <stddef.h>
 
@@ -27,6 +27,7 @@ typedef struct HelpText {
     size_t n_after;
 } HelpText;
 
-const HelpText *help_text_of(const Settings *);
+/* What fits what the simulation has. */
+const HelpText *help_text_of(const Simulation *);
 
 #endif

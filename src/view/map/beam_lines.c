@@ -98,20 +98,20 @@ static void crack_lines(const CrackFacts *facts, char first[160], char second[16
 
 bool beam_lines(const Screen *screen, int width, char first[160], char second[160])
 {
-    const Problem *problem = experiment_settings(screen->experiment)->problem;
+    const bool leaves = experiment_settings(screen->experiment)->problem->concerns & CONCERN_MOTION;
     first[0] = second[0] = '\0';
     CrackFacts facts;
     if (crack_facts(experiment_simulation(screen->experiment), &facts))
         crack_lines(&facts, first, second);
-    else if (problem == &bar_problem)
+    else if (!simulation_has(experiment_simulation(screen->experiment), HAS_PLANE))
         return false;
     else if (!experiment_readout(screen->experiment)->moving)
         snprintf(first, 160, "nothing vibrates: no period to measure");
     else if (experiment_readout(screen->experiment)->stranger)
         snprintf(first, 160, "T: not known with %s", experiment_readout(screen->experiment)->stranger);
-    else if (problem == &supported_beam_problem)
-        supported_lines(screen, width, first, second);
-    else
+    else if (leaves)
         moving_lines(screen, width, first, second);
+    else
+        supported_lines(screen, width, first, second);
     return true;
 }

@@ -29,22 +29,19 @@ typedef struct MapMark {
 } MapMark;
 
 typedef struct Map Map;
-typedef struct Drawing Drawing;
 
-/* What a problem adds to the picture of its beam: a row of the table in map_drawing.c. */
-typedef struct Scenery {
+/* What the run is made of that its picture shows besides the body itself, by the concerns of its problem. */
+typedef struct MapScene {
     bool leaves;  /* it comes out of a channel: the picture has room for its way, and displacements along it
                    * are drawn as they are */
     bool pressed; /* a load above, supports below: it is deep, and keeps its shape when it bends */
-    bool pinned;  /* its left support holds both ways; else supports.pinned says so */
-    int around;   /* rows above and below the beam that a drawing of it needs */
-    double probe[2];                /* where the motion is measured: shares of length and height */
-    void (*lines)(Map *);           /* over the map; NULL: none */
-    void (*dimensions)(Drawing *);  /* of the drawing, the most important first */
-    void (*parts)(const Drawing *); /* likewise supports, load, channel, notch */
-} Scenery;
+    bool notched; /* cut from below, with a crack to come */
+    bool pinned;  /* its left support holds both ways */
+    int around;   /* rows above and below the body that a drawing of it needs */
+    double probe[2]; /* where the motion is measured: shares of length and height */
+} MapScene;
 
-const Scenery *map_scenery(const Problem *);
+MapScene map_scene(const Settings *);
 
 /* A piece of a cell, and the nodes that cover it. */
 typedef struct Pixel {
@@ -57,7 +54,7 @@ struct Map {
     const Settings *settings;
     Area area;
     Body body;
-    const Scenery *scenery;
+    MapScene scene;
     int legend_at; /* column from which the lines are named; 0: no room */
 
     /* where things are drawn */
@@ -130,14 +127,14 @@ void map_line(Map *, double from_x, double from_y, double to_x, double to_y, Pen
 /* The parts of the picture, in the order in which they are drawn. */
 void map_draw_heat(Map *);
 void map_draw_bonds(Map *);
-void map_draw_lines(Map *);  /* the scenery's, with the bonds' */
-void map_notch_lines(Map *); /* notch, protected zones, crack, the paper's angle */
-void map_channel_lines(Map *);
+void map_draw_lines(Map *); /* channel, notch, protected zones, crack, with the bonds */
 void map_draw_nodes(Map *);
 void map_draw_signs(Map *); /* supports, load, chosen node */
 
 /* The picture on paper; and how lines and signs go into it, at places in columns and rows of the area. */
 void map_sketch(Map *);
+#define MAP_MILLI 1e-3
+void map_sketch_place(const Map *, double column, double row, double *x, double *y); /* of the body, in mm */
 void map_sketch_line(Map *, double from_x, double from_y, double to_x, double to_y, Style, int every);
 void map_sketch_sign(Map *, double column, double row, uint32_t glyph);
 

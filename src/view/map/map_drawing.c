@@ -19,16 +19,16 @@ typedef struct Dimension {
     int row;
 } Dimension;
 
-struct Drawing {
+typedef struct Drawing {
     const Settings *settings;
-    const Scenery *scenery;
+    MapScene scene;
     const Body *body;
     Area area;
     double low, scale;  /* column = 1 + (x - low) scale */
     double top, bottom; /* rows of the upper and lower edge */
-    Dimension dimensions[DIMENSIONS_MAX];
+    Dimension lengths[DIMENSIONS_MAX];
     int n_dimensions, dimension_rows;
-};
+} Drawing;
 
 static Sketch *paper_of(const Drawing *drawing)
 {
@@ -49,7 +49,7 @@ static double row_of(const Drawing *drawing, double share)
 
 static void add(Drawing *drawing, double from, double to, int row)
 {
-    drawing->dimensions[drawing->n_dimensions++] = (Dimension){from, to, row};
+    drawing->lengths[drawing->n_dimensions++] = (Dimension){from, to, row};
     drawing->dimension_rows = row + 1 > drawing->dimension_rows ? row + 1 : drawing->dimension_rows;
 }
 
@@ -222,16 +222,24 @@ static void draw_channel(const Drawing *drawing)
     label(drawing, from + 2, row_of(drawing, 0.5), 1, text, STYLE_HEADING);
 }
 
-static void draw_notched(const Drawing *drawing)
+/* A cut from below, with its depth. */
+static void draw_cut(const Drawing *drawing)
 {
     const Settings *settings = drawing->settings;
     const double notch = column_of(drawing, settings->notch.position);
     const double end = fmin(row_of(drawing, settings->notch.depth / settings->geometry.height),
                             drawing->bottom - !paper_of(drawing)); /* seen in any case */
-    char text[96], number[NUMBER_TEXT_MAX], width[NUMBER_TEXT_MAX];
+    char text[NUMBER_TEXT_MAX + 8];
     draw_notch(drawing, notch, end);
     millimetres(settings->notch.depth, text, sizeof text);
     label(drawing, notch + 1, fmin(end, drawing->bottom - 1), 1, text, STYLE_NORMAL);
+}
+
+/* A load on the top between two supports below. */
+static void draw_pressure(const Drawing *drawing)
+{
+    const Settings *settings = drawing->settings;
+    char text[96], number[NUMBER_TEXT_MAX], width[NUMBER_TEXT_MAX];
     const double from = column_of(drawing, settings->loads.position - settings->loads.width / 2);
     const double to = column_of(drawing, settings->loads.position + settings->loads.width / 2);
     draw_load(drawing, from, to);
@@ -246,7 +254,7 @@ static void draw_notched(const Drawing *drawing)
 static void draw_probe(const Drawing *drawing)
 {
     const Body *body = drawing->body;
-    const double *probe = drawing->scenery->probe;
+    const double *probe = drawing->scene.probe;
     const double column = column_of(drawing, body->low[0] + probe[0] * body->size[0]);
     const double row = row_of(drawing, probe[1]);
     const bool above = probe[1] >= 1;
@@ -265,7 +273,7 @@ static void draw_words(const Drawing *drawing, int y)
     text_rounded(b, settings->material.density, 5);
     text_rounded(c, 1e3 * settings->geometry.thickness, 4);
     snprintf(text, sizeof text, "E %s GPa  density %s kg/m³  thickness %s mm", a, b, c);
-    if (!drawing->scenery->pressed) {
+    if (!drawing->scene.pressed) {
         text_rounded(a, 1e6 * settings->start.amplitude, 4);
         append(text, sizeof text, "  U %s µm", a);
     }
@@ -281,50 +289,35 @@ static void draw_supports(const Drawing *drawing)
     put(drawing, column_of(drawing, body->low[0] + body->size[0]), row, 0x25cb, STYLE_HEADING);
 }
 
-/* --- what the problems add ---------------------------------------------------------------------------- */
+/* --- what the run is made of -------------------------------------------------------------------------- */
 
-static void length_alone(Drawing *drawing)
-{
-    add(drawing, 0, drawing->settings->geometry.length, 0);
-}
-
-static void channel_and_length(Drawing *drawing)
-{
-    add(drawing, -drawing->settings->motion.channel, 0, 0);
-    add(drawing, 0, drawing->settings->geometry.length, 0);
-}
-
-static void notch_load_supports(Drawing *drawing)
+/* The most important lengths first: those that have no row are left out from the end. */
+static void add_lengths(Drawing *drawing)
 {
     const Settings *settings = drawing->settings;
-    add(drawing, 0, settings->notch.position, 0);
-    add(drawing, 0, settings->loads.position, 1);
-    add(drawing, settings->supports.left, settings->supports.right, 2);
-    add(drawing, 0, settings->geometry.length, 3);
+    const MapScene *scene = &drawing->scene;
+    int row = 0;
+    if (scene->leaves)
+        add(drawing, -settings->motion.channel, 0, row);
+    if (scene->notched)
+        add(drawing, 0, settings->notch.position, row++);
+    if (scene->pressed) {
+        add(drawing, 0, settings->loads.position, row++);
+        add(drawing, settings->supports.left, settings->supports.right, row++);
+    }
+    add(drawing, 0, settings->geometry.length, row);
 }
 
-static const Scenery none;
-static const Scenery supported = {
-    .pinned = true, .probe = {0.5, 0.5}, .dimensions = length_alone, .parts = draw_supports};
-static const Scenery leaving = {.leaves = true,
-                                .around = 1,
-                                .probe = {1, 0.5},
-                                .lines = map_channel_lines,
-                                .dimensions = channel_and_length,
-                                .parts = draw_channel};
-static const Scenery notched = {.pressed = true,
-                                .around = 1,
-                                .probe = {0.5, 1},
-                                .lines = map_notch_lines,
-                                .dimensions = notch_load_supports,
-                                .parts = draw_notched};
-
-const Scenery *map_scenery(const Problem *problem)
+static void draw_parts(const Drawing *drawing)
 {
-    const int concerns = problem->concerns;
-    if (!(concerns & CONCERN_BEAM))
-        return &none;
-    return concerns & CONCERN_MOTION ? &leaving : concerns & CONCERN_NOTCH ? &notched : &supported;
+    if (drawing->scene.notched)
+        draw_cut(drawing);
+    if (drawing->scene.pressed)
+        draw_pressure(drawing);
+    else if (drawing->scene.leaves)
+        draw_channel(drawing);
+    else
+        draw_supports(drawing);
 }
 
 /* --- the whole ---------------------------------------------------------------------------------------- */
@@ -332,11 +325,11 @@ const Scenery *map_scenery(const Problem *problem)
 static void draw_all(const Drawing *drawing, double apart)
 {
     draw_outline(drawing);
-    drawing->scenery->parts(drawing);
+    draw_parts(drawing);
     draw_probe(drawing);
     for (int i = 0; i < drawing->n_dimensions; i++)
-        draw_dimension(drawing, &drawing->dimensions[i],
-                       drawing->bottom + 1 + drawing->scenery->around + apart * drawing->dimensions[i].row);
+        draw_dimension(drawing, &drawing->lengths[i],
+                       drawing->bottom + 1 + drawing->scene.around + apart * drawing->lengths[i].row);
 }
 
 /* "to scale", or by how much the height is not. */
@@ -357,10 +350,10 @@ static void draw_on_paper(Drawing *drawing, const Screen *screen)
     const int columns = drawing->area.rect.width;
     const double rise = drawing->body->size[1] * drawing->scale / 2;
     char words[64];
-    drawing->top = drawing->scenery->around + 0.5;
+    drawing->top = drawing->scene.around + 0.5;
     drawing->bottom = drawing->top + fmax(rise, LEAST_ROWS - 1);
     const double end =
-        drawing->bottom + 1 + drawing->scenery->around + APART * (drawing->dimension_rows - 1) + 0.5;
+        drawing->bottom + 1 + drawing->scene.around + APART * (drawing->dimension_rows - 1) + 0.5;
     const Axis x = axis_make(0, columns, 2), y = axis_make(-end, 0, 2);
     sketch_axes(sketch, &x, &y, "");
     sketch->bare = true;
@@ -378,21 +371,20 @@ void map_drawing(const Screen *screen, Area area, Style heading)
     if (!body_of(experiment_simulation(screen->experiment), &body))
         return;
     const Settings *settings = experiment_settings(screen->experiment);
-    const Scenery *scenery = map_scenery(settings->problem);
     Drawing drawing = {
-        .settings = settings, .scenery = scenery, .body = &body, .area = area, .low = body.low[0]};
+        .settings = settings, .scene = map_scene(settings), .body = &body, .area = area, .low = body.low[0]};
     const int columns = area.rect.width - 2 - MARGIN_RIGHT;
-    scenery->dimensions(&drawing);
+    add_lengths(&drawing);
     drawing.scale = columns / body.size[0];
     if (area.canvas->sketch && columns >= 20) {
         draw_on_paper(&drawing, screen);
         return;
     }
-    const int around = scenery->around;
+    const int around = drawing.scene.around;
     int room = area.rect.height - 1 - 2 * around;
     while (drawing.dimension_rows > 1 && drawing.dimension_rows + LEAST_ROWS > room - 1) {
         drawing.n_dimensions--;
-        drawing.dimension_rows = drawing.dimensions[drawing.n_dimensions - 1].row + 1;
+        drawing.dimension_rows = drawing.lengths[drawing.n_dimensions - 1].row + 1;
     }
     const bool words = room > drawing.dimension_rows + LEAST_ROWS;
     const int rows = room - drawing.dimension_rows - words;

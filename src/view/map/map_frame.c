@@ -17,6 +17,20 @@ enum { LEGEND_ROOM = 19, LEGEND_ROWS = 4 };
 #define MOST_ENLARGED 1e9
 #define NODE_COLUMNS  3.0 /* from that distance on nodes are drawn one by one */
 
+MapScene map_scene(const Settings *settings)
+{
+    const int concerns = settings->problem->concerns;
+    MapScene scene = {.leaves = concerns & CONCERN_MOTION,
+                      .pressed = concerns & CONCERN_PRESSURE,
+                      .notched = concerns & CONCERN_NOTCH,
+                      .pinned = !(concerns & CONCERN_SUPPORTS) || settings->supports.pinned,
+                      .probe = {0.5, 0.5}};
+    scene.around = scene.leaves || scene.pressed;
+    scene.probe[0] = scene.leaves ? 1 : 0.5;  /* the tip */
+    scene.probe[1] = scene.pressed ? 1 : 0.5; /* under the load */
+    return scene;
+}
+
 bool body_of(const Simulation *sim, Body *body)
 {
     *body = (Body){.count = sim->counts[0]};
@@ -38,7 +52,7 @@ bool body_of(const Simulation *sim, Body *body)
 
 void map_place(const Map *map, double x, double y, double ux, double uy, double *column, double *row)
 {
-    const double along = map->scenery->leaves ? 1 : map->enlarged;
+    const double along = map->scene.leaves ? 1 : map->enlarged;
     const double right = (x + along * ux - map->middle[0]) * map->scale_x;
     const double up = (y + map->enlarged * uy - map->middle[1]) * map->scale_y;
     /* a run that has become unstable has nodes anywhere and nowhere */
@@ -121,7 +135,7 @@ static double choose_enlargement(const Map *map, double rows)
     reach = reach > 0 ? axis_round_up(reach) : 0;
     double room = fmax(0.5, (map->area.rect.height - rows) / 2 - 0.5);
     /* a deep beam keeps its shape, and a crack its angle */
-    if (map->scenery->pressed)
+    if (map->scene.pressed)
         room = fmin(room, BENT_PART * rows);
     const double factor = reach > 0 ? room / (reach * map->scale_y) : 1;
     return factor > 1 ? step_round_down(factor) : 1;
@@ -133,12 +147,12 @@ static void choose_scales(Map *map)
     const Body *body = &map->body;
     const int width = map->area.rect.width, height = map->area.rect.height;
     /* a beam on its way out of its channel moves across the picture, which stays */
-    const double travel = map->scenery->leaves ? map->settings->motion.speed * map->settings->time.end : 0;
+    const double travel = map->scene.leaves ? map->settings->motion.speed * map->settings->time.end : 0;
     const double length = body->size[0] + travel;
     map->scale_x = width / length;
     double rows = body->size[1] * map->scale_x / 2;
     /* rows that the load above and the supports below take */
-    const bool pressed = map->scenery->pressed;
+    const bool pressed = map->scene.pressed;
     const double most = fmax(1, fmin(TALL_PART * height, pressed ? height - 2 : height));
     if (rows > most) {
         map->scale_x *= most / rows;
@@ -171,7 +185,7 @@ static void choose_scales(Map *map)
     const size_t node =
         (size_t)within(j - 0.5, body->ny) * (size_t)body->nx + (size_t)within(i - 0.5, body->nx);
     map->middle[0] =
-        body->low[0] + i * body->spacing + (map->scenery->leaves ? 1 : map->enlarged) * map->ux[node];
+        body->low[0] + i * body->spacing + (map->scene.leaves ? 1 : map->enlarged) * map->ux[node];
     map->middle[1] = body->low[1] + j * body->spacing + map->enlarged * map->uy[node];
     map->nodes_seen = body->spacing * map->scale_x >= NODE_COLUMNS && map->stretch <= 1;
 }
@@ -195,7 +209,7 @@ bool map_open(Map *map, const Screen *screen, Area area)
                  .coloured = screen->colours >= 256 && area.glyphs != GLYPHS_ASCII};
     if (area.rect.width < 4 || area.rect.height < 2 || !body_of(sim, &map->body))
         return false;
-    map->scenery = map_scenery(map->settings->problem);
+    map->scene = map_scene(map->settings);
     map->across = !map->coloured && area.glyphs == GLYPHS_BRAILLE ? 2 : 1;
     map->down = map->coloured ? 2 : area.glyphs == GLYPHS_BRAILLE ? 4 : 1;
     const size_t count = map->body.count, cells = (size_t)area.rect.width * (size_t)area.rect.height;

@@ -118,7 +118,7 @@ static void draw_crack(Map *map)
     }
 }
 
-void map_notch_lines(Map *map)
+static void draw_notch(Map *map)
 {
     const Settings *settings = map->settings;
     const double depth = settings->bonds.protected_depth, top = settings->geometry.height;
@@ -174,7 +174,7 @@ static void name_lines(const Map *map)
 /* --- the channel ---------------------------------------------------------------------------------- */
 
 /* Its walls stand still, above and below the beam. */
-void map_channel_lines(Map *map)
+static void draw_channel(Map *map)
 {
     const Body *body = &map->body;
     const Pen pen = {STYLE_HEADING, RANK_WALL, 1, '='};
@@ -191,8 +191,10 @@ void map_channel_lines(Map *map)
 
 void map_draw_lines(Map *map)
 {
-    if (map->scenery->lines)
-        map->scenery->lines(map);
+    if (map->scene.leaves)
+        draw_channel(map);
+    if (map->scene.notched)
+        draw_notch(map);
     if (!map->area.canvas->sketch)
         draw_marks(map);
 }
@@ -215,7 +217,7 @@ static double *flags_of(const Map *map, const char *name, int row)
 /* A support that holds both ways is a triangle, one that lets the beam slide a roller. */
 static void draw_supports(Map *map, int row)
 {
-    const bool pinned = map->scenery->pinned || map->settings->supports.pinned;
+    const bool pinned = map->scene.pinned;
     double *held = flags_of(map, "held", row), column, y;
     const size_t nx = (size_t)map->body.nx;
     for (size_t i = 0; held && i < nx; i++) {
@@ -285,9 +287,9 @@ static void draw_chosen(Map *map)
 void map_draw_signs(Map *map)
 {
     draw_load(map);
-    if (map->scenery->pressed && !map->nodes_seen && !map->area.canvas->sketch)
+    if (map->scene.pressed && !map->nodes_seen && !map->area.canvas->sketch)
         name_lines(map);
-    if (!map->scenery->leaves) {
+    if (!map->scene.leaves) {
         draw_supports(map, 0);
         draw_supports(map, (map->body.ny - 1) / 2);
     }

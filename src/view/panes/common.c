@@ -46,6 +46,20 @@ bool is_focused(const Screen *screen, PaneId pane)
     return screen->focus == pane;
 }
 
+bool is_rewound(const Screen *screen)
+{
+    return experiment_newest(screen->experiment) > experiment_step(screen->experiment);
+}
+
+double exaggeration(double reach, double room)
+{
+    if (!(reach > 0))
+        return 1;
+    /* a coarse step: a scale that changes is worse than one that is a little small */
+    double factor = room / step_round_up(reach);
+    return factor < 1 ? 1 : step_round_down(factor);
+}
+
 /* A sketch takes the whole legend. */
 static int sketch_legend(Sketch *sketch, const Legend *legend, int n_legend)
 {
@@ -199,11 +213,6 @@ void number_text(double value, int digits, int width, char out[NUMBER_TEXT_MAX])
 const Problem *facts_of(const Screen *screen)
 {
     return experiment_settings(screen->experiment)->problem;
-}
-
-bool shows_bar(const Screen *screen)
-{
-    return experiment_settings(screen->experiment)->problem == &bar_problem;
 }
 
 void factor_text(double factor, char out[NUMBER_TEXT_MAX])

@@ -1,4 +1,4 @@
-/* Lecture mode: the time and the state in large letters, and the one parameter that the arrows change. */
+/* Lecture mode: the time and the state in large letters. */
 #include "view/panes/panes.h"
 
 #include <ctype.h>
@@ -98,12 +98,4 @@ void pane_banner(const Screen *screen, Area area)
     draw_text(area, 1, time, size, STYLE_HEADING);
     draw_text(area, area.rect.width - 1 - right, state, size,
               screen->state == STATE_FAILED ? STYLE_ERROR : STYLE_HEADING);
-}
-
-void pane_chosen_parameter(const Screen *screen, Area area)
-{
-    ParameterRow rows[PARAMETER_ROWS_MAX];
-    const int count = screen_parameter_rows(screen, rows);
-    if (screen->selected >= 0 && screen->selected < count && rows[screen->selected].parameter)
-        draw_parameter(screen, area, 0, rows[screen->selected].parameter, true);
 }

@@ -11,11 +11,6 @@
 
 enum { REACH_MAX = 8, CELL_LEAST = 4, CELL_MOST = 6 };
 
-double family_field(const Family *family, const char *name, size_t node)
-{
-    return field_at(family->sim, simulation_find_field(family->sim, 0, name), node);
-}
-
 /* --- what there is ---------------------------------------------------------------------------------- */
 
 static Ray ray_of(const Family *family, const Link *link)

@@ -22,15 +22,6 @@ static double *field_of(const Simulation *sim, int field, size_t count)
     return values;
 }
 
-double exaggeration(double reach, double room)
-{
-    if (!(reach > 0))
-        return 1;
-    /* a coarse step: a scale that changes is worse than one that is a little small */
-    double factor = room / step_round_up(reach);
-    return factor < 1 ? 1 : step_round_down(factor);
-}
-
 /* --- a bar ---------------------------------------------------------------------------------------- */
 
 typedef struct Strip {

@@ -76,7 +76,8 @@ static void real_text(const Screen *screen, const Parameter *parameter, char out
     double real = NAN;
     if (strcmp(parameter->key, "beam.height") == 0)
         real = derived_value(screen, "real_height");
-    else if (strcmp(parameter->key, "beam.length") == 0 && settings->problem == &supported_beam_problem)
+    else if (strcmp(parameter->key, "beam.length") == 0 &&
+             !(settings->problem->concerns & (CONCERN_MOTION | CONCERN_SUPPORTS)))
         real = derived_value(screen, "real_span");
     if (fabs(real - nominal) > 1e-6 * nominal)
         number_text(real, 4, 8, out);
@@ -231,4 +232,13 @@ int screen_parameter_at(const Screen *screen, int width, int height, int x, int 
         return -1;
     const int row = first_row(screen, count, room) + y - pane.y;
     return row < count && !rows[row].heading ? row : -1;
+}
+
+/* Of a lecture: the one that the arrows change. */
+void pane_chosen_parameter(const Screen *screen, Area area)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    const int count = screen_parameter_rows(screen, rows);
+    if (screen->selected >= 0 && screen->selected < count && rows[screen->selected].parameter)
+        draw_parameter(screen, area, 0, rows[screen->selected].parameter, true);
 }

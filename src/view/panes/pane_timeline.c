@@ -26,11 +26,6 @@ char event_letter(EventKind kind)
     return ' ';
 }
 
-bool is_rewound(const Screen *screen)
-{
-    return experiment_newest(screen->experiment) > experiment_step(screen->experiment);
-}
-
 /* Where the line lies in a timeline of so many columns: the first cell is t = 0, the last one the end. */
 typedef struct Line {
     int first, cells;

@@ -124,9 +124,8 @@ bool is_rewound(const Screen *); /* more has been computed than is shown */
  */
 void shorter_time(const Screen *, int less, char *out, size_t size);
 
-/* What is settled by the problem of the run shown, and whether it is the bar. */
+/* What is settled by the problem of the run shown, its units above all. */
 const Problem *facts_of(const Screen *);
-bool shows_bar(const Screen *);
 
 /* "t 12.34" with as many decimals as the time step has: columns do not dance. */
 void time_text(const Screen *, double time, char *out, size_t size);

@@ -68,15 +68,15 @@ static void draw_title(const Map *map, Area area, Style heading)
     const char *times = area.canvas->sketch ? "×" : "x";
     char title[192] = "", parts[PARTS][64] = {"", "", "", "", ""}, number[NUMBER_TEXT_MAX];
     crack_texts(map, parts[TIP], parts[FIT], sizeof parts[TIP]);
-    if (map->scenery->leaves) {
+    if (map->scene.leaves) {
         const double length =
             map->settings->geometry.length + map->settings->motion.speed * simulation_time(map->sim);
         snprintf(parts[TIP], sizeof parts[TIP], "length %.1f mm", 1e3 * length);
     }
     factor_text(map->enlarged, number);
     if (map->enlarged != 1)
-        snprintf(parts[ENLARGED], sizeof parts[ENLARGED], "%s %s %s", map->scenery->leaves ? "uy" : "u",
-                 times, number);
+        snprintf(parts[ENLARGED], sizeof parts[ENLARGED], "%s %s %s", map->scene.leaves ? "uy" : "u", times,
+                 number);
     factor_text(map->screen->magnified, number);
     if (map->screen->magnified > 1)
         snprintf(parts[MAGNIFIED], sizeof parts[MAGNIFIED], "zoom %s", number);

@@ -135,7 +135,7 @@ static void draw_law_heading(const Screen *screen, Area area, Style heading, con
     legend[n++] = (Legend){LINE_SOLID, '+', STYLE_SECOND, nodes, band[area.glyphs]};
     if (paper)
         legend[n++] = (Legend){LINE_SOLID, 'O', STYLE_CHANGED, "largest s of all", NULL};
-    draw_heading(area, heading, shows_bar(screen) ? "force of a bond" : "force, N/m^6", scale, legend, n);
+    draw_heading(area, heading, !facts_of(screen)->si ? "force of a bond" : "force, N/m^6", scale, legend, n);
 }
 
 void bond_law_draw(const Screen *screen, Area area, Style heading)

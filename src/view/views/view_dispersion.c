@@ -177,7 +177,7 @@ static int bar_dots(const Screen *screen, Dot dots[RUNS_MAX])
     int count = 0;
     for (int i = 0; i < n_runs; i++) {
         const Readout *readout = runs[i].readout;
-        if (runs[i].settings->problem == &bar_problem && readout->mode > 0 && readout->measured_known)
+        if (readout->mode > 0 && readout->measured_known)
             dots[count++] = dot_of(&runs[i], readout->mode, percent(readout->measured / readout->exact));
     }
     return count;
@@ -406,9 +406,9 @@ static const char *word_of(const Screen *screen, int variant)
 static void draw(const Screen *screen, Area area, Style heading, int variant)
 {
     const Settings *settings = experiment_settings(screen->experiment);
-    if (settings->problem == &bar_problem)
+    if (simulation_has(experiment_simulation(screen->experiment), HAS_LINE))
         draw_bar(screen, area, heading, variant);
-    else if (settings->problem == &notched_beam_problem)
+    else if (settings->problem->concerns & CONCERN_NOTCH)
         say_instead_of_period(area, heading);
     else if (!experiment_readout(screen->experiment)->moving)
         say_instead(area, heading, "convergence", "Nothing vibrates here: there is no period to measure.");

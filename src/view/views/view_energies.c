@@ -52,7 +52,7 @@ static bool breaks(const Screen *screen)
 static double rigid_energy(const Screen *screen)
 {
     const Settings *settings = experiment_settings(screen->experiment);
-    if (settings->problem != &moving_cantilever_problem)
+    if (!(settings->problem->concerns & CONCERN_MOTION))
         return 0;
     const double volume =
         settings->lattice.spacing * settings->lattice.spacing * settings->geometry.thickness;

@@ -294,7 +294,7 @@ static int lines_under(const Screen *screen, Area area, const char *curve)
 {
     const bool cursor = isfinite(screen->cursor_time);
     const bool judged =
-        strcmp(experiment_readout(screen->experiment)->column, curve) == 0 || cursor || !shows_bar(screen);
+        strcmp(experiment_readout(screen->experiment)->column, curve) == 0 || cursor || facts_of(screen)->si;
     if (!judged || area.rect.height < 6)
         return 0;
     if (is_shared(screen))

@@ -33,7 +33,7 @@ typedef struct Picture {
 
 static Choice choice_of(const Screen *screen, int variant)
 {
-    if (shows_bar(screen)) {
+    if (!facts_of(screen)->si) {
         const Readout *readout = experiment_readout(screen->experiment);
         const int column = find_column(screen, readout->moving ? readout->column : "v_cm");
         return (Choice){column, variant % 2 == 1};
@@ -44,13 +44,13 @@ static Choice choice_of(const Screen *screen, int variant)
 
 static int variants_of(const Screen *screen)
 {
-    return shows_bar(screen) ? 2 : 3;
+    return !facts_of(screen)->si ? 2 : 3;
 }
 
 static const char *word_of(const Screen *screen, int variant)
 {
     static const char *const bar[] = {"slow", "fast"}, *const beam[] = {"fast", "slow", "displacement"};
-    return shows_bar(screen) ? bar[variant % 2] : beam[variant % 3];
+    return !facts_of(screen)->si ? bar[variant % 2] : beam[variant % 3];
 }
 
 /* The lines that theory knows: of the watched mode, of the bar's other modes where v_cm is watched, and, in
@@ -74,7 +74,7 @@ static int marks_of(const Screen *screen, bool fast, Mark marks[MARKS_MAX])
         fast ? references_thickness_lines(experiment_references(screen->experiment), thickness) : 0;
     for (int i = 0; i < n_thickness && count < MARKS_MAX; i++)
         marks[count++] = (Mark){thickness[i], false};
-    if (shows_bar(screen) && readout->times < 1.5)
+    if (!facts_of(screen)->si && readout->times < 1.5)
         n_overtones = overtones_read(settings->start.overtones, overtones, NULL);
     for (int i = 0; i < n_overtones && count + 2 <= MARKS_MAX; i++) {
         ModeOnMesh mode;
@@ -139,8 +139,8 @@ static double slow_range(const Screen *screen, const Spectrum *spectrum, const M
 {
     double range = 0;
     for (int i = 0; i < n_marks; i++)
-        range = fmax(range, marks[i].frequency * (shows_bar(screen) ? 2 : 4));
-    if (!shows_bar(screen))
+        range = fmax(range, marks[i].frequency * (!facts_of(screen)->si ? 2 : 4));
+    if (facts_of(screen)->si)
         return range;
     double largest = 0;
     for (size_t k = 1; k < spectrum->count; k++)
@@ -215,7 +215,7 @@ static void peak_line(const Screen *screen, const Picture *picture, bool fast, c
         append(out, 160, "%s %s", i > 0 ? "," : "", number);
     }
     number_text(bin, 2, 8, number);
-    append(out, 160, "%s; a bin is %s", shows_bar(screen) ? "" : " kHz", number);
+    append(out, 160, "%s; a bin is %s", !facts_of(screen)->si ? "" : " kHz", number);
 }
 
 /* Why there is no picture yet; false: there is one. */
@@ -224,7 +224,7 @@ static bool wants_time(const Screen *screen, const Spectrum *spectrum, Choice ch
 {
     const Readout *readout = experiment_readout(screen->experiment);
     char time[48];
-    if (shows_bar(screen) && !readout->moving) {
+    if (!facts_of(screen)->si && !readout->moving) {
         snprintf(out, 160, "Nothing vibrates here: there is no line to look for.");
         return true;
     }
@@ -308,8 +308,8 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     Mark marks[MARKS_MAX];
     const int n_marks = marks_of(screen, choice.fast, marks);
     /* what breaks has no line of its own: all that the mesh does is shown */
-    choice.fast |= !shows_bar(screen) && !experiment_readout(screen->experiment)->moving;
-    Picture picture = {.unit = shows_bar(screen) ? 1 : 2e3 * M_PI};
+    choice.fast |= facts_of(screen)->si && !experiment_readout(screen->experiment)->moving;
+    Picture picture = {.unit = !facts_of(screen)->si ? 1 : 2e3 * M_PI};
     picture.spectrum =
         experiment_spectrum(screen->experiment, choice.column, choice.fast ? SPECTRUM_FAST : SPECTRUM_SLOW);
     char name[64], text[160], lines[160];
@@ -361,13 +361,13 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     char scale[TICK_TEXT_MAX] = "";
     if (!choice.fast)
         axis_scale_text(&y, quantity->unit, scale);
-    else if (!shows_bar(screen))
+    else if (facts_of(screen)->si)
         snprintf(scale, sizeof scale, "%s", quantity->unit);
     snprintf(name, sizeof name, "spectrum of %s", quantity->label);
     n_legend += ghost_legends(runs, n_runs, legend + n_legend);
     draw_heading(area, heading, name, scale, legend, n_legend);
     Area inner = axes_draw(area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under), &picture.x,
-                           &y, shows_bar(screen) ? "w" : "f, kHz", GUTTER);
+                           &y, !facts_of(screen)->si ? "w" : "f, kHz", GUTTER);
 
     Plot plot;
     plot_open(&plot, picture.x, y);
