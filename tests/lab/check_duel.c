@@ -355,20 +355,20 @@ START_TEST(the_memory_is_shared)
     const size_t history = 64 << 10;
     duel_open(&duel, open_experiment(&settings, history), history, 1);
     ck_assert(duel_advance(&duel, 2000, NULL));
-    ck_assert_uint_gt(duel.a->trial.history.used, history / 2);
+    ck_assert_uint_gt(duel.a->history.used, history / 2);
     ck_assert_int_eq(duel_read_keys("mpm.algorithm=usl", keys, NULL), 1);
     ck_assert(duel_start(&duel, keys, 1, NULL));
     finish(&duel);
     ck_assert(duel_advance(&duel, 1000, NULL));
-    ck_assert_uint_le(duel.a->trial.history.used, history / 2);
-    ck_assert_uint_le(duel.b->trial.history.used, history / 2);
-    ck_assert_uint_gt(duel.b->trial.history.count, 4);
+    ck_assert_uint_le(duel.a->history.used, history / 2);
+    ck_assert_uint_le(duel.b->history.used, history / 2);
+    ck_assert_uint_gt(duel.b->history.count, 4);
     duel_seek(&duel, 77, 0);
     finish(&duel);
     expect_straight(duel.a);
     expect_straight(duel.b);
     duel_end(&duel);
-    ck_assert_uint_eq(duel.a->trial.history.budget, history);
+    ck_assert_uint_eq(duel.a->history.budget, history);
     end(&duel);
 }
 END_TEST

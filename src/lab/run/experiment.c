@@ -12,14 +12,13 @@ void experiment_keep_given(Experiment *experiment, const Settings *settings)
     experiment->n_given = settings->n_changes;
 }
 
-static Experiment *new_experiment(const Settings *settings, size_t history, int threads, Status *status)
+static Experiment *new_experiment(const Settings *settings, int threads, Status *status)
 {
     Experiment *experiment = calloc(1, sizeof *experiment);
     if (!experiment) {
         status_fail(status, STATUS_FAILED, "not enough memory");
         return NULL;
     }
-    experiment->history = history;
     experiment->threads = threads;
     experiment->row_step = -1;
     experiment_keep_given(experiment, settings);
@@ -28,27 +27,25 @@ static Experiment *new_experiment(const Settings *settings, size_t history, int 
 
 Experiment *experiment_create(const Settings *settings, size_t history, int threads, Status *status)
 {
-    Experiment *experiment = new_experiment(settings, history, threads, status);
-    if (experiment && !trial_open(&experiment->trial, settings, history, threads, status)) {
-        free(experiment);
-        return NULL;
-    }
-    return experiment;
+    Experiment *experiment = new_experiment(settings, threads, status);
+    if (!experiment || experiment_open(experiment, settings, history, threads, status))
+        return experiment;
+    experiment_destroy(experiment);
+    return NULL;
 }
 
 Experiment *experiment_adopt(const Settings *settings, Simulation *sim, size_t history, Status *status)
 {
-    Experiment *experiment = new_experiment(settings, history, 1, status);
+    Experiment *experiment = new_experiment(settings, 1, status);
     if (!experiment) {
         simulation_destroy(sim);
         return NULL;
     }
     experiment->adopted = true;
-    if (!trial_adopt(&experiment->trial, settings, sim, history, status)) {
-        free(experiment);
-        return NULL;
-    }
-    return experiment;
+    if (experiment_open_around(experiment, settings, sim, history, status))
+        return experiment;
+    experiment_destroy(experiment);
+    return NULL;
 }
 
 void experiment_destroy(Experiment *experiment)
@@ -57,7 +54,7 @@ void experiment_destroy(Experiment *experiment)
         return;
     for (int i = 0; i < GHOSTS_MAX; i++)
         experiment_drop_ghost(&experiment->ghosts[i]);
-    trial_close(&experiment->trial);
+    experiment_close(experiment);
     for (int i = 0; i < SPECTRUM_SPANS; i++)
         spectrum_close(&experiment->spectra[i]);
     free(experiment->before.bytes);
@@ -67,41 +64,40 @@ void experiment_destroy(Experiment *experiment)
 
 void experiment_set_history(Experiment *experiment, size_t history)
 {
-    experiment->history = history;
-    history_set_budget(&experiment->trial.history, history);
+    history_set_budget(&experiment->history, history);
 }
 
 /* --- what there is -------------------------------------------------------------------------------- */
 
 const Settings *experiment_settings(const Experiment *experiment)
 {
-    return &experiment->trial.now;
+    return &experiment->now;
 }
 
 const Settings *experiment_base(const Experiment *experiment)
 {
-    return &experiment->trial.base;
+    return &experiment->base;
 }
 
 const Simulation *experiment_simulation(const Experiment *experiment)
 {
-    return experiment->trial.sim;
+    return experiment->sim;
 }
 
 References *experiment_references(const Experiment *experiment)
 {
-    return experiment->trial.refs;
+    return experiment->refs;
 }
 
 const Record *experiment_record(const Experiment *experiment)
 {
-    return &experiment->trial.record;
+    return &experiment->record;
 }
 
 const Column *experiment_columns(const Experiment *experiment, int *count)
 {
-    *count = experiment->trial.n_columns;
-    return experiment->trial.columns;
+    *count = experiment->n_columns;
+    return experiment->columns;
 }
 
 const Ghost *experiment_ghosts(const Experiment *experiment)
@@ -111,24 +107,24 @@ const Ghost *experiment_ghosts(const Experiment *experiment)
 
 const char *experiment_advice(const Experiment *experiment)
 {
-    return experiment->trial.advice;
+    return experiment->advice;
 }
 
 const Event *experiment_events(Experiment *experiment, int *count)
 {
-    story_tell(&experiment->story, &experiment->trial, experiment_readout(experiment));
-    *count = experiment->story.count;
-    return experiment->story.events;
+    event_log_update(&experiment->log, experiment, experiment_readout(experiment));
+    *count = experiment->log.count;
+    return experiment->log.events;
 }
 
 /* They say nothing of the state, and the largest stable courant number takes a search: once for all pictures
  * that have the same settings. */
 int experiment_derived(Experiment *experiment, Derived out[DERIVED_MAX])
 {
-    const Trial *trial = &experiment->trial;
-    if (experiment->n_derived == 0 || memcmp(&experiment->derived_for, &trial->now, sizeof trial->now) != 0) {
-        experiment->n_derived = problem_derived(&trial->now, trial->sim, experiment->derived);
-        experiment->derived_for = trial->now;
+    if (experiment->n_derived == 0 ||
+        memcmp(&experiment->derived_for, &experiment->now, sizeof experiment->now) != 0) {
+        experiment->n_derived = problem_derived(&experiment->now, experiment->sim, experiment->derived);
+        experiment->derived_for = experiment->now;
     }
     memcpy(out, experiment->derived, (size_t)experiment->n_derived * sizeof *out);
     return experiment->n_derived;
@@ -136,64 +132,61 @@ int experiment_derived(Experiment *experiment, Derived out[DERIVED_MAX])
 
 double experiment_time(const Experiment *experiment)
 {
-    return simulation_time(experiment->trial.sim);
+    return simulation_time(experiment->sim);
 }
 
 long experiment_step(const Experiment *experiment)
 {
-    return experiment->trial.sim->step;
+    return experiment->sim->step;
 }
 
 int experiment_stage(const Experiment *experiment)
 {
-    return experiment->trial.sim->stage;
+    return experiment->sim->stage;
 }
 
 long experiment_newest(const Experiment *experiment)
 {
-    return experiment->trial.newest;
+    return experiment->newest;
 }
 
 long experiment_last_step(const Experiment *experiment)
 {
-    return experiment->trial.last;
+    return experiment->last;
 }
 
 bool experiment_at_end(const Experiment *experiment)
 {
-    const Trial *trial = &experiment->trial;
-    return trial->sim->stage == 0 && trial->sim->step >= trial->last;
+    return experiment->sim->stage == 0 && experiment->sim->step >= experiment->last;
 }
 
 bool experiment_failed(const Experiment *experiment, Status *status)
 {
-    if (experiment->trial.failed && status)
-        *status = experiment->trial.failure;
-    return experiment->trial.failed;
+    if (experiment->failed && status)
+        *status = experiment->failure;
+    return experiment->failed;
 }
 
 void experiment_scenario(const Experiment *experiment, bool to_newest, Settings *out)
 {
-    const Trial *trial = &experiment->trial;
-    long step = to_newest ? trial->newest : trial->sim->step;
-    *out = trial->base;
-    problem_end_at(out, trial->sim->dt, step);
+    long step = to_newest ? experiment->newest : experiment->sim->step;
+    *out = experiment->base;
+    problem_end_at(out, experiment->sim->dt, step);
 }
 
 /* A fit over thousands of rows is not free: while rows come in, it is done when their number has grown by a
  * twentieth; once they stop coming, exactly. */
 const Readout *experiment_readout(Experiment *experiment)
 {
-    const Trial *trial = &experiment->trial;
-    const Record *record = &trial->record;
+    const Record *record = &experiment->record;
     size_t rows = record->count - (record->loose_last && record->count > 0 ? 1 : 0);
     size_t known = experiment->readout_rows;
-    bool still = !experiment->flowing || trial->sim->step >= trial->last;
+    bool still = !experiment->flowing || experiment->sim->step >= experiment->last;
     if (known == 0 || rows < known || rows > known + known / 20 || (still && rows != known)) {
-        references_readout(trial->refs, record->rows, rows, record->n_columns, &experiment->readout);
+        references_readout(experiment->refs, record->rows, rows, record->n_columns, &experiment->readout);
         experiment->readout_rows = rows;
     }
-    experiment->readout.time = simulation_time(trial->sim);
+    experiment->readout.time = simulation_time(experiment->sim);
     experiment->readout.late = readout_late(&experiment->readout, experiment->readout.time);
     return &experiment->readout;
 }
@@ -201,7 +194,7 @@ const Readout *experiment_readout(Experiment *experiment)
 const Spectrum *experiment_spectrum(Experiment *experiment, int column, SpectrumSpan span)
 {
     Spectrum *spectrum = &experiment->spectra[span];
-    return spectrum_of(&experiment->trial.record, column, span, spectrum) ? spectrum : NULL;
+    return spectrum_of(&experiment->record, column, span, spectrum) ? spectrum : NULL;
 }
 
 const Spectrum *experiment_ghost_spectrum(Experiment *experiment, int i, int column, SpectrumSpan span)
@@ -213,18 +206,19 @@ const Spectrum *experiment_ghost_spectrum(Experiment *experiment, int i, int col
 /* The record's row where it is kept; else it is worked out, which is possible between steps only. */
 const double *experiment_row(Experiment *experiment)
 {
-    Trial *trial = &experiment->trial;
-    Simulation *sim = trial->sim;
-    const double *kept = record_of_step(&trial->record, sim->step);
+    Simulation *sim = experiment->sim;
+    const double *kept = record_of_step(&experiment->record, sim->step);
     if (kept)
         return kept;
-    const double *near = record_row(&trial->record, record_find(&trial->record, simulation_time(sim)));
+    const double *near =
+        record_row(&experiment->record, record_find(&experiment->record, simulation_time(sim)));
     if (experiment->row_step == sim->step)
         return experiment->row;
     if (sim->stage != 0)
         return near;
-    simulation_row(sim, trial->block);
-    references_row_again(trial->refs, sim->step, simulation_time(sim), trial->block, near, experiment->row);
+    simulation_row(sim, experiment->block);
+    references_row_again(experiment->refs, sim->step, simulation_time(sim), experiment->block, near,
+                         experiment->row);
     experiment->row_step = sim->step;
     return experiment->row;
 }
@@ -237,7 +231,7 @@ bool experiment_advance(Experiment *experiment, long steps, Status *status)
     experiment->pending = false;
     experiment->flowing = true;
     experiment->before.known = false;
-    return trial_steps(&experiment->trial, steps, status);
+    return experiment_do_steps(experiment, steps, status);
 }
 
 void experiment_flow(Experiment *experiment)
@@ -272,7 +266,7 @@ static bool keep_state(const Simulation *sim, unsigned char **bytes, size_t *roo
 
 static void note_before(Experiment *experiment)
 {
-    const Simulation *sim = experiment->trial.sim;
+    const Simulation *sim = experiment->sim;
     Before *before = &experiment->before;
     before->known = keep_state(sim, &before->bytes, &before->room);
     before->head = simulation_snapshot_size(sim) - sim->method->state_size(sim);
@@ -284,7 +278,7 @@ static bool next_stage(Experiment *experiment, Status *status)
         return true;
     experiment_row(experiment); /* in the middle of a step it could not be worked out */
     note_before(experiment);
-    if (trial_stage(&experiment->trial, status))
+    if (experiment_do_stage(experiment, status))
         return true;
     experiment->before.known = false;
     return false;
@@ -305,7 +299,7 @@ const void *experiment_before(const Experiment *experiment)
 
 bool experiment_field_before(Experiment *experiment, int field, size_t first, size_t count, double *out)
 {
-    Simulation *sim = experiment->trial.sim;
+    Simulation *sim = experiment->sim;
     if (!experiment->before.known)
         return false;
     void *present = malloc(simulation_snapshot_size(sim));
@@ -323,25 +317,24 @@ bool experiment_field_before(Experiment *experiment, int field, size_t first, si
 
 void experiment_seek(Experiment *experiment, long step, int stage)
 {
-    const Trial *trial = &experiment->trial;
     experiment_drop_part(experiment);
     if (step < 0)
         step = 0, stage = 0;
-    if (step >= trial->last)
-        step = trial->last, stage = 0;
+    if (step >= experiment->last)
+        step = experiment->last, stage = 0;
     experiment->goal_step = step;
     experiment->goal_stage = stage > 0 ? stage : 0;
-    experiment->pending = trial->sim->step != step || trial->sim->stage != experiment->goal_stage;
+    experiment->pending = experiment->sim->step != step || experiment->sim->stage != experiment->goal_stage;
 }
 
 bool experiment_pending(const Experiment *experiment, long *steps_left)
 {
     if (!experiment->pending)
         return false;
-    const Simulation *sim = experiment->trial.sim;
+    const Simulation *sim = experiment->sim;
     long from = sim->step;
     if (from > experiment->goal_step) {
-        const Keyframe *frame = history_nearest(&experiment->trial.history, experiment->goal_step);
+        const Keyframe *frame = history_nearest(&experiment->history, experiment->goal_step);
         from = frame ? frame->step : 0;
     }
     if (steps_left)
@@ -351,25 +344,24 @@ bool experiment_pending(const Experiment *experiment, long *steps_left)
 
 void experiment_goal(const Experiment *experiment, long *step, int *stage)
 {
-    const Simulation *sim = experiment->trial.sim;
+    const Simulation *sim = experiment->sim;
     *step = experiment->pending ? experiment->goal_step : sim->step;
     *stage = experiment->pending ? experiment->goal_stage : sim->stage;
 }
 
 bool experiment_work(Experiment *experiment, long steps, Status *status)
 {
-    Trial *trial = &experiment->trial;
-    Simulation *sim = trial->sim;
+    Simulation *sim = experiment->sim;
     experiment_drop_part(experiment);
     if (!experiment->pending)
         return true;
-    trial_approach(trial, experiment->goal_step, experiment->goal_stage);
+    experiment_approach(experiment, experiment->goal_step, experiment->goal_stage);
     if (sim->step < experiment->goal_step) {
         experiment->before.known = false;
         bool begun = sim->stage != 0;
-        bool sound = !begun || trial_steps(trial, 0, status);
+        bool sound = !begun || experiment_do_steps(experiment, 0, status);
         long left = experiment->goal_step - sim->step;
-        if (!sound || !trial_steps(trial, left < steps ? left : steps, status)) {
+        if (!sound || !experiment_do_steps(experiment, left < steps ? left : steps, status)) {
             experiment->pending = false;
             return false;
         }
@@ -396,17 +388,16 @@ void experiment_cancel(Experiment *experiment)
 
 static bool do_part(Experiment *experiment, size_t items, bool *whole, Status *status)
 {
-    Trial *trial = &experiment->trial;
     Part *part = &experiment->part;
     experiment->before.known = false;
     if (!part->begun) {
-        if (!keep_state(trial->sim, &part->bytes, &part->room)) {
+        if (!keep_state(experiment->sim, &part->bytes, &part->room)) {
             *whole = true; /* there is no way back from the middle, so there must be no stop in it */
-            return trial_steps(trial, trial->sim->stage == 0 ? 1 : 0, status);
+            return experiment_do_steps(experiment, experiment->sim->stage == 0 ? 1 : 0, status);
         }
         part->begun = true;
     }
-    bool sound = trial_slice(trial, items, whole, status);
+    bool sound = experiment_do_slice(experiment, items, whole, status);
     part->begun = sound && !*whole;
     return sound;
 }
@@ -422,13 +413,12 @@ bool experiment_advance_part(Experiment *experiment, size_t items, bool *whole, 
 
 bool experiment_work_part(Experiment *experiment, size_t items, bool *whole, Status *status)
 {
-    Trial *trial = &experiment->trial;
     *whole = true;
     if (!experiment->pending)
         return true;
     if (!experiment->part.begun)
-        trial_approach(trial, experiment->goal_step, experiment->goal_stage);
-    if (trial->sim->step >= experiment->goal_step)
+        experiment_approach(experiment, experiment->goal_step, experiment->goal_stage);
+    if (experiment->sim->step >= experiment->goal_step)
         return experiment_work(experiment, 0, status);
     experiment->pending = do_part(experiment, items, whole, status);
     return experiment->pending;
@@ -437,6 +427,6 @@ bool experiment_work_part(Experiment *experiment, size_t items, bool *whole, Sta
 void experiment_drop_part(Experiment *experiment)
 {
     if (experiment->part.begun)
-        simulation_restore(experiment->trial.sim, experiment->part.bytes);
+        simulation_restore(experiment->sim, experiment->part.bytes);
     experiment->part.begun = false;
 }

@@ -1,6 +1,6 @@
 /* What happened, in words, newest last, of both runs of a duel; one event can be chosen and gone to.
  */
-#include "lab/run/story.h"
+#include "lab/run/event_log.h"
 #include "view/panes/panes.h"
 #include "view/views/views.h"
 
@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { TIME_COLUMNS = 40, LOG_MAX = 2 * STORY_MAX };
+enum { TIME_COLUMNS = 40, LOG_MAX = 2 * EVENT_LOG_MAX };
 
 typedef struct LogEntry {
     const Event *event;

@@ -1,12 +1,14 @@
 /* What happened in a run, in plain words with their steps: what the method reported, the changes that were
  * made, and what only the record tells beside theory: energy that drifts, a lag behind the exact answer. */
-#ifndef LAB_STORY_H
-#define LAB_STORY_H
+#ifndef LAB_EVENT_LOG_H
+#define LAB_EVENT_LOG_H
 
-#include "lab/run/trial.h"
+#include "lab/run/experiment.h"
 
-enum { STORY_TOLD_MAX = 2 * CHANGES_MAX + 2, STORY_DRIFTS_MAX = 16, STORY_LAGS_MAX = 6 };
-enum { STORY_MAX = SIMULATION_EVENTS_MAX + STORY_TOLD_MAX + STORY_DRIFTS_MAX + STORY_LAGS_MAX + 1 };
+enum { EVENT_LOG_TOLD_MAX = 2 * CHANGES_MAX + 2, EVENT_LOG_DRIFTS_MAX = 16, EVENT_LOG_LAGS_MAX = 6 };
+enum {
+    EVENT_LOG_MAX = SIMULATION_EVENTS_MAX + EVENT_LOG_TOLD_MAX + EVENT_LOG_DRIFTS_MAX + EVENT_LOG_LAGS_MAX + 1
+};
 
 /* The mean energy of each period beside that of the first. */
 typedef struct EnergyWatch {
@@ -20,27 +22,27 @@ typedef struct EnergyWatch {
     double before;    /* drift of the period before, a share of the first */
     long before_step; /* its last step */
     int level;        /* how many levels were reported */
-    Event events[STORY_DRIFTS_MAX];
+    Event events[EVENT_LOG_DRIFTS_MAX];
     int n_events;
 } EnergyWatch;
 
-typedef struct Story {
+typedef struct EventLog {
     bool begun;
-    Event told[STORY_TOLD_MAX]; /* advice and changes */
+    Event told[EVENT_LOG_TOLD_MAX]; /* advice and changes */
     int n_told;
     EnergyWatch energy;
-    Event events[STORY_MAX]; /* all, ascending in step */
+    Event events[EVENT_LOG_MAX]; /* all, ascending in step */
     int count;
     long newest; /* the step that it goes to */
     bool failed;
     int n_reported;
     double late; /* the lag per time that it was told with */
-} Story;
+} EventLog;
 
 /* Forgets everything: the run is another one, or part of it was cut off. */
-void story_forget(Story *);
+void event_log_forget(EventLog *);
 
 /* Brings it up to the newest step. */
-void story_tell(Story *, const Trial *, const Readout *);
+void event_log_update(EventLog *, const Experiment *, const Readout *);
 
 #endif

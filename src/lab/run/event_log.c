@@ -1,4 +1,4 @@
-#include "lab/run/story.h"
+#include "lab/run/experiment_internal.h"
 #include "base/text.h"
 #include "lab/problems/known.h"
 #include "lab/settings/changes.h"
@@ -7,9 +7,9 @@
 #include <stdio.h>
 #include <string.h>
 
-void story_forget(Story *story)
+void event_log_forget(EventLog *log)
 {
-    story->begun = false;
+    log->begun = false;
 }
 
 static void add(Event *events, int *count, int most, long step, EventKind kind, const char *text)
@@ -24,37 +24,37 @@ static void add(Event *events, int *count, int most, long step, EventKind kind, 
 
 /* --- what was known beforehand, and what was changed --------------------------------------------------- */
 
-static void tell_advice(Story *story, const Settings *settings, long step, char last[160])
+static void tell_advice(EventLog *log, const Settings *settings, long step, char last[160])
 {
     char advice[160] = "";
     if (!problem_advice(settings, advice, sizeof advice, NULL) || strcmp(advice, last) == 0)
         return;
     memcpy(last, advice, sizeof advice);
     if (advice[0])
-        add(story->told, &story->n_told, STORY_TOLD_MAX, step, EVENT_ADVICE, advice);
+        add(log->told, &log->n_told, EVENT_LOG_TOLD_MAX, step, EVENT_ADVICE, advice);
 }
 
 /* What stands beside the run no more, and because of what. */
-static void tell_strangers(Story *story, const Settings *settings)
+static void tell_strangers(EventLog *log, const Settings *settings)
 {
     char text[KNOWN_TEXT_MAX];
     long step;
     if (known_text(settings, text, &step))
-        add(story->told, &story->n_told, STORY_TOLD_MAX, step, EVENT_ADVICE, text);
+        add(log->told, &log->n_told, EVENT_LOG_TOLD_MAX, step, EVENT_ADVICE, text);
 }
 
-static void tell_changes(Story *story, const Settings *settings)
+static void tell_changes(EventLog *log, const Settings *settings)
 {
     char last[160] = "", text[KEY_MAX + VALUE_MAX + 8];
     Settings then;
     changes_in_force(settings, -1, &then);
-    tell_advice(story, &then, 0, last);
+    tell_advice(log, &then, 0, last);
     for (int i = 0; i < settings->n_changes; i++) {
         const Change *change = &settings->changes[i];
         snprintf(text, sizeof text, "%s = %s", change->to.key, change->to.value);
-        add(story->told, &story->n_told, STORY_TOLD_MAX, change->step, EVENT_CHANGE, text);
+        add(log->told, &log->n_told, EVENT_LOG_TOLD_MAX, change->step, EVENT_CHANGE, text);
         changes_in_force(settings, change->step, &then);
-        tell_advice(story, &then, change->step, last);
+        tell_advice(log, &then, change->step, last);
     }
 }
 
@@ -65,33 +65,33 @@ static void tell_changes(Story *story, const Settings *settings)
 static const double levels[] = {.01, .02, .05, .1, .2, .5, 1, 2, 5, 10, 100, 1000};
 enum { LEVELS = sizeof levels / sizeof *levels };
 
-static int column_of(const Trial *trial, const char *name)
+static int column_of(const Experiment *experiment, const char *name)
 {
-    for (int i = 0; i < trial->n_columns; i++)
-        if (strcmp(trial->columns[i].quantity.name, name) == 0)
+    for (int i = 0; i < experiment->n_columns; i++)
+        if (strcmp(experiment->columns[i].quantity.name, name) == 0)
             return i;
     return -1;
 }
 
-static bool crossed_before(const Trial *trial, long step)
+static bool crossed_before(const Experiment *experiment, long step)
 {
-    for (int i = 0; i < trial->n_events; i++)
-        if (trial->events[i].kind == EVENT_CROSSING)
-            return trial->events[i].step <= step;
+    for (int i = 0; i < experiment->n_events; i++)
+        if (experiment->events[i].kind == EVENT_CROSSING)
+            return experiment->events[i].step <= step;
     return false;
 }
 
 /* Why the energy drifts, as far as it is known. */
-static const char *cause_of(const Trial *trial, long step, bool gain)
+static const char *cause_of(const Experiment *experiment, long step, bool gain)
 {
     Settings then;
-    changes_in_force(&trial->base, step, &then);
+    changes_in_force(&experiment->base, step, &then);
     const Solver *solver = problem_solver(then.problem, then.method);
     const char *damping = solver && solver->damping && !gain ? solver->damping(&then) : NULL;
-    return damping ? damping : crossed_before(trial, step) ? "cell crossing" : "";
+    return damping ? damping : crossed_before(experiment, step) ? "cell crossing" : "";
 }
 
-static void tell_drift(EnergyWatch *watch, const Trial *trial, double drift)
+static void tell_drift(EnergyWatch *watch, const Experiment *experiment, double drift)
 {
     const double least = fmin(fabs(drift), fabs(watch->before));
     if (drift * watch->before <= 0 || watch->level == LEVELS || least < levels[watch->level])
@@ -100,29 +100,29 @@ static void tell_drift(EnergyWatch *watch, const Trial *trial, double drift)
         watch->level++;
     char number[NUMBER_TEXT_MAX], text[120];
     text_rounded(number, 100 * fabs(watch->before), 2);
-    const char *cause = cause_of(trial, watch->before_step, drift > 0);
+    const char *cause = cause_of(experiment, watch->before_step, drift > 0);
     snprintf(text, sizeof text, "energy %s %% %s the start%s%s", number, drift > 0 ? "above" : "below",
              *cause ? ": " : "", cause);
-    add(watch->events, &watch->n_events, STORY_DRIFTS_MAX, watch->before_step, EVENT_ENERGY, text);
+    add(watch->events, &watch->n_events, EVENT_LOG_DRIFTS_MAX, watch->before_step, EVENT_ENERGY, text);
 }
 
-static void end_block(EnergyWatch *watch, const Trial *trial, long step)
+static void end_block(EnergyWatch *watch, const Experiment *experiment, long step)
 {
     const double mean = watch->sum / (double)watch->count;
     if (watch->block == 0)
         watch->first = mean;
     const double drift = watch->first > 0 ? mean / watch->first - 1 : 0;
-    tell_drift(watch, trial, drift);
+    tell_drift(watch, experiment, drift);
     watch->before = drift;
     watch->before_step = step;
     watch->sum = 0;
     watch->count = 0;
 }
 
-static void watch_energy(EnergyWatch *watch, const Trial *trial, const Readout *readout)
+static void watch_energy(EnergyWatch *watch, const Experiment *experiment, const Readout *readout)
 {
-    const Record *record = &trial->record;
-    const int total = column_of(trial, "total"), work = column_of(trial, "work");
+    const Record *record = &experiment->record;
+    const int total = column_of(experiment, "total"), work = column_of(experiment, "work");
     const size_t rows = record->count - (record->loose_last && record->count > 0);
     if (rows < watch->rows || record->spacing != watch->spacing) {
         /* the period that the run really has is the mesh's own: it holds whole ripples */
@@ -139,7 +139,7 @@ static void watch_energy(EnergyWatch *watch, const Trial *trial, const Readout *
         const double *row = record_row(record, watch->rows);
         const long block = (long)floor(row[1] / watch->period);
         if (block != watch->block && watch->count > 0)
-            end_block(watch, trial, (long)record_row(record, watch->rows - 1)[0]);
+            end_block(watch, experiment, (long)record_row(record, watch->rows - 1)[0]);
         watch->block = block;
         watch->sum += row[total] - (work >= 0 ? row[work] : 0);
         watch->count++;
@@ -160,31 +160,31 @@ static double lag_per_time(const Readout *readout)
     return readout_late(&steady, 1);
 }
 
-static void tell_lags(Story *story, const Trial *trial)
+static void tell_lags(EventLog *log, const Experiment *experiment)
 {
     static const struct {
         double periods;
         const char *words;
-    } lags[STORY_LAGS_MAX] = {{.5, "half a period"}, {1, "a whole period"}, {2, "two periods"},
-                              {5, "five periods"},   {10, "ten periods"},   {20, "twenty periods"}};
-    for (int i = 0; i < STORY_LAGS_MAX && story->late != 0; i++) {
-        const double step = lags[i].periods / fabs(story->late) / trial->sim->dt;
+    } lags[EVENT_LOG_LAGS_MAX] = {{.5, "half a period"}, {1, "a whole period"}, {2, "two periods"},
+                                  {5, "five periods"},   {10, "ten periods"},   {20, "twenty periods"}};
+    for (int i = 0; i < EVENT_LOG_LAGS_MAX && log->late != 0; i++) {
+        const double step = lags[i].periods / fabs(log->late) / experiment->sim->dt;
         char text[120];
-        if (step > (double)trial->newest)
+        if (step > (double)experiment->newest)
             return;
-        snprintf(text, sizeof text, "%s %s against exact", lags[i].words, story->late > 0 ? "late" : "early");
-        add(story->events, &story->count, STORY_MAX, lround(step), EVENT_LATE, text);
+        snprintf(text, sizeof text, "%s %s against exact", lags[i].words, log->late > 0 ? "late" : "early");
+        add(log->events, &log->count, EVENT_LOG_MAX, lround(step), EVENT_LATE, text);
     }
 }
 
 /* --- together ----------------------------------------------------------------------------------------- */
 
 /* Whether another event of the story says the same, or says it better. */
-static bool is_told(const Story *story, const Event *event)
+static bool is_told(const EventLog *log, const Event *event)
 {
-    const double seen = (double)(story->energy.before_step);
+    const double seen = (double)(log->energy.before_step);
     return event->kind == EVENT_CHANGE ||
-           (event->kind == EVENT_ENERGY && story->energy.period > 0 && (double)event->step <= seen);
+           (event->kind == EVENT_ENERGY && log->energy.period > 0 && (double)event->step <= seen);
 }
 
 static void sort(Event *events, int count)
@@ -198,33 +198,34 @@ static void sort(Event *events, int count)
     }
 }
 
-void story_tell(Story *story, const Trial *trial, const Readout *readout)
+void event_log_update(EventLog *log, const Experiment *experiment, const Readout *readout)
 {
-    if (!story->begun) {
-        *story = (Story){.begun = true, .newest = -1};
-        tell_changes(story, &trial->base);
-        tell_strangers(story, &trial->base);
+    if (!log->begun) {
+        *log = (EventLog){.begun = true, .newest = -1};
+        tell_changes(log, &experiment->base);
+        tell_strangers(log, &experiment->base);
     }
     const double late = lag_per_time(readout);
-    if (story->newest == trial->newest && story->failed == trial->failed &&
-        story->n_reported == trial->n_events && !(story->late < late) && !(story->late > late))
+    if (log->newest == experiment->newest && log->failed == experiment->failed &&
+        log->n_reported == experiment->n_events && !(log->late < late) && !(log->late > late))
         return;
-    story->late = late;
-    story->newest = trial->newest;
-    story->failed = trial->failed;
-    story->n_reported = trial->n_events;
-    watch_energy(&story->energy, trial, readout);
-    story->count = 0;
-    for (int i = 0; i < story->n_told; i++)
-        if (story->told[i].step <= trial->newest)
-            story->events[story->count++] = story->told[i];
-    for (int i = 0; i < trial->n_events; i++)
-        if (!is_told(story, &trial->events[i]))
-            story->events[story->count++] = trial->events[i];
-    for (int i = 0; i < story->energy.n_events; i++)
-        story->events[story->count++] = story->energy.events[i];
-    tell_lags(story, trial);
-    sort(story->events, story->count);
-    if (trial->failed)
-        add(story->events, &story->count, STORY_MAX, trial->newest, EVENT_FAILURE, trial->failure.text);
+    log->late = late;
+    log->newest = experiment->newest;
+    log->failed = experiment->failed;
+    log->n_reported = experiment->n_events;
+    watch_energy(&log->energy, experiment, readout);
+    log->count = 0;
+    for (int i = 0; i < log->n_told; i++)
+        if (log->told[i].step <= experiment->newest)
+            log->events[log->count++] = log->told[i];
+    for (int i = 0; i < experiment->n_events; i++)
+        if (!is_told(log, &experiment->events[i]))
+            log->events[log->count++] = experiment->events[i];
+    for (int i = 0; i < log->energy.n_events; i++)
+        log->events[log->count++] = log->energy.events[i];
+    tell_lags(log, experiment);
+    sort(log->events, log->count);
+    if (experiment->failed)
+        add(log->events, &log->count, EVENT_LOG_MAX, experiment->newest, EVENT_FAILURE,
+            experiment->failure.text);
 }
