@@ -215,4 +215,8 @@ for signal in HUP INT QUIT TERM PIPE ALRM USR1 USR2 XCPU XFSZ VTALRM PROF SYS TR
 	result "interrupted by $signal" test "$got" -eq $?
 	result "leaves nothing" nothing_else
 done
+
+# a bar is for people: a log gets none, however long the run
+expect "a run of some seconds" 0 notched-beam --steps 500 --threads 1
+result "no bar where standard error is no terminal" test ! -s err
 echo "1..$number"
