@@ -1,6 +1,6 @@
 /* The lattice's prediction against the engine, and what counts eigenvalues against a dense solver. */
 #include "base/band.h"
-#include "physics/pd_bar/rod.h"
+#include "physics/pd_bar/pd_bar.h"
 #include "suite.h"
 #include "theory/frequency.h"
 #include "theory/rod.h"
@@ -33,7 +33,7 @@ static double velocity(double x, const void *context)
 
 static Simulation *rod(const BarTheory *bar, const RodLatticeTheory *on)
 {
-    RodDef def = {.length = bar->length,
+    PdBarDef def = {.length = bar->length,
                   .youngs_modulus = bar->youngs_modulus,
                   .density = bar->density,
                   .left_fixed = bar->left_fixed,
@@ -46,7 +46,7 @@ static Simulation *rod(const BarTheory *bar, const RodLatticeTheory *on)
                   .initial_velocity = velocity,
                   .initial_context = bar};
     Status status = {0};
-    Simulation *sim = rod_create(&def, &status);
+    Simulation *sim = pd_bar_create(&def, &status);
     ck_assert_msg(sim != NULL, "%s", status.text);
     return sim;
 }

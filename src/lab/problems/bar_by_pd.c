@@ -1,17 +1,17 @@
 /* The bar by peridynamics: settings to simulation, exact and predicted answers beside. */
 #include "lab/problems/bar_answers.h"
 #include "lab/problems/solvers.h"
-#include "physics/pd_bar/rod.h"
+#include "physics/pd_bar/pd_bar.h"
 #include "theory/rod.h"
 
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
 
-RodDef bar_pd_definition(const Settings *settings)
+PdBarDef bar_pd_definition(const Settings *settings)
 {
     const BarSupports ends = settings->supports.ends;
-    return (RodDef){
+    return (PdBarDef){
         .length = settings->geometry.length,
         .youngs_modulus = settings->material.youngs_modulus,
         .density = settings->material.density,
@@ -41,8 +41,8 @@ static bool check(const Settings *settings, Status *status)
 {
     /* the mesh is checked too: the nodes lie where its particles would, and its cells make the time step */
     const BarDef mesh = bar_mpm_definition(settings);
-    const RodDef def = bar_pd_definition(settings);
-    return bar_check(&mesh, status) && rod_check(&def, status) &&
+    const PdBarDef def = bar_pd_definition(settings);
+    return bar_check(&mesh, status) && pd_bar_check(&def, status) &&
            bar_check_modes(settings, round(def.length / def.spacing), status) &&
            problem_check_steps(settings->time.end, def.dt, status);
 }
@@ -53,10 +53,10 @@ static Simulation *simulate(const Settings *settings, int threads, Status *statu
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, status))
         return NULL;
-    RodDef def = bar_pd_definition(settings);
+    PdBarDef def = bar_pd_definition(settings);
     def.initial_velocity = bar_start;
     def.initial_context = &theory;
-    return rod_create(&def, status);
+    return pd_bar_create(&def, status);
 }
 
 static double predicted_frequency(const Settings *settings, const BarTheory *theory, double dt, int mode)
@@ -111,8 +111,8 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     derived_add(out, &n, "lattice_horizon", "horizon delta", "length", lattice_horizon(settings), false);
     if (!sim)
         return n;
-    RodFacts facts;
-    rod_facts(sim, &facts);
+    PdBarFacts facts;
+    pd_bar_facts(sim, &facts);
     derived_add(out, &n, "family", "bonds of a node", "1", (double)facts.family, true);
     derived_add(out, &n, "micromodulus", "micromodulus c", "force/length^4", facts.micromodulus, false);
     derived_add(out, &n, "bulk_modulus", "E of the bonds", "force/area", facts.bulk_modulus, false);
@@ -125,10 +125,10 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
 
 static bool limit(const Settings *settings, char *text, size_t size, Status *status)
 {
-    const RodDef def = bar_pd_definition(settings);
+    const PdBarDef def = bar_pd_definition(settings);
     const double courant = settings->time.courant;
     double critical;
-    if (!rod_critical(&def, &critical, status))
+    if (!pd_bar_critical(&def, &critical, status))
         return false;
     if (def.dt > critical)
         return status_fail(status, STATUS_USAGE,

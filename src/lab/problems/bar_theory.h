@@ -4,7 +4,7 @@
 #define LAB_BAR_THEORY_H
 
 #include "lab/settings/settings.h"
-#include "physics/pd_bar/rod.h"
+#include "physics/pd_bar/pd_bar.h"
 #include "theory/bar.h"
 #include "theory/rod.h"
 
@@ -18,7 +18,7 @@ BarMesh bar_mesh_of(const Settings *, double dt);
 BarDef bar_mpm_definition(const Settings *);
 
 /* The same bar on a lattice of bonded nodes: for the engine (at rest) and for its theory. */
-RodDef bar_pd_definition(const Settings *);
+PdBarDef bar_pd_definition(const Settings *);
 RodLatticeTheory bar_lattice_of(const Settings *);
 
 /* dt = courant * dx / c, eq. 21. */

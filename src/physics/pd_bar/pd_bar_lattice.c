@@ -1,33 +1,33 @@
 /* The lattice of the bar: families with their ends, surface factors, bond stiffnesses, and the critical time
  * step. */
 #include "physics/axial.h"
-#include "physics/pd_bar/rod_internal.h"
+#include "physics/pd_bar/pd_bar_internal.h"
 
 #include "base/band.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-_Static_assert((int)ROD_REACH_MAX <= (int)BAND_WIDTH_MAX, "the matrix of the lattice fits a band");
+_Static_assert((int)PD_BAR_REACH_MAX <= (int)BAND_WIDTH_MAX, "the matrix of the lattice fits a band");
 
 /* Whether there is a node or a mirrored one at k. */
-static bool exists(const RodDef *def, const RodLattice *lattice, int k)
+static bool exists(const PdBarDef *def, const PdBarLattice *lattice, int k)
 {
     return (k >= 0 || def->left_fixed) && (k < lattice->n || def->right_fixed);
 }
 
-static double micromodulus(const RodDef *def)
+static double micromodulus(const PdBarDef *def)
 {
     return 2 * def->youngs_modulus / (def->horizon * def->horizon);
 }
 
 /* |xi| <= delta is decided with a tolerance, as on the lattice of the beams. */
-static int reach_of(const RodDef *def)
+static int reach_of(const PdBarDef *def)
 {
     return (int)floor(def->horizon / def->spacing * (1 + 1e-9));
 }
 
-static double weight(const RodDef *def, double h, int m)
+static double weight(const PdBarDef *def, double h, int m)
 {
     if (def->volume_correction == VOLUME_NONE || m * h <= def->horizon - h / 2)
         return 1;
@@ -35,7 +35,7 @@ static double weight(const RodDef *def, double h, int m)
 }
 
 /* The energy of a unit strain that the family of node i should hold, over what it holds. */
-static double energy_factor(const RodDef *def, const RodLattice *lattice, int i)
+static double energy_factor(const PdBarDef *def, const PdBarLattice *lattice, int i)
 {
     double held = 0;
     for (int m = 1; m <= lattice->reach; m++) {
@@ -45,30 +45,33 @@ static double energy_factor(const RodDef *def, const RodLattice *lattice, int i)
     return def->youngs_modulus / 2 / held;
 }
 
-static void make_factors(const RodDef *def, RodLattice *lattice)
+static void make_factors(const PdBarDef *def, PdBarLattice *lattice)
 {
     for (int i = 0; i < lattice->n; i++)
-        lattice->factor[rod_at(lattice, i)] =
+        lattice->factor[pd_bar_at(lattice, i)] =
             def->surface_correction == SURFACE_ENERGY ? energy_factor(def, lattice, i) : 1;
     for (int k = -lattice->reach; k < 0; k++)
-        lattice->factor[rod_at(lattice, k)] = lattice->factor[rod_at(lattice, rod_partner(lattice, k))];
+        lattice->factor[pd_bar_at(lattice, k)] =
+            lattice->factor[pd_bar_at(lattice, pd_bar_partner(lattice, k))];
     for (int k = lattice->n; k < lattice->n + lattice->reach; k++)
-        lattice->factor[rod_at(lattice, k)] = lattice->factor[rod_at(lattice, rod_partner(lattice, k))];
+        lattice->factor[pd_bar_at(lattice, k)] =
+            lattice->factor[pd_bar_at(lattice, pd_bar_partner(lattice, k))];
 }
 
-static void make_stiffness(const RodDef *def, RodLattice *lattice, int m)
+static void make_stiffness(const PdBarDef *def, PdBarLattice *lattice, int m)
 {
     const double whole = micromodulus(def) * lattice->weight[m - 1] * lattice->h / (m * lattice->h);
     for (int k = -m; k < lattice->n; k++) {
-        double factor = (lattice->factor[rod_at(lattice, k)] + lattice->factor[rod_at(lattice, k + m)]) / 2;
+        double factor =
+            (lattice->factor[pd_bar_at(lattice, k)] + lattice->factor[pd_bar_at(lattice, k + m)]) / 2;
         bool bonded = exists(def, lattice, k) && exists(def, lattice, k + m);
-        lattice->stiffness[m - 1][rod_at(lattice, k)] = bonded ? factor * whole : 0;
+        lattice->stiffness[m - 1][pd_bar_at(lattice, k)] = bonded ? factor * whole : 0;
     }
 }
 
-void *rod_lattice(const RodDef *def, RodLattice *lattice)
+void *pd_bar_lattice(const PdBarDef *def, PdBarLattice *lattice)
 {
-    *lattice = (RodLattice){.n = (int)round(def->length / def->spacing), .reach = reach_of(def)};
+    *lattice = (PdBarLattice){.n = (int)round(def->length / def->spacing), .reach = reach_of(def)};
     lattice->h = def->length / lattice->n;
     lattice->padded = (size_t)(lattice->n + 2 * lattice->reach);
     double *memory = calloc(lattice->padded * (size_t)(lattice->reach + 1), sizeof *memory);
@@ -91,7 +94,7 @@ void *rod_lattice(const RodDef *def, RodLattice *lattice)
 
 /* omega_max^2 is the largest eigenvalue of the stiffness over the density. A mirrored node is minus its
  * partner, which lies nearer to the end than the horizon: the matrix stays a band. */
-static double critical_step(const RodDef *def, const RodLattice *lattice)
+static double critical_step(const PdBarDef *def, const PdBarLattice *lattice)
 {
     const size_t n = (size_t)lattice->n, width = (size_t)lattice->reach;
     double *rows = calloc(n * (width + 1), sizeof *rows);
@@ -101,8 +104,8 @@ static double critical_step(const RodDef *def, const RodLattice *lattice)
         for (int m = -lattice->reach; m <= lattice->reach; m++) {
             if (m == 0)
                 continue;
-            double k = lattice->stiffness[abs(m) - 1][rod_at(lattice, m < 0 ? i + m : i)] / def->density;
-            int j = rod_partner(lattice, i + m);
+            double k = lattice->stiffness[abs(m) - 1][pd_bar_at(lattice, m < 0 ? i + m : i)] / def->density;
+            int j = pd_bar_partner(lattice, i + m);
             double *row = rows + (size_t)i * (width + 1);
             row[0] += k;
             if (j <= i)
@@ -115,42 +118,42 @@ static double critical_step(const RodDef *def, const RodLattice *lattice)
 }
 
 /* A long bar has the ends of a shorter one, and to 1e-6 its largest frequency. */
-static RodDef shorter(const RodDef *def)
+static PdBarDef shorter(const PdBarDef *def)
 {
     enum { NODES = 2000 };
-    RodDef part = *def;
+    PdBarDef part = *def;
     if (part.length > NODES * part.spacing)
         part.length = NODES * part.spacing, part.traction_layer = 0;
     return part;
 }
 
-bool rod_critical(const RodDef *def, double *step, Status *status)
+bool pd_bar_critical(const PdBarDef *def, double *step, Status *status)
 {
-    RodLattice lattice;
-    if (!rod_check(def, status))
+    PdBarLattice lattice;
+    if (!pd_bar_check(def, status))
         return false;
-    const RodDef part = shorter(def);
-    void *memory = rod_lattice(&part, &lattice);
+    const PdBarDef part = shorter(def);
+    void *memory = pd_bar_lattice(&part, &lattice);
     *step = memory ? critical_step(&part, &lattice) : NAN;
     free(memory);
     return isfinite(*step) ||
            status_fail(status, STATUS_FAILED, "not enough memory for the lattice of the bar");
 }
 
-void rod_facts(const Simulation *sim, RodFacts *facts)
+void pd_bar_facts(const Simulation *sim, PdBarFacts *facts)
 {
-    const Rod *rod = (const Rod *)sim;
-    const RodDef *def = &rod->def;
-    const RodLattice *lattice = &rod->lattice;
+    const PdBar *bar = (const PdBar *)sim;
+    const PdBarDef *def = &bar->def;
+    const PdBarLattice *lattice = &bar->lattice;
     double moment = 0;
     for (int m = 1; m <= lattice->reach; m++)
         moment += lattice->weight[m - 1] * m;
     const int last = def->right_fixed ? 0 : lattice->n - 1;
     const double ratio = def->horizon / lattice->h;
-    *facts = (RodFacts){.micromodulus = micromodulus(def),
-                        .nodes = (size_t)lattice->n,
-                        .family = 2 * (size_t)lattice->reach,
-                        .bulk_modulus = def->youngs_modulus * 2 * moment / (ratio * ratio),
-                        .end_factor = lattice->factor[rod_at(lattice, last)],
-                        .critical_step = rod->critical_step};
+    *facts = (PdBarFacts){.micromodulus = micromodulus(def),
+                          .nodes = (size_t)lattice->n,
+                          .family = 2 * (size_t)lattice->reach,
+                          .bulk_modulus = def->youngs_modulus * 2 * moment / (ratio * ratio),
+                          .end_factor = lattice->factor[pd_bar_at(lattice, last)],
+                          .critical_step = bar->critical_step};
 }

@@ -1,5 +1,5 @@
 /* The bar by peridynamics against plain double loops over all pairs of points, and what must hold of it. */
-#include "physics/pd_bar/rod.h"
+#include "physics/pd_bar/pd_bar.h"
 #include "physics/run_case.h"
 #include "suite.h"
 #include "sums.h"
@@ -17,27 +17,27 @@ static double wave(double x, const void *context)
     return 0.1 * sin(4.5 * M_PI * x / *length) + 0.03 * cos(2 * M_PI * x / *length) + 0.01 * x / *length;
 }
 
-static RodDef standard(bool left, bool right)
+static PdBarDef standard(bool left, bool right)
 {
     static const double length = 25;
-    return (RodDef){.length = length,
-                    .youngs_modulus = 100,
-                    .density = 1,
-                    .left_fixed = left,
-                    .right_fixed = right,
-                    .spacing = 0.5,
-                    .horizon = 1.5,
-                    .surface_correction = SURFACE_ENERGY,
-                    .volume_correction = VOLUME_PARTIAL,
-                    .dt = 0.01,
-                    .initial_velocity = wave,
-                    .initial_context = &length};
+    return (PdBarDef){.length = length,
+                      .youngs_modulus = 100,
+                      .density = 1,
+                      .left_fixed = left,
+                      .right_fixed = right,
+                      .spacing = 0.5,
+                      .horizon = 1.5,
+                      .surface_correction = SURFACE_ENERGY,
+                      .volume_correction = VOLUME_PARTIAL,
+                      .dt = 0.01,
+                      .initial_velocity = wave,
+                      .initial_context = &length};
 }
 
-static Simulation *create(const RodDef *def)
+static Simulation *create(const PdBarDef *def)
 {
     Status status = {0};
-    Simulation *sim = rod_create(def, &status);
+    Simulation *sim = pd_bar_create(def, &status);
     ck_assert_msg(sim != NULL, "%s", status.text);
     return sim;
 }
@@ -60,7 +60,7 @@ typedef struct Cloud {
     int image_of[POINTS_MAX]; /* -1: a point of the bar */
 } Cloud;
 
-static double share(const RodDef *def, double distance)
+static double share(const PdBarDef *def, double distance)
 {
     if (distance > def->horizon * (1 + 1e-9))
         return 0;
@@ -77,7 +77,7 @@ static void add_point(Cloud *cloud, double place, int image_of)
     cloud->place[cloud->count++] = place;
 }
 
-static void make_cloud(const RodDef *def, Cloud *cloud)
+static void make_cloud(const PdBarDef *def, Cloud *cloud)
 {
     memset(cloud, 0, sizeof *cloud);
     int n = (int)round(def->length / def->spacing);
@@ -106,7 +106,7 @@ static void make_cloud(const RodDef *def, Cloud *cloud)
 }
 
 /* The force density on point i and the energy density of its bonds, half of each bond's. */
-static double pair_forces(const RodDef *def, Cloud *cloud, int i, double *energy)
+static double pair_forces(const PdBarDef *def, Cloud *cloud, int i, double *energy)
 {
     double sum = 0, c = 2 * def->youngs_modulus / (def->horizon * def->horizon);
     *energy = 0;
@@ -124,7 +124,7 @@ static double pair_forces(const RodDef *def, Cloud *cloud, int i, double *energy
     return sum;
 }
 
-static void compare_with_cloud(const RodDef *def)
+static void compare_with_cloud(const PdBarDef *def)
 {
     enum { STEPS = 400 };
     static Cloud cloud;
@@ -166,7 +166,7 @@ START_TEST(every_pair)
     for (int ends = 0; ends < 4; ends++)
         for (int correction = SURFACE_NONE; correction <= SURFACE_ENERGY; correction++)
             for (int volume = VOLUME_NONE; volume <= VOLUME_PARTIAL; volume++) {
-                RodDef def = standard(ends & 1, ends & 2);
+                PdBarDef def = standard(ends & 1, ends & 2);
                 def.surface_correction = (SurfaceCorrection)correction;
                 def.volume_correction = (VolumeCorrection)volume;
                 def.horizon = correction ? 1.5 : 1.4; /* whole spacings, and not */
@@ -189,14 +189,14 @@ START_TEST(uniform_strain)
 {
     for (int volume = VOLUME_NONE; volume <= VOLUME_PARTIAL; volume++)
         for (int correction = SURFACE_NONE; correction <= SURFACE_ENERGY; correction++) {
-            RodDef def = standard(true, false);
+            PdBarDef def = standard(true, false);
             def.initial_velocity = stretch_of;
             def.surface_correction = (SurfaceCorrection)correction;
             def.volume_correction = (VolumeCorrection)volume;
             Simulation *sim = create(&def);
             advance(sim, 1);
-            RodFacts facts;
-            rod_facts(sim, &facts);
+            PdBarFacts facts;
+            pd_bar_facts(sim, &facts);
             double e = 1e-3 * def.dt, modulus = volume ? 100 : 100 * (1 + 1.0 / 3);
             ck_assert_double_eq_tol(facts.bulk_modulus, modulus, 1e-10);
             /* the energy correction also repairs the sum over the family */
@@ -225,7 +225,7 @@ END_TEST
 
 START_TEST(free_bar_keeps_momentum)
 {
-    RodDef def = standard(false, false);
+    PdBarDef def = standard(false, false);
     Simulation *sim = create(&def);
     double before = series_now(sim, "v_cm");
     advance(sim, 3000);
@@ -237,7 +237,7 @@ END_TEST
 
 static double largest_error_of_energy(double dt)
 {
-    RodDef def = standard(true, false);
+    PdBarDef def = standard(true, false);
     def.dt = dt;
     Simulation *sim = create(&def);
     double start = series_now(sim, "total"), most = 0;
@@ -259,7 +259,7 @@ END_TEST
 
 START_TEST(work_of_loads)
 {
-    RodDef def = standard(true, false);
+    PdBarDef def = standard(true, false);
     def.initial_velocity = NULL;
     def.body_force = 1e-3;
     def.traction = 2e-2;
@@ -285,7 +285,7 @@ END_TEST
 
 static bool survives(double dt, char *why)
 {
-    RodDef def = standard(true, false);
+    PdBarDef def = standard(true, false);
     def.dt = dt;
     Simulation *sim = create(&def);
     Status status = {0};
@@ -306,10 +306,10 @@ static bool survives(double dt, char *why)
 
 START_TEST(critical_step)
 {
-    RodDef def = standard(true, false);
+    PdBarDef def = standard(true, false);
     double critical;
     char why[sizeof((Status *)NULL)->text] = "";
-    ck_assert(rod_critical(&def, &critical, NULL));
+    ck_assert(pd_bar_critical(&def, &critical, NULL));
     ck_assert_double_eq_tol(critical, 0.08802, 1e-5); /* by a dense eigenvalue solver */
     ck_assert(survives(0.999 * critical, why));
     ck_assert(!survives(1.01 * critical, why));
@@ -317,18 +317,18 @@ START_TEST(critical_step)
     /* without free ends: the largest frequency of the endless lattice, here at theta = pi */
     def = standard(true, true);
     const double largest = sqrt(8 * 100 / (1.5 * 1.5) * (1 + 0.5 / 3));
-    ck_assert(rod_critical(&def, &critical, NULL));
+    ck_assert(pd_bar_critical(&def, &critical, NULL));
     ck_assert_double_eq_tol(critical, 2 / largest, 1e-9);
     /* a long bar is judged by a part of it */
     Simulation *sim = create(&def);
-    RodFacts facts;
-    rod_facts(sim, &facts);
+    PdBarFacts facts;
+    pd_bar_facts(sim, &facts);
     ck_assert_double_eq(facts.critical_step, critical);
     ck_assert_uint_eq(facts.nodes, 50);
     ck_assert_uint_eq(facts.family, 6);
     simulation_destroy(sim);
     def.spacing = 0.005, def.horizon = 0.015;
-    ck_assert(rod_critical(&def, &critical, NULL));
+    ck_assert(pd_bar_critical(&def, &critical, NULL));
     ck_assert_double_eq_tol(critical * 100, 2 / largest, 1e-6);
 }
 END_TEST
@@ -350,7 +350,7 @@ static bool same_bits(const Simulation *a, const Simulation *b)
 START_TEST(rewound_sliced_or_whole)
 {
     Status status = {0};
-    RodDef def = standard(true, false);
+    PdBarDef def = standard(true, false);
     def.body_force = 1e-3;
     def.traction = 0.01;
     Simulation *whole = create(&def), *sliced = create(&def);
@@ -400,7 +400,7 @@ END_TEST
 
 START_TEST(links_and_bonds)
 {
-    RodDef def = standard(true, false);
+    PdBarDef def = standard(true, false);
     Simulation *sim = create(&def);
     Link links[16];
     advance(sim, 40);
@@ -456,7 +456,7 @@ static void expect_sums(const char *text)
 
 START_TEST(stages_explain_themselves)
 {
-    RodDef def = standard(true, false);
+    PdBarDef def = standard(true, false);
     Simulation *sim = create(&def);
     Status status = {0};
     char text[512];
@@ -490,11 +490,11 @@ END_TEST
 /* One node between two walls has no other neighbour than its images. */
 START_TEST(a_lonely_node_bursts_too)
 {
-    RodDef def = standard(true, true);
+    PdBarDef def = standard(true, true);
     def.length = def.spacing = def.horizon = 0.5;
     double step;
     Status status = {0};
-    ck_assert(rod_critical(&def, &step, &status));
+    ck_assert(pd_bar_critical(&def, &step, &status));
     def.dt = 1.1 * step;
     Simulation *sim = create(&def);
     long done;
@@ -514,33 +514,33 @@ START_TEST(refusals)
         double value;
         const char *says;
     } wrong[] = {
-        {offsetof(RodDef, spacing), 0.7, "pd.spacing: the length 25 is"},
-        {offsetof(RodDef, spacing), 0, "pd.spacing: 0 is not allowed"},
-        {offsetof(RodDef, horizon), 0.4, "pd.horizon: 0.4 is below the spacing"},
-        {offsetof(RodDef, horizon), 13, "pd.horizon: 13 is 26 spacings (at most 24"},
-        {offsetof(RodDef, traction_layer), 26, "load.traction_layer: 26 is out of range"},
-        {offsetof(RodDef, traction_layer), 0.25,
+        {offsetof(PdBarDef, spacing), 0.7, "pd.spacing: the length 25 is"},
+        {offsetof(PdBarDef, spacing), 0, "pd.spacing: 0 is not allowed"},
+        {offsetof(PdBarDef, horizon), 0.4, "pd.horizon: 0.4 is below the spacing"},
+        {offsetof(PdBarDef, horizon), 13, "pd.horizon: 13 is 26 spacings (at most 24"},
+        {offsetof(PdBarDef, traction_layer), 26, "load.traction_layer: 26 is out of range"},
+        {offsetof(PdBarDef, traction_layer), 0.25,
          "load.traction_layer: 0.25 holds no particle (more than 0.25, or 0"},
-        {offsetof(RodDef, spacing), 1e-6,
+        {offsetof(PdBarDef, spacing), 1e-6,
          "pd.spacing: the length 25 is 2.5e+07 spacings of 1e-06 (a whole number, at most"},
-        {offsetof(RodDef, length), -1, "bar.length: -1 is not allowed"},
-        {offsetof(RodDef, dt), 0, "time.courant: 0 is not allowed"},
+        {offsetof(PdBarDef, length), -1, "bar.length: -1 is not allowed"},
+        {offsetof(PdBarDef, dt), 0, "time.courant: 0 is not allowed"},
     };
     for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
-        RodDef def = standard(true, false);
+        PdBarDef def = standard(true, false);
         Status status = {0};
         memcpy((char *)&def + wrong[k].offset, &wrong[k].value, sizeof(double));
-        ck_assert(rod_create(&def, &status) == NULL);
+        ck_assert(pd_bar_create(&def, &status) == NULL);
         ck_assert_msg(strstr(status.text, wrong[k].says) == status.text, "%s", status.text);
     }
-    RodDef def = standard(true, false);
+    PdBarDef def = standard(true, false);
     Status status = {0};
     def.surface_correction = SURFACE_VOLUME;
-    ck_assert(rod_create(&def, &status) == NULL);
+    ck_assert(pd_bar_create(&def, &status) == NULL);
     ck_assert(strstr(status.text, "pd.surface_correction: volume is for beams") == status.text);
     def = standard(true, false);
     def.length = 1;
-    ck_assert(rod_create(&def, &status) == NULL);
+    ck_assert(pd_bar_create(&def, &status) == NULL);
     ck_assert(strstr(status.text, "pd.horizon: 1.5 reaches beyond the whole bar") == status.text);
 }
 END_TEST

@@ -24,20 +24,20 @@
  * others, Convergence, adaptive refinement, and scaling in 1D peridynamics (2009); time stepping, partial
  * volumes and surface correction as in paper P (beam.h). Units: any consistent system; forces, masses and
  * energies are per unit cross-section. */
-#ifndef PHYSICS_PD_ROD_H
-#define PHYSICS_PD_ROD_H
+#ifndef PHYSICS_PD_BAR_H
+#define PHYSICS_PD_BAR_H
 
 #include "physics/method.h"
 #include "physics/pd_plane/beam.h"
 
-typedef struct RodDef {
+typedef struct PdBarDef {
     double length;         /* L > 0; a whole number of spacings */
     double youngs_modulus; /* E > 0 */
     double density;        /* rho > 0 */
     bool left_fixed, right_fixed;
 
     double spacing;                       /* h > 0 */
-    double horizon;                       /* delta, 1 to ROD_REACH_MAX spacings, at most the length */
+    double horizon;                       /* delta, 1 to PD_BAR_REACH_MAX spacings, at most the length */
     SurfaceCorrection surface_correction; /* none or energy */
     VolumeCorrection volume_correction;
 
@@ -49,14 +49,14 @@ typedef struct RodDef {
 
     /* The velocity of the nodes at t = 0; NULL: at rest. */
     double (*initial_velocity)(double x, const void *context);
-    const void *initial_context; /* used during rod_create only */
-} RodDef;
+    const void *initial_context; /* used during pd_bar_create only */
+} PdBarDef;
 
-enum { ROD_REACH_MAX = 24 };
+enum { PD_BAR_REACH_MAX = 24 };
 
 /* Is the definition sound? Else the status names the key as in a scenario file, what is wrong, what is
- * allowed. rod_create() asks first; a front end asks before it takes a value over. */
-bool rod_check(const RodDef *definition, Status *status);
+ * allowed. pd_bar_create() asks first; a front end asks before it takes a value over. */
+bool pd_bar_check(const PdBarDef *definition, Status *status);
 
 /* Builds the simulation at t = 0. NULL: the status says what is wrong with the definition or that there is
  * not enough memory.
@@ -74,21 +74,21 @@ bool rod_check(const RodDef *definition, Status *status);
  * A run fails, with particle, step and time in its status, when a node comes a whole spacing nearer to its
  * neighbour (at a fixed end: its own image), or as much further away: beyond the critical time step that is
  * where it ends. */
-Simulation *rod_create(const RodDef *definition, Status *status);
+Simulation *pd_bar_create(const PdBarDef *definition, Status *status);
 
 /* What the lattice came to. */
-typedef struct RodFacts {
+typedef struct PdBarFacts {
     double micromodulus; /* c for a unit cross-section */
     size_t nodes;
     size_t family;        /* bonds of a node in the bulk */
     double bulk_modulus;  /* E that a uniform strain finds far from the ends */
     double end_factor;    /* g of the last node at a free end; 1: no correction, or no free end */
     double critical_step; /* 2 / omega_max, by the largest eigenvalue of the lattice with its ends */
-} RodFacts;
+} PdBarFacts;
 
-void rod_facts(const Simulation *rod, RodFacts *facts);
+void pd_bar_facts(const Simulation *bar, PdBarFacts *facts);
 
 /* The critical step before there is a simulation. False: the definition is wrong or memory is short. */
-bool rod_critical(const RodDef *definition, double *step, Status *status);
+bool pd_bar_critical(const PdBarDef *definition, double *step, Status *status);
 
 #endif

@@ -1,7 +1,7 @@
 /* Whether the definition of a bar by peridynamics is sound: every number by itself, then what has to fit
  * together. */
 #include "physics/axial.h"
-#include "physics/pd_bar/rod_internal.h"
+#include "physics/pd_bar/pd_bar_internal.h"
 
 #include <math.h>
 
@@ -11,7 +11,7 @@ typedef struct Bound {
     bool positive; /* else: any number */
 } Bound;
 
-static bool check_numbers(const RodDef *def, Status *status)
+static bool check_numbers(const PdBarDef *def, Status *status)
 {
     const Bound bounds[] = {
         {"bar.length", def->length, true},       {"bar.youngs_modulus", def->youngs_modulus, true},
@@ -26,7 +26,7 @@ static bool check_numbers(const RodDef *def, Status *status)
     return true;
 }
 
-bool rod_check(const RodDef *def, Status *status)
+bool pd_bar_check(const PdBarDef *def, Status *status)
 {
     enum { NODES_MAX = 20000000 }; /* of 64 bytes with the least horizon, 248 with the largest */
     if (!check_numbers(def, status))
@@ -40,10 +40,10 @@ bool rod_check(const RodDef *def, Status *status)
         return status_fail(status, STATUS_USAGE,
                            "pd.horizon: %g is below the spacing (at least pd.spacing = %g)", def->horizon,
                            def->spacing);
-    if (ratio > ROD_REACH_MAX * (1 + 1e-9))
+    if (ratio > PD_BAR_REACH_MAX * (1 + 1e-9))
         return status_fail(status, STATUS_USAGE,
                            "pd.horizon: %g is %.4g spacings (at most %d times pd.spacing)", def->horizon,
-                           ratio, ROD_REACH_MAX);
+                           ratio, PD_BAR_REACH_MAX);
     if (def->horizon > def->length * (1 + 1e-9))
         return status_fail(status, STATUS_USAGE,
                            "pd.horizon: %g reaches beyond the whole bar (at most bar.length = %g)",

@@ -1,21 +1,21 @@
 /* What front ends read of the bar by peridynamics: fields, series, links. */
 #include "base/assertion.h"
 #include "physics/axial.h"
-#include "physics/pd_bar/rod_internal.h"
+#include "physics/pd_bar/pd_bar_internal.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-static const Set sets[ROD_SETS] = {
-    [ROD_PARTICLE] = {"particle", "particles", 0},
-    [ROD_BOND] = {"bond", "bonds", 0},
+static const Set sets[PD_BAR_SETS] = {
+    [PD_BAR_PARTICLE] = {"particle", "particles", 0},
+    [PD_BAR_BOND] = {"bond", "bonds", 0},
 };
 
 /* --- a node and its family ------------------------------------------------------------------------ */
 
-static double displacement(const Rod *rod, int i)
+static double displacement(const PdBar *bar, int i)
 {
-    return rod->u[rod_at(&rod->lattice, i)];
+    return bar->u[pd_bar_at(&bar->lattice, i)];
 }
 
 /* The bond from node i to the right (m > 0) or to the left (m < 0), seen from its left end. */
@@ -24,73 +24,73 @@ typedef struct BondAt {
     double elongation, stiffness;
 } BondAt;
 
-static BondAt bond_at(const Rod *rod, int i, int m)
+static BondAt bond_at(const PdBar *bar, int i, int m)
 {
     const int k = m < 0 ? i + m : i, distance = abs(m);
-    return (BondAt){k, distance, rod_elongation(rod, k, distance), rod_stiffness(rod, k, distance)};
+    return (BondAt){k, distance, pd_bar_elongation(bar, k, distance), pd_bar_stiffness(bar, k, distance)};
 }
 
 /* Half of the energy of the node's bonds. */
-static double strain_energy(const Rod *rod, int i)
+static double strain_energy(const PdBar *bar, int i)
 {
     double sum = 0;
-    for (int m = -rod->lattice.reach; m <= rod->lattice.reach; m++)
+    for (int m = -bar->lattice.reach; m <= bar->lattice.reach; m++)
         if (m != 0) {
-            BondAt bond = bond_at(rod, i, m);
+            BondAt bond = bond_at(bar, i, m);
             sum += bond.stiffness * bond.elongation * bond.elongation;
         }
-    return sum * rod->lattice.h / 4;
+    return sum * bar->lattice.h / 4;
 }
 
-static double strain(const Rod *rod, int i)
+static double strain(const PdBar *bar, int i)
 {
     double stretched = 0, length = 0;
-    for (int m = -rod->lattice.reach; m <= rod->lattice.reach; m++) {
+    for (int m = -bar->lattice.reach; m <= bar->lattice.reach; m++) {
         if (m == 0)
             continue;
-        BondAt bond = bond_at(rod, i, m);
-        double weight = bond.stiffness > 0 ? rod->lattice.weight[bond.m - 1] : 0;
+        BondAt bond = bond_at(bar, i, m);
+        double weight = bond.stiffness > 0 ? bar->lattice.weight[bond.m - 1] : 0;
         stretched += weight * bond.elongation;
         length += weight * bond.m;
     }
-    return length > 0 ? stretched / (length * rod->lattice.h) : 0;
+    return length > 0 ? stretched / (length * bar->lattice.h) : 0;
 }
 
 /* The force of all bonds through the section between nodes i - 1 and i. */
-static double section_force(const Rod *rod, int i)
+static double section_force(const PdBar *bar, int i)
 {
     double sum = 0;
-    for (int m = 1; m <= rod->lattice.reach; m++)
+    for (int m = 1; m <= bar->lattice.reach; m++)
         for (int k = i - m; k < i; k++)
-            sum += rod_stiffness(rod, k, m) * rod_elongation(rod, k, m);
-    return sum * rod->lattice.h;
+            sum += pd_bar_stiffness(bar, k, m) * pd_bar_elongation(bar, k, m);
+    return sum * bar->lattice.h;
 }
 
-static double largest_stretch(const Rod *rod, int i)
+static double largest_stretch(const PdBar *bar, int i)
 {
     double most = -HUGE_VAL;
-    for (int m = -rod->lattice.reach; m <= rod->lattice.reach; m++) {
+    for (int m = -bar->lattice.reach; m <= bar->lattice.reach; m++) {
         if (m == 0)
             continue;
-        BondAt bond = bond_at(rod, i, m);
+        BondAt bond = bond_at(bar, i, m);
         if (bond.stiffness > 0)
-            most = fmax(most, bond.elongation / (bond.m * rod->lattice.h));
+            most = fmax(most, bond.elongation / (bond.m * bar->lattice.h));
     }
     return most > -HUGE_VAL ? most : 0;
 }
 
-static double family_size(const Rod *rod, int i)
+static double family_size(const PdBar *bar, int i)
 {
     int count = 0;
-    for (int m = -rod->lattice.reach; m <= rod->lattice.reach; m++)
-        count += m != 0 && bond_at(rod, i, m).stiffness > 0;
+    for (int m = -bar->lattice.reach; m <= bar->lattice.reach; m++)
+        count += m != 0 && bond_at(bar, i, m).stiffness > 0;
     return count;
 }
 
 /* --- bonds: numbered by their left end, then by distance ------------------------------------------ */
 
 /* Bonds of the left ends below i. Each of the last `reach` nodes has as many as there are nodes behind it. */
-static size_t bonds_before(const RodLattice *lattice, int i)
+static size_t bonds_before(const PdBarLattice *lattice, int i)
 {
     const int whole = lattice->n - lattice->reach; /* from there on the families are cut */
     if (i <= whole)
@@ -99,103 +99,103 @@ static size_t bonds_before(const RodLattice *lattice, int i)
     return (size_t)whole * reach + beyond * reach - beyond * (beyond + 1) / 2;
 }
 
-static BondAt bond_number(const Rod *rod, size_t number)
+static BondAt bond_number(const PdBar *bar, size_t number)
 {
-    const RodLattice *lattice = &rod->lattice;
+    const PdBarLattice *lattice = &bar->lattice;
     int i = (int)(number / (size_t)lattice->reach);
     while (bonds_before(lattice, i + 1) <= number)
         i++;
-    return bond_at(rod, i, (int)(number - bonds_before(lattice, i)) + 1);
+    return bond_at(bar, i, (int)(number - bonds_before(lattice, i)) + 1);
 }
 
 /* --- fields: one row each; the value of one thing ------------------------------------------------- */
 
-static double p_x0(const Rod *rod, int i)
+static double p_x0(const PdBar *bar, int i)
 {
-    return rod_position(&rod->lattice, i);
+    return pd_bar_position(&bar->lattice, i);
 }
 
-static double p_x(const Rod *rod, int i)
+static double p_x(const PdBar *bar, int i)
 {
-    return p_x0(rod, i) + displacement(rod, i);
+    return p_x0(bar, i) + displacement(bar, i);
 }
 
-static double p_v(const Rod *rod, int i)
+static double p_v(const PdBar *bar, int i)
 {
-    return rod->v[i];
+    return bar->v[i];
 }
 
-static double p_stress(const Rod *rod, int i)
+static double p_stress(const PdBar *bar, int i)
 {
-    return (section_force(rod, i) + section_force(rod, i + 1)) / 2;
+    return (section_force(bar, i) + section_force(bar, i + 1)) / 2;
 }
 
-static double p_density(const Rod *rod, int i)
+static double p_density(const PdBar *bar, int i)
 {
-    return rod->def.density / (1 + strain(rod, i));
+    return bar->def.density / (1 + strain(bar, i));
 }
 
-static double p_mass(const Rod *rod, int i)
+static double p_mass(const PdBar *bar, int i)
 {
     (void)i;
-    return rod->def.density * rod->lattice.h;
+    return bar->def.density * bar->lattice.h;
 }
 
-static double p_factor(const Rod *rod, int i)
+static double p_factor(const PdBar *bar, int i)
 {
-    return rod->lattice.factor[rod_at(&rod->lattice, i)];
+    return bar->lattice.factor[pd_bar_at(&bar->lattice, i)];
 }
 
-static double p_force(const Rod *rod, int i)
+static double p_force(const PdBar *bar, int i)
 {
-    return rod->f[i];
+    return bar->f[i];
 }
 
-static double p_acceleration(const Rod *rod, int i)
+static double p_acceleration(const PdBar *bar, int i)
 {
-    return rod->f[i] / rod->def.density;
+    return bar->f[i] / bar->def.density;
 }
 
-static double b_i(const Rod *rod, const BondAt *bond)
+static double b_i(const PdBar *bar, const BondAt *bond)
 {
-    (void)rod;
+    (void)bar;
     return bond->k;
 }
 
-static double b_j(const Rod *rod, const BondAt *bond)
+static double b_j(const PdBar *bar, const BondAt *bond)
 {
-    (void)rod;
+    (void)bar;
     return bond->k + bond->m;
 }
 
-static double b_x_i(const Rod *rod, const BondAt *bond)
+static double b_x_i(const PdBar *bar, const BondAt *bond)
 {
-    return p_x0(rod, bond->k);
+    return p_x0(bar, bond->k);
 }
 
-static double b_x_j(const Rod *rod, const BondAt *bond)
+static double b_x_j(const PdBar *bar, const BondAt *bond)
 {
-    return p_x0(rod, bond->k + bond->m);
+    return p_x0(bar, bond->k + bond->m);
 }
 
-static double b_stretch(const Rod *rod, const BondAt *bond)
+static double b_stretch(const PdBar *bar, const BondAt *bond)
 {
-    return bond->elongation / (bond->m * rod->lattice.h);
+    return bond->elongation / (bond->m * bar->lattice.h);
 }
 
-static double b_pull(const Rod *rod, const BondAt *bond)
+static double b_pull(const PdBar *bar, const BondAt *bond)
 {
-    (void)rod;
+    (void)bar;
     return bond->stiffness * bond->elongation;
 }
 
-static double b_energy(const Rod *rod, const BondAt *bond)
+static double b_energy(const PdBar *bar, const BondAt *bond)
 {
-    return bond->stiffness * bond->elongation * bond->elongation * rod->lattice.h / 2;
+    return bond->stiffness * bond->elongation * bond->elongation * bar->lattice.h / 2;
 }
 
-typedef double NodeValue(const Rod *rod, int i);
-typedef double BondValue(const Rod *rod, const BondAt *bond);
+typedef double NodeValue(const PdBar *bar, int i);
+typedef double BondValue(const PdBar *bar, const BondAt *bond);
 
 /* Those of axial.h come first. */
 enum FieldIndex {
@@ -217,9 +217,9 @@ enum FieldIndex {
 };
 
 #define PARTICLE(name, label, unit, meaning, table, whole)                                                   \
-    FIELD_ROW(ROD_PARTICLE, table, whole, name, label, unit, meaning)
+    FIELD_ROW(PD_BAR_PARTICLE, table, whole, name, label, unit, meaning)
 #define BOND(name, label, unit, meaning, table, whole)                                                       \
-    FIELD_ROW(ROD_BOND, table, whole, name, label, unit, meaning)
+    FIELD_ROW(PD_BAR_BOND, table, whole, name, label, unit, meaning)
 
 static const Field fields[N_FIELDS] = {
     AXIAL_FIELD_ROWS("force of all bonds through a section, mean of the sections beside the node",
@@ -258,7 +258,7 @@ static NodeValue *const node_values[N_FIELDS] = {
     [AXIAL_MASS] = p_mass,
     [P_FACTOR] = p_factor,
     [P_FORCE] = p_force,
-    [P_LOAD] = rod_load,
+    [P_LOAD] = pd_bar_load,
     [P_STRETCH] = largest_stretch,
     [P_FAMILY] = family_size,
     [P_STRAIN_ENERGY] = strain_energy,
@@ -270,47 +270,47 @@ static BondValue *const bond_values[N_FIELDS] = {
     [B_PULL] = b_pull, [B_ENERGY] = b_energy,
 };
 
-void rod_field(const Simulation *sim, int field, size_t first, size_t count, double *out)
+void pd_bar_field(const Simulation *sim, int field, size_t first, size_t count, double *out)
 {
-    const Rod *rod = (const Rod *)sim;
+    const PdBar *bar = (const PdBar *)sim;
     ASSERT_INT(field, <, sim->n_fields);
     ASSERT_INT(first + count, <=, sim->counts[fields[field].set]);
     for (size_t k = 0; k < count; k++) {
-        if (fields[field].set == ROD_PARTICLE) {
-            out[k] = node_values[field](rod, (int)(first + k));
+        if (fields[field].set == PD_BAR_PARTICLE) {
+            out[k] = node_values[field](bar, (int)(first + k));
             continue;
         }
-        BondAt bond = bond_number(rod, first + k);
-        out[k] = bond_values[field](rod, &bond);
+        BondAt bond = bond_number(bar, first + k);
+        out[k] = bond_values[field](bar, &bond);
     }
 }
 
-size_t rod_links(const Simulation *sim, int set, size_t index, Link *out, size_t max)
+size_t pd_bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t max)
 {
-    const Rod *rod = (const Rod *)sim;
-    const double h = rod->lattice.h;
+    const PdBar *bar = (const PdBar *)sim;
+    const double h = bar->lattice.h;
     ASSERT_INT(index, <, sim->counts[set]);
     size_t count = 0;
-    if (set == ROD_BOND) {
-        BondAt bond = bond_number(rod, index);
-        double stretch = b_stretch(rod, &bond), pull = b_pull(rod, &bond) * h;
+    if (set == PD_BAR_BOND) {
+        BondAt bond = bond_number(bar, index);
+        double stretch = b_stretch(bar, &bond), pull = b_pull(bar, &bond) * h;
         const int ends[2] = {bond.k, bond.k + bond.m};
         for (; count < 2 && count < max; count++)
-            out[count] =
-                (Link){.set = ROD_PARTICLE, .index = (size_t)ends[count], .stretch = stretch, .pull = pull};
+            out[count] = (Link){
+                .set = PD_BAR_PARTICLE, .index = (size_t)ends[count], .stretch = stretch, .pull = pull};
         return count;
     }
-    for (int m = -rod->lattice.reach; m <= rod->lattice.reach && count < max; m++) {
+    for (int m = -bar->lattice.reach; m <= bar->lattice.reach && count < max; m++) {
         if (m == 0)
             continue;
         const int i = (int)index;
-        BondAt bond = bond_at(rod, i, m);
+        BondAt bond = bond_at(bar, i, m);
         if (!(bond.stiffness > 0))
             continue;
-        out[count++] = (Link){.set = ROD_PARTICLE,
-                              .index = (size_t)rod_partner(&rod->lattice, i + m),
-                              .stretch = b_stretch(rod, &bond),
-                              .pull = b_pull(rod, &bond) * h,
+        out[count++] = (Link){.set = PD_BAR_PARTICLE,
+                              .index = (size_t)pd_bar_partner(&bar->lattice, i + m),
+                              .stretch = b_stretch(bar, &bond),
+                              .pull = b_pull(bar, &bond) * h,
                               .length = m * h,
                               .stiffness = bond.stiffness * bond.m * h};
     }
@@ -319,40 +319,40 @@ size_t rod_links(const Simulation *sim, int set, size_t index, Link *out, size_t
 
 /* --- series --------------------------------------------------------------------------------------- */
 
-static const Quantity series[ROD_SERIES] = {
+static const Quantity series[PD_BAR_SERIES] = {
     AXIAL_SERIES_BEGIN,
     {"strain", "strain", "force/length", "strain energy of the bonds"},
     AXIAL_SERIES_END,
 };
 
-void rod_row(Simulation *sim, double *row)
+void pd_bar_row(Simulation *sim, double *row)
 {
-    const Rod *rod = (const Rod *)sim;
-    const int n = rod->lattice.n;
+    const PdBar *bar = (const PdBar *)sim;
+    const int n = bar->lattice.n;
     double momentum = 0, moved = 0, square = 0, stored = 0;
     for (int i = 0; i < n; i++) {
-        momentum += rod->v[i];
-        moved += displacement(rod, i);
-        square += rod->v[i] * rod->v[i];
-        stored += strain_energy(rod, i);
+        momentum += bar->v[i];
+        moved += displacement(bar, i);
+        square += bar->v[i] * bar->v[i];
+        stored += strain_energy(bar, i);
     }
-    const double kinetic = square * rod->def.density * rod->lattice.h / 2;
-    const double values[ROD_SERIES] = {
-        momentum / n, rod->def.length / 2 + moved / n, kinetic, stored, rod->head->work, kinetic + stored};
-    for (int k = 0; k < ROD_SERIES; k++)
+    const double kinetic = square * bar->def.density * bar->lattice.h / 2;
+    const double values[PD_BAR_SERIES] = {
+        momentum / n, bar->def.length / 2 + moved / n, kinetic, stored, bar->head->work, kinetic + stored};
+    for (int k = 0; k < PD_BAR_SERIES; k++)
         row[k] = values[k];
 }
 
-void rod_set_fields(Rod *rod)
+void pd_bar_set_fields(PdBar *bar)
 {
-    Simulation *sim = &rod->sim;
+    Simulation *sim = &bar->sim;
     sim->sets = sets;
-    sim->n_sets = ROD_SETS;
-    sim->counts[ROD_PARTICLE] = (size_t)rod->lattice.n;
-    sim->counts[ROD_BOND] = bonds_before(&rod->lattice, rod->lattice.n);
+    sim->n_sets = PD_BAR_SETS;
+    sim->counts[PD_BAR_PARTICLE] = (size_t)bar->lattice.n;
+    sim->counts[PD_BAR_BOND] = bonds_before(&bar->lattice, bar->lattice.n);
     sim->fields = fields;
     sim->n_fields = N_FIELDS;
     sim->series = series;
-    sim->n_series = ROD_SERIES;
-    axial_set_motion(sim, HAS_BONDS | HAS_STRETCH, rod->lattice.h);
+    sim->n_series = PD_BAR_SERIES;
+    axial_set_motion(sim, HAS_BONDS | HAS_STRETCH, bar->lattice.h);
 }

@@ -1,0 +1,132 @@
+/* One time step by velocity Verlet; each stage is a function of a range of nodes, and the fast path calls the
+ * same functions over all of them. */
+#include "physics/pd_bar/pd_bar_internal.h"
+
+#include <math.h>
+#include <string.h>
+
+double pd_bar_load(const PdBar *bar, int i)
+{
+    const PdBarLattice *lattice = &bar->lattice;
+    double force = bar->def.density * bar->head->body_force, pull = bar->head->traction / lattice->layer;
+    if (i < lattice->layer_left)
+        force -= pull;
+    if (i >= lattice->n - lattice->layer_right)
+        force += pull;
+    return force;
+}
+
+static bool is_loaded(const PdBar *bar)
+{
+    return bar->head->body_force != 0 || bar->head->traction != 0;
+}
+
+/* --- what the stages do to nodes [first, end) --- */
+
+static void kick(PdBar *bar, int first, int end)
+{
+    const double factor = bar->sim.dt / (2 * bar->def.density);
+    for (int i = first; i < end; i++)
+        bar->v[i] += factor * bar->f[i];
+}
+
+/* The work of the load: at the midpoint of the step, with the velocity there. */
+static void drift(PdBar *bar, int first, int end)
+{
+    const double dt = bar->sim.dt;
+    double *u = bar->u + bar->lattice.reach;
+    for (int i = first; i < end; i++)
+        u[i] += dt * bar->v[i];
+    for (int i = first; i < end && is_loaded(bar); i++)
+        bar->head->work += pd_bar_load(bar, i) * bar->lattice.h * bar->v[i] * dt;
+}
+
+static void mirror(PdBar *bar, int first, int end)
+{
+    const int n = bar->lattice.n, reach = bar->lattice.reach;
+    double *u = bar->u + reach;
+    for (int i = first; bar->def.left_fixed && i < end && i < reach; i++)
+        u[-1 - i] = -u[i];
+    for (int i = first > n - reach ? first : n - reach; bar->def.right_fixed && i < end; i++)
+        u[2 * n - 1 - i] = -u[i];
+}
+
+/* Each node adds up its own family, so that the bits do not depend on where a stage is cut. */
+static void bonds(PdBar *bar, int first, int end)
+{
+    const double *u = bar->u + bar->lattice.reach;
+    double *f = bar->f;
+    for (int i = first; i < end; i++)
+        f[i] = 0;
+    for (int m = 1; m <= bar->lattice.reach; m++) {
+        const double *stiffness = bar->lattice.stiffness[m - 1] + bar->lattice.reach;
+        for (int i = first; i < end; i++)
+            f[i] += stiffness[i] * (u[i + m] - u[i]) - stiffness[i - m] * (u[i] - u[i - m]);
+    }
+}
+
+static void load(PdBar *bar, int first, int end)
+{
+    for (int i = first; i < end && is_loaded(bar); i++)
+        bar->f[i] += pd_bar_load(bar, i);
+}
+
+typedef void RangeStage(PdBar *bar, int first, int end);
+
+static RangeStage *const range_stages[PD_BAR_STAGES] = {
+    [PD_BAR_HALF_KICK] = kick, [PD_BAR_DRIFT] = drift, [PD_BAR_MIRROR] = mirror,
+    [PD_BAR_BONDS] = bonds,    [PD_BAR_LOAD] = load,   [PD_BAR_SECOND_KICK] = kick,
+};
+
+/* A node that has come a spacing nearer to its neighbour has met it: the stretch is no longer what it says.
+ * At a fixed end the neighbour is the node's own mirror image, which it meets at the support. */
+static bool check_gaps(PdBar *bar, int first, int end, Status *status)
+{
+    const double *u = bar->u + bar->lattice.reach, h = bar->lattice.h;
+    const int neighbours_end = bar->def.right_fixed ? bar->lattice.n : bar->lattice.n - 1;
+    int wrong = first == 0 && bar->def.left_fixed && !(fabs(u[0] - u[-1]) < h) ? 0 : -1;
+    for (int i = first; wrong < 0 && i < end && i < neighbours_end; i++)
+        if (!(fabs(u[i + 1] - u[i]) < h))
+            wrong = i;
+    if (wrong < 0)
+        return true;
+    const long step = bar->sim.step + 1;
+    return simulation_fail(&bar->sim, status,
+                           "unstable: particle %d has met or lost its neighbour in step %ld, t = %.6g (a "
+                           "smaller time.courant, initial.velocity or load)",
+                           wrong, step, (double)step * bar->sim.dt);
+}
+
+bool pd_bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status)
+{
+    PdBar *bar = (PdBar *)sim;
+    if (stage == PD_BAR_BONDS && !check_gaps(bar, (int)first, (int)end, status))
+        return false;
+    range_stages[stage](bar, (int)first, (int)end);
+    return true;
+}
+
+void pd_bar_forces(PdBar *bar)
+{
+    for (int stage = PD_BAR_MIRROR; stage <= PD_BAR_LOAD; stage++)
+        range_stages[stage](bar, 0, bar->lattice.n);
+}
+
+/* --- whole steps; one that fails is taken back --- */
+
+bool pd_bar_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
+{
+    PdBar *bar = (PdBar *)sim;
+    for (*done = 0; *done < count; ++*done) {
+        memcpy(bar->sound, bar->head, bar->state_size);
+        for (int stage = 0; stage < PD_BAR_STAGES; stage++)
+            if (!pd_bar_stage(sim, stage, 0, sim->stage_items, status)) {
+                memcpy(bar->head, bar->sound, bar->state_size);
+                return false;
+            }
+        sim->step++;
+        if (rows)
+            sim->method->row(sim, rows + *done * sim->n_series);
+    }
+    return true;
+}
