@@ -197,6 +197,29 @@ START_TEST(answers_leave_where_a_stranger_comes_on_the_way)
 }
 END_TEST
 
+/* A key that is written wrong would be understood by nobody. */
+START_TEST(keys_are_those_of_parameters)
+{
+    for (int p = 0; problems[p]; p++)
+        for (int s = 0; problems[p]->solvers[s]; s++)
+            for (int r = 0; r < REFERENCES; r++) {
+                const Understanding *known = &problems[p]->solvers[s]->understands[r];
+                for (int i = 0; known->keys && known->keys[i]; i++)
+                    ck_assert_msg(parameter_find(known->keys[i]) != NULL, "%s", known->keys[i]);
+                for (int i = 0; known->changes && known->changes[i]; i++) {
+                    const Parameter *parameter = parameter_find(known->changes[i]);
+                    ck_assert_msg(parameter && parameter->live, "%s", known->changes[i]);
+                }
+            }
+    for (int p = 0; problems[p]; p++)
+        for (int i = 0; i < problems[p]->n_uses; i++) {
+            const Parameter *parameter = parameter_find(problems[p]->uses[i].key);
+            ck_assert_msg(parameter && parameter_applies(parameter, problems[p]), "%s",
+                          problems[p]->uses[i].key);
+        }
+}
+END_TEST
+
 /* No limit is known either: what would be refused without it is left to the run. */
 START_TEST(a_limit_leaves_too)
 {
@@ -314,6 +337,7 @@ void add_cases(Suite *suite)
     TCase *open = tcase_create("open");
     tcase_add_test(open, answers_leave_where_a_stranger_is_at_work);
     tcase_add_test(open, answers_leave_where_a_stranger_comes_on_the_way);
+    tcase_add_test(open, keys_are_those_of_parameters);
     tcase_add_test(open, a_limit_leaves_too);
     tcase_add_test(open, beam_theory_leaves_too);
     tcase_add_test(open, theory_leaves_a_filter_alone);

@@ -60,9 +60,11 @@ void bar_read_out(const References *, const double *rows, size_t n_rows, int n_c
     "bar.length", "bar.youngs_modulus", "bar.density", "bar.supports", "initial.mode", "initial.velocity",   \
         "initial.overtones", "load.body_force", "load.traction", "load.traction_layer", "scenario.method",   \
         "time.end"
-#define BAR_MESH_KEYS     "mesh.cell_size", "mesh.particles_per_cell", "mesh.padding", "time.courant"
-#define BAR_TRANSFER_KEYS "mpm.algorithm", "mpm.shape", "mpm.transfer", "mpm.flip_fraction"
-#define BAR_LATTICE_KEYS  "pd.spacing", "pd.horizon", "pd.surface_correction", "pd.volume_correction"
+#define BAR_MESH_KEYS                                                                                        \
+    "mesh.cell_size", "mesh.particles_per_cell", "mesh.padding", "time.courant", "time.unstable"
+#define BAR_TRANSFER_KEYS                                                                                    \
+    "mpm.algorithm", "mpm.shape", "mpm.transfer", "mpm.flip_fraction", "mpm.affine_start"
+#define BAR_LATTICE_KEYS "pd.spacing", "pd.horizon", "pd.surface_correction", "pd.volume_correction"
 
 /* How many modes so many cells or nodes can carry. */
 int bar_modes_of(double count);
