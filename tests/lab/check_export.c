@@ -135,8 +135,9 @@ START_TEST(columns_are_those_of_the_contract)
                        .particles = in_folder("p.csv"),
                        .nodes = in_folder("n.csv")};
     run(&settings, &outputs, &summary);
-    expect_header(outputs.series,
-                  "step,time,v_cm,v_cm_exact,v_cm_predicted,x_cm,kinetic,kinetic_grid,kinetic_null,strain,work,total");
+    expect_header(
+        outputs.series,
+        "step,time,v_cm,v_cm_exact,v_cm_predicted,x_cm,kinetic,kinetic_grid,kinetic_null,strain,work,total");
     expect_header(outputs.particles, "step,time,particle,x0,x,u,v,stress,strain,density,mass");
     expect_header(outputs.nodes, "step,time,node,x,mass,momentum,velocity,f_int,f_ext,f");
     ck_assert_int_eq(count_lines(outputs.series), 102);
@@ -150,7 +151,8 @@ START_TEST(columns_are_those_of_the_contract)
     outputs.force = true;
     set(&settings, "mpm.algorithm", "usl");
     run(&settings, &outputs, &summary);
-    expect_header(outputs.series, "step,time,v_cm,v_cm_exact,x_cm,kinetic,kinetic_grid,kinetic_null,strain,work,total");
+    expect_header(outputs.series,
+                  "step,time,v_cm,v_cm_exact,x_cm,kinetic,kinetic_grid,kinetic_null,strain,work,total");
 
     static const struct {
         const Problem *problem;

@@ -34,17 +34,17 @@ static double velocity(double x, const void *context)
 static Simulation *rod(const BarTheory *bar, const RodLatticeTheory *on)
 {
     PdBarDef def = {.length = bar->length,
-                  .youngs_modulus = bar->youngs_modulus,
-                  .density = bar->density,
-                  .left_fixed = bar->left_fixed,
-                  .right_fixed = bar->right_fixed,
-                  .spacing = on->spacing,
-                  .horizon = on->horizon,
-                  .surface_correction = on->energy_correction ? SURFACE_ENERGY : SURFACE_NONE,
-                  .volume_correction = on->partial_volumes ? VOLUME_PARTIAL : VOLUME_NONE,
-                  .dt = on->dt,
-                  .initial_velocity = velocity,
-                  .initial_context = bar};
+                    .youngs_modulus = bar->youngs_modulus,
+                    .density = bar->density,
+                    .left_fixed = bar->left_fixed,
+                    .right_fixed = bar->right_fixed,
+                    .spacing = on->spacing,
+                    .horizon = on->horizon,
+                    .surface_correction = on->energy_correction ? SURFACE_ENERGY : SURFACE_NONE,
+                    .volume_correction = on->partial_volumes ? VOLUME_PARTIAL : VOLUME_NONE,
+                    .dt = on->dt,
+                    .initial_velocity = velocity,
+                    .initial_context = bar};
     Status status = {0};
     Simulation *sim = pd_bar_create(&def, &status);
     ck_assert_msg(sim != NULL, "%s", status.text);

@@ -83,8 +83,7 @@ int convergence_studies(const Settings *settings, const ConvergenceStudy *out[CO
     const Problem *problem = settings->problem;
     const Solver *solver = problem_solver(problem, settings->method);
     int count = 0;
-    const bool predicts =
-        solver && solver->predict && !known_stranger_now(settings, REFERENCE_PREDICTED);
+    const bool predicts = solver && solver->predict && !known_stranger_now(settings, REFERENCE_PREDICTED);
     for (int i = 0; i < LENGTH_OF(studies) && predicts; i++)
         if ((problem->concerns & studies[i].concerns) == studies[i].concerns &&
             settings->method == studies[i].method)

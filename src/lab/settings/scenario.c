@@ -315,8 +315,7 @@ void scenario_blame(const char *name_or_path, const Override *overrides, int cou
     const size_t length = strcspn(status->text, ":");
     if (length < sizeof key)
         memcpy(key, status->text, length);
-    FILE *stream =
-        parameter_find(key) || text_key_find(key) ? open_scenario(name_or_path, NULL) : NULL;
+    FILE *stream = parameter_find(key) || text_key_find(key) ? open_scenario(name_or_path, NULL) : NULL;
     if (!stream)
         return;
     if (!entries_read(&source.entries, stream, name_or_path, NULL) || !find_origin(&source, status))

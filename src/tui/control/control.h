@@ -104,8 +104,8 @@ struct Laboratory {
     double part_seconds; /* what it has taken so far */
     int frames_in_time;  /* since the engine was last the limit */
     enum { DRAG_NOTHING, DRAG_VALUE, DRAG_TIME } drag; /* what the pressed mouse holds */
-    int drag_x;          /* where it was nudged last */
-    bool pasted_line;    /* a pasted line has ended; what is pasted behind it is another word */
+    int drag_x;                                        /* where it was nudged last */
+    bool pasted_line; /* a pasted line has ended; what is pasted behind it is another word */
     Answer answer;
     const Typing *typing;   /* NULL: nothing special */
     int suggestion;         /* for a duel, the one that is offered; -1: what was the last one's */
