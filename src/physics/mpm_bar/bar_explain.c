@@ -13,27 +13,27 @@ static double *velocity_of_particle(const Bar *bar, int particle)
 static void say_momentum(const BarSubject *subject, BarExchange exchange)
 {
     const BarLabel label = bar_label("p", subject->index, " = ");
-    WorkingSum sum = {.label = label.text};
+    CalculationSum sum = {.label = label.text};
     sum.result = bar_add_gifts(subject, exchange, &sum);
-    working_sum(subject->working, &sum);
+    calculation_sum(subject->calculation, &sum);
 }
 
 static void map_node(const BarSubject *subject)
 {
     const BarLabel label = bar_label("m", subject->index, " = ");
-    WorkingSum sum = {.label = label.text, .result = subject->bar->node_mass[subject->index]};
+    CalculationSum sum = {.label = label.text, .result = subject->bar->node_mass[subject->index]};
     bar_add_gifts(subject, GIVE_MASS, &sum);
-    working_sum(subject->working, &sum);
+    calculation_sum(subject->calculation, &sum);
     say_momentum(subject, GIVE_MOMENTUM);
 }
 
 static void map_particle(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
-    WorkingSum sum = {.label = "N: ", .result = 1};
+    CalculationSum sum = {.label = "N: ", .result = 1};
     for (size_t i = 0; i < subject->n_links; i++)
-        working_add(&sum, 1, subject->links[i].weight, 0, 0)->to = (long)subject->links[i].index;
-    working_sum(subject->working, &sum);
+        calculation_add(&sum, 1, subject->links[i].weight, 0, 0)->to = (long)subject->links[i].index;
+    calculation_sum(subject->calculation, &sum);
     bar_say_shares(subject, GIVE_MASS, "m N: ", bar->mass);
     bar_say_shares(subject, GIVE_MOMENTUM, "m v N: ", bar->mass * *velocity_of_particle(bar, subject->index));
 }
@@ -42,7 +42,7 @@ static void map_again_node(const BarSubject *subject)
 {
     say_momentum(subject, GIVE_MOMENTUM_AGAIN);
     if (bar_node_is_fixed(subject->bar, subject->index))
-        working_say(subject->working, "the node is fixed: p%d = 0\n", subject->index);
+        calculation_say(subject->calculation, "the node is fixed: p%d = 0\n", subject->index);
 }
 
 static void map_again_particle(const BarSubject *subject)
@@ -56,29 +56,31 @@ static void map_again_particle(const BarSubject *subject)
 static void fix_node(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
-    Working *working = subject->working;
+    Calculation *calculation = subject->calculation;
     const int i = subject->index;
-    working_say(working, "p%d", i);
+    calculation_say(calculation, "p%d", i);
     if (!bar_node_is_fixed(bar, i)) {
-        working_number(working, " = ", bar->node_momentum[i]);
-        working_say(working, " stays: no support holds the node\n");
+        calculation_number(calculation, " = ", bar->node_momentum[i]);
+        calculation_say(calculation, " stays: no support holds the node\n");
         return;
     }
     if (subject->before)
-        working_number(working, ": ", working_before(bar->block, &bar->node_momentum[i], subject->before));
-    working_say(working, " → 0: a support holds the node\n");
-    working_number(working, "its mass ", bar->node_mass[i]);
-    working_say(working, " stays\n");
+        calculation_number(calculation, ": ",
+                           calculation_before(bar->block, &bar->node_momentum[i], subject->before));
+    calculation_say(calculation, " → 0: a support holds the node\n");
+    calculation_number(calculation, "its mass ", bar->node_mass[i]);
+    calculation_say(calculation, " stays\n");
 }
 
 static void fix_particle(const BarSubject *subject)
 {
     for (size_t i = 0; i < subject->n_links; i++)
         if (bar_node_is_fixed(subject->bar, (int)subject->links[i].index)) {
-            working_say(subject->working, "its node %zu is fixed and cannot move\n", subject->links[i].index);
+            calculation_say(subject->calculation, "its node %zu is fixed and cannot move\n",
+                            subject->links[i].index);
             return;
         }
-    working_say(subject->working, "none of its nodes is fixed: nothing changes here\n");
+    calculation_say(subject->calculation, "none of its nodes is fixed: nothing changes here\n");
 }
 
 /* --- strain and stress ---------------------------------------------------------------------------- */
@@ -95,17 +97,17 @@ static void strain_particle(const BarSubject *subject)
     const Bar *bar = subject->bar;
     const int slot = subject->index % bar->slots, k = subject->index / bar->slots;
     const double stress = bar->stress[slot][k], density = bar->mass / bar->volume[slot][k];
-    WorkingSum strain = {.label = "Δε = "};
+    CalculationSum strain = {.label = "Δε = "};
     const double increment = strain.result = bar_add_gifts(subject, TAKE_STRAIN, &strain);
-    working_sum(subject->working, &strain);
+    calculation_sum(subject->calculation, &strain);
 
     const double modulus = bar->def.youngs_modulus;
-    working_change(subject->working, "σ = σ + E Δε = ", stress - modulus * increment, modulus, increment,
-                   stress, NULL);
+    calculation_change(subject->calculation, "σ = σ + E Δε = ", stress - modulus * increment, modulus,
+                       increment, stress, NULL);
 
-    WorkingSum thin = {.label = "ρ = ρ/(1 + Δε) = ", .result = density};
-    working_add(&thin, 1, density * (1 + increment), 0, 0)->divisor = 1 + increment;
-    working_sum(subject->working, &thin);
+    CalculationSum thin = {.label = "ρ = ρ/(1 + Δε) = ", .result = density};
+    calculation_add(&thin, 1, density * (1 + increment), 0, 0)->divisor = 1 + increment;
+    calculation_sum(subject->calculation, &thin);
 }
 
 /* --- nodal forces --------------------------------------------------------------------------------- */
@@ -114,24 +116,24 @@ static void force_node(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
     const int i = subject->index;
-    WorkingSum internal = {.label = "f_int = Σ -N′ (σ V) = ", .result = bar->node_f_int[i]};
+    CalculationSum internal = {.label = "f_int = Σ -N′ (σ V) = ", .result = bar->node_f_int[i]};
     bar_add_gifts(subject, GIVE_F_INT, &internal);
-    working_sum(subject->working, &internal);
+    calculation_sum(subject->calculation, &internal);
     const bool loaded = bar_is_loaded(bar) && bar->node_f_ext[i] != 0.0;
     if (loaded) {
-        WorkingSum external = {.label = "f_ext = ", .result = bar->node_f_ext[i]};
+        CalculationSum external = {.label = "f_ext = ", .result = bar->node_f_ext[i]};
         bar_add_gifts(subject, GIVE_F_EXT, &external);
-        working_sum(subject->working, &external);
+        calculation_sum(subject->calculation, &external);
     }
     if (bar_node_is_fixed(bar, i)) {
-        working_say(subject->working, "the node is fixed: f = 0, the support bears the rest\n");
+        calculation_say(subject->calculation, "the node is fixed: f = 0, the support bears the rest\n");
     } else if (loaded) {
-        WorkingSum whole = {.label = "f = f_int + f_ext = ", .result = bar_node_force(bar, i)};
-        working_add(&whole, 1, bar->node_f_int[i], 0, 0);
-        working_add(&whole, 1, bar->node_f_ext[i], 0, 0);
-        working_sum(subject->working, &whole);
+        CalculationSum whole = {.label = "f = f_int + f_ext = ", .result = bar_node_force(bar, i)};
+        calculation_add(&whole, 1, bar->node_f_int[i], 0, 0);
+        calculation_add(&whole, 1, bar->node_f_ext[i], 0, 0);
+        calculation_sum(subject->calculation, &whole);
     } else {
-        working_say(subject->working, "no load acts here: f = f_int\n");
+        calculation_say(subject->calculation, "no load acts here: f = f_int\n");
     }
 }
 
@@ -140,9 +142,9 @@ static void force_particle(const BarSubject *subject)
     const Bar *bar = subject->bar;
     const int slot = subject->index % bar->slots, k = subject->index / bar->slots;
     const double stress = bar->stress[slot][k], volume = bar->volume[slot][k];
-    WorkingSum pull = {.label = "σ V = ", .result = stress * volume};
-    working_add(&pull, 2, stress, volume, 0);
-    working_sum(subject->working, &pull);
+    CalculationSum pull = {.label = "σ V = ", .result = stress * volume};
+    calculation_add(&pull, 2, stress, volume, 0);
+    calculation_sum(subject->calculation, &pull);
     bar_say_shares(subject, GIVE_F_INT, "-N′ σ V: ", 0);
     if (bar_is_loaded(bar)) {
         double f[EXCHANGE_FACTORS_MAX] = {0};
@@ -159,7 +161,8 @@ static void say_integrated(const BarSubject *subject, int node)
     const double force = bar_node_force(bar, node);
     const BarLabel label = bar_label("p", node, " = p + Δt f = ");
     const double momentum = bar->node_momentum[node];
-    working_change(subject->working, label.text, momentum - bar->dt * force, bar->dt, force, momentum, NULL);
+    calculation_change(subject->calculation, label.text, momentum - bar->dt * force, bar->dt, force, momentum,
+                       NULL);
 }
 
 static void integrate_node(const BarSubject *subject)
@@ -194,20 +197,20 @@ static void say_slope(const BarSubject *subject)
     const int cell = bar_cell_of(bar, subject->index);
     const int slot = subject->index % bar->slots, k = subject->index / bar->slots;
     const bool hat = bar->def.shape == MPM_HAT;
-    WorkingSum sum = {.label = hat ? "C = Σ N′ v = " : "C = Σ N v d / Σ N d² = ",
-                      .result = bar->affine[slot][k]};
+    CalculationSum sum = {.label = hat ? "C = Σ N′ v = " : "C = Σ N v d / Σ N d² = ",
+                          .result = bar->affine[slot][k]};
     for (size_t i = 0; i < subject->n_links; i++) {
         const Link *link = &subject->links[i];
         const double speed = bar_integrated_velocity(bar, (int)link->index);
         const double offset = shape_node_offset(bar->def.shape, bar->n_cells, cell, (int)link->index - cell);
         const double arm = bar->dx * (offset - bar->s[slot][k]);
         if (hat)
-            working_add(&sum, 2, link->gradient[0], speed, 0);
+            calculation_add(&sum, 2, link->gradient[0], speed, 0);
         else
-            working_add(&sum, 3, link->weight, speed, arm);
+            calculation_add(&sum, 3, link->weight, speed, arm);
         sum.divisor += hat ? 0 : link->weight * arm * arm;
     }
-    working_sum(subject->working, &sum);
+    calculation_sum(subject->calculation, &sum);
 }
 
 static void say_velocity(const BarSubject *subject)
@@ -215,13 +218,13 @@ static void say_velocity(const BarSubject *subject)
     const Bar *bar = subject->bar;
     const double alpha = bar->head->flip_fraction, now = *velocity_of_particle(bar, subject->index);
     if (bar->head->transfer == MPM_APIC || alpha == 0.0) {
-        WorkingSum mean = {.label = "v = Σ N v_i = ", .result = now};
+        CalculationSum mean = {.label = "v = Σ N v_i = ", .result = now};
         bar_add_gifts(subject, TAKE_VELOCITY, &mean);
-        working_sum(subject->working, &mean);
+        calculation_sum(subject->calculation, &mean);
         return;
     }
-    WorkingSum flip = {.label = alpha == 1.0 ? "v = " : "FLIP: ", .has_base = true, .scale = bar->dt};
-    WorkingSum mean = {.label = "PIC: "};
+    CalculationSum flip = {.label = alpha == 1.0 ? "v = " : "FLIP: ", .has_base = true, .scale = bar->dt};
+    CalculationSum mean = {.label = "PIC: "};
     double kick = 0;
     for (size_t i = 0; i < subject->n_links; i++) {
         const Link *link = &subject->links[i];
@@ -230,19 +233,19 @@ static void say_velocity(const BarSubject *subject)
             continue;
         kick += link->weight * bar->node_kick[node];
         mean.result += link->weight * bar_integrated_velocity(bar, node);
-        working_add(&flip, 2, link->weight, bar->node_kick[node] / bar->dt, 0);
-        working_add(&mean, 2, link->weight, bar_integrated_velocity(bar, node), 0);
+        calculation_add(&flip, 2, link->weight, bar->node_kick[node] / bar->dt, 0);
+        calculation_add(&mean, 2, link->weight, bar_integrated_velocity(bar, node), 0);
     }
     flip.result = alpha == 1.0 ? now : (now - (1.0 - alpha) * mean.result) / alpha;
     flip.base = flip.result - kick;
-    working_sum(subject->working, &flip);
+    calculation_sum(subject->calculation, &flip);
     if (alpha == 1.0)
         return;
-    working_sum(subject->working, &mean);
-    WorkingSum blend = {.label = "v = ", .result = now};
-    working_add(&blend, 2, alpha, flip.result, 0);
-    working_add(&blend, 2, 1.0 - alpha, mean.result, 0);
-    working_sum(subject->working, &blend);
+    calculation_sum(subject->calculation, &mean);
+    CalculationSum blend = {.label = "v = ", .result = now};
+    calculation_add(&blend, 2, alpha, flip.result, 0);
+    calculation_add(&blend, 2, 1.0 - alpha, mean.result, 0);
+    calculation_sum(subject->calculation, &blend);
 }
 
 static void update_particle(const BarSubject *subject)
@@ -251,12 +254,12 @@ static void update_particle(const BarSubject *subject)
     const int slot = subject->index % bar->slots, k = subject->index / bar->slots;
     const int from_origin = bar_cell_of(bar, subject->index) - bar->origin;
     say_velocity(subject);
-    WorkingSum place = {.label = "x = ",
-                        .has_base = true,
-                        .base = (from_origin + bar->s[slot][k]) * bar->dx,
-                        .result = (from_origin + bar->moved[slot][k]) * bar->dx};
+    CalculationSum place = {.label = "x = ",
+                            .has_base = true,
+                            .base = (from_origin + bar->s[slot][k]) * bar->dx,
+                            .result = (from_origin + bar->moved[slot][k]) * bar->dx};
     bar_add_gifts(subject, TAKE_PLACE, &place);
-    working_sum(subject->working, &place);
+    calculation_sum(subject->calculation, &place);
     if (bar->head->transfer == MPM_APIC)
         say_slope(subject);
 }
@@ -265,9 +268,9 @@ static void update_particle(const BarSubject *subject)
 
 static void forget_node(const BarSubject *subject)
 {
-    working_number(subject->working, "the node is empty again, and where it was: x = ",
-                   bar_node_position(subject->bar, subject->index));
-    working_end_line(subject->working);
+    calculation_number(subject->calculation, "the node is empty again, and where it was: x = ",
+                       bar_node_position(subject->bar, subject->index));
+    calculation_end_line(subject->calculation);
 }
 
 static void forget_particle(const BarSubject *subject)
@@ -276,11 +279,11 @@ static void forget_particle(const BarSubject *subject)
     const int cell = bar_cell_of(bar, subject->index);
     const double left = (cell - bar->origin) * bar->dx;
     const double s = bar->s[subject->index % bar->slots][subject->index / bar->slots];
-    working_number(subject->working, "x = ", left + s * bar->dx);
-    working_say(subject->working, " lies in cell %d, from", cell);
-    working_number(subject->working, " ", left);
-    working_number(subject->working, " to ", left + bar->dx);
-    working_end_line(subject->working);
+    calculation_number(subject->calculation, "x = ", left + s * bar->dx);
+    calculation_say(subject->calculation, " lies in cell %d, from", cell);
+    calculation_number(subject->calculation, " ", left);
+    calculation_number(subject->calculation, " to ", left + bar->dx);
+    calculation_end_line(subject->calculation);
 }
 
 typedef void Saying(const BarSubject *subject);
@@ -303,13 +306,14 @@ void bar_explain(const Simulation *sim, int stage, int set, size_t index, const 
 {
     const Bar *bar = bar_of_const(sim);
     const BarSchedule *schedule = bar_schedule(bar->head, bar->def.shape);
-    Working working;
-    working_open(&working, out, size, terms);
+    Calculation calculation;
+    calculation_open(&calculation, out, size, terms);
     /* the sum can be written while its numbers are there: right after the stage */
     int just_done = sim->stage > 0 ? sim->stage - 1 : schedule->count - 1;
     if (stage != just_done || index >= sim->counts[set])
         return;
-    BarSubject subject = {.bar = bar, .before = before, .set = set, .index = (int)index, .working = &working};
+    BarSubject subject = {
+        .bar = bar, .before = before, .set = set, .index = (int)index, .calculation = &calculation};
     subject.n_links = bar_links(sim, set, index, subject.links, LINKS_MAX);
     (set == BAR_PARTICLES ? sayings[schedule->ops[stage]].particle
                           : sayings[schedule->ops[stage]].node)(&subject);

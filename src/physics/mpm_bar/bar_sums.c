@@ -3,9 +3,9 @@
 BarLabel bar_label(const char *before, int node, const char *after)
 {
     BarLabel label;
-    Working words;
-    working_open(&words, label.text, sizeof label.text, 0);
-    working_say(&words, "%s%d%s", before, node, after);
+    Calculation words;
+    calculation_open(&words, label.text, sizeof label.text, 0);
+    calculation_say(&words, "%s%d%s", before, node, after);
     return label;
 }
 
@@ -20,7 +20,7 @@ static bool leads(BarExchange exchange, int n_factors)
     return exchange == GIVE_MASS || (n_factors == 3 && exchange != GIVE_F_INT);
 }
 
-double bar_add_gifts(const BarSubject *subject, BarExchange exchange, WorkingSum *sum)
+double bar_add_gifts(const BarSubject *subject, BarExchange exchange, CalculationSum *sum)
 {
     const Simulation *sim = &subject->bar->sim;
     double total = 0;
@@ -32,37 +32,37 @@ double bar_add_gifts(const BarSubject *subject, BarExchange exchange, WorkingSum
             continue;
         total += f[0] * f[1] * (n == 3 ? f[2] : 1);
         if (exchange == GIVE_F_INT)
-            working_add(sum, 2, f[0], f[1] * f[2], 0);
+            calculation_add(sum, 2, f[0], f[1] * f[2], 0);
         else if (leads(exchange, n)) {
             sum->scale = f[0];
-            working_add(sum, n - 1, f[1], f[2], 0);
+            calculation_add(sum, n - 1, f[1], f[2], 0);
         } else
-            working_add(sum, n, f[0], f[1], 0);
+            calculation_add(sum, n, f[0], f[1], 0);
     }
     return total;
 }
 
 void bar_say_shares(const BarSubject *subject, BarExchange exchange, const char *label, double whole)
 {
-    WorkingSum sum = {.label = label, .result = whole};
+    CalculationSum sum = {.label = label, .result = whole};
     for (size_t i = 0; i < subject->n_links; i++) {
         double f[EXCHANGE_FACTORS_MAX] = {0};
         const size_t node = subject->links[i].index;
         const int n = bar_exchange(&subject->bar->sim, (int)exchange, (size_t)subject->index, node, f);
         if (n > 0)
-            working_add(&sum, 1, f[0] * f[1] * (n == 3 ? f[2] : 1), 0, 0)->to = (long)node;
+            calculation_add(&sum, 1, f[0] * f[1] * (n == 3 ? f[2] : 1), 0, 0)->to = (long)node;
     }
-    working_sum(subject->working, &sum);
+    calculation_sum(subject->calculation, &sum);
 }
 
 void bar_say_ratio(const BarSubject *subject, const char *label, double above, double result)
 {
     const double mass = subject->bar->node_mass[subject->index];
-    WorkingSum sum = {.label = label, .result = result};
+    CalculationSum sum = {.label = label, .result = result};
     if (subject->bar->node_inverse[subject->index] == 0.0) {
-        working_say(subject->working, "%s0: too little mass is here, the node is inactive\n", label);
+        calculation_say(subject->calculation, "%s0: too little mass is here, the node is inactive\n", label);
         return;
     }
-    working_add(&sum, 1, above, 0, 0)->divisor = mass;
-    working_sum(subject->working, &sum);
+    calculation_add(&sum, 1, above, 0, 0)->divisor = mass;
+    calculation_sum(subject->calculation, &sum);
 }

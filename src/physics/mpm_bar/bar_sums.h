@@ -4,7 +4,7 @@
 #define PHYSICS_MPM_BAR_SUMS_H
 
 #include "physics/mpm_bar/bar_state.h"
-#include "physics/working.h"
+#include "physics/calculation.h"
 
 enum { LINKS_MAX = 64 };
 
@@ -15,7 +15,7 @@ typedef struct BarSubject {
     int set, index;
     Link links[LINKS_MAX];
     size_t n_links;
-    Working *working;
+    Calculation *calculation;
 } BarSubject;
 
 /* A label of a node: "p13 = " from "p%d = ". */
@@ -26,7 +26,7 @@ typedef struct BarLabel {
 BarLabel bar_label(const char *before, int node, const char *after);
 
 /* What the subject's links give to it: adds terms and scale to the sum, returns what they come to. */
-double bar_add_gifts(const BarSubject *, BarExchange, WorkingSum *);
+double bar_add_gifts(const BarSubject *, BarExchange, CalculationSum *);
 
 /* "m v N: 0.1 to 12 + 0.3 to 13 = 0.4": how the chosen particle deals out. */
 void bar_say_shares(const BarSubject *, BarExchange, const char *label, double whole);

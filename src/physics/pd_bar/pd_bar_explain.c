@@ -1,7 +1,7 @@
 /* The stages as people read them, and the sum of the stage just done with its numbers. */
 #include "physics/pd_bar/pd_bar_internal.h"
 #include "physics/pd_plane/verlet.h"
-#include "physics/working.h"
+#include "physics/calculation.h"
 
 const Stage pd_bar_stage_table[PD_BAR_STAGES] = {
     [PD_BAR_HALF_KICK] = VERLET_HALF_KICK("v force acceleration", "v"),
@@ -27,60 +27,62 @@ const Stage pd_bar_stage_table[PD_BAR_STAGES] = {
         VERLET_SECOND_KICK("The new force completes the step's velocity.", "v force acceleration", "v"),
 };
 
-static void say_value(Working *working, const char *label, double value)
+static void say_value(Calculation *calculation, const char *label, double value)
 {
-    working_number(working, label, value);
-    working_end_line(working);
+    calculation_number(calculation, label, value);
+    calculation_end_line(calculation);
 }
 
-static void explain_kick(const PdBar *bar, Working *working, int i, const void *before)
+static void explain_kick(const PdBar *bar, Calculation *calculation, int i, const void *before)
 {
-    WorkingSum sum = {.label = "a = f/ρ = ", .result = bar->f[i] / bar->def.density};
-    working_add(&sum, 1, bar->f[i], 0, 0)->divisor = bar->def.density;
-    working_sum(working, &sum);
+    CalculationSum sum = {.label = "a = f/ρ = ", .result = bar->f[i] / bar->def.density};
+    calculation_add(&sum, 1, bar->f[i], 0, 0)->divisor = bar->def.density;
+    calculation_sum(calculation, &sum);
     if (before)
-        working_change(working, "v = v + Δt/2 a = ", working_before(bar->head, &bar->v[i], before),
-                       bar->sim.dt / 2, sum.result, bar->v[i], NULL);
+        calculation_change(calculation,
+                           "v = v + Δt/2 a = ", calculation_before(bar->head, &bar->v[i], before),
+                           bar->sim.dt / 2, sum.result, bar->v[i], NULL);
     else
-        say_value(working, "v = ", bar->v[i]);
+        say_value(calculation, "v = ", bar->v[i]);
 }
 
-static void explain_drift(const PdBar *bar, Working *working, int i, const void *before)
+static void explain_drift(const PdBar *bar, Calculation *calculation, int i, const void *before)
 {
     const double *u = &bar->u[pd_bar_at(&bar->lattice, i)];
     if (before)
-        working_change(working, "u = u + Δt v = ", working_before(bar->head, u, before), bar->sim.dt,
-                       bar->v[i], *u, NULL);
+        calculation_change(calculation, "u = u + Δt v = ", calculation_before(bar->head, u, before),
+                           bar->sim.dt, bar->v[i], *u, NULL);
     else
-        say_value(working, "u = ", *u);
+        say_value(calculation, "u = ", *u);
 }
 
-static void say_image(Working *working, double place, double u)
+static void say_image(Calculation *calculation, double place, double u)
 {
-    working_number(working, "the mirror image at X = ", place);
-    working_number(working, " moves by ", -u);
-    working_end_line(working);
+    calculation_number(calculation, "the mirror image at X = ", place);
+    calculation_number(calculation, " moves by ", -u);
+    calculation_end_line(calculation);
 }
 
-static void explain_mirror(const PdBar *bar, Working *working, int i)
+static void explain_mirror(const PdBar *bar, Calculation *calculation, int i)
 {
     const PdBarLattice *lattice = &bar->lattice;
     const double u = bar->u[pd_bar_at(lattice, i)];
     const bool left = bar->def.left_fixed && i < lattice->reach;
     const bool right = bar->def.right_fixed && i >= lattice->n - lattice->reach;
     if (left)
-        say_image(working, -pd_bar_position(lattice, i), u);
+        say_image(calculation, -pd_bar_position(lattice, i), u);
     if (right)
-        say_image(working, 2 * bar->def.length - pd_bar_position(lattice, i), u);
+        say_image(calculation, 2 * bar->def.length - pd_bar_position(lattice, i), u);
     if (!left && !right)
-        working_say(working, "no fixed end within the horizon: this node has no mirror image that matters\n");
+        calculation_say(calculation,
+                        "no fixed end within the horizon: this node has no mirror image that matters\n");
 }
 
 /* f = Σ c G w V s, bond by bond; c G w V and s of the nearest neighbours. */
-static void explain_bonds(const PdBar *bar, Working *working, int i)
+static void explain_bonds(const PdBar *bar, Calculation *calculation, int i)
 {
     const PdBarLattice *lattice = &bar->lattice;
-    WorkingSum sum = {.label = "f = Σ (c G w V) s = "};
+    CalculationSum sum = {.label = "f = Σ (c G w V) s = "};
     for (int m = 1; m <= lattice->reach; m++)
         for (int side = -1; side <= 1; side += 2) {
             const int other = i + side * m, k = side < 0 ? other : i;
@@ -88,54 +90,54 @@ static void explain_bonds(const PdBar *bar, Working *working, int i)
             if (!(stiffness > 0))
                 continue;
             const double length = m * lattice->h;
-            working_add(&sum, 2, side * stiffness * length, elongation / length, 0);
+            calculation_add(&sum, 2, side * stiffness * length, elongation / length, 0);
             sum.result += side * stiffness * elongation;
         }
-    working_say(working, "nearest bonds first: ");
+    calculation_say(calculation, "nearest bonds first: ");
     const char *comma = "";
     for (int side = -1; side <= 1; side += 2) {
         const int other = i + side;
         if (!(pd_bar_stiffness(bar, side < 0 ? other : i, 1) > 0))
             continue; /* a free end */
-        working_say(working, "%s%s%d", comma,
-                    other < 0 || other >= lattice->n ? "to the mirror of p" : "to p",
-                    pd_bar_partner(lattice, other));
+        calculation_say(calculation, "%s%s%d", comma,
+                        other < 0 || other >= lattice->n ? "to the mirror of p" : "to p",
+                        pd_bar_partner(lattice, other));
         comma = ", ";
     }
-    working_say(working, ", and so on\n");
-    working_sum(working, &sum);
+    calculation_say(calculation, ", and so on\n");
+    calculation_sum(calculation, &sum);
 }
 
-static void explain_load(const PdBar *bar, Working *working, int i)
+static void explain_load(const PdBar *bar, Calculation *calculation, int i)
 {
     const double load = pd_bar_load(bar, i);
     if (load == 0) {
-        working_number(working, "no load on this node: f stays ", bar->f[i]);
-        working_end_line(working);
+        calculation_number(calculation, "no load on this node: f stays ", bar->f[i]);
+        calculation_end_line(calculation);
         return;
     }
-    WorkingSum sum = {
+    CalculationSum sum = {
         .label = "f = f + b = ", .has_base = true, .base = bar->f[i] - load, .result = bar->f[i]};
-    working_add(&sum, 1, load, 0, 0);
-    working_sum(working, &sum);
+    calculation_add(&sum, 1, load, 0, 0);
+    calculation_sum(calculation, &sum);
 }
 
-static void explain_bond(const PdBar *bar, Working *working, size_t index)
+static void explain_bond(const PdBar *bar, Calculation *calculation, size_t index)
 {
     Link ends[2];
     pd_bar_links(&bar->sim, PD_BAR_BOND, index, ends, 2);
-    working_say(working, "bond p%zu to p%zu: ", ends[0].index, ends[1].index);
-    working_number(working, "s = ", ends[0].weight);
-    working_number(working, ", pull ", ends[0].pull);
-    working_say(working, " per unit cross-section\n");
+    calculation_say(calculation, "bond p%zu to p%zu: ", ends[0].index, ends[1].index);
+    calculation_number(calculation, "s = ", ends[0].weight);
+    calculation_number(calculation, ", pull ", ends[0].pull);
+    calculation_say(calculation, " per unit cross-section\n");
 }
 
 void pd_bar_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
                     char *out, size_t size)
 {
     const PdBar *bar = (const PdBar *)sim;
-    Working text;
-    working_open(&text, out, size, terms);
+    Calculation text;
+    calculation_open(&text, out, size, terms);
     const int i = (int)index;
     if (set == PD_BAR_BOND) {
         explain_bond(bar, &text, index);

@@ -1,7 +1,7 @@
 /* The stages as people read them, and the sum of the stage just done with its numbers. */
 #include "physics/pd_plane/beam_internal.h"
 #include "physics/pd_plane/verlet.h"
-#include "physics/working.h"
+#include "physics/calculation.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -68,71 +68,71 @@ static NodeNow node_before(const Beam *beam, size_t at, const void *before)
 {
     double value[6];
     for (size_t k = 0; k < 6; k++)
-        value[k] = working_before(beam->state, beam->nodes.ux + k * beam->array + at, before);
+        value[k] = calculation_before(beam->state, beam->nodes.ux + k * beam->array + at, before);
     return (NodeNow){at, value[0], value[1], value[2], value[3], value[4], value[5]};
 }
 
 /* "vx = 0.1 + 2e-11 × 5 = 0.2 m/s" */
-static void say_change(Working *working, const char *label, double was, double factor, double rate,
+static void say_change(Calculation *calculation, const char *label, double was, double factor, double rate,
                        double now, const char *unit)
 {
     if (fabs(was + factor * rate - now) > 1e-9 * fmax(fabs(was), fabs(factor * rate))) {
-        working_number(working, label, now);
-        working_say(working, " %s: the node is held\n", unit);
+        calculation_number(calculation, label, now);
+        calculation_say(calculation, " %s: the node is held\n", unit);
         return;
     }
-    working_change(working, label, was, factor, rate, now, unit);
+    calculation_change(calculation, label, was, factor, rate, now, unit);
 }
 
-static void say_pair(Working *working, const char *words, double x, double y, const char *unit)
+static void say_pair(Calculation *calculation, const char *words, double x, double y, const char *unit)
 {
-    working_number(working, words, x);
-    working_number(working, ", ", y);
-    working_say(working, " %s\n", unit);
+    calculation_number(calculation, words, x);
+    calculation_number(calculation, ", ", y);
+    calculation_say(calculation, " %s\n", unit);
 }
 
-static void explain_kick(const Beam *beam, Working *working, const NodeNow *now, const NodeNow *was)
+static void explain_kick(const Beam *beam, Calculation *calculation, const NodeNow *now, const NodeNow *was)
 {
     const double factor = beam->sim.dt / (2 * beam->def.density);
     if (was) {
-        say_change(working, "vx = vx + Δt/(2ρ) fx = ", was->vx, factor, was->fx, now->vx, "m/s");
-        say_change(working, "vy = vy + Δt/(2ρ) fy = ", was->vy, factor, was->fy, now->vy, "m/s");
+        say_change(calculation, "vx = vx + Δt/(2ρ) fx = ", was->vx, factor, was->fx, now->vx, "m/s");
+        say_change(calculation, "vy = vy + Δt/(2ρ) fy = ", was->vy, factor, was->fy, now->vy, "m/s");
     } else {
-        say_pair(working, "vx, vy = ", now->vx, now->vy, "m/s");
+        say_pair(calculation, "vx, vy = ", now->vx, now->vy, "m/s");
     }
 }
 
-static void explain_drift(const Beam *beam, Working *working, const NodeNow *now, const NodeNow *was)
+static void explain_drift(const Beam *beam, Calculation *calculation, const NodeNow *now, const NodeNow *was)
 {
     if (was) {
-        say_change(working, "ux = ux + Δt vx = ", was->ux, beam->sim.dt, was->vx, now->ux, "m");
-        say_change(working, "uy = uy + Δt vy = ", was->uy, beam->sim.dt, was->vy, now->uy, "m");
+        say_change(calculation, "ux = ux + Δt vx = ", was->ux, beam->sim.dt, was->vx, now->ux, "m");
+        say_change(calculation, "uy = uy + Δt vy = ", was->uy, beam->sim.dt, was->vy, now->uy, "m");
     } else {
-        say_pair(working, "ux, uy = ", now->ux, now->uy, "m");
+        say_pair(calculation, "ux, uy = ", now->ux, now->uy, "m");
     }
 }
 
-static void explain_constraints(const Beam *beam, Working *working, size_t index, const NodeNow *now)
+static void explain_constraints(const Beam *beam, Calculation *calculation, size_t index, const NodeNow *now)
 {
     size_t nx = (size_t)beam->lattice.nx;
     double time = (double)(beam->sim.step + 1) * beam->sim.dt;
     if ((int)(index % nx) < beam_held_columns(beam, time)) {
         if (beam->def.clamp == CLAMP_FULL)
-            working_number(working, "in the channel: uy = 0, ux = v0 t = ", now->ux);
+            calculation_number(calculation, "in the channel: uy = 0, ux = v0 t = ", now->ux);
         else
-            working_number(working, "in the channel: uy = 0, free to slide: ux = ", now->ux);
-        working_say(working, " m\n");
+            calculation_number(calculation, "in the channel: uy = 0, free to slide: ux = ", now->ux);
+        calculation_say(calculation, " m\n");
         return;
     }
     for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
         if ((size_t)s->j * nx + (size_t)s->i == index) {
-            working_say(working, "at a support: %s\n",
-                        s->x && s->y ? "ux = uy = 0"
-                        : s->x       ? "ux = 0"
-                                     : "uy = 0");
+            calculation_say(calculation, "at a support: %s\n",
+                            s->x && s->y ? "ux = uy = 0"
+                            : s->x       ? "ux = 0"
+                                         : "uy = 0");
             return;
         }
-    working_say(working, "free: nothing holds this node\n");
+    calculation_say(calculation, "free: nothing holds this node\n");
 }
 
 static int by_pull(const void *a, const void *b)
@@ -142,7 +142,7 @@ static int by_pull(const void *a, const void *b)
 }
 
 /* How many bonds of a family carry nothing: those that the notch cut are told apart. */
-static void say_lost(const Beam *beam, Working *working, const BondPlace *family, size_t n)
+static void say_lost(const Beam *beam, Calculation *calculation, const BondPlace *family, size_t n)
 {
     size_t broken = 0, cut = 0;
     for (size_t k = 0; k < n; k++) {
@@ -152,19 +152,19 @@ static void say_lost(const Beam *beam, Working *working, const BondPlace *family
         else
             broken += beam_bit(beam->broken, slot);
     }
-    working_say(working, "%zu of %zu bonds broken", broken, n);
+    calculation_say(calculation, "%zu of %zu bonds broken", broken, n);
     if (cut > 0)
-        working_say(working, ", %zu cut by the notch", cut);
+        calculation_say(calculation, ", %zu cut by the notch", cut);
 }
 
 /* The strongest bonds first, the rest as one number. */
-static void explain_bonds(const Beam *beam, Working *working, size_t index)
+static void explain_bonds(const Beam *beam, Calculation *calculation, size_t index)
 {
     size_t nx = (size_t)beam->lattice.nx;
     BondPlace family[FAMILY_MAX];
     BondNow bonds[FAMILY_MAX];
     size_t n = beam_family(beam, (int)(index % nx), (int)(index / nx), family);
-    WorkingSum sums[2] = {{.label = "fx = ", .unit = "N/m³"}, {.label = "fy = ", .unit = "N/m³"}};
+    CalculationSum sums[2] = {{.label = "fx = ", .unit = "N/m³"}, {.label = "fy = ", .unit = "N/m³"}};
     for (size_t k = 0; k < n; k++) {
         bonds[k] = beam_bond(beam, family[k]);
         if (bonds[k].a != index) { /* seen from this end */
@@ -174,15 +174,15 @@ static void explain_bonds(const Beam *beam, Working *working, size_t index)
         }
     }
     qsort(bonds, n, sizeof *bonds, by_pull);
-    say_lost(beam, working, family, n);
+    say_lost(beam, calculation, family, n);
     if (n > 0 && bonds[0].stretch != 0) {
         const BondNow *first = &bonds[0];
-        working_say(working, "; to %zu: ", first->b);
-        WorkingSum pull = {.label = "c G w V s = ", .result = first->pull};
-        working_add(&pull, 2, first->pull / first->stretch, first->stretch, 0);
-        working_sum(working, &pull);
+        calculation_say(calculation, "; to %zu: ", first->b);
+        CalculationSum pull = {.label = "c G w V s = ", .result = first->pull};
+        calculation_add(&pull, 2, first->pull / first->stretch, first->stretch, 0);
+        calculation_sum(calculation, &pull);
     } else {
-        working_say(working, "; none is stretched\n");
+        calculation_say(calculation, "; none is stretched\n");
     }
     for (size_t k = 0; k < n; k++) {
         const double parts[2] = {bonds[k].direction_x, bonds[k].direction_y};
@@ -190,32 +190,32 @@ static void explain_bonds(const Beam *beam, Working *working, size_t index)
             if (bonds[k].pull == 0)
                 continue;
             sums[d].result += bonds[k].pull * parts[d];
-            working_add(&sums[d], 2, bonds[k].pull, parts[d], 0);
+            calculation_add(&sums[d], 2, bonds[k].pull, parts[d], 0);
         }
     }
-    working_sum(working, &sums[0]);
-    working_sum(working, &sums[1]);
+    calculation_sum(calculation, &sums[0]);
+    calculation_sum(calculation, &sums[1]);
 }
 
-static void explain_body_force(const Beam *beam, Working *working, size_t index, const NodeNow *now)
+static void explain_body_force(const Beam *beam, Calculation *calculation, size_t index, const NodeNow *now)
 {
     size_t nx = (size_t)beam->lattice.nx;
     int i = (int)(index % nx);
     if ((int)(index / nx) != beam->lattice.ny - 1 || i < beam->load_first || i >= beam->load_end) {
-        say_pair(working, "no load on this node: f stays ", now->fx, now->fy, "N/m³");
+        say_pair(calculation, "no load on this node: f stays ", now->fx, now->fy, "N/m³");
         return;
     }
     const double force = beam_body_force(beam, (double)(beam->sim.step + 1) * beam->sim.dt);
-    WorkingSum sum = {.label = "fy = fy + b = ",
-                      .has_base = true,
-                      .base = now->fy - force,
-                      .result = now->fy,
-                      .unit = "N/m³"};
-    working_add(&sum, 1, force, 0, 0);
-    working_sum(working, &sum);
+    CalculationSum sum = {.label = "fy = fy + b = ",
+                          .has_base = true,
+                          .base = now->fy - force,
+                          .result = now->fy,
+                          .unit = "N/m³"};
+    calculation_add(&sum, 1, force, 0, 0);
+    calculation_sum(calculation, &sum);
 }
 
-static void explain_damage(const Beam *beam, Working *working, size_t index)
+static void explain_damage(const Beam *beam, Calculation *calculation, size_t index)
 {
     size_t nx = (size_t)beam->lattice.nx;
     BondPlace family[FAMILY_MAX];
@@ -227,37 +227,37 @@ static void explain_damage(const Beam *beam, Working *working, size_t index)
         all += weight;
         broken += gone ? weight : 0;
     }
-    say_lost(beam, working, family, n);
-    working_number(working, "; in weights ", broken);
-    working_number(working, " of ", all);
-    working_end_line(working);
-    WorkingSum sum = {.label = "φ = ", .result = beam->damage[index]};
-    working_add(&sum, 1, broken, 0, 0)->divisor = all;
-    working_sum(working, &sum);
+    say_lost(beam, calculation, family, n);
+    calculation_number(calculation, "; in weights ", broken);
+    calculation_number(calculation, " of ", all);
+    calculation_end_line(calculation);
+    CalculationSum sum = {.label = "φ = ", .result = beam->damage[index]};
+    calculation_add(&sum, 1, broken, 0, 0)->divisor = all;
+    calculation_sum(calculation, &sum);
 }
 
-static void explain_bond(const Beam *beam, Working *working, size_t index)
+static void explain_bond(const Beam *beam, Calculation *calculation, size_t index)
 {
     BondNow bond = beam_bond(beam, lattice_bond_place(&beam->lattice, index));
-    working_say(working, "bond %zu to %zu: ", bond.a, bond.b);
-    working_number(working, "s = ", bond.stretch);
+    calculation_say(calculation, "bond %zu to %zu: ", bond.a, bond.b);
+    calculation_number(calculation, "s = ", bond.stretch);
     if (beam->head->critical_stretch > 0)
-        working_number(working, " of s0 = ", beam->head->critical_stretch);
+        calculation_number(calculation, " of s0 = ", beam->head->critical_stretch);
     if (bond.broken) {
-        working_say(working, "; broken: it carries nothing\n");
+        calculation_say(calculation, "; broken: it carries nothing\n");
         return;
     }
-    working_number(working, ", pull ", bond.pull);
-    working_number(working, " N/m³, energy ", bond.energy);
-    working_say(working, " J\n");
+    calculation_number(calculation, ", pull ", bond.pull);
+    calculation_number(calculation, " N/m³, energy ", bond.energy);
+    calculation_say(calculation, " J\n");
 }
 
 void beam_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
                   char *out, size_t size)
 {
     const Beam *beam = (const Beam *)sim;
-    Working text;
-    working_open(&text, out, size, terms);
+    Calculation text;
+    calculation_open(&text, out, size, terms);
     if (set == SET_BOND) {
         explain_bond(beam, &text, index);
         return;

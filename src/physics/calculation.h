@@ -3,61 +3,62 @@
  * gets the printed result, to its last digit.
  *
  * UTF-8. No-break spaces (U+00A0) hold a term together; a line may be broken at every other space. */
-#ifndef PHYSICS_WORKING_H
-#define PHYSICS_WORKING_H
+#ifndef PHYSICS_CALCULATION_H
+#define PHYSICS_CALCULATION_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#define WORKING_SPACE "\u00a0" /* that no line is broken at */
+#define CALCULATION_SPACE "\u00a0" /* that no line is broken at */
 
-enum { WORKING_FACTORS_MAX = 3, WORKING_TERMS_MAX = 64 };
+enum { CALCULATION_FACTORS_MAX = 3, CALCULATION_TERMS_MAX = 64 };
 
 /* Text that grows to its limit and no further. */
-typedef struct Working {
+typedef struct Calculation {
     char *out;
     size_t size, used;
     int terms; /* a sum of more terms ends with "+ 0.3 (5 more)"; 0: any number is written out */
-} Working;
+} Calculation;
 
-typedef struct WorkingTerm {
+typedef struct CalculationTerm {
     int factors;
-    double factor[WORKING_FACTORS_MAX];
+    double factor[CALCULATION_FACTORS_MAX];
     double divisor; /* 0: none */
     long to;        /* "0.3 to 12"; -1: nothing */
-} WorkingTerm;
+} CalculationTerm;
 
 /* label [base +] [scale ×] (terms) [/ divisor] = result unit */
-typedef struct WorkingSum {
+typedef struct CalculationSum {
     const char *label;
     bool has_base;
     double base;
     double scale, divisor; /* 0: none */
     int count;
-    WorkingTerm terms[WORKING_TERMS_MAX];
+    CalculationTerm terms[CALCULATION_TERMS_MAX];
     double result;
     const char *unit; /* NULL: none */
-} WorkingSum;
+} CalculationSum;
 
-void working_open(Working *, char *out, size_t size, int terms);
+void calculation_open(Calculation *, char *out, size_t size, int terms);
 
 /* Words; a number of a few digits after words. */
-void working_say(Working *, const char *format, ...) __attribute__((format(printf, 2, 3)));
-void working_number(Working *, const char *words, double value);
-void working_end_line(Working *);
+void calculation_say(Calculation *, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void calculation_number(Calculation *, const char *words, double value);
+void calculation_end_line(Calculation *);
 
-/* Adds a term of one, two or three factors; what goes beyond WORKING_TERMS_MAX is put into the last one. */
-WorkingTerm *working_add(WorkingSum *, int factors, double a, double b, double c);
+/* Adds a term of one, two or three factors; what goes beyond CALCULATION_TERMS_MAX is put into the last one.
+ */
+CalculationTerm *calculation_add(CalculationSum *, int factors, double a, double b, double c);
 
 /* Writes the sum and ends the line. */
-void working_sum(Working *, const WorkingSum *);
+void calculation_sum(Calculation *, const CalculationSum *);
 
 /* What a stage changed: "label was + factor × rate = now unit", in a line; unit NULL: none. */
-void working_change(Working *, const char *label, double was, double factor, double rate, double now,
-                    const char *unit);
+void calculation_change(Calculation *, const char *label, double was, double factor, double rate, double now,
+                        const char *unit);
 
 /* What stood in a number of the state when it was saved: `state` is the block as it is, `before` the bytes as
  * they were. */
-double working_before(const void *state, const double *now, const void *before);
+double calculation_before(const void *state, const double *now, const void *before);
 
 #endif
