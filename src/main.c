@@ -3,7 +3,7 @@
 #include "base/visible.h"
 #include "cli/cli.h"
 #include "cli/options.h"
-#include "tui/control/laboratory.h"
+#include "tui/control/session/laboratory_main.h"
 
 #include <errno.h>
 #include <signal.h>

@@ -84,7 +84,7 @@ judge "src includes files of src only"
 # who breaks one takes it off the list, and nobody adds to it.
 circles() {
 	cat <<'END'
-tui: control_keys.o session.o
+tui: laboratory_keys.o session.o
 END
 }
 find_circles() { # LAYER LIBRARY...: the circles of its members, and under each what closes it

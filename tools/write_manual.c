@@ -9,7 +9,7 @@
 #include "lab/lessons/lesson.h"
 #include "lab/settings/parameters.h"
 #include "lab/problems/references.h"
-#include "tui/control/script.h"
+#include "tui/control/session/script.h"
 #include "view/help/commands.h"
 
 #include <stdio.h>

@@ -5,7 +5,7 @@
 #include "view/views/view.h"
 #include "lab/settings/parameters.h"
 #include "lab/problems/references.h"
-#include "tui/control/script.h"
+#include "tui/control/session/script.h"
 
 #include <math.h>
 #include <stdint.h>

@@ -8,7 +8,7 @@
 #include "lab/lessons/lesson.h"
 #include "lab/settings/parameters.h"
 #include "lab/settings/scenario.h"
-#include "tui/control/script.h"
+#include "tui/control/session/script.h"
 #include "view/help/commands.h"
 
 #include <errno.h>

@@ -1,7 +1,7 @@
 /* Any bytes as the file of a session: refused in one line, or read. */
 #include "fuzz/fuzz.h"
 
-#include "tui/control/session.h"
+#include "tui/control/session/session.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 #include "tui/keyboard.h"
 
 #include "lab/settings/scenario.h"
-#include "tui/control/control.h"
+#include "tui/control/laboratory.h"
 
 #include <stdio.h>
 #include <stdlib.h>

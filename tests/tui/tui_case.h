@@ -2,7 +2,7 @@
 #ifndef TESTS_TUI_CASE_H
 #define TESTS_TUI_CASE_H
 
-#include "tui/control/control.h"
+#include "tui/control/laboratory.h"
 
 typedef struct Bench {
     Laboratory lab;

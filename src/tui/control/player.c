@@ -1,6 +1,6 @@
 /* The run on screen: playing and pausing it, going to another time of it, and what is said about it.
  * Everything else in this folder stands on this file. */
-#include "tui/control/control.h"
+#include "tui/control/laboratory.h"
 
 #include "base/visible.h"
 #include "lab/answers/summary.h"

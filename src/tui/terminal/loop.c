@@ -1,7 +1,7 @@
 #include "tui/terminal/loop.h"
 
 #include "base/visible.h"
-#include "tui/control/control.h"
+#include "tui/control/laboratory.h"
 #include "tui/terminal/terminal.h"
 
 #include <stdio.h>

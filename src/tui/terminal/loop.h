@@ -2,8 +2,8 @@
 #ifndef TUI_LOOP_H
 #define TUI_LOOP_H
 
-#include "tui/control/laboratory.h"
-#include "tui/control/session.h"
+#include "tui/control/session/laboratory_main.h"
+#include "tui/control/session/session.h"
 
 /* Returns the exit status: 0, 128 + n after signal n, or the status's code.
  *

@@ -1,5 +1,5 @@
 /* The commands of time: run, step, go back, bookmarks. */
-#include "tui/control/control_commands.h"
+#include "tui/control/commands/commands.h"
 
 #include "base/text.h"
 

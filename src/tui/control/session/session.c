@@ -1,4 +1,4 @@
-#include "tui/control/session.h"
+#include "tui/control/session/session.h"
 
 #include "base/input.h"
 #include "base/text.h"
@@ -6,7 +6,7 @@
 #include "base/output.h"
 #include "lab/settings/scenario.h"
 #include "lab/settings/scenario_lines.h"
-#include "tui/control/control.h"
+#include "tui/control/laboratory.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /* Opening a scenario: from a list with titles, that shrinks to what is typed, or by a path. */
-#include "tui/control/control.h"
+#include "tui/control/laboratory.h"
 
 #include "base/text.h"
 #include "lab/settings/scenario.h"

@@ -1,5 +1,5 @@
 /* The commands that choose what is shown, and how. */
-#include "tui/control/control_commands.h"
+#include "tui/control/commands/commands.h"
 #include "view/views/view.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* What each command does: one function each, found by its id. */
-#include "tui/control/control_commands.h"
+#include "tui/control/commands/commands.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* Questions at the foot of the screen, and what becomes of the answers. */
-#include "tui/control/control.h"
+#include "tui/control/laboratory.h"
 
 #include "base/text.h"
 #include "base/visible.h"

@@ -1,5 +1,5 @@
 /* The focused view as a figure for paper: `:figure FILE`, or x and a name that ends in .svg, .pdf or .png. */
-#include "tui/control/control.h"
+#include "tui/control/laboratory.h"
 
 #include "figure/figure.h"
 #include "view/views/view.h"

@@ -1,5 +1,5 @@
 /* The map of a beam under the user's hands: magnified and moved, displacements drawn larger or smaller. */
-#include "tui/control/control.h"
+#include "tui/control/laboratory.h"
 
 #include "view/views/view.h"
 

@@ -1,5 +1,5 @@
 /* The commands that set runs beside each other, undo and redo. */
-#include "tui/control/control_commands.h"
+#include "tui/control/commands/commands.h"
 
 #include <stdio.h>
 

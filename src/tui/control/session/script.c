@@ -1,10 +1,10 @@
-#include "tui/control/script.h"
+#include "tui/control/session/script.h"
 
 #include "base/input.h"
 #include "base/text.h"
-#include "tui/control/control.h"
+#include "tui/control/laboratory.h"
 #include "tui/terminal/picture.h"
-#include "tui/control/session.h"
+#include "tui/control/session/session.h"
 #include "tui/terminal/theme.h"
 
 #include <langinfo.h>

@@ -6,8 +6,8 @@
 #ifndef TUI_SCRIPT_H
 #define TUI_SCRIPT_H
 
-#include "tui/control/laboratory.h"
-#include "tui/control/session.h"
+#include "tui/control/session/laboratory_main.h"
+#include "tui/control/session/session.h"
 
 #include <stdio.h>
 

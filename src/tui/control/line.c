@@ -1,5 +1,5 @@
 /* The command line behind `:`: commands by name, KEY=VALUE, a time, and verbs that take arguments. */
-#include "tui/control/control.h"
+#include "tui/control/laboratory.h"
 #include "view/views/view.h"
 
 #include "base/text.h"

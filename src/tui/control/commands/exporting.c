@@ -1,5 +1,5 @@
 /* The run as files, asked for with x. The files are those of `matvib run`, by the same function. */
-#include "tui/control/control.h"
+#include "tui/control/laboratory.h"
 
 #include "base/text.h"
 #include "figure/figure.h"

@@ -16,7 +16,7 @@
 #include "base/status.h"
 #include "lab/settings/settings.h"
 #include "tui/terminal/keys.h"
-#include "tui/control/laboratory.h"
+#include "tui/control/session/laboratory_main.h"
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -1,10 +1,10 @@
 /* Lessons: pages beside the run, and what the laboratory does when one is opened. */
-#include "tui/control/control.h"
+#include "tui/control/laboratory.h"
 
 #include "base/input.h"
 #include "base/output.h"
 #include "base/text.h"
-#include "tui/control/state_file.h"
+#include "tui/control/session/state_file.h"
 
 #include <errno.h>
 #include <stdio.h>

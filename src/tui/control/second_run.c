@@ -1,5 +1,5 @@
 /* The duel: a second run beside the first one. */
-#include "tui/control/control.h"
+#include "tui/control/laboratory.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-#include "tui/control/state_file.h"
+#include "tui/control/session/state_file.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* Opening the laboratory and other scenarios in it: what a run is begun with, and at which pace. */
-#include "tui/control/control.h"
+#include "tui/control/laboratory.h"
 
 #include "base/visible.h"
 #include "lab/settings/scenario.h"

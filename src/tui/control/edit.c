@@ -1,5 +1,5 @@
 /* The parameter pane: choosing, nudging and editing in place. */
-#include "tui/control/control.h"
+#include "tui/control/laboratory.h"
 #include "tui/control/line_edit.h"
 
 #include <math.h>

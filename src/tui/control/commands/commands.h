@@ -1,10 +1,10 @@
 /* The functions of the command table, a file for each kind; private to src/tui. */
-#ifndef TUI_CONTROL_COMMANDS_H
-#define TUI_CONTROL_COMMANDS_H
+#ifndef TUI_COMMANDS_H
+#define TUI_COMMANDS_H
 
-#include "tui/control/control.h"
+#include "tui/control/laboratory.h"
 
-/* control_time.c */
+/* time_commands.c */
 void command_run_or_pause(Laboratory *);
 void command_step_forward(Laboratory *);
 void command_step_back(Laboratory *);
@@ -21,7 +21,7 @@ void command_restart(Laboratory *);
 void command_bookmark(Laboratory *);
 void command_jump(Laboratory *);
 
-/* control_move.c */
+/* move_commands.c */
 void command_next_pane(Laboratory *);
 void command_previous_pane(Laboratory *);
 void command_up(Laboratory *);
@@ -36,7 +36,7 @@ void command_inspect(Laboratory *);
 bool close_top(Laboratory *); /* what lies on top; false: there is nothing */
 void command_cancel(Laboratory *);
 
-/* control_views.c */
+/* view_commands.c */
 void command_zoom(Laboratory *);
 void command_lecture(Laboratory *);
 void command_narrower(Laboratory *);
@@ -45,7 +45,7 @@ void command_automatic(Laboratory *);
 void command_cycle_references(Laboratory *);
 void command_cycle_glyphs(Laboratory *);
 
-/* control_compare.c */
+/* compare_commands.c */
 void command_question(Laboratory *);
 void command_pin(Laboratory *);
 void command_undo(Laboratory *);

@@ -1,7 +1,7 @@
 /* Where a key goes: to the question that is open, the field under edit, the help, or the table of commands.
  */
-#include "tui/control/control.h"
-#include "tui/control/session.h"
+#include "tui/control/laboratory.h"
+#include "tui/control/session/session.h"
 
 #include <math.h>
 #include <stdio.h>

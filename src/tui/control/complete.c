@@ -1,6 +1,6 @@
 /* Tab in a question: what has been typed is completed as far as it is certain, else what there is is shown.
  */
-#include "tui/control/control.h"
+#include "tui/control/laboratory.h"
 
 #include "base/visible.h"
 #include "lab/settings/scenario.h"

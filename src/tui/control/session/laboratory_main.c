@@ -1,0 +1,85 @@
+#include "tui/control/session/laboratory_main.h"
+
+#include "base/output.h"
+#include "tui/control/laboratory.h"
+#include "tui/terminal/loop.h"
+#include "tui/control/session/script.h"
+#include "tui/control/session/session.h"
+#include "tui/control/session/state_file.h"
+
+#include <errno.h>
+#include <locale.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static const char *const last_session = "last.session";
+
+/* The session that is to be done again, if one is; its scenario takes the place of that of the options. */
+static bool open_replay(LaboratoryOptions *options, Session **replay, Status *status)
+{
+    char *last = options->last ? state_file(last_session) : NULL;
+    const char *file = options->last ? last : options->replay;
+    bool sound = true;
+    if (options->last && (!last || access(last, F_OK) != 0))
+        sound = status_fail(status, STATUS_USAGE, "--last: no session has been kept (%s)",
+                            last ? last : "there is no home folder");
+    else if (file) {
+        *replay = session_read(file, status);
+        sound = *replay != NULL;
+    }
+    if (sound && *replay) {
+        session_options(*replay, options);
+        options->fast |= options->last;
+    }
+    free(last);
+    return sound;
+}
+
+static bool open_recording(const LaboratoryOptions *options, Session **recording, Status *status)
+{
+    if (options->record && !output_may_begin(options->record, options->force, status))
+        return false;
+    *recording = session_begin(options, status);
+    if (*recording && options->record)
+        session_record(*recording, options->record, options->force);
+    return *recording != NULL;
+}
+
+/* What was asked for, and the last session of a terminal; that this one cannot be kept is no failure. */
+static bool keep(const LaboratoryOptions *options, Session *recording, Status *status)
+{
+    const bool sound = session_finish(recording, status);
+    char *last = options->script ? NULL : state_file(last_session);
+    Status ignored = {0};
+    if (last) {
+        output_make_own_folders(ASKER_COMMAND_LINE, last);
+        output_remove_remains(last);
+        session_keep(recording, last, &ignored);
+    }
+    free(last);
+    return sound;
+}
+
+int laboratory_main(const LaboratoryOptions *given, Status *status)
+{
+    LaboratoryOptions options = *given;
+    Session *replay = NULL, *recording = NULL;
+    int result = STATUS_DONE, reached[LESSONS_MAX] = {0};
+    read_progress(reached);
+    options.reached = reached;
+    /* names, widths and the character set are the user's; numbers have a point everywhere */
+    setlocale(LC_ALL, "");
+    setlocale(LC_NUMERIC, "C");
+    if (!open_replay(&options, &replay, status) || !open_recording(&options, &recording, status)) {
+        result = (int)status->code;
+    } else {
+        result = options.script ? script_run(&options, replay, recording, status)
+                                : loop_run(&options, replay, recording, status);
+        if (session_has_keys(recording) && !keep(&options, recording, status) && result == STATUS_DONE)
+            result = (int)status->code;
+    }
+    session_free(replay);
+    session_free(recording);
+    return result;
+}

@@ -1,0 +1,42 @@
+/* The laboratory: what the user does to a Screen. Keys come in as names, pictures go out as a Canvas; whether
+ * a terminal or a script is at the other end, nothing here knows. */
+#ifndef TUI_LABORATORY_MAIN_H
+#define TUI_LABORATORY_MAIN_H
+
+#include "base/status.h"
+#include "lab/settings/settings.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* The words of the command line that concern the laboratory. */
+typedef struct LaboratoryOptions {
+    const Settings *settings; /* resolved: scenario and --set */
+    const char *scenario;     /* name or path as the user gave it, for the title line */
+    const char *lesson;       /* opened at once, or all_lessons; NULL: none */
+    const int *reached; /* per lesson of the program (LESSONS_MAX), pages turned to so far; NULL: none */
+    bool paused;        /* open paused */
+    const char *glyphs; /* "auto", "braille", "block", "ascii"; NULL: auto */
+    const char *theme;  /* "auto", "light", "dark"; NULL: auto */
+    bool no_mouse;
+    const char *record; /* the session is kept in this file; NULL: only as the last one */
+    const char
+        *replay;    /* this session is done again, and settings, scenario, paused are its own; NULL: none */
+    bool last;      /* replay the last session; `replay` is NULL */
+    bool fast;      /* replay as fast as it can */
+    bool force;     /* `record` may be replaced */
+    size_t history; /* bytes for keyframes; 0: the default */
+    int threads;    /* 0: one */
+    const char
+        *script; /* keys from this file ("-": standard input), screens to standard output; NULL: a terminal */
+    int width, height; /* with a script; 0: 80x24 */
+} LaboratoryOptions;
+
+/* In place of a name: the list of lessons. */
+extern const char all_lessons[];
+
+/* Opens the laboratory and returns when the user leaves it. The result is the exit status: 0, 128 + n after
+ * signal n, otherwise that of the status, whose text main prints. The terminal is restored in every case. */
+int laboratory_main(const LaboratoryOptions *, Status *);
+
+#endif
