@@ -276,7 +276,15 @@ Terminal *terminal_open(const TerminalOptions *options, Status *status)
         free_terminal(terminal);
         return NULL;
     }
+    errno = 0;
     keys_define(terminal->picture.keys);
+    if (errno == ENOMEM) { /* a key that curses has no room for would do nothing */
+        picture_close(&terminal->picture);
+        release_signals(terminal);
+        free_terminal(terminal);
+        status_fail(status, STATUS_FAILED, "out of memory");
+        return NULL;
+    }
     tcgetattr(STDIN_FILENO, &before);
     read_size(terminal);
     picture_resize(&terminal->picture, terminal->width, terminal->height);
