@@ -3,6 +3,7 @@
 #include "base/cholesky.h"
 #include "physics/beam_case.h"
 #include "physics/pd_plane/beam_modes.h"
+#include "physics/pd_plane/crack_speed.h"
 #include "suite.h"
 
 #include <math.h>
@@ -109,6 +110,31 @@ START_TEST(can_be_given_up)
 }
 END_TEST
 
+/* --- a crack's speed --- */
+
+START_TEST(rayleigh_speed_is_the_root)
+{
+    /* (2 - r)^2 = 4 sqrt(1 - r/3) sqrt(1 - r) with r = (c_R/c_s)^2, for c_L^2 = 3 c_s^2 */
+    const double r = pow(rayleigh_speed(65e9, 2235), 2) / (3 * 65e9 / (8 * 2235));
+    ck_assert_double_eq_tol((2 - r) * (2 - r), 4 * sqrt(1 - r / 3) * sqrt(1 - r), 1e-14);
+    ck_assert_double_eq_tol(rayleigh_speed(34.48e9, 2400), 2134.0222232867636, 1e-9);
+    ck_assert_double_eq_tol(rayleigh_speed(65e9, 2235), 3036.259206217476, 1e-9);
+}
+END_TEST
+
+START_TEST(a_steady_tip_has_its_speed)
+{
+    double x[38], y[38];
+    for (int k = 0; k < 38; k++) {
+        x[k] = 0.01 - 300 * 1e-7 * k;
+        y[k] = 400 * 1e-7 * k;
+    }
+    ck_assert_double_eq_tol(crack_speed(x, y, 38, 1e-7), 500, 1e-9);
+    ck_assert(crack_speed(x, y, 1, 1e-7) == 0);
+    ck_assert_double_eq_tol(crack_speed_window(2e-3, 34.48e9, 2400), 3.7488e-6, 1e-10);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *factor = tcase_create("factor");
@@ -120,4 +146,8 @@ void add_cases(Suite *suite)
     tcase_add_test(period, too_fine_is_not_known);
     tcase_add_test(period, can_be_given_up);
     suite_add_tcase(suite, period);
+    TCase *speed = tcase_create("crack speed");
+    tcase_add_test(speed, rayleigh_speed_is_the_root);
+    tcase_add_test(speed, a_steady_tip_has_its_speed);
+    suite_add_tcase(suite, speed);
 }

@@ -96,10 +96,8 @@ static void report_crack(Beam *beam, long step)
     }
 }
 
-void beam_update_damage(Beam *beam, long step)
+static void update_dirty(Beam *beam, long step)
 {
-    if (beam->n_dirty == 0)
-        return;
     for (size_t k = 0; k < beam->n_dirty; k++) {
         size_t node = beam->dirty[k];
         beam->damage[node] = node_damage(beam, node, step);
@@ -113,6 +111,14 @@ void beam_update_damage(Beam *beam, long step)
         beam->head->first_break = step;
         report_break(beam, step, "first bond broke");
     }
+}
+
+void beam_update_damage(Beam *beam, long step)
+{
+    if (beam->n_dirty > 0)
+        update_dirty(beam, step);
+    if (beam->def.problem == BEAM_NOTCHED)
+        crack_note_tip(beam, step);
 }
 
 /* Damage as it was after the last damage stage: in the middle of a step the bonds that broke in it do not

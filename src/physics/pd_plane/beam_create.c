@@ -192,6 +192,7 @@ static bool start(Beam *beam, Status *status)
     if (beam->load_end > beam->load_first)
         for (int i = beam->load_first; i < beam->load_end; i++)
             beam->nodes.fy[lattice_at(&beam->lattice, i, beam->lattice.ny - 1)] += beam_body_force(beam, 0);
+    crack_begin(beam);
     beam_update_damage(beam, 0);
     beam_rebuild_damage(beam);
     return true;

@@ -28,9 +28,10 @@ typedef struct Support {
     bool x, y;
 } Support;
 
-enum { SUPPORTS_MAX = 64, BEAM_SERIES_MAX = 12 };
+enum { SUPPORTS_MAX = 64, BEAM_SERIES_MAX = 13 };
 
 /* The head of the state: single numbers that change. */
+enum { CRACK_TIPS = 64 };
 typedef struct StateHead {
     double work, dissipated;              /* J */
     double load_stress, critical_stretch; /* live parameters */
@@ -38,7 +39,11 @@ typedef struct StateHead {
     long broken;                          /* bonds that broke in the run; the notch's are not among them */
     long near_tip;                        /* of these with their middle within 2 delta of the notch's end */
     long first_break, twentieth_break;    /* steps at which near_tip reached 1 and 20; -1: not yet */
-    long arrival; /* step at which the crack reached the protected zone; -1: not yet */
+    long arrival;        /* step at which the crack reached the protected zone; -1: not yet */
+    double tip_x, tip_y; /* the crack's tip at its farthest, m: it never goes back */
+    double fastest;      /* its largest speed before it arrived, m/s */
+    double tips_x[CRACK_TIPS],
+        tips_y[CRACK_TIPS]; /* where it was, one in every Beam.tip_every steps, in a ring */
 } StateHead;
 
 typedef struct NodeArrays {
@@ -99,7 +104,9 @@ typedef struct Beam {
     size_t n_dirty;
     uint8_t *is_dirty;
     CrackCache crack;
-    double strain; /* J; valid while strain_known */
+    long tip_every; /* steps from one place of the tip in StateHead to the next */
+    int n_tips;     /* how many of them its speed is taken over */
+    double strain;  /* J; valid while strain_known */
     bool strain_known;
 
     /* bands of rows: what a thread takes at once. Forces on rows above the band go to the band's own halo and
@@ -157,6 +164,15 @@ void beam_rebuild_damage(Beam *beam);
 
 /* crack.c: to be told of every change of damage, keeps the crack's length at its longest */
 void crack_follow(Beam *beam);
+
+/* Before the first step: over which times the tip's speed is taken. */
+void crack_begin(Beam *beam);
+
+/* At the end of every step: where the tip is. */
+void crack_note_tip(Beam *beam, long step);
+
+/* The tip's speed (crack_speed.h) over the time up to the last whole step, m/s; 0: too early to tell. */
+double crack_speed_now(const Beam *beam);
 
 /* beam_state.c */
 size_t beam_state_size(const Simulation *sim);

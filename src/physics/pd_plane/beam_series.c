@@ -80,6 +80,11 @@ static double crack_length(Beam *beam)
     return beam->head->crack_length;
 }
 
+static double crack_speed_of(Beam *beam)
+{
+    return crack_speed_now(beam);
+}
+
 typedef struct SeriesEntry {
     Quantity quantity;
     double (*value)(Beam *beam);
@@ -101,6 +106,11 @@ static const SeriesEntry series[BEAM_SERIES_MAX] = {
     {{"crack_length", "crack length", "m",
       "the crack's path from the notch's end to its tip; it never shrinks"},
      crack_length,
+     1 << BEAM_NOTCHED},
+    {{"crack_speed", "tip speed", "m/s",
+      "the tip's speed over the time in which Rayleigh's wave goes 4 horizons, up to now; it belongs to the "
+      "middle of that time"},
+     crack_speed_of,
      1 << BEAM_NOTCHED},
     {{"kinetic", "kinetic", "J", "kinetic energy"}, kinetic, ALL},
     {{"strain", "strain", "J", "energy of the bonds"}, beam_strain, ALL},

@@ -1,5 +1,6 @@
 #include "physics/pd_plane/crack.h"
 #include "physics/pd_plane/beam_internal.h"
+#include "physics/pd_plane/crack_speed.h"
 
 #include <math.h>
 
@@ -94,7 +95,57 @@ static double path_length(const Beam *beam)
 
 void crack_follow(Beam *beam)
 {
-    beam->head->crack_length = fmax(beam->head->crack_length, path_length(beam));
+    StateHead *head = beam->head;
+    double x, y;
+    head->crack_length = fmax(head->crack_length, path_length(beam));
+    if (find_tip(beam, &x, &y) && y > head->tip_y) {
+        head->tip_x = x;
+        head->tip_y = y;
+    }
+}
+
+/* --- how fast ------------------------------------------------------------------------------------- */
+
+void crack_begin(Beam *beam)
+{
+    const double dt = beam->sim.dt,
+                 window = crack_speed_window(beam->def.horizon, beam->def.youngs_modulus, beam->def.density);
+    beam->tip_every = (long)fmax(1, ceil(window / dt / (CRACK_TIPS - 1)));
+    beam->n_tips = (int)fmax(2, fmin(CRACK_TIPS, round(window / ((double)beam->tip_every * dt)) + 1));
+    beam->head->tip_x = beam->def.notch_position;
+    beam->head->tip_y = beam->def.notch_depth;
+}
+
+/* Over the tips up to number `last`, which is not counted from 0 when the run is too short for all of them.
+ */
+static double speed_up_to(const Beam *beam, long last)
+{
+    double x[CRACK_TIPS], y[CRACK_TIPS];
+    if (last < beam->n_tips - 1)
+        return 0;
+    for (int k = 0; k < beam->n_tips; k++) {
+        const long at = (last - beam->n_tips + 1 + k) % CRACK_TIPS;
+        x[k] = beam->head->tips_x[at];
+        y[k] = beam->head->tips_y[at];
+    }
+    return crack_speed(x, y, (size_t)beam->n_tips, (double)beam->tip_every * beam->sim.dt);
+}
+
+void crack_note_tip(Beam *beam, long step)
+{
+    StateHead *head = beam->head;
+    if (step % beam->tip_every)
+        return;
+    const long number = step / beam->tip_every;
+    head->tips_x[number % CRACK_TIPS] = head->tip_x;
+    head->tips_y[number % CRACK_TIPS] = head->tip_y;
+    if (head->arrival < 0)
+        head->fastest = fmax(head->fastest, speed_up_to(beam, number));
+}
+
+double crack_speed_now(const Beam *beam)
+{
+    return speed_up_to(beam, beam->sim.step / beam->tip_every);
 }
 
 static double time_of(const Beam *beam, long step)
@@ -111,6 +162,8 @@ bool crack_measure(const Simulation *sim, Crack *crack)
         .first_break = time_of(beam, beam->head->first_break),
         .twentieth_break = time_of(beam, beam->head->twentieth_break),
         .arrival = time_of(beam, beam->head->arrival),
+        .speed = crack_speed_now(beam),
+        .fastest = beam->head->fastest,
         .broken = beam->head->broken,
         .notch = (long)beam->facts.notch_bonds,
     };

@@ -20,6 +20,8 @@ typedef struct Crack {
                          * NAN: none */
     double twentieth_break; /* of the twentieth; NAN: fewer */
     double arrival;         /* time at which the tip came to the load's protected zone; NAN: not yet */
+    double speed;   /* of the tip over the last crack_speed_window(), m/s; 0: it stands, or it is too early */
+    double fastest; /* the largest until it came to the protected zone, m/s */
     bool begun;
     double x, y; /* the tip; the notch's end before it has begun */
     double

@@ -1,4 +1,4 @@
-#include "theory/crack_speed.h"
+#include "physics/pd_plane/crack_speed.h"
 
 #include <math.h>
 

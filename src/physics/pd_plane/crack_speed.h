@@ -1,7 +1,7 @@
 /* How fast a crack runs, beside how fast it can: no crack that is pulled open outruns the surface wave of its
  * own edges (Rayleigh's). SI units. */
-#ifndef THEORY_CRACK_SPEED_H
-#define THEORY_CRACK_SPEED_H
+#ifndef PHYSICS_PD_CRACK_SPEED_H
+#define PHYSICS_PD_CRACK_SPEED_H
 
 #include <stddef.h>
 
