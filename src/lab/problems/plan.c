@@ -1,12 +1,15 @@
 /* What solvers build their answers from: the plan of columns, and derived numbers. */
 #include "lab/problems/solver.h"
 
+#include "base/assertion.h"
+
 #include <stdlib.h>
 #include <string.h>
 
 void derived_add(Derived out[DERIVED_MAX], int *count, const char *name, const char *label, const char *unit,
                  double value, bool integer)
 {
+    ASSERT_INT(*count, <, DERIVED_MAX);
     if (*count < DERIVED_MAX)
         out[(*count)++] =
             (Derived){.name = name, .label = label, .unit = unit, .value = value, .integer = integer};
@@ -33,6 +36,7 @@ int plan_find(const References *refs, const char *column)
 
 static void plan_add(References *refs, PlannedColumn planned)
 {
+    ASSERT_INT(refs->n_columns, <, COLUMNS_MAX);
     if (refs->n_columns < COLUMNS_MAX)
         refs->plan[refs->n_columns++] = planned;
 }

@@ -1,6 +1,8 @@
 /* What a run is judged by: the frequency of a record beside theory's. */
 #include "lab/problems/solver.h"
 
+#include "base/assertion.h"
+
 #include "theory/frequency.h"
 
 #include <math.h>
@@ -72,6 +74,7 @@ static const char *why_unmeasured(const References *refs, const Readout *readout
 void references_readout(const References *refs, const double *rows, size_t n_rows, int n_columns,
                         Readout *readout)
 {
+    ASSERT_INT(n_columns, ==, refs->n_columns); /* a record of this run */
     *readout = (Readout){.measured = NAN,
                          .predicted = NAN,
                          .exact = NAN,

@@ -1,4 +1,5 @@
 /* The references of a run: made by its solver, asked by everyone. */
+#include "base/assertion.h"
 #include "lab/problems/known.h"
 #include "lab/problems/solver.h"
 
@@ -87,6 +88,7 @@ static void fill_row(References *refs, long step, double time, const double *met
     row[1] = time;
     for (int i = 2; i < refs->n_columns; i++) {
         const PlannedColumn *planned = &refs->plan[i];
+        ASSERT(planned->answer || planned->from_method >= 0);
         if (!planned->answer)
             row[i] = method_row[planned->from_method];
         else if (planned->remembers && earlier)

@@ -1,5 +1,7 @@
 #include "lab/run/history.h"
 
+#include "base/assertion.h"
+
 #include <stdlib.h>
 
 /* Replaying a few dozen steps is not felt; fewer would fill the memory with small frames. */
@@ -59,6 +61,8 @@ static bool make_room(History *history)
 
 bool history_keep(History *history, const Simulation *sim)
 {
+    ASSERT_INT(sim->stage, ==, 0); /* a keyframe is a whole step */
+    ASSERT_INT(sim->item, ==, 0);
     bool first = history->count == 0;
     if (sim->step % history->interval != 0 ||
         (!first && history->frames[history->count - 1].step >= sim->step))

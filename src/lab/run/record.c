@@ -1,5 +1,7 @@
 #include "lab/run/record.h"
 
+#include "base/assertion.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,6 +24,7 @@ static bool is_due(const Record *record, double step)
 
 void record_open(Record *record, int n_columns, long every, size_t budget)
 {
+    ASSERT_INT(n_columns, >=, 2); /* step and time */
     size_t most = budget / ((size_t)n_columns * sizeof(double));
     *record = (Record){.n_columns = n_columns,
                        .spacing = every > 0 ? every : 1,
@@ -75,6 +78,7 @@ bool record_append(Record *record, const double *row)
         record->count--;
         record->loose_last = false;
     }
+    ASSERT(record->count == 0 || row[0] > row_at(record, record->count - 1)[0]); /* each step once */
     if (!make_room(record))
         return false;
     memcpy(row_at(record, record->count++), row, bytes_of(record, 1));
@@ -111,6 +115,7 @@ bool record_copy(Record *to, const Record *from)
 
 const double *record_row(const Record *record, size_t i)
 {
+    ASSERT_INT(i, <, record->count);
     return record->rows + i * (size_t)record->n_columns;
 }
 

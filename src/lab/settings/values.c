@@ -1,6 +1,7 @@
 /* Values of settings through the parameter table: set, get, show. */
 #include "lab/settings/parameters.h"
 
+#include "base/assertion.h"
 #include "base/text.h"
 #include "base/visible.h"
 #include "lab/problems/problem.h"
@@ -270,9 +271,11 @@ static void write_value(const Settings *settings, const Parameter *parameter, in
         return;
     }
     double value = settings_number(settings, parameter);
-    if (parameter->choices)
+    if (parameter->choices) {
+        ASSERT_INT(value, >=, 0);
+        ASSERT_INT(value, <, parameter_choices(parameter, settings->problem));
         strcpy(out, parameter->choices[(int)value]);
-    else if (parameter_automatic(parameter, settings->problem) && value == 0)
+    } else if (parameter_automatic(parameter, settings->problem) && value == 0)
         strcpy(out, parameter_automatic(parameter, settings->problem));
     else if (digits == 0 || parameter->type == PARAMETER_INTEGER)
         text_shortest(out, value);
