@@ -1,7 +1,7 @@
 /* Every mode of a bar on its mesh or lattice: what a dispersion plot shows, with the reasons for its error
  * apart.
  *
- * Source: the discrete dispersion relations of theory/bar.h and theory/rod.h. Units: any consistent system.
+ * Source: the discrete dispersion relations of theory/bar.h and theory/pd_bar.h. Units: any consistent system.
  */
 #ifndef LAB_DISPERSION_H
 #define LAB_DISPERSION_H

@@ -214,7 +214,7 @@ const BarAnswers *bar_answers(const References *refs)
 static void release(void *own)
 {
     BarAnswers *bar = own;
-    rod_modes_free(bar->modes);
+    pd_bar_modes_free(bar->modes);
 }
 
 BarAnswers *bar_answers_create(References *refs, Status *status)

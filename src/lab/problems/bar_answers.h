@@ -24,8 +24,8 @@ typedef struct BarWatch {
 /* What References.own is of a bar. */
 typedef struct BarAnswers {
     BarTheory theory;
-    BarMesh mesh;    /* by the material point method */
-    RodModes *modes; /* by peridynamics; NULL: v_cm is not predicted */
+    BarMesh mesh;      /* by the material point method */
+    PdBarModes *modes; /* by peridynamics; NULL: v_cm is not predicted */
     BarWatch watch;
 } BarAnswers;
 

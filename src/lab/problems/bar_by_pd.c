@@ -2,7 +2,7 @@
 #include "lab/problems/bar_answers.h"
 #include "lab/problems/solvers.h"
 #include "physics/pd_bar/pd_bar.h"
-#include "theory/rod.h"
+#include "theory/pd_bar.h"
 
 #include <errno.h>
 #include <math.h>
@@ -28,13 +28,13 @@ PdBarDef bar_pd_definition(const Settings *settings)
     };
 }
 
-RodLatticeTheory bar_lattice_of(const Settings *settings)
+PdBarTheory bar_lattice_of(const Settings *settings)
 {
-    return (RodLatticeTheory){.spacing = lattice_spacing(settings),
-                              .horizon = lattice_horizon(settings),
-                              .partial_volumes = settings->lattice.volume_correction == VOLUME_PARTIAL,
-                              .energy_correction = settings->lattice.surface_correction == SURFACE_ENERGY,
-                              .dt = bar_time_step(settings)};
+    return (PdBarTheory){.spacing = lattice_spacing(settings),
+                         .horizon = lattice_horizon(settings),
+                         .partial_volumes = settings->lattice.volume_correction == VOLUME_PARTIAL,
+                         .energy_correction = settings->lattice.surface_correction == SURFACE_ENERGY,
+                         .dt = bar_time_step(settings)};
 }
 
 static bool check(const Settings *settings, Status *status)
@@ -61,15 +61,15 @@ static Simulation *simulate(const Settings *settings, int threads, Status *statu
 
 static double predicted_frequency(const Settings *settings, const BarTheory *theory, double dt, int mode)
 {
-    const RodLatticeTheory lattice = bar_lattice_of(settings);
+    const PdBarTheory lattice = bar_lattice_of(settings);
     (void)dt; /* the lattice knows it */
-    return rod_frequency(theory, &lattice, mode);
+    return pd_bar_frequency(theory, &lattice, mode);
 }
 
 static double predicted_v_cm(References *refs, long step, double time, const double *row)
 {
     (void)time, (void)row;
-    return rod_centre_velocity(bar_answers(refs)->modes, step);
+    return pd_bar_centre_velocity(bar_answers(refs)->modes, step);
 }
 
 static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
@@ -80,11 +80,11 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     BarAnswers *bar = bar_answers_create(refs, status);
     if (!bar)
         return false;
-    const RodLatticeTheory lattice = bar_lattice_of(settings);
+    const PdBarTheory lattice = bar_lattice_of(settings);
     /* what theory cannot predict is left out; for want of memory it must not be */
     errno = 0;
     if (!refs->strangers[REFERENCE_PREDICTED])
-        bar->modes = rod_modes_create(&theory, &lattice);
+        bar->modes = pd_bar_modes_create(&theory, &lattice);
     const bool prepared =
         bar_prepare(refs, settings, sim, predicted_frequency, bar->modes ? predicted_v_cm : NULL,
                     "velocity of the centre of mass predicted for this lattice", status);
@@ -149,8 +149,8 @@ static int modes(const Settings *settings)
 
 static Dispersion wave_on_lattice(const Settings *settings, const BarTheory *theory, double wave_number)
 {
-    const RodLatticeTheory lattice = bar_lattice_of(settings);
-    return rod_dispersion(theory, &lattice, wave_number);
+    const PdBarTheory lattice = bar_lattice_of(settings);
+    return pd_bar_dispersion(theory, &lattice, wave_number);
 }
 
 static void lattice_factors(const Dispersion *wave, ModeOnMesh *mode)

@@ -6,7 +6,7 @@
 #include "lab/settings/settings.h"
 #include "physics/pd_bar/pd_bar.h"
 #include "theory/bar.h"
-#include "theory/rod.h"
+#include "theory/pd_bar.h"
 
 /* The bar with its modes and loads. False: its overtones cannot be read. */
 bool bar_theory_of(const Settings *, BarTheory *, Status *);
@@ -19,7 +19,7 @@ BarDef bar_mpm_definition(const Settings *);
 
 /* The same bar on a lattice of bonded nodes: for the engine (at rest) and for its theory. */
 PdBarDef bar_pd_definition(const Settings *);
-RodLatticeTheory bar_lattice_of(const Settings *);
+PdBarTheory bar_lattice_of(const Settings *);
 
 /* dt = courant * dx / c, eq. 21. */
 double bar_time_step(const Settings *);

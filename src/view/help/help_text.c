@@ -22,7 +22,7 @@ static const HelpWord bar_words[] = {
      "that an error that grows like the square of n is a straight line."},
 };
 
-static const HelpWord rod_words[] = {
+static const HelpWord pd_bar_words[] = {
     {"w", "the frequency in radians per time, by least squares of cosine, sine and offset. T is the period: "
           "its error has the other sign."},
     {"late", "by how many periods the run is behind the exact answer now: a small error of frequency grows "
@@ -85,7 +85,7 @@ static const HelpPassage bar_before[] = {
      "The integrals become sums over particles of mass m and volume m/rho."},
 };
 
-static const HelpPassage rod_before[] = {
+static const HelpPassage pd_bar_before[] = {
     {true, "What is solved: axial vibration of a bar, by bonds", NULL},
     {false, "ρ d²u/dt² = Σ c G w s V sign(ξ+η) + ρ b      s = (|ξ+η| - |ξ|)/|ξ|",
      "rho d2u/dt2 = sum c G w s V sign(xi+eta) + rho b      s = (|xi+eta| - |xi|)/|xi|"},
@@ -138,7 +138,7 @@ static const HelpPassage bar_after[] = {
     {false, "A particle gives to two nodes here, to four in two dimensions, to eight in three.", NULL},
 };
 
-static const HelpPassage rod_after[] = {
+static const HelpPassage pd_bar_after[] = {
     {true, "What this lattice makes of a wave", NULL},
     {false, "ω² = 8E/(ρδ²) Σ (w_m/m) sin²(mβh/2)      sin(ΩΔt/2) = ωΔt/2",
      "w^2 = 8E/(rho delta^2) sum (w_m/m) sin^2(m beta h/2)      sin(W dt/2) = w dt/2"},
@@ -202,14 +202,15 @@ const HelpText *help_text_of(const Simulation *sim)
 {
     static const HelpText bar = {"One time step", LIST(bar_words), LIST(bar_before), LIST(bar_exact),
                                  LIST(bar_after)};
-    static const HelpText rod = {"One time step (velocity Verlet)", LIST(rod_words), LIST(rod_before),
-                                 LIST(bar_exact), LIST(rod_after)};
+    static const HelpText pd_bar = {"One time step (velocity Verlet)", LIST(pd_bar_words),
+                                    LIST(pd_bar_before), LIST(bar_exact), LIST(pd_bar_after)};
     static const HelpText beam = {
         "One time step (velocity Verlet)", LIST(beam_words), LIST(beam_before), NULL, 0, LIST(beam_after)};
     static const struct {
         unsigned has;
         const HelpText *text;
-    } texts[] = {{HAS_LINE | HAS_MESH, &bar}, {HAS_LINE | HAS_BONDS, &rod}, {HAS_PLANE | HAS_BONDS, &beam}};
+    } texts[] = {
+        {HAS_LINE | HAS_MESH, &bar}, {HAS_LINE | HAS_BONDS, &pd_bar}, {HAS_PLANE | HAS_BONDS, &beam}};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         if (simulation_has(sim, texts[i].has))
             return texts[i].text;

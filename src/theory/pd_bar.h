@@ -27,34 +27,34 @@
  *
  * Source: the dispersion relation of S. A. Silling (2000), section 6, summed over the lattice. Units: any
  * consistent system. */
-#ifndef THEORY_ROD_H
-#define THEORY_ROD_H
+#ifndef THEORY_PD_BAR_H
+#define THEORY_PD_BAR_H
 
 #include "theory/bar.h"
 
-typedef struct RodLatticeTheory {
+typedef struct PdBarTheory {
     double spacing, horizon; /* h, delta */
     bool partial_volumes;    /* w_m; false: 1 */
     bool energy_correction;  /* bonds near a free end are scaled by the energy of their families */
     double dt;
-} RodLatticeTheory;
+} PdBarTheory;
 
 /* A wave far from the ends. known: the step is within the stability limit of this wave; decay 0, filter 1. */
-Dispersion rod_dispersion(const BarTheory *bar, const RodLatticeTheory *lattice, double wave_number);
+Dispersion pd_bar_dispersion(const BarTheory *bar, const PdBarTheory *lattice, double wave_number);
 
 /* Omega of mode `number` (1, 2, ...) with the ends as they are; NAN: no such mode, unstable, no memory, or
  * with a free end a mode so low on a lattice so fine (n = 1 from some 7,000 nodes on) that rounding hides it.
  */
-double rod_frequency(const BarTheory *bar, const RodLatticeTheory *lattice, int number);
+double pd_bar_frequency(const BarTheory *bar, const PdBarTheory *lattice, int number);
 
 /* v_cm(t) predicted whole, all loads 0: the velocity at t = 0 resolved into the modes of the lattice. */
-typedef struct RodModes RodModes;
+typedef struct PdBarModes PdBarModes;
 
 /* NULL: a load acts, the step is unstable, memory is short, or an end is free and there are more than
- * ROD_MODES_MAX nodes (all eigenvectors are needed). */
-enum { ROD_MODES_MAX = 200 };
-RodModes *rod_modes_create(const BarTheory *bar, const RodLatticeTheory *lattice);
-void rod_modes_free(RodModes *modes); /* NULL is allowed */
-double rod_centre_velocity(const RodModes *modes, long step);
+ * PD_BAR_MODES_MAX nodes (all eigenvectors are needed). */
+enum { PD_BAR_MODES_MAX = 200 };
+PdBarModes *pd_bar_modes_create(const BarTheory *bar, const PdBarTheory *lattice);
+void pd_bar_modes_free(PdBarModes *modes); /* NULL is allowed */
+double pd_bar_centre_velocity(const PdBarModes *modes, long step);
 
 #endif

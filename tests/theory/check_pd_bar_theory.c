@@ -3,7 +3,7 @@
 #include "physics/pd_bar/pd_bar.h"
 #include "suite.h"
 #include "theory/frequency.h"
-#include "theory/rod.h"
+#include "theory/pd_bar.h"
 
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_sort_vector.h>
@@ -21,9 +21,9 @@ static BarTheory theory(bool left, bool right, int mode)
                        .modes = {{mode, 0.1}}};
 }
 
-static RodLatticeTheory lattice(double spacing, double horizon, bool partial, bool energy, double dt)
+static PdBarTheory lattice(double spacing, double horizon, bool partial, bool energy, double dt)
 {
-    return (RodLatticeTheory){spacing, horizon, partial, energy, dt};
+    return (PdBarTheory){spacing, horizon, partial, energy, dt};
 }
 
 static double velocity(double x, const void *context)
@@ -31,7 +31,7 @@ static double velocity(double x, const void *context)
     return bar_initial_velocity(context, x);
 }
 
-static Simulation *rod(const BarTheory *bar, const RodLatticeTheory *on)
+static Simulation *lattice_bar(const BarTheory *bar, const PdBarTheory *on)
 {
     PdBarDef def = {.length = bar->length,
                     .youngs_modulus = bar->youngs_modulus,
@@ -52,11 +52,11 @@ static Simulation *rod(const BarTheory *bar, const RodLatticeTheory *on)
 }
 
 /* The frequency of a node's velocity by least squares over 2000 steps. */
-static double measured(const BarTheory *bar, const RodLatticeTheory *on, double start)
+static double measured(const BarTheory *bar, const PdBarTheory *on, double start)
 {
     enum { STEPS = 2000 };
     static double record[STEPS];
-    Simulation *sim = rod(bar, on);
+    Simulation *sim = lattice_bar(bar, on);
     const int field = simulation_find_field(sim, 0, "v");
     for (int k = 0; k < STEPS; k++) {
         sim->method->field(sim, field, 3, 1, &record[k]);
@@ -79,27 +79,27 @@ START_TEST(fixed_ends)
             for (int flags = 0; flags < 4; flags++) {
                 const bool partial = flags & 1, energy = flags & 2;
                 const BarTheory bar = theory(true, true, modes[m]);
-                const RodLatticeTheory on = lattice(0.5, horizons[h], partial, energy, 0.01);
-                const double predicted = rod_frequency(&bar, &on, modes[m]);
+                const PdBarTheory on = lattice(0.5, horizons[h], partial, energy, 0.01);
+                const double predicted = pd_bar_frequency(&bar, &on, modes[m]);
                 ck_assert_double_eq_tol(measured(&bar, &on, predicted) / predicted, 1, 1e-9);
             }
 }
 END_TEST
 
 /* v_cm of the run at every step, to the rounding of what it starts with. */
-static double furthest(const BarTheory *bar, const RodLatticeTheory *on, int steps)
+static double furthest(const BarTheory *bar, const PdBarTheory *on, int steps)
 {
-    Simulation *sim = rod(bar, on);
-    RodModes *modes = rod_modes_create(bar, on);
+    Simulation *sim = lattice_bar(bar, on);
+    PdBarModes *modes = pd_bar_modes_create(bar, on);
     ck_assert(modes != NULL);
     const int v_cm = simulation_find_series(sim, "v_cm");
     double row[16], most = 0;
     for (int k = 0; k <= steps; k++) {
         simulation_row(sim, row);
-        most = fmax(most, fabs(row[v_cm] - rod_centre_velocity(modes, k)));
+        most = fmax(most, fabs(row[v_cm] - pd_bar_centre_velocity(modes, k)));
         ck_assert(simulation_steps(sim, 1, NULL, NULL, NULL));
     }
-    rod_modes_free(modes);
+    pd_bar_modes_free(modes);
     simulation_destroy(sim);
     return most / 0.1;
 }
@@ -111,7 +111,7 @@ START_TEST(centre_of_mass)
             BarTheory bar = theory(ends & 1, ends & 2, 5);
             bar.n_modes = 2;
             bar.modes[1].number = 3, bar.modes[1].velocity = 0.02;
-            const RodLatticeTheory on = lattice(0.5, 1.5, true, energy, 0.03);
+            const PdBarTheory on = lattice(0.5, 1.5, true, energy, 0.03);
             ck_assert_double_lt(furthest(&bar, &on, 3000), 1e-11);
         }
 }
@@ -136,11 +136,10 @@ START_TEST(free_end)
         const BarTheory bar = theory(true, false, cases[k].mode);
         const double exact = bar_frequency(&bar, cases[k].mode);
         /* so small a step that time adds nothing */
-        const RodLatticeTheory on =
-            lattice(cases[k].spacing, 3 * cases[k].spacing, true, cases[k].energy, 1e-5);
-        const double endless = rod_dispersion(&bar, &on, bar_wave_number(&bar, cases[k].mode)).frequency;
+        const PdBarTheory on = lattice(cases[k].spacing, 3 * cases[k].spacing, true, cases[k].energy, 1e-5);
+        const double endless = pd_bar_dispersion(&bar, &on, bar_wave_number(&bar, cases[k].mode)).frequency;
         ck_assert_double_eq_tol(100 * (endless / exact - 1), cases[k].endless, 6e-5);
-        ck_assert_double_eq_tol(100 * (rod_frequency(&bar, &on, cases[k].mode) / exact - 1), cases[k].ends,
+        ck_assert_double_eq_tol(100 * (pd_bar_frequency(&bar, &on, cases[k].mode) / exact - 1), cases[k].ends,
                                 6e-5);
     }
 }
@@ -151,9 +150,9 @@ END_TEST
 START_TEST(free_end_measured)
 {
     const BarTheory bar = theory(true, false, 5);
-    const RodLatticeTheory on = lattice(0.5, 1.5, true, true, 0.01);
-    const double predicted = rod_frequency(&bar, &on, 5), found = measured(&bar, &on, predicted);
-    const double endless = rod_dispersion(&bar, &on, bar_wave_number(&bar, 5)).frequency;
+    const PdBarTheory on = lattice(0.5, 1.5, true, true, 0.01);
+    const double predicted = pd_bar_frequency(&bar, &on, 5), found = measured(&bar, &on, predicted);
+    const double endless = pd_bar_dispersion(&bar, &on, bar_wave_number(&bar, 5)).frequency;
     ck_assert_double_lt(fabs(found / predicted - 1), 2e-4);
     ck_assert_double_gt(fabs(endless / predicted - 1), 4e-3);
 }
@@ -165,42 +164,42 @@ START_TEST(long_waves_and_time)
     const double k = 1e-2;
     for (int reach = 1; reach <= 6; reach++) {
         const double h = 0.5, delta = reach * h;
-        RodLatticeTheory on = lattice(h, delta, true, false, 1e-6);
-        const double lag = 1 - rod_dispersion(&bar, &on, k).frequency / (10 * k);
+        PdBarTheory on = lattice(h, delta, true, false, 1e-6);
+        const double lag = 1 - pd_bar_dispersion(&bar, &on, k).frequency / (10 * k);
         ck_assert_double_eq_tol(lag / (k * k * (delta * delta + h * h) / 48), 1, 1e-3);
         on.dt = 0.02;
-        const Dispersion wave = rod_dispersion(&bar, &on, 2);
+        const Dispersion wave = pd_bar_dispersion(&bar, &on, 2);
         ck_assert(wave.known);
         ck_assert_double_eq_tol(sin(wave.frequency * on.dt / 2), wave.space_only * on.dt / 2, 1e-15);
         on.dt = 2.0001 / wave.space_only;
-        ck_assert(!rod_dispersion(&bar, &on, 2).known);
-        ck_assert(!rod_dispersion(&bar, &on, 1.001 * M_PI / h).known);
+        ck_assert(!pd_bar_dispersion(&bar, &on, 2).known);
+        ck_assert(!pd_bar_dispersion(&bar, &on, 1.001 * M_PI / h).known);
     }
     /* a reach of one is the chain of springs */
-    const RodLatticeTheory on = lattice(0.5, 0.5, false, true, 1e-6);
-    ck_assert_double_eq_tol(rod_dispersion(&bar, &on, 2).space_only, 10 / 0.5 * 2 * sin(0.5), 1e-12);
+    const PdBarTheory on = lattice(0.5, 0.5, false, true, 1e-6);
+    ck_assert_double_eq_tol(pd_bar_dispersion(&bar, &on, 2).space_only, 10 / 0.5 * 2 * sin(0.5), 1e-12);
 }
 END_TEST
 
 START_TEST(not_predicted)
 {
     BarTheory bar = theory(true, false, 1);
-    RodLatticeTheory on = lattice(0.05, 0.15, true, true, 1e-3);
-    ck_assert(rod_modes_create(&bar, &on) == NULL); /* 500 nodes with a free end */
-    ck_assert(isfinite(rod_frequency(&bar, &on, 1)));
-    const RodLatticeTheory finest = lattice(0.0005, 0.0015, true, true, 1e-5);
-    ck_assert(isnan(rod_frequency(&bar, &finest, 1))); /* 50,000 nodes: lost in rounding */
+    PdBarTheory on = lattice(0.05, 0.15, true, true, 1e-3);
+    ck_assert(pd_bar_modes_create(&bar, &on) == NULL); /* 500 nodes with a free end */
+    ck_assert(isfinite(pd_bar_frequency(&bar, &on, 1)));
+    const PdBarTheory finest = lattice(0.0005, 0.0015, true, true, 1e-5);
+    ck_assert(isnan(pd_bar_frequency(&bar, &finest, 1))); /* 50,000 nodes: lost in rounding */
     bar.right_fixed = true;
-    RodModes *modes = rod_modes_create(&bar, &on);
+    PdBarModes *modes = pd_bar_modes_create(&bar, &on);
     ck_assert(modes != NULL);
-    rod_modes_free(modes);
+    pd_bar_modes_free(modes);
     bar.body_force = 1;
-    ck_assert(rod_modes_create(&bar, &on) == NULL);
+    ck_assert(pd_bar_modes_create(&bar, &on) == NULL);
     bar.body_force = 0;
     on.dt = 10;
-    ck_assert(rod_modes_create(&bar, &on) == NULL);
-    ck_assert(isnan(rod_frequency(&bar, &on, 0)) && isnan(rod_frequency(&bar, &on, 501)));
-    rod_modes_free(NULL);
+    ck_assert(pd_bar_modes_create(&bar, &on) == NULL);
+    ck_assert(isnan(pd_bar_frequency(&bar, &on, 0)) && isnan(pd_bar_frequency(&bar, &on, 501)));
+    pd_bar_modes_free(NULL);
 }
 END_TEST
 
@@ -235,7 +234,7 @@ END_TEST
 
 void add_cases(Suite *suite)
 {
-    TCase *tcase = tcase_create("rod");
+    TCase *tcase = tcase_create("pd_bar");
     tcase_add_test(tcase, fixed_ends);
     tcase_add_test(tcase, centre_of_mass);
     tcase_add_test(tcase, free_end);

@@ -1,4 +1,4 @@
-#include "theory/rod.h"
+#include "theory/pd_bar.h"
 
 #include "base/band.h"
 #include "theory/quiet.h"
@@ -11,13 +11,13 @@
 
 /* --- the endless lattice -------------------------------------------------------------------------- */
 
-static int reach_of(const RodLatticeTheory *lattice)
+static int reach_of(const PdBarTheory *lattice)
 {
     return (int)floor(lattice->horizon / lattice->spacing * (1 + 1e-9));
 }
 
 /* w_m: the cell at distance m h reaches from (m - 1/2) h to (m + 1/2) h, the horizon to delta. */
-static double weight(const RodLatticeTheory *lattice, int m)
+static double weight(const PdBarTheory *lattice, int m)
 {
     double within = lattice->horizon / lattice->spacing + 0.5 - m;
     return lattice->partial_volumes && within < 1 ? within : 1;
@@ -29,7 +29,7 @@ static double verlet(double omega, double dt)
     return half <= 1 ? 2 * asin(half) / dt : NAN;
 }
 
-Dispersion rod_dispersion(const BarTheory *bar, const RodLatticeTheory *lattice, double wave_number)
+Dispersion pd_bar_dispersion(const BarTheory *bar, const PdBarTheory *lattice, double wave_number)
 {
     Dispersion wave = {.space_only = NAN, .frequency = NAN, .decay = 0, .filter = 1};
     double theta = fabs(wave_number) * lattice->spacing, ratio = lattice->horizon / lattice->spacing;
@@ -63,7 +63,7 @@ static int node_at(const BarTheory *bar, int n, int k, int *sign)
 }
 
 /* The energy of node i's family at unit strain, in shares of what it should be. */
-static double family_share(const BarTheory *bar, const RodLatticeTheory *lattice, int n, int i)
+static double family_share(const BarTheory *bar, const PdBarTheory *lattice, int n, int i)
 {
     double ratio = lattice->horizon / lattice->spacing, sum = 0;
     int sign;
@@ -74,7 +74,7 @@ static double family_share(const BarTheory *bar, const RodLatticeTheory *lattice
     return sum / (ratio * ratio);
 }
 
-static double bond_factor(const BarTheory *bar, const RodLatticeTheory *lattice, int n, int i, int j)
+static double bond_factor(const BarTheory *bar, const PdBarTheory *lattice, int n, int i, int j)
 {
     if (!lattice->energy_correction)
         return 1;
@@ -84,8 +84,7 @@ static double bond_factor(const BarTheory *bar, const RodLatticeTheory *lattice,
 typedef void PutEntry(void *into, int row, int column, double value);
 
 /* Minus acceleration of node i per displacement of node j, entry by entry (several may belong to one). */
-static void write_matrix(const BarTheory *bar, const RodLatticeTheory *lattice, int n, PutEntry *put,
-                         void *into)
+static void write_matrix(const BarTheory *bar, const PdBarTheory *lattice, int n, PutEntry *put, void *into)
 {
     const double scale = 2 * bar->youngs_modulus / (bar->density * lattice->horizon * lattice->horizon);
     for (int i = 0; i < n; i++)
@@ -112,13 +111,13 @@ static void put_in_band(void *into, int row, int column, double value)
         band->rows[row * (band->width + 1) + row - column] += value;
 }
 
-static int nodes_of(const BarTheory *bar, const RodLatticeTheory *lattice)
+static int nodes_of(const BarTheory *bar, const PdBarTheory *lattice)
 {
     return (int)round(bar->length / lattice->spacing);
 }
 
 /* The squared frequencies are found to the rounding of the largest one: no use where that is far above. */
-static bool is_resolved(const BarTheory *bar, const RodLatticeTheory *lattice, int number)
+static bool is_resolved(const BarTheory *bar, const PdBarTheory *lattice, int number)
 {
     enum { LARGEST_FACTOR = 2 }; /* a bond at a free end may be so much stiffer */
     const double scale = 2 * bar->youngs_modulus / (bar->density * lattice->horizon * lattice->horizon);
@@ -128,13 +127,13 @@ static bool is_resolved(const BarTheory *bar, const RodLatticeTheory *lattice, i
     return DBL_EPSILON * 2 * LARGEST_FACTOR * row <= 1e-8 * pow(bar_frequency(bar, number), 2);
 }
 
-double rod_frequency(const BarTheory *bar, const RodLatticeTheory *lattice, int number)
+double pd_bar_frequency(const BarTheory *bar, const PdBarTheory *lattice, int number)
 {
     const int n = nodes_of(bar, lattice), width = reach_of(lattice);
     if (number < 1 || number > n || width > n || width > BAND_WIDTH_MAX)
         return NAN;
     if (bar->left_fixed && bar->right_fixed)
-        return rod_dispersion(bar, lattice, bar_wave_number(bar, number)).frequency;
+        return pd_bar_dispersion(bar, lattice, bar_wave_number(bar, number)).frequency;
     if (!is_resolved(bar, lattice, number))
         return NAN;
     /* the free-free bar has its rigid motion first */
@@ -153,13 +152,13 @@ double rod_frequency(const BarTheory *bar, const RodLatticeTheory *lattice, int 
 
 /* --- v_cm(t) -------------------------------------------------------------------------------------- */
 
-struct RodModes {
+struct PdBarModes {
     int count;
     double *frequency, *share; /* v_cm = sum share cos(frequency t) */
     double dt;
 };
 
-void rod_modes_free(RodModes *modes)
+void pd_bar_modes_free(PdBarModes *modes)
 {
     if (!modes)
         return;
@@ -168,7 +167,7 @@ void rod_modes_free(RodModes *modes)
     free(modes);
 }
 
-double rod_centre_velocity(const RodModes *modes, long step)
+double pd_bar_centre_velocity(const PdBarModes *modes, long step)
 {
     double sum = 0;
     for (int k = 0; k < modes->count; k++)
@@ -176,21 +175,21 @@ double rod_centre_velocity(const RodModes *modes, long step)
     return sum;
 }
 
-static RodModes *room_for(int count, double dt)
+static PdBarModes *room_for(int count, double dt)
 {
-    RodModes *modes = calloc(1, sizeof *modes);
+    PdBarModes *modes = calloc(1, sizeof *modes);
     if (!modes)
         return NULL;
-    *modes = (RodModes){count, calloc((size_t)count + 1, sizeof(double)),
-                        calloc((size_t)count + 1, sizeof(double)), dt};
+    *modes = (PdBarModes){count, calloc((size_t)count + 1, sizeof(double)),
+                          calloc((size_t)count + 1, sizeof(double)), dt};
     if (modes->frequency && modes->share)
         return modes;
-    rod_modes_free(modes);
+    pd_bar_modes_free(modes);
     return NULL;
 }
 
 /* Between two fixed ends each sine is a mode. */
-static bool take_sines(RodModes *modes, const BarTheory *bar, const RodLatticeTheory *lattice, int n)
+static bool take_sines(PdBarModes *modes, const BarTheory *bar, const PdBarTheory *lattice, int n)
 {
     for (int k = 0; k < bar->n_modes; k++) {
         const int number = bar->modes[k].number;
@@ -198,7 +197,7 @@ static bool take_sines(RodModes *modes, const BarTheory *bar, const RodLatticeTh
         for (int i = 0; i < n; i++)
             sum += bar_mode_shape(bar, number, (i + 0.5) * lattice->spacing);
         modes->share[k] = bar->modes[k].velocity * sum / n;
-        modes->frequency[k] = number < 1 ? 0 : rod_frequency(bar, lattice, number);
+        modes->frequency[k] = number < 1 ? 0 : pd_bar_frequency(bar, lattice, number);
         if (!isfinite(modes->frequency[k]))
             return false;
     }
@@ -210,7 +209,7 @@ static void put_in_matrix(void *into, int row, int column, double value)
     *gsl_matrix_ptr(into, (size_t)row, (size_t)column) += value;
 }
 
-static bool take_vectors(RodModes *modes, const BarTheory *bar, const RodLatticeTheory *lattice, int n)
+static bool take_vectors(PdBarModes *modes, const BarTheory *bar, const PdBarTheory *lattice, int n)
 {
     const size_t size = (size_t)n;
     bool sound = false;
@@ -241,16 +240,16 @@ static bool take_vectors(RodModes *modes, const BarTheory *bar, const RodLattice
     return sound;
 }
 
-RodModes *rod_modes_create(const BarTheory *bar, const RodLatticeTheory *lattice)
+PdBarModes *pd_bar_modes_create(const BarTheory *bar, const PdBarTheory *lattice)
 {
     const int n = nodes_of(bar, lattice);
     const bool sines = bar->left_fixed && bar->right_fixed;
     if (bar->body_force != 0 || bar->traction != 0 || n < 1 || reach_of(lattice) > n ||
-        (!sines && n > ROD_MODES_MAX))
+        (!sines && n > PD_BAR_MODES_MAX))
         return NULL;
-    RodModes *modes = room_for(sines ? bar->n_modes : n, lattice->dt);
+    PdBarModes *modes = room_for(sines ? bar->n_modes : n, lattice->dt);
     if (!modes || (sines ? take_sines : take_vectors)(modes, bar, lattice, n))
         return modes;
-    rod_modes_free(modes);
+    pd_bar_modes_free(modes);
     return NULL;
 }
