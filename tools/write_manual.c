@@ -360,7 +360,7 @@ static bool write_results(const char *argument)
 {
     (void)argument;
     for (int column = 0; column < RESULT_COLUMNS; column++) {
-        Quantity quantity = result_quantity((ResultColumn)column);
+        Quantity quantity = sweep_result_quantity((ResultColumn)column);
         write_quantity(&quantity);
     }
     return true;

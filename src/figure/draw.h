@@ -39,6 +39,6 @@ double draw_phrases(Paper *, const char *text, Box, const Type *);
 
 /* One line of words, its base line at y; and how wide it is. */
 void draw_words(Paper *, double x, double y, const char *text, const Type *);
-double words_width(const char *text, const Type *);
+double draw_words_width(const char *text, const Type *);
 
 #endif

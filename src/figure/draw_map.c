@@ -144,7 +144,7 @@ double draw_heat_bar(Paper *paper, const Sketch *sketch, Box box)
     Axis axis = axis_make(map->low, map->high, 7);
     char name[SKETCH_TEXT_MAX + 2 * TICK_TEXT_MAX], text[TICK_TEXT_MAX];
     bar_name(sketch, &axis, name, sizeof name);
-    const double beside = words_width(name, &words) + 18;
+    const double beside = draw_words_width(name, &words) + 18;
     const bool above = box.width - beside < 140;
     const double down = above ? LINE_HEIGHT * SIZE_WORDS : 0;
     const double height = down + BAR_HEIGHT + 3 + SIZE_TICKS + 3;

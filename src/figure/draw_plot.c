@@ -79,7 +79,7 @@ static double widest_label(const Axis *axis, const Type *type)
     for (int i = 0; i < count; i++) {
         char text[64];
         tick_label(axis, ticks[i], text, sizeof text);
-        widest = fmax(widest, words_width(text, type));
+        widest = fmax(widest, draw_words_width(text, type));
     }
     return widest;
 }
@@ -122,7 +122,7 @@ static void draw_axes(const Frame *frame, double left)
         const double x = x_of(frame, ticks[i]), bottom = box->y + box->height;
         straight(paper, x, bottom, x, bottom + TICK, BLACK, 0.6);
         tick_label(&sketch->plot.x, ticks[i], text, sizeof text);
-        const double half = words_width(text, &type) / 2;
+        const double half = draw_words_width(text, &type) / 2;
         if (x - half < used)
             continue;
         used = x + half + BETWEEN;
@@ -145,7 +145,7 @@ static void draw_axes(const Frame *frame, double left)
                &name);
     const char *heading = sketch->map ? "y, mm" : sketch->heading;
     name.upwards = true;
-    name.size = fmin(SIZE_WORDS, SIZE_WORDS * box->height / words_width(heading, &name));
+    name.size = fmin(SIZE_WORDS, SIZE_WORDS * box->height / draw_words_width(heading, &name));
     draw_words(paper, left + SIZE_WORDS, box->y + box->height / 2, heading, &name);
 }
 
@@ -353,7 +353,7 @@ static void draw_label(const Frame *frame, const SketchLabel *label)
                                                    : ALIGN_LEFT};
     const double x = x_of(frame, label->x), y = y_of(frame, label->y);
     if (label->on_line) {
-        const double half = words_width(label->text, &type) / 2 + 2, up = type.size / 2;
+        const double half = draw_words_width(label->text, &type) / 2 + 2, up = type.size / 2;
         const double patch[] = {x - half, y - up, x + half, y - up, x + half, y + up, x - half, y + up};
         frame->paper->kind->fill(frame->paper, patch, 4, WHITE);
     }

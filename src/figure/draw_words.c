@@ -76,7 +76,7 @@ static double set_words(Paper *paper, double x, double y, const char *words, con
     return along;
 }
 
-double words_width(const char *text, const Type *type)
+double draw_words_width(const char *text, const Type *type)
 {
     char words[FIGURE_WORDS_MAX];
     ink_words(text, words, sizeof words);
@@ -118,7 +118,7 @@ double draw_phrases(Paper *paper, const char *text, Box box, const Type *type)
         length = length < sizeof piece - 1 ? length : sizeof piece - 1;
         memcpy(piece, text, length);
         piece[length] = '\0';
-        double width = words_width(piece, type);
+        double width = draw_words_width(piece, type);
         const bool close = x > 0 && (text[-2] != ' ' || text[-3] == ',');
         const double before = x <= 0 ? 0 : close ? space : gap;
         if (!in_phrase && width > box.width && strchr(piece, ' ')) {
@@ -194,7 +194,7 @@ double draw_legend_rows(Paper *paper, const Sketch *sketch, Box box)
         const SketchKey *key = &sketch->keys[i];
         char name[SKETCH_TEXT_MAX + 4];
         name_of(key, name);
-        const double width = SAMPLE + BEHIND + words_width(name, &type);
+        const double width = SAMPLE + BEHIND + draw_words_width(name, &type);
         if (x > 0 && x + width > box.width) {
             x = 0;
             y += row;

@@ -59,7 +59,7 @@ static bool check_combinations(Sweep *sweep, Status *status)
         for (int k = 0; k < plan->n_keys; k++)
             sweep->keys[(size_t)i * (size_t)plan->n_keys + (size_t)k] =
                 settings_number(&settings, plan->keys[k].parameter);
-        sweep->numbers[i] = partial_number(&settings, sweep->options->steps);
+        sweep->numbers[i] = sweep_partial_number(&settings, sweep->options->steps);
         if (sweep->numbers[i] == 0)
             return no_memory(status);
     }
@@ -108,7 +108,7 @@ static void run_combination(void *context, int combination, RunProgress progress
     Status *why = &result->failure;
     if (!sweep_plan_load(&sweep->plan, sweep->options, combination, false, &settings, why))
         return;
-    const uint64_t number = partial_number(&settings, sweep->options->steps);
+    const uint64_t number = sweep_partial_number(&settings, sweep->options->steps);
     if (number == 0) {
         no_memory(why);
         return;
@@ -122,7 +122,7 @@ static void run_combination(void *context, int combination, RunProgress progress
         return;
     double began = seconds();
     if (export_run(&settings, &(Outputs){0}, sweep->threads, progress, progress_context, &summary, why))
-        result_of(&summary, &settings, seconds() - began, result);
+        sweep_result_of(&summary, &settings, seconds() - began, result);
 }
 
 /* --- meanwhile, in the parent --------------------------------------------------------------------- */
@@ -157,7 +157,7 @@ static bool take_result(void *context, int combination, const SweepResult *resul
     if (result->done && result->failure.text[0])
         tell(sweep, "no frequency", combination, result->failure.text);
     if (result->done)
-        return partial_add(&sweep->partial, sweep->numbers[combination], result, status);
+        return sweep_partial_add(&sweep->partial, sweep->numbers[combination], result, status);
     tell(sweep, "left out", combination, result->failure.text);
     sweep->left_out++;
     return true;
@@ -231,10 +231,10 @@ static bool write_beside(const Sweep *sweep, const SweepTable *table, int count,
     fputs("matvib " PACKAGE_VERSION "\n\nmatvib sweep", text);
     for (int i = 0; i < count; i++) {
         fputc(' ', text);
-        shell_quote(text, arguments[i]);
+        sweep_shell_quote(text, arguments[i]);
     }
     fputs("\n\nColumns:\n", text);
-    table_describe(table, text);
+    sweep_table_describe(table, text);
     fputs("\nThe first combination:\n", text);
     bool written = (text_stream_close(text, &comment) || no_memory(status)) &&
                    sweep_plan_load(&sweep->plan, sweep->options, 0, true, &settings, status) &&
@@ -250,7 +250,7 @@ static bool write_files(const Sweep *sweep, const SweepTable *table, int count, 
     OutputFile file, beside = {0};
     if (!output_open(&file, ASKER_COMMAND_LINE, options->output, options->force, status))
         return false;
-    table_write_csv(table, options->outputs.dialect, file.stream);
+    sweep_table_write_csv(table, options->outputs.dialect, file.stream);
     bool good = output_finish(&file, status);
     if (good && file.target) {
         char *name = beside_name(options->output, status);
@@ -269,7 +269,7 @@ static int write_all(Sweep *sweep, int count, char **arguments, Status *status)
     const Options *options = sweep->options;
     SweepTable table = {
         .plan = &sweep->plan, .problem = sweep->problem, .keys = sweep->keys, .results = sweep->results};
-    table_choose_columns(&table);
+    sweep_table_choose_columns(&table);
     int all = sweep->plan.n_combinations;
     if (table.rows == 0)
         return status_fail(status, STATUS_FAILED, "no combination has a row (%d left out)", all),
@@ -278,9 +278,9 @@ static int write_all(Sweep *sweep, int count, char **arguments, Status *status)
         return (int)status->code;
     bool terminal = isatty(STDOUT_FILENO);
     if (terminal && !(options->output && output_is_standard(options->output)))
-        table_write_text(&table, stdout);
+        sweep_table_write_text(&table, stdout);
     else if (!options->output)
-        table_write_csv(&table, options->outputs.dialect, stdout);
+        sweep_table_write_csv(&table, options->outputs.dialect, stdout);
     sweep->written = true;
     if (sweep->left_out == 0)
         return STATUS_DONE;
@@ -306,8 +306,8 @@ static bool open_partial(Sweep *sweep, Status *status)
                 (!is_regular(options->output) || output_may_begin(beside, options->force, status));
     free(beside);
     return good && (!is_regular(options->output) ||
-                    partial_open(&sweep->partial, options->output, sweep->numbers, sweep->plan.n_combinations,
-                                 options->force, sweep->results, status));
+                    sweep_partial_open(&sweep->partial, options->output, sweep->numbers,
+                                       sweep->plan.n_combinations, options->force, sweep->results, status));
 }
 
 static int print_plan(const Sweep *sweep, Status *status)
@@ -334,7 +334,7 @@ static int sweep_through(Sweep *sweep, int count, char **arguments, Status *stat
     int result = run_all(sweep, status);
     if (result == STATUS_DONE)
         result = write_all(sweep, count, arguments, status);
-    partial_close(&sweep->partial, sweep->written);
+    sweep_partial_close(&sweep->partial, sweep->written);
     return result;
 }
 

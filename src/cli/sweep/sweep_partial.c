@@ -22,7 +22,7 @@ static uint64_t mix(uint64_t number, const char *bytes, size_t size)
     return number;
 }
 
-uint64_t partial_number(const Settings *settings, long steps)
+uint64_t sweep_partial_number(const Settings *settings, long steps)
 {
     char *text = NULL, end[24];
     size_t size = 0;
@@ -48,7 +48,7 @@ static void heading(char out[LINE_BYTES * 2])
         sprintf(out, "# matvib " PACKAGE_VERSION " sweep: rows so far, for the same command to go on from\n"
                      "combination");
     for (int i = 0; i < RESULT_COLUMNS; i++)
-        n += sprintf(out + n, ",%s", result_name((ResultColumn)i));
+        n += sprintf(out + n, ",%s", sweep_result_name((ResultColumn)i));
     sprintf(out + n, "\n");
 }
 
@@ -170,8 +170,8 @@ static bool resume(SweepPartial *partial, Search *search, bool force, SweepResul
     return begin(partial, status);
 }
 
-bool partial_open(SweepPartial *partial, const char *output, const uint64_t *numbers, int count, bool force,
-                  SweepResult *results, Status *status)
+bool sweep_partial_open(SweepPartial *partial, const char *output, const uint64_t *numbers, int count,
+                        bool force, SweepResult *results, Status *status)
 {
     *partial = (SweepPartial){0};
     if (asprintf(&partial->name, "%s.partial", output) < 0) {
@@ -191,7 +191,7 @@ bool partial_open(SweepPartial *partial, const char *output, const uint64_t *num
     return opened;
 }
 
-bool partial_add(SweepPartial *partial, uint64_t number, const SweepResult *result, Status *status)
+bool sweep_partial_add(SweepPartial *partial, uint64_t number, const SweepResult *result, Status *status)
 {
     char line[LINE_BYTES];
     int n = sprintf(line, "%016" PRIx64, number);
@@ -205,7 +205,7 @@ bool partial_add(SweepPartial *partial, uint64_t number, const SweepResult *resu
            cannot_write(partial, status);
 }
 
-void partial_close(SweepPartial *partial, bool finished)
+void sweep_partial_close(SweepPartial *partial, bool finished)
 {
     if (partial->stream) {
         /* before the lock goes with the stream */

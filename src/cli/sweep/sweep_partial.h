@@ -17,17 +17,17 @@ typedef struct SweepPartial {
 } SweepPartial;
 
 /* A number for a combination: equal settings and steps, equal number. 0: there was no memory. */
-uint64_t partial_number(const Settings *, long steps);
+uint64_t sweep_partial_number(const Settings *, long steps);
 
 /* Opens or begins the file beside `output` and puts the rows that are there into the results of the `count`
  * combinations. A file with rows that belong to none of them is refused, or begun anew with `force`; so is
  * one that another sweep is writing, always. */
-bool partial_open(SweepPartial *, const char *output, const uint64_t *numbers, int count, bool force,
-                  SweepResult *results, Status *);
+bool sweep_partial_open(SweepPartial *, const char *output, const uint64_t *numbers, int count, bool force,
+                        SweepResult *results, Status *);
 
-bool partial_add(SweepPartial *, uint64_t number, const SweepResult *, Status *);
+bool sweep_partial_add(SweepPartial *, uint64_t number, const SweepResult *, Status *);
 
 /* The file goes if it holds nothing or `finished`. */
-void partial_close(SweepPartial *, bool finished);
+void sweep_partial_close(SweepPartial *, bool finished);
 
 #endif

@@ -199,7 +199,7 @@ void sweep_plan_describe(const SweepPlan *plan, int combination, char *out, size
 
 /* --- as commands ---------------------------------------------------------------------------------- */
 
-void shell_quote(FILE *stream, const char *word)
+void sweep_shell_quote(FILE *stream, const char *word)
 {
     static const char harmless[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
     if (*word && strspn(word, harmless) == strlen(word)) {
@@ -218,7 +218,7 @@ void shell_quote(FILE *stream, const char *word)
 static void print_word(FILE *stream, const char *word)
 {
     fputc(' ', stream);
-    shell_quote(stream, word);
+    sweep_shell_quote(stream, word);
 }
 
 static void print_set(FILE *stream, const char *key, const char *value)

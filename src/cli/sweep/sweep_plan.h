@@ -45,6 +45,6 @@ void sweep_plan_describe(const SweepPlan *, int combination, char *out, size_t s
 void sweep_plan_print(const SweepPlan *, const Options *, FILE *);
 
 /* A word as a POSIX shell needs it. */
-void shell_quote(FILE *, const char *word);
+void sweep_shell_quote(FILE *, const char *word);
 
 #endif

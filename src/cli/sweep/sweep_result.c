@@ -39,12 +39,12 @@ static const struct {
     [RESULT_WALL] = {"wall", "s", "seconds that the run took"},
 };
 
-const char *result_name(ResultColumn column)
+const char *sweep_result_name(ResultColumn column)
 {
     return texts[column].name;
 }
 
-Quantity result_quantity(ResultColumn column)
+Quantity sweep_result_quantity(ResultColumn column)
 {
     return (Quantity){texts[column].name, texts[column].name, texts[column].unit, texts[column].meaning};
 }
@@ -89,7 +89,7 @@ static void put_readout(const RunSummary *summary, double cells[RESULT_COLUMNS])
     cells[RESULT_PERIOD_ERROR_EULER] = percent(cells[RESULT_PERIOD_MEASURED], cells[RESULT_PERIOD_EULER]);
 }
 
-void result_of(const RunSummary *summary, const Settings *settings, double wall, SweepResult *result)
+void sweep_result_of(const RunSummary *summary, const Settings *settings, double wall, SweepResult *result)
 {
     double *cells = result->cells;
     for (int i = 0; i < RESULT_COLUMNS; i++)

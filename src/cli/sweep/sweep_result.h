@@ -33,11 +33,11 @@ typedef struct SweepResult {
     double cells[RESULT_COLUMNS];
 } SweepResult;
 
-const char *result_name(ResultColumn);
+const char *sweep_result_name(ResultColumn);
 
-Quantity result_quantity(ResultColumn);
+Quantity sweep_result_quantity(ResultColumn);
 
 /* The row of a run that came to its end in `wall` seconds. */
-void result_of(const RunSummary *, const Settings *, double wall, SweepResult *);
+void sweep_result_of(const RunSummary *, const Settings *, double wall, SweepResult *);
 
 #endif

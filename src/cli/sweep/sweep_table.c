@@ -8,7 +8,7 @@
 
 enum { TABLE_COLUMNS_MAX = AXES_MAX + RESULT_COLUMNS };
 
-void table_choose_columns(SweepTable *table)
+void sweep_table_choose_columns(SweepTable *table)
 {
     table->rows = 0;
     for (int i = 0; i < table->plan->n_combinations; i++)
@@ -28,7 +28,7 @@ static int names_of(const SweepTable *table, const char *names[TABLE_COLUMNS_MAX
         names[n++] = table->plan->keys[k].key;
     for (int column = 0; column < RESULT_COLUMNS; column++)
         if (table->has[column])
-            names[n++] = result_name((ResultColumn)column);
+            names[n++] = sweep_result_name((ResultColumn)column);
     return n;
 }
 
@@ -41,7 +41,7 @@ static void row_of(const SweepTable *table, int combination, double row[TABLE_CO
             row[n++] = table->results[combination].cells[column];
 }
 
-void table_write_csv(const SweepTable *table, Dialect dialect, FILE *stream)
+void sweep_table_write_csv(const SweepTable *table, Dialect dialect, FILE *stream)
 {
     const char *names[TABLE_COLUMNS_MAX];
     double row[TABLE_COLUMNS_MAX];
@@ -79,7 +79,7 @@ static void cell_text(const SweepTable *table, int column, double value, char ou
         text_rounded(out, value, 6);
 }
 
-void table_write_text(const SweepTable *table, FILE *stream)
+void sweep_table_write_text(const SweepTable *table, FILE *stream)
 {
     const char *names[TABLE_COLUMNS_MAX];
     double row[TABLE_COLUMNS_MAX];
@@ -124,13 +124,13 @@ static void describe_key(const SweepTable *table, const SweepKey *key, FILE *str
     fputc('\n', stream);
 }
 
-void table_describe(const SweepTable *table, FILE *stream)
+void sweep_table_describe(const SweepTable *table, FILE *stream)
 {
     for (int k = 0; k < table->plan->n_keys; k++)
         describe_key(table, &table->plan->keys[k], stream);
     for (int column = 0; column < RESULT_COLUMNS; column++)
         if (table->has[column]) {
-            Quantity quantity = result_quantity((ResultColumn)column);
+            Quantity quantity = sweep_result_quantity((ResultColumn)column);
             fprintf(stream, "%s [%s]: %s\n", quantity.name, quantity.unit, quantity.meaning);
         }
 }

@@ -15,14 +15,14 @@ typedef struct SweepTable {
 } SweepTable;
 
 /* A column is written if a row has a number in it; a row that has none leaves its cell empty. */
-void table_choose_columns(SweepTable *);
+void sweep_table_choose_columns(SweepTable *);
 
-void table_write_csv(const SweepTable *, Dialect, FILE *);
+void sweep_table_write_csv(const SweepTable *, Dialect, FILE *);
 
 /* Aligned for people: six digits, choices as words. */
-void table_write_text(const SweepTable *, FILE *);
+void sweep_table_write_text(const SweepTable *, FILE *);
 
 /* A line for each column: name, unit, meaning; what the indices of choices stand for. */
-void table_describe(const SweepTable *, FILE *);
+void sweep_table_describe(const SweepTable *, FILE *);
 
 #endif
