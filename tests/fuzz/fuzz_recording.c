@@ -15,8 +15,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     FUZZ_ASSERT(file);
     Session *session = session_read_stream(file, "input", &status);
     FUZZ_ASSERT(session || (status.code != STATUS_DONE && status.text[0] && !strchr(status.text, '\n')));
-    for (const SessionEvent *event = session ? session_next(session) : NULL; event; event = NULL)
-        FUZZ_ASSERT(event->step >= 0 && event->seconds >= 0);
+    for (size_t i = 0; session && session_event(session, i); i++)
+        FUZZ_ASSERT(session_event(session, i)->step >= 0 && session_event(session, i)->seconds >= 0);
     session_free(session);
     fclose(file);
     return 0;

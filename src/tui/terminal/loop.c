@@ -2,6 +2,7 @@
 
 #include "base/visible.h"
 #include "tui/control/laboratory.h"
+#include "tui/control/session/replay.h"
 #include "tui/terminal/terminal.h"
 
 #include <stdio.h>
@@ -20,8 +21,8 @@ typedef struct Loop {
     double draw_time; /* what a picture takes, so that the engine leaves room for it */
     double drawn_at;
     long frames;
-    int frame_fd;       /* -1: nobody listens */
-    Session *replay;    /* NULL: none */
+    int frame_fd; /* -1: nobody listens */
+    Replay replay;
     bool fast;          /* replay as fast as it can */
     double replayed_at; /* when its last key was done again */
     bool told;          /* something stands on the shell's last line that tell how far the opening has come */
@@ -151,18 +152,18 @@ static bool open_loop(Loop *loop, const LaboratoryOptions *options, Status *stat
 
 static bool is_replaying(const Loop *loop)
 {
-    return loop->replay && session_next(loop->replay);
+    return replay_next(&loop->replay) != NULL;
 }
 
 /* When the next key of the replay is due; only while there is one. */
 static double replay_due(const Loop *loop)
 {
-    return loop->fast ? 0 : loop->replayed_at + session_next(loop->replay)->seconds;
+    return loop->fast ? 0 : loop->replayed_at + replay_next(&loop->replay)->seconds;
 }
 
 static void end_replay(Loop *loop, const char *how)
 {
-    session_end(loop->replay, &loop->lab);
+    replay_end(&loop->replay, &loop->lab);
     say(&loop->lab, MESSAGE_INFO, "%s: the laboratory is yours", how);
     loop->stale = true;
 }
@@ -174,7 +175,7 @@ static void replay_round(Loop *loop)
     double deadline = now(NULL) + FRAME_SECONDS - loop->draw_time;
     while (is_replaying(loop) && !lab->closed && now(NULL) >= replay_due(loop)) {
         loop->stale = true;
-        if (!session_replay(loop->replay, lab, deadline))
+        if (!replay_go_on(&loop->replay, lab, deadline))
             return;
         loop->replayed_at = now(NULL);
         if (!is_replaying(loop))
@@ -183,7 +184,7 @@ static void replay_round(Loop *loop)
             return;
     }
     if (is_replaying(loop))
-        lab->run_limit = session_next(loop->replay)->on_the_way ? -1 : session_next(loop->replay)->step;
+        lab->run_limit = replay_next(&loop->replay)->on_the_way ? -1 : replay_next(&loop->replay)->step;
 }
 
 static void one_round(Loop *loop)
@@ -232,7 +233,7 @@ static void one_round(Loop *loop)
     }
 }
 
-int loop_run(const LaboratoryOptions *options, Session *replay, Session *recording, Status *status)
+int loop_run(const LaboratoryOptions *options, const Session *replay, Session *recording, Status *status)
 {
     Loop *loop = calloc(1, sizeof *loop);
     if (!loop) {
@@ -248,7 +249,7 @@ int loop_run(const LaboratoryOptions *options, Session *replay, Session *recordi
     int signal_number = 0;
     loop->lab.recording = recording;
     session_note_start(recording, &loop->lab);
-    loop->replay = replay;
+    loop->replay = (Replay){.session = replay};
     loop->fast = options->fast;
     loop->replayed_at = now(NULL);
     if (is_replaying(loop))

@@ -9,6 +9,6 @@
  *
  * For tests: when the environment names a file descriptor in MATVIB_FRAME_FD, a line "frame N" is written to
  * it after each picture, with " idle" behind when the loop now sleeps until something comes. */
-int loop_run(const LaboratoryOptions *, Session *replay, Session *recording, Status *);
+int loop_run(const LaboratoryOptions *, const Session *replay, Session *recording, Status *);
 
 #endif

@@ -4,7 +4,7 @@
 #include "base/text.h"
 #include "tui/control/laboratory.h"
 #include "tui/terminal/picture.h"
-#include "tui/control/session/session.h"
+#include "tui/control/session/replay.h"
 #include "tui/terminal/theme.h"
 
 #include <langinfo.h>
@@ -327,25 +327,26 @@ static bool open_player(Player *player, const LaboratoryOptions *options, Status
 }
 
 /* The session first, as fast as it can; the script goes on where it was left. */
-static bool replay_all(Player *player, Session *replay, Status *status)
+static bool replay_all(Player *player, const Session *session, Status *status)
 {
+    Replay replay = {.session = session};
     bool sound = true;
-    for (const SessionEvent *event; sound && replay && (event = session_next(replay));) {
+    for (const SessionEvent *event; sound && (event = replay_next(&replay));) {
         if (event->width > 0 && event->height > 0 && event->width <= SCRIPT_CELLS_MAX &&
             event->height <= SCRIPT_CELLS_MAX) {
             player->width = event->width;
             player->height = event->height;
         }
         sound = draw(player, status);
-        if (sound && session_replay(replay, &player->lab, player->time + FRAME_SECONDS))
+        if (sound && replay_go_on(&replay, &player->lab, player->time + FRAME_SECONDS))
             frame_of_work(player);
     }
-    if (replay)
-        session_end(replay, &player->lab);
+    if (session)
+        replay_end(&replay, &player->lab);
     return sound && draw(player, status);
 }
 
-int script_play(FILE *file, const char *name, const LaboratoryOptions *options, Session *replay,
+int script_play(FILE *file, const char *name, const LaboratoryOptions *options, const Session *replay,
                 Session *recording, Status *status)
 {
     Player *player = calloc(1, sizeof *player);
@@ -365,7 +366,7 @@ int script_play(FILE *file, const char *name, const LaboratoryOptions *options, 
     return sound ? 0 : (int)status->code;
 }
 
-int script_run(const LaboratoryOptions *options, Session *replay, Session *recording, Status *status)
+int script_run(const LaboratoryOptions *options, const Session *replay, Session *recording, Status *status)
 {
     if (strcmp(options->script, "-") == 0)
         return script_play(stdin, "standard input", options, replay, recording, status);

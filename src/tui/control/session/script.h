@@ -24,10 +24,10 @@ typedef struct ScriptInstruction {
 extern const ScriptInstruction script_instructions[];
 
 /* Plays what the options name; the result is the exit status. */
-int script_run(const LaboratoryOptions *, Session *replay, Session *recording, Status *);
+int script_run(const LaboratoryOptions *, const Session *replay, Session *recording, Status *);
 
 /* The same from a stream; `name` stands for FILE. */
-int script_play(FILE *, const char *name, const LaboratoryOptions *, Session *replay, Session *recording,
-                Status *);
+int script_play(FILE *, const char *name, const LaboratoryOptions *, const Session *replay,
+                Session *recording, Status *);
 
 #endif

@@ -28,9 +28,8 @@ struct Session {
     int reached[LESSONS_MAX];
     bool paused;
     SessionEvent *events;
-    size_t count, room, next;
+    size_t count, room;
     bool full;
-    bool sought;        /* the place of the next event was gone to */
     const char *record; /* the file that lines go to as they come; NULL: none */
     bool replaces, begun;
     OutputFile file; /* behind `record`, once there is a key */
@@ -386,75 +385,9 @@ void session_options(const Session *session, LaboratoryOptions *options)
     options->reached = session->reached;
 }
 
-/* --- doing it again --------------------------------------------------------------------------------- */
-
-const SessionEvent *session_next(const Session *session)
+const SessionEvent *session_event(const Session *session, size_t index)
 {
-    return session->next < session->count ? &session->events[session->next] : NULL;
-}
-
-static bool is_there(const Laboratory *lab, const SessionEvent *event)
-{
-    const Experiment *experiment = lab->screen.experiment;
-    return experiment_step(experiment) == event->step && experiment_stage(experiment) == event->stage;
-}
-
-/* To the event's place: the run goes on, or else it is gone to, once; a run that ends or fails earlier than
- * it did stands where it is. False: it is on its way. */
-static bool approach(Session *session, Laboratory *lab, const SessionEvent *event, double deadline)
-{
-    while (lab->screen.state == STATE_COMPUTING || !is_there(lab, event)) {
-        const long ahead = event->step - experiment_step(lab->screen.experiment);
-        if (lab->screen.state == STATE_RUNNING && ahead > 0) {
-            lab->run_limit = event->step;
-            lab->owed = (double)ahead;
-        } else if (lab->screen.state != STATE_COMPUTING) {
-            if (session->sought)
-                return true;
-            session->sought = true;
-            seek(lab, event->step, event->stage);
-        }
-        laboratory_frame(lab, deadline);
-        lab->run_limit = -1;
-        if (lab->host.now(lab->host.context) >= deadline)
-            return lab->screen.state != STATE_COMPUTING && is_there(lab, event);
-    }
-    return true;
-}
-
-static bool takes_text(const Screen *screen)
-{
-    return screen->prompt.open || screen->editing || screen->help;
-}
-
-bool session_replay(Session *session, Laboratory *lab, double deadline)
-{
-    const SessionEvent *event = session_next(session);
-    if (!event->on_the_way && !approach(session, lab, event, deadline))
-        return false;
-    session->next++;
-    session->sought = false;
-    static const Key space = {.name = "Space", .x = -1, .y = -1};
-    const Key *key = event->is_end ? &space : &event->key;
-    /* who opens it again finds it paused; as by a key, so that this too can be done again */
-    if (event->is_end && (lab->screen.state != STATE_RUNNING || takes_text(&lab->screen)))
-        return true;
-    /* a click means the cell of the screen that it was made on */
-    if (event->key.x >= 0 && event->width > 0) {
-        lab->width = event->width;
-        lab->height = event->height;
-    }
-    laboratory_key(lab, key);
-    lab->closed = false; /* it is the end of the session, not of this one */
-    return true;
-}
-
-void session_end(Session *session, Laboratory *lab)
-{
-    session->next = session->count;
-    lab->run_limit = -1;
-    close_prompt(lab); /* its next key would be the user's, who did not see what was asked */
-    lab->asker = laboratory_user(lab);
+    return index < session->count ? &session->events[index] : NULL;
 }
 
 void session_free(Session *session)

@@ -67,16 +67,8 @@ Session *session_read_stream(FILE *, const char *name, Status *);
 /* Makes the options those of the session: settings, scenario, paused, lesson, reached. */
 void session_options(const Session *, LaboratoryOptions *);
 
-/* The next event; NULL: all has been done. */
-const SessionEvent *session_next(const Session *);
-
-/* Goes on towards the next event as fast as it can, until `deadline` by the host's clock, and carries it out
- * when the run is there. True: it was carried out. */
-bool session_replay(Session *, Laboratory *, double deadline);
-
-/* All has been done, or the rest is not: what is open is closed, and keys are the user's from now on. Until
- * then nothing is written. */
-void session_end(Session *, Laboratory *);
+/* What was noted, in order; NULL: there are no more. */
+const SessionEvent *session_event(const Session *, size_t index);
 
 void session_free(Session *); /* NULL is allowed */
 

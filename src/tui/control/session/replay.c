@@ -1,0 +1,72 @@
+#include "tui/control/session/replay.h"
+
+#include "tui/control/laboratory.h"
+
+const SessionEvent *replay_next(const Replay *replay)
+{
+    return replay->session ? session_event(replay->session, replay->next) : NULL;
+}
+
+static bool is_there(const Laboratory *lab, const SessionEvent *event)
+{
+    const Experiment *experiment = lab->screen.experiment;
+    return experiment_step(experiment) == event->step && experiment_stage(experiment) == event->stage;
+}
+
+/* To the event's place: the run goes on, or else it is gone to, once; a run that ends or fails earlier than
+ * it did stands where it is. False: it is on its way. */
+static bool approach(Replay *replay, Laboratory *lab, const SessionEvent *event, double deadline)
+{
+    while (lab->screen.state == STATE_COMPUTING || !is_there(lab, event)) {
+        const long ahead = event->step - experiment_step(lab->screen.experiment);
+        if (lab->screen.state == STATE_RUNNING && ahead > 0) {
+            lab->run_limit = event->step;
+            lab->owed = (double)ahead;
+        } else if (lab->screen.state != STATE_COMPUTING) {
+            if (replay->sought)
+                return true;
+            replay->sought = true;
+            seek(lab, event->step, event->stage);
+        }
+        laboratory_frame(lab, deadline);
+        lab->run_limit = -1;
+        if (lab->host.now(lab->host.context) >= deadline)
+            return lab->screen.state != STATE_COMPUTING && is_there(lab, event);
+    }
+    return true;
+}
+
+static bool takes_text(const Screen *screen)
+{
+    return screen->prompt.open || screen->editing || screen->help;
+}
+
+bool replay_go_on(Replay *replay, Laboratory *lab, double deadline)
+{
+    const SessionEvent *event = replay_next(replay);
+    if (!event->on_the_way && !approach(replay, lab, event, deadline))
+        return false;
+    replay->next++;
+    replay->sought = false;
+    static const Key space = {.name = "Space", .x = -1, .y = -1};
+    const Key *key = event->is_end ? &space : &event->key;
+    /* who opens it again finds it paused; as by a key, so that this too can be done again */
+    if (event->is_end && (lab->screen.state != STATE_RUNNING || takes_text(&lab->screen)))
+        return true;
+    /* a click means the cell of the screen that it was made on */
+    if (event->key.x >= 0 && event->width > 0) {
+        lab->width = event->width;
+        lab->height = event->height;
+    }
+    laboratory_key(lab, key);
+    lab->closed = false; /* it is the end of the session, not of this one */
+    return true;
+}
+
+void replay_end(Replay *replay, Laboratory *lab)
+{
+    *replay = (Replay){.session = NULL};
+    lab->run_limit = -1;
+    close_prompt(lab); /* its next key would be the user's, who did not see what was asked */
+    lab->asker = laboratory_user(lab);
+}
