@@ -21,6 +21,19 @@ run() { # SCENARIO OPTIONS...
 		/^angle / { before("10", "angle10"); before("38", "angle38") }' summary >measured
 }
 
+# What the grid has of the kinetic energy of a run between two times, in per cent, and what it has not.
+shares() { # FROM TO SCENARIO OPTIONS...
+	from=$1 to=$2
+	shift 2
+	"$MATVIB" run "$@" --series shares.csv --force --quiet 2>err || result "matvib run $*" told_and_failed
+	awk -F, -v from="$from" -v to="$to" '
+		NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+		$at["time"] >= from && $at["time"] <= to {
+			all += $at["kinetic"]; grid += $at["kinetic_grid"]; null += $at["kinetic_null"] }
+		END { print "grid", 100 * grid / all; print "null", 100 * null / all
+			print "lumping", 100 * (all - grid - null) / all }' shares.csv >measured
+}
+
 # Whether the text of FILE holds BEFORE NUMBER AFTER, line ends being spaces, and NUMBER is the measured QUANTITY
 # times FACTOR plus OFFSET, without its sign, rounded to the digits that the text gives.
 agrees() { # FILE BEFORE NUMBER AFTER QUANTITY FACTOR OFFSET
@@ -63,6 +76,13 @@ claim $scenario/mode5-fine.ini "from 4.2 % to " 1.1 " %" predicted_error
 run mode10
 claim $scenario/mode10.ini "the frequency is " 17.7 " % too low" predicted_error
 claim $scenario/mode10-fine.ini "falls from " 17.7 " % to" predicted_error
+shares 0 0.64 mode10 --end 0.64
+claim $lesson/amplitude.lesson "the grid has " 76 " % of the kinetic energy" grid
+claim $lesson/amplitude.lesson "No: " 24 " % are \"lumping\"" lumping
+claim $lesson/amplitude.lesson "Only " 0.2 " % are motions" null
+shares 99.36 100 mode10 --set initial.velocity=0.001
+claim $lesson/amplitude.lesson "" 24 " % lumping, as at the start" lumping
+claim $lesson/amplitude.lesson "and still " 0.2 " % hidden" null
 run mode10 --end 20
 claim $scenario/mode10.ini "which is a period " 21.5 " % too long" period_error
 run mode10-fine

@@ -154,6 +154,12 @@ result "asks whether it was meant" says err 'did you mean --series?'
 expect "bonds of a bar" 2 mode1 --bonds b.csv
 expect "an unstable courant number" 2 mode1 --set time.courant=1.8
 result "is refused with both numbers" says err '^matvib: .*time.courant: 1.8 .*1.732'
+expect "one that only the ends do not stand" 2 mode1 --set mpm.shape=bspline2 --set mpm.algorithm=usl --set time.courant=1.2
+result "is refused with what they do" says err 'at most 0.99856, or time.unstable = yes)$'
+expect "the same on purpose" 1 mode1 --set mpm.shape=bspline2 --set mpm.algorithm=usl --set time.courant=1.4 \
+	--set time.unstable=yes --end 1000 --series unstable.csv
+result "fails as usual" says err 'unstable'
+result "and its rows are there" test "$(wc -l <unstable.csv)" -gt 100
 expect "one file for two tables" 2 mode1 --series x.csv --nodes ./x.csv
 expect "standard output for two tables" 2 mode1 --series - --nodes -
 expect "a folder that is not there" 2 mode1 --series none/x.csv

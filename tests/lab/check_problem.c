@@ -470,6 +470,29 @@ static double derived_value(const Derived *rows, int n, const char *name)
     return 0;
 }
 
+/* Of the mesh with its ends; how much of a sampled mode the predicted one is, where it is a mixture. */
+START_TEST(derived_numbers_know_the_ends)
+{
+    Derived rows[DERIVED_MAX];
+    Settings settings = bar_settings(10, 1);
+    set(&settings, "mpm.shape", "bspline2");
+    int n = problem_derived(&settings, NULL, rows);
+    ck_assert_double_eq_tol(derived_value(rows, n, "omega_predicted"), 8.256228915, 5.1e-10);
+    ck_assert_double_eq_tol(derived_value(rows, n, "mode_overlap"), 0.73, 0.01);
+    ck_assert_double_eq_tol(derived_value(rows, n, "largest_courant"), 2.0510, 5.1e-5);
+    settings = bar_settings(2, 1);
+    set(&settings, "mpm.shape", "bspline2");
+    set(&settings, "bar.length", "13");
+    set(&settings, "bar.supports", "fixed-fixed");
+    n = problem_derived(&settings, NULL, rows);
+    ck_assert_double_eq_tol(derived_value(rows, n, "omega_predicted"), 4.5734, 5.1e-5);
+    set(&settings, "mesh.padding", "0");
+    set(&settings, "bar.supports", "free-free");
+    n = problem_derived(&settings, NULL, rows);
+    ck_assert_double_lt(derived_value(rows, n, "largest_courant"), 1.6); /* no room beyond the ends */
+}
+END_TEST
+
 START_TEST(derived_numbers_follow_from_the_settings)
 {
     Derived rows[DERIVED_MAX];
@@ -574,6 +597,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, a_moving_cantilever_is_read_at_its_zeros);
     tcase_add_test(tcase, the_filter_takes_thickness_modes_away_and_does_not_lag);
     tcase_add_test(tcase, courant_numbers_are_warned_of_and_refused);
+    tcase_add_test(tcase, derived_numbers_know_the_ends);
     tcase_add_test(tcase, derived_numbers_follow_from_the_settings);
     tcase_add_test(tcase, the_last_step_is_the_first_to_reach_the_end);
     tcase_add_test(tcase, a_run_cut_short_leaves_out_what_comes_later);

@@ -114,29 +114,29 @@ static bool tell_total(const Standing *run, char *label, char *value)
     return put(value, "%.2f %%", 100 * row[total] / record_row(record, 0)[total]);
 }
 
-/* The part of the kinetic energy that the grid does not see, as a mean over a tenth of the run, or what there
- * is of it. */
+/* The part of the kinetic energy that is motion in the null space of the grid, as a mean over a tenth of the
+ * run, or what there is of it. */
 static bool tell_hidden(const Standing *run, char *label, char *value)
 {
-    const int kinetic = column_of(run, "kinetic"), grid = column_of(run, "kinetic_grid");
+    const int kinetic = column_of(run, "kinetic"), null = column_of(run, "kinetic_null");
     const Record *record = experiment_record(run->experiment);
     const double to = experiment_time(run->experiment),
                  span = experiment_settings(run->experiment)->time.end / 10;
-    double all = 0, seen = 0;
+    double all = 0, hidden = 0;
     char number[NUMBER_TEXT_MAX];
     text_rounded(number, span, 3);
     if (to > span)
-        snprintf(label, COMPARISON_TEXT_MAX, "hidden, last t %.8s", number);
+        snprintf(label, COMPARISON_TEXT_MAX, "null, last t %.8s", number);
     else
-        snprintf(label, COMPARISON_TEXT_MAX, "hidden, since t 0");
-    if (kinetic < 0 || grid < 0 || record->count == 0)
+        snprintf(label, COMPARISON_TEXT_MAX, "null, since t 0");
+    if (kinetic < 0 || null < 0 || record->count == 0)
         return false;
     for (size_t i = record_find(record, to - span); i < record->count && record_row(record, i)[1] <= to;
          i++) {
         all += record_row(record, i)[kinetic];
-        seen += record_row(record, i)[grid];
+        hidden += record_row(record, i)[null];
     }
-    return all > 0 && put(value, "%.2f %%", 100 * (1 - seen / all));
+    return all > 0 && put(value, "%.2f %%", 100 * hidden / all);
 }
 
 /* --- what happened --------------------------------------------------------------------------------- */

@@ -128,6 +128,10 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
         derived_add(out, &n, "cells_per_wave", "cells/wave", "1",
                     2 * M_PI / bar_wave_number(&theory, mode > 0 ? mode : 1) / settings->mesh.cell_size,
                     false);
+    /* less than 1: the sampled mode is a mixture, and swings at more than the frequency predicted */
+    const StepMode found = step_mode(&theory, &mesh, mode);
+    if (mode > 0 && found.known && found.overlap < 0.995)
+        derived_add_answer(out, &n, REFERENCE_PREDICTED, "mode_overlap", "mode overlap", "1", found.overlap);
     derived_add(out, &n, "cells", "cells", "1", cells, true);
     derived_add(out, &n, "particles", "particles", "1", cells * settings->mesh.particles_per_cell, true);
     double largest = step_limit(&theory, &mesh);

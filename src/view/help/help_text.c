@@ -9,9 +9,13 @@ static const HelpWord bar_words[] = {
              "into a large lag."},
     {"v_cm", "the velocity of the centre of mass. Its amplitude may fall while the energy is still there: "
              "it then sits in particle velocities that cancel within a cell."},
-    {"hidden",
-     "the part of the kinetic energy that the grid cannot see: what is left when the particles are "
-     "mapped to the nodes and back. The share below the energies is the mean over what the plot shows."},
+    {"lumping",
+     "kinetic energy that the grid has, but counts too small, because each node carries its mass alone. It "
+     "is there from the start and is not lost. The shares below the energies are means over what the plot "
+     "shows."},
+    {"null space",
+     "kinetic energy of motions that no velocities of the nodes can give to the particles: the grid cannot "
+     "see them, and nothing pulls them back. It grows where particles move far within their cells."},
     {"ripple",
      "velocities and stresses are known half a step apart, so their sum ripples by about half of "
      "w times the time step. It is no loss: E* takes velocity and stress where they belong together, and "

@@ -11,7 +11,7 @@
 /* Energies stacked from below: what the grid sees, what it does not, strain, dissipated. */
 typedef struct Layer {
     const char *name;
-    int column, minus; /* its height: column - minus */
+    int column, minus, less; /* its height: column - minus - less */
     Style style;
     int fill;
 } Layer;
@@ -28,7 +28,8 @@ static double stack_height(const Stack *stack, size_t index, int upto)
     double sum = 0;
     for (int i = 0; i < upto; i++) {
         const Layer *layer = &stack->layers[i];
-        sum += row[layer->column] - (layer->minus >= 0 ? row[layer->minus] : 0);
+        sum += row[layer->column] - (layer->minus >= 0 ? row[layer->minus] : 0) -
+               (layer->less >= 0 ? row[layer->less] : 0);
     }
     return sum;
 }
@@ -36,7 +37,7 @@ static double stack_height(const Stack *stack, size_t index, int upto)
 static void add_layer(Stack *stack, const char *name, int column, int minus, Style style)
 {
     if (column >= 0) {
-        stack->layers[stack->count] = (Layer){name, column, minus, style, stack->count};
+        stack->layers[stack->count] = (Layer){name, column, minus, -1, style, stack->count};
         stack->count++;
     }
 }
@@ -60,6 +61,13 @@ static double rigid_energy(const Screen *screen)
     return nodes * volume * settings->material.density * settings->motion.speed * settings->motion.speed / 2;
 }
 
+/* Of APIC the null space is that of velocities without their slopes: no part of the sum. */
+static int null_column(const Screen *screen)
+{
+    const bool apic = experiment_settings(screen->experiment)->mpm.transfer == MPM_APIC;
+    return apic ? -1 : find_column(screen, "kinetic_null");
+}
+
 static Stack stack_of(const Screen *screen)
 {
     Stack stack = {.record = experiment_record(screen->experiment)};
@@ -69,9 +77,14 @@ static Stack stack_of(const Screen *screen)
         return stack;
     }
     const int kinetic = find_column(screen, "kinetic"), grid = find_column(screen, "kinetic_grid");
+    const int null = null_column(screen);
     if (grid >= 0) {
         add_layer(&stack, "grid", grid, -1, STYLE_MEASURED);
-        add_layer(&stack, "hidden", kinetic, grid, STYLE_SECOND);
+        add_layer(&stack, "lumping", kinetic, grid, STYLE_SECOND);
+        if (null >= 0) {
+            stack.layers[stack.count - 1].less = null;
+            add_layer(&stack, "null", null, -1, STYLE_THIRD);
+        }
     } else {
         add_layer(&stack, "kinetic", kinetic, -1, STYLE_MEASURED);
     }
@@ -116,22 +129,28 @@ static void add_stack(Plot *plot, const Stack *stack, int dots)
     }
 }
 
-/* The share of the kinetic energy that the grid does not see, over what the plot shows; NAN: not known. */
-static double hidden_share(const Screen *screen, const Record *record, const Axis *x)
+/* The shares of the kinetic energy that the grid has not, over what the plot shows: what lumped masses make
+ * too small, and the null space. False: not known. */
+static bool unseen_shares(const Screen *screen, const Record *record, const Axis *x, double *lumping,
+                          double *hidden)
 {
     const int kinetic = find_column(screen, "kinetic"), grid = find_column(screen, "kinetic_grid");
-    double all = 0, seen = 0;
+    const int null = null_column(screen);
+    double all = 0, seen = 0, blind = 0;
     if (kinetic < 0 || grid < 0 || record->count == 0)
-        return NAN;
+        return false;
     for (size_t i = record_find(record, x->low); i < record->count && record_row(record, i)[1] <= x->high;
          i++) {
         all += record_row(record, i)[kinetic];
         seen += record_row(record, i)[grid];
+        blind += null >= 0 ? record_row(record, i)[null] : 0;
     }
-    return all > 0 ? 1 - seen / all : NAN;
+    *lumping = 1 - (seen + blind) / all;
+    *hidden = null >= 0 ? blind / all : NAN;
+    return all > 0;
 }
 
-/* Phrases parted by two spaces: total, E*, hidden share, and what the ripple is. */
+/* Phrases parted by two spaces: total, E*, what the grid has not, and what the ripple is. */
 static void energy_phrases(const Screen *screen, const Stack *stack, const Axis *x, bool wide, char out[320])
 {
     const Record *record = stack->record;
@@ -153,16 +172,18 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
         number_text(sharp, 4, 10, number);
         append(out, 320, "  E* %s, %s %.3f %%", number, loss < -5e-4 ? "gain" : "loss", fabs(loss));
     }
-    const double hidden = hidden_share(screen, record, x);
+    double lumping, hidden;
+    const bool shares = unseen_shares(screen, record, x, &lumping, &hidden);
     const double rigid = rigid_energy(screen);
     if (rigid > 0) {
         number_text(rigid, 4, 10, number);
         append(out, 320, "  kinetic %s J of travel%s: not drawn", number, wide ? " (1/2 m v0^2)" : "");
     }
-    if (isfinite(hidden))
-        append(out, 320, wide ? "  hidden %.2f %% of kinetic in this window" : "  hidden %.2f %%",
-               100 * hidden);
-    if (isfinite(hidden))
+    if (shares && isfinite(hidden))
+        append(out, 320, "  null space %.2f %%%s", 100 * hidden, wide ? " of kinetic in this window" : "");
+    if (shares)
+        append(out, 320, "  lumping %.2f %%", 100 * lumping);
+    if (shares)
         append(out, 320,
                wide ? "  the ripple is staggering (v and stress half a step apart), not loss"
                     : "  the ripple is staggering, not loss");
@@ -307,7 +328,7 @@ static const char *curve(const Screen *screen)
 const View view_energies = {
     .word = "energies",
     .brief = "energy",
-    .help = "energies: seen by the grid, hidden, strain, work; again: what a crack costs",
+    .help = "energies: seen by the grid, lumping, null space, strain, work; again: what a crack costs",
     .digit = 3,
     .home = PANE_LOWER,
     .draw = draw,
