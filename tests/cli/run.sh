@@ -158,8 +158,9 @@ expect "one that only the ends do not stand" 2 mode1 --set mpm.shape=bspline2 --
 result "is refused with what they do" says err 'at most 0.99856, or time.unstable = yes)$'
 expect "the same on purpose" 1 mode1 --set mpm.shape=bspline2 --set mpm.algorithm=usl --set time.courant=1.4 \
 	--set time.unstable=yes --end 1000 --series unstable.csv
-result "fails as usual" says err 'unstable'
-result "and its rows are there" test "$(wc -l <unstable.csv)" -gt 100
+result "fails as usual" says err '1 + de <= 0'
+result "and its rows are there" test "$(wc -l <unstable.csv)" -gt 10
+rm -f unstable.csv unstable.csv.ini
 expect "one file for two tables" 2 mode1 --series x.csv --nodes ./x.csv
 expect "standard output for two tables" 2 mode1 --series - --nodes -
 expect "a folder that is not there" 2 mode1 --series none/x.csv

@@ -328,7 +328,7 @@ static const char *curve(const Screen *screen)
 const View view_energies = {
     .word = "energies",
     .brief = "energy",
-    .help = "energies: seen by the grid, lumping, null space, strain, work; again: what a crack costs",
+    .help = "energies: grid, lumping, null space, strain, work; again: what a crack costs",
     .digit = 3,
     .home = PANE_LOWER,
     .draw = draw,
