@@ -162,7 +162,7 @@ START_TEST(columns_are_those_of_the_contract)
                                   "kinetic,strain,work,dissipated,total,broken_bonds"},
         {&moving_cantilever_problem, "step,time,u_probe,v_probe,length,u_modal,v_modal,v_filtered,"
                                      "kinetic,strain,work,dissipated,total,broken_bonds"},
-        {&notched_beam_problem, "step,time,u_probe,v_probe,crack_x,crack_y,crack_length,"
+        {&notched_beam_problem, "step,time,u_probe,v_probe,crack_x,crack_y,crack_length,crack_speed,"
                                 "kinetic,strain,work,dissipated,total,broken_bonds"},
     };
     for (size_t i = 0; i < sizeof beams / sizeof *beams; i++) {
