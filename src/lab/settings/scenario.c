@@ -204,7 +204,7 @@ static bool names(const char *message, const char *key, bool at_start)
 }
 
 /* As messages spell it. */
-static void told_key(const Entry *entry, char out[80])
+static void spelled_key(const Entry *entry, char out[80])
 {
     if (strcmp(entry->section, "duel") == 0)
         snprintf(out, 80, "duel: %s", entry->name);
@@ -225,7 +225,7 @@ static bool find_origin(const Source *source, Status *status)
         for (int i = 0; i < source->entries.count; i++) {
             const Entry *entry = &source->entries.all[i];
             char key[80];
-            told_key(entry, key);
+            spelled_key(entry, key);
             if (!names(status->text, key, at_start))
                 continue;
             at_line(source, entry, status);
