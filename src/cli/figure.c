@@ -205,7 +205,7 @@ int cli_figure(int count, char **arguments, Status *status)
     screen.experiment = experiment_create(&first, HISTORY, progress_threads(options.threads), status);
     if (!screen.experiment)
         return (int)status->code;
-    screen.particle = screen_middle_particle(experiment_simulation(screen.experiment));
+    screen.chosen.particle = screen_middle_particle(experiment_simulation(screen.experiment));
     if (options.list) {
         figure_names(&screen, stdout);
     } else {

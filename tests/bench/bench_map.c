@@ -50,7 +50,7 @@ int main(int count, char **arguments)
         view_choose_variant(view_of_map(), &scene.screen, 4);
         scene.screen.colours = 0;
         measure(&scene, "dots");
-        scene.screen.magnified = 64;
+        scene.screen.eye.magnified = 64;
         measure(&scene, "bonds as lines");
         scene_close(&scene);
     }

@@ -21,11 +21,12 @@ static void press_every_key_after(Bench *bench, const char *before)
             press_all(bench, before);
             press(bench, key);
             frame(bench);
-            for (int most = 8; most > 0 && (bench->lab.screen.prompt.open || bench->lab.screen.editing ||
+            for (int most = 8; most > 0 && (bench->lab.screen.prompt.open || bench->lab.screen.edit.open ||
                                             bench->lab.screen.help || bench->lab.screen.zoomed);
                  most--)
                 press(bench, "Esc");
-            ck_assert_msg(!bench->lab.screen.prompt.open && !bench->lab.screen.editing, "%s %s", before, key);
+            ck_assert_msg(!bench->lab.screen.prompt.open && !bench->lab.screen.edit.open, "%s %s", before,
+                          key);
             bench->lab.closed = false;
         }
         if (bench->lab.screen.state == STATE_RUNNING)

@@ -355,14 +355,14 @@ START_TEST(a_field_is_edited_in_place)
     Bench *bench = open_bench("mode1", true);
     select_parameter(bench, "initial.velocity");
     press_all(bench, "Enter");
-    ck_assert(bench->lab.screen.editing);
+    ck_assert(bench->lab.screen.edit.open);
     press_all(bench, "0 . 2 5 Enter");
-    ck_assert(!bench->lab.screen.editing);
+    ck_assert(!bench->lab.screen.edit.open);
     ck_assert_double_eq(value(bench, "initial.velocity"), 0.25);
     press_all(bench, "Enter Backspace 7 Enter"); /* 0.2 and 7 */
     ck_assert_double_eq(value(bench, "initial.velocity"), 0.27);
     press_all(bench, "Enter 9 Esc");
-    ck_assert(!bench->lab.screen.editing);
+    ck_assert(!bench->lab.screen.edit.open);
     ck_assert_double_eq(value(bench, "initial.velocity"), 0.27);
     close_bench(bench);
 }
@@ -377,8 +377,8 @@ START_TEST(a_bad_value_says_why_and_keeps_the_old)
         press(bench, "Enter");
         press_all(bench, bad[i]);
         press(bench, "Enter");
-        ck_assert_msg(bench->lab.screen.editing, "'%s' was taken", bad[i]);
-        ck_assert(bench->lab.screen.edit_problem[0] != '\0');
+        ck_assert_msg(bench->lab.screen.edit.open, "'%s' was taken", bad[i]);
+        ck_assert(bench->lab.screen.edit.problem[0] != '\0');
         ck_assert_double_eq(value(bench, "bar.length"), 25);
         press(bench, "Esc");
         ck_assert_double_eq(value(bench, "bar.length"), 25);
@@ -465,7 +465,7 @@ START_TEST(enter_in_the_log_goes_to_the_event)
     ck_assert_int_eq(experiment_newest(bench->lab.screen.experiment), 2000);
     for (int i = 0; i < 20; i++)
         press(bench, "PageDown");
-    ck_assert_int_eq(bench->lab.screen.log_event, -1); /* follows the newest again */
+    ck_assert_int_eq(bench->lab.screen.log.event, -1); /* follows the newest again */
     close_bench(bench);
 }
 END_TEST
@@ -561,7 +561,7 @@ START_TEST(the_log_of_a_duel_tells_of_both)
     int seen = 0;
     long before = -1;
     for (int i = 0; i < first + second; i++) {
-        screen->log_event = i;
+        screen->log.event = i;
         const long step = screen_log_step(screen);
         ck_assert_int_ge(step, before);
         before = step;
@@ -587,19 +587,19 @@ START_TEST(a_click_into_the_strip_chooses)
     size_t before = 0;
     for (int x = rect.x; x < rect.x + 112; x++) { /* from left to right, none is left out */
         click_at(bench, "Click", x, rect.y + rect.height - 1);
-        ck_assert(!screen->node_chosen);
-        ck_assert_uint_ge(screen->particle, before);
-        ck_assert_uint_le(screen->particle, before + 1);
-        before = screen->particle;
+        ck_assert(!screen->chosen.is_node);
+        ck_assert_uint_ge(screen->chosen.particle, before);
+        ck_assert_uint_le(screen->chosen.particle, before + 1);
+        before = screen->chosen.particle;
     }
     ck_assert_uint_eq(before, particles - 1);
     ck_assert_int_eq(screen->focus, PANE_MESH);
     if (_i == 0) {
         click_at(bench, "Click", rect.x + 2 + 3 * 7, rect.y);
-        ck_assert(screen->node_chosen);
+        ck_assert(screen->chosen.is_node);
         double x;
         const Simulation *sim = experiment_simulation(screen->experiment);
-        sim->method->field(sim, simulation_find_field(sim, 1, "x"), screen->node, 1, &x);
+        sim->method->field(sim, simulation_find_field(sim, 1, "x"), screen->chosen.node, 1, &x);
         ck_assert_double_eq(x, 7);
     }
     close_bench(bench);
@@ -668,7 +668,7 @@ START_TEST(quitting_closes_what_is_open_first)
     press_all(bench, "z q");
     ck_assert(!bench->lab.closed && !bench->lab.screen.zoomed);
     press_all(bench, "Enter F10");
-    ck_assert(!bench->lab.closed && !bench->lab.screen.editing);
+    ck_assert(!bench->lab.closed && !bench->lab.screen.edit.open);
     press_all(bench, ": F10");
     ck_assert(!bench->lab.closed && !bench->lab.screen.prompt.open);
     press(bench, "F10");

@@ -307,8 +307,8 @@ static int expect_bonds(const Scene *scene, const char *words)
     ck_assert(last_numbers(lines.line[row], 1, &force, &half));
     if (!strstr(lines.line[row], "of the last step")) {
         ck_assert_msg(fabs(all + load - force) <= half * (1 + 1e-6), "%s: %s", words, lines.line[row]);
-        const double now =
-            field_now(experiment_simulation(scene->screen.experiment), 0, "force", scene->screen.particle);
+        const double now = field_now(experiment_simulation(scene->screen.experiment), 0, "force",
+                                     scene->screen.chosen.particle);
         ck_assert_msg(fabs(now - force * unit) <= half * unit * (1 + 1e-6), "%s: %.9g", words, now);
     }
     free(lines.text);

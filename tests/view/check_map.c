@@ -63,7 +63,7 @@ START_TEST(a_node_is_found_where_it_is_drawn)
             continue;
         ck_assert(screen_click_view(&scene.screen, scene.canvas.width, scene.canvas.height,
                                     map.area.rect.x + (int)column, map.area.rect.y + (int)row));
-        map_node_place(&map, scene.screen.particle, &back_column, &back_row);
+        map_node_place(&map, scene.screen.chosen.particle, &back_column, &back_row);
         ck_assert_double_le(fabs(back_column - column), 1);
         ck_assert_double_le(fabs(back_row - row), 1);
         seen++;
@@ -285,7 +285,7 @@ START_TEST(the_most_stretched_bond_is_named)
     for (stretch = 0; node < sim->counts[0] && stretch <= 1e-4; node++)
         sim->method->field(sim, stretched, node, 1, &stretch);
     ck_assert_uint_lt(node, sim->counts[0]);
-    scene.screen.particle = node - 1;
+    scene.screen.chosen.particle = node - 1;
     screen_draw(&scene.screen, &scene.canvas);
     ck_assert_ptr_nonnull(find_row(&scene, "holds: protected, near load or support", row));
     scene_close(&scene);
@@ -303,7 +303,7 @@ START_TEST(the_bond_that_breaks_is_named)
     open_scene(&scene, "notched-beam-coarse 80x24 732 inspect focus 5");
     const long found = screen_broken_node(&scene.screen, FIRST);
     ck_assert_int_ge(found, 0);
-    scene.screen.particle = (size_t)found;
+    scene.screen.chosen.particle = (size_t)found;
     screen_draw(&scene.screen, &scene.canvas);
     size_t ends[2] = {0, 0};
     double said = 0, percent = 0, critical = 0, at[2][2];
@@ -371,13 +371,13 @@ START_TEST(arrows_go_from_node_to_node)
     open_scene(&scene, "supported-beam-coarse 80x24 0 inspect focus 5 particle 1100"); /* nx 200, ny 10 */
     Screen *screen = &scene.screen;
     ck_assert(screen_move_inspector(screen, 1, 0, 1));
-    ck_assert_uint_eq(screen->particle, 1101);
+    ck_assert_uint_eq(screen->chosen.particle, 1101);
     ck_assert(screen_move_inspector(screen, 0, -1, 1)); /* up */
-    ck_assert_uint_eq(screen->particle, 1301);
+    ck_assert_uint_eq(screen->chosen.particle, 1301);
     ck_assert(screen_move_inspector(screen, 0, 1, 10)); /* beyond the lowest row */
-    ck_assert_uint_eq(screen->particle, 101);
+    ck_assert_uint_eq(screen->chosen.particle, 101);
     ck_assert(screen_move_inspector(screen, -1, 0, 500));
-    ck_assert_uint_eq(screen->particle, 0);
+    ck_assert_uint_eq(screen->chosen.particle, 0);
     scene_close(&scene);
 }
 END_TEST

@@ -396,7 +396,7 @@ START_TEST(strip_shows_the_whole_bar)
     Show show;
     open_show(&show, "mode1", 0);
     for (size_t p = 0; p < 50; p++) {
-        show.screen.particle = p;
+        show.screen.chosen.particle = p;
         draw(&show, 80, 24);
         ck_assert_msg(cell(&show, 1, 1)->glyph == 0x2592, "no wall with particle %zu chosen", p);
     }

@@ -42,7 +42,7 @@ static bool simple_word(Scene *scene, const char *word)
     else if (strcmp(word, "inspect") == 0)
         screen->inspecting = true, screen->focus = PANE_INSPECTOR;
     else if (strcmp(word, "node") == 0)
-        screen->node_chosen = true;
+        screen->chosen.is_node = true;
     else if (strcmp(word, "styles") == 0)
         scene->styles = true;
     else if (strcmp(word, "eight") == 0)
@@ -50,9 +50,9 @@ static bool simple_word(Scene *scene, const char *word)
     else if (strcmp(word, "plain") == 0)
         screen->colours = 0;
     else if (strcmp(word, "edit") == 0) {
-        screen->editing = true;
-        strcpy(screen->edit_text, "12.5");
-        screen->edit_cursor = 4;
+        screen->edit.open = true;
+        strcpy(screen->edit.text, "12.5");
+        screen->edit.cursor = 4;
     } else
         return false;
     return true;
@@ -87,9 +87,9 @@ static bool number_word(Scene *scene, Plan *plan, const char *word, const char *
     else if (strcmp(word, "cursor") == 0)
         screen->cursor_time = atof(number);
     else if (strcmp(word, "magnified") == 0)
-        screen->magnified = atof(number);
+        screen->eye.magnified = atof(number);
     else if (strcmp(word, "at") == 0)
-        sscanf(number, "%lf,%lf", &screen->looked_at[0], &screen->looked_at[1]);
+        sscanf(number, "%lf,%lf", &screen->eye.centre[0], &screen->eye.centre[1]);
     else if (strcmp(word, "ghost") == 0)
         snprintf(plan->ghost, sizeof plan->ghost, "%s", number);
     else
@@ -164,8 +164,8 @@ static bool play(Scene *scene, Plan *plan, Status *status)
     if (!experiment)
         return false;
     const Simulation *sim = experiment_simulation(experiment);
-    screen->particle = plan->particle >= 0 ? (size_t)plan->particle : screen_middle_particle(sim);
-    screen->node = sim->n_sets > 1 ? sim->counts[1] / 2 : 0;
+    screen->chosen.particle = plan->particle >= 0 ? (size_t)plan->particle : screen_middle_particle(sim);
+    screen->chosen.node = sim->n_sets > 1 ? sim->counts[1] / 2 : 0;
     Duel *duel = &scene->duel;
     duel_open(duel, experiment, 64 << 20, 1);
     screen->duel = duel;

@@ -101,7 +101,7 @@ static size_t nearest_to(const Simulation *sim, const double place[SIMULATION_DI
 
 bool change_runs(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
 {
-    size_t *chosen = &lab->screen.particle;
+    size_t *chosen = &lab->screen.chosen.particle;
     const Simulation *sim = experiment_simulation(lab->screen.experiment);
     const size_t before = sim->counts[0];
     double place[SIMULATION_DIMENSIONS_MAX] = {0};
@@ -179,10 +179,10 @@ void begin_edit(Laboratory *lab)
             say(lab, MESSAGE_ERROR, "%s", status.text);
         return;
     }
-    settings_get(experiment_settings(lab->screen.experiment), parameter, screen->edit_text);
-    screen->edit_cursor = text_characters(screen->edit_text);
-    screen->edit_problem[0] = '\0';
-    screen->editing = true;
+    settings_get(experiment_settings(lab->screen.experiment), parameter, screen->edit.text);
+    screen->edit.cursor = text_characters(screen->edit.text);
+    screen->edit.problem[0] = '\0';
+    screen->edit.open = true;
     lab->fresh = true;
 }
 
@@ -193,12 +193,12 @@ static bool accept_edit(Laboratory *lab)
     const Parameter *parameter = selected_parameter(lab);
     Settings settings = *experiment_settings(lab->screen.experiment);
     Status status = {STATUS_DONE, ""};
-    if (parameter && (!settings_set(&settings, parameter->key, screen->edit_text, &status) ||
+    if (parameter && (!settings_set(&settings, parameter->key, screen->edit.text, &status) ||
                       !change_settings(lab, &settings, experiment_edit, &status))) {
-        snprintf(screen->edit_problem, sizeof screen->edit_problem, "%.159s", status.text);
+        snprintf(screen->edit.problem, sizeof screen->edit.problem, "%.159s", status.text);
         return false;
     }
-    screen->editing = false;
+    screen->edit.open = false;
     return true;
 }
 
@@ -209,16 +209,16 @@ void edit_key(Laboratory *lab, const Key *key)
     if (strcmp(name, "Enter") == 0)
         accept_edit(lab);
     else if (strcmp(name, "Esc") == 0 || strcmp(name, "F10") == 0)
-        screen->editing = false;
+        screen->edit.open = false;
     else if (strcmp(name, "Up") == 0 || strcmp(name, "S-Tab") == 0) {
         if (accept_edit(lab))
             move_selection(lab, -1);
     } else if (strcmp(name, "Down") == 0 || strcmp(name, "Tab") == 0) {
         if (accept_edit(lab))
             move_selection(lab, 1);
-    } else if (line_key(screen->edit_text, sizeof screen->edit_text, &screen->edit_cursor, name,
+    } else if (line_key(screen->edit.text, sizeof screen->edit.text, &screen->edit.cursor, name,
                         lab->fresh)) {
         lab->fresh = false;
-        screen->edit_problem[0] = '\0';
+        screen->edit.problem[0] = '\0';
     }
 }

@@ -247,7 +247,7 @@ bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)
     /* where not all panes have room, the plot is what a run is looked at for: Tab reaches the others */
     const bool was_whole = lab->width == 0 || screen_is_whole(lab->width, lab->height);
     const bool is_whole = screen_is_whole(width, height);
-    if (was_whole && !is_whole && lab->screen.focus == PANE_PARAMETERS && !lab->screen.editing &&
+    if (was_whole && !is_whole && lab->screen.focus == PANE_PARAMETERS && !lab->screen.edit.open &&
         !lab->screen.prompt.open) {
         lab->screen.focus = PANE_LOWER;
         lab->focus_lent = true;

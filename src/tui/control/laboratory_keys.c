@@ -117,7 +117,7 @@ static void drag(Laboratory *lab, int x)
     if (lab->drag == DRAG_TIME) {
         seek(lab, screen_timeline_nearest(&lab->screen, lab->width, lab->height, x), 0);
     } else if (lab->drag == DRAG_VALUE && nudges != 0) {
-        lab->screen.editing = false; /* the press was the beginning of a way */
+        lab->screen.edit.open = false; /* the press was the beginning of a way */
         lab->drag_x += CELLS_A_NUDGE * nudges;
         for (int i = 0; i < abs(nudges); i++)
             nudge_selected(lab, nudges > 0 ? 1 : -1);
@@ -136,7 +136,7 @@ static void wheel(Laboratory *lab, int direction, int x, int y)
 /* False: not the mouse. In the middle of a field or a question the mouse does nothing. */
 static bool mouse_key(Laboratory *lab, const Key *key)
 {
-    bool busy = lab->screen.prompt.open || lab->screen.editing;
+    bool busy = lab->screen.prompt.open || lab->screen.edit.open;
     const bool drags = strcmp(key->name, "Drag") == 0;
     if (!drags)
         lab->drag = DRAG_NOTHING;
@@ -161,7 +161,7 @@ static bool is_for_everywhere(CommandId id)
 
 static bool takes_text(const Screen *screen)
 {
-    return screen->editing || (screen->prompt.open && !screen->prompt.yes_no);
+    return screen->edit.open || (screen->prompt.open && !screen->prompt.yes_no);
 }
 
 static void text_key(Laboratory *lab, const char *name)
@@ -208,7 +208,7 @@ static void take_key(Laboratory *lab, const Key *key)
         return;
     else if (lab->screen.prompt.open)
         prompt_key(lab, key);
-    else if (lab->screen.editing)
+    else if (lab->screen.edit.open)
         edit_key(lab, key);
     else if (lab->screen.help)
         help_command(lab, command ? command->id : COMMAND_NONE);

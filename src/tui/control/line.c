@@ -164,8 +164,8 @@ static bool particle(Laboratory *lab, const char *words)
     snprintf(why, sizeof why, "which particle? (0 to %ld)", count - 1);
     if (!text_to_long(words, &number) || number < 0 || number >= count)
         return refuse(lab, why);
-    lab->screen.particle = (size_t)number;
-    lab->screen.node_chosen = false;
+    lab->screen.chosen.particle = (size_t)number;
+    lab->screen.chosen.is_node = false;
     return true;
 }
 

@@ -51,8 +51,8 @@ void begin_run(Laboratory *lab)
     lab->pace_automatic = true;
     lab->n_undo = lab->n_redo = 0;
     lab->changed = false;
-    lab->anchor_step = screen->log_event = -1;
-    screen->n_bookmarks = screen->log_first = 0;
+    lab->anchor_step = screen->log.event = -1;
+    screen->n_bookmarks = screen->log.first = 0;
     lab->owed = 0;
     memset(lab->rates, 0, sizeof lab->rates);
     lab->frames_in_time = 0;
@@ -63,15 +63,14 @@ void begin_run(Laboratory *lab)
         screen->focus = screen->before_inspector;
     screen->inspecting = false;
     const Simulation *simulation = experiment_simulation(screen->experiment);
-    screen->particle = screen_middle_particle(simulation);
-    screen->node = simulation->n_sets > 1 ? simulation->counts[1] / 2 : 0;
+    screen->chosen.particle = screen_middle_particle(simulation);
+    screen->chosen.node = simulation->n_sets > 1 ? simulation->counts[1] / 2 : 0;
     choose_pace(lab);
     read_view(lab);
     screen->duel = &lab->duel;
     duel_open(&lab->duel, screen->experiment, history_size(lab), threads_of(lab));
     lab->second_ended = false;
     screen->selected = first_parameter(screen);
-    screen->parameter_scroll = 0;
     lab->resume = screen->state = STATE_RUNNING;
     say(lab, MESSAGE_NONE, "%s", "");
     open_duel(lab);

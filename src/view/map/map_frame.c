@@ -166,7 +166,7 @@ static void choose_scales(Map *map)
     map->enlarged = choose_enlargement(map, rows * map->stretch);
     map->middle[0] = body->low[0] + length / 2;
     map->middle[1] = body->low[1] + body->size[1] / 2;
-    if (screen->magnified <= 1) {
+    if (screen->eye.magnified <= 1) {
         /* a beam that leaves much of the pane free stands at the left, words beside it */
         const int columns = (int)ceil(length * map->scale_x);
         if (pressed && width - columns >= LEGEND_ROOM && height >= LEGEND_ROWS + 2) {
@@ -175,13 +175,13 @@ static void choose_scales(Map *map)
         }
         return;
     }
-    map->scale_x *= screen->magnified;
-    rows *= screen->magnified;
+    map->scale_x *= screen->eye.magnified;
+    rows *= screen->eye.magnified;
     const double stretch = rows < SLENDER_PART * height ? step_round_down(SLENDER_PART * height / rows) : 1;
     map->stretch = stretch < map->stretch ? stretch : map->stretch;
     map->scale_y = map->scale_x / 2 * map->stretch;
     /* what is looked at stays in the middle while it moves */
-    const double i = screen->looked_at[0] * body->nx, j = screen->looked_at[1] * body->ny;
+    const double i = screen->eye.centre[0] * body->nx, j = screen->eye.centre[1] * body->ny;
     const size_t node =
         (size_t)within(j - 0.5, body->ny) * (size_t)body->nx + (size_t)within(i - 0.5, body->nx);
     map->middle[0] =

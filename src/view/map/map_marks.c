@@ -276,10 +276,10 @@ static void draw_load(Map *map)
 static void draw_chosen(Map *map)
 {
     const Screen *screen = map->screen;
-    if (screen->particle >= map->body.count || screen->state == STATE_RUNNING)
+    if (screen->chosen.particle >= map->body.count || screen->state == STATE_RUNNING)
         return;
     double column, row;
-    map_node_place(map, screen->particle, &column, &row);
+    map_node_place(map, screen->chosen.particle, &column, &row);
     if (column >= 0 && row >= 0)
         area_put(map->area, (int)column, (int)row, 0x25a0, STYLE_CHANGED);
 }

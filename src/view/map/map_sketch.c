@@ -35,7 +35,7 @@ static void take_axes(const Map *map, Sketch *sketch)
     double low[2], high[2];
     map_sketch_place(map, 0, map->area.rect.height, &low[0], &low[1]);
     map_sketch_place(map, map->area.rect.width, 0, &high[0], &high[1]);
-    if (map->scene.pressed && map->screen->magnified <= 1)
+    if (map->scene.pressed && map->screen->eye.magnified <= 1)
         for (int d = 0; d < 2; d++) {
             const double margin = (d == 0 ? 0.01 : 0.1) * body->size[d];
             low[d] = (body->low[d] - margin) / MAP_MILLI;

@@ -101,14 +101,14 @@ static int offers_of(const Screen *screen, const Offer **offers)
 #define GIVE(list) return *offers = list, (int)(sizeof list / sizeof *list)
     if (screen->help)
         GIVE(help);
-    if (screen->editing)
+    if (screen->edit.open)
         GIVE(editing);
     if (screen->state == STATE_COMPUTING)
         GIVE(computing);
     if (screen->lecture)
         GIVE(lecture);
     const bool in_fields = screen->focus == PANE_PARAMETERS;
-    if (screen->zooming && !in_fields)
+    if (screen->eye.open && !in_fields)
         GIVE(magnified);
     if (in_fields && screen->lesson.open) {
         const LessonShown *shown = &screen->lesson;
@@ -269,7 +269,7 @@ static void draw_keys(const Screen *screen, Area area)
     lay_out_bar(screen, area.rect.width, &area, -1);
     ParameterRow rows[PARAMETER_ROWS_MAX];
     const int count = screen_parameter_rows(screen, rows);
-    if (!screen->editing || screen->selected < 0 || screen->selected >= count ||
+    if (!screen->edit.open || screen->selected < 0 || screen->selected >= count ||
         !rows[screen->selected].parameter)
         return;
     const Parameter *parameter = rows[screen->selected].parameter;
@@ -295,8 +295,8 @@ void pane_bar(const Screen *screen, Area area)
         area_put(area, x, 0, ' ', STYLE_TITLE);
     if (screen->prompt.open)
         draw_prompt(screen, area);
-    else if (screen->editing && screen->edit_problem[0])
-        draw_notice(area, 0, screen->edit_problem, STYLE_ERROR);
+    else if (screen->edit.open && screen->edit.problem[0])
+        draw_notice(area, 0, screen->edit.problem, STYLE_ERROR);
     else if (screen->message_kind != MESSAGE_NONE && screen->message[0])
         draw_notice(area, 0, screen->message, styles[screen->message_kind]);
     else

@@ -63,7 +63,7 @@ static void make_sum(BondSum *sum, const Screen *screen, int rows)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     const int bonds = simulation_find_stage(sim, "bonds"), drift = simulation_find_stage(sim, "drift");
-    *sum = (BondSum){.sim = sim, .node = screen->particle};
+    *sum = (BondSum){.sim = sim, .node = screen->chosen.particle};
     if (sum->node >= sim->counts[0])
         sum->node = sim->counts[0] - 1;
     const size_t count = sim->method->links(sim, 0, sum->node, sum->links, BONDS_MAX);
@@ -200,7 +200,7 @@ void pane_bonds(const Screen *screen, Area area)
 void move_bonds(Screen *screen, int x, int y, int page)
 {
     const size_t count = experiment_simulation(screen->experiment)->counts[0];
-    const long to = (long)screen->particle + (x != 0 ? x : page > 1 ? y : 0) * (long)page;
-    screen->particle = to < 0 ? 0 : to < (long)count ? (size_t)to : count - 1;
-    screen->node_chosen = false;
+    const long to = (long)screen->chosen.particle + (x != 0 ? x : page > 1 ? y : 0) * (long)page;
+    screen->chosen.particle = to < 0 ? 0 : to < (long)count ? (size_t)to : count - 1;
+    screen->chosen.is_node = false;
 }

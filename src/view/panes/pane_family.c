@@ -43,7 +43,7 @@ static bool family_of(Family *family, const Screen *screen)
                        .last = -1};
     if (!body_of(sim, &family->body) || sim->counts[0] == 0)
         return false;
-    family->node = screen->particle < sim->counts[0] ? screen->particle : sim->counts[0] - 1;
+    family->node = screen->chosen.particle < sim->counts[0] ? screen->chosen.particle : sim->counts[0] - 1;
     family->i = (int)(family->node % (size_t)family->body.nx);
     family->j = (int)(family->node / (size_t)family->body.nx);
     Link links[FAMILY_LINKS];
@@ -219,7 +219,7 @@ static void draw_subject(const Family *family, Area area, bool narrow)
 static void draw_place(const Screen *screen, Area area)
 {
     Screen whole = *screen;
-    whole.magnified = 1;
+    whole.eye.magnified = 1;
     if (whole.state == STATE_RUNNING)
         whole.state = STATE_PAUSED; /* the node that is inspected is shown in any case */
     Map map;
@@ -296,13 +296,13 @@ void move_node(Screen *screen, int x, int y, int page)
     Body body;
     if (!body_of(experiment_simulation(screen->experiment), &body))
         return;
-    int i = (int)(screen->particle % (size_t)body.nx) + x * page,
-        j = (int)(screen->particle / (size_t)body.nx);
+    int i = (int)(screen->chosen.particle % (size_t)body.nx) + x * page,
+        j = (int)(screen->chosen.particle / (size_t)body.nx);
     j -= y * page; /* row 0 lies below */
     i = i < 0 ? 0 : i >= body.nx ? body.nx - 1 : i;
     j = j < 0 ? 0 : j >= body.ny ? body.ny - 1 : j;
-    screen->particle = (size_t)j * (size_t)body.nx + (size_t)i;
-    screen->node_chosen = false;
-    screen->looked_at[0] = (i + 0.5) / body.nx;
-    screen->looked_at[1] = (j + 0.5) / body.ny;
+    screen->chosen.particle = (size_t)j * (size_t)body.nx + (size_t)i;
+    screen->chosen.is_node = false;
+    screen->eye.centre[0] = (i + 0.5) / body.nx;
+    screen->eye.centre[1] = (j + 0.5) / body.ny;
 }

@@ -46,8 +46,8 @@ typedef struct Block {
 
 static Subject subject_of(const Screen *screen)
 {
-    Subject subject = {.sim = experiment_simulation(screen->experiment), .set = screen->node_chosen};
-    const size_t chosen = subject.set ? screen->node : screen->particle;
+    Subject subject = {.sim = experiment_simulation(screen->experiment), .set = screen->chosen.is_node};
+    const size_t chosen = subject.set ? screen->chosen.node : screen->chosen.particle;
     const size_t count = subject.sim->counts[subject.set];
     subject.index = chosen < count ? chosen : count - 1;
     subject.n_links =
@@ -451,18 +451,18 @@ void move_mesh_inspector(Screen *screen, int x, int y, int page)
     const size_t count = subject.sim->counts[subject.set];
     if (x != 0 || page > 1) {
         const long to = (long)subject.index + (x != 0 ? x : y) * (long)page;
-        *(subject.set ? &screen->node : &screen->particle) = to < 0             ? 0
-                                                             : to < (long)count ? (size_t)to
-                                                                                : count - 1;
+        *(subject.set ? &screen->chosen.node : &screen->chosen.particle) = to < 0             ? 0
+                                                                           : to < (long)count ? (size_t)to
+                                                                                              : count - 1;
         return;
     }
-    if ((y < 0) == screen->node_chosen)
+    if ((y < 0) == screen->chosen.is_node)
         return;
     size_t nearest = 0;
     for (size_t i = 1; i < subject.n_links; i++)
         if (subject.links[i].weight > subject.links[nearest].weight)
             nearest = i;
     if (subject.n_links > 0)
-        *(subject.set ? &screen->particle : &screen->node) = subject.links[nearest].index;
-    screen->node_chosen = y < 0;
+        *(subject.set ? &screen->chosen.particle : &screen->chosen.node) = subject.links[nearest].index;
+    screen->chosen.is_node = y < 0;
 }

@@ -50,7 +50,7 @@ static NodeRow row_of(const Screen *screen, int room)
         row.per = NODE_COLUMNS_MAX;
     if (row.per < 1) {
         /* a part of them, around the chosen one */
-        const int chosen = (int)screen->particle, all = row.end;
+        const int chosen = (int)screen->chosen.particle, all = row.end;
         row.per = 1;
         row.end = chosen + room / 2 < all ? chosen + room / 2 : all;
         row.first = row.end - room > row.first ? row.end - room : row.first;
@@ -154,8 +154,8 @@ bool choose_in_lattice(Screen *screen, Rect rect, int x, int y)
     }
     free(u);
     if (nearest >= 0)
-        screen->particle = (size_t)nearest;
-    screen->node_chosen = false;
+        screen->chosen.particle = (size_t)nearest;
+    screen->chosen.is_node = false;
     return nearest >= 0;
 }
 
@@ -168,7 +168,7 @@ void pane_lattice(const Screen *screen, Area area)
         return;
     const NodeRow row = row_of(screen, area.rect.width - MARGIN - WORDS_WIDTH - 1);
     const double spacing = lattice_spacing(experiment_settings(screen->experiment));
-    const int chosen = (int)(screen->particle < count ? screen->particle : count - 1);
+    const int chosen = (int)(screen->chosen.particle < count ? screen->chosen.particle : count - 1);
     const int rows = area.rect.height, bonds_row = rows >= 4 ? 1 : 0, nodes_row = rows > 6 ? 3 : rows - 1;
     const bool paused = screen->state != STATE_RUNNING;
     bool done;

@@ -125,7 +125,7 @@ static bool open_picture(const Screen *screen, int width, int rows, BarPicture *
         field_at(sim, bar->node_x, bar->nodes / 2) - field_at(sim, bar->node_x, bar->nodes / 2 - 1);
     const double gap = bar->particles > 1 ? bar->x0[1] - bar->x0[0] : bar->spacing;
     bar->length = bar->x0[bar->particles - 1] + gap / 2;
-    bar->chosen = screen->particle < bar->particles ? screen->particle : bar->particles - 1;
+    bar->chosen = screen->chosen.particle < bar->particles ? screen->chosen.particle : bar->particles - 1;
     bar->strip =
         strip_of(width - MARGIN - CAPTION_WIDTH - 1, bar->x0[bar->chosen], bar->length, bar->spacing);
     bar->k = exaggeration(field_reach(screen, sim->displacement[0], bar->u, bar->particles), bar->spacing);
@@ -148,8 +148,8 @@ static bool choose_in_bar(Screen *screen, Rect rect, int x, int y)
                                       : column_of_x(&bar.strip, bar.x0[i] + bar.k * bar.u[i]);
         if (fabs(at - column) < least && at >= 0 && at < bar.strip.columns + 1) {
             least = fabs(at - column);
-            *(among_nodes ? &screen->node : &screen->particle) = i;
-            screen->node_chosen = among_nodes;
+            *(among_nodes ? &screen->chosen.node : &screen->chosen.particle) = i;
+            screen->chosen.is_node = among_nodes;
         }
     }
     close_picture(&bar);
@@ -226,8 +226,8 @@ static void draw_bar(const Screen *screen, Area area)
     }
     if (screen->state != STATE_RUNNING)
         area_put(part, own, particle_row, 0x25cf, flow == FLOW_TO_PARTICLES ? STYLE_CHANGED : STYLE_SECOND);
-    if (screen->node_chosen && screen->state != STATE_RUNNING && screen->node < nodes)
-        area_put(part, strip_column(&strip, field_at(sim, node_x, screen->node)), grid_row, 0x25a0,
+    if (screen->chosen.is_node && screen->state != STATE_RUNNING && screen->chosen.node < nodes)
+        area_put(part, strip_column(&strip, field_at(sim, node_x, screen->chosen.node)), grid_row, 0x25a0,
                  STYLE_CHANGED);
 
     /* words */

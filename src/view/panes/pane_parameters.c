@@ -114,10 +114,10 @@ void draw_parameter(const Screen *screen, Area area, int y, const Parameter *par
     const int indent = is_number && 2 + text_columns(parameter->label) > label_width ? 1 : 2;
     int label = area_text(area_part(area, 0, y, label_width, 1), indent, 0, parameter->label, style) + indent;
 
-    if (focused && screen->editing) {
-        int room = width - label - 1 < 12 ? 12 : width - label - 1, cursor = screen->edit_cursor;
+    if (focused && screen->edit.open) {
+        int room = width - label - 1 < 12 ? 12 : width - label - 1, cursor = screen->edit.cursor;
         Area field = area_part(area, width - room, y, room, 1);
-        const char *text = screen->edit_text;
+        const char *text = screen->edit.text;
         for (; cursor >= room && *text; cursor--)
             utf8_next(&text);
         for (int x = 0; x < room; x++)

@@ -24,8 +24,9 @@ static Subject subject_of(const Screen *screen)
     Subject subject = {.screen = screen, .sim = experiment_simulation(screen->experiment)};
     const Simulation *sim = subject.sim;
     subject.stage = box_stage(screen, &subject.done);
-    subject.set = screen->node_chosen && simulation_has(sim, HAS_MESH);
-    const size_t chosen = subject.set ? screen->node : screen->particle, count = sim->counts[subject.set];
+    subject.set = screen->chosen.is_node && simulation_has(sim, HAS_MESH);
+    const size_t chosen = subject.set ? screen->chosen.node : screen->chosen.particle,
+                 count = sim->counts[subject.set];
     subject.index = chosen < count ? chosen : count - 1;
     return subject;
 }

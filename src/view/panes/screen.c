@@ -17,10 +17,9 @@ void screen_default(Screen *screen)
         .upper = view_at_home(PANE_UPPER, NULL),
         .lower = view_at_home(PANE_LOWER, NULL),
         .references = SHOW_ALL,
-        .magnified = 1,
-        .looked_at = {0.5, 0.5},
+        .eye = {.magnified = 1, .centre = {0.5, 0.5}},
         .cursor_time = NAN,
-        .log_event = -1,
+        .log = {.event = -1},
     };
 }
 

@@ -110,6 +110,34 @@ typedef struct ViewVariant {
     int variant;
 } ViewVariant;
 
+/* Typing a value into the selected parameter. */
+typedef struct FieldEdit {
+    bool open;
+    char text[LIST_MAX];
+    int cursor;        /* in characters */
+    char problem[160]; /* why the last entry was refused */
+} FieldEdit;
+
+/* The things that all panes speak of. */
+typedef struct Selection {
+    size_t particle, node;
+    bool is_node;     /* stage box and inspector follow the node, not the particle */
+    int table_column; /* the first one that a table shows */
+} Selection;
+
+/* Where one reads in the log. */
+typedef struct LogPlace {
+    int event; /* the chosen one; -1: the newest */
+    int first; /* the first one shown, as far as that leaves the chosen one in sight */
+} LogPlace;
+
+/* What is seen of the map of a body. */
+typedef struct MapEye {
+    bool open;        /* arrows, + and - move it */
+    double magnified; /* 1: the whole body */
+    double centre[2]; /* shares of its length and height */
+} MapEye;
+
 typedef struct Screen {
     Experiment *experiment;
     const Duel *duel;     /* whose A is the experiment; its second run is drawn beside. NULL: there is none */
@@ -134,26 +162,15 @@ typedef struct Screen {
     int n_variants;
     ReferencesShown references;
 
-    int selected;         /* row in the parameter pane */
-    int parameter_scroll; /* kept by screen_draw's helper so that the selected row is seen */
-    bool editing;
-    char edit_text[LIST_MAX];
-    int edit_cursor;        /* in characters */
-    char edit_problem[160]; /* why the last entry was refused */
-    char filter[32];        /* parameters whose label or key holds it */
+    int selected;    /* row in the parameter pane */
+    char filter[32]; /* parameters whose label or key holds it */
+    FieldEdit edit;
+    Selection chosen;
+    LogPlace log;
 
-    size_t particle;  /* the chosen one */
-    size_t node;      /* the chosen node, for tables */
-    bool node_chosen; /* the stage box follows the node, not the particle */
-    int table_column; /* the first one that a table shows */
-    int log_event;    /* the chosen event of the log; -1: the newest */
-    int log_first;    /* the first one that it shows, as far as that leaves the chosen one in sight */
-
-    bool inspecting;         /* the inspector is open, see screen_inspector() */
+    bool inspecting;         /* the inspector is open, see screen_has_inspector() */
     PaneId before_inspector; /* the pane that had the focus before it was opened */
-    bool zooming;            /* arrows, + and - move the eye over the map of a beam */
-    double magnified;        /* of the map: 1 is the whole beam */
-    double looked_at[2];     /* in the middle of the magnified map: share of the beam's length and height */
+    MapEye eye;
 
     double window;      /* length of the time window; 0: automatic */
     double cursor_time; /* of the time plot's cursor; NAN: none */
@@ -216,7 +233,7 @@ bool screen_click_view(Screen *, int width, int height, int x, int y);
 bool screen_scroll_view(Screen *, int width, int height, int x, int y, int by);
 
 /* The chosen particle or, where a node is chosen, node: so many on. */
-void screen_choose_next(Screen *, int direction, size_t by);
+void selection_next(Selection *, const Simulation *, int direction, size_t by);
 
 /* The row of the parameter pane at a place of the screen, for the mouse; -1: none. */
 int screen_parameter_at(const Screen *, int width, int height, int x, int y);

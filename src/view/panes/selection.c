@@ -1,11 +1,10 @@
 /* Which particle or node is the chosen one: all panes show that, and the arrows go on from it. */
 #include "view/panes/screen.h"
 
-void screen_choose_next(Screen *screen, int direction, size_t by)
+void selection_next(Selection *selection, const Simulation *sim, int direction, size_t by)
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
-    const bool node = screen->node_chosen && sim->n_sets > 1;
-    size_t *chosen = node ? &screen->node : &screen->particle;
+    const bool node = selection->is_node && sim->n_sets > 1;
+    size_t *chosen = node ? &selection->node : &selection->particle;
     const size_t count = sim->counts[node ? 1 : 0];
     if (count == 0)
         return;

@@ -63,7 +63,7 @@ static const int near_order[PARTS] = {MAGNIFIED, STRETCHED, ENLARGED, TIP, FIT};
 static void draw_title(const Map *map, Area area, Style heading)
 {
     const Colouring *colouring = map->colouring;
-    const int *order = map->screen->magnified > 1 ? near_order : whole_order;
+    const int *order = map->screen->eye.magnified > 1 ? near_order : whole_order;
     const int room = area.rect.width - 6;
     const char *times = area.canvas->sketch ? "×" : "x";
     char title[192] = "", parts[PARTS][64] = {"", "", "", "", ""}, number[NUMBER_TEXT_MAX];
@@ -77,8 +77,8 @@ static void draw_title(const Map *map, Area area, Style heading)
     if (map->enlarged != 1)
         snprintf(parts[ENLARGED], sizeof parts[ENLARGED], "%s %s %s", map->scene.leaves ? "uy" : "u", times,
                  number);
-    factor_text(map->screen->magnified, number);
-    if (map->screen->magnified > 1)
+    factor_text(map->screen->eye.magnified, number);
+    if (map->screen->eye.magnified > 1)
         snprintf(parts[MAGNIFIED], sizeof parts[MAGNIFIED], "zoom %s", number);
     factor_text(map->stretch, number);
     if (map->stretch != 1)
@@ -160,7 +160,7 @@ static void draw_scale(const Map *map, Area area, int y)
     }
     axis_scale_text(&axis, map->colouring->unit, scale);
     x += area_text(area, x, y, scale, STYLE_NORMAL) + 2;
-    if (map->screen->magnified > 1) {
+    if (map->screen->eye.magnified > 1) {
         /* what the lines between the nodes are must be said in any case */
         const int kept = map->nodes_seen ? text_columns(note_of(map, true)) + 2 : 0;
         x += draw_length(map, area, x, y, area.rect.width - kept) + 2;
@@ -250,8 +250,8 @@ static bool click(Screen *screen, Rect rect, int x, int y)
     }
     if (node < 0)
         return false;
-    screen->particle = (size_t)node;
-    screen->node_chosen = false;
+    screen->chosen.particle = (size_t)node;
+    screen->chosen.is_node = false;
     return true;
 }
 

@@ -73,23 +73,23 @@ static void list_entries(const Screen *screen, Log *log)
         add_run(log, second_run(screen), 'B');
 }
 
-static int chosen_of(const Screen *screen, const Log *log)
+static int chosen_of(const LogPlace *place, const Log *log)
 {
-    return screen->log_event < 0 || screen->log_event >= log->count ? log->count - 1 : screen->log_event;
+    return place->event < 0 || place->event >= log->count ? log->count - 1 : place->event;
 }
 
 int screen_log_chosen(const Screen *screen)
 {
     Log log;
     list_entries(screen, &log);
-    return chosen_of(screen, &log);
+    return chosen_of(&screen->log, &log);
 }
 
 long screen_log_step(const Screen *screen)
 {
     Log log;
     list_entries(screen, &log);
-    const int chosen = chosen_of(screen, &log);
+    const int chosen = chosen_of(&screen->log, &log);
     if (chosen < 0)
         return -1;
     const LogEntry *entry = &log.entries[chosen];
@@ -120,11 +120,11 @@ static int first_with(const Log *log, int last)
 }
 
 /* As it was left, but so that the chosen event is seen and no row stays empty that could be used. */
-static int first_of(const Screen *screen, const Log *log)
+static int first_of(const LogPlace *place, const Log *log)
 {
-    const int chosen = chosen_of(screen, log), least = first_with(log, chosen),
+    const int chosen = chosen_of(place, log), least = first_with(log, chosen),
               most = first_with(log, log->count - 1);
-    int first = screen->log_first > most ? most : screen->log_first;
+    int first = place->first > most ? most : place->first;
     first = first > chosen ? chosen : first;
     return first < least ? least : first;
 }
@@ -141,7 +141,7 @@ static void open_log(const Screen *screen, int width, int height, Log *log)
     log->text = log->columns + 5 + (is_shared(screen) ? 2 : 0);
     log->width = width - log->text - 1;
     log->room = height - 1 - (log->beyond > 0);
-    log->first = log->count > 0 ? first_of(screen, log) : 0;
+    log->first = log->count > 0 ? first_of(&screen->log, log) : 0;
 }
 
 static void draw(const Screen *screen, Area area, Style heading, int variant)
@@ -158,7 +158,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     area_rule(area, 0, text, heading);
     if (log.count == 0)
         area_text(area, 1, 1, "nothing out of the ordinary so far", STYLE_FAINT);
-    const int chosen = chosen_of(screen, &log);
+    const int chosen = chosen_of(&screen->log, &log);
     for (int i = log.first, y = 1; i < log.count && y <= log.room; i++) {
         const LogEntry *entry = &log.entries[i];
         const bool marked = i == chosen && heading == STYLE_FOCUS;
@@ -198,10 +198,10 @@ static bool log_at(const Screen *screen, Rect rect, Log *log)
 }
 
 /* At the end it follows the newest. */
-static void choose(Screen *screen, const Log *log, int to)
+static void choose(LogPlace *place, const Log *log, int to)
 {
-    screen->log_event = to < 0 ? 0 : to >= log->count - 1 ? -1 : to;
-    screen->log_first = first_of(screen, log);
+    place->event = to < 0 ? 0 : to >= log->count - 1 ? -1 : to;
+    place->first = first_of(place, log);
 }
 
 static void move(Screen *screen, Rect rect, int x, int y, int page)
@@ -210,8 +210,8 @@ static void move(Screen *screen, Rect rect, int x, int y, int page)
     (void)x;
     if (y == 0 || !log_at(screen, rect, &log))
         return;
-    screen->log_first = log.first;
-    choose(screen, &log, chosen_of(screen, &log) + y * page);
+    screen->log.first = log.first;
+    choose(&screen->log, &log, chosen_of(&screen->log, &log) + y * page);
 }
 
 /* Where it happened is what one wants to look at. */
@@ -219,8 +219,8 @@ static long enter(Screen *screen)
 {
     const long step = screen_log_step(screen), broken = step >= 0 ? screen_broken_node(screen, step) : -1;
     if (broken >= 0) {
-        screen->particle = (size_t)broken;
-        screen->node_chosen = false;
+        screen->chosen.particle = (size_t)broken;
+        screen->chosen.is_node = false;
     }
     return step;
 }
@@ -238,9 +238,9 @@ static bool click(Screen *screen, Rect rect, int x, int y)
     int at = log.first, end = rect.y + 1 + lines_of(&log, at);
     while (end <= y && ++at < log.count)
         end += lines_of(&log, at);
-    screen->log_first = log.first;
+    screen->log.first = log.first;
     if (at < log.count)
-        choose(screen, &log, at);
+        choose(&screen->log, &log, at);
     return true;
 }
 
@@ -251,12 +251,15 @@ static bool scroll(Screen *screen, Rect rect, int x, int y, int by)
     if (!log_at(screen, rect, &log) || !holds(rect, x, y))
         return false;
     const int most = first_with(&log, log.count - 1), to = log.first + by;
-    screen->log_first = to < 0 ? 0 : to > most ? most : to;
-    int last = screen->log_first, lines = lines_of(&log, last);
+    screen->log.first = to < 0 ? 0 : to > most ? most : to;
+    int last = screen->log.first, lines = lines_of(&log, last);
     while (last + 1 < log.count && (lines += lines_of(&log, last + 1)) <= log.room)
         last++;
-    const int chosen = chosen_of(screen, &log);
-    choose(screen, &log, chosen < screen->log_first ? screen->log_first : chosen > last ? last : chosen);
+    const int chosen = chosen_of(&screen->log, &log);
+    choose(&screen->log, &log,
+           chosen < screen->log.first ? screen->log.first
+           : chosen > last            ? last
+                                      : chosen);
     return true;
 }
 

@@ -39,7 +39,7 @@ static bool take_section(const Screen *screen, Section *section)
     *section = (Section){.rows = columns > 0 ? count / columns : 0};
     if (section->rows < 2 || columns < 2)
         return false;
-    const size_t column = (screen->particle < count ? screen->particle : 0) % columns;
+    const size_t column = (screen->chosen.particle < count ? screen->chosen.particle : 0) % columns;
     section->y = malloc(section->rows * sizeof *section->y);
     section->ux = malloc(section->rows * sizeof *section->ux);
     if (!section->y || !section->ux)

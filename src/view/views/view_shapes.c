@@ -61,7 +61,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     }
     const bool slope = variant == 1;
     const int position = simulation_find_field(sim, 0, "x"), node_x = simulation_find_field(sim, 1, "x");
-    const size_t chosen = screen->particle < sim->counts[0] ? screen->particle : 0;
+    const size_t chosen = screen->chosen.particle < sim->counts[0] ? screen->chosen.particle : 0;
     const double place = field_at(sim, position, chosen);
     Link links[LINKS_MAX];
     size_t n_links = sim->method->shapes(sim, &place, links, LINKS_MAX);

@@ -64,7 +64,7 @@ static Table table_of(const Screen *screen, int set, int width, int height)
     const Simulation *sim = experiment_simulation(screen->experiment);
     Table table = {.set = set < sim->n_sets ? set : 0};
     list_columns(screen, &table);
-    table.first_column = screen->table_column;
+    table.first_column = screen->chosen.table_column;
     if (table.first_column > table.n_columns - 1)
         table.first_column = table.n_columns - 1;
     /* no further than the last column needs */
@@ -72,7 +72,8 @@ static Table table_of(const Screen *screen, int set, int width, int height)
         table.first_column--;
     table.end_column = last_that_fits(&table, table.first_column, width);
 
-    const size_t count = sim->counts[table.set], chosen = table.set == 0 ? screen->particle : screen->node;
+    const size_t count = sim->counts[table.set],
+                 chosen = table.set == 0 ? screen->chosen.particle : screen->chosen.node;
     table.chosen = chosen < count ? chosen : count > 0 ? count - 1 : 0;
     const size_t room = height <= HEAD_ROWS             ? 0
                         : height - HEAD_ROWS < ROWS_MAX ? (size_t)(height - HEAD_ROWS)
@@ -161,13 +162,13 @@ static Table table_at(const Screen *screen, Rect rect)
 static void move(Screen *screen, Rect rect, int x, int y, int page)
 {
     const Table table = table_at(screen, rect);
-    screen->node_chosen = table.set == 1;
+    screen->chosen.is_node = table.set == 1;
     if (y != 0) {
-        screen_choose_next(screen, y, (size_t)page);
+        selection_next(&screen->chosen, experiment_simulation(screen->experiment), y, (size_t)page);
     } else if (rect.width > 0) {
         const int most = table.end_column < table.n_columns ? table.n_columns - 1 : table.first_column;
         const int to = table.first_column + x;
-        screen->table_column = to < 0 ? 0 : to > most ? most : to;
+        screen->chosen.table_column = to < 0 ? 0 : to > most ? most : to;
     }
 }
 
@@ -177,8 +178,8 @@ static bool click(Screen *screen, Rect rect, int x, int y)
     const int row = y - rect.y - HEAD_ROWS;
     if (x < rect.x || x >= rect.x + rect.width || row < 0 || row >= (int)table.rows)
         return false;
-    *(table.set == 0 ? &screen->particle : &screen->node) = table.first + (size_t)row;
-    screen->node_chosen = table.set == 1;
+    *(table.set == 0 ? &screen->chosen.particle : &screen->chosen.node) = table.first + (size_t)row;
+    screen->chosen.is_node = table.set == 1;
     return true;
 }
 

@@ -16,11 +16,11 @@ static const Simulation *simulation_of(const Laboratory *lab)
 }
 
 /* The place of a node as shares of the beam's length and height. */
-static void look_at_node(Screen *screen, const Simulation *simulation, size_t node)
+static void look_at_node(MapEye *eye, const Simulation *simulation, size_t node)
 {
     const size_t nx = simulation->columns, ny = simulation->rows;
-    screen->looked_at[0] = ((double)(node % nx) + 0.5) / (double)nx;
-    screen->looked_at[1] = ((double)(node / nx) + 0.5) / (double)ny;
+    eye->centre[0] = ((double)(node % nx) + 0.5) / (double)nx;
+    eye->centre[1] = ((double)(node / nx) + 0.5) / (double)ny;
 }
 
 /* The crack's tip is what there is to see of a beam that cracks; else the chosen node. */
@@ -36,10 +36,10 @@ static void look_at_something(Laboratory *lab)
         y = strcmp(columns[i].quantity.name, "crack_y") == 0 ? i : y;
     }
     if (x >= 0 && y >= 0 && row) {
-        screen->looked_at[0] = row[x] / settings->geometry.length;
-        screen->looked_at[1] = row[y] / settings->geometry.height;
+        screen->eye.centre[0] = row[x] / settings->geometry.length;
+        screen->eye.centre[1] = row[y] / settings->geometry.height;
     } else
-        look_at_node(screen, simulation_of(lab), screen->particle);
+        look_at_node(&screen->eye, simulation_of(lab), screen->chosen.particle);
 }
 
 static double limited(double value, double least, double most)
@@ -49,27 +49,27 @@ static double limited(double value, double least, double most)
 
 void map_whole(Laboratory *lab)
 {
-    lab->screen.zooming = false;
-    lab->screen.magnified = 1;
+    lab->screen.eye.open = false;
+    lab->screen.eye.magnified = 1;
 }
 
 void map_magnify(Laboratory *lab, int direction)
 {
     Screen *screen = &lab->screen;
     const double most = fmax(FIRST_MAGNIFIED, (double)simulation_of(lab)->columns / 4);
-    const double wanted = direction > 0 ? 2 * screen->magnified : screen->magnified / 2;
-    screen->magnified = limited(wanted, 1, exp2(ceil(log2(most))));
+    const double wanted = direction > 0 ? 2 * screen->eye.magnified : screen->eye.magnified / 2;
+    screen->eye.magnified = limited(wanted, 1, exp2(ceil(log2(most))));
 }
 
 void map_pan(Laboratory *lab, int x, int y)
 {
     Screen *screen = &lab->screen;
     const Settings *settings = experiment_settings(screen->experiment);
-    const double stride = STRIDE / screen->magnified;
-    screen->looked_at[0] = limited(screen->looked_at[0] + x * stride, 0, 1);
+    const double stride = STRIDE / screen->eye.magnified;
+    screen->eye.centre[0] = limited(screen->eye.centre[0] + x * stride, 0, 1);
     /* a pane is not as high as it is wide */
     const double upwards = fmin(0.25, stride * settings->geometry.length / settings->geometry.height / 2);
-    screen->looked_at[1] = limited(screen->looked_at[1] - y * upwards, 0, 1);
+    screen->eye.centre[1] = limited(screen->eye.centre[1] - y * upwards, 0, 1);
 }
 
 void map_zoom(Laboratory *lab)
@@ -79,15 +79,15 @@ void map_zoom(Laboratory *lab)
         say(lab, MESSAGE_INFO, "Z magnifies the map of a beam; n and N change the time window of a plot");
         return;
     }
-    if (screen->zooming) {
+    if (screen->eye.open) {
         map_whole(lab);
         return;
     }
     if (!screen->upper->is_map && !screen->lower->is_map)
         screen->upper = view_of_map();
     screen->focus = screen->upper->is_map ? PANE_UPPER : PANE_LOWER;
-    screen->zooming = true;
-    screen->magnified = FIRST_MAGNIFIED;
+    screen->eye.open = true;
+    screen->eye.magnified = FIRST_MAGNIFIED;
     look_at_something(lab);
 }
 

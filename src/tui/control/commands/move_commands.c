@@ -53,7 +53,7 @@ static void move(Laboratory *lab, int x, int y, int page)
     Screen *screen = &lab->screen;
     const View *view = screen_view_in(screen, screen->focus);
     const bool map = map_is_focused(lab);
-    if (screen->zooming && map) {
+    if (screen->eye.open && map) {
         map_pan(lab, x, y);
         return;
     }
@@ -71,8 +71,8 @@ static void move(Laboratory *lab, int x, int y, int page)
     } else if (view && view->has_time_axis) {
         move_cursor(lab, x ? x : y * page);
     } else if (x || page > 1) {
-        screen->node_chosen &= simulation_has(experiment_simulation(screen->experiment), HAS_MESH);
-        screen_choose_next(screen, x ? x : y, (size_t)page);
+        screen->chosen.is_node &= simulation_has(experiment_simulation(screen->experiment), HAS_MESH);
+        selection_next(&screen->chosen, experiment_simulation(screen->experiment), x ? x : y, (size_t)page);
     } else {
         screen_choose_across(screen, y < 0);
     }
@@ -161,11 +161,11 @@ bool close_top(Laboratory *lab)
         screen->help = false;
     else if (screen->prompt.open)
         close_prompt(lab);
-    else if (screen->editing)
-        screen->editing = false;
+    else if (screen->edit.open)
+        screen->edit.open = false;
     else if (!isnan(screen->cursor_time))
         screen->cursor_time = NAN;
-    else if (screen->zooming)
+    else if (screen->eye.open)
         map_whole(lab);
     else if (screen->zoomed)
         screen->zoomed = false;

@@ -145,7 +145,7 @@ void command_stage_back(Laboratory *lab)
 static void change_pace(Laboratory *lab, int direction)
 {
     Screen *screen = &lab->screen;
-    if (screen->zooming && map_is_focused(lab)) {
+    if (screen->eye.open && map_is_focused(lab)) {
         map_magnify(lab, direction);
         return;
     }

@@ -43,7 +43,7 @@ void show_view(Laboratory *lab, const View *view)
         screen->lower = view;
     if (alone)
         screen->focus = pane;
-    screen->table_column = 0;
+    screen->chosen.table_column = 0;
     screen->cursor_time = NAN;
 }
 

@@ -38,7 +38,7 @@ static bool approach(Replay *replay, Laboratory *lab, const SessionEvent *event,
 
 static bool takes_text(const Screen *screen)
 {
-    return screen->prompt.open || screen->editing || screen->help;
+    return screen->prompt.open || screen->edit.open || screen->help;
 }
 
 bool replay_go_on(Replay *replay, Laboratory *lab, double deadline)
