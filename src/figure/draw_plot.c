@@ -1,3 +1,4 @@
+/* A sketch with axes on paper: frame, ticks, strokes cut at the frame, marks, labels and legend. */
 #include "figure/draw.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Words on paper: quantities with their indices, phrases broken into lines. */
 #include "figure/draw.h"
 
 #include <ctype.h>

@@ -1,3 +1,4 @@
+/* A figure from its name to its file: which views make one, panels side by side, what the page says of the run. */
 #include "figure/figure.h"
 
 #include "base/text.h"

@@ -1,3 +1,4 @@
+/* The colours of a figure: told apart by all kinds of colour vision. */
 #include "figure/ink.h"
 
 #include <math.h>

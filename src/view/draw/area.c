@@ -1,3 +1,4 @@
+/* Text and glyphs in a part of the canvas: clipped to it, broken at spaces, cut with an ellipsis. */
 #include "view/draw/sketch.h"
 
 #include <stdarg.h>

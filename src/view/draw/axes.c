@@ -1,3 +1,4 @@
+/* Round ticks and the places of values: linear, by square roots, by powers of ten; and how axes are drawn. */
 #include "view/draw/sketch.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* The grid of cells, and its dump as text for tests and scripts. */
 #include "view/draw/canvas.h"
 
 #include <stdlib.h>

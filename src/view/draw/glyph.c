@@ -1,3 +1,4 @@
+/* Glyphs as bytes and columns: UTF-8, and how wide a text is. */
 #include "view/draw/glyph.h"
 
 #include <stddef.h>

@@ -1,3 +1,4 @@
+/* The display list behind a figure: it grows as a view draws, and without memory something is left out. */
 #include "view/draw/sketch.h"
 
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* The whole screen: each pane drawn where the layout puts it, and what the mouse finds in the plot panes. */
 #include "view/panes/screen.h"
 #include "view/panes/panes.h"
 #include "view/views/views.h"

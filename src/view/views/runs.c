@@ -1,3 +1,4 @@
+/* The runs of a picture: earlier ones as ghosts with letters, then the present one, or both of a duel. */
 #include "view/views/runs.h"
 
 #include "view/views/time_plot.h"

@@ -1,3 +1,4 @@
+/* What plots over time have in common: the window, the mark of the present, how far references will reach. */
 #include "view/views/time_plot.h"
 
 #include <math.h>
