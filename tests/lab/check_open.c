@@ -29,8 +29,8 @@
 
 const Parameter parameters[] = {
 #include "lab/settings/parameter_rows.inc"
-    {"mpm.damping", CONCERN_MESH, "Method", DAMPING, .methods = BY_MPM, AT(spare[0])},
-    {"pd.damping", CONCERN_LATTICE, "Lattice", DAMPING, .methods = BY_PD, AT(spare[1])},
+    {"mpm.damping", CONCERN_MESH, "Method", DAMPING, .methods = BY_MPM, AT(motion.speed)},
+    {"pd.damping", CONCERN_LATTICE, "Lattice", DAMPING, .methods = BY_PD, AT(notch.position)},
 };
 const int n_parameters = (int)(sizeof parameters / sizeof *parameters);
 

@@ -148,7 +148,6 @@ typedef struct Settings {
     TimeSettings time;
     Output output;
 
-    double spare[2];   /* for parameters on trial, that have no place of their own yet */
     Patience patience; /* asked while the simulation and its references are being made */
 
     char question[KEY_MAX]; /* what `t` toggles */
