@@ -2,6 +2,7 @@
 #include "cli/verify/verify_quantity.h"
 
 #include "lab/answers/crack.h"
+#include "physics/pd_plane/crack_cost.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -411,6 +412,12 @@ double quantity_first_break(VerifyRun *run, const VerifyRow *row)
 double quantity_twentieth_break(VerifyRun *run, const VerifyRow *row)
 {
     return scaled(row, crack_of(run).twentieth_break);
+}
+
+double quantity_plane_energy(VerifyRun *run, const VerifyRow *row)
+{
+    CrackCost cost;
+    return crack_cost(run->sim, &cost) ? scaled(row, cost.plane) : NAN;
 }
 
 double quantity_broken_bonds(VerifyRun *run, const VerifyRow *row)

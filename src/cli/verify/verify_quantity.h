@@ -57,6 +57,8 @@ double quantity_energy_after_steps(VerifyRun *, const VerifyRow *);
 /* The crack. */
 double quantity_first_break(VerifyRun *, const VerifyRow *); /* scale */
 double quantity_twentieth_break(VerifyRun *, const VerifyRow *);
+double quantity_plane_energy(VerifyRun *,
+                             const VerifyRow *); /* up to s0, of the bonds through a plane; J/m^2 */
 double quantity_broken_bonds(VerifyRun *, const VerifyRow *);
 double quantity_angle_over(VerifyRun *, const VerifyRow *);   /* degrees over the height `from` */
 double quantity_angle_turned(VerifyRun *, const VerifyRow *); /* over the height `to` less that over `from` */
