@@ -511,6 +511,23 @@ START_TEST(a_bursting_run_stops_at_a_sound_step)
 }
 END_TEST
 
+/* The way back to the last sound step goes once more past a crack that was told before: it is told once. */
+START_TEST(a_crack_before_a_burst_is_told_once)
+{
+    BeamDef def = small_beam(BEAM_NOTCHED);
+    def.load_stress = 7.68e9;
+    Simulation *sim = beam_case_create(&def, NULL);
+    Status status = {0};
+    long done = 0;
+    ck_assert(!simulation_steps(sim, 900, NULL, &done, &status));
+    ck_assert_int_eq(sim->n_events, 1);
+    ck_assert_int_eq(sim->events[0].kind, EVENT_BREAK);
+    ck_assert_int_lt(sim->events[0].step, done);
+    ck_assert_int_eq(sim->events_beyond, 0);
+    simulation_destroy(sim);
+}
+END_TEST
+
 /* Rows of paths shift as bonds break beside them; what has cracked stays cracked. */
 START_TEST(a_crack_begins_above_the_notch_and_never_shrinks)
 {
@@ -601,6 +618,7 @@ void add_cases(Suite *suite)
     TCase *changes = tcase_create("changes");
     tcase_add_test(changes, load_and_critical_stretch_change_in_mid_run);
     tcase_add_test(changes, a_bursting_run_stops_at_a_sound_step);
+    tcase_add_test(changes, a_crack_before_a_burst_is_told_once);
     tcase_add_test(changes, events_tell_of_the_crack);
     tcase_add_test(changes, a_crack_begins_above_the_notch_and_never_shrinks);
     suite_add_tcase(suite, changes);
