@@ -4,6 +4,8 @@
 
 #include "lab/settings/scenario.h"
 #include "tui/control/laboratory.h"
+#include "tui/control/writing.h"
+#include "tui/control/opening.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -40,7 +42,7 @@ static void nothing(void *context)
 static bool is_harmless(const Laboratory *lab, const Key *key)
 {
     return !(lab->screen.prompt.open && strcmp(key->name, "Enter") == 0 &&
-             (lab->answer == answer_open || lab->answer == answer_write ||
+             (lab->prompting.answer == opening_answer || lab->prompting.answer == writing_answer ||
               strpbrk(lab->screen.prompt.text, "/.") || strstr(lab->screen.prompt.question, "export")));
 }
 

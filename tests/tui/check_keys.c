@@ -1,6 +1,6 @@
 /* Bytes become the keys that were meant, whatever terminal sent them, and nothing that was not meant. */
 #include "suite.h"
-#include "tui/control/line_edit.h"
+#include "tui/control/prompt/line_edit.h"
 #include "tui/keyboard.h"
 
 #include <stdint.h>
@@ -287,7 +287,7 @@ static void expect_line(const char *keys, bool fresh, const char *text, int curs
     int at = 4;
     snprintf(list, sizeof list, "%s", keys);
     for (char *key = strtok(list, " "); key; key = strtok(NULL, " ")) {
-        line_key(line, sizeof line, &at, key, fresh);
+        line_edit_key(line, sizeof line, &at, key, fresh);
         fresh = false;
     }
     ck_assert_str_eq(line, text);
@@ -316,9 +316,9 @@ START_TEST(named_keys_are_no_text)
 {
     char line[16] = "1";
     int at = 1;
-    ck_assert(!line_key(line, sizeof line, &at, "F1", false));
-    ck_assert(!line_key(line, sizeof line, &at, "M-x", false));
-    ck_assert(!line_key(line, sizeof line, &at, "Up", false));
+    ck_assert(!line_edit_key(line, sizeof line, &at, "F1", false));
+    ck_assert(!line_edit_key(line, sizeof line, &at, "M-x", false));
+    ck_assert(!line_edit_key(line, sizeof line, &at, "Up", false));
     ck_assert_str_eq(line, "1");
 }
 END_TEST

@@ -1,6 +1,7 @@
 /* What keys do to the laboratory, with a virtual clock and no terminal. */
 #include "suite.h"
 #include "tui/tui_case.h"
+#include "tui/control/prompt/line.h"
 
 #include <dirent.h>
 #include <math.h>
@@ -215,7 +216,7 @@ START_TEST(a_long_step_is_cut_into_frames)
     ck_assert_int_gt(steps, 2);
     ck_assert_int_gt(quiet, 20 * steps);
     /* a key in the middle */
-    ck_assert(bench->lab.in_parts);
+    ck_assert(bench->lab.player.in_parts);
     ck_assert_int_gt(experiment_stage(experiment) + (int)experiment_simulation(experiment)->item, 0);
     press(bench, "1");
     ck_assert_int_eq(step_of(bench), steps);
@@ -541,8 +542,8 @@ END_TEST
 START_TEST(the_log_of_a_duel_tells_of_both)
 {
     Bench *bench = open_bench("crossing", true);
-    ck_assert(run_line(&bench->lab, "duel mpm.algorithm=usl time.courant=0.07"));
-    ck_assert_ptr_nonnull(bench->lab.duel.b);
+    ck_assert(line_run(&bench->lab, "duel mpm.algorithm=usl time.courant=0.07"));
+    ck_assert_ptr_nonnull(bench->lab.player.duel.b);
     press_all(bench, "g # 1 0 0 0 Enter");
     while (bench->lab.screen.state == STATE_COMPUTING)
         frame(bench);
@@ -550,8 +551,8 @@ START_TEST(the_log_of_a_duel_tells_of_both)
     screen->focus = PANE_LOWER;
     press(bench, "9");
     int first, second;
-    experiment_events(bench->lab.duel.a, &first);
-    const Event *events = experiment_events(bench->lab.duel.b, &second);
+    experiment_events(bench->lab.player.duel.a, &first);
+    const Event *events = experiment_events(bench->lab.player.duel.b, &second);
     ck_assert_int_gt(first, 2);
     ck_assert_int_gt(second, 2);
     char text[80];
@@ -568,8 +569,8 @@ START_TEST(the_log_of_a_duel_tells_of_both)
         press(bench, "Enter");
         while (bench->lab.screen.state == STATE_COMPUTING)
             frame(bench);
-        seen += seen < second && experiment_step(bench->lab.duel.b) >= events[seen].step &&
-                experiment_step(bench->lab.duel.b) <= events[seen].step + 1;
+        seen += seen < second && experiment_step(bench->lab.player.duel.b) >= events[seen].step &&
+                experiment_step(bench->lab.player.duel.b) <= events[seen].step + 1;
     }
     ck_assert_int_eq(seen, second);
     close_bench(bench);

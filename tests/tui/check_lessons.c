@@ -2,6 +2,7 @@
  */
 #include "suite.h"
 #include "tui/tui_case.h"
+#include "tui/control/prompt/line.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -141,15 +142,15 @@ static void satisfy(Bench *bench, const LessonUntil *until)
     switch (until->kind) {
     case UNTIL_STEP:
         snprintf(line, sizeof line, "goto #%.0f", until->number);
-        ck_assert(run_line(lab, line));
+        ck_assert(line_run(lab, line));
         break;
     case UNTIL_TIME:
         snprintf(line, sizeof line, "goto %.17g", until->number * (1 + 1e-9));
-        ck_assert_msg(run_line(lab, line), "%s", lab->screen.prompt.problem);
+        ck_assert_msg(line_run(lab, line), "%s", lab->screen.prompt.problem);
         break;
     case UNTIL_END:
-        ck_assert(run_line(lab, "newest"));
-        seek(lab, experiment_last_step(lab->screen.experiment), 0);
+        ck_assert(line_run(lab, "newest"));
+        player_seek(lab, experiment_last_step(lab->screen.experiment), 0);
         break;
     case UNTIL_STAGE:
         while (experiment_stage(lab->screen.experiment) < (int)until->number) {
@@ -165,13 +166,13 @@ static void satisfy(Bench *bench, const LessonUntil *until)
         break;
     case UNTIL_VALUE:
         snprintf(line, sizeof line, "set %s %s", until->word, until->value);
-        ck_assert_msg(run_line(lab, line), "%s", lab->screen.prompt.problem);
+        ck_assert_msg(line_run(lab, line), "%s", lab->screen.prompt.problem);
         break;
     case UNTIL_NOTHING:
         break;
     }
     finish_work(bench);
-    continue_lesson(lab);
+    lesson_play_continue(lab);
 }
 
 /* On a screen of 80x24 nothing has to be scrolled, and nothing that a page did was refused. */
@@ -179,7 +180,7 @@ static void check_page(Bench *bench, const char *name)
 {
     const LessonShown *shown = &bench->lab.screen.lesson;
     finish_work(bench);
-    continue_lesson(&bench->lab);
+    lesson_play_continue(&bench->lab);
     ck_assert_msg(bench->lab.screen.message_kind != MESSAGE_ERROR, "%s, page %d: %s", name, shown->page + 1,
                   text_of(bench));
     ck_assert_int_eq(bench->lab.play.next, bench->lab.play.n_queue);
@@ -194,7 +195,7 @@ START_TEST(every_page_works_and_fits)
     Status status = {STATUS_DONE, ""};
     Bench *bench = open_bench("mode1", true);
     Laboratory *lab = &bench->lab;
-    ck_assert_msg(open_lesson(lab, name, &status), "%s", status.text);
+    ck_assert_msg(lesson_play_open(lab, name, &status), "%s", status.text);
     const int pages = lab->screen.lesson.lesson->n_pages;
     for (int page = 0; page < pages; page++) {
         ck_assert_int_eq(lab->screen.lesson.page, page);
@@ -232,7 +233,7 @@ START_TEST(a_page_can_be_left_out)
 {
     Status status = {STATUS_DONE, ""};
     Bench *bench = open_bench("mode1", true);
-    ck_assert(open_lesson(&bench->lab, "one-step", &status));
+    ck_assert(lesson_play_open(&bench->lab, "one-step", &status));
     const int pages = bench->lab.screen.lesson.lesson->n_pages;
     for (int i = 0; i < 2 * pages; i++)
         press(bench, "PageDown");

@@ -1,24 +1,24 @@
 /* The parameter pane: choosing, nudging and editing in place. */
 #include "tui/control/laboratory.h"
-#include "tui/control/line_edit.h"
+#include "tui/control/prompt/line_edit.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-const Parameter *selected_parameter(const Laboratory *lab)
+const Parameter *edit_selected(const Screen *screen)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
-    int count = screen_parameter_rows(&lab->screen, rows);
-    int selected = lab->screen.selected;
+    int count = screen_parameter_rows(screen, rows);
+    int selected = screen->selected;
     return selected >= 0 && selected < count ? rows[selected].parameter : NULL;
 }
 
-void move_selection(Laboratory *lab, int by)
+void edit_move(Screen *screen, int by)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
-    int count = screen_parameter_rows(&lab->screen, rows);
-    int direction = by < 0 ? -1 : 1, at = lab->screen.selected, last = at;
+    int count = screen_parameter_rows(screen, rows);
+    int direction = by < 0 ? -1 : 1, at = screen->selected, last = at;
     for (int left = by * direction; left > 0;) {
         at += direction;
         if (at < 0 || at >= count)
@@ -28,10 +28,10 @@ void move_selection(Laboratory *lab, int by)
         last = at;
         left--;
     }
-    lab->screen.selected = last < 0 ? 0 : last >= count && count > 0 ? count - 1 : last;
+    screen->selected = last < 0 ? 0 : last >= count && count > 0 ? count - 1 : last;
 }
 
-bool answer_filter(Laboratory *lab, const char *text)
+bool edit_answer_filter(Laboratory *lab, const char *text)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
     snprintf(lab->screen.filter, sizeof lab->screen.filter, "%.31s", text);
@@ -43,8 +43,8 @@ bool answer_filter(Laboratory *lab, const char *text)
         return true;
     lab->screen.filter[0] = '\0';
     lab->screen.selected = 0;
-    move_selection(lab, 1);
-    return refuse(lab, "no parameter has that in its name");
+    edit_move(&lab->screen, 1);
+    return prompt_refuse(&lab->prompting, "no parameter has that in its name");
 }
 
 /* A run that begins anew seeks the time that the first of these edits found on screen. */
@@ -52,28 +52,28 @@ static void return_to_time(Laboratory *lab)
 {
     Experiment *experiment = lab->screen.experiment;
     if (experiment_pending(experiment, NULL)) {
-        const double step = round(lab->anchor_time / experiment_simulation(experiment)->dt);
+        const double step = round(lab->editing.anchor_time / experiment_simulation(experiment)->dt);
         const long last = experiment_last_step(experiment);
-        lab->goal_step = step < (double)last ? (long)step : last;
-        lab->goal_stage = 0;
-        duel_seek(&lab->duel, lab->goal_step, 0);
-        lab->anchor_step = lab->goal_step;
+        lab->player.goal_step = step < (double)last ? (long)step : last;
+        lab->player.goal_stage = 0;
+        duel_seek(&lab->player.duel, lab->player.goal_step, 0);
+        lab->editing.anchor_step = lab->player.goal_step;
     } else
-        lab->anchor_step = experiment_step(experiment);
+        lab->editing.anchor_step = experiment_step(experiment);
 }
 
-void settings_changed(Laboratory *lab)
+void edit_changed(Laboratory *lab)
 {
-    lab->changed = true;
+    lab->editing.changed = true;
     lab->screen.summary_known = false;
-    memset(lab->rates, 0, sizeof lab->rates); /* a step may take longer now */
-    say(lab, MESSAGE_NONE, "%s", "");
-    if (lab->pace_automatic)
-        choose_pace(lab);
-    settle(lab);
+    player_forget_rates(&lab->player); /* a step may take longer now */
+    laboratory_say(lab, MESSAGE_NONE, "%s", "");
+    if (lab->player.pace_automatic)
+        player_choose_pace(&lab->screen);
+    player_settle(lab);
     const char *advice = experiment_advice(lab->screen.experiment);
     if (advice && *advice)
-        say(lab, MESSAGE_WARNING, "%s", advice);
+        laboratory_say(lab, MESSAGE_WARNING, "%s", advice);
 }
 
 /* Where a particle was at first; 0 in a direction that there is not. */
@@ -99,7 +99,7 @@ static size_t nearest_to(const Simulation *sim, const double place[SIMULATION_DI
     return nearest;
 }
 
-bool change_runs(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
+bool edit_change_runs(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
 {
     size_t *chosen = &lab->screen.chosen.particle;
     const Simulation *sim = experiment_simulation(lab->screen.experiment);
@@ -107,7 +107,7 @@ bool change_runs(Laboratory *lab, const Settings *settings, DuelChange verb, Sta
     double place[SIMULATION_DIMENSIONS_MAX] = {0};
     if (*chosen < before)
         place_of(sim, *chosen, place);
-    if (!duel_change(&lab->duel, settings, verb, status))
+    if (!duel_change(&lab->player.duel, settings, verb, status))
         return false;
     sim = experiment_simulation(lab->screen.experiment);
     if (*chosen < before && sim->counts[0] != before)
@@ -115,22 +115,22 @@ bool change_runs(Laboratory *lab, const Settings *settings, DuelChange verb, Sta
     return true;
 }
 
-bool change_settings(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
+bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
 {
     Settings old = *experiment_settings(lab->screen.experiment);
     bool same = settings_same(&old, settings);
     long step;
     int stage;
-    present(lab, &step, &stage);
+    player_place(lab, &step, &stage);
     /* a time on screen is a multiple of the time step, which changes: without this, it would wander */
-    if (step != lab->anchor_step)
-        lab->anchor_time = (double)step * experiment_simulation(lab->screen.experiment)->dt;
+    if (step != lab->editing.anchor_step)
+        lab->editing.anchor_time = (double)step * experiment_simulation(lab->screen.experiment)->dt;
     /* what was at its end comes back to its end, which may lie a part of a step later */
     if (step >= experiment_last_step(lab->screen.experiment) && settings->time.end == old.time.end)
-        lab->anchor_time = 2 * old.time.end;
+        lab->editing.anchor_time = 2 * old.time.end;
     Status said = {STATUS_DONE, ""};
-    bool taken = change_runs(lab, settings, verb, &said);
-    say(lab, MESSAGE_NONE, "%s", ""); /* how far it has been built */
+    bool taken = edit_change_runs(lab, settings, verb, &said);
+    laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* how far it has been built */
     if (!taken) {
         *status = said;
         return false;
@@ -138,18 +138,19 @@ bool change_settings(Laboratory *lab, const Settings *settings, DuelChange verb,
     if (same)
         return true;
     return_to_time(lab);
-    if (lab->n_undo == UNDO_MAX)
-        memmove(lab->undo, lab->undo + 1, (size_t)--lab->n_undo * sizeof *lab->undo);
-    lab->undo[lab->n_undo++] = old;
-    lab->n_redo = 0;
-    settings_changed(lab);
-    duel_over(lab, &said);
+    if (lab->editing.n_undo == UNDO_MAX)
+        memmove(lab->editing.undo, lab->editing.undo + 1,
+                (size_t)--lab->editing.n_undo * sizeof *lab->editing.undo);
+    lab->editing.undo[lab->editing.n_undo++] = old;
+    lab->editing.n_redo = 0;
+    edit_changed(lab);
+    player_tell_duel_over(lab, &said);
     return true;
 }
 
-void nudge_selected(Laboratory *lab, int direction)
+void edit_nudge(Laboratory *lab, int direction)
 {
-    const Parameter *parameter = selected_parameter(lab);
+    const Parameter *parameter = edit_selected(&lab->screen);
     if (!parameter)
         return;
     Settings settings = *experiment_settings(lab->screen.experiment);
@@ -158,43 +159,43 @@ void nudge_selected(Laboratory *lab, int direction)
         char range[96];
         parameter_range(parameter, settings.problem, range, sizeof range);
         if (parameter->nudge == NUDGE_NONE)
-            say(lab, MESSAGE_INFO, "%s: Enter edits it", parameter->label);
+            laboratory_say(lab, MESSAGE_INFO, "%s: Enter edits it", parameter->label);
         else
-            say(lab, MESSAGE_INFO, "%s: %s", parameter->label, range);
-    } else if (!change_settings(lab, &settings, experiment_edit, &status))
-        say(lab, MESSAGE_ERROR, "%s", status.text);
+            laboratory_say(lab, MESSAGE_INFO, "%s: %s", parameter->label, range);
+    } else if (!edit_change(lab, &settings, experiment_edit, &status))
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
 }
 
-void begin_edit(Laboratory *lab)
+void edit_begin(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
-    const Parameter *parameter = selected_parameter(lab);
+    const Parameter *parameter = edit_selected(&lab->screen);
     if (!parameter)
         return;
     if (parameter->type == PARAMETER_CHOICE || parameter->type == PARAMETER_FLAG) {
         Settings settings = *experiment_settings(lab->screen.experiment);
         Status status = {STATUS_DONE, ""};
         if (!settings_nudge(&settings, parameter, 1) ||
-            !change_settings(lab, &settings, experiment_edit, &status))
-            say(lab, MESSAGE_ERROR, "%s", status.text);
+            !edit_change(lab, &settings, experiment_edit, &status))
+            laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
         return;
     }
     settings_get(experiment_settings(lab->screen.experiment), parameter, screen->edit.text);
     screen->edit.cursor = text_characters(screen->edit.text);
     screen->edit.problem[0] = '\0';
     screen->edit.open = true;
-    lab->fresh = true;
+    lab->editing.fresh = true;
 }
 
 /* True: taken, the editor is closed. */
 static bool accept_edit(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
-    const Parameter *parameter = selected_parameter(lab);
+    const Parameter *parameter = edit_selected(&lab->screen);
     Settings settings = *experiment_settings(lab->screen.experiment);
     Status status = {STATUS_DONE, ""};
     if (parameter && (!settings_set(&settings, parameter->key, screen->edit.text, &status) ||
-                      !change_settings(lab, &settings, experiment_edit, &status))) {
+                      !edit_change(lab, &settings, experiment_edit, &status))) {
         snprintf(screen->edit.problem, sizeof screen->edit.problem, "%.159s", status.text);
         return false;
     }
@@ -212,13 +213,13 @@ void edit_key(Laboratory *lab, const Key *key)
         screen->edit.open = false;
     else if (strcmp(name, "Up") == 0 || strcmp(name, "S-Tab") == 0) {
         if (accept_edit(lab))
-            move_selection(lab, -1);
+            edit_move(&lab->screen, -1);
     } else if (strcmp(name, "Down") == 0 || strcmp(name, "Tab") == 0) {
         if (accept_edit(lab))
-            move_selection(lab, 1);
-    } else if (line_key(screen->edit.text, sizeof screen->edit.text, &screen->edit.cursor, name,
-                        lab->fresh)) {
-        lab->fresh = false;
+            edit_move(&lab->screen, 1);
+    } else if (line_edit_key(screen->edit.text, sizeof screen->edit.text, &screen->edit.cursor, name,
+                             lab->editing.fresh)) {
+        lab->editing.fresh = false;
         screen->edit.problem[0] = '\0';
     }
 }

@@ -1,50 +1,44 @@
 /* The laboratory as its hosts see it: opened, given keys and frames, drawn, closed. It stands above all other
  * files of this folder but those that drive it. */
 #include "tui/control/laboratory.h"
+#include "tui/control/prompt/line.h"
+#include "tui/control/opening.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define MESSAGE_SECONDS                                                                                      \
-    4.0 /* while a run goes on, the keys come back into the bottom bar after that long                       \
-         */
-
-#define CHUNK_SECONDS 0.004 /* the engine is let go for about that long before the clock is read again */
-#define STEP_SHARE    0.5   /* of a frame: a step that takes longer is done in parts */
-#define ROUND_FRAMES  15    /* frames in time before "max" goes from the title */
-
-/* --- opening and closing -----------------------------------------------------------------------------
- */
-
 bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Host *host, Status *status)
 {
-    *lab = (Laboratory){.host = *host, .options = *options, .overlay = {.y = -1}, .run_limit = -1};
+    *lab = (Laboratory){.host = *host,
+                        .options = *options,
+                        .overlay = {.y = -1},
+                        .player = {.run_limit = -1},
+                        .prompting = {.shown = &lab->screen.prompt}};
     lab->asker = options->replay || options->last ? ASKER_REPLAY : laboratory_user(lab);
     lab->carry_out = laboratory_command;
-    lab->run_line = run_line;
+    lab->run_line = line_run;
     lab->utf8 = true;
-    lab->undo = calloc(UNDO_MAX, sizeof *lab->undo);
-    lab->redo = calloc(UNDO_MAX, sizeof *lab->redo);
-    if (!lab->undo || !lab->redo) {
+    lab->editing.undo = calloc(UNDO_MAX, sizeof *lab->editing.undo);
+    lab->editing.redo = calloc(UNDO_MAX, sizeof *lab->editing.redo);
+    if (!lab->editing.undo || !lab->editing.redo) {
         laboratory_close(lab);
         return status_fail(status, STATUS_FAILED, "out of memory");
     }
     screen_default(&lab->screen);
     Settings settings = *options->settings;
-    show_building_of(lab, &settings);
-    lab->screen.experiment = make_experiment(lab, &settings, status);
+    opening_show_progress(lab, &settings);
+    lab->screen.experiment = opening_experiment(lab, &settings, status);
     if (!lab->screen.experiment) {
         laboratory_close(lab);
         return false;
     }
-    name_scenario(lab, options->scenario);
-    begin_run(lab);
+    opening_name(lab, options->scenario);
+    opening_begin(lab);
     if (options->paused)
-        lab->resume = lab->screen.state = STATE_PAUSED;
+        lab->player.resume = lab->screen.state = STATE_PAUSED;
     if (options->reached)
         memcpy(lab->screen.lesson.reached, options->reached, sizeof lab->screen.lesson.reached);
-    if (options->lesson && !open_lesson(lab, options->lesson, status)) {
+    if (options->lesson && !lesson_play_open(lab, options->lesson, status)) {
         laboratory_close(lab);
         return false;
     }
@@ -53,197 +47,19 @@ bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Ho
 
 void laboratory_close(Laboratory *lab)
 {
-    close_lesson(lab);
-    duel_close(&lab->duel);
+    lesson_play_close(lab);
+    duel_close(&lab->player.duel);
     experiment_destroy(lab->screen.experiment);
     overlay_close(&lab->overlay);
-    free(lab->undo);
-    free(lab->redo);
+    free(lab->editing.undo);
+    free(lab->editing.redo);
     lab->screen.experiment = NULL;
-    lab->undo = lab->redo = NULL;
-}
-
-/* --- the engine's share of a frame ------------------------------------------------------------------ */
-
-bool laboratory_active(const Laboratory *lab)
-{
-    return !lab->closed && (lab->screen.state == STATE_RUNNING || lab->screen.state == STATE_COMPUTING);
-}
-
-/* Steps for the next piece of work: about CHUNK_SECONDS of it, judged by the last piece. */
-static long chunk(double rate, long wanted, double time_left)
-{
-    double seconds = time_left < CHUNK_SECONDS ? time_left : CHUNK_SECONDS;
-    double steps = rate > 0 ? rate * seconds : 1;
-    return steps < 1 ? 1 : steps > (double)wanted ? wanted : (long)steps;
-}
-
-/* How fast the engine is: a running mean over pieces, so that one hiccup does not count. */
-static void learn_rate(double *known, long steps, double seconds)
-{
-    /* a piece too short for the clock says no more than "more than that" */
-    double rate = seconds > 0 ? (double)steps / seconds : 8 * (double)steps / CHUNK_SECONDS;
-    if (*known <= 0 || seconds <= 0)
-        *known = rate > *known ? rate : *known;
-    else
-        *known = 0.7 * *known + 0.3 * rate;
-}
-
-/* Does a piece of work by `verb` and tells the clock. */
-static bool work(Laboratory *lab, bool (*verb)(Duel *, long, Status *), double *rate, long steps,
-                 Status *status)
-{
-    double before = lab->host.now(lab->host.context);
-    bool sound = verb(&lab->duel, steps, status);
-    lab->host.worked(lab->host.context, steps);
-    learn_rate(rate, steps, lab->host.now(lab->host.context) - before);
-    return sound;
-}
-
-/* What the next step will take. */
-static double step_seconds(double rate)
-{
-    return rate > 0 ? 1 / rate : 0;
-}
-
-/* Whether steps may be done whole: not the first one, of which nothing is known, nor those that leave no room
- * in a frame. */
-static bool steps_are_short(double rate)
-{
-    return rate > 0 && step_seconds(rate) < STEP_SHARE * FRAME_SECONDS;
-}
-
-static bool key_waits(const Laboratory *lab)
-{
-    return lab->host.key_waits && lab->host.key_waits(lab->host.context);
-}
-
-/* A step, or the next part of it, by `verb`, up to the deadline. Returns how many steps were completed. */
-static long work_in_parts(Laboratory *lab, bool (*verb)(Duel *, double, bool *, Status *), double *rate,
-                          double deadline, bool *sound, Status *status)
-{
-    /* all of a step may be in one stage */
-    const double share = *rate > 0 ? CHUNK_SECONDS * *rate : 1.0 / 64;
-    bool whole = false;
-    double last = lab->host.now(lab->host.context);
-    lab->in_parts = true;
-    do {
-        *sound = verb(&lab->duel, share, &whole, status);
-        if (whole)
-            lab->host.worked(lab->host.context, 1);
-        double now = lab->host.now(lab->host.context);
-        lab->part_seconds += now - last;
-        last = now;
-    } while (*sound && !whole && last < deadline && !key_waits(lab));
-    if (*sound && !whole)
-        return 0;
-    learn_rate(rate, 1, lab->part_seconds);
-    lab->in_parts = false;
-    lab->part_seconds = 0;
-    return 1;
-}
-
-static bool run_frame(Laboratory *lab, double deadline)
-{
-    Screen *screen = &lab->screen;
-    Status status = {STATUS_DONE, ""};
-    double begin = lab->host.now(lab->host.context);
-    if (!lab->in_parts)
-        lab->owed += screen->pace;
-    long wanted = lab->in_parts ? 1 : (long)lab->owed, done = 0;
-    if (!lab->in_parts)
-        lab->owed -= (double)wanted;
-    if (lab->run_limit >= 0 && wanted > lab->run_limit - experiment_step(screen->experiment))
-        wanted = lab->run_limit - experiment_step(screen->experiment);
-    bool sound = true, in_time = true;
-    double *rate = &lab->rates[RATE_RUN];
-    while (sound && in_time && done < wanted && !experiment_at_end(screen->experiment)) {
-        if (done > 0 && key_waits(lab)) {
-            lab->owed += fmin((double)(wanted - done), screen->pace);
-            break;
-        }
-        double left = deadline - lab->host.now(lab->host.context);
-        if (done > 0 && left < step_seconds(*rate)) {
-            in_time = false;
-        } else if (lab->in_parts || !steps_are_short(*rate)) {
-            done += work_in_parts(lab, duel_advance_part, rate, deadline, &sound, &status);
-            in_time = !lab->in_parts;
-        } else {
-            long piece = chunk(*rate, wanted - done, left);
-            sound = work(lab, duel_advance, rate, piece, &status);
-            done += piece;
-        }
-    }
-    lab->frames_in_time = in_time ? lab->frames_in_time + 1 : 0;
-    if (!in_time)
-        screen->at_limit = true;
-    else if (lab->frames_in_time >= ROUND_FRAMES)
-        screen->at_limit = false;
-    double took = lab->host.now(lab->host.context) - begin;
-    double reached = (double)done / (took > FRAME_SECONDS ? took / FRAME_SECONDS : 1);
-    screen->rate = screen->rate > 0 ? 0.8 * screen->rate + 0.2 * reached : reached;
-    if (!lab->in_parts && (!sound || experiment_at_end(screen->experiment)))
-        settle(lab);
-    tell_second(lab);
-    return !lab->in_parts || done > 0;
-}
-
-static bool compute_frame(Laboratory *lab, double deadline)
-{
-    Duel *duel = &lab->duel;
-    Status status = {STATUS_DONE, ""};
-    long left, most = 0;
-    bool sound = true;
-    for (bool first = true; sound && duel_pending(duel, &left); first = false) {
-        double time_left = deadline - lab->host.now(lab->host.context);
-        double *rate = &lab->rates[duel_turn(duel) == duel->b ? RATE_SECOND : RATE_FIRST];
-        if (!first && (time_left < step_seconds(*rate) || key_waits(lab)))
-            break;
-        if (left > most)
-            most = left;
-        if (left > 0 && (lab->in_parts || !steps_are_short(*rate))) {
-            work_in_parts(lab, duel_work_part, rate, deadline, &sound, &status);
-            if (lab->in_parts)
-                return false;
-        } else
-            sound = work(lab, duel_work, rate, chunk(*rate, left > 0 ? left : 1, time_left), &status);
-    }
-    if (!sound || !duel_pending(duel, &left)) {
-        lab->screen.work_share = 0;
-        settle(lab);
-        return true;
-    }
-    /* the first frame of a work is where its length is known */
-    if (lab->screen.work_share <= 0 || left > lab->work_total)
-        lab->work_total = most > 0 ? most : 1;
-    lab->screen.work_share = 1 - (double)left / (double)lab->work_total;
-    if (lab->screen.work_share < 1e-6)
-        lab->screen.work_share = 1e-6;
-    return true;
-}
-
-static bool do_frame(Laboratory *lab, double deadline)
-{
-    if (lab->screen.message_kind == MESSAGE_INFO &&
-        lab->host.now(lab->host.context) > lab->said_at + MESSAGE_SECONDS)
-        say(lab, MESSAGE_NONE, "%s", "");
-    if (lab->screen.state == STATE_COMPUTING)
-        return compute_frame(lab, deadline);
-    if (lab->screen.state == STATE_RUNNING)
-        return run_frame(lab, deadline);
-    return true;
-}
-
-bool laboratory_frame(Laboratory *lab, double deadline)
-{
-    const bool news = do_frame(lab, deadline);
-    continue_lesson(lab);
-    return news;
+    lab->editing.undo = lab->editing.redo = NULL;
 }
 
 bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)
 {
-    drop_part(lab);
+    player_drop_part(&lab->player);
     /* where not all panes have room, the plot is what a run is looked at for: Tab reaches the others */
     const bool was_whole = lab->width == 0 || screen_is_whole(lab->width, lab->height);
     const bool is_whole = screen_is_whole(width, height);

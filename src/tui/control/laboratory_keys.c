@@ -85,9 +85,9 @@ static void click(Laboratory *lab, int x, int y)
         return;
     const long step = screen_timeline_step(screen, lab->width, lab->height, x, y);
     if (step >= 0) {
-        lab->drag = DRAG_TIME;
-        pause_run(lab);
-        seek(lab, step, 0);
+        lab->held.drag = DRAG_TIME;
+        player_pause(lab);
+        player_seek(lab, step, 0);
         return;
     }
     for (int pane = 0; pane < PANE_COUNT; pane++)
@@ -96,14 +96,14 @@ static void click(Laboratory *lab, int x, int y)
             screen->focus = (PaneId)pane;
             screen->cursor_time = NAN;
         }
-    if (click_lesson(lab, x, y) || screen_click_view(screen, lab->width, lab->height, x, y) ||
+    if (lesson_play_click(lab, x, y) || screen_click_view(screen, lab->width, lab->height, x, y) ||
         screen_choose_in_strip(screen, lab->width, lab->height, x, y))
         return;
     int row = screen_parameter_at(screen, lab->width, lab->height, x, y);
     if (row < 0)
         return;
-    lab->drag = DRAG_VALUE;
-    lab->drag_x = x;
+    lab->held.drag = DRAG_VALUE;
+    lab->held.drag_x = x;
     if (row == screen->selected)
         laboratory_command(lab, COMMAND_ENTER);
     screen->selected = row;
@@ -113,14 +113,14 @@ static void click(Laboratory *lab, int x, int y)
 static void drag(Laboratory *lab, int x)
 {
     enum { CELLS_A_NUDGE = 2 };
-    const int nudges = (x - lab->drag_x) / CELLS_A_NUDGE;
-    if (lab->drag == DRAG_TIME) {
-        seek(lab, screen_timeline_nearest(&lab->screen, lab->width, lab->height, x), 0);
-    } else if (lab->drag == DRAG_VALUE && nudges != 0) {
+    const int nudges = (x - lab->held.drag_x) / CELLS_A_NUDGE;
+    if (lab->held.drag == DRAG_TIME) {
+        player_seek(lab, screen_timeline_nearest(&lab->screen, lab->width, lab->height, x), 0);
+    } else if (lab->held.drag == DRAG_VALUE && nudges != 0) {
         lab->screen.edit.open = false; /* the press was the beginning of a way */
-        lab->drag_x += CELLS_A_NUDGE * nudges;
+        lab->held.drag_x += CELLS_A_NUDGE * nudges;
         for (int i = 0; i < abs(nudges); i++)
-            nudge_selected(lab, nudges > 0 ? 1 : -1);
+            edit_nudge(lab, nudges > 0 ? 1 : -1);
     }
 }
 
@@ -139,7 +139,7 @@ static bool mouse_key(Laboratory *lab, const Key *key)
     bool busy = lab->screen.prompt.open || lab->screen.edit.open;
     const bool drags = strcmp(key->name, "Drag") == 0;
     if (!drags)
-        lab->drag = DRAG_NOTHING;
+        lab->held.drag = DRAG_NOTHING;
     if (strcmp(key->name, "Click") == 0) {
         if (!busy)
             click(lab, key->x, key->y);
@@ -179,29 +179,30 @@ static void take_pasted(Laboratory *lab, const char *what)
 {
     const bool ends_line = strcmp(what, "Enter") == 0;
     if (!takes_text(&lab->screen)) {
-        say(lab, MESSAGE_INFO, "pasted text goes into a field or a question only; : asks for a command");
+        laboratory_say(lab, MESSAGE_INFO,
+                       "pasted text goes into a field or a question only; : asks for a command");
         return;
     }
-    if (!ends_line && lab->pasted_line)
+    if (!ends_line && lab->held.pasted_line)
         text_key(lab, "Space");
     if (!ends_line)
         text_key(lab, what);
-    lab->pasted_line = ends_line;
+    lab->held.pasted_line = ends_line;
 }
 
 static void take_key(Laboratory *lab, const Key *key)
 {
     const Command *command = command_by_key(key->name);
     const char *pasted = keys_pasted(key->name);
-    drop_part(lab);
+    player_drop_part(&lab->player);
     if (lab->recording)
         session_note(lab->recording, lab, key);
-    say(lab, MESSAGE_NONE, "%s", "");
+    laboratory_say(lab, MESSAGE_NONE, "%s", "");
     if (pasted) {
         take_pasted(lab, pasted);
         return;
     }
-    lab->pasted_line = false;
+    lab->held.pasted_line = false;
     if (command && is_for_everywhere(command->id))
         laboratory_command(lab, command->id);
     else if (mouse_key(lab, key))
@@ -212,18 +213,18 @@ static void take_key(Laboratory *lab, const Key *key)
         edit_key(lab, key);
     else if (lab->screen.help)
         help_command(lab, command ? command->id : COMMAND_NONE);
-    else if (lesson_key(lab, key))
+    else if (lesson_play_key(lab, key))
         return;
     else if (command)
         laboratory_command(lab, command->id);
     else if (strlen(key->name) == 1 && key->name[0] >= '1' && key->name[0] <= '9')
         laboratory_command(lab, command_of_digit(key->name[0] - '0')); /* says why not */
     else if (strlen(key->name) == 1)
-        say(lab, MESSAGE_INFO, "the key %s does nothing; ? tells what the others do", key->name);
+        laboratory_say(lab, MESSAGE_INFO, "the key %s does nothing; ? tells what the others do", key->name);
 }
 
 void laboratory_key(Laboratory *lab, const Key *key)
 {
     take_key(lab, key);
-    continue_lesson(lab);
+    lesson_play_continue(lab);
 }

@@ -1,5 +1,8 @@
 /* Opening the laboratory and other scenarios in it: what a run is begun with, and at which pace. */
 #include "tui/control/laboratory.h"
+#include "tui/control/commands/commands.h"
+#include "tui/control/second_run.h"
+#include "tui/control/opening.h"
 
 #include "base/visible.h"
 #include "lab/settings/scenario.h"
@@ -18,7 +21,7 @@ static void read_view(Laboratory *lab)
     screen_open_views(screen, view);
     if (sscanf(view->pace, "%lf", &value) == 1 && value > 0) {
         screen->pace = value;
-        lab->pace_automatic = false;
+        lab->player.pace_automatic = false;
     }
     screen_read_view(screen, view);
 }
@@ -45,17 +48,17 @@ static int threads_of(const Laboratory *lab)
 }
 
 /* What belongs to a run and not to the way it is looked at; for a run that takes the place of another. */
-void begin_run(Laboratory *lab)
+void opening_begin(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
-    lab->pace_automatic = true;
-    lab->n_undo = lab->n_redo = 0;
-    lab->changed = false;
-    lab->anchor_step = screen->log.event = -1;
+    lab->player.pace_automatic = true;
+    lab->editing.n_undo = lab->editing.n_redo = 0;
+    lab->editing.changed = false;
+    lab->editing.anchor_step = screen->log.event = -1;
     screen->n_bookmarks = screen->log.first = 0;
-    lab->owed = 0;
-    memset(lab->rates, 0, sizeof lab->rates);
-    lab->frames_in_time = 0;
+    lab->player.owed = 0;
+    player_forget_rates(&lab->player);
+    lab->player.frames_in_time = 0;
     screen->at_limit = false;
     screen->summary_known = false;
     screen->cursor_time = NAN;
@@ -65,21 +68,21 @@ void begin_run(Laboratory *lab)
     const Simulation *simulation = experiment_simulation(screen->experiment);
     screen->chosen.particle = screen_middle_particle(simulation);
     screen->chosen.node = simulation->n_sets > 1 ? simulation->counts[1] / 2 : 0;
-    choose_pace(lab);
+    player_choose_pace(&lab->screen);
     read_view(lab);
-    screen->duel = &lab->duel;
-    duel_open(&lab->duel, screen->experiment, history_size(lab), threads_of(lab));
-    lab->second_ended = false;
+    screen->duel = &lab->player.duel;
+    duel_open(&lab->player.duel, screen->experiment, history_size(lab), threads_of(lab));
+    lab->player.second_ended = false;
     screen->selected = first_parameter(screen);
-    lab->resume = screen->state = STATE_RUNNING;
-    say(lab, MESSAGE_NONE, "%s", "");
-    open_duel(lab);
+    lab->player.resume = screen->state = STATE_RUNNING;
+    laboratory_say(lab, MESSAGE_NONE, "%s", "");
+    second_run_open(lab);
     const char *advice = experiment_advice(screen->experiment);
     if (advice && !screen->message[0])
-        say(lab, MESSAGE_WARNING, "%s", advice);
+        laboratory_say(lab, MESSAGE_WARNING, "%s", advice);
 }
 
-void name_scenario(Laboratory *lab, const char *name)
+void opening_name(Laboratory *lab, const char *name)
 {
     text_visible(lab->scenario, sizeof lab->scenario, name ? name : "");
     lab->screen.scenario = lab->scenario;
@@ -96,17 +99,17 @@ static bool show_building(double share, void *context)
         lab->built_at = now;
     if (now < lab->built_at + BUILDING_SECONDS)
         return true;
-    say(lab, MESSAGE_INFO, "building the run: %d %%   ^C gives up", (int)(100 * share));
+    laboratory_say(lab, MESSAGE_INFO, "building the run: %d %%   ^C gives up", (int)(100 * share));
     return lab->host.go_on(lab->host.context);
 }
 
 /* Settings whose simulation shows on the screen how far its building has come; copies of them do too. */
-void show_building_of(Laboratory *lab, Settings *settings)
+void opening_show_progress(Laboratory *lab, Settings *settings)
 {
     settings->patience = (Patience){show_building, lab};
 }
 
-Experiment *make_experiment(const Laboratory *lab, const Settings *settings, Status *status)
+Experiment *opening_experiment(const Laboratory *lab, const Settings *settings, Status *status)
 {
     return experiment_create(settings, history_size(lab), threads_of(lab), status);
 }
@@ -116,7 +119,7 @@ Asker laboratory_user(const Laboratory *lab)
     return lab->options.script ? ASKER_SCRIPT : ASKER_KEYBOARD;
 }
 
-bool open_scenario(Laboratory *lab, const char *name, Status *status)
+bool opening_scenario(Laboratory *lab, const char *name, Status *status)
 {
     Settings *settings = malloc(sizeof *settings);
     if (!settings)
@@ -124,9 +127,9 @@ bool open_scenario(Laboratory *lab, const char *name, Status *status)
     Experiment *experiment = NULL;
     if (scenario_load(name, settings, status) && settings_check(settings, status) &&
         (view_check(&settings->view, status) || (scenario_blame(name, NULL, 0, status), false))) {
-        show_building_of(lab, settings);
-        experiment = make_experiment(lab, settings, status);
-        say(lab, MESSAGE_NONE, "%s", "");
+        opening_show_progress(lab, settings);
+        experiment = opening_experiment(lab, settings, status);
+        laboratory_say(lab, MESSAGE_NONE, "%s", "");
         if (!experiment && status)
             scenario_blame(name, NULL, 0, status);
     }
@@ -138,10 +141,18 @@ bool open_scenario(Laboratory *lab, const char *name, Status *status)
         lab->screen.n_variants = 0;
         lab->screen.window = fresh.window;
         lab->screen.references = fresh.references;
-        map_whole(lab);
-        name_scenario(lab, name);
-        begin_run(lab);
+        command_map_whole(&lab->screen);
+        opening_name(lab, name);
+        opening_begin(lab);
     }
     free(settings);
     return experiment != NULL;
+}
+
+bool opening_answer(Laboratory *lab, const char *text)
+{
+    Status status = {STATUS_DONE, ""};
+    if (!text[0])
+        return true;
+    return opening_scenario(lab, text, &status) || prompt_refuse(&lab->prompting, status.text);
 }

@@ -1,5 +1,6 @@
 /* The duel: a second run beside the first one. */
 #include "tui/control/laboratory.h"
+#include "tui/control/second_run.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -7,45 +8,45 @@
 
 static bool begin(Laboratory *lab, const Assignment *keys, int n_keys, Status *status)
 {
-    const bool sound = duel_start(&lab->duel, keys, n_keys, status);
-    say(lab, MESSAGE_NONE, "%s", ""); /* how far it has been built */
+    const bool sound = duel_start(&lab->player.duel, keys, n_keys, status);
+    laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* how far it has been built */
     if (!sound)
         return false;
-    memset(lab->rates, 0, sizeof lab->rates);
+    player_forget_rates(&lab->player);
     lab->screen.cursor_time = NAN;
     lab->screen.summary_known = false;
-    settle(lab);
+    player_settle(lab);
     return true;
 }
 
-void open_duel(Laboratory *lab)
+void second_run_open(Laboratory *lab)
 {
     const Settings *settings = experiment_settings(lab->screen.experiment);
     Status status = {STATUS_DONE, ""};
     if (settings->n_duel > 0 && !begin(lab, settings->duel, settings->n_duel, &status))
-        say(lab, MESSAGE_WARNING, "no duel: %s", status.text);
+        laboratory_say(lab, MESSAGE_WARNING, "no duel: %s", status.text);
 }
 
-bool answer_duel(Laboratory *lab, const char *words)
+bool second_run_answer(Laboratory *lab, const char *words)
 {
     Assignment keys[DUEL_MAX];
     Status status = {STATUS_DONE, ""};
     const int n_keys = duel_read_keys(words, keys, &status);
     if (n_keys == 0)
-        return refuse(lab, "KEY=VALUE is wanted, as in mpm.algorithm=usl; Tab completes");
-    return (n_keys > 0 && begin(lab, keys, n_keys, &status)) || refuse(lab, status.text);
+        return prompt_refuse(&lab->prompting, "KEY=VALUE is wanted, as in mpm.algorithm=usl; Tab completes");
+    return (n_keys > 0 && begin(lab, keys, n_keys, &status)) || prompt_refuse(&lab->prompting, status.text);
 }
 
 static void suggest(Laboratory *lab, int direction)
 {
-    const int to = lab->suggestion + direction;
+    const int to = lab->prompting.suggestion + direction;
     Assignment keys[DUEL_MAX];
     if (to < 0 || duel_suggest(experiment_settings(lab->screen.experiment), to, keys) == 0)
         return;
-    lab->suggestion = to;
+    lab->prompting.suggestion = to;
     char text[sizeof lab->screen.prompt.text];
     duel_write_keys(keys, 1, text, sizeof text);
-    fill_prompt(lab, text);
+    prompt_fill(&lab->prompting, text);
 }
 
 static bool duel_key(Laboratory *lab, const char *key)
@@ -58,29 +59,29 @@ static bool duel_key(Laboratory *lab, const char *key)
 
 static const Typing typing = {.key = duel_key, .offer = complete_assignments};
 
-void toggle_duel(Laboratory *lab)
+void second_run_toggle(Laboratory *lab)
 {
-    Duel *duel = &lab->duel;
+    Duel *duel = &lab->player.duel;
     const Settings *settings = experiment_settings(lab->screen.experiment);
     Assignment keys[DUEL_MAX];
     char text[sizeof lab->screen.prompt.text];
     if (duel->b) {
         duel_end(duel);
-        memset(lab->rates, 0, sizeof lab->rates);
-        settle(lab);
-        say(lab, MESSAGE_INFO, "the duel is over: the curve of B stays until the next change");
+        player_forget_rates(&lab->player);
+        player_settle(lab);
+        laboratory_say(lab, MESSAGE_INFO, "the duel is over: the curve of B stays until the next change");
         return;
     }
     if (settings->n_duel > 0) {
-        open_duel(lab);
+        second_run_open(lab);
         return;
     }
     /* what was the last one is asked for again, else what the scenario asks about */
-    lab->suggestion = duel->n_keys > 0 ? -1 : 0;
+    lab->prompting.suggestion = duel->n_keys > 0 ? -1 : 0;
     const int n_keys = duel->n_keys > 0 ? duel->n_keys : duel_suggest(settings, 0, keys);
     duel_write_keys(duel->n_keys > 0 ? duel->keys : keys, n_keys, text, sizeof text);
-    ask(lab, answer_duel, false, text, "in B is");
-    lab->typing = &typing;
+    prompt_ask(&lab->prompting, second_run_answer, false, text, "in B is");
+    lab->prompting.typing = &typing;
     snprintf(lab->screen.prompt.hint, sizeof lab->screen.prompt.hint,
              "in what the second run differs; Down offers others, Tab completes, Enter begins the duel");
 }

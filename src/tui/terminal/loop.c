@@ -145,7 +145,7 @@ static bool open_loop(Loop *loop, const LaboratoryOptions *options, Status *stat
     loop->lab.utf8 = terminal_is_utf8(loop->terminal);
     const char *stand_in = terminal_stand_in(loop->terminal);
     if (stand_in && !screen->message[0])
-        say(&loop->lab, MESSAGE_INFO, "TERM=%.40s is not known here: drawn as on %s", getenv("TERM"),
+        laboratory_say(&loop->lab, MESSAGE_INFO, "TERM=%.40s is not known here: drawn as on %s", getenv("TERM"),
             stand_in);
     return true;
 }
@@ -164,7 +164,7 @@ static double replay_due(const Loop *loop)
 static void end_replay(Loop *loop, const char *how)
 {
     replay_end(&loop->replay, &loop->lab);
-    say(&loop->lab, MESSAGE_INFO, "%s: the laboratory is yours", how);
+    laboratory_say(&loop->lab, MESSAGE_INFO, "%s: the laboratory is yours", how);
     loop->stale = true;
 }
 
@@ -184,7 +184,7 @@ static void replay_round(Loop *loop)
             return;
     }
     if (is_replaying(loop))
-        lab->run_limit = replay_next(&loop->replay)->on_the_way ? -1 : replay_next(&loop->replay)->step;
+        lab->player.run_limit = replay_next(&loop->replay)->on_the_way ? -1 : replay_next(&loop->replay)->step;
 }
 
 static void one_round(Loop *loop)
@@ -212,7 +212,7 @@ static void one_round(Loop *loop)
             loop->stale = true;
         loop->due = loop->due + FRAME_SECONDS > begin ? loop->due + FRAME_SECONDS : begin + FRAME_SECONDS;
         /* where the engine is the limit it does not wait for a frame that has room for another step */
-        if (lab->frames_in_time == 0)
+        if (lab->player.frames_in_time == 0)
             loop->due = now(NULL);
     }
     if (loop->stale && !terminal_is_behind(loop->terminal))
@@ -253,7 +253,7 @@ int loop_run(const LaboratoryOptions *options, const Session *replay, Session *r
     loop->fast = options->fast;
     loop->replayed_at = now(NULL);
     if (is_replaying(loop))
-        say(&loop->lab, MESSAGE_INFO, "a session is done again: any key takes over");
+        laboratory_say(&loop->lab, MESSAGE_INFO, "a session is done again: any key takes over");
     else if (replay)
         end_replay(loop, "the session holds no keys");
     loop->stale = true;

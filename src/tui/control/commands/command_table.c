@@ -1,39 +1,27 @@
 /* What each command does: one function each, found by its id. */
 #include "tui/control/commands/commands.h"
+#include "tui/control/prompt/scenario_prompt.h"
+#include "tui/control/prompt/line.h"
+#include "tui/control/writing.h"
+#include "tui/control/second_run.h"
 
-#include <stdio.h>
 #include <string.h>
 
 typedef void (*Carry)(Laboratory *);
 
 /* --- files, help, leaving --------------------------------------------------------------------------- */
 
-static void open_file(Laboratory *lab)
-{
-    ask_scenario(lab);
-}
-
-static const Typing file_typing = {.offer = complete_files};
-
-static void write_file(Laboratory *lab)
-{
-    char name[NAME_MAX_BYTES];
-    snprintf(name, sizeof name, "%.200s%s", lab->scenario, strchr(lab->scenario, '.') ? "" : ".ini");
-    ask(lab, answer_write, false, name, "write scenario to");
-    lab->typing = &file_typing;
-}
-
 static void export_run_as_files(Laboratory *lab)
 {
-    ask_export(lab, "");
+    exporting_ask(lab, "");
 }
 
 static void filter(Laboratory *lab)
 {
     if (lab->screen.inspecting)
-        close_inspector(lab);
+        command_close_inspector(&lab->screen);
     lab->screen.focus = PANE_PARAMETERS;
-    ask(lab, answer_filter, false, lab->screen.filter, "parameters whose name holds");
+    prompt_ask(&lab->prompting, edit_answer_filter, false, lab->screen.filter, "parameters whose name holds");
 }
 
 static void help(Laboratory *lab)
@@ -53,7 +41,8 @@ static bool quit_key(Laboratory *lab, const char *key)
 {
     if (strcmp(key, "q") != 0 && strcmp(key, "F10") != 0)
         return false;
-    refuse(lab, "y leaves, n stays"); /* neither is certain, and what follows should be no commands */
+    prompt_refuse(&lab->prompting,
+                  "y leaves, n stays"); /* neither is certain, and what follows should be no commands */
     return true;
 }
 
@@ -61,25 +50,26 @@ static const Typing quit_typing = {.key = quit_key};
 
 static void quit(Laboratory *lab)
 {
-    if (close_top(lab))
+    if (command_close_top(lab))
         return;
-    if (!lab->changed) {
+    if (!lab->editing.changed) {
         lab->closed = true;
         return;
     }
-    ask(lab, answer_quit, true, "", "parameters were changed and nothing was exported: leave?");
-    lab->typing = &quit_typing;
+    prompt_ask(&lab->prompting, answer_quit, true, "",
+               "parameters were changed and nothing was exported: leave?");
+    lab->prompting.typing = &quit_typing;
 }
 
 static void interrupt(Laboratory *lab)
 {
     if (lab->screen.state == STATE_COMPUTING) {
-        duel_cancel(&lab->duel);
-        pause_run(lab);
-        say(lab, MESSAGE_INFO, "cancelled");
-    } else if (lab->screen.prompt.open && lab->answer == answer_quit)
+        duel_cancel(&lab->player.duel);
+        player_pause(lab);
+        laboratory_say(lab, MESSAGE_INFO, "cancelled");
+    } else if (lab->screen.prompt.open && lab->prompting.answer == answer_quit)
         lab->closed = true; /* whoever presses it twice means it */
-    else if (!close_top(lab))
+    else if (!command_close_top(lab))
         quit(lab);
 }
 
@@ -122,21 +112,21 @@ static const Carry carries[COMMAND_COUNT] = {
     [COMMAND_REDO] = command_redo,
     [COMMAND_INSPECT] = command_inspect,
     [COMMAND_ZOOM] = command_zoom,
-    [COMMAND_ZOOM_2D] = map_zoom,
+    [COMMAND_ZOOM_2D] = command_map_zoom,
     [COMMAND_NARROWER] = command_narrower,
     [COMMAND_WIDER] = command_wider,
     [COMMAND_AUTOMATIC] = command_automatic,
     [COMMAND_REFERENCES] = command_cycle_references,
     [COMMAND_QUESTION] = command_question,
     [COMMAND_PIN] = command_pin,
-    [COMMAND_DUEL] = toggle_duel,
+    [COMMAND_DUEL] = second_run_toggle,
     [COMMAND_BOOKMARK] = command_bookmark,
     [COMMAND_JUMP] = command_jump,
-    [COMMAND_LESSONS] = toggle_lessons,
+    [COMMAND_LESSONS] = lesson_play_toggle,
     [COMMAND_EXPORT] = export_run_as_files,
-    [COMMAND_OPEN] = open_file,
-    [COMMAND_WRITE] = write_file,
-    [COMMAND_LINE] = ask_line,
+    [COMMAND_OPEN] = scenario_prompt_ask,
+    [COMMAND_WRITE] = writing_ask,
+    [COMMAND_LINE] = line_ask,
     [COMMAND_HELP] = help,
     [COMMAND_GLYPHS] = command_cycle_glyphs,
     [COMMAND_LECTURE] = command_lecture,
@@ -159,7 +149,7 @@ void laboratory_command(Laboratory *lab, CommandId id)
     lab->screen.used |= (uint64_t)1 << id;
     lab->play.used |= (uint64_t)1 << id;
     if (command_digit(id) > 0)
-        show_digit(lab, command_digit(id));
+        command_show_digit(lab, command_digit(id));
     else
         carries[id](lab);
 }

@@ -17,6 +17,7 @@ void command_slower(Laboratory *);
 void command_to_start(Laboratory *);
 void command_to_newest(Laboratory *);
 void command_go_to(Laboratory *);
+bool command_answer_go_to(Laboratory *, const char *text);
 void command_restart(Laboratory *);
 void command_bookmark(Laboratory *);
 void command_jump(Laboratory *);
@@ -31,12 +32,14 @@ void command_right(Laboratory *);
 void command_page_up(Laboratory *);
 void command_page_down(Laboratory *);
 void command_enter(Laboratory *);
-void close_inspector(Laboratory *);
+void command_close_inspector(Screen *);
 void command_inspect(Laboratory *);
-bool close_top(Laboratory *); /* what lies on top; false: there is nothing */
+bool command_close_top(Laboratory *); /* what lies on top; false: there is nothing */
 void command_cancel(Laboratory *);
 
 /* view_commands.c */
+void command_show_view(Laboratory *, const View *);
+void command_show_digit(Laboratory *, int digit); /* the view that has this key */
 void command_zoom(Laboratory *);
 void command_lecture(Laboratory *);
 void command_narrower(Laboratory *);
@@ -50,5 +53,13 @@ void command_question(Laboratory *);
 void command_pin(Laboratory *);
 void command_undo(Laboratory *);
 void command_redo(Laboratory *);
+
+/* map_commands.c: the map of a beam. */
+void command_map_zoom(Laboratory *); /* begins to magnify it, or ends that */
+void command_map_whole(Screen *);    /* ends it */
+void command_map_magnify(Screen *, int direction);
+void command_map_pan(Screen *, int x, int y);
+bool command_map_is_focused(const Screen *);
+void command_map_enlarge(Laboratory *, int direction); /* displacements; 0: automatic */
 
 #endif

@@ -6,7 +6,7 @@
 /* In a duel the other answer is on screen already: on to one that is not. */
 static bool is_second(const Laboratory *lab, const Settings *settings, const Parameter *parameter)
 {
-    const Experiment *second = lab->duel.b;
+    const Experiment *second = lab->player.duel.b;
     return second &&
            settings_number(settings, parameter) == settings_number(experiment_settings(second), parameter);
 }
@@ -22,8 +22,8 @@ static void say_answer(Laboratory *lab, const Parameter *parameter, const Settin
     for (int i = 0; i < GHOSTS_MAX; i++)
         if (ghosts[i].used && !ghosts[i].pinned)
             snprintf(ghost, sizeof ghost, "; %c: before", ghosts[i].letter);
-    say(lab, MESSAGE_INFO, "%s%s %.60s -> %.60s, from t = 0 on%s", lab->duel.b ? "A: " : "", parameter->label,
-        from, to, ghost);
+    laboratory_say(lab, MESSAGE_INFO, "%s%s %.60s -> %.60s, from t = 0 on%s", lab->player.duel.b ? "A: " : "",
+                   parameter->label, from, to, ghost);
 }
 
 /* Another run beside this one: what the scenario asks about holds from t = 0 on. */
@@ -34,12 +34,12 @@ void command_question(Laboratory *lab)
     const Parameter *parameter = settings_question(&settings);
     Status status = {STATUS_DONE, ""};
     if (!parameter || !settings_answer_otherwise(&settings, parameter))
-        say(lab, MESSAGE_INFO, "this scenario asks no question");
+        laboratory_say(lab, MESSAGE_INFO, "this scenario asks no question");
     else if (is_second(lab, &settings, parameter) &&
              (!settings_nudge(&settings, parameter, 1) || settings_same(&before, &settings)))
-        say(lab, MESSAGE_INFO, "both answers are on screen already; d ends the duel");
-    else if (!change_settings(lab, &settings, experiment_rerun, &status))
-        say(lab, MESSAGE_ERROR, "%s", status.text);
+        laboratory_say(lab, MESSAGE_INFO, "both answers are on screen already; d ends the duel");
+    else if (!edit_change(lab, &settings, experiment_rerun, &status))
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
     else if (lab->screen.message_kind == MESSAGE_NONE)
         say_answer(lab, parameter, &before);
 }
@@ -58,11 +58,11 @@ void command_pin(Laboratory *lab)
     Status status = {STATUS_DONE, ""};
     int had = pinned(lab->screen.experiment);
     if (!experiment_pin(lab->screen.experiment, &status))
-        say(lab, MESSAGE_ERROR, "%s", status.text);
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
     else if (pinned(lab->screen.experiment) > had)
-        say(lab, MESSAGE_INFO, "these curves stay as a ghost; c again takes them away");
+        laboratory_say(lab, MESSAGE_INFO, "these curves stay as a ghost; c again takes them away");
     else
-        say(lab, MESSAGE_INFO, "the ghost of these curves is gone");
+        laboratory_say(lab, MESSAGE_INFO, "the ghost of these curves is gone");
 }
 
 static void swap_settings(Laboratory *lab, Settings *from, int *n_from, Settings *to, int *n_to,
@@ -70,26 +70,28 @@ static void swap_settings(Laboratory *lab, Settings *from, int *n_from, Settings
 {
     Status status = {STATUS_DONE, ""};
     if (*n_from == 0) {
-        say(lab, MESSAGE_INFO, "%s", none);
+        laboratory_say(lab, MESSAGE_INFO, "%s", none);
         return;
     }
     Settings old = *experiment_settings(lab->screen.experiment);
-    if (!change_runs(lab, &from[*n_from - 1], experiment_replace, &status)) {
-        say(lab, MESSAGE_ERROR, "%s", status.text);
+    if (!edit_change_runs(lab, &from[*n_from - 1], experiment_replace, &status)) {
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
         return;
     }
     to[(*n_to)++] = old;
     --*n_from;
-    settings_changed(lab);
-    duel_over(lab, &status);
+    edit_changed(lab);
+    player_tell_duel_over(lab, &status);
 }
 
 void command_undo(Laboratory *lab)
 {
-    swap_settings(lab, lab->undo, &lab->n_undo, lab->redo, &lab->n_redo, "nothing to undo");
+    swap_settings(lab, lab->editing.undo, &lab->editing.n_undo, lab->editing.redo, &lab->editing.n_redo,
+                  "nothing to undo");
 }
 
 void command_redo(Laboratory *lab)
 {
-    swap_settings(lab, lab->redo, &lab->n_redo, lab->undo, &lab->n_undo, "nothing to redo");
+    swap_settings(lab, lab->editing.redo, &lab->editing.n_redo, lab->editing.undo, &lab->editing.n_undo,
+                  "nothing to redo");
 }

@@ -1,5 +1,6 @@
 /* The run as files, asked for with x. The files are those of `matvib run`, by the same function. */
 #include "tui/control/laboratory.h"
+#include "tui/control/writing.h"
 
 #include "base/text.h"
 #include "figure/figure.h"
@@ -16,7 +17,7 @@ static const char *const suffixes[EXPORTS] = {"-series.csv", "-particles.csv", "
 /* The runs that are written: of a duel both. NULL: there are no more. */
 static const Experiment *run_of(const Laboratory *lab, int run)
 {
-    return run == 0 ? lab->screen.experiment : run == 1 ? lab->duel.b : NULL;
+    return run == 0 ? lab->screen.experiment : run == 1 ? lab->player.duel.b : NULL;
 }
 
 static bool has_set(const Experiment *experiment, const char *name)
@@ -76,7 +77,7 @@ static void default_name(const Laboratory *lab, char name[NAME_MAX_BYTES])
 static bool show_progress(double share, void *context)
 {
     Laboratory *lab = context;
-    say(lab, MESSAGE_INFO, "exporting %d %%   ^C cancels", (int)(100 * share));
+    laboratory_say(lab, MESSAGE_INFO, "exporting %d %%   ^C cancels", (int)(100 * share));
     return lab->host.go_on(lab->host.context);
 }
 
@@ -86,11 +87,11 @@ static bool write_run(Laboratory *lab, int run, bool force, RunSummary *summary)
     char paths[EXPORTS][PATH_BYTES];
     Settings *settings = malloc(sizeof *settings);
     if (!settings) {
-        say(lab, MESSAGE_ERROR, "out of memory");
+        laboratory_say(lab, MESSAGE_ERROR, "out of memory");
         return false;
     }
-    file_names(lab, run, lab->export_name, paths);
-    experiment_scenario(run_of(lab, run), lab->export_newest, settings);
+    file_names(lab, run, lab->exporting.name, paths);
+    experiment_scenario(run_of(lab, run), lab->exporting.newest, settings);
     Outputs outputs = {.series = paths[0],
                        .particles = paths[1],
                        .nodes = paths[2][0] ? paths[2] : NULL,
@@ -101,7 +102,7 @@ static bool write_run(Laboratory *lab, int run, bool force, RunSummary *summary)
                             show_progress, lab, summary, &status);
     free(settings);
     if (!sound && !summary->failed)
-        say(lab, MESSAGE_ERROR, "%s", status.text);
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
     return sound || summary->failed;
 }
 
@@ -111,32 +112,32 @@ static long steps_of(const Laboratory *lab, int run)
     const Experiment *experiment = run_of(lab, run);
     if (!experiment)
         return 0;
-    return lab->export_newest ? experiment_newest(experiment) : experiment_step(experiment);
+    return lab->exporting.newest ? experiment_newest(experiment) : experiment_step(experiment);
 }
 
 static void write_export(Laboratory *lab, bool force)
 {
     char paths[EXPORTS][PATH_BYTES];
     RunSummary first, second = {0};
-    if (!may_write(lab, lab->export_name))
+    if (!writing_allowed(lab, lab->exporting.name))
         return;
     const bool both = steps_of(lab, 1) > 0;
     if (!write_run(lab, 0, force, &first) || (both && !write_run(lab, 1, force, &second)))
         return;
-    lab->changed = false;
-    file_names(lab, 0, lab->export_name, paths);
+    lab->editing.changed = false;
+    file_names(lab, 0, lab->exporting.name, paths);
     char *whole = realpath(paths[0], NULL);
     char beside[PATH_BYTES + 64] = "";
     if (both) {
         char others[EXPORTS][PATH_BYTES];
-        file_names(lab, 1, lab->export_name, others);
+        file_names(lab, 1, lab->exporting.name, others);
         const char *slash = strrchr(others[0], '/');
         snprintf(beside, sizeof beside, "; of B likewise %s (%ld rows)", slash ? slash + 1 : others[0],
                  second.rows);
     }
-    say(lab, first.failed || second.failed ? MESSAGE_WARNING : MESSAGE_INFO,
-        "wrote %s%s (%ld rows), particles%s, each with its .ini%s", both ? "A: " : "",
-        whole ? whole : paths[0], first.rows, paths[2][0] ? ", nodes" : "", beside);
+    laboratory_say(lab, first.failed || second.failed ? MESSAGE_WARNING : MESSAGE_INFO,
+                   "wrote %s%s (%ld rows), particles%s, each with its .ini%s", both ? "A: " : "",
+                   whole ? whole : paths[0], first.rows, paths[2][0] ? ", nodes" : "", beside);
     free(whole);
 }
 
@@ -152,19 +153,19 @@ static bool export_named(Laboratory *lab, const char *text)
     char found[PATH_BYTES + 4], name[NAME_MAX_BYTES], paths[EXPORTS][PATH_BYTES];
     size_t length = strlen(text);
     if (figure_is_name(text))
-        return draw_figure(lab, text);
+        return exporting_figure(lab, text);
     if (length > 4 && strcmp(text + length - 4, ".csv") == 0)
         length -= 4;
     if (length == 0)
-        return refuse(lab, "a name is wanted");
+        return prompt_refuse(&lab->prompting, "a name is wanted");
     snprintf(name, sizeof name, "%.*s", (int)length, text); /* the text may be the name already */
-    memcpy(lab->export_name, name, sizeof name);
+    memcpy(lab->exporting.name, name, sizeof name);
     file_names(lab, 0, name, paths);
-    if (!name_can_be(lab, paths[0]))
+    if (!writing_name_fits(lab, paths[0]))
         return false;
-    find_existing(lab, lab->export_name, found);
+    find_existing(lab, lab->exporting.name, found);
     if (found[0])
-        ask_replace(lab, answer_replace, found);
+        prompt_ask_replace(&lab->prompting, answer_replace, found);
     else
         write_export(lab, false);
     return true;
@@ -177,7 +178,7 @@ static long series_rows(const Laboratory *lab)
 {
     const Experiment *experiment = lab->screen.experiment;
     const long every = experiment_settings(experiment)->output.every;
-    const long last = lab->export_newest ? experiment_newest(experiment) : experiment_step(experiment);
+    const long last = lab->exporting.newest ? experiment_newest(experiment) : experiment_step(experiment);
     return last / every + 1 + (last % every != 0);
 }
 
@@ -202,15 +203,16 @@ static void ask_name(Laboratory *lab)
     const long rows = series_rows(lab);
     const double megabytes = series_bytes(lab) / 1e6;
     default_name(lab, name);
-    ask(lab, export_named, false, name, "export %ld row%s, %.*f MB, as", rows, rows == 1 ? "" : "s",
-        megabytes < 0.1  ? 3
-        : megabytes < 10 ? 1
-                         : 0,
-        megabytes);
+    prompt_ask(&lab->prompting, export_named, false, name, "export %ld row%s, %.*f MB, as", rows,
+               rows == 1 ? "" : "s",
+               megabytes < 0.1  ? 3
+               : megabytes < 10 ? 1
+                                : 0,
+               megabytes);
     Prompt *prompt = &lab->screen.prompt;
     snprintf(prompt->hint, sizeof prompt->hint,
              "writes NAME-series.csv and its tables%s; NAME.svg, .pdf or .png: a figure of the view",
-             lab->duel.b ? ", those of B as NAME-b-series.csv" : "");
+             lab->player.duel.b ? ", those of B as NAME-b-series.csv" : "");
     const long every = 1 + (rows - 1) / (SPREADSHEET_ROWS - 1); /* one row is the heading */
     if (every > 1)
         snprintf(prompt->hint, sizeof prompt->hint,
@@ -220,29 +222,29 @@ static void ask_name(Laboratory *lab)
 
 static bool answer_which(Laboratory *lab, const char *text)
 {
-    lab->export_newest = strcmp(text, "newest") == 0;
-    if (!lab->export_newest && strcmp(text, "here") != 0)
-        return refuse(lab, "here or newest");
-    if (lab->export_name[0])
-        return export_named(lab, lab->export_name);
+    lab->exporting.newest = strcmp(text, "newest") == 0;
+    if (!lab->exporting.newest && strcmp(text, "here") != 0)
+        return prompt_refuse(&lab->prompting, "here or newest");
+    if (lab->exporting.name[0])
+        return export_named(lab, lab->exporting.name);
     ask_name(lab);
     return true;
 }
 
-bool ask_export(Laboratory *lab, const char *name)
+bool exporting_ask(Laboratory *lab, const char *name)
 {
     Experiment *experiment = lab->screen.experiment;
-    pause_run(lab);
+    player_pause(lab);
     if (lab->screen.state == STATE_COMPUTING) {
-        say(lab, MESSAGE_INFO, "wait until the run has come to its time, or cancel with Esc");
+        laboratory_say(lab, MESSAGE_INFO, "wait until the run has come to its time, or cancel with Esc");
         return true;
     }
-    lab->export_newest = true;
-    snprintf(lab->export_name, sizeof lab->export_name, "%s", name);
+    lab->exporting.newest = true;
+    snprintf(lab->exporting.name, sizeof lab->exporting.name, "%s", name);
     if (experiment_newest(experiment) == 0)
-        say(lab, MESSAGE_INFO, "nothing has been computed yet: Space runs");
+        laboratory_say(lab, MESSAGE_INFO, "nothing has been computed yet: Space runs");
     else if (experiment_step(experiment) < experiment_newest(experiment))
-        ask(lab, answer_which, false, "newest", "export to here or to the newest time?");
+        prompt_ask(&lab->prompting, answer_which, false, "newest", "export to here or to the newest time?");
     else if (name[0])
         return export_named(lab, name);
     else

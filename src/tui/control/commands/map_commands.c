@@ -1,5 +1,6 @@
 /* The map of a beam under the user's hands: magnified and moved, displacements drawn larger or smaller. */
 #include "tui/control/laboratory.h"
+#include "tui/control/commands/commands.h"
 
 #include "view/views/view.h"
 
@@ -10,11 +11,6 @@
 #define FIRST_MAGNIFIED 4.0
 #define STRIDE          0.2 /* of what is seen, for an arrow */
 
-static const Simulation *simulation_of(const Laboratory *lab)
-{
-    return experiment_simulation(lab->screen.experiment);
-}
-
 /* The place of a node as shares of the beam's length and height. */
 static void look_at_node(MapEye *eye, const Simulation *simulation, size_t node)
 {
@@ -24,9 +20,8 @@ static void look_at_node(MapEye *eye, const Simulation *simulation, size_t node)
 }
 
 /* The crack's tip is what there is to see of a beam that cracks; else the chosen node. */
-static void look_at_something(Laboratory *lab)
+static void look_at_something(Screen *screen)
 {
-    Screen *screen = &lab->screen;
     const Settings *settings = experiment_settings(screen->experiment);
     const double *row = experiment_row(screen->experiment);
     int count, x = -1, y = -1;
@@ -39,7 +34,7 @@ static void look_at_something(Laboratory *lab)
         screen->eye.centre[0] = row[x] / settings->geometry.length;
         screen->eye.centre[1] = row[y] / settings->geometry.height;
     } else
-        look_at_node(&screen->eye, simulation_of(lab), screen->chosen.particle);
+        look_at_node(&screen->eye, experiment_simulation(screen->experiment), screen->chosen.particle);
 }
 
 static double limited(double value, double least, double most)
@@ -47,23 +42,21 @@ static double limited(double value, double least, double most)
     return value < least ? least : value > most ? most : value;
 }
 
-void map_whole(Laboratory *lab)
+void command_map_whole(Screen *screen)
 {
-    lab->screen.eye.open = false;
-    lab->screen.eye.magnified = 1;
+    screen->eye.open = false;
+    screen->eye.magnified = 1;
 }
 
-void map_magnify(Laboratory *lab, int direction)
+void command_map_magnify(Screen *screen, int direction)
 {
-    Screen *screen = &lab->screen;
-    const double most = fmax(FIRST_MAGNIFIED, (double)simulation_of(lab)->columns / 4);
+    const double most = fmax(FIRST_MAGNIFIED, (double)experiment_simulation(screen->experiment)->columns / 4);
     const double wanted = direction > 0 ? 2 * screen->eye.magnified : screen->eye.magnified / 2;
     screen->eye.magnified = limited(wanted, 1, exp2(ceil(log2(most))));
 }
 
-void map_pan(Laboratory *lab, int x, int y)
+void command_map_pan(Screen *screen, int x, int y)
 {
-    Screen *screen = &lab->screen;
     const Settings *settings = experiment_settings(screen->experiment);
     const double stride = STRIDE / screen->eye.magnified;
     screen->eye.centre[0] = limited(screen->eye.centre[0] + x * stride, 0, 1);
@@ -72,15 +65,16 @@ void map_pan(Laboratory *lab, int x, int y)
     screen->eye.centre[1] = limited(screen->eye.centre[1] - y * upwards, 0, 1);
 }
 
-void map_zoom(Laboratory *lab)
+void command_map_zoom(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
-    if (!simulation_has(simulation_of(lab), HAS_PLANE)) {
-        say(lab, MESSAGE_INFO, "Z magnifies the map of a beam; n and N change the time window of a plot");
+    if (!simulation_has(experiment_simulation(screen->experiment), HAS_PLANE)) {
+        laboratory_say(lab, MESSAGE_INFO,
+                       "Z magnifies the map of a beam; n and N change the time window of a plot");
         return;
     }
     if (screen->eye.open) {
-        map_whole(lab);
+        command_map_whole(&lab->screen);
         return;
     }
     if (!screen->upper->is_map && !screen->lower->is_map)
@@ -88,19 +82,18 @@ void map_zoom(Laboratory *lab)
     screen->focus = screen->upper->is_map ? PANE_UPPER : PANE_LOWER;
     screen->eye.open = true;
     screen->eye.magnified = FIRST_MAGNIFIED;
-    look_at_something(lab);
+    look_at_something(screen);
 }
 
-bool map_is_focused(const Laboratory *lab)
+bool command_map_is_focused(const Screen *screen)
 {
-    const Screen *screen = &lab->screen;
-    return simulation_has(simulation_of(lab), HAS_PLANE) &&
+    return simulation_has(experiment_simulation(screen->experiment), HAS_PLANE) &&
            ((screen->focus == PANE_UPPER && screen->upper->is_map) ||
             (screen->focus == PANE_LOWER && screen->lower->is_map));
 }
 
 /* The size of displacements is part of the scenario's view, which an edit changes without a new run. */
-void map_enlarge(Laboratory *lab, int direction)
+void command_map_enlarge(Laboratory *lab, int direction)
 {
     Screen *screen = &lab->screen;
     Settings settings = *experiment_settings(screen->experiment);
@@ -110,12 +103,12 @@ void map_enlarge(Laboratory *lab, int direction)
         settings.view.exaggeration[0] = '\0';
     else
         snprintf(settings.view.exaggeration, sizeof settings.view.exaggeration, "%.15g",
-                 next_125(now > 0 ? now : 1, direction));
+                 player_next_125(now > 0 ? now : 1, direction));
     if (!experiment_edit(screen->experiment, &settings, &status))
-        say(lab, MESSAGE_ERROR, "%s", status.text);
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
     else if (direction == 0)
-        say(lab, MESSAGE_INFO, "displacements are drawn as large as the pane allows");
+        laboratory_say(lab, MESSAGE_INFO, "displacements are drawn as large as the pane allows");
     else
-        say(lab, MESSAGE_INFO, "displacements are drawn x %s (a: as the pane allows)",
-            settings.view.exaggeration);
+        laboratory_say(lab, MESSAGE_INFO, "displacements are drawn x %s (a: as the pane allows)",
+                       settings.view.exaggeration);
 }

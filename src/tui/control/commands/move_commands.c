@@ -52,20 +52,20 @@ static void move(Laboratory *lab, int x, int y, int page)
 {
     Screen *screen = &lab->screen;
     const View *view = screen_view_in(screen, screen->focus);
-    const bool map = map_is_focused(lab);
+    const bool map = command_map_is_focused(&lab->screen);
     if (screen->eye.open && map) {
-        map_pan(lab, x, y);
+        command_map_pan(&lab->screen, x, y);
         return;
     }
     if ((screen->focus == PANE_INSPECTOR || map) && screen_move_inspector(screen, x, y, page))
         return;
     if (screen->focus == PANE_PARAMETERS && screen->lesson.open) {
-        move_in_lesson(lab, x, y);
+        lesson_play_move(lab, x, y);
     } else if (screen->focus == PANE_PARAMETERS) {
         if (x)
-            nudge_selected(lab, x);
+            edit_nudge(lab, x);
         else
-            move_selection(lab, y * page);
+            edit_move(&lab->screen, y * page);
     } else if (view && view->move) {
         view->move(screen, screen_pane(screen, lab->width, lab->height, screen->focus), x, y, page);
     } else if (view && view->has_time_axis) {
@@ -113,25 +113,24 @@ void command_enter(Laboratory *lab)
     Screen *screen = &lab->screen;
     const View *view = screen_view_in(screen, screen->focus);
     if (screen->focus == PANE_PARAMETERS && screen->lesson.open) {
-        enter_in_lesson(lab);
+        lesson_play_enter(lab);
     } else if (screen->focus == PANE_PARAMETERS) {
-        begin_edit(lab);
+        edit_begin(lab);
     } else if (view && view->has_time_axis && !isnan(screen->cursor_time)) {
-        pause_run(lab);
-        seek(lab, lround(screen->cursor_time / experiment_simulation(screen->experiment)->dt), 0);
+        player_pause(lab);
+        player_seek(lab, lround(screen->cursor_time / experiment_simulation(screen->experiment)->dt), 0);
         screen->cursor_time = NAN;
     } else if (view && view->enter) {
         const long step = view->enter(screen);
         if (step < 0)
             return;
-        pause_run(lab);
-        seek(lab, step, 0);
+        player_pause(lab);
+        player_seek(lab, step, 0);
     }
 }
 
-void close_inspector(Laboratory *lab)
+void command_close_inspector(Screen *screen)
 {
-    Screen *screen = &lab->screen;
     screen->inspecting = false;
     screen->zoomed = false;
     if (screen->focus == PANE_INSPECTOR)
@@ -142,9 +141,9 @@ void command_inspect(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
     if (screen->inspecting) {
-        close_inspector(lab);
+        command_close_inspector(&lab->screen);
     } else if (!screen_has_inspector(screen)) {
-        say(lab, MESSAGE_INFO, "there is no inspector for this method");
+        laboratory_say(lab, MESSAGE_INFO, "there is no inspector for this method");
     } else {
         screen->inspecting = true;
         screen->before_inspector = screen->focus;
@@ -154,23 +153,23 @@ void command_inspect(Laboratory *lab)
 }
 
 /* Closes what lies on top; false: there is nothing. */
-bool close_top(Laboratory *lab)
+bool command_close_top(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
     if (screen->help)
         screen->help = false;
     else if (screen->prompt.open)
-        close_prompt(lab);
+        prompt_close(&lab->prompting);
     else if (screen->edit.open)
         screen->edit.open = false;
     else if (!isnan(screen->cursor_time))
         screen->cursor_time = NAN;
     else if (screen->eye.open)
-        map_whole(lab);
+        command_map_whole(&lab->screen);
     else if (screen->zoomed)
         screen->zoomed = false;
     else if (screen->inspecting)
-        close_inspector(lab);
+        command_close_inspector(&lab->screen);
     else if (screen->filter[0])
         screen->filter[0] = '\0';
     else
@@ -181,8 +180,8 @@ bool close_top(Laboratory *lab)
 void command_cancel(Laboratory *lab)
 {
     if (lab->screen.state == STATE_COMPUTING) {
-        duel_cancel(&lab->duel);
-        pause_run(lab);
+        duel_cancel(&lab->player.duel);
+        player_pause(lab);
     } else
-        close_top(lab);
+        command_close_top(lab);
 }

@@ -12,17 +12,17 @@
 static void begin_again(Laboratory *lab, bool running)
 {
     Status status = {STATUS_DONE, ""};
-    if (!duel_restart(&lab->duel, false, &status)) {
-        say(lab, MESSAGE_ERROR, "%s", status.text);
+    if (!duel_restart(&lab->player.duel, false, &status)) {
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
         return;
     }
-    say(lab, MESSAGE_NONE, "%s", "");
-    lab->resume = running ? STATE_RUNNING : STATE_PAUSED;
-    lab->owed = 0;
+    laboratory_say(lab, MESSAGE_NONE, "%s", "");
+    lab->player.resume = running ? STATE_RUNNING : STATE_PAUSED;
+    lab->player.owed = 0;
     lab->screen.summary_known = false;
     lab->screen.cursor_time = NAN;
-    settle(lab);
-    duel_over(lab, &status);
+    player_settle(lab);
+    player_tell_duel_over(lab, &status);
 }
 
 static bool answer_again(Laboratory *lab, const char *text)
@@ -35,7 +35,7 @@ static bool answer_again(Laboratory *lab, const char *text)
 /* A run that is soon computed again begins anew at once; one that took long is not thrown away by a slip. */
 static void run_again(Laboratory *lab)
 {
-    const double rate = lab->rates[RATE_RUN];
+    const double rate = lab->player.rates[RATE_RUN];
     double seconds = rate > 0 ? (double)experiment_last_step(lab->screen.experiment) / rate : 0;
     char takes[NUMBER_TEXT_MAX];
     if (seconds < AGAIN_SECONDS) {
@@ -43,7 +43,7 @@ static void run_again(Laboratory *lab)
         return;
     }
     text_rounded(takes, seconds, 2);
-    ask(lab, answer_again, true, "", "run again from t = 0? it takes about %s s", takes);
+    prompt_ask(&lab->prompting, answer_again, true, "", "run again from t = 0? it takes about %s s", takes);
 }
 
 void command_run_or_pause(Laboratory *lab)
@@ -52,16 +52,17 @@ void command_run_or_pause(Laboratory *lab)
     if (screen->state == STATE_ENDED)
         run_again(lab);
     else if (screen->state == STATE_FAILED)
-        say(lab, MESSAGE_INFO, "the run cannot go on: change a parameter, step back, or r to begin again");
+        laboratory_say(lab, MESSAGE_INFO,
+                       "the run cannot go on: change a parameter, step back, or r to begin again");
     else if (screen->state == STATE_COMPUTING)
-        lab->resume = lab->resume == STATE_RUNNING ? STATE_PAUSED : STATE_RUNNING;
+        lab->player.resume = lab->player.resume == STATE_RUNNING ? STATE_PAUSED : STATE_RUNNING;
     else if (screen->state == STATE_RUNNING)
-        pause_run(lab);
+        player_pause(lab);
     else {
-        lab->resume = STATE_RUNNING;
-        lab->owed = 0;
+        lab->player.resume = STATE_RUNNING;
+        lab->player.owed = 0;
         screen->rate = 0;
-        settle(lab);
+        player_settle(lab);
     }
 }
 
@@ -70,16 +71,16 @@ static void step_by(Laboratory *lab, long steps)
 {
     long step;
     int stage;
-    present(lab, &step, &stage);
-    pause_run(lab);
+    player_place(lab, &step, &stage);
+    player_pause(lab);
     if (steps < 0 && stage > 0)
         steps++;
     if (steps < 0 && step == 0 && stage == 0)
-        say(lab, MESSAGE_INFO, "this is t = 0");
+        laboratory_say(lab, MESSAGE_INFO, "this is t = 0");
     else if (steps > 0 && step >= experiment_last_step(lab->screen.experiment))
-        say(lab, MESSAGE_INFO, "this is the end of the run");
+        laboratory_say(lab, MESSAGE_INFO, "this is the end of the run");
     else
-        seek(lab, step + steps, 0);
+        player_seek(lab, step + steps, 0);
 }
 
 void command_step_forward(Laboratory *lab)
@@ -107,59 +108,59 @@ void command_stage_forward(Laboratory *lab)
     Experiment *experiment = lab->screen.experiment;
     long step;
     int stage;
-    present(lab, &step, &stage);
-    pause_run(lab);
+    player_place(lab, &step, &stage);
+    player_pause(lab);
     if (experiment_at_end(experiment)) {
-        say(lab, MESSAGE_INFO, "this is the end of the run");
+        laboratory_say(lab, MESSAGE_INFO, "this is the end of the run");
         return;
     }
     if (lab->screen.state == STATE_COMPUTING) {
         bool whole = stage + 1 >= experiment_simulation(experiment)->n_stages;
-        seek(lab, whole ? step + 1 : step, whole ? 0 : stage + 1);
+        player_seek(lab, whole ? step + 1 : step, whole ? 0 : stage + 1);
         return;
     }
     Status status = {STATUS_DONE, ""};
-    duel_next_stage(&lab->duel, &status);
-    settle(lab);
+    duel_next_stage(&lab->player.duel, &status);
+    player_settle(lab);
     if (status.text[0])
-        say(lab, MESSAGE_ERROR, "%s", status.text);
-    else if (lab->duel.b && experiment_stage(experiment) == 1)
-        say(lab, MESSAGE_INFO, "A goes by stages; B waits at its step %ld, before A's step ends",
-            experiment_step(lab->duel.b));
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
+    else if (lab->player.duel.b && experiment_stage(experiment) == 1)
+        laboratory_say(lab, MESSAGE_INFO, "A goes by stages; B waits at its step %ld, before A's step ends",
+                       experiment_step(lab->player.duel.b));
 }
 
 void command_stage_back(Laboratory *lab)
 {
     long step;
     int stage;
-    present(lab, &step, &stage);
-    pause_run(lab);
+    player_place(lab, &step, &stage);
+    player_pause(lab);
     if (stage > 0)
-        seek(lab, step, stage - 1);
+        player_seek(lab, step, stage - 1);
     else if (step > 0)
-        seek(lab, step - 1, experiment_simulation(lab->screen.experiment)->n_stages - 1);
+        player_seek(lab, step - 1, experiment_simulation(lab->screen.experiment)->n_stages - 1);
     else
-        say(lab, MESSAGE_INFO, "this is t = 0");
+        laboratory_say(lab, MESSAGE_INFO, "this is t = 0");
 }
 
 static void change_pace(Laboratory *lab, int direction)
 {
     Screen *screen = &lab->screen;
-    if (screen->eye.open && map_is_focused(lab)) {
-        map_magnify(lab, direction);
+    if (screen->eye.open && command_map_is_focused(&lab->screen)) {
+        command_map_magnify(&lab->screen, direction);
         return;
     }
-    double pace = next_125(screen->pace, direction);
+    double pace = player_next_125(screen->pace, direction);
     if (pace < 0.01 || pace > 1e7)
         return;
     screen->pace = pace;
     screen->at_limit = false;
-    lab->pace_automatic = false;
-    lab->owed = 0;
+    lab->player.pace_automatic = false;
+    lab->player.owed = 0;
     if (pace >= 1)
-        say(lab, MESSAGE_INFO, "%g steps a frame", pace);
+        laboratory_say(lab, MESSAGE_INFO, "%g steps a frame", pace);
     else
-        say(lab, MESSAGE_INFO, "a step every %g frames", round(1 / pace));
+        laboratory_say(lab, MESSAGE_INFO, "a step every %g frames", round(1 / pace));
 }
 
 void command_faster(Laboratory *lab)
@@ -174,51 +175,51 @@ void command_slower(Laboratory *lab)
 
 void command_to_start(Laboratory *lab)
 {
-    pause_run(lab);
-    seek(lab, 0, 0);
+    player_pause(lab);
+    player_seek(lab, 0, 0);
 }
 
 void command_to_newest(Laboratory *lab)
 {
-    pause_run(lab);
-    seek(lab, experiment_newest(lab->screen.experiment), 0);
+    player_pause(lab);
+    player_seek(lab, experiment_newest(lab->screen.experiment), 0);
 }
 
-bool answer_go_to(Laboratory *lab, const char *text)
+bool command_answer_go_to(Laboratory *lab, const char *text)
 {
     long step = 0;
     double time = 0, dt = experiment_simulation(lab->screen.experiment)->dt;
     long last = experiment_last_step(lab->screen.experiment);
     if (text[0] == '#') {
         if (!text_to_long(text + 1, &step))
-            return refuse(lab, "after # comes the number of a step, as in #1000");
+            return prompt_refuse(&lab->prompting, "after # comes the number of a step, as in #1000");
     } else if (text_to_double(text, &time)) {
         step = time / dt > (double)last ? last + 1 : time < 0 ? -1 : lround(time / dt);
         if (time > (double)last * dt &&
             time <= experiment_settings(lab->screen.experiment)->time.end * (1 + 1e-9))
             step = last;
     } else
-        return refuse(lab, "a time, as in 12.5, or a step, as in #1000");
+        return prompt_refuse(&lab->prompting, "a time, as in 12.5, or a step, as in #1000");
     if (step < 0 || step > last) {
         char end[NUMBER_TEXT_MAX], why[120];
         text_rounded(end, (double)last * dt, 6);
         snprintf(why, sizeof why, "the run goes from 0 to %s (#0 to #%ld)", end, last);
-        return refuse(lab, why);
+        return prompt_refuse(&lab->prompting, why);
     }
-    pause_run(lab);
-    seek(lab, step, 0);
+    player_pause(lab);
+    player_seek(lab, step, 0);
     return true;
 }
 
 void command_go_to(Laboratory *lab)
 {
-    ask(lab, answer_go_to, false, "", "go to time (or #step)");
+    prompt_ask(&lab->prompting, command_answer_go_to, false, "", "go to time (or #step)");
 }
 
 void command_restart(Laboratory *lab)
 {
     bool computing = lab->screen.state == STATE_COMPUTING;
-    begin_again(lab, (computing ? lab->resume : lab->screen.state) == STATE_RUNNING);
+    begin_again(lab, (computing ? lab->player.resume : lab->screen.state) == STATE_RUNNING);
 }
 
 /* The first bookmark that is not before a place. */
@@ -244,22 +245,23 @@ void command_bookmark(Laboratory *lab)
     Screen *screen = &lab->screen;
     long step;
     int stage;
-    present(lab, &step, &stage);
+    player_place(lab, &step, &stage);
     const int at = bookmark_from(screen, step, stage);
     Bookmark *place = &screen->bookmarks[at];
     const size_t after = (size_t)(screen->n_bookmarks - at);
     if (is_bookmark(screen, at, step, stage)) {
         memmove(place, place + 1, (after - 1) * sizeof *place);
         screen->n_bookmarks--;
-        say(lab, MESSAGE_INFO, "the bookmark at step %ld is gone", step);
+        laboratory_say(lab, MESSAGE_INFO, "the bookmark at step %ld is gone", step);
     } else if (screen->n_bookmarks == BOOKMARKS_MAX) {
-        say(lab, MESSAGE_INFO, "there is room for %d bookmarks: m on one of them takes it away",
-            BOOKMARKS_MAX);
+        laboratory_say(lab, MESSAGE_INFO, "there is room for %d bookmarks: m on one of them takes it away",
+                       BOOKMARKS_MAX);
     } else {
         memmove(place + 1, place, after * sizeof *place);
         *place = (Bookmark){(double)step * experiment_simulation(screen->experiment)->dt, stage};
         screen->n_bookmarks++;
-        say(lab, MESSAGE_INFO, "bookmark at step %ld: ' comes back here, m again takes it away", step);
+        laboratory_say(lab, MESSAGE_INFO, "bookmark at step %ld: ' comes back here, m again takes it away",
+                       step);
     }
 }
 
@@ -271,16 +273,16 @@ void command_jump(Laboratory *lab)
     long step;
     int stage;
     if (screen->n_bookmarks == 0) {
-        say(lab, MESSAGE_INFO, "no bookmark yet: m sets one");
+        laboratory_say(lab, MESSAGE_INFO, "no bookmark yet: m sets one");
         return;
     }
-    present(lab, &step, &stage);
+    player_place(lab, &step, &stage);
     int at = bookmark_from(screen, step, stage);
     at += is_bookmark(screen, at, step, stage);
     at %= screen->n_bookmarks;
     stage = screen->bookmarks[at].stage;
-    pause_run(lab);
-    seek(lab, screen_bookmark_step(screen, at), stage < n_stages ? stage : 0);
+    player_pause(lab);
+    player_seek(lab, screen_bookmark_step(screen, at), stage < n_stages ? stage : 0);
     if (screen->n_bookmarks > 1)
-        say(lab, MESSAGE_INFO, "bookmark %d of %d", at + 1, screen->n_bookmarks);
+        laboratory_say(lab, MESSAGE_INFO, "bookmark %d of %d", at + 1, screen->n_bookmarks);
 }

@@ -4,27 +4,27 @@
 
 #include <math.h>
 
-void show_digit(Laboratory *lab, int digit)
+void command_show_digit(Laboratory *lab, int digit)
 {
     const View *view = view_of_digit(digit);
     if (view)
-        show_view(lab, view);
+        command_show_view(lab, view);
     else
-        say(lab, MESSAGE_INFO, "no view has the key %d", digit);
+        laboratory_say(lab, MESSAGE_INFO, "no view has the key %d", digit);
 }
 
-void show_view(Laboratory *lab, const View *view)
+void command_show_view(Laboratory *lab, const View *view)
 {
     Screen *screen = &lab->screen;
     /* where panes are seen one at a time, who asks for a view wants to see it */
     const bool alone = screen->zoomed || (lab->width > 0 && !screen_is_whole(lab->width, lab->height));
     const char *missing = view_missing(view, screen);
     if (missing) {
-        say(lab, MESSAGE_INFO, "%s: %s", view->word, missing);
+        laboratory_say(lab, MESSAGE_INFO, "%s: %s", view->word, missing);
         return;
     }
     if (screen->inspecting) /* it lies over the plots: who asks for one wants to see it */
-        close_inspector(lab);
+        command_close_inspector(&lab->screen);
     bool in_plot = screen->focus == PANE_UPPER || screen->focus == PANE_LOWER;
     if (screen->upper == view || screen->lower == view) {
         PaneId at = in_plot && screen_view_in(screen, screen->focus) == view ? screen->focus
@@ -56,36 +56,36 @@ void command_lecture(Laboratory *lab)
 {
     lab->screen.lecture = !lab->screen.lecture;
     if (lab->screen.lecture && lab->screen.lesson.open)
-        say(lab, MESSAGE_INFO, "a lesson keeps its page; the rest gets large when T closes it");
+        laboratory_say(lab, MESSAGE_INFO, "a lesson keeps its page; the rest gets large when T closes it");
     else if (lab->screen.lecture && !screen_is_whole(lab->width, lab->height))
-        say(lab, MESSAGE_INFO, "large letters want 80x24 at least; the curves are thick");
+        laboratory_say(lab, MESSAGE_INFO, "large letters want 80x24 at least; the curves are thick");
 }
 
 static void change_window(Laboratory *lab, int direction)
 {
     Screen *screen = &lab->screen;
     double from, to;
-    if (map_is_focused(lab)) {
-        map_enlarge(lab, direction);
+    if (command_map_is_focused(&lab->screen)) {
+        command_map_enlarge(lab, direction);
         return;
     }
     screen_time_window(screen, &from, &to);
     double length = screen->window > 0 ? screen->window : to - from;
     const double dt = experiment_simulation(screen->experiment)->dt, least = 10 * dt;
     const double end = dt * (double)experiment_last_step(screen->experiment);
-    double window = next_125(length, direction);
+    double window = player_next_125(length, direction);
     /* the table of 1, 2, 5 does not reach into the microseconds of a crack */
     if (length < 1e-2)
-        window = 1e-6 * next_125(1e6 * length, direction);
+        window = 1e-6 * player_next_125(1e6 * length, direction);
     if (window < least || (direction > 0 && length >= end)) {
-        say(lab, MESSAGE_INFO,
-            direction < 0 ? "the time window has ten steps, no fewer"
-                          : "the time window holds the whole run");
+        laboratory_say(lab, MESSAGE_INFO,
+                       direction < 0 ? "the time window has ten steps, no fewer"
+                                     : "the time window holds the whole run");
         return;
     }
     screen->window = window;
     const Problem *facts = experiment_settings(screen->experiment)->problem;
-    say(lab, MESSAGE_INFO, "time window %g%s", window / facts->shown_time, facts->shown_time_unit);
+    laboratory_say(lab, MESSAGE_INFO, "time window %g%s", window / facts->shown_time, facts->shown_time_unit);
 }
 
 void command_narrower(Laboratory *lab)
@@ -100,28 +100,28 @@ void command_wider(Laboratory *lab)
 
 void command_automatic(Laboratory *lab)
 {
-    if (map_is_focused(lab)) {
-        map_enlarge(lab, 0);
+    if (command_map_is_focused(&lab->screen)) {
+        command_map_enlarge(lab, 0);
         return;
     }
     lab->screen.window = 0;
-    say(lab, MESSAGE_INFO, "time window automatic");
+    laboratory_say(lab, MESSAGE_INFO, "time window automatic");
 }
 
 void command_cycle_references(Laboratory *lab)
 {
     static const char *const texts[SHOW_COUNT] = {"all", "exact only", "predicted only", "none"};
     lab->screen.references = (ReferencesShown)((lab->screen.references + 1) % SHOW_COUNT);
-    say(lab, MESSAGE_INFO, "reference curves: %s", texts[lab->screen.references]);
+    laboratory_say(lab, MESSAGE_INFO, "reference curves: %s", texts[lab->screen.references]);
 }
 
 void command_cycle_glyphs(Laboratory *lab)
 {
     static const char *const texts[GLYPHS_COUNT] = {"braille", "block", "ASCII"};
     if (!lab->utf8) {
-        say(lab, MESSAGE_INFO, "this locale has ASCII only");
+        laboratory_say(lab, MESSAGE_INFO, "this locale has ASCII only");
         return;
     }
     lab->screen.glyphs = (Glyphs)((lab->screen.glyphs + 1) % GLYPHS_COUNT);
-    say(lab, MESSAGE_INFO, "glyphs: %s", texts[lab->screen.glyphs]);
+    laboratory_say(lab, MESSAGE_INFO, "glyphs: %s", texts[lab->screen.glyphs]);
 }

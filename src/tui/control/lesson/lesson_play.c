@@ -1,65 +1,11 @@
 /* Lessons: pages beside the run, and what the laboratory does when one is opened. */
 #include "tui/control/laboratory.h"
+#include "tui/control/prompt/line.h"
+#include "tui/control/lesson/lesson_progress.h"
 
-#include "base/input.h"
-#include "base/output.h"
-#include "base/text.h"
-#include "tui/control/session/state_file.h"
-
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* --- how far one came ------------------------------------------------------------------------------- */
-
-static const char *const progress_file = "lessons";
-
-bool read_progress(int reached[LESSONS_MAX])
-{
-    char *path = state_file(progress_file), line[128];
-    FILE *file = path ? input_open(path, 1000000, NULL) : NULL;
-    bool known = file || (path && errno == ENOENT);
-    InputLines lines = {.stream = file, .name = path};
-    InputGot got = INPUT_END;
-    while (file && (got = input_line(&lines, line, sizeof line, NULL)) == INPUT_LINE) {
-        char *space = strchr(line, ' ');
-        long page;
-        if (!space || !text_to_long(space, &page) || page > LESSON_PAGES_MAX)
-            continue;
-        *space = '\0';
-        for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
-            if (strcmp(builtin_lessons[i].name, line) == 0 && page > reached[i])
-                reached[i] = (int)page;
-    }
-    if (file)
-        fclose(file);
-    free(path);
-    return known && got == INPUT_END;
-}
-
-/* Another laboratory may have come further meanwhile, or a recorded session not as far: nothing is taken
- * back, and where it is not known how far one came nothing is written. That it cannot be kept does no harm.
- */
-static void write_progress(Asker asker, const int shown[LESSONS_MAX])
-{
-    Status ignored = {0};
-    OutputFile file = {0};
-    int reached[LESSONS_MAX];
-    memcpy(reached, shown, sizeof reached);
-    char *path = read_progress(reached) ? state_file(progress_file) : NULL;
-    if (path)
-        output_make_own_folders(asker, path);
-    if (path && output_open_own(&file, asker, path, &ignored)) {
-        for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
-            if (reached[i] > 0)
-                fprintf(file.stream, "%s %d\n", builtin_lessons[i].name, reached[i]);
-        if (output_finish(&file, &ignored))
-            output_commit(&file, &ignored);
-        output_close(&file);
-    }
-    free(path);
-}
 
 static int *reached_of(Laboratory *lab)
 {
@@ -87,18 +33,18 @@ static void queue_part(Laboratory *lab, const LessonPart *part)
 static void run_action(Laboratory *lab, const char *action)
 {
     const uint64_t used = lab->play.used;
-    const bool changed = lab->changed; /* what the lesson changes nobody has to export */
+    const bool changed = lab->editing.changed; /* what the lesson changes nobody has to export */
     const bool opens = strncmp(action, "open ", 5) == 0;
     const Asker user = lab->asker;
     lab->asker = ASKER_LESSON;
     const bool done = lab->run_line(lab, action);
     lab->asker = user;
     if (!done)
-        say(lab, MESSAGE_ERROR, "%s: %s", action, lab->screen.prompt.problem);
+        laboratory_say(lab, MESSAGE_ERROR, "%s: %s", action, lab->screen.prompt.problem);
     else if (opens)
-        pause_run(lab); /* a page is read before it is run */
+        player_pause(lab); /* a page is read before it is run */
     lab->play.used = used;
-    lab->changed = lab->changed && changed;
+    lab->editing.changed = lab->editing.changed && changed;
 }
 
 static bool has_value(const Laboratory *lab, const LessonUntil *until)
@@ -137,7 +83,7 @@ static bool is_met(const Laboratory *lab, const LessonUntil *until)
     return true;
 }
 
-void continue_lesson(Laboratory *lab)
+void lesson_play_continue(Laboratory *lab)
 {
     LessonPlay *play = &lab->play;
     if (play->busy)
@@ -197,7 +143,7 @@ static void show_page(Laboratory *lab, int page)
     if (reached && *reached < page + 1)
         *reached = page + 1;
     lab->screen.focus = PANE_PARAMETERS;
-    continue_lesson(lab);
+    lesson_play_continue(lab);
     const LessonPage *now = page_now(lab);
     if (now->n_fields > 0)
         select_field(lab, now->fields[0]);
@@ -210,13 +156,14 @@ static void turn_page(Laboratory *lab, int direction)
     const bool open_question = page->question && shown->answer < 0;
     if (direction > 0 && (open_question || !shown->met) && !lab->play.warned) {
         lab->play.warned = true; /* who presses again does not want to */
-        say(lab, MESSAGE_INFO, "%s; PageDown again leaves it out",
-            open_question ? "the question waits for an answer" : "this page waits for something");
+        laboratory_say(lab, MESSAGE_INFO, "%s; PageDown again leaves it out",
+                       open_question ? "the question waits for an answer" : "this page waits for something");
     } else if (shown->page + direction >= 0 && shown->page + direction < shown->lesson->n_pages) {
         show_page(lab, shown->page + direction);
     } else {
-        say(lab, MESSAGE_INFO,
-            direction > 0 ? "that was the last page; T closes the lesson" : "this is the first page");
+        laboratory_say(lab, MESSAGE_INFO,
+                       direction > 0 ? "that was the last page; T closes the lesson"
+                                     : "this is the first page");
     }
 }
 
@@ -237,11 +184,11 @@ static void forget_lesson(Laboratory *lab)
     lab->screen.lesson.lesson = NULL;
 }
 
-const char all_lessons[] = "-";
+const char laboratory_all_lessons[] = "-";
 
-bool open_lesson(Laboratory *lab, const char *name, Status *status)
+bool lesson_play_open(Laboratory *lab, const char *name, Status *status)
 {
-    if (strcmp(name, all_lessons) == 0) {
+    if (strcmp(name, laboratory_all_lessons) == 0) {
         lab->screen.lesson.open = true;
         return true;
     }
@@ -259,22 +206,22 @@ bool open_lesson(Laboratory *lab, const char *name, Status *status)
     const int page = reached && *reached > 1 && *reached < lesson.n_pages ? *reached - 1 : 0;
     show_page(lab, page);
     if (page > 0)
-        say(lab, MESSAGE_INFO, "you had come to page %d; PageUp turns back", page + 1);
+        laboratory_say(lab, MESSAGE_INFO, "you had come to page %d; PageUp turns back", page + 1);
     return true;
 }
 
-void close_lesson(Laboratory *lab)
+void lesson_play_close(Laboratory *lab)
 {
     if (lab->play.name[0])
-        write_progress(lab->play.asker, lab->screen.lesson.reached);
+        lesson_progress_write(lab->play.asker, lab->screen.lesson.reached);
     forget_lesson(lab);
     lab->screen.lesson.open = false;
 }
 
-void toggle_lessons(Laboratory *lab)
+void lesson_play_toggle(Laboratory *lab)
 {
     if (lab->screen.lesson.open) {
-        close_lesson(lab);
+        lesson_play_close(lab);
         return;
     }
     lab->screen.lesson.open = true;
@@ -282,10 +229,10 @@ void toggle_lessons(Laboratory *lab)
     lab->screen.focus = PANE_PARAMETERS;
 }
 
-bool answer_lesson(Laboratory *lab, const char *text)
+bool lesson_play_answer(Laboratory *lab, const char *text)
 {
     Status status = {STATUS_DONE, ""};
-    return open_lesson(lab, text, &status) || refuse(lab, status.text);
+    return lesson_play_open(lab, text, &status) || prompt_refuse(&lab->prompting, status.text);
 }
 
 /* --- keys ------------------------------------------------------------------------------------------- */
@@ -301,11 +248,11 @@ static void open_from_list(Laboratory *lab, int lesson)
     if (lesson >= screen_lesson_count())
         return;
     lab->screen.lesson.chosen = lesson;
-    if (!open_lesson(lab, builtin_lessons[lesson].name, &status))
-        say(lab, MESSAGE_ERROR, "%s", status.text);
+    if (!lesson_play_open(lab, builtin_lessons[lesson].name, &status))
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
 }
 
-bool click_lesson(Laboratory *lab, int x, int y)
+bool lesson_play_click(Laboratory *lab, int x, int y)
 {
     const int lesson = screen_lesson_at(&lab->screen, lab->width, lab->height, x, y);
     if (lesson >= 0)
@@ -313,20 +260,20 @@ bool click_lesson(Laboratory *lab, int x, int y)
     return lesson >= 0;
 }
 
-void enter_in_lesson(Laboratory *lab)
+void lesson_play_enter(Laboratory *lab)
 {
     const LessonPage *page = page_now(lab);
     if (!page)
         open_from_list(lab, lab->screen.lesson.chosen);
     else if (page->n_fields > 0)
-        begin_edit(lab);
+        edit_begin(lab);
     else if (page->question && lab->screen.lesson.answer < 0)
-        say(lab, MESSAGE_INFO, "a number answers the question: 1 to %d", page->n_choices);
+        laboratory_say(lab, MESSAGE_INFO, "a number answers the question: 1 to %d", page->n_choices);
     else
-        say(lab, MESSAGE_INFO, "there is no field on this page; PageDown and PageUp turn pages");
+        laboratory_say(lab, MESSAGE_INFO, "there is no field on this page; PageDown and PageUp turn pages");
 }
 
-bool lesson_key(Laboratory *lab, const Key *key)
+bool lesson_play_key(Laboratory *lab, const Key *key)
 {
     const LessonShown *shown = &lab->screen.lesson;
     const LessonPage *page = page_now(lab);
@@ -349,13 +296,13 @@ bool lesson_key(Laboratory *lab, const Key *key)
     return false;
 }
 
-void move_in_lesson(Laboratory *lab, int x, int y)
+void lesson_play_move(Laboratory *lab, int x, int y)
 {
     LessonShown *shown = &lab->screen.lesson;
     const LessonPage *page = page_now(lab);
     if (x) {
         if (page && page->n_fields > 0)
-            nudge_selected(lab, x);
+            edit_nudge(lab, x);
         return;
     }
     if (!page) {
@@ -365,7 +312,7 @@ void move_in_lesson(Laboratory *lab, int x, int y)
     }
     const int most = screen_lesson_most(&lab->screen, lab->width, lab->height), to = shown->scroll + y;
     if (page->n_fields > 1 && most == 0) {
-        const Parameter *selected = selected_parameter(lab);
+        const Parameter *selected = edit_selected(&lab->screen);
         int at = 0;
         while (selected && at < page->n_fields && strcmp(page->fields[at], selected->key) != 0)
             at++;

@@ -2,6 +2,7 @@
 
 #include "base/output.h"
 #include "tui/control/laboratory.h"
+#include "tui/control/lesson/lesson_progress.h"
 #include "tui/terminal/loop.h"
 #include "tui/control/session/script.h"
 #include "tui/control/session/session.h"
@@ -66,7 +67,7 @@ int laboratory_main(const LaboratoryOptions *given, Status *status)
     LaboratoryOptions options = *given;
     Session *replay = NULL, *recording = NULL;
     int result = STATUS_DONE, reached[LESSONS_MAX] = {0};
-    read_progress(reached);
+    lesson_progress_read(reached);
     options.reached = reached;
     /* names, widths and the character set are the user's; numbers have a point everywhere */
     setlocale(LC_ALL, "");

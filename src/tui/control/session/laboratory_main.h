@@ -13,7 +13,7 @@
 typedef struct LaboratoryOptions {
     const Settings *settings; /* resolved: scenario and --set */
     const char *scenario;     /* name or path as the user gave it, for the title line */
-    const char *lesson;       /* opened at once, or all_lessons; NULL: none */
+    const char *lesson;       /* opened at once, or laboratory_all_lessons; NULL: none */
     const int *reached; /* per lesson of the program (LESSONS_MAX), pages turned to so far; NULL: none */
     bool paused;        /* open paused */
     const char *glyphs; /* "auto", "braille", "block", "ascii"; NULL: auto */
@@ -33,7 +33,7 @@ typedef struct LaboratoryOptions {
 } LaboratoryOptions;
 
 /* In place of a name: the list of lessons. */
-extern const char all_lessons[];
+extern const char laboratory_all_lessons[];
 
 /* Opens the laboratory and returns when the user leaves it. The result is the exit status: 0, 128 + n after
  * signal n, otherwise that of the status, whose text main prints. The terminal is restored in every case. */

@@ -20,16 +20,16 @@ static bool approach(Replay *replay, Laboratory *lab, const SessionEvent *event,
     while (lab->screen.state == STATE_COMPUTING || !is_there(lab, event)) {
         const long ahead = event->step - experiment_step(lab->screen.experiment);
         if (lab->screen.state == STATE_RUNNING && ahead > 0) {
-            lab->run_limit = event->step;
-            lab->owed = (double)ahead;
+            lab->player.run_limit = event->step;
+            lab->player.owed = (double)ahead;
         } else if (lab->screen.state != STATE_COMPUTING) {
             if (replay->sought)
                 return true;
             replay->sought = true;
-            seek(lab, event->step, event->stage);
+            player_seek(lab, event->step, event->stage);
         }
         laboratory_frame(lab, deadline);
-        lab->run_limit = -1;
+        lab->player.run_limit = -1;
         if (lab->host.now(lab->host.context) >= deadline)
             return lab->screen.state != STATE_COMPUTING && is_there(lab, event);
     }
@@ -66,7 +66,7 @@ bool replay_go_on(Replay *replay, Laboratory *lab, double deadline)
 void replay_end(Replay *replay, Laboratory *lab)
 {
     *replay = (Replay){.session = NULL};
-    lab->run_limit = -1;
-    close_prompt(lab); /* its next key would be the user's, who did not see what was asked */
+    lab->player.run_limit = -1;
+    prompt_close(&lab->prompting); /* its next key would be the user's, who did not see what was asked */
     lab->asker = laboratory_user(lab);
 }

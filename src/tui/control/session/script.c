@@ -15,7 +15,7 @@
 
 enum { SCENE_KEYS = 4, LINE_BYTES_MAX = 4096, SCRIPT_BYTES_MAX = 100000000 };
 
-struct Player {
+struct Script {
     Laboratory lab;
     Canvas canvas;
     int width, height;
@@ -30,24 +30,24 @@ struct Player {
 
 static double now(void *context)
 {
-    return ((const Player *)context)->time;
+    return ((const Script *)context)->time;
 }
 
 static void worked(void *context, long steps)
 {
-    Player *player = context;
-    if (player->rate > 0)
-        player->time += (double)steps / player->rate;
+    Script *script = context;
+    if (script->rate > 0)
+        script->time += (double)steps / script->rate;
 }
 
 static bool go_on(void *context)
 {
-    const Player *player = context;
+    const Script *script = context;
     struct timespec at;
     clock_gettime(CLOCK_MONOTONIC, &at);
     const double spent =
-        (double)(at.tv_sec - player->begun.tv_sec) + 1e-9 * (double)(at.tv_nsec - player->begun.tv_nsec);
-    return player->patience == 0 || spent < player->patience;
+        (double)(at.tv_sec - script->begun.tv_sec) + 1e-9 * (double)(at.tv_nsec - script->begun.tv_nsec);
+    return script->patience == 0 || spent < script->patience;
 }
 
 static void nothing(void *context)
@@ -55,50 +55,50 @@ static void nothing(void *context)
     (void)context;
 }
 
-static bool draw(Player *player, Status *status)
+static bool draw(Script *script, Status *status)
 {
-    if (!laboratory_draw(&player->lab, &player->canvas, player->width, player->height))
+    if (!laboratory_draw(&script->lab, &script->canvas, script->width, script->height))
         return status_fail(status, STATUS_FAILED, "out of memory");
     return true;
 }
 
-static void frame(Player *player)
+static void frame(Script *script)
 {
-    double begin = player->time;
-    laboratory_frame(&player->lab, begin + FRAME_SECONDS);
-    if (player->time < begin + FRAME_SECONDS)
-        player->time = begin + FRAME_SECONDS;
+    double begin = script->time;
+    laboratory_frame(&script->lab, begin + FRAME_SECONDS);
+    if (script->time < begin + FRAME_SECONDS)
+        script->time = begin + FRAME_SECONDS;
 }
 
-static void frame_of_work(Player *player)
+static void frame_of_work(Script *script)
 {
-    if (player->lab.screen.state == STATE_COMPUTING)
-        frame(player);
+    if (script->lab.screen.state == STATE_COMPUTING)
+        frame(script);
 }
 
 /* As the event loop does it: work that a key asks for begins in the same frame, and the screen is drawn. */
-static bool press_at(Player *player, const char *name, int x, int y, Status *status)
+static bool press_at(Script *script, const char *name, int x, int y, Status *status)
 {
     Key key = {.x = x, .y = y};
-    if (player->lab.closed)
+    if (script->lab.closed)
         return status_fail(status, STATUS_FAILED, "key %s: the laboratory has been left", name);
-    if (player->scene[0] && ++player->scene_keys > SCENE_KEYS)
+    if (script->scene[0] && ++script->scene_keys > SCENE_KEYS)
         return status_fail(status, STATUS_FAILED, "key %s: the scene '%s' costs more than %d keys", name,
-                           player->scene, SCENE_KEYS);
+                           script->scene, SCENE_KEYS);
     snprintf(key.name, sizeof key.name, "%s", name);
-    laboratory_key(&player->lab, &key);
-    frame_of_work(player);
-    return draw(player, status);
+    laboratory_key(&script->lab, &key);
+    frame_of_work(script);
+    return draw(script, status);
 }
 
-static bool press(Player *player, const char *name, Status *status)
+static bool press(Script *script, const char *name, Status *status)
 {
-    return press_at(player, name, -1, -1, status);
+    return press_at(script, name, -1, -1, status);
 }
 
 /* --- instructions ----------------------------------------------------------------------------------- */
 
-static bool do_key(Player *player, char *rest, Status *status)
+static bool do_key(Script *script, char *rest, Status *status)
 {
     char *place;
     for (char *name = strtok_r(rest, " \t", &place); name; name = strtok_r(NULL, " \t", &place))
@@ -106,31 +106,31 @@ static bool do_key(Player *player, char *rest, Status *status)
             return status_fail(status, STATUS_USAGE,
                                "key: %.40s is no key (a character, Space, Enter, Esc, Up, F1, ^C, ...)",
                                name);
-        else if (!press(player, name, status))
+        else if (!press(script, name, status))
             return false;
     return true;
 }
 
-static bool press_mouse(Player *player, const char *word, const char *name, const char *rest, Status *status)
+static bool press_mouse(Script *script, const char *word, const char *name, const char *rest, Status *status)
 {
     int x, y;
     char end;
     if (sscanf(rest, "%d %d%c", &x, &y, &end) != 2)
         return status_fail(status, STATUS_USAGE, "%s: a column and a row are wanted, not: %s", word, rest);
-    return press_at(player, name, x, y, status);
+    return press_at(script, name, x, y, status);
 }
 
-static bool do_click(Player *player, char *rest, Status *status)
+static bool do_click(Script *script, char *rest, Status *status)
 {
-    return press_mouse(player, "click", "Click", rest, status);
+    return press_mouse(script, "click", "Click", rest, status);
 }
 
-static bool do_drag(Player *player, char *rest, Status *status)
+static bool do_drag(Script *script, char *rest, Status *status)
 {
-    return press_mouse(player, "drag", "Drag", rest, status);
+    return press_mouse(script, "drag", "Drag", rest, status);
 }
 
-static bool do_type(Player *player, char *rest, Status *status)
+static bool do_type(Script *script, char *rest, Status *status)
 {
     while (*rest) {
         char name[8];
@@ -138,7 +138,7 @@ static bool do_type(Player *player, char *rest, Status *status)
         while (((unsigned char)rest[length] & 0xc0) == 0x80 && length < 4)
             length++;
         snprintf(name, sizeof name, "%.*s", (int)length, rest);
-        if (!press(player, strcmp(name, " ") == 0 ? "Space" : name, status))
+        if (!press(script, strcmp(name, " ") == 0 ? "Space" : name, status))
             return false;
         rest += length;
     }
@@ -146,61 +146,61 @@ static bool do_type(Player *player, char *rest, Status *status)
 }
 
 /* In front of a class nobody can follow more than a few keys. */
-static bool do_scene(Player *player, char *rest, Status *status)
+static bool do_scene(Script *script, char *rest, Status *status)
 {
-    if (!*rest || strlen(rest) >= sizeof player->scene)
+    if (!*rest || strlen(rest) >= sizeof script->scene)
         return status_fail(status, STATUS_USAGE, "scene: a short name is wanted, not: %s", rest);
-    snprintf(player->scene, sizeof player->scene, "%s", rest);
-    player->scene_keys = 0;
+    snprintf(script->scene, sizeof script->scene, "%s", rest);
+    script->scene_keys = 0;
     return true;
 }
 
-static bool do_wait(Player *player, char *rest, Status *status)
+static bool do_wait(Script *script, char *rest, Status *status)
 {
     double seconds;
     char end;
     if (sscanf(rest, "%lf%c", &seconds, &end) != 1 || seconds < 0 || seconds > 1e6)
         return status_fail(status, STATUS_USAGE, "wait: not a number of seconds: %s", rest);
     /* half a frame of grace, so that rounding does not decide about a frame */
-    for (double until = player->time + seconds - FRAME_SECONDS / 2; player->time < until;)
-        frame(player);
-    return draw(player, status);
+    for (double until = script->time + seconds - FRAME_SECONDS / 2; script->time < until;)
+        frame(script);
+    return draw(script, status);
 }
 
-static bool do_size(Player *player, char *rest, Status *status)
+static bool do_size(Script *script, char *rest, Status *status)
 {
     int size[2];
     if (!text_to_size(rest, 1, SCRIPT_CELLS_MAX, size))
         return status_fail(status, STATUS_USAGE, "size: not a size: %s (as in 80x24; at most %d each)", rest,
                            SCRIPT_CELLS_MAX);
-    player->width = size[0];
-    player->height = size[1];
-    return draw(player, status);
+    script->width = size[0];
+    script->height = size[1];
+    return draw(script, status);
 }
 
-static bool do_rate(Player *player, char *rest, Status *status)
+static bool do_rate(Script *script, char *rest, Status *status)
 {
     char end;
-    if (sscanf(rest, "%lf%c", &player->rate, &end) != 1 || player->rate < 0)
+    if (sscanf(rest, "%lf%c", &script->rate, &end) != 1 || script->rate < 0)
         return status_fail(status, STATUS_USAGE, "rate: not a number of steps: %s", rest);
     for (int i = 0; i < RATES; i++)
-        player->lab.rates[i] = player->rate;
+        script->lab.player.rates[i] = script->rate;
     return true;
 }
 
-static bool do_patience(Player *player, char *rest, Status *status)
+static bool do_patience(Script *script, char *rest, Status *status)
 {
     char end;
-    if (sscanf(rest, "%lf%c", &player->patience, &end) != 1 || !(player->patience >= 0))
+    if (sscanf(rest, "%lf%c", &script->patience, &end) != 1 || !(script->patience >= 0))
         return status_fail(status, STATUS_USAGE, "patience: not a number of seconds: %s", rest);
     return true;
 }
 
-static bool print(Player *player, const char *name, bool styles, Status *status)
+static bool print(Script *script, const char *name, bool styles, Status *status)
 {
-    if (!draw(player, status))
+    if (!draw(script, status))
         return false;
-    char *text = styles ? canvas_dump_styles(&player->canvas) : canvas_dump(&player->canvas);
+    char *text = styles ? canvas_dump_styles(&script->canvas) : canvas_dump(&script->canvas);
     if (!text)
         return status_fail(status, STATUS_FAILED, "out of memory");
     if (*name)
@@ -210,21 +210,21 @@ static bool print(Player *player, const char *name, bool styles, Status *status)
     return true;
 }
 
-static bool do_screen(Player *player, char *rest, Status *status)
+static bool do_screen(Script *script, char *rest, Status *status)
 {
-    return print(player, rest, false, status);
+    return print(script, rest, false, status);
 }
 
-static bool do_styles(Player *player, char *rest, Status *status)
+static bool do_styles(Script *script, char *rest, Status *status)
 {
-    return print(player, rest, true, status);
+    return print(script, rest, true, status);
 }
 
-static bool look_for(Player *player, const char *text, bool wanted, Status *status)
+static bool look_for(Script *script, const char *text, bool wanted, Status *status)
 {
-    if (!draw(player, status))
+    if (!draw(script, status))
         return false;
-    char *dump = canvas_dump(&player->canvas);
+    char *dump = canvas_dump(&script->canvas);
     if (!dump)
         return status_fail(status, STATUS_FAILED, "out of memory");
     bool found = strstr(dump, text) != NULL;
@@ -237,20 +237,20 @@ static bool look_for(Player *player, const char *text, bool wanted, Status *stat
                        found ? "on the screen" : "not on the screen");
 }
 
-static bool do_expect(Player *player, char *rest, Status *status)
+static bool do_expect(Script *script, char *rest, Status *status)
 {
-    return look_for(player, rest, true, status);
+    return look_for(script, rest, true, status);
 }
 
-static bool do_reject(Player *player, char *rest, Status *status)
+static bool do_reject(Script *script, char *rest, Status *status)
 {
-    return look_for(player, rest, false, status);
+    return look_for(script, rest, false, status);
 }
 
-static bool do_closed(Player *player, char *rest, Status *status)
+static bool do_closed(Script *script, char *rest, Status *status)
 {
     (void)rest;
-    return player->lab.closed || status_fail(status, STATUS_FAILED, "the laboratory is still open");
+    return script->lab.closed || status_fail(status, STATUS_FAILED, "the laboratory is still open");
 }
 
 const ScriptInstruction script_instructions[] = {
@@ -276,9 +276,9 @@ const ScriptInstruction script_instructions[] = {
     {NULL, NULL, NULL, NULL},
 };
 
-static bool play_line(Player *player, char *line, Status *status)
+static bool play_line(Script *script, char *line, Status *status)
 {
-    clock_gettime(CLOCK_MONOTONIC, &player->begun);
+    clock_gettime(CLOCK_MONOTONIC, &script->begun);
     line += strspn(line, " \t");
     if (!*line || *line == '#')
         return true;
@@ -286,7 +286,7 @@ static bool play_line(Player *player, char *line, Status *status)
     char *rest = line + length + (line[length] == ' ');
     for (const ScriptInstruction *row = script_instructions; row->name; row++)
         if (strlen(row->name) == length && strncmp(line, row->name, length) == 0)
-            return row->run(player, rest, status);
+            return row->run(script, rest, status);
     char known[256] = "";
     size_t used = 0;
     for (const ScriptInstruction *row = script_instructions; row->name && used < sizeof known; row++)
@@ -294,75 +294,75 @@ static bool play_line(Player *player, char *line, Status *status)
     return status_fail(status, STATUS_USAGE, "unknown instruction: %.60s (%s)", line, known);
 }
 
-static bool play(Player *player, FILE *file, const char *name, Status *status)
+static bool play(Script *script, FILE *file, const char *name, Status *status)
 {
     InputLines lines = {.stream = file, .name = name};
     char line[LINE_BYTES_MAX + 1];
     InputGot got = INPUT_END;
-    if (!draw(player, status))
+    if (!draw(script, status))
         return false;
     while ((got = input_line(&lines, line, sizeof line, status)) == INPUT_LINE)
-        if (!play_line(player, line, status))
+        if (!play_line(script, line, status))
             return status_prefix(status, "%s:%ld", name, lines.number);
     return got == INPUT_END;
 }
 
-static bool open_player(Player *player, const LaboratoryOptions *options, Status *status)
+static bool open_script(Script *script, const LaboratoryOptions *options, Status *status)
 {
-    Host host = {now, worked, go_on, nothing, nothing, player, NULL};
+    Host host = {now, worked, go_on, nothing, nothing, script, NULL};
     const char *codeset = nl_langinfo(CODESET);
     Glyphs glyphs;
     if (!picture_choose_glyphs(options->glyphs, codeset, NULL, &glyphs))
         return status_fail(status, STATUS_USAGE, "--glyphs: unknown set '%s' (auto, braille, block or ascii)",
                            options->glyphs);
-    if (!laboratory_open(&player->lab, options, &host, status))
+    if (!laboratory_open(&script->lab, options, &host, status))
         return false;
-    player->lab.screen.glyphs = glyphs;
-    player->lab.screen.colours = 256;
-    player->lab.screen.light = theme_is_light(options->theme, NULL);
-    player->lab.utf8 = strcmp(codeset, "UTF-8") == 0;
-    player->width = options->width > 0 ? options->width : 80;
-    player->height = options->height > 0 ? options->height : 24;
+    script->lab.screen.glyphs = glyphs;
+    script->lab.screen.colours = 256;
+    script->lab.screen.light = theme_is_light(options->theme, NULL);
+    script->lab.utf8 = strcmp(codeset, "UTF-8") == 0;
+    script->width = options->width > 0 ? options->width : 80;
+    script->height = options->height > 0 ? options->height : 24;
     return true;
 }
 
 /* The session first, as fast as it can; the script goes on where it was left. */
-static bool replay_all(Player *player, const Session *session, Status *status)
+static bool replay_all(Script *script, const Session *session, Status *status)
 {
     Replay replay = {.session = session};
     bool sound = true;
     for (const SessionEvent *event; sound && (event = replay_next(&replay));) {
         if (event->width > 0 && event->height > 0 && event->width <= SCRIPT_CELLS_MAX &&
             event->height <= SCRIPT_CELLS_MAX) {
-            player->width = event->width;
-            player->height = event->height;
+            script->width = event->width;
+            script->height = event->height;
         }
-        sound = draw(player, status);
-        if (sound && replay_go_on(&replay, &player->lab, player->time + FRAME_SECONDS))
-            frame_of_work(player);
+        sound = draw(script, status);
+        if (sound && replay_go_on(&replay, &script->lab, script->time + FRAME_SECONDS))
+            frame_of_work(script);
     }
     if (session)
-        replay_end(&replay, &player->lab);
-    return sound && draw(player, status);
+        replay_end(&replay, &script->lab);
+    return sound && draw(script, status);
 }
 
 int script_play(FILE *file, const char *name, const LaboratoryOptions *options, const Session *replay,
                 Session *recording, Status *status)
 {
-    Player *player = calloc(1, sizeof *player);
+    Script *script = calloc(1, sizeof *script);
     bool sound = false;
-    if (!player)
+    if (!script)
         status_fail(status, STATUS_FAILED, "out of memory");
-    else if (open_player(player, options, status)) {
-        player->lab.recording = recording;
-        session_note_start(recording, &player->lab);
-        sound = replay_all(player, replay, status);
-        sound = sound && play(player, file, name, status);
-        session_note_end(recording, &player->lab);
-        laboratory_close(&player->lab);
-        canvas_close(&player->canvas);
+    else if (open_script(script, options, status)) {
+        script->lab.recording = recording;
+        session_note_start(recording, &script->lab);
+        sound = replay_all(script, replay, status);
+        sound = sound && play(script, file, name, status);
+        session_note_end(recording, &script->lab);
+        laboratory_close(&script->lab);
+        canvas_close(&script->canvas);
     }
-    free(player);
+    free(script);
     return sound ? 0 : (int)status->code;
 }
 

@@ -13,12 +13,12 @@
 
 enum { SCRIPT_CELLS_MAX = 1000 }; /* of a screen, each way */
 
-typedef struct Player Player; /* a script that is being played */
+typedef struct Script Script; /* a script that is being played */
 
 /* A row of the table of instructions, ended by a NULL name; the manual page is made from it. */
 typedef struct ScriptInstruction {
     const char *name, *arguments, *help;
-    bool (*run)(Player *, char *arguments, Status *);
+    bool (*run)(Script *, char *arguments, Status *);
 } ScriptInstruction;
 
 extern const ScriptInstruction script_instructions[];

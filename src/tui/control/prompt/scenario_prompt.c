@@ -1,5 +1,7 @@
 /* Opening a scenario: from a list with titles, that shrinks to what is typed, or by a path. */
 #include "tui/control/laboratory.h"
+#include "tui/control/prompt/scenario_prompt.h"
+#include "tui/control/opening.h"
 
 #include "base/text.h"
 #include "lab/settings/scenario.h"
@@ -68,12 +70,13 @@ static void narrow(ScenarioList *list, const char *text, const char *open)
 
 static void choose(Laboratory *lab, int chosen)
 {
-    ScenarioList *list = &lab->scenarios;
+    ScenarioList *list = &lab->prompting.scenarios;
     Prompt *prompt = &lab->screen.prompt;
     if (list->n_shown == 0)
         return;
     list->chosen = chosen < 0 ? 0 : chosen < list->n_shown ? chosen : list->n_shown - 1;
-    fill_prompt(lab, list->entries[list->shown[list->chosen]].name); /* typing begins a new search */
+    prompt_fill(&lab->prompting,
+                list->entries[list->shown[list->chosen]].name); /* typing begins a new search */
     prompt->hint[0] = '\0';
 }
 
@@ -81,7 +84,7 @@ static void choose(Laboratory *lab, int chosen)
  * searched for begins at its top, or its end. */
 static int where_to_begin(const Laboratory *lab, int rows)
 {
-    const ScenarioList *list = &lab->scenarios;
+    const ScenarioList *list = &lab->prompting.scenarios;
     const bool searched = lab->screen.prompt.text[0] != '\0';
     if (list->chosen >= 0)
         return list->chosen;
@@ -108,34 +111,26 @@ static bool choose_by_key(Laboratory *lab, const char *key)
 static void narrow_to_text(Laboratory *lab, const char *key)
 {
     (void)key;
-    narrow(&lab->scenarios, lab->screen.prompt.text, lab->scenario);
-}
-
-bool answer_open(Laboratory *lab, const char *text)
-{
-    Status status = {STATUS_DONE, ""};
-    if (!text[0])
-        return true;
-    return open_scenario(lab, text, &status) || refuse(lab, status.text);
+    narrow(&lab->prompting.scenarios, lab->screen.prompt.text, lab->scenario);
 }
 
 /* What was typed is a name or a path; where it is neither, but one scenario is left in the list, that is
  * meant. */
 static bool answer_scenario(Laboratory *lab, const char *text)
 {
-    const ScenarioList *list = &lab->scenarios;
+    const ScenarioList *list = &lab->prompting.scenarios;
     if (text[0] && list->n_shown == 1 && !scenario_builtin(text) && access(text, F_OK) != 0)
         text = list->entries[list->shown[0]].name;
     if (text[0] && list->n_shown > 1 && !scenario_builtin(text) && access(text, F_OK) != 0)
-        return refuse(lab, "several have that in their name or title: Down chooses one");
-    return answer_open(lab, text);
+        return prompt_refuse(&lab->prompting, "several have that in their name or title: Down chooses one");
+    return opening_answer(lab, text);
 }
 
 static const Typing typing = {.key = choose_by_key, .offer = complete_scenarios, .typed = narrow_to_text};
 
-void ask_scenario(Laboratory *lab)
+void scenario_prompt_ask(Laboratory *lab)
 {
-    ScenarioList *list = &lab->scenarios;
+    ScenarioList *list = &lab->prompting.scenarios;
     list->count = 0;
     for (const BuiltinScenario *builtin = builtin_scenarios; builtin->name; builtin++) {
         char title[TITLE_MAX];
@@ -143,7 +138,7 @@ void ask_scenario(Laboratory *lab)
     }
     offer_files(list);
     narrow(list, "", lab->scenario);
-    ask(lab, answer_scenario, false, "", "open scenario or file");
+    prompt_ask(&lab->prompting, answer_scenario, false, "", "open scenario or file");
     lab->screen.prompt.scenarios = list;
-    lab->typing = &typing;
+    lab->prompting.typing = &typing;
 }

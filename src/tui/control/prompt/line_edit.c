@@ -1,4 +1,4 @@
-#include "tui/control/line_edit.h"
+#include "tui/control/prompt/line_edit.h"
 
 #include <string.h>
 
@@ -45,7 +45,7 @@ static void cut(char *text, int first, int last)
     memmove(text + from, text + to, strlen(text + to) + 1);
 }
 
-bool line_key(char *text, size_t size, int *cursor, const char *key, bool fresh)
+bool line_edit_key(char *text, size_t size, int *cursor, const char *key, bool fresh)
 {
     bool printing = (key[0] && !key[1]) || ((unsigned char)key[0] >= 0x80 && characters(key) == 1);
     int count = characters(text);

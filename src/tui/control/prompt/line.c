@@ -1,5 +1,10 @@
 /* The command line behind `:`: commands by name, KEY=VALUE, a time, and verbs that take arguments. */
 #include "tui/control/laboratory.h"
+#include "tui/control/commands/commands.h"
+#include "tui/control/prompt/line.h"
+#include "tui/control/writing.h"
+#include "tui/control/second_run.h"
+#include "tui/control/opening.h"
 #include "view/views/view.h"
 
 #include "base/text.h"
@@ -12,7 +17,7 @@
 
 static void remember(Laboratory *lab, const char *text)
 {
-    LineHistory *past = &lab->past;
+    LineHistory *past = &lab->prompting.past;
     if (past->count > 0 && strcmp(past->lines[past->count - 1], text) == 0)
         return;
     if (past->count == LINE_HISTORY_MAX) {
@@ -24,7 +29,7 @@ static void remember(Laboratory *lab, const char *text)
 
 static void recall(Laboratory *lab, int direction)
 {
-    LineHistory *past = &lab->past;
+    LineHistory *past = &lab->prompting.past;
     Prompt *prompt = &lab->screen.prompt;
     const int to = past->at + direction;
     if (to < 0 || to > past->count)
@@ -35,7 +40,7 @@ static void recall(Laboratory *lab, int direction)
     memcpy(prompt->text, to == past->count ? past->unfinished : past->lines[to], sizeof prompt->text);
     prompt->cursor = text_characters(prompt->text);
     prompt->problem[0] = prompt->hint[0] = '\0';
-    lab->fresh = false;
+    lab->prompting.fresh = false;
 }
 
 /* --- verbs ------------------------------------------------------------------------------------------ */
@@ -45,8 +50,8 @@ static bool assign(Laboratory *lab, const char *key, const char *value)
     Settings settings = *experiment_settings(lab->screen.experiment);
     Status status = {STATUS_DONE, ""};
     return (settings_set(&settings, key, value, &status) && view_check(&settings.view, &status) &&
-            change_settings(lab, &settings, experiment_edit, &status)) ||
-           refuse(lab, status.text);
+            edit_change(lab, &settings, experiment_edit, &status)) ||
+           prompt_refuse(&lab->prompting, status.text);
 }
 
 /* "KEY = VALUE" and, behind `set`, also "KEY VALUE". */
@@ -58,14 +63,14 @@ static bool set(Laboratory *lab, const char *words)
     if (*value == '=')
         value += 1 + strspn(value + 1, " ");
     if (length == 0 || length >= sizeof key || !*value)
-        return refuse(lab, "a key and a value are wanted, as in set initial.mode 5");
+        return prompt_refuse(&lab->prompting, "a key and a value are wanted, as in set initial.mode 5");
     snprintf(key, sizeof key, "%.*s", (int)length, words);
     return assign(lab, key, value);
 }
 
 static bool export_as(Laboratory *lab, const char *words)
 {
-    return ask_export(lab, words);
+    return exporting_ask(lab, words);
 }
 
 /* The next word, or what stands between quotes; false: there is none. */
@@ -84,7 +89,7 @@ static bool take_word(const char **words, char *out, size_t size)
 static bool reading(double share, void *context)
 {
     Laboratory *lab = context;
-    say(lab, MESSAGE_INFO, "reading %d %%   ^C cancels", (int)(100 * share));
+    laboratory_say(lab, MESSAGE_INFO, "reading %d %%   ^C cancels", (int)(100 * share));
     return lab->host.go_on(lab->host.context);
 }
 
@@ -101,18 +106,19 @@ static bool overlay(Laboratory *lab, const char *words)
     Overlay read;
     Status status = {STATUS_DONE, ""};
     if (!take_word(&words, path, sizeof path)) {
-        say(lab, MESSAGE_INFO, screen->overlay ? "%s is taken away" : "no series lies over the plots",
-            lab->overlay.file);
+        laboratory_say(lab, MESSAGE_INFO,
+                       screen->overlay ? "%s is taken away" : "no series lies over the plots",
+                       lab->overlay.file);
         drop_overlay(lab);
         return true;
     }
     const bool x_given = take_word(&words, x, sizeof x), y_given = take_word(&words, y, sizeof y);
     if (!overlay_load(&read, path, reading, lab, &status))
-        return refuse(lab, status.text);
+        return prompt_refuse(&lab->prompting, status.text);
     if (!overlay_choose(&read, x_given ? x : NULL, y_given ? y : NULL, screen_time_curve(screen),
                         screen_profile_curve(screen), &status)) {
         overlay_close(&read);
-        return refuse(lab, status.text);
+        return prompt_refuse(&lab->prompting, status.text);
     }
     drop_overlay(lab);
     lab->overlay = read;
@@ -121,8 +127,8 @@ static bool overlay(Laboratory *lab, const char *words)
     char from[NUMBER_TEXT_MAX], to[NUMBER_TEXT_MAX];
     text_rounded(from, read.count ? place[0] : NAN, 5);
     text_rounded(to, read.count ? place[read.count - 1] : NAN, 5);
-    say(lab, MESSAGE_INFO, "%s: %zu rows, %s from %s to %s; :overlay alone takes it away", read.file,
-        read.count, read.along ? "x" : "t", from, to);
+    laboratory_say(lab, MESSAGE_INFO, "%s: %zu rows, %s from %s to %s; :overlay alone takes it away",
+                   read.file, read.count, read.along ? "x" : "t", from, to);
     return true;
 }
 
@@ -138,10 +144,10 @@ static bool show(Laboratory *lab, const char *words)
     snprintf(why, sizeof why, "a view is wanted (%s), and its variant, as in show energies or show 1 2",
              known);
     if (!sound || !view || variant < 1 || variant > 99)
-        return refuse(lab, why);
+        return prompt_refuse(&lab->prompting, why);
     if (view_missing(view, &lab->screen))
-        return refuse(lab, view_missing(view, &lab->screen));
-    show_view(lab, view);
+        return prompt_refuse(&lab->prompting, view_missing(view, &lab->screen));
+    command_show_view(lab, view);
     view_choose_variant(view, &lab->screen, variant - 1);
     return true;
 }
@@ -153,7 +159,7 @@ static bool references(Laboratory *lab, const char *words)
             lab->screen.references = (ReferencesShown)i;
             return true;
         }
-    return refuse(lab, "which reference curves? (all | exact | predicted | none)");
+    return prompt_refuse(&lab->prompting, "which reference curves? (all | exact | predicted | none)");
 }
 
 static bool particle(Laboratory *lab, const char *words)
@@ -163,7 +169,7 @@ static bool particle(Laboratory *lab, const char *words)
     char why[64];
     snprintf(why, sizeof why, "which particle? (0 to %ld)", count - 1);
     if (!text_to_long(words, &number) || number < 0 || number >= count)
-        return refuse(lab, why);
+        return prompt_refuse(&lab->prompting, why);
     lab->screen.chosen.particle = (size_t)number;
     lab->screen.chosen.is_node = false;
     return true;
@@ -171,17 +177,17 @@ static bool particle(Laboratory *lab, const char *words)
 
 static bool (*const verbs[LINE_COUNT])(Laboratory *, const char *words) = {
     [LINE_SET] = set,
-    [LINE_OPEN] = answer_open,
-    [LINE_WRITE] = answer_write,
+    [LINE_OPEN] = opening_answer,
+    [LINE_WRITE] = writing_answer,
     [LINE_EXPORT] = export_as,
-    [LINE_GO_TO] = answer_go_to,
+    [LINE_GO_TO] = command_answer_go_to,
     [LINE_OVERLAY] = overlay,
     [LINE_SHOW] = show,
     [LINE_REFERENCES] = references,
     [LINE_PARTICLE] = particle,
-    [LINE_LESSON] = answer_lesson,
-    [LINE_DUEL] = answer_duel,
-    [LINE_FIGURE] = draw_figure,
+    [LINE_LESSON] = lesson_play_answer,
+    [LINE_DUEL] = second_run_answer,
+    [LINE_FIGURE] = exporting_figure,
 };
 
 /* --- the line --------------------------------------------------------------------------------------- */
@@ -196,7 +202,7 @@ static bool answer_line(Laboratory *lab, const char *text)
     if (!*line)
         return true;
     remember(lab, line);
-    return run_line(lab, line);
+    return line_run(lab, line);
 }
 
 /* An unknown first word, with the nearest one that there is. */
@@ -214,10 +220,10 @@ static bool refuse_word(Laboratory *lab, const char *line, const char *end)
     nearest = nearest_word(known, word);
     snprintf(why, sizeof why, "%s: unknown%s%s%s: a command (Tab completes), KEY=VALUE or a time is wanted",
              word, nearest ? " (did you mean " : "", nearest ? nearest : "", nearest ? "?)" : "");
-    return refuse(lab, why);
+    return prompt_refuse(&lab->prompting, why);
 }
 
-bool run_line(Laboratory *lab, const char *text)
+bool line_run(Laboratory *lab, const char *text)
 {
     const LineMeaning line = line_meaning(text);
     switch (line.kind) {
@@ -229,7 +235,7 @@ bool run_line(Laboratory *lab, const char *text)
     case LINE_ASSIGNMENT:
         return set(lab, text);
     case LINE_PLACE:
-        return answer_go_to(lab, text);
+        return command_answer_go_to(lab, text);
     case LINE_UNKNOWN:
         break;
     }
@@ -244,7 +250,7 @@ static bool line_key_of(Laboratory *lab, const char *key)
     if (up || strcmp(key, "Down") == 0)
         recall(lab, up ? -1 : 1);
     else if (lab->screen.prompt.problem[0] && strcmp(key, ":") == 0)
-        fill_prompt(lab, ""); /* who saw the refusal as a message begins the next line */
+        prompt_fill(&lab->prompting, ""); /* who saw the refusal as a message begins the next line */
     else
         return false;
     return true;
@@ -259,9 +265,9 @@ static void forget_hint(Laboratory *lab, const char *key)
 
 static const Typing typing = {.key = line_key_of, .offer = complete_line, .typed = forget_hint};
 
-void ask_line(Laboratory *lab)
+void line_ask(Laboratory *lab)
 {
-    lab->past.at = lab->past.count;
-    ask(lab, answer_line, false, "", ":");
-    lab->typing = &typing;
+    lab->prompting.past.at = lab->prompting.past.count;
+    prompt_ask(&lab->prompting, answer_line, false, "", ":");
+    lab->prompting.typing = &typing;
 }

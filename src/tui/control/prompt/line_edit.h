@@ -7,6 +7,6 @@
 
 /* Applies a key to a text of at most size - 1 bytes; the cursor counts characters. `fresh`: the first
  * printing character replaces the whole text. False: not a key of an editor. */
-bool line_key(char *text, size_t size, int *cursor, const char *key, bool fresh);
+bool line_edit_key(char *text, size_t size, int *cursor, const char *key, bool fresh);
 
 #endif

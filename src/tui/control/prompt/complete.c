@@ -223,20 +223,20 @@ void complete_line(Completion *completion, const Laboratory *lab)
     }
 }
 
-void complete_prompt(Laboratory *lab)
+void complete_tab(Laboratory *lab)
 {
     Prompt *prompt = &lab->screen.prompt;
-    Completion completion = {.start = prompt->text, .skipped = lab->tabbed};
-    if (!lab->typing || !lab->typing->offer)
+    Completion completion = {.start = prompt->text, .skipped = lab->prompting.tabbed};
+    if (!lab->prompting.typing || !lab->prompting.typing->offer)
         return;
-    lab->typing->offer(&completion, lab);
+    lab->prompting.typing->offer(&completion, lab);
     const size_t before = (size_t)(completion.start - prompt->text), had = strlen(completion.start);
     const bool further = completion.found == 1 || strlen(completion.common) > had;
     prompt->problem[0] = prompt->hint[0] = '\0';
-    lab->fresh = false;
+    lab->prompting.fresh = false;
     if (!further && prompt->scenarios && prompt->scenarios->n_shown > 0)
         return; /* they stand there, with their titles */
-    lab->tabbed = 0;
+    lab->prompting.tabbed = 0;
     if (!further) {
         const int shown = completion.skipped + completion.listed;
         snprintf(prompt->hint, sizeof prompt->hint, "%s",
@@ -245,7 +245,7 @@ void complete_prompt(Laboratory *lab)
             const size_t used = strlen(prompt->hint);
             snprintf(prompt->hint + used, sizeof prompt->hint - used, "  (Tab: %d more)",
                      completion.found - shown);
-            lab->tabbed = shown;
+            lab->prompting.tabbed = shown;
         }
     } else if (before + strlen(completion.common) + 2 < sizeof prompt->text) {
         snprintf(prompt->text + before, sizeof prompt->text - before, "%s%s", completion.common,

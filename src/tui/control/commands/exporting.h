@@ -1,0 +1,24 @@
+/* What leaves the laboratory: the run as files, the focused view as a figure. */
+#ifndef TUI_EXPORTING_H
+#define TUI_EXPORTING_H
+
+#include <stdbool.h>
+
+typedef struct Laboratory Laboratory;
+
+enum { NAME_MAX_BYTES = 256 };
+
+/* The file or files that are being asked for. */
+typedef struct Exporting {
+    char name[NAME_MAX_BYTES];
+    bool newest; /* of the run: to its newest step, not to here */
+} Exporting;
+
+/* Asks how far and under which name, as far as that is not known; `name` "": it is asked for. False: refused.
+ */
+bool exporting_ask(Laboratory *, const char *name);
+
+/* The focused view as a figure. False: refused, as an answer to a prompt. */
+bool exporting_figure(Laboratory *, const char *file);
+
+#endif

@@ -1,0 +1,19 @@
+/* What the laboratory says in the bottom bar. */
+#include "tui/control/laboratory.h"
+
+#include "base/visible.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+void laboratory_say(Laboratory *lab, MessageKind kind, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    char text[sizeof lab->screen.message];
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    text_visible(lab->screen.message, sizeof lab->screen.message, text);
+    lab->screen.message_kind = lab->screen.message[0] ? kind : MESSAGE_NONE;
+    lab->said_at = lab->host.now(lab->host.context);
+}

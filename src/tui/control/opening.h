@@ -1,0 +1,22 @@
+/* Opening a scenario: its run is made, and put in the place of another. */
+#ifndef TUI_OPENING_H
+#define TUI_OPENING_H
+
+#include "lab/run/experiment.h"
+
+typedef struct Laboratory Laboratory;
+
+/* Settings whose simulation shows on the screen how far its building has come; copies of them do too. */
+void opening_show_progress(Laboratory *, Settings *);
+
+Experiment *opening_experiment(const Laboratory *, const Settings *, Status *);
+
+/* What belongs to a run and not to the way it is looked at, begins anew with the one that is in place. */
+void opening_begin(Laboratory *);
+void opening_name(Laboratory *, const char *name);
+
+/* Another scenario in the place of this one. False: the status says why, and this one stays. */
+bool opening_scenario(Laboratory *, const char *name, Status *);
+bool opening_answer(Laboratory *, const char *text);
+
+#endif

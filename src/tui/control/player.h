@@ -1,0 +1,52 @@
+/* The run on screen and the second one beside it: playing, pausing, going to another time. */
+#ifndef TUI_PLAYER_H
+#define TUI_PLAYER_H
+
+#include "base/status.h"
+#include "lab/run/duel.h"
+#include "view/panes/screen.h"
+
+typedef struct Laboratory Laboratory;
+
+/* Work whose speed is known apart: a run that goes on (of a duel: both), each run on its way to a time. */
+enum { RATE_RUN, RATE_FIRST, RATE_SECOND, RATES };
+
+typedef struct Player {
+    Duel duel;         /* behind screen.duel */
+    bool second_ended; /* that the second run stopped has been said */
+    RunState resume;   /* after computing: running or paused */
+    long goal_step;    /* where computing goes */
+    int goal_stage;
+    long work_total;     /* steps of the work under way when it began */
+    long run_limit;      /* running does not go beyond this step; -1: none */
+    double owed;         /* steps not yet done for the pace; less than one */
+    bool pace_automatic; /* + and - were not used */
+    double rates[RATES]; /* steps per second of the engine alone; 0: not known */
+    bool in_parts;       /* a step that takes long is under way, in parts: nothing new to look at as yet */
+    double part_seconds; /* what it has taken so far */
+    int frames_in_time;  /* since the engine was last the limit */
+} Player;
+
+/* The speed of the engine is not known any more: another run takes another time for a step. */
+void player_forget_rates(Player *);
+
+/* Back to where the step that is done in parts began, for whoever wants to look or to do something else. */
+void player_drop_part(Player *);
+
+/* So many steps a frame that one exact period, or a run without one, lasts as long as it is watched gladly.
+ */
+void player_choose_pace(Screen *);
+double player_next_125(double value, int direction); /* the next number of 1, 2, 5, 10, ... above or below */
+
+/* The state after a change: at the end, failed, computing, ... */
+void player_settle(Laboratory *);
+void player_pause(Laboratory *);
+void player_seek(Laboratory *, long step, int stage);
+
+/* Where the steps of a key begin: the place on screen, or where the work on the way will end. */
+void player_place(const Laboratory *, long *step, int *stage);
+
+void player_tell_second(Laboratory *);                    /* says once that the second run stopped */
+void player_tell_duel_over(Laboratory *, const Status *); /* says so if a change ended it, and why */
+
+#endif

@@ -1,0 +1,9 @@
+/* Asks which scenario is opened, with a list to choose from. */
+#ifndef TUI_SCENARIO_PROMPT_H
+#define TUI_SCENARIO_PROMPT_H
+
+typedef struct Laboratory Laboratory;
+
+void scenario_prompt_ask(Laboratory *);
+
+#endif

@@ -1,0 +1,15 @@
+/* A second run beside the first. */
+#ifndef TUI_SECOND_RUN_H
+#define TUI_SECOND_RUN_H
+
+#include <stdbool.h>
+
+typedef struct Laboratory Laboratory;
+
+void second_run_open(Laboratory *); /* of a scenario that has keys for one */
+
+/* Begins with the scenario's keys, or ends; asks where there are no keys. */
+void second_run_toggle(Laboratory *);
+bool second_run_answer(Laboratory *, const char *words); /* "KEY=VALUE ..." */
+
+#endif
