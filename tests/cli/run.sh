@@ -161,6 +161,12 @@ expect "the same on purpose" 1 mode1 --set mpm.shape=bspline2 --set mpm.algorith
 result "fails as usual" says err '1 + de <= 0'
 result "and its rows are there" test "$(wc -l <unstable.csv)" -gt 10
 rm -f unstable.csv unstable.csv.ini
+
+# with a spline the tenth sine is a mixture of the mesh's modes, with a hat it is one of them
+expect "a mixture of modes" 0 mode10 --set mpm.shape=bspline2 --end 20
+result "is said to be one" says out 'a mixture of modes: overlap 0\.7'
+expect "one mode of the mesh" 0 mode10 --end 20
+result "is no mixture" sh -c '! grep -q mixture out'
 expect "one file for two tables" 2 mode1 --series x.csv --nodes ./x.csv
 expect "standard output for two tables" 2 mode1 --series - --nodes -
 expect "a folder that is not there" 2 mode1 --series none/x.csv

@@ -154,6 +154,8 @@ static void add_readout(Writer *writer, const Readout *readout)
         readout->error_period);
     if (readout->predicted_known)
         add(writer, "  (frequency predicted %+.4g %%)", readout->predicted_error_frequency);
+    if (readout->predicted_known && readout->overlap < READOUT_PURE)
+        add(writer, "  (a mixture of modes: overlap %.3g with the one predicted)", readout->overlap);
     add(writer, "\n%s by %.3g periods%s\n", readout->late < 0 ? "early" : "late", fabs(readout->late),
         strcmp(readout->column, "strain") == 0 ? " (measured on the strain energy)" : "");
 }

@@ -125,7 +125,7 @@ static bool moves_centre(const BarTheory *theory, int mode)
  * once. */
 BarWatch bar_watch(const BarTheory *theory)
 {
-    BarWatch watch = {.column = "v_cm", .times = 1};
+    BarWatch watch = {.column = "v_cm", .times = 1, .overlap = 1};
     int mode = bar_watched_mode(theory);
     bool centre = true, by_load = mode == 0;
     if (by_load) {
@@ -279,6 +279,7 @@ void bar_read_out(const References *refs, const double *rows, size_t n_rows, int
     out->column = watch->column;
     out->times = watch->times;
     out->mode = watch->mode;
+    out->overlap = watch->overlap;
     if (!watch->moving)
         return;
     out->exact_known = true;

@@ -18,6 +18,7 @@ typedef struct BarWatch {
                                          * the first */
     int n_lines;                        /* at least 1 */
     double exact, predicted;
+    double overlap; /* of the sampled mode with the one predicted; 1 where nothing else is known */
     bool predicted_known;
 } BarWatch;
 

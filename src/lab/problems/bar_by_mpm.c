@@ -105,8 +105,13 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
         return false;
     bar->mesh = bar_mesh_of(settings, sim->dt);
     const bool whole = bar_centre_velocity_is_predicted(&theory, &bar->mesh);
-    return bar_prepare(refs, settings, sim, predicted_frequency, whole ? predicted_v_cm : NULL,
-                       "velocity of the centre of mass predicted for this mesh", status);
+    if (!bar_prepare(refs, settings, sim, predicted_frequency, whole ? predicted_v_cm : NULL,
+                     "velocity of the centre of mass predicted for this mesh", status))
+        return false;
+    const StepMode found = step_mode(&theory, &bar->mesh, bar->watch.mode);
+    if (bar->watch.mode > 0 && found.known)
+        bar->watch.overlap = found.overlap;
+    return true;
 }
 
 /* --- derived numbers and advice ------------------------------------------------------------------- */
@@ -128,9 +133,9 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
         derived_add(out, &n, "cells_per_wave", "cells/wave", "1",
                     2 * M_PI / bar_wave_number(&theory, mode > 0 ? mode : 1) / settings->mesh.cell_size,
                     false);
-    /* less than 1: the sampled mode is a mixture, and swings at more than the frequency predicted */
+    /* the sampled mode is a mixture, and swings at more than the frequency predicted */
     const StepMode found = step_mode(&theory, &mesh, mode);
-    if (mode > 0 && found.known && found.overlap < 0.995)
+    if (mode > 0 && found.known && found.overlap < READOUT_PURE)
         derived_add_answer(out, &n, REFERENCE_PREDICTED, "mode_overlap", "mode overlap", "1", found.overlap);
     derived_add(out, &n, "cells", "cells", "1", cells, true);
     derived_add(out, &n, "particles", "particles", "1", cells * settings->mesh.particles_per_cell, true);

@@ -83,6 +83,7 @@ void references_readout(const References *refs, const double *rows, size_t n_row
                          .predicted_error_frequency = NAN,
                          .late = NAN,
                          .real_size = NAN,
+                         .overlap = 1,
                          .by_zeros = NAN,
                          .column = "",
                          .unmeasured = "",

@@ -58,6 +58,8 @@ int references_thickness_lines(const References *, double out[THICKNESS_LINES_MA
  * is none. */
 double references_standing_frequency(const References *, double time);
 
+#define READOUT_PURE 0.995
+
 /* What the run is judged by: a frequency (bar, radians per time) or a period (beams, s). */
 struct Readout {
     bool moving; /* false: at rest or rigid motion; there is no frequency */
@@ -69,6 +71,8 @@ struct Readout {
     double late;                          /* periods behind the exact answer at `time` */
     double time;
     double real_size; /* a beam's period by theory at the size that it has on the lattice; NAN: none */
+    double overlap;   /* of what swings with the mode that is predicted; below READOUT_PURE it is a mixture of
+                       * modes, and no one frequency can be measured to the last digit */
     double by_zeros;  /* a beam's period once more, from the zeros of its swing; NAN: fewer than two */
     bool drifting; /* the period itself changes: the three numbers and `late` are those of the last zeros */
     const char *column;     /* the series it was measured on */

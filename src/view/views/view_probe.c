@@ -204,6 +204,8 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
            readout->error_period);
     append(second, 160, narrow ? "  %s %.2f T" : "  %s by %.2f periods", readout->late < 0 ? "early" : "late",
            fabs(readout->late));
+    if (predicted && readout->overlap < READOUT_PURE)
+        append(second, 160, narrow ? "  mixture %.2f" : "  mixture of modes, overlap %.3f", readout->overlap);
 }
 
 /* The values of every curve at the cursor: with so many digits, and in short words if wanted. */
