@@ -1,6 +1,6 @@
 /* The command table: one row for each thing that a user can ask for. The key map, the bottom bar, the help
- * screen, the `:` line, the script player and the manual page read it. To add a command: one row here and one
- * function where the laboratory carries commands out. */
+ * screen, the `:` line, the script player and the manual page read it. To add a command: one row in
+ * command_rows.inc and the function that it names, in src/tui/control/commands. */
 #ifndef VIEW_COMMANDS_H
 #define VIEW_COMMANDS_H
 
@@ -8,70 +8,20 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
+#define COMMAND(id, ...) COMMAND_##id,
+#define DIGIT(n)         COMMAND_VIEW_##n,
 typedef enum CommandId {
     COMMAND_NONE,
-    COMMAND_RUN_PAUSE,
-    COMMAND_STEP_FORWARD,
-    COMMAND_STEP_BACK,
-    COMMAND_STEP_FORWARD_TEN,
-    COMMAND_STEP_BACK_TEN,
-    COMMAND_STAGE_FORWARD,
-    COMMAND_STAGE_BACK,
-    COMMAND_FASTER,
-    COMMAND_SLOWER,
-    COMMAND_START,  /* t = 0 */
-    COMMAND_NEWEST, /* the newest time */
-    COMMAND_GO_TO,
-    COMMAND_RESTART,
-    COMMAND_NEXT_PANE,
-    COMMAND_PREVIOUS_PANE,
-    COMMAND_UP,
-    COMMAND_DOWN,
-    COMMAND_LEFT,
-    COMMAND_RIGHT,
-    COMMAND_PAGE_UP,
-    COMMAND_PAGE_DOWN,
-    COMMAND_ENTER,
-    COMMAND_CANCEL,
-    COMMAND_UNDO,
-    COMMAND_REDO,
-    COMMAND_VIEW_1, /* to COMMAND_VIEW_9, the digits: whichever view has it as its own */
-    COMMAND_VIEW_2,
-    COMMAND_VIEW_3,
-    COMMAND_VIEW_4,
-    COMMAND_VIEW_5,
-    COMMAND_VIEW_6,
-    COMMAND_VIEW_7,
-    COMMAND_VIEW_8,
-    COMMAND_VIEW_9,
-    COMMAND_ZOOM,
-    COMMAND_NARROWER,
-    COMMAND_WIDER,
-    COMMAND_AUTOMATIC,
-    COMMAND_REFERENCES,
-    COMMAND_QUESTION,
-    COMMAND_PIN,
-    COMMAND_DUEL,
-    COMMAND_BOOKMARK,
-    COMMAND_JUMP,
-    COMMAND_LESSONS,
-    COMMAND_EXPORT,
-    COMMAND_OPEN,
-    COMMAND_WRITE,
-    COMMAND_LINE,
-    COMMAND_HELP,
-    COMMAND_INSPECT,
-    COMMAND_GLYPHS,
-    COMMAND_ZOOM_2D,
-    COMMAND_LECTURE,
-    COMMAND_FILTER,
-    COMMAND_QUIT,
-    COMMAND_INTERRUPT, /* ^C: cancel long work, then quit */
-    COMMAND_REDRAW,
-    COMMAND_SUSPEND,
+#include "view/help/command_rows.inc"
     COMMAND_COUNT
 } CommandId;
+#undef COMMAND
+#undef DIGIT
+
+/* Who may ask for it: a lesson as well as the user, or the user alone. */
+enum { BY_USER = false, BY_LESSON = true };
 
 typedef struct Command {
     CommandId id;
@@ -141,9 +91,16 @@ LineMeaning line_meaning(const char *text);
 /* Whether a lesson may have this line done; a LessonJudge. */
 bool line_is_for_lessons(const char *text, Status *);
 
-/* Only commands that work stand in it: a row and the function that carries it out land together. */
 extern const Command commands[];
 extern const int n_commands;
+
+/* Which commands, of any number; there is room for one more than the table has. */
+typedef struct CommandSet {
+    uint64_t words[COMMAND_COUNT / 64 + 1];
+} CommandSet;
+
+void command_set_add(CommandSet *, CommandId);
+bool command_set_has(const CommandSet *, CommandId);
 
 /* The digit of a command that shows a view, 1 to 9; 0: it is another one. */
 int command_digit(CommandId);

@@ -34,10 +34,10 @@ static void hint_of(const Screen *screen, char *out, size_t size)
     const size_t n_hints = sizeof hints / sizeof *hints;
     size_t i = 0;
     for (; i < n_hints; i++) {
-        const bool right =
-            hints[i].id == COMMAND_RIGHT && (screen->lesson.open || screen->used & (1ull << COMMAND_LEFT));
+        const bool right = hints[i].id == COMMAND_RIGHT &&
+                           (screen->lesson.open || command_set_has(&screen->used, COMMAND_LEFT));
         const bool nothing = hints[i].id == COMMAND_INSPECT && !screen_has_inspector(screen);
-        if (command_find(hints[i].id) && !(screen->used & (1ull << hints[i].id)) && !right && !nothing)
+        if (command_find(hints[i].id) && !command_set_has(&screen->used, hints[i].id) && !right && !nothing)
             break;
     }
     snprintf(out, size, "%s", i < n_hints ? hints[i].text : "");

@@ -188,12 +188,10 @@ typedef struct Screen {
     bool help;
     int help_page, help_scroll;
 
-    uint64_t used; /* bit i: command i has been used (for hints that go once used) */
+    CommandSet used; /* for hints that go once their command was used */
     bool summary_known;
     RunSummary summary;
 } Screen;
-
-_Static_assert(COMMAND_COUNT <= 8 * (int)sizeof((Screen *)0)->used, "a bit for each command");
 
 enum { HELP_PAGES = 4 }; /* keys, curves, what is solved, where the papers are silent */
 

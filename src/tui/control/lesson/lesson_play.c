@@ -32,7 +32,7 @@ static void queue_part(Laboratory *lab, const LessonPart *part)
 
 static void run_action(Laboratory *lab, const char *action)
 {
-    const uint64_t used = lab->play.used;
+    const CommandSet used = lab->play.used;
     const bool changed = lab->editing.changed; /* what the lesson changes nobody has to export */
     const bool opens = strncmp(action, "open ", 5) == 0;
     const Asker user = lab->asker;
@@ -76,7 +76,7 @@ static bool is_met(const Laboratory *lab, const LessonUntil *until)
     case UNTIL_END:
         return experiment_at_end(experiment);
     case UNTIL_COMMAND:
-        return !command || (lab->play.used >> command->id & 1) != 0;
+        return !command || command_set_has(&lab->play.used, command->id);
     case UNTIL_VALUE:
         return has_value(lab, until);
     }
@@ -136,7 +136,7 @@ static void show_page(Laboratory *lab, int page)
     shown->answer = -1;
     shown->scroll = 0;
     shown->met = false;
-    play->used = 0;
+    play->used = (CommandSet){{0}};
     play->warned = false;
     play->asker = lab->asker;
     int *reached = reached_of(lab);

@@ -5,6 +5,7 @@
 #include "base/output.h"
 #include "lab/lessons/lesson.h"
 #include "tui/terminal/keys.h"
+#include "view/help/commands.h"
 
 typedef struct Laboratory Laboratory;
 
@@ -16,9 +17,9 @@ typedef struct LessonPlay {
     char name[LESSON_NAME_MAX];
     const char *queue[LESSON_QUEUE_MAX];
     int n_queue, next;
-    uint64_t used; /* bit i: command i has been used since the page was opened */
-    bool warned;   /* that the page still waits */
-    Asker asker;   /* who turned to the page */
+    CommandSet used; /* since the page was opened */
+    bool warned;     /* that the page still waits */
+    Asker asker;     /* who turned to the page */
     bool busy;
 } LessonPlay;
 

@@ -1,0 +1,77 @@
+/* The commands of the program itself: export, filter, help, leaving. */
+#include "tui/control/commands/commands.h"
+
+#include <string.h>
+
+void command_export(Laboratory *lab)
+{
+    exporting_ask(lab, "");
+}
+
+void command_filter(Laboratory *lab)
+{
+    if (lab->screen.inspecting)
+        command_close_inspector(&lab->screen);
+    lab->screen.focus = PANE_PARAMETERS;
+    prompt_ask(&lab->prompting, edit_answer_filter, false, lab->screen.filter, "parameters whose name holds");
+}
+
+void command_help_pages(Laboratory *lab)
+{
+    lab->screen.help = true;
+    lab->screen.help_page = lab->screen.help_scroll = 0;
+}
+
+static bool answer_quit(Laboratory *lab, const char *text)
+{
+    (void)text;
+    lab->closed = true;
+    return true;
+}
+
+static bool quit_key(Laboratory *lab, const char *key)
+{
+    if (strcmp(key, "q") != 0 && strcmp(key, "F10") != 0)
+        return false;
+    prompt_refuse(&lab->prompting,
+                  "y leaves, n stays"); /* neither is certain, and what follows should be no commands */
+    return true;
+}
+
+static const Typing quit_typing = {.key = quit_key};
+
+void command_quit(Laboratory *lab)
+{
+    if (command_close_top(lab))
+        return;
+    if (!lab->editing.changed) {
+        lab->closed = true;
+        return;
+    }
+    prompt_ask(&lab->prompting, answer_quit, true, "",
+               "parameters were changed and nothing was exported: leave?");
+    lab->prompting.typing = &quit_typing;
+}
+
+void command_interrupt(Laboratory *lab)
+{
+    if (lab->screen.state == STATE_COMPUTING) {
+        duel_cancel(&lab->player.duel);
+        player_pause(lab);
+        laboratory_say(lab, MESSAGE_INFO, "cancelled");
+    } else if (lab->screen.prompt.open && lab->prompting.answer == answer_quit)
+        lab->closed = true; /* whoever presses it twice means it */
+    else if (!command_close_top(lab))
+        command_quit(lab);
+}
+
+void command_redraw(Laboratory *lab)
+{
+    lab->host.redraw(lab->host.context);
+}
+
+void command_suspend(Laboratory *lab)
+{
+    if (lab->asker != ASKER_REPLAY) /* it is no part of what is shown again */
+        lab->host.suspend(lab->host.context);
+}

@@ -1,0 +1,11 @@
+/* Every command of the laboratory, made from its rows. */
+#include "view/help/commands.h"
+
+#define COMMAND(id, function, ...) {COMMAND_##id, __VA_ARGS__},
+#define DIGIT(n)                   {COMMAND_VIEW_##n, "view-" #n, #n, "Views", NULL, NULL, BY_LESSON},
+
+const Command commands[] = {
+#include "view/help/command_rows.inc"
+};
+
+const int n_commands = sizeof commands / sizeof *commands;
