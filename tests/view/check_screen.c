@@ -385,7 +385,7 @@ START_TEST(any_state_can_be_drawn)
         screen->help = DRAW(6) == 0;
         screen->help_page = DRAW(5) - 1;
         screen->help_scroll = DRAW(200) - 5;
-        screen->used = state;
+        screen->used.words[0] = state;
         screen->summary_known = DRAW(2);
         int width = 1 + DRAW(180), height = 1 + DRAW(60);
         ck_assert(canvas_open(&scene.canvas, width, height, NULL));
