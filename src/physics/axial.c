@@ -1,3 +1,6 @@
+/* What both bar methods take from axial.h: which particles bear the traction, and where front ends find
+ * the motion. A particle bears it if its middle lies in the layer h of paper M, eq. 11: (k + 1/2) spacing
+ * < h, with a tolerance for a layer that ends on a middle. */
 #include "physics/axial.h"
 
 #include <math.h>

@@ -51,7 +51,7 @@ int axial_particles_in_layer(double layer, double spacing, int particles);
 /* Is load.traction_layer sound? 0 stands for the spacing: the last particle. */
 bool axial_check_layer(double layer, double spacing, double length, Status *status);
 
-/* Places the particles of a simulation, whose count is known, so far apart along a line: where its front ends
+/* Places the particles of a simulation, whose count is known, so far apart along a line: where front ends
  * find position, displacement and velocity. `has`: a mesh or bonds. */
 void axial_set_motion(Simulation *sim, unsigned has, double spacing);
 

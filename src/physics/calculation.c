@@ -1,3 +1,7 @@
+/* Sums written out with their numbers (calculation.h). The difficulty is the number of digits: a sum of
+ * rounded terms seldom equals the rounded sum. So each sum is first written with few digits, the printed
+ * numbers are worked out again, and digits are added to the terms, then taken from the result, until both
+ * agree to half of the last digit shown. */
 #include "physics/calculation.h"
 
 #include "base/text.h"
@@ -17,7 +21,7 @@ void calculation_open(Calculation *calculation, char *out, size_t size, int term
         out[0] = '\0';
 }
 
-void calculation_say(Calculation *calculation, const char *format, ...)
+void calculation_write(Calculation *calculation, const char *format, ...)
 {
     if (calculation->used + 1 >= calculation->size)
         return;
@@ -35,12 +39,12 @@ void calculation_number(Calculation *calculation, const char *words, double valu
 {
     char number[NUMBER_TEXT_MAX];
     text_rounded(number, value, WORDS_DIGITS);
-    calculation_say(calculation, "%s%s", words, number);
+    calculation_write(calculation, "%s%s", words, number);
 }
 
 void calculation_end_line(Calculation *calculation)
 {
-    calculation_say(calculation, "\n");
+    calculation_write(calculation, "\n");
 }
 
 static double term_value(const CalculationTerm *term)
@@ -82,7 +86,7 @@ static double put(Calculation *text, double value, int digits)
 {
     char number[NUMBER_TEXT_MAX];
     text_rounded(number, value, digits < 1 ? 1 : digits > 15 ? 15 : digits);
-    calculation_say(text, "%s", number);
+    calculation_write(text, "%s", number);
     return strtod(number, NULL);
 }
 
@@ -91,7 +95,7 @@ static double put_joint(Calculation *text, bool first, double value)
 {
     if (first)
         return 1;
-    calculation_say(text, " %s" CALCULATION_SPACE, signbit(value) && value != 0 ? "-" : "+");
+    calculation_write(text, " %s" CALCULATION_SPACE, signbit(value) && value != 0 ? "-" : "+");
     return signbit(value) && value != 0 ? -1 : 1;
 }
 
@@ -100,15 +104,15 @@ static double put_term(Calculation *text, const CalculationTerm *term, bool firs
     double value = put_joint(text, first, term->factor[0]);
     for (int f = 0; f < term->factors; f++) {
         if (f > 0)
-            calculation_say(text, CALCULATION_SPACE "×" CALCULATION_SPACE);
+            calculation_write(text, CALCULATION_SPACE "×" CALCULATION_SPACE);
         value *= put(text, f == 0 && !first ? fabs(term->factor[0]) : term->factor[f], digits);
     }
     if (term->divisor != 0) {
-        calculation_say(text, CALCULATION_SPACE "/" CALCULATION_SPACE);
+        calculation_write(text, CALCULATION_SPACE "/" CALCULATION_SPACE);
         value /= put(text, term->divisor, digits);
     }
     if (term->to >= 0)
-        calculation_say(text, CALCULATION_SPACE "to" CALCULATION_SPACE "%ld", term->to);
+        calculation_write(text, CALCULATION_SPACE "to" CALCULATION_SPACE "%ld", term->to);
     return value;
 }
 
@@ -134,7 +138,7 @@ static void attempt(Attempt *try, const CalculationSum *sum, int shown, int term
     Calculation *text = &try->text;
     const int last = last_place(sum, result_digits), count = sum->count;
     double total = 0, base = 0;
-    calculation_say(text, "%s", sum->label);
+    calculation_write(text, "%s", sum->label);
     if (sum->has_base) {
         /* a guard digit or two, so that base and result are not rounded apart */
         const int guard = term_digits - 4 < 3 ? term_digits - 4 : 3;
@@ -142,16 +146,16 @@ static void attempt(Attempt *try, const CalculationSum *sum, int shown, int term
         if (count > 0 && sum->scale == 0)
             ;
         else
-            calculation_say(text, " +" CALCULATION_SPACE);
+            calculation_write(text, " +" CALCULATION_SPACE);
     }
     const bool bracket = (sum->scale != 0 || sum->divisor != 0) && count > 1;
     double scale = 1;
     if (sum->scale != 0) {
         scale = put(text, sum->scale, term_digits);
-        calculation_say(text, CALCULATION_SPACE "×" CALCULATION_SPACE);
+        calculation_write(text, CALCULATION_SPACE "×" CALCULATION_SPACE);
     }
     if (bracket)
-        calculation_say(text, "(");
+        calculation_write(text, "(");
     for (int i = 0; i < shown; i++) {
         const CalculationTerm *term = &sum->terms[i];
         int digits = term_digits;
@@ -166,21 +170,21 @@ static void attempt(Attempt *try, const CalculationSum *sum, int shown, int term
             rest += term_value(&sum->terms[i]);
         const double sign = put_joint(text, shown == 0, rest);
         total += sign * put(text, sign * rest, term_digits);
-        calculation_say(text, CALCULATION_SPACE "(%d" CALCULATION_SPACE "more)", count - shown);
+        calculation_write(text, CALCULATION_SPACE "(%d" CALCULATION_SPACE "more)", count - shown);
     }
     if (count == 0)
-        calculation_say(text, "0");
+        calculation_write(text, "0");
     if (bracket)
-        calculation_say(text, ")");
+        calculation_write(text, ")");
     if (sum->divisor != 0) {
-        calculation_say(text, CALCULATION_SPACE "/" CALCULATION_SPACE);
+        calculation_write(text, CALCULATION_SPACE "/" CALCULATION_SPACE);
         total /= put(text, sum->divisor, term_digits);
     }
-    calculation_say(text, " =" CALCULATION_SPACE);
+    calculation_write(text, " =" CALCULATION_SPACE);
     const double zero = last_place(sum, 1) > place_of(sum->result) ? 0 : sum->result;
     const double result = put(text, zero, place_of(zero) - last + 1);
     if (sum->unit)
-        calculation_say(text, CALCULATION_SPACE "%s", sum->unit);
+        calculation_write(text, CALCULATION_SPACE "%s", sum->unit);
     try->value = (base + scale * total - result) / pow(10, last);
 }
 
@@ -204,7 +208,7 @@ void calculation_sum(Calculation *calculation, const CalculationSum *sum)
             calculation_open(&try.text, line, sizeof line, 0);
             attempt(&try, sum, shown, term, result);
             if (fabs(try.value) <= 0.5 * (1 + 1e-6) || (result == 2 && term == 6 + (wanted - result))) {
-                calculation_say(calculation, "%s\n", line);
+                calculation_write(calculation, "%s\n", line);
                 return;
             }
         }

@@ -1,4 +1,4 @@
-/* Arithmetic written out with its numbers, as a teacher would on the board: "p13 = 0.5 × (0.2 × 0.3 + 0.4 ×
+/* Arithmetic written out with its numbers, as on a blackboard: "p13 = 0.5 × (0.2 × 0.3 + 0.4 ×
  * 0.1) = 0.05". The digits are chosen so that what is printed adds up: whoever works the printed numbers out
  * gets the printed result, to its last digit.
  *
@@ -42,7 +42,7 @@ typedef struct CalculationSum {
 void calculation_open(Calculation *, char *out, size_t size, int terms);
 
 /* Words; a number of a few digits after words. */
-void calculation_say(Calculation *, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void calculation_write(Calculation *, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void calculation_number(Calculation *, const char *words, double value);
 void calculation_end_line(Calculation *);
 

@@ -1,3 +1,5 @@
+/* Asks the processor for its vector instructions, once for each simulation that is made. The levels that
+ * were compiled are those of HAVE_X86_KERNELS (configure.ac). */
 #include "physics/cpu.h"
 
 bool cpu_has(CpuLevel level)

@@ -6,8 +6,8 @@
  *
  * Front ends see named arrays (fields) over sets of things (particles, nodes, bonds), a row of numbers per
  * time step (the series), the stages with their equations, and links between things (who gives to whom).
- * What of this a simulation has (a mesh, bonds, a lattice in the plane ...) it says itself, in
- * Simulation.has: nobody needs to know the method or the problem to decide what can be shown.
+ * What of this a simulation has (a mesh, bonds, a lattice in the plane ...) is listed
+ * in Simulation.has: no front end needs to know the method or the problem to decide what can be shown.
  *
  * Files of this folder use no clock, no screen, no file, no printf, no exit, no rand and no global state.
  * Every result is a function of the parameters alone: the same bits forwards, rewound, sliced, observed or

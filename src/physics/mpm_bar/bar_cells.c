@@ -1,4 +1,10 @@
-/* Forget the grid: particles find their cells, and what may stop them. */
+/* The last stage of a step, "forget the grid": every particle takes its new natural coordinate,
+ *
+ *     s + sum N_i drift_i = edges + s',   0 <= s' < 1,   cell' = cell + edges        (eq. 15)
+ *
+ * which is exact: only whole numbers are taken off. Cells are done one by one from the left; a cell none of
+ * whose particles leaves is done by a kernel. Here a run fails when a particle leaves the mesh or overtakes
+ * its neighbour, and first crossings of a cell's edge become events. */
 #include "physics/mpm_bar/bar_state.h"
 #include "physics/mpm_bar/kernels.h"
 
@@ -9,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* " in step 13, t = 1.3" for the step that is going on. */
+/* "in step 13, t = 1.3" for the step under way. */
 void bar_step_words(const Bar *bar, char *out, size_t size)
 {
     char time[NUMBER_TEXT_MAX];
@@ -24,7 +30,7 @@ bool bar_fail_particle(Bar *bar, Status *status, int particle, const char *what)
     return simulation_fail(&bar->sim, status, "particle %d %s %s", particle, what, when);
 }
 
-/* Events become true with the step that is going on, which the driver has not counted yet. */
+/* Events belong to the step under way, which the driver has not counted yet. */
 void bar_report(Bar *bar, EventKind kind, const char *text)
 {
     int before = bar->sim.n_events;
@@ -33,7 +39,7 @@ void bar_report(Bar *bar, EventKind kind, const char *text)
         bar->sim.events[before].step = bar->sim.step + 1;
 }
 
-static void tell_crossing(Bar *bar, int particle, int cell)
+static void report_crossing(Bar *bar, int particle, int cell)
 {
     if (bar->sim.n_events == SIMULATION_EVENTS_MAX) {
         bar->sim.events_beyond++;
@@ -58,13 +64,13 @@ void bar_report_crossings(Bar *bar)
     qsort(bar->crossings, (size_t)bar->n_crossings, sizeof bar->crossings[0], by_step_and_particle);
     for (int i = 0; i < bar->n_crossings; i++) {
         bar->sim.step = start + bar->crossings[i].step;
-        tell_crossing(bar, bar->crossings[i].particle, bar->crossings[i].cell);
+        report_crossing(bar, bar->crossings[i].particle, bar->crossings[i].cell);
     }
     bar->sim.step = start;
     bar->n_crossings = 0;
 }
 
-/* The first crossing of each particle is told. */
+/* Only the first crossing of each particle is reported. */
 static bool note_crossing(Bar *bar, int particle, int cell)
 {
     uint64_t bit = (uint64_t)1 << (particle % 64);
@@ -78,10 +84,10 @@ static bool note_crossing(Bar *bar, int particle, int cell)
         else if (bar->n_crossings == room)
             return false; /* which of them come first is not known yet */
         else
-            bar->crossings[bar->n_crossings++] = (BarCrossing){bar->step_in_flight, particle, cell};
+            bar->crossings[bar->n_crossings++] = (BarCrossing){bar->pipeline_step, particle, cell};
         return true;
     }
-    tell_crossing(bar, particle, cell);
+    report_crossing(bar, particle, cell);
     return true;
 }
 
@@ -110,22 +116,23 @@ static void set_first(Bar *bar, int c, int particle)
             bar->odd[side / BAR_CELL_BLOCK]++;
 }
 
-/* --- forget the grid: particles find their cells -------------------------------------------------- */
+/* --- particles to cells --------------------------------------------------------------------------- */
 
 /* Counts the cell edges passed; s comes back to [0, 1). */
 static int pass_edges(double *s)
 {
     double edges = floor(*s);
     *s -= edges;
-    if (*s >= 1.0) { /* a hair left of an edge, which is the edge itself in double precision */
+    if (*s >= 1.0) { /* -1e-17 + 1 rounds to 1: the particle lies on the edge */
         *s = 0.0;
         edges += 1.0;
     }
     return (int)edges;
 }
 
-/* The particles of one cell. Those that stay or go to a neighbour are settled; a jump over a whole cell is
- * left to the end of the stage. */
+/* The particles of one cell, in their order. Those that stay or go to a neighbour take their places at once:
+ * the ones that go left are the cell's first, those that go right its last, so the cell's range loses them at
+ * either end. A jump over a whole cell is left to the end of the stage, settle_all(). */
 static bool settle_cell(Bar *bar, int c, Status *status)
 {
     const int begin = bar->first[c], end = bar->first[c + 1];
@@ -171,7 +178,8 @@ static bool settle_cell(Bar *bar, int c, Status *status)
     return true;
 }
 
-/* After a jump: all particles from where they were, in one go. */
+/* After a jump over a whole cell: all particles anew from the cells they were in (old_first), left to right.
+ * As particles keep their order, first[] fills from the left too. */
 static bool settle_all(Bar *bar, Status *status)
 {
     memcpy(bar->old_first, bar->first, ((size_t)bar->n_cells + 1) * sizeof *bar->first);
@@ -222,6 +230,6 @@ bool bar_settle(Bar *bar, int first, int end, Status *status)
                 return false;
     }
     if (bar->jumped && bar->keeps_crossings)
-        return false; /* not in the middle of tiles */
+        return false; /* tiles cannot wait for the end of the stage: the steps are done again without tiles */
     return end < bar->n_cells || !bar->jumped || settle_all(bar, status);
 }

@@ -1,4 +1,4 @@
-/* The definition of a bar: what it is where nobody says, and whether it is sound. Each line names the key as
+/* The definition of a bar: its defaults, and whether it is sound. Each line names the key as
  * in a scenario file, what is wrong and what is allowed. */
 #include "physics/axial.h"
 #include "physics/mpm_bar/bar_state.h"

@@ -3,7 +3,8 @@
 #include "physics/mpm_bar/bar_state.h"
 #include "physics/mpm_bar/kernels.h"
 
-/* Supports hold the nodes that come with these cells. */
+/* Step 2 of paper M: p_i = 0 at nodes held by a support, among those that come with these cells; their mass
+ * stays, so that eqs. 4 and 15 divide by it as everywhere. */
 static void fix(Bar *bar, int first, int end)
 {
     int last = end == bar->n_cells ? bar->n_nodes : end;
@@ -13,6 +14,8 @@ static void fix(Bar *bar, int first, int end)
         bar->node_momentum[i] = 0.0;
 }
 
+/* False: the run fails. A particle with 1 + de <= 0 (eq. 8 would turn its density negative) stops it; so
+ * do those of bar_settle(). */
 bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status)
 {
     const BarKernels *kernels = bar->kernels;

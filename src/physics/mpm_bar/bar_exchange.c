@@ -1,5 +1,16 @@
-/* What a particle and a node of its cell give to each other, factor by factor: the terms of the sums of
- * eqs. 2, 3, 4, 10, 11, 14 and 15. */
+/* What a particle and a node of its cell exchange, factor by factor: the single terms of the sums of the
+ * step,
+ *
+ *     m N_i                          mass                            (2)
+ *     m v N_i                        momentum                        (3), APIC: v + C (x_i - x) in place of v
+ *     -N'_i stress V                 internal force                  (10), V = m/rho
+ *     N_i (m b + t V/h)              external force                  (11)
+ *     dt N'_i v_i                    strain increment                (5), v_i = p_i/m_i (4)
+ *     dt N_i f_i/m_i                 velocity                        (14)
+ *     dt N_i p_i/m_i                 position                        (15)
+ *
+ * for the inspector and the written-out sums (bar_explain.c). The stages themselves do not call this: their
+ * loops are in kernels.c. */
 #include "physics/mpm_bar/bar_state.h"
 #include "physics/mpm_bar/shape.h"
 
@@ -38,7 +49,8 @@ const Exchange *bar_exchanges(const BarHead *head, int *count)
                                         : blend_exchanges;
 }
 
-/* Whether the numbers of an exchange are still (or already) those that it was, or will be, made of. */
+/* Whether the numbers of an exchange can be had at this point of the step: computed already, not yet
+ * overwritten. */
 static bool at_hand(const Bar *bar, BarExchange exchange)
 {
     const bool updated = bar_has_done(bar, OP_UPDATE), strained = bar_has_done(bar, OP_STRAIN);
@@ -65,7 +77,7 @@ static bool at_hand(const Bar *bar, BarExchange exchange)
     return false;
 }
 
-/* The velocity with which a particle comes to a node. */
+/* The particle's velocity as seen at node a of its cell: v, with APIC v + C (x_a - x). */
 static double given_velocity(const Bar *bar, int particle, int cell, int a, double s)
 {
     const int slot = particle % bar->slots, k = particle / bar->slots;
@@ -82,8 +94,12 @@ static double load_on(const Bar *bar, int particle, double volume)
     return bar->mass * bar->head->body_force + side * bar->head->traction * volume / bar->layer;
 }
 
-/* What part of a blend's new velocity comes from a node, beyond the old velocity: the N of the nodes add up
- * to 1. */
+/* With flip_fraction alpha < 1 a particle's new velocity is
+ *
+ *     v' = alpha (v + sum N_i kick_i) + (1 - alpha) sum N_i v_i
+ *        = v + sum N_i [alpha kick_i + (1 - alpha)(v_i - v)],   as sum N_i = 1;
+ *
+ * this is the bracket of node a. The old v is no longer stored after the update: it is solved for. */
 static double blended_gain(const Bar *bar, const double n[], int cell, int particle, int a)
 {
     const double alpha = bar->head->flip_fraction, speed = bar->dx / bar->dt;
@@ -93,7 +109,6 @@ static double blended_gain(const Bar *bar, const double n[], int cell, int parti
         kick += n[i] * bar->node_kick[cell + i];
         mean += n[i] * bar->node_drift[cell + i] * speed;
     }
-    /* now = alpha (old + kick) + (1 - alpha) mean */
     const double old = (now - (1 - alpha) * mean) / alpha - kick;
     return alpha * bar->node_kick[cell + a] + (1 - alpha) * (bar->node_drift[cell + a] * speed - old);
 }

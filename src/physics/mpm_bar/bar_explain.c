@@ -1,5 +1,6 @@
-/* The sums behind a stage with their numbers, for one particle or one node: what a teacher would write on the
- * board. The terms are those of bar_exchange.c, put together by bar_sums.c. */
+/* The sums behind a stage with their numbers, for one particle or one node, as in "p13 = 0.5 × 0.2 = 0.1":
+ * what the laboratory shows when a stage has just been done. The terms come from bar_exchange.c, bar_sums.c
+ * makes sums of them; which sums a stage has is the table at the end of this file. */
 #include "physics/mpm_bar/bar_sums.h"
 #include "physics/mpm_bar/shape.h"
 
@@ -10,11 +11,11 @@ static double *velocity_of_particle(const Bar *bar, int particle)
 
 /* --- map ------------------------------------------------------------------------------------------ */
 
-static void say_momentum(const BarSubject *subject, BarExchange exchange)
+static void write_momentum(const BarSubject *subject, BarExchange exchange)
 {
     const BarLabel label = bar_label("p", subject->index, " = ");
     CalculationSum sum = {.label = label.text};
-    sum.result = bar_add_gifts(subject, exchange, &sum);
+    sum.result = bar_add_terms(subject, exchange, &sum);
     calculation_sum(subject->calculation, &sum);
 }
 
@@ -22,9 +23,9 @@ static void map_node(const BarSubject *subject)
 {
     const BarLabel label = bar_label("m", subject->index, " = ");
     CalculationSum sum = {.label = label.text, .result = subject->bar->node_mass[subject->index]};
-    bar_add_gifts(subject, GIVE_MASS, &sum);
+    bar_add_terms(subject, GIVE_MASS, &sum);
     calculation_sum(subject->calculation, &sum);
-    say_momentum(subject, GIVE_MOMENTUM);
+    write_momentum(subject, GIVE_MOMENTUM);
 }
 
 static void map_particle(const BarSubject *subject)
@@ -34,21 +35,22 @@ static void map_particle(const BarSubject *subject)
     for (size_t i = 0; i < subject->n_links; i++)
         calculation_add(&sum, 1, subject->links[i].weight, 0, 0)->to = (long)subject->links[i].index;
     calculation_sum(subject->calculation, &sum);
-    bar_say_shares(subject, GIVE_MASS, "m N: ", bar->mass);
-    bar_say_shares(subject, GIVE_MOMENTUM, "m v N: ", bar->mass * *velocity_of_particle(bar, subject->index));
+    bar_write_shares(subject, GIVE_MASS, "m N: ", bar->mass);
+    bar_write_shares(subject, GIVE_MOMENTUM,
+                     "m v N: ", bar->mass * *velocity_of_particle(bar, subject->index));
 }
 
 static void map_again_node(const BarSubject *subject)
 {
-    say_momentum(subject, GIVE_MOMENTUM_AGAIN);
+    write_momentum(subject, GIVE_MOMENTUM_AGAIN);
     if (bar_node_is_fixed(subject->bar, subject->index))
-        calculation_say(subject->calculation, "the node is fixed: p%d = 0\n", subject->index);
+        calculation_write(subject->calculation, "the node is fixed: p%d = 0\n", subject->index);
 }
 
 static void map_again_particle(const BarSubject *subject)
 {
-    bar_say_shares(subject, GIVE_MOMENTUM_AGAIN,
-                   "new m v N: ", subject->bar->mass * *velocity_of_particle(subject->bar, subject->index));
+    bar_write_shares(subject, GIVE_MOMENTUM_AGAIN,
+                     "new m v N: ", subject->bar->mass * *velocity_of_particle(subject->bar, subject->index));
 }
 
 /* --- boundary conditions -------------------------------------------------------------------------- */
@@ -58,29 +60,29 @@ static void fix_node(const BarSubject *subject)
     const Bar *bar = subject->bar;
     Calculation *calculation = subject->calculation;
     const int i = subject->index;
-    calculation_say(calculation, "p%d", i);
+    calculation_write(calculation, "p%d", i);
     if (!bar_node_is_fixed(bar, i)) {
         calculation_number(calculation, " = ", bar->node_momentum[i]);
-        calculation_say(calculation, " stays: no support holds the node\n");
+        calculation_write(calculation, " stays: no support holds the node\n");
         return;
     }
     if (subject->before)
         calculation_number(calculation, ": ",
                            calculation_before(bar->block, &bar->node_momentum[i], subject->before));
-    calculation_say(calculation, " → 0: a support holds the node\n");
+    calculation_write(calculation, " → 0: a support holds the node\n");
     calculation_number(calculation, "its mass ", bar->node_mass[i]);
-    calculation_say(calculation, " stays\n");
+    calculation_write(calculation, " stays\n");
 }
 
 static void fix_particle(const BarSubject *subject)
 {
     for (size_t i = 0; i < subject->n_links; i++)
         if (bar_node_is_fixed(subject->bar, (int)subject->links[i].index)) {
-            calculation_say(subject->calculation, "its node %zu is fixed and cannot move\n",
-                            subject->links[i].index);
+            calculation_write(subject->calculation, "its node %zu is fixed and cannot move\n",
+                              subject->links[i].index);
             return;
         }
-    calculation_say(subject->calculation, "none of its nodes is fixed: nothing changes here\n");
+    calculation_write(subject->calculation, "none of its nodes is fixed: nothing changes here\n");
 }
 
 /* --- strain and stress ---------------------------------------------------------------------------- */
@@ -88,8 +90,8 @@ static void fix_particle(const BarSubject *subject)
 static void strain_node(const BarSubject *subject)
 {
     const int i = subject->index;
-    bar_say_ratio(subject, bar_label("v", i, " = p/m = ").text, subject->bar->node_momentum[i],
-                  bar_node_velocity(subject->bar, i));
+    bar_write_ratio(subject, bar_label("v", i, " = p/m = ").text, subject->bar->node_momentum[i],
+                    bar_node_velocity(subject->bar, i));
 }
 
 static void strain_particle(const BarSubject *subject)
@@ -98,7 +100,7 @@ static void strain_particle(const BarSubject *subject)
     const int slot = subject->index % bar->slots, k = subject->index / bar->slots;
     const double stress = bar->stress[slot][k], density = bar->mass / bar->volume[slot][k];
     CalculationSum strain = {.label = "Δε = "};
-    const double increment = strain.result = bar_add_gifts(subject, TAKE_STRAIN, &strain);
+    const double increment = strain.result = bar_add_terms(subject, TAKE_STRAIN, &strain);
     calculation_sum(subject->calculation, &strain);
 
     const double modulus = bar->def.youngs_modulus;
@@ -117,23 +119,23 @@ static void force_node(const BarSubject *subject)
     const Bar *bar = subject->bar;
     const int i = subject->index;
     CalculationSum internal = {.label = "f_int = Σ -N′ (σ V) = ", .result = bar->node_f_int[i]};
-    bar_add_gifts(subject, GIVE_F_INT, &internal);
+    bar_add_terms(subject, GIVE_F_INT, &internal);
     calculation_sum(subject->calculation, &internal);
     const bool loaded = bar_is_loaded(bar) && bar->node_f_ext[i] != 0.0;
     if (loaded) {
         CalculationSum external = {.label = "f_ext = ", .result = bar->node_f_ext[i]};
-        bar_add_gifts(subject, GIVE_F_EXT, &external);
+        bar_add_terms(subject, GIVE_F_EXT, &external);
         calculation_sum(subject->calculation, &external);
     }
     if (bar_node_is_fixed(bar, i)) {
-        calculation_say(subject->calculation, "the node is fixed: f = 0, the support bears the rest\n");
+        calculation_write(subject->calculation, "the node is fixed: f = 0, the support bears the rest\n");
     } else if (loaded) {
         CalculationSum whole = {.label = "f = f_int + f_ext = ", .result = bar_node_force(bar, i)};
         calculation_add(&whole, 1, bar->node_f_int[i], 0, 0);
         calculation_add(&whole, 1, bar->node_f_ext[i], 0, 0);
         calculation_sum(subject->calculation, &whole);
     } else {
-        calculation_say(subject->calculation, "no load acts here: f = f_int\n");
+        calculation_write(subject->calculation, "no load acts here: f = f_int\n");
     }
 }
 
@@ -145,17 +147,17 @@ static void force_particle(const BarSubject *subject)
     CalculationSum pull = {.label = "σ V = ", .result = stress * volume};
     calculation_add(&pull, 2, stress, volume, 0);
     calculation_sum(subject->calculation, &pull);
-    bar_say_shares(subject, GIVE_F_INT, "-N′ σ V: ", 0);
+    bar_write_shares(subject, GIVE_F_INT, "-N′ σ V: ", 0);
     if (bar_is_loaded(bar)) {
         double f[EXCHANGE_FACTORS_MAX] = {0};
         bar_exchange(&bar->sim, GIVE_F_EXT, (size_t)subject->index, subject->links[0].index, f);
-        bar_say_shares(subject, GIVE_F_EXT, "N load: ", f[1]);
+        bar_write_shares(subject, GIVE_F_EXT, "N load: ", f[1]);
     }
 }
 
 /* --- integrate momentum --------------------------------------------------------------------------- */
 
-static void say_integrated(const BarSubject *subject, int node)
+static void write_integrated(const BarSubject *subject, int node)
 {
     const Bar *bar = subject->bar;
     const double force = bar_node_force(bar, node);
@@ -167,7 +169,7 @@ static void say_integrated(const BarSubject *subject, int node)
 
 static void integrate_node(const BarSubject *subject)
 {
-    say_integrated(subject, subject->index);
+    write_integrated(subject, subject->index);
     strain_node(subject);
 }
 
@@ -175,7 +177,7 @@ static void integrate_particle(const BarSubject *subject)
 {
     for (size_t i = 0; i < subject->n_links; i++)
         if (subject->links[i].weight != 0.0)
-            say_integrated(subject, (int)subject->links[i].index);
+            write_integrated(subject, (int)subject->links[i].index);
 }
 
 /* --- update particles ----------------------------------------------------------------------------- */
@@ -184,14 +186,15 @@ static void update_node(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
     const int i = subject->index;
-    /* the momentum at hand may be mapped anew already; the drift is of the one that was integrated */
+    /* MUSL may have mapped the momentum again by now; node_drift still has the integrated one */
     const double speed = bar_integrated_velocity(bar, i);
-    bar_say_ratio(subject, "it gives a = f/m = ", bar_node_force(bar, i), bar->node_kick[i] / bar->dt);
-    bar_say_ratio(subject, "and v = p/m = ", speed * bar->node_mass[i], speed);
+    bar_write_ratio(subject, "it gives a = f/m = ", bar_node_force(bar, i), bar->node_kick[i] / bar->dt);
+    bar_write_ratio(subject, "and v = p/m = ", speed * bar->node_mass[i], speed);
 }
 
-/* The slope of the velocity that APIC carries: of a hat the gradient, else from the nodes' distances. */
-static void say_slope(const BarSubject *subject)
+/* APIC's affine velocity: C = sum N'_i v_i for hats, else C = sum N_i v_i d_i / sum N_i d_i^2, d_i = x_i - x.
+ */
+static void write_slope(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
     const int cell = bar_cell_of(bar, subject->index);
@@ -213,13 +216,15 @@ static void say_slope(const BarSubject *subject)
     calculation_sum(subject->calculation, &sum);
 }
 
-static void say_velocity(const BarSubject *subject)
+/* Eq. 14: v + dt sum N_i f_i/m_i (FLIP), sum N_i v_i (PIC, APIC), or both and their mean weighted with
+ * alpha. */
+static void write_velocity(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
     const double alpha = bar->head->flip_fraction, now = *velocity_of_particle(bar, subject->index);
     if (bar->head->transfer == MPM_APIC || alpha == 0.0) {
         CalculationSum mean = {.label = "v = Σ N v_i = ", .result = now};
-        bar_add_gifts(subject, TAKE_VELOCITY, &mean);
+        bar_add_terms(subject, TAKE_VELOCITY, &mean);
         calculation_sum(subject->calculation, &mean);
         return;
     }
@@ -253,15 +258,15 @@ static void update_particle(const BarSubject *subject)
     const Bar *bar = subject->bar;
     const int slot = subject->index % bar->slots, k = subject->index / bar->slots;
     const int from_origin = bar_cell_of(bar, subject->index) - bar->origin;
-    say_velocity(subject);
+    write_velocity(subject);
     CalculationSum place = {.label = "x = ",
                             .has_base = true,
                             .base = (from_origin + bar->s[slot][k]) * bar->dx,
                             .result = (from_origin + bar->moved[slot][k]) * bar->dx};
-    bar_add_gifts(subject, TAKE_PLACE, &place);
+    bar_add_terms(subject, TAKE_PLACE, &place);
     calculation_sum(subject->calculation, &place);
     if (bar->head->transfer == MPM_APIC)
-        say_slope(subject);
+        write_slope(subject);
 }
 
 /* --- forget the grid ------------------------------------------------------------------------------ */
@@ -280,17 +285,17 @@ static void forget_particle(const BarSubject *subject)
     const double left = (cell - bar->origin) * bar->dx;
     const double s = bar->s[subject->index % bar->slots][subject->index / bar->slots];
     calculation_number(subject->calculation, "x = ", left + s * bar->dx);
-    calculation_say(subject->calculation, " lies in cell %d, from", cell);
+    calculation_write(subject->calculation, " lies in cell %d, from", cell);
     calculation_number(subject->calculation, " ", left);
     calculation_number(subject->calculation, " to ", left + bar->dx);
     calculation_end_line(subject->calculation);
 }
 
-typedef void Saying(const BarSubject *subject);
+typedef void Explanation(const BarSubject *subject);
 
 static const struct {
-    Saying *particle, *node;
-} sayings[OP_COUNT] = {
+    Explanation *particle, *node;
+} explanations[OP_COUNT] = {
     [OP_MAP] = {map_particle, map_node},
     [OP_FIX] = {fix_particle, fix_node},
     [OP_STRAIN] = {strain_particle, strain_node},
@@ -308,13 +313,13 @@ void bar_explain(const Simulation *sim, int stage, int set, size_t index, const 
     const BarSchedule *schedule = bar_schedule(bar->head, bar->def.shape);
     Calculation calculation;
     calculation_open(&calculation, out, size, terms);
-    /* the sum can be written while its numbers are there: right after the stage */
+    /* right after its stage only: the next one may overwrite the numbers */
     int just_done = sim->stage > 0 ? sim->stage - 1 : schedule->count - 1;
     if (stage != just_done || index >= sim->counts[set])
         return;
     BarSubject subject = {
         .bar = bar, .before = before, .set = set, .index = (int)index, .calculation = &calculation};
     subject.n_links = bar_links(sim, set, index, subject.links, LINKS_MAX);
-    (set == BAR_PARTICLES ? sayings[schedule->ops[stage]].particle
-                          : sayings[schedule->ops[stage]].node)(&subject);
+    (set == BAR_PARTICLES ? explanations[schedule->ops[stage]].particle
+                          : explanations[schedule->ops[stage]].node)(&subject);
 }

@@ -1,4 +1,5 @@
-/* Least squares by Givens rotations, row by row in the order of the particles.
+/* kinetic_null, the energy that no nodal velocities can represent (bar_null.h): least squares by Givens
+ * rotations, row by row in the order of the particles. Part of the row of a step.
  *
  * A particle brings the row (N_1 .. N_b | v), which is turned against the rows of a triangle until nothing is
  * left of it but a number on the right: its square belongs to the minimum. Rotations are done without roots
@@ -14,6 +15,8 @@
 #include "physics/mpm_bar/bar_null.h"
 #include "physics/mpm_bar/shape.h"
 
+/* One particle: its row x (support entries, overwritten) and right-hand side v against the rows of the
+ * triangle. */
 static inline void add_row(BarNull *null, const int support, double *x, double v)
 {
     double w = 1.0;
@@ -38,7 +41,8 @@ static inline void add_row(BarNull *null, const int support, double *x, double v
     null->sum += w * (v * v);
 }
 
-/* On to the next cell: its first node was this one's second. */
+/* On to the next cell, whose first node was this one's second: the complete first row of the triangle is
+ * dropped, an empty last one comes in. */
 static inline void shift(BarNull *null, const int support)
 {
 #pragma GCC unroll 4

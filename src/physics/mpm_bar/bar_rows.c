@@ -11,13 +11,14 @@
 #include "physics/mpm_bar/kernels.h"
 #include "physics/mpm_bar/shape.h"
 
-/* The partial sums of a sum, always in the same tree. */
+/* Adds the BAR_LANES partial sums pairwise, always in this order. */
 static double fold(const double *lane)
 {
     return ((lane[0] + lane[4]) + (lane[2] + lane[6])) + ((lane[1] + lane[5]) + (lane[3] + lane[7]));
 }
 
-/* sum m D C^2 / 2 with D = sum N d^2: what the particles' affine motion holds */
+/* sum m D C^2 / 2 with D = sum N_i d_i^2, d_i = x_i - x: the energy of APIC's affine motion. s, d in cells: C
+ * dx d has the unit of a velocity. */
 static double affine_energy(const Bar *bar)
 {
     double sum = 0.0;
@@ -54,7 +55,8 @@ double bar_energy(const Bar *bar)
     return kinetic_of(bar, &sums) + strain_of(bar, &sums);
 }
 
-/* From the sums over the particles, and over the grid as it stands after map and boundary conditions. */
+/* The BAR_SERIES numbers of bar_series: v_cm = sum v / n, x_cm = dx sum (cell - origin + s) / n with the
+ * whole cells summed exactly in cell_sum, then the energies. */
 void bar_write_row(const Bar *bar, const BarSums *sums, const double *grid_lanes, double null_energy,
                    int64_t cell_sum, double *row)
 {

@@ -1,4 +1,6 @@
-/* The stages of a step as people read them, and the order in which each algorithm does them. */
+/* The stages of a step as shown to the user (name, equation, sentence, the fields read and written), and the
+ * order in which each algorithm does them: USF, USL and MUSL are rows of the same stages. The work of a stage
+ * is bar_do.c. */
 #include "physics/mpm_bar/bar_state.h"
 
 #define MAP                                                                                                  \

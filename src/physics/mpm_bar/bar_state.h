@@ -62,7 +62,7 @@ typedef struct BarSums {
 
 /* A particle's first crossing of a cell's edge, not yet reported. */
 typedef struct BarCrossing {
-    int step; /* counted from the beginning of the tiled steps */
+    int step; /* counted from the first in the pipeline */
     int particle, cell;
 } BarCrossing;
 
@@ -97,7 +97,7 @@ struct Bar {
     void *block;
     size_t bytes_flip, bytes_apic, bytes_whole; /* to the end of the FLIP part, the APIC part, everything */
     BarHead *head;
-    int32_t *first;    /* of each cell: its first particle; n_cells + 1 */
+    int32_t *first;    /* of each cell: its first particle; n_cells + 1 entries */
     uint64_t *crossed; /* one bit per particle: has crossed a cell's edge */
     double *s[BAR_SLOTS_MAX];
     double *v[BAR_SLOTS_MAX];
@@ -121,10 +121,10 @@ struct Bar {
     bool jumped;           /* a particle jumped over a whole cell in this step */
     size_t bytes_memory;
 
-    /* Steps done tile by tile meet crossings out of order: they are kept and reported when the steps are done
+    /* the pipeline of bar_tiles.c meets crossings out of order: they are kept, sorted and reported at its end
      */
     bool keeps_crossings;
-    int step_in_flight;
+    int pipeline_step;
     int n_crossings;
     BarCrossing crossings[SIMULATION_EVENTS_MAX];
 };

@@ -22,7 +22,9 @@ enum { ENERGY_LEVELS = sizeof energy_levels / sizeof energy_levels[0] };
 
 /* --- the energy ----------------------------------------------------------------------------------- */
 
-/* At the end of some steps, the same ones however the run is cut and watched. */
+/* Fails where energy > energy_bound (E_0 + max |work|), and reports growth on the way. Looked at only at the
+ * end of steps that are multiples of BAR_CHECK_EVERY, so that the outcome does not depend on how the run is
+ * cut into batches. A NaN fails too: the comparison is written so. */
 static bool check_energy(Bar *bar, Status *status)
 {
     if ((bar->sim.step + 1) % BAR_CHECK_EVERY != 0)
@@ -65,7 +67,7 @@ bool bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *sta
 
 /* --- whole steps --------------------------------------------------------------------------------- */
 
-/* What a batch of steps goes back to if one of them fails. */
+/* The state to which a batch of steps returns if one of them fails; the particles are in bar->backup. */
 typedef struct Mark {
     long step;
     int n_events;
@@ -93,7 +95,8 @@ static void go_back(Bar *bar, Mark mark)
     bar->sim.failed = false;
 }
 
-/* Whole steps over the whole bar, stage by stage. The map of the next step also serves the row. */
+/* Whole steps over the whole bar, stage by stage. The row needs the grid after map and boundary conditions,
+ * which are also the first two stages of the next step: they are done once for both. */
 static bool whole_steps(Bar *bar, long count, double *rows, Status *status)
 {
     const BarSchedule *schedule = bar_schedule(bar->head, bar->def.shape);
@@ -140,7 +143,7 @@ bool bar_steps(Simulation *sim, long count, double *rows, long *done, Status *st
             *done += batch;
             continue;
         }
-        /* find the step that fails, and stand before it */
+        /* again one step at a time, so that the run ends before the step that fails */
         go_back(bar, mark);
         for (;;) {
             mark = set_mark(bar);

@@ -1,3 +1,5 @@
+/* The sums of one particle or node as lines of a calculation, term by term from bar_exchange.c. Terms that
+ * are exactly 0 by their shape function are left out. */
 #include "physics/mpm_bar/bar_sums.h"
 
 BarLabel bar_label(const char *before, int node, const char *after)
@@ -5,7 +7,7 @@ BarLabel bar_label(const char *before, int node, const char *after)
     BarLabel label;
     Calculation words;
     calculation_open(&words, label.text, sizeof label.text, 0);
-    calculation_say(&words, "%s%d%s", before, node, after);
+    calculation_write(&words, "%s%d%s", before, node, after);
     return label;
 }
 
@@ -20,7 +22,7 @@ static bool leads(BarExchange exchange, int n_factors)
     return exchange == GIVE_MASS || (n_factors == 3 && exchange != GIVE_F_INT);
 }
 
-double bar_add_gifts(const BarSubject *subject, BarExchange exchange, CalculationSum *sum)
+double bar_add_terms(const BarSubject *subject, BarExchange exchange, CalculationSum *sum)
 {
     const Simulation *sim = &subject->bar->sim;
     double total = 0;
@@ -42,7 +44,7 @@ double bar_add_gifts(const BarSubject *subject, BarExchange exchange, Calculatio
     return total;
 }
 
-void bar_say_shares(const BarSubject *subject, BarExchange exchange, const char *label, double whole)
+void bar_write_shares(const BarSubject *subject, BarExchange exchange, const char *label, double whole)
 {
     CalculationSum sum = {.label = label, .result = whole};
     for (size_t i = 0; i < subject->n_links; i++) {
@@ -55,12 +57,13 @@ void bar_say_shares(const BarSubject *subject, BarExchange exchange, const char 
     calculation_sum(subject->calculation, &sum);
 }
 
-void bar_say_ratio(const BarSubject *subject, const char *label, double above, double result)
+void bar_write_ratio(const BarSubject *subject, const char *label, double above, double result)
 {
     const double mass = subject->bar->node_mass[subject->index];
     CalculationSum sum = {.label = label, .result = result};
     if (subject->bar->node_inverse[subject->index] == 0.0) {
-        calculation_say(subject->calculation, "%s0: too little mass is here, the node is inactive\n", label);
+        calculation_write(subject->calculation, "%s0: too little mass is here, the node is inactive\n",
+                          label);
         return;
     }
     calculation_add(&sum, 1, above, 0, 0)->divisor = mass;

@@ -1,5 +1,4 @@
-/* What the words of a bar's stages are made of: the sums of one particle or node, term by term. For
- * bar_explain.c only. */
+/* The sums of one particle or node of the bar, written out term by term. For bar_explain.c only. */
 #ifndef PHYSICS_MPM_BAR_SUMS_H
 #define PHYSICS_MPM_BAR_SUMS_H
 
@@ -8,7 +7,7 @@
 
 enum { LINKS_MAX = 64 };
 
-/* What is asked about. */
+/* The particle or node whose sums are written, and where they go. */
 typedef struct BarSubject {
     const Bar *bar;
     const void *before; /* the state before the stage; NULL: not known */
@@ -25,13 +24,13 @@ typedef struct BarLabel {
 
 BarLabel bar_label(const char *before, int node, const char *after);
 
-/* What the subject's links give to it: adds terms and scale to the sum, returns what they come to. */
-double bar_add_gifts(const BarSubject *, BarExchange, CalculationSum *);
+/* Adds to the sum one term for each link of the subject, and the factor they share; returns their total. */
+double bar_add_terms(const BarSubject *, BarExchange, CalculationSum *);
 
-/* "m v N: 0.1 to 12 + 0.3 to 13 = 0.4": how the chosen particle deals out. */
-void bar_say_shares(const BarSubject *, BarExchange, const char *label, double whole);
+/* "m v N: 0.1 to 12 + 0.3 to 13 = 0.4": how a quantity of the chosen particle is divided among its nodes. */
+void bar_write_shares(const BarSubject *, BarExchange, const char *label, double whole);
 
-/* "v13 = p/m = 0.2 / 0.5 = 0.4": over the mass of the chosen node. */
-void bar_say_ratio(const BarSubject *, const char *label, double above, double result);
+/* "v13 = p/m = 0.2 / 0.5 = 0.4": a quantity over the mass of the chosen node. */
+void bar_write_ratio(const BarSubject *, const char *label, double above, double result);
 
 #endif

@@ -1,4 +1,11 @@
-/* B-splines near the ends of the mesh: the recursion of Cox and de Boor on open knots. */
+/* B-splines near the ends of the mesh, by the recursion of Cox and de Boor on open knots k_i (Piegl
+ * and Tiller, The NURBS Book, chapter 2):
+ *
+ *     N_i,0 = 1 in [k_i, k_i+1),   else 0
+ *     N_i,d = (x - k_i)/(k_i+d - k_i) N_i,d-1 + (k_i+d+1 - x)/(k_i+d+1 - k_i+1) N_i+1,d-1,   0/0 = 0
+ *     N'_i,d = d (N_i,d-1/(k_i+d - k_i) - N_i+1,d-1/(k_i+d+1 - k_i+1))
+ *
+ * Inner cells, nearly all of a mesh, have the closed forms of shape_inner.h. Lengths in cells. */
 #include "physics/mpm_bar/shape.h"
 
 /* Knot k of an open knot vector on cell edges 0, 1, ..., n_cells: the ends are repeated degree + 1 times. */
@@ -8,7 +15,8 @@ static double knot(int degree, int n_cells, int k)
     return edge < 0 ? 0.0 : edge > n_cells ? (double)n_cells : (double)edge;
 }
 
-/* The degree + 1 functions that are not zero in the cell, functions cell to cell + degree. */
+/* The degree + 1 functions that are not zero in the cell, functions cell to cell + degree, in place from
+ * degree 0 upwards: in each round n[a] is split between functions a and a + 1 of the next degree. */
 static void functions(int degree, int knots_degree, int n_cells, int cell, double s, double *n)
 {
     /* distances to the knots left and right of the point, cell's left edge being knot cell + knots_degree */
@@ -31,7 +39,7 @@ static void functions(int degree, int knots_degree, int n_cells, int cell, doubl
 void shape_open_spline(int degree, int n_cells, int cell, double s, double *n, double *dn)
 {
     functions(degree, degree, n_cells, cell, s, n);
-    /* the derivative is a difference of the functions of one degree less on the same knots */
+    /* N' as above: before and after are the two terms of the difference */
     double lower[SHAPE_SUPPORT_MAX];
     functions(degree - 1, degree, n_cells, cell, s, lower);
     double before = 0.0;

@@ -1,9 +1,15 @@
-/* The shape functions of an inner cell. Included by shape.h for numbers and by the kernels for vectors of
- * them (REAL), with the same operations.
+/* The shape functions of an inner cell at s in [0, 1), r = 1 - s; derivatives by s. Included by shape.h for
+ * numbers and by the kernels for vectors of them (REAL), with the same operations.
+ *
+ *     hat        r, s
+ *     bspline2   r^2/2, 1/2 + s r, s^2/2
+ *     bspline3   r^3/6, 2/3 - s^2 (1 - s/2), 2/3 - r^2 (1 - r/2), s^3/6
+ *     uGIMP      with L = max(h - s, 0), R = max(s - 1 + h, 0), the overlap with the neighbouring cells:
+ *                L^2/4h, r - L^2/2h + R^2/4h, s + L^2/4h - R^2/2h, R^2/4h
  *
  * uGIMP is the hat averaged over the particle's width 2 h dx (Bardenhagen and Kober 2004): its corners are
- * rounded within h of a node. With the squares of how far the particle overlaps its cell's ends, no case has
- * to be told from another; x + |x| is exactly 2 max(x, 0). */
+ * rounded within h of a node. Written with L and R one formula serves inside and near either node; x + |x| is
+ * exactly 2 max(x, 0). */
 static inline void SHAPE_INNER(MpmShape shape, double h, const REAL *s_, REAL *n, REAL *dn)
 {
     const REAL s = *s_, r = 1.0 - s;

@@ -27,7 +27,7 @@ const Stage pd_bar_stage_table[PD_BAR_STAGES] = {
         VERLET_SECOND_KICK("The new force completes the step's velocity.", "v force acceleration", "v"),
 };
 
-static void say_value(Calculation *calculation, const char *label, double value)
+static void write_value(Calculation *calculation, const char *label, double value)
 {
     calculation_number(calculation, label, value);
     calculation_end_line(calculation);
@@ -43,7 +43,7 @@ static void explain_kick(const PdBar *bar, Calculation *calculation, int i, cons
                            "v = v + Δt/2 a = ", calculation_before(bar->head, &bar->v[i], before),
                            bar->sim.dt / 2, sum.result, bar->v[i], NULL);
     else
-        say_value(calculation, "v = ", bar->v[i]);
+        write_value(calculation, "v = ", bar->v[i]);
 }
 
 static void explain_drift(const PdBar *bar, Calculation *calculation, int i, const void *before)
@@ -53,10 +53,10 @@ static void explain_drift(const PdBar *bar, Calculation *calculation, int i, con
         calculation_change(calculation, "u = u + Δt v = ", calculation_before(bar->head, u, before),
                            bar->sim.dt, bar->v[i], *u, NULL);
     else
-        say_value(calculation, "u = ", *u);
+        write_value(calculation, "u = ", *u);
 }
 
-static void say_image(Calculation *calculation, double place, double u)
+static void write_image(Calculation *calculation, double place, double u)
 {
     calculation_number(calculation, "the mirror image at X = ", place);
     calculation_number(calculation, " moves by ", -u);
@@ -70,12 +70,12 @@ static void explain_mirror(const PdBar *bar, Calculation *calculation, int i)
     const bool left = bar->def.left_fixed && i < lattice->reach;
     const bool right = bar->def.right_fixed && i >= lattice->n - lattice->reach;
     if (left)
-        say_image(calculation, -pd_bar_position(lattice, i), u);
+        write_image(calculation, -pd_bar_position(lattice, i), u);
     if (right)
-        say_image(calculation, 2 * bar->def.length - pd_bar_position(lattice, i), u);
+        write_image(calculation, 2 * bar->def.length - pd_bar_position(lattice, i), u);
     if (!left && !right)
-        calculation_say(calculation,
-                        "no fixed end within the horizon: this node has no mirror image that matters\n");
+        calculation_write(calculation,
+                          "no fixed end within the horizon: this node has no mirror image that matters\n");
 }
 
 /* f = Σ c G w V s, bond by bond; c G w V and s of the nearest neighbours. */
@@ -93,18 +93,18 @@ static void explain_bonds(const PdBar *bar, Calculation *calculation, int i)
             calculation_add(&sum, 2, side * stiffness * length, elongation / length, 0);
             sum.result += side * stiffness * elongation;
         }
-    calculation_say(calculation, "nearest bonds first: ");
+    calculation_write(calculation, "nearest bonds first: ");
     const char *comma = "";
     for (int side = -1; side <= 1; side += 2) {
         const int other = i + side;
         if (!(pd_bar_stiffness(bar, side < 0 ? other : i, 1) > 0))
             continue; /* a free end */
-        calculation_say(calculation, "%s%s%d", comma,
-                        other < 0 || other >= lattice->n ? "to the mirror of p" : "to p",
-                        pd_bar_partner(lattice, other));
+        calculation_write(calculation, "%s%s%d", comma,
+                          other < 0 || other >= lattice->n ? "to the mirror of p" : "to p",
+                          pd_bar_partner(lattice, other));
         comma = ", ";
     }
-    calculation_say(calculation, ", and so on\n");
+    calculation_write(calculation, ", and so on\n");
     calculation_sum(calculation, &sum);
 }
 
@@ -126,10 +126,10 @@ static void explain_bond(const PdBar *bar, Calculation *calculation, size_t inde
 {
     Link ends[2];
     pd_bar_links(&bar->sim, PD_BAR_BOND, index, ends, 2);
-    calculation_say(calculation, "bond p%zu to p%zu: ", ends[0].index, ends[1].index);
+    calculation_write(calculation, "bond p%zu to p%zu: ", ends[0].index, ends[1].index);
     calculation_number(calculation, "s = ", ends[0].weight);
     calculation_number(calculation, ", pull ", ends[0].pull);
-    calculation_say(calculation, " per unit cross-section\n");
+    calculation_write(calculation, " per unit cross-section\n");
 }
 
 void pd_bar_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,

@@ -1,5 +1,11 @@
-/* The lattice of the bar: families with their ends, surface factors, bond stiffnesses, and the critical time
- * step. */
+/* The lattice of the bar, made once when the bar is created; pd_bar.h has the equations.
+ *
+ *     w_m = 1 for m h <= delta - h/2, else (delta + h/2 - m h)/h          partial volumes
+ *     g_i = (E/2)/(sum_j c w V_j |xi|/4),  G = (g_i + g_j)/2              surface correction
+ *     k_m = c G w_m V/|xi|,  c = 2E/delta^2,  V = h,  |xi| = m h          stiffness of a bond
+ *     dt_crit = 2/omega_max                                               critical step of velocity Verlet
+ *
+ * All per unit cross-section. */
 #include "physics/axial.h"
 #include "physics/pd_bar/pd_bar_internal.h"
 
@@ -34,7 +40,7 @@ static double weight(const PdBarDef *def, double h, int m)
     return (def->horizon + h / 2 - m * h) / h;
 }
 
-/* The energy of a unit strain that the family of node i should hold, over what it holds. */
+/* g_i: the energy of a unit strain, E/2, over what the family of node i holds. */
 static double energy_factor(const PdBarDef *def, const PdBarLattice *lattice, int i)
 {
     double held = 0;
@@ -92,8 +98,9 @@ void *pd_bar_lattice(const PdBarDef *def, PdBarLattice *lattice)
     return memory;
 }
 
-/* omega_max^2 is the largest eigenvalue of the stiffness over the density. A mirrored node is minus its
- * partner, which lies nearer to the end than the horizon: the matrix stays a band. */
+/* omega_max^2 is the largest eigenvalue of K/rho, K the band matrix of f = -K u: K_ii = sum k, K_ij = -k. A
+ * bond to a mirrored node, u = -u_j, adds +k to K_ij instead; its partner j lies nearer to the end than the
+ * horizon, so the matrix stays a band of half-width `reach`. NAN: not enough memory. */
 static double critical_step(const PdBarDef *def, const PdBarLattice *lattice)
 {
     const size_t n = (size_t)lattice->n, width = (size_t)lattice->reach;
@@ -117,7 +124,7 @@ static double critical_step(const PdBarDef *def, const PdBarLattice *lattice)
     return 2 / sqrt(largest);
 }
 
-/* A long bar has the ends of a shorter one, and to 1e-6 its largest frequency. */
+/* The largest frequency of a long bar is that of 2000 nodes with the same ends, to 1e-6. */
 static PdBarDef shorter(const PdBarDef *def)
 {
     enum { NODES = 2000 };

@@ -1,5 +1,15 @@
-/* One time step by velocity Verlet; each stage is a function of a range of nodes, and the fast path calls the
- * same functions over all of them. */
+/* One time step of the bar by peridynamics, velocity Verlet (paper P, eqs. 9 to 11):
+ *
+ *     v_i += dt/(2 rho) f_i                               half kick
+ *     u_i += dt v_i                                       drift
+ *     u(-1 - i) = -u_i and likewise at the right          mirrored nodes of a fixed end
+ *     f_i = sum_m k_{i,i+m} (u_{i+m} - u_i) - k_{i-m,i} (u_i - u_{i-m})   bonds, k = c G w V/|xi|
+ *     f_i += rho b +- t/layer                             loads
+ *     v_i += dt/(2 rho) f_i                               second half kick
+ *
+ * f is a force density. Arrays of n nodes, u with `reach` mirrored nodes at either side (pd_bar_internal.h).
+ * Each stage is a function of a range of nodes; whole steps call the same functions over all of them. A step
+ * fails when two neighbours meet or part by a spacing, and the state goes back to before it. */
 #include "physics/pd_bar/pd_bar_internal.h"
 
 #include <math.h>
@@ -30,7 +40,7 @@ static void kick(PdBar *bar, int first, int end)
         bar->v[i] += factor * bar->f[i];
 }
 
-/* The work of the load: at the midpoint of the step, with the velocity there. */
+/* The work of the load with the velocity at the middle of the step: sum f_load h v^{n+1/2} dt. */
 static void drift(PdBar *bar, int first, int end)
 {
     const double dt = bar->sim.dt;
@@ -78,8 +88,9 @@ static RangeStage *const range_stages[PD_BAR_STAGES] = {
     [PD_BAR_BONDS] = bonds,    [PD_BAR_LOAD] = load,   [PD_BAR_SECOND_KICK] = kick,
 };
 
-/* A node that has come a spacing nearer to its neighbour has met it: the stretch is no longer what it says.
- * At a fixed end the neighbour is the node's own mirror image, which it meets at the support. */
+/* Fails unless |u_{i+1} - u_i| < h for all neighbours: a spacing nearer, two nodes have met, and the
+ * stretch is no longer linear in u. At a fixed end the neighbour is the node's own mirror image, which it
+ * meets at the support. */
 static bool check_gaps(PdBar *bar, int first, int end, Status *status)
 {
     const double *u = bar->u + bar->lattice.reach, h = bar->lattice.h;
@@ -112,7 +123,7 @@ void pd_bar_forces(PdBar *bar)
         range_stages[stage](bar, 0, bar->lattice.n);
 }
 
-/* --- whole steps; one that fails is taken back --- */
+/* --- whole steps --- */
 
 bool pd_bar_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
 {

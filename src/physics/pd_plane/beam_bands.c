@@ -1,5 +1,11 @@
-/* Bond forces and energies of all rows, a band of rows at a time. Forces on rows above a band go to the
- * band's halo and are added in the order of bands, so that it does not matter which thread did which band. */
+/* Bond forces and energies of all rows, a band of rows at a time: how the sum of eq. 8 is shared out to
+ * threads.
+ *
+ * A bond is computed once, by the row of its lower end, and adds its force to both ends (Newton's third law).
+ * The upper end may lie up to `reach` rows higher, in the next band, which another thread may be writing. So
+ * each band has a halo: `reach` rows that collect what it gives to rows above it. When all bands are done the
+ * halos are added to the rows, always in the order of the bands: the bits do not depend on the number of
+ * threads. */
 #include "physics/pd_plane/beam_internal.h"
 
 #include <string.h>
@@ -13,7 +19,7 @@ void beam_run(Beam *beam, PoolWork *work, int chunks)
             work(beam, chunk, 0);
 }
 
-/* Row `row` above the band's end, in the band's halo: its column 0. */
+/* Column 0 of a halo row: `row` rows above the band's end, component 0 (fx) or 1 (fy). */
 static double *halo_row(const Beam *beam, int band, int component, int row)
 {
     size_t reach = (size_t)beam->lattice.reach, stride = beam->lattice.stride;
@@ -30,6 +36,7 @@ static void clear_band(Beam *beam, int band)
     memset(halo_row(beam, band, 0, 0) - LATTICE_BLOCK, 0, 2 * (size_t)beam->lattice.reach * bytes);
 }
 
+/* fx[q], fy[q]: where the forces on row j + q go, the row itself or the halo. */
 void beam_bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy)
 {
     int band = beam->band_of_row[j], end = beam->band_first[band + 1];
@@ -45,7 +52,8 @@ void beam_bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy)
     beam->kernels->forces(&beam->system, j, fx, fy, log, with_energy ? &beam->row_energy[j] : NULL);
 }
 
-/* What the bands below have for this row. */
+/* Row j receives from every band below it whose halo reaches it: those that end at most `reach` rows below j.
+ */
 void beam_add_halos(Beam *beam, int j)
 {
     size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;

@@ -1,4 +1,11 @@
-/* Broken bonds: the list of when they broke, and the damage of nodes (eqs. 5, 6). */
+/* Broken bonds: when each broke, what energy it held, and the damage of nodes, the last stage of a step:
+ *
+ *     mu = 1 while s < s0 at all times so far, else 0                                                  (6)
+ *     phi_i = 1 - sum_j mu w V_j / sum_j w V_j                                                         (5)
+ *
+ * A bond stretched to s0 is broken by the kernels (bond_kernels.c) and carries no force in that same
+ * evaluation. Here its energy goes to "dissipated" and its ends are marked; only marked nodes compute their
+ * damage again. On the notched beam the stage also follows the crack (crack.c). */
 #include "physics/pd_plane/beam_internal.h"
 #include "physics/pd_plane/crack.h"
 
@@ -21,7 +28,7 @@ static void mark_ends(Beam *beam, BondPlace place)
     mark_dirty(beam, (size_t)(place.j + offset->q) * nx + (size_t)(place.i + offset->p));
 }
 
-/* A bond counts for the start of the crack if its middle is within two horizons of the notch's end. */
+/* The crack starts with a bond whose middle lies within two horizons of the notch's end. */
 static bool is_near_tip(const Beam *beam, BondPlace place)
 {
     if (beam->def.problem != BEAM_NOTCHED)
@@ -49,7 +56,8 @@ bool beam_take_log(Beam *beam, BondLog *log, long step)
     return written;
 }
 
-/* Eq. 5: the share of the family, weighted with w V, whose bonds have broken until a step. */
+/* Eq. 5, the volumes being equal: broken w / all w over the family, counting bonds that broke in steps up to
+ * `step`. */
 static double node_damage(const Beam *beam, size_t node, long step)
 {
     const Lattice *lattice = &beam->lattice;
@@ -121,8 +129,9 @@ void beam_update_damage(Beam *beam, long step)
         crack_note_tip(beam, step);
 }
 
-/* Damage as it was after the last damage stage: in the middle of a step the bonds that broke in it do not
- * count yet, but their ends are due. */
+/* After a snapshot is restored: damage follows from the bits of broken bonds and their steps. In the middle
+ * of a step bonds that broke in this step do not count yet; their ends stay marked for the coming damage
+ * stage. */
 void beam_rebuild_damage(Beam *beam)
 {
     const Lattice *lattice = &beam->lattice;

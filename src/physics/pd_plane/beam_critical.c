@@ -1,5 +1,12 @@
 /* The critical time step 2 / omega_max: the largest frequency of the linear operator (1/rho) sum c G w V n
- * n.eta by Lanczos iteration, which is power iteration that keeps what it has learnt.
+ * n.eta by Lanczos iteration:
+ *
+ *     beta_k q_{k+1} = A q_k - alpha_k q_k - beta_{k-1} q_{k-1},   alpha_k = q_k . A q_k,   |q_k| = 1
+ *
+ * The largest eigenvalue of the tridiagonal matrix of alphas and betas converges to omega_max^2 from below,
+ * in far fewer products with A than power iteration needs (Golub and Van Loan, Matrix Computations, chapter
+ * 10). It stops when the value moves by less than 1e-7 in CHECK_EVERY products. Called once, when a beam is
+ * created.
  *
  * Nothing is held here. To hold nodes can only lower the largest frequency, so this step is safe for every
  * way of holding the beam, also for a clamp that the beam leaves on its way; it costs at most a few
@@ -15,7 +22,8 @@
 
 enum { STEPS_MAX = 200, STEPS_MIN = 20, STEPS_USUAL = 40, CHECK_EVERY = 5 };
 
-/* A rough start: neighbours of opposite sign, with strengths that repeat nowhere. */
+/* The start: neighbours of opposite sign, close to the fastest mode, with pseudo-random sizes (xorshift) so
+ * that no mode is missed by symmetry; the same for every run. */
 static void fill(const Beam *beam, double *x, double *y)
 {
     const Lattice *lattice = &beam->lattice;
@@ -59,7 +67,8 @@ static double largest(const double *diagonal, const double *beside, int n)
     return high;
 }
 
-/* -1: given up. */
+/* omega_max^2 in 1/s^2; -1: interrupted by BeamDef.patience. A displacement tiny q gives the force -tiny rho
+ * A q. */
 static double iterate(Beam *beam, double *v, double *previous, Status *status)
 {
     const size_t count = 2 * beam->array;
@@ -73,9 +82,10 @@ static double iterate(Beam *beam, double *v, double *previous, Status *status)
         v[i] /= norm;
     memset(previous, 0, count * sizeof *previous);
     double last_beside = 0;
-    /* displacements are bounded by `tiny` whatever their number: one unit vector's largest part is below 1 */
+    /* a unit vector has no component above 1, so no displacement exceeds `tiny` */
     for (int k = 0; k < STEPS_MAX; k++) {
-        double share = 1 - exp(-(double)k / STEPS_USUAL); /* how many it will be is not known */
+        /* how many iterations it takes is not known beforehand */
+        double share = 1 - exp(-(double)k / STEPS_USUAL);
         if (!lattice_go_on(&beam->def, BUILDING_CRITICAL + (1 - BUILDING_CRITICAL) * share, status))
             return -1;
         for (size_t i = 0; i < count; i++)

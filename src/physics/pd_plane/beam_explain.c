@@ -73,42 +73,42 @@ static NodeNow node_before(const Beam *beam, size_t at, const void *before)
 }
 
 /* "vx = 0.1 + 2e-11 × 5 = 0.2 m/s" */
-static void say_change(Calculation *calculation, const char *label, double was, double factor, double rate,
-                       double now, const char *unit)
+static void write_change(Calculation *calculation, const char *label, double was, double factor, double rate,
+                         double now, const char *unit)
 {
     if (fabs(was + factor * rate - now) > 1e-9 * fmax(fabs(was), fabs(factor * rate))) {
         calculation_number(calculation, label, now);
-        calculation_say(calculation, " %s: the node is held\n", unit);
+        calculation_write(calculation, " %s: the node is held\n", unit);
         return;
     }
     calculation_change(calculation, label, was, factor, rate, now, unit);
 }
 
-static void say_pair(Calculation *calculation, const char *words, double x, double y, const char *unit)
+static void write_pair(Calculation *calculation, const char *words, double x, double y, const char *unit)
 {
     calculation_number(calculation, words, x);
     calculation_number(calculation, ", ", y);
-    calculation_say(calculation, " %s\n", unit);
+    calculation_write(calculation, " %s\n", unit);
 }
 
 static void explain_kick(const Beam *beam, Calculation *calculation, const NodeNow *now, const NodeNow *was)
 {
     const double factor = beam->sim.dt / (2 * beam->def.density);
     if (was) {
-        say_change(calculation, "vx = vx + Δt/(2ρ) fx = ", was->vx, factor, was->fx, now->vx, "m/s");
-        say_change(calculation, "vy = vy + Δt/(2ρ) fy = ", was->vy, factor, was->fy, now->vy, "m/s");
+        write_change(calculation, "vx = vx + Δt/(2ρ) fx = ", was->vx, factor, was->fx, now->vx, "m/s");
+        write_change(calculation, "vy = vy + Δt/(2ρ) fy = ", was->vy, factor, was->fy, now->vy, "m/s");
     } else {
-        say_pair(calculation, "vx, vy = ", now->vx, now->vy, "m/s");
+        write_pair(calculation, "vx, vy = ", now->vx, now->vy, "m/s");
     }
 }
 
 static void explain_drift(const Beam *beam, Calculation *calculation, const NodeNow *now, const NodeNow *was)
 {
     if (was) {
-        say_change(calculation, "ux = ux + Δt vx = ", was->ux, beam->sim.dt, was->vx, now->ux, "m");
-        say_change(calculation, "uy = uy + Δt vy = ", was->uy, beam->sim.dt, was->vy, now->uy, "m");
+        write_change(calculation, "ux = ux + Δt vx = ", was->ux, beam->sim.dt, was->vx, now->ux, "m");
+        write_change(calculation, "uy = uy + Δt vy = ", was->uy, beam->sim.dt, was->vy, now->uy, "m");
     } else {
-        say_pair(calculation, "ux, uy = ", now->ux, now->uy, "m");
+        write_pair(calculation, "ux, uy = ", now->ux, now->uy, "m");
     }
 }
 
@@ -121,18 +121,18 @@ static void explain_constraints(const Beam *beam, Calculation *calculation, size
             calculation_number(calculation, "in the channel: uy = 0, ux = v0 t = ", now->ux);
         else
             calculation_number(calculation, "in the channel: uy = 0, free to slide: ux = ", now->ux);
-        calculation_say(calculation, " m\n");
+        calculation_write(calculation, " m\n");
         return;
     }
     for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
         if ((size_t)s->j * nx + (size_t)s->i == index) {
-            calculation_say(calculation, "at a support: %s\n",
-                            s->x && s->y ? "ux = uy = 0"
-                            : s->x       ? "ux = 0"
-                                         : "uy = 0");
+            calculation_write(calculation, "at a support: %s\n",
+                              s->x && s->y ? "ux = uy = 0"
+                              : s->x       ? "ux = 0"
+                                           : "uy = 0");
             return;
         }
-    calculation_say(calculation, "free: nothing holds this node\n");
+    calculation_write(calculation, "free: nothing holds this node\n");
 }
 
 static int by_pull(const void *a, const void *b)
@@ -141,8 +141,8 @@ static int by_pull(const void *a, const void *b)
     return (one < other) - (one > other);
 }
 
-/* How many bonds of a family carry nothing: those that the notch cut are told apart. */
-static void say_lost(const Beam *beam, Calculation *calculation, const BondPlace *family, size_t n)
+/* How many bonds of a family are broken, and how many of these the notch cut. */
+static void write_lost(const Beam *beam, Calculation *calculation, const BondPlace *family, size_t n)
 {
     size_t broken = 0, cut = 0;
     for (size_t k = 0; k < n; k++) {
@@ -152,9 +152,9 @@ static void say_lost(const Beam *beam, Calculation *calculation, const BondPlace
         else
             broken += beam_bit(beam->broken, slot);
     }
-    calculation_say(calculation, "%zu of %zu bonds broken", broken, n);
+    calculation_write(calculation, "%zu of %zu bonds broken", broken, n);
     if (cut > 0)
-        calculation_say(calculation, ", %zu cut by the notch", cut);
+        calculation_write(calculation, ", %zu cut by the notch", cut);
 }
 
 /* The strongest bonds first, the rest as one number. */
@@ -174,15 +174,15 @@ static void explain_bonds(const Beam *beam, Calculation *calculation, size_t ind
         }
     }
     qsort(bonds, n, sizeof *bonds, by_pull);
-    say_lost(beam, calculation, family, n);
+    write_lost(beam, calculation, family, n);
     if (n > 0 && bonds[0].stretch != 0) {
         const BondNow *first = &bonds[0];
-        calculation_say(calculation, "; to %zu: ", first->b);
+        calculation_write(calculation, "; to %zu: ", first->b);
         CalculationSum pull = {.label = "c G w V s = ", .result = first->pull};
         calculation_add(&pull, 2, first->pull / first->stretch, first->stretch, 0);
         calculation_sum(calculation, &pull);
     } else {
-        calculation_say(calculation, "; none is stretched\n");
+        calculation_write(calculation, "; none is stretched\n");
     }
     for (size_t k = 0; k < n; k++) {
         const double parts[2] = {bonds[k].direction_x, bonds[k].direction_y};
@@ -202,7 +202,7 @@ static void explain_body_force(const Beam *beam, Calculation *calculation, size_
     size_t nx = (size_t)beam->lattice.nx;
     int i = (int)(index % nx);
     if ((int)(index / nx) != beam->lattice.ny - 1 || i < beam->load_first || i >= beam->load_end) {
-        say_pair(calculation, "no load on this node: f stays ", now->fx, now->fy, "N/m³");
+        write_pair(calculation, "no load on this node: f stays ", now->fx, now->fy, "N/m³");
         return;
     }
     const double force = beam_body_force(beam, (double)(beam->sim.step + 1) * beam->sim.dt);
@@ -227,7 +227,7 @@ static void explain_damage(const Beam *beam, Calculation *calculation, size_t in
         all += weight;
         broken += gone ? weight : 0;
     }
-    say_lost(beam, calculation, family, n);
+    write_lost(beam, calculation, family, n);
     calculation_number(calculation, "; in weights ", broken);
     calculation_number(calculation, " of ", all);
     calculation_end_line(calculation);
@@ -239,17 +239,17 @@ static void explain_damage(const Beam *beam, Calculation *calculation, size_t in
 static void explain_bond(const Beam *beam, Calculation *calculation, size_t index)
 {
     BondNow bond = beam_bond(beam, lattice_bond_place(&beam->lattice, index));
-    calculation_say(calculation, "bond %zu to %zu: ", bond.a, bond.b);
+    calculation_write(calculation, "bond %zu to %zu: ", bond.a, bond.b);
     calculation_number(calculation, "s = ", bond.stretch);
     if (beam->head->critical_stretch > 0)
         calculation_number(calculation, " of s0 = ", beam->head->critical_stretch);
     if (bond.broken) {
-        calculation_say(calculation, "; broken: it carries nothing\n");
+        calculation_write(calculation, "; broken: it carries nothing\n");
         return;
     }
     calculation_number(calculation, ", pull ", bond.pull);
     calculation_number(calculation, " N/m³, energy ", bond.energy);
-    calculation_say(calculation, " J\n");
+    calculation_write(calculation, " J\n");
 }
 
 void beam_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,

@@ -93,7 +93,7 @@ static double family_size(const Beam *beam, size_t node)
 {
     const Lattice *lattice = &beam->lattice;
     const int i = column(beam, node), j = row(beam, node), reach = lattice->reach;
-    /* nobody is missing far from the surface; a screen may ask at every frame */
+    /* far from the surface every family is whole: no need to count, as views read this in every frame */
     if (i >= reach && j >= reach && i < lattice->nx - reach && j < lattice->ny - reach)
         return 2 * lattice->n_offsets;
     BondPlace family[FAMILY_MAX];

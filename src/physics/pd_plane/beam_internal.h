@@ -84,7 +84,7 @@ typedef struct Beam {
     int n_supports;
     int load_first, load_end; /* loaded columns of the top row */
     int probe_i[2], probe_j[2];
-    bool free_body; /* nothing holds or loads it; for tests */
+    bool free_body; /* neither supports nor loads; for tests */
 
     /* the state: one block that begins with its head; then six node arrays and the bits of broken bonds */
     void *state;
@@ -162,7 +162,7 @@ bool beam_take_log(Beam *beam, BondLog *log, long step); /* false: memory was sh
 void beam_update_damage(Beam *beam, long step);
 void beam_rebuild_damage(Beam *beam);
 
-/* crack.c: to be told of every change of damage, keeps the crack's length at its longest */
+/* crack.c: called after every change of damage; keeps the crack's length at its longest */
 void crack_follow(Beam *beam);
 
 /* Before the first step: over which times the tip's speed is taken. */
@@ -171,7 +171,7 @@ void crack_begin(Beam *beam);
 /* At the end of every step: where the tip is. */
 void crack_note_tip(Beam *beam, long step);
 
-/* The tip's speed (crack_speed.h) over the time up to the last whole step, m/s; 0: too early to tell. */
+/* The tip's speed (crack_speed.h) over the time up to the last whole step, m/s; 0: too few steps yet. */
 double crack_speed_now(const Beam *beam);
 
 /* beam_state.c */

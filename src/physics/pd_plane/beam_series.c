@@ -1,4 +1,11 @@
-/* The numbers of a step: probe, energies, crack. */
+/* The row of a step, the columns of a beam's series:
+ *
+ *     probe      mean over up to four nodes beside the point (beam_set_problem)
+ *     kinetic    sum rho (vx^2 + vy^2)/2 V b            strain   sum of bonds c G w s^2 |xi| V^2/2 b
+ *     total      kinetic + strain + dissipated; less the work it keeps its value
+ *
+ * V = dx^2, b the thickness; SI units. Each column is a function and a row of the table below, which says
+ * which problems have it. */
 #include "physics/pd_plane/beam_internal.h"
 #include "physics/pd_plane/crack.h"
 

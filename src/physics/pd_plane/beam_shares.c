@@ -1,18 +1,23 @@
-/* Fields of nodes that come from their bonds. A screen may colour by them at every frame, so bonds are taken
- * row by row, a direction at a time, and each gives its value to both ends. */
+/* Fields of nodes that come from their bonds, read by views and tables between stages:
+ *
+ *     strain energy of node i      1/2 sum_j c G w s^2 |xi| V^2/2 b     half of each bond's energy
+ *     largest stretch of node i    max_j s over live bonds              (eq. 3 of paper P)
+ *
+ * with b the thickness of the beam. A view may colour by them in every frame, so bonds are not looked up node
+ * by node but taken row by row, a direction at a time in a vector loop, and each value is added to both ends.
+ * Which nodes are wanted is a range of indices, first to first + count, cut into a slice of each row. */
 #include "physics/pd_plane/beam_internal.h"
 
 #include <limits.h>
 
-/* What a node has of its bonds: the sum of their energies, or the largest of their stretches. */
 typedef enum FamilyValue { BOND_ENERGY, LARGEST_STRETCH } FamilyValue;
 
 #define NO_STRETCH (-1.0) /* what no live bond has */
 
-/* The nodes of one row that are asked for: columns from .. end - 1, and where their values stand. */
+/* The wanted nodes of one row: columns from .. end - 1, and where their values go. */
 typedef struct RowSlice {
     int from, end;
-    double *out; /* of column `from`; NULL: none is asked for */
+    double *out; /* of column `from`; NULL: none is wanted */
 } RowSlice;
 
 static RowSlice row_slice(const Beam *beam, int j, size_t first, size_t count, double *out)
@@ -34,7 +39,7 @@ static int larger(int a, int b)
     return a > b ? a : b;
 }
 
-/* Values of `count` bonds from their stretches, in place. A broken bond has the coefficient zero. */
+/* In place, from stretches: c G w V s^2 |xi|/2, or s itself. A broken bond has the coefficient zero. */
 static void bond_values_of(FamilyValue what, const double *coefficient, double length, int count,
                            double *values)
 {

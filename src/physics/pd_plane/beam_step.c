@@ -1,11 +1,22 @@
-/* One time step, eqs. 9 to 11: each stage is a function of one lattice row; the fast path calls the same
- * functions for bands of rows, several threads at once, and joins the end of one step to the start of the
- * next. */
+/* One time step of a beam by velocity Verlet, paper P:
+ *
+ *     v^{n+1/2} = v^n + dt/2 a^n                               half kick             (9)
+ *     u^{n+1} = u^n + dt v^{n+1/2}                             drift                 (10)
+ *     u, v of held components set                              constraints           (12, 13)
+ *     rho a^{n+1} = sum G f(u^{n+1}) V_j + b(t^{n+1})          bonds, body force     (8)
+ *     v^{n+1} = v^{n+1/2} + dt/2 a^{n+1}                       second half kick      (11)
+ *     phi of nodes whose bonds broke                           damage                (5, 6)
+ *
+ * Arrays over nodes are padded rows (lattice.h): u m, v m/s, f = rho a N/m^3. Each stage is a function of one
+ * row of the lattice; whole steps call the same functions for bands of rows, several threads at once, and
+ * join the end of one step to the start of the next. A step fails when a bond doubles its length or
+ * collapses, or when there is no memory for the list of broken bonds. */
 #include "physics/pd_plane/beam_internal.h"
 
 #include <math.h>
 
-/* A node is held at time t while it is inside the channel; the tolerance decides when one is released. */
+/* Columns with X + v0 t < -1e-6 dx are inside the channel at time t and held; the tolerance decides in which
+ * step a column on the edge is released. By bisection: X grows with the column. */
 int beam_held_columns(const Beam *beam, double time)
 {
     if (beam->def.problem != BEAM_MOVING_CANTILEVER || beam->free_body)
@@ -22,6 +33,7 @@ int beam_held_columns(const Beam *beam, double time)
     return low;
 }
 
+/* b = -p min(1, t/t0)/dx: the stress p on the top row, spread over the depth dx of its nodes. */
 double beam_body_force(const Beam *beam, double time)
 {
     double ramp = beam->def.load_ramp > 0 ? fmin(1, time / beam->def.load_ramp) : 1;
@@ -30,6 +42,8 @@ double beam_body_force(const Beam *beam, double time)
 
 /* --- what the stages do to one row; `step` is the number of whole steps before this one --- */
 
+/* At held columns (clamp = full: vx = v0 too) and at supports. Called after each half kick and after the
+ * drift; which columns are held is asked for the time reached. */
 static void constrain_velocity(Beam *beam, int j, double time)
 {
     const NodeArrays *nodes = &beam->nodes;
@@ -68,6 +82,7 @@ static void constrain_displacement(Beam *beam, int j, double time)
         }
 }
 
+/* v += dt/(2 rho) f: eqs. 9 and 11. */
 static void kick(Beam *beam, int j)
 {
     size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
@@ -87,6 +102,8 @@ static bool is_loaded_row(const Beam *beam, int j)
     return j == beam->lattice.ny - 1 && beam->load_end > beam->load_first;
 }
 
+/* Eq. 10. The work of the load belongs to the same half step: b(t^{n+1/2}) v^{n+1/2} dt, summed over the
+ * loaded nodes, is second order like the scheme. */
 static void drift(Beam *beam, int j, long step)
 {
     size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
@@ -94,7 +111,6 @@ static void drift(Beam *beam, int j, long step)
     beam->kernels->add(beam->nodes.ux + row, beam->nodes.vx + row, dt, count);
     beam->kernels->add(beam->nodes.uy + row, beam->nodes.vy + row, dt, count);
     if (is_loaded_row(beam, j)) {
-        /* the load at the midpoint times v^{n+1/2} dt */
         double force = beam_body_force(beam, ((double)step + 0.5) * dt), work = 0;
         for (int i = beam->load_first; i < beam->load_end; i++)
             work += force * beam->nodes.vy[row + (size_t)i];
@@ -125,7 +141,8 @@ static void second_kick(Beam *beam, int j, long step)
     constrain_velocity(beam, j, (double)(step + 1) * beam->sim.dt);
 }
 
-/* Breaks go to the list; what went wrong becomes the run's failure. */
+/* Enters the bonds that broke into the list of the run. False: a bond is beyond all bounds, or memory was
+ * short. */
 static bool take_log(Beam *beam, BondLog *log, long step, Status *status)
 {
     bool written = beam_take_log(beam, log, step);
@@ -257,8 +274,8 @@ static bool run_steps(Beam *beam, long count, double *rows, long *done, Status *
     return true;
 }
 
-/* --- a run that bursts stands at its last sound step: a copy of the state from a few steps before, and
- * replay --- */
+/* --- a run that becomes unstable is put back to its last sound step: the state of at most RESCUE_EVERY steps
+ * before is restored, and the steps since are computed again --- */
 
 enum { RESCUE_EVERY = 64 };
 

@@ -1,4 +1,12 @@
-/* What moves through the thickness: the rows of a long beam against each other, all columns alike. */
+/* The stiffness matrix of the rows of a long beam that move against each other through the thickness, all
+ * columns alike: the thickness modes of paper P's fig. 4 are its eigenvectors (theory/thickness.c). Row j of
+ * nodes obeys
+ *
+ *     rho u_j'' = -sum_k K_jk u_k,   K_jj = -sum_{k != j} K_jk
+ *     K_jk = -sum of c G w V (xi_y/|xi|)^2/|xi| over the bonds from a node of row j to row k
+ *
+ * since the linear bond pulls with c G w V s along xi/|xi|, and s = xi.eta/|xi|^2 = xi_y (u_k - u_j)/|xi|^2.
+ * The family is that of a node in the middle of the beam, surface correction included. */
 #include "physics/pd_plane/beam_internal.h"
 
 bool beam_row_stiffness(const Simulation *sim, double *matrix)
@@ -15,7 +23,6 @@ bool beam_row_stiffness(const Simulation *sim, double *matrix)
         const size_t count = beam_family(beam, lattice->nx / 2, j, family);
         for (size_t k = 0; k < count; k++) {
             const Offset *offset = &lattice->offsets[family[k].offset];
-            /* the stretch of a small eta is xi.eta / xi^2; its share across the beam once more xi_y / xi */
             const double stiffness = lattice_coefficient(lattice, family[k]) * offset->y * offset->y /
                                      (offset->squared * offset->length);
             const int other = family[k].j == j ? j + offset->q : family[k].j;

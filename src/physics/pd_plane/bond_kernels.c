@@ -89,7 +89,7 @@ KERNEL_INLINE bool by_series(const Segment *segment, bool with_forces, bool with
                 vector_store(fx + at, g * rx);
                 vector_store(fy + at, g * ry);
             }
-            if (with_energy) /* s^2 = (t |xi|)^2 (1 + e) */
+            if (with_energy)
                 sum[part] += g * (d * series) * (squared + d);
         }
     }
@@ -120,7 +120,7 @@ static double bond_energy(const Segment *segment, size_t i, const Bond *bond)
     return segment->coefficient[i] * bond->stretch * bond->stretch;
 }
 
-static void write_down(BondLog *log, size_t slot, double energy)
+static void log_break(BondLog *log, size_t slot, double energy)
 {
     if (log->n_breaks == log->capacity) {
         size_t capacity = log->capacity ? 2 * log->capacity : 256;
@@ -135,7 +135,7 @@ static void write_down(BondLog *log, size_t slot, double energy)
     log->breaks[log->n_breaks++] = (BondBreak){(uint32_t)slot, energy};
 }
 
-/* The bond has reached s0; whether it breaks is up to its ends. */
+/* A bond that has reached s0 breaks unless one of its ends is protected. */
 static bool may_break(const BondSystem *system, BondPlace bond)
 {
     const Offset *direction = &system->lattice->offsets[bond.offset];
@@ -145,7 +145,7 @@ static bool may_break(const BondSystem *system, BondPlace bond)
     return !system->unbreakable[a] && !system->unbreakable[b];
 }
 
-/* Bond by bond with the root: f = k s (xi + eta) / |xi + eta|. A bond with s >= s0 breaks (eq. 4) unless an
+/* Bond by bond with the root: f = k s (xi + eta) / |xi + eta|. A bond with s >= s0 breaks (eq. 6) unless an
  * end is protected: its coefficient becomes 0, its bit is set, and its energy goes to the log. */
 static void by_root(const BondSystem *system, const Segment *segment, BondPlace first, double *fx, double *fy,
                     BondLog *log)
@@ -162,7 +162,7 @@ static void by_root(const BondSystem *system, const Segment *segment, BondPlace 
             double energy = bond_energy(segment, i, &bond) * direction->length * system->energy_scale;
             segment->coefficient[i] = 0;
             system->broken[slot / 8] = (uint8_t)(system->broken[slot / 8] | 1u << slot % 8);
-            write_down(log, slot, energy);
+            log_break(log, slot, energy);
             continue;
         }
         if (!(bond.d < 3 * direction->squared && bond.d > -0.99 * direction->squared) && !log->unstable) {
@@ -224,7 +224,7 @@ typedef struct Parts {
     size_t count;
 } Parts;
 
-/* Every bond's force to its owner. */
+/* Adds every bond's force to its owner. */
 KERNEL_INLINE void add_own(const Parts *parts, int n, double *restrict fx, double *restrict fy)
 {
     const double *restrict px = parts->x + BONDS_MARGIN, *restrict py = parts->y + BONDS_MARGIN;
@@ -239,7 +239,7 @@ KERNEL_INLINE void add_own(const Parts *parts, int n, double *restrict fx, doubl
     }
 }
 
-/* And, reversed, to its other end, p columns on. */
+/* Subtracts it from the other end, p columns on. */
 KERNEL_INLINE void subtract_other(const Parts *parts, int n, double *restrict fx, double *restrict fy)
 {
     const double *restrict px = parts->x, *restrict py = parts->y;
@@ -263,7 +263,7 @@ KERNEL_INLINE void gather(const Parts *parts, int n, double *fx, double *fy, dou
     subtract_other(parts, n, other_x, other_y);
 }
 
-/* The same with the number of directions known beforehand, for the families people use. */
+/* The same with the number of directions a constant, for the families in use (3 and 4 spacings). */
 static void gather_parts(const Parts *parts, double *fx, double *fy, double *other_x, double *other_y)
 {
     switch (parts->n) {
@@ -287,7 +287,7 @@ static void gather_parts(const Parts *parts, double *fx, double *fy, double *oth
     }
 }
 
-/* What stands behind the forces; what stands before them is never written. */
+/* Zeros behind the forces, which subtract_other() reads; those before them are never written. */
 static void clear_margin(const Parts *parts)
 {
     for (int o = 0; o < parts->n; o++)

@@ -1,3 +1,6 @@
+/* The crack of the notched beam (crack.h), measured from the damage of nodes: path, tip, length, angle and
+ * speed. Called at the end of the damage stage (beam_break.c) and by whoever shows or tabulates the crack;
+ * nothing here changes the motion. */
 #include "physics/pd_plane/crack.h"
 #include "physics/pd_plane/beam_internal.h"
 #include "physics/pd_plane/crack_speed.h"
@@ -32,7 +35,7 @@ static bool is_cracked(const Beam *beam, int i, int j)
     return x >= low && x <= high;
 }
 
-/* The damage-weighted centre of a row's cracked nodes. False: there are none. */
+/* sum phi x / sum phi over the row's cracked nodes. False: there are none. */
 static bool row_centre(const Beam *beam, int j, double *centre)
 {
     double sum = 0, weights = 0;
@@ -116,8 +119,7 @@ void crack_begin(Beam *beam)
     beam->head->tip_y = beam->def.notch_depth;
 }
 
-/* Over the tips up to number `last`, which is not counted from 0 when the run is too short for all of them.
- */
+/* The speed from the last n_tips places up to number `last` in the ring; 0 while there are fewer. */
 static double speed_up_to(const Beam *beam, long last)
 {
     double x[CRACK_TIPS], y[CRACK_TIPS];
@@ -172,6 +174,8 @@ bool crack_measure(const Simulation *sim, Crack *crack)
     return true;
 }
 
+/* Least squares x = a + b y over the rows of the path, b = (n sum xy - sum x sum y)/(n sum y^2 - (sum
+ * y)^2); the angle is atan b. */
 double crack_angle(const Simulation *sim, double height)
 {
     const Beam *beam = notched(sim);

@@ -1,4 +1,4 @@
-/* The crack of the notched beam: what paper P tells of it (figs. 9 and 10), measured.
+/* The crack of the notched beam: the quantities that paper P gives for it (figs. 9 and 10), measured.
  *
  * The crack has begun when a node above the notch's end, between the notch - 10 mm and the load and not in a
  * protected zone, is cracked; the tip is the highest of these. The path is the damage-weighted centre of the

@@ -1,4 +1,6 @@
-/* Follows the stage of damage: reads which bonds are broken, and the path through the damage. */
+/* The energy that the crack has cost, by what broke (crack_cost.h): every bond that broke in the run is
+ * counted as cut by the path, beside it within a horizon, or farther away. Reads the state after the damage
+ * stage. */
 #include "physics/pd_plane/crack_cost.h"
 #include "physics/pd_plane/beam_internal.h"
 #include "physics/pd_plane/crack.h"
@@ -13,7 +15,7 @@ typedef struct Path {
     double x[PATH_MAX_ROWS + 1], y[PATH_MAX_ROWS + 1];
 } Path;
 
-/* Twice the area of the triangle a b c: its sign tells on which side of ab c lies. */
+/* Twice the signed area of the triangle a b c: positive where c lies left of ab. */
 static double side(double ax, double ay, double bx, double by, double cx, double cy)
 {
     return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);

@@ -1,3 +1,9 @@
+/* The speed of the crack's tip from its places, and Rayleigh's speed to compare it with. In plane stress with
+ * nu = 1/3 c_s^2 = G/rho with G = E/(2 (1 + nu)) = 3E/8, and x = (c_R/c_s)^2 solves Rayleigh's equation
+ *
+ *     x^3 - 8 x^2 + (24 - 16 k) x - 16 (1 - k) = 0,   k = (c_s/c_p)^2 = (1 - nu)/2 = 1/3,
+ *
+ * whose root between 0 and 1 is 2 - 2/sqrt(3). */
 #include "physics/pd_plane/crack_speed.h"
 
 #include <math.h>

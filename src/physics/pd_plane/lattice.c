@@ -1,5 +1,17 @@
-/* Families: |xi| <= delta (1 + 1e-9). At delta = 4 dx the nodes at exactly that distance depend on the
- * tolerance. Partial areas: w = 1 for |xi| <= delta - dx/2, else (delta + dx/2 - |xi|)/dx. */
+/* The lattice of a beam, made once when the beam is created: families, surface correction, numbers of bonds.
+ *
+ *     family           |xi| <= delta (1 + 1e-9); at delta = 4 dx the tolerance decides which nodes belong
+ *     partial areas    w = 1 for |xi| <= delta - dx/2, else (delta + dx/2 - |xi|)/dx
+ *     micromodulus     c = 6 E/(pi delta^3 (1 - nu)), nu = 1/3                                 (4)
+ *
+ * The correction G of eq. 8, of a bond in direction n between i and j, is one of
+ *
+ *     energy   g_i = (9/16) E / (sum_j c n^4 |xi| w V/4) for x and for y,  gbar = (g_i + g_j)/2,
+ *              G = ((n_x/gbar_x)^2 + (n_y/gbar_y)^2)^(-1/2)
+ *     volume   G = 2 pi delta^2/(V_i + V_j),  V_i = sum_j w V
+ *
+ * (9/16) E is the energy density of a unit uniaxial strain at nu = 1/3 in plane stress, E/(2 (1 - nu^2)); the
+ * sum below it is what the family of node i stores. */
 #include "physics/pd_plane/lattice.h"
 
 #include <math.h>
@@ -46,6 +58,7 @@ static void add_offsets(Lattice *lattice, const BeamDef *def)
     lattice->first[lattice->reach + 1] = lattice->n_offsets;
 }
 
+/* g_x and g_y of node (i, j); `ends`: how many of its two bonds in directions xi and -xi exist. */
 static void energy_factors(const Lattice *lattice, int i, int j, double *factor_x, double *factor_y)
 {
     double volume = lattice->spacing * lattice->spacing, sum_x = 0, sum_y = 0;
@@ -58,8 +71,6 @@ static void energy_factors(const Lattice *lattice, int i, int j, double *factor_
         sum_x += nx * nx * nx * nx * share;
         sum_y += ny * ny * ny * ny * share;
     }
-    /* the energy density that classical theory has in uniaxial strain of unit size, over what the family has
-     */
     *factor_x = 9.0 / 16 * lattice->youngs_modulus / sum_x;
     *factor_y = 9.0 / 16 * lattice->youngs_modulus / sum_y;
 }
@@ -196,7 +207,7 @@ static bool count_nodes(Lattice *lattice, const BeamDef *def, Status *status)
         return status_fail(status, STATUS_USAGE,
                            "pd.spacing: the beam is only %.0f nodes high (at least 2; beam.height is %g)",
                            rows, def->height);
-    /* the largest run that a laboratory can serve: two gigabytes of coefficients, as much of node arrays */
+    /* bounds of memory: two gigabytes of coefficients, as much of node arrays */
     const double bonds_max = 268435456, nodes_max = 33554432;
     double bonds = columns * rows * lattice->n_offsets;
     if (bonds > bonds_max)
@@ -221,7 +232,6 @@ bool lattice_measure(Lattice *lattice, const BeamDef *def, Status *status)
                          .horizon = def->horizon,
                          .youngs_modulus = def->youngs_modulus,
                          .correction = def->surface_correction};
-    /* eq. 4 with Poisson's ratio 1/3 */
     lattice->micromodulus =
         6 * def->youngs_modulus / (M_PI * def->horizon * def->horizon * def->horizon * (1 - 1.0 / 3));
     add_offsets(lattice, def);
