@@ -115,6 +115,15 @@ bool edit_change_runs(Laboratory *lab, const Settings *settings, DuelChange verb
     return true;
 }
 
+/* What can be undone from now on; the oldest change makes room. */
+static void remember(Editing *editing, const Settings *before)
+{
+    if (editing->n_undo == UNDO_MAX)
+        memmove(editing->undo, editing->undo + 1, (size_t)--editing->n_undo * sizeof *editing->undo);
+    editing->undo[editing->n_undo++] = *before;
+    editing->n_redo = 0;
+}
+
 bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
 {
     Settings old = *experiment_settings(lab->screen.experiment);
@@ -122,15 +131,15 @@ bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Sta
     long step;
     int stage;
     player_place(lab, &step, &stage);
-    /* a time on screen is a multiple of the time step, which changes: without this, it would wander */
+    /* the time on screen is a multiple of the time step; edits of the step in a row would make it wander */
     if (step != lab->editing.anchor_step)
         lab->editing.anchor_time = (double)step * experiment_simulation(lab->screen.experiment)->dt;
-    /* what was at its end comes back to its end, which may lie a part of a step later */
+    /* a run that was at its end comes back to its end, which may lie a part of a step later */
     if (step >= experiment_last_step(lab->screen.experiment) && settings->time.end == old.time.end)
         lab->editing.anchor_time = 2 * old.time.end;
     Status said = {STATUS_DONE, ""};
     bool taken = edit_change_runs(lab, settings, verb, &said);
-    laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* how far it has been built */
+    laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* in place of how far the building had come */
     if (!taken) {
         *status = said;
         return false;
@@ -138,11 +147,7 @@ bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Sta
     if (same)
         return true;
     return_to_time(lab);
-    if (lab->editing.n_undo == UNDO_MAX)
-        memmove(lab->editing.undo, lab->editing.undo + 1,
-                (size_t)--lab->editing.n_undo * sizeof *lab->editing.undo);
-    lab->editing.undo[lab->editing.n_undo++] = old;
-    lab->editing.n_redo = 0;
+    remember(&lab->editing, &old);
     edit_changed(lab);
     player_tell_duel_over(lab, &said);
     return true;

@@ -1,5 +1,4 @@
-/* The laboratory as its hosts see it: opened, given keys and frames, drawn, closed. It stands above all other
- * files of this folder but those that drive it. */
+/* Opening, drawing and closing the laboratory. */
 #include "tui/control/laboratory.h"
 #include "tui/control/prompt/line.h"
 #include "tui/control/opening.h"
@@ -60,7 +59,7 @@ void laboratory_close(Laboratory *lab)
 bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)
 {
     player_drop_part(&lab->player);
-    /* where not all panes have room, the plot is what a run is looked at for: Tab reaches the others */
+    /* a screen without room for all panes begins with the plot; Tab reaches the others */
     const bool was_whole = lab->width == 0 || screen_is_whole(lab->width, lab->height);
     const bool is_whole = screen_is_whole(width, height);
     if (was_whole && !is_whole && lab->screen.focus == PANE_PARAMETERS && !lab->screen.edit.open &&
@@ -68,7 +67,7 @@ bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)
         lab->screen.focus = PANE_LOWER;
         lab->focus_lent = true;
     } else if (!was_whole && is_whole && lab->focus_lent) {
-        /* nobody asked for the plot: Enter and the arrows mean the parameters again */
+        /* the focus was only lent: Enter and the arrows mean the parameters again */
         if (lab->screen.focus == PANE_LOWER)
             lab->screen.focus = PANE_PARAMETERS;
         lab->focus_lent = false;

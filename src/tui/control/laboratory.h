@@ -1,6 +1,6 @@
 /* The laboratory's state and what changes it: keys and frames. A host (a terminal's event loop, a script)
- * owns clock and picture and calls in here; see session/laboratory_main.h for the door to the whole. Each
- * part of the state is described where its functions are. */
+ * owns clock and picture and calls in here; session/laboratory_main.h is how the program opens it. Each part
+ * of the state is described where its functions are. */
 #ifndef TUI_LABORATORY_H
 #define TUI_LABORATORY_H
 

@@ -63,9 +63,9 @@ static bool steps_are_short(double rate)
     return rate > 0 && step_seconds(rate) < STEP_SHARE * FRAME_SECONDS;
 }
 
-static bool key_waits(const Laboratory *lab)
+static bool key_waits(const Host *host)
 {
-    return lab->host.key_waits && lab->host.key_waits(lab->host.context);
+    return host->key_waits && host->key_waits(host->context);
 }
 
 /* A step, or the next part of it, by `verb`, up to the deadline. Returns how many steps were completed. */
@@ -84,7 +84,7 @@ static long work_in_parts(Laboratory *lab, bool (*verb)(Duel *, double, bool *, 
         double now = lab->host.now(lab->host.context);
         lab->player.part_seconds += now - last;
         last = now;
-    } while (*sound && !whole && last < deadline && !key_waits(lab));
+    } while (*sound && !whole && last < deadline && !key_waits(&lab->host));
     if (*sound && !whole)
         return 0;
     learn_rate(rate, 1, lab->player.part_seconds);
@@ -108,7 +108,7 @@ static bool run_frame(Laboratory *lab, double deadline)
     bool sound = true, in_time = true;
     double *rate = &lab->player.rates[RATE_RUN];
     while (sound && in_time && done < wanted && !experiment_at_end(screen->experiment)) {
-        if (done > 0 && key_waits(lab)) {
+        if (done > 0 && key_waits(&lab->host)) {
             lab->player.owed += fmin((double)(wanted - done), screen->pace);
             break;
         }
@@ -147,7 +147,7 @@ static bool compute_frame(Laboratory *lab, double deadline)
     for (bool first = true; sound && duel_pending(duel, &left); first = false) {
         double time_left = deadline - lab->host.now(lab->host.context);
         double *rate = &lab->player.rates[duel_turn(duel) == duel->b ? RATE_SECOND : RATE_FIRST];
-        if (!first && (time_left < step_seconds(*rate) || key_waits(lab)))
+        if (!first && (time_left < step_seconds(*rate) || key_waits(&lab->host)))
             break;
         if (left > most)
             most = left;

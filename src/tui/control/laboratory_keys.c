@@ -10,9 +10,8 @@
 
 /* --- help ------------------------------------------------------------------------------------------- */
 
-static void turn_page(Laboratory *lab, int direction)
+static void turn_page(Screen *screen, int direction)
 {
-    Screen *screen = &lab->screen;
     int pages = screen_help_pages();
     screen->help_page = (screen->help_page + direction + pages) % pages;
     screen->help_scroll = 0;
@@ -45,11 +44,11 @@ static void help_command(Laboratory *lab, CommandId id)
     case COMMAND_RIGHT:
     case COMMAND_NEXT_PANE:
     case COMMAND_HELP:
-        turn_page(lab, 1);
+        turn_page(&lab->screen, 1);
         break;
     case COMMAND_LEFT:
     case COMMAND_PREVIOUS_PANE:
-        turn_page(lab, -1);
+        turn_page(&lab->screen, -1);
         break;
     case COMMAND_CANCEL:
     case COMMAND_QUIT:
@@ -109,7 +108,7 @@ static void click(Laboratory *lab, int x, int y)
     screen->selected = row;
 }
 
-/* The value goes down to the left and up to the right, the time goes where the mouse is. */
+/* A value gets smaller to the left and larger to the right; the time follows the mouse. */
 static void drag(Laboratory *lab, int x)
 {
     enum { CELLS_A_NUDGE = 2 };
@@ -117,7 +116,7 @@ static void drag(Laboratory *lab, int x)
     if (lab->held.drag == DRAG_TIME) {
         player_seek(lab, screen_timeline_nearest(&lab->screen, lab->width, lab->height, x), 0);
     } else if (lab->held.drag == DRAG_VALUE && nudges != 0) {
-        lab->screen.edit.open = false; /* the press was the beginning of a way */
+        lab->screen.edit.open = false; /* the press began a drag, not an edit */
         lab->held.drag_x += CELLS_A_NUDGE * nudges;
         for (int i = 0; i < abs(nudges); i++)
             edit_nudge(lab, nudges > 0 ? 1 : -1);
@@ -153,7 +152,7 @@ static bool mouse_key(Laboratory *lab, const Key *key)
     return true;
 }
 
-/* These work wherever the user is. */
+/* These work in a question and in a field too. */
 static bool is_for_everywhere(CommandId id)
 {
     return id == COMMAND_INTERRUPT || id == COMMAND_REDRAW || id == COMMAND_SUSPEND;
@@ -174,7 +173,8 @@ static void text_key(Laboratory *lab, const char *name)
         edit_key(lab, &key);
 }
 
-/* Text that was copied elsewhere is text or nothing, never commands; the end of a line parts words. */
+/* Pasted text goes into a field or a question and never means commands; the end of a pasted line parts words.
+ */
 static void take_pasted(Laboratory *lab, const char *what)
 {
     const bool ends_line = strcmp(what, "Enter") == 0;
@@ -218,7 +218,7 @@ static void take_key(Laboratory *lab, const Key *key)
     else if (command)
         laboratory_command(lab, command->id);
     else if (strlen(key->name) == 1 && key->name[0] >= '1' && key->name[0] <= '9')
-        laboratory_command(lab, command_of_digit(key->name[0] - '0')); /* says why not */
+        laboratory_command(lab, command_of_digit(key->name[0] - '0')); /* says that no view has it */
     else if (strlen(key->name) == 1)
         laboratory_say(lab, MESSAGE_INFO, "the key %s does nothing; ? tells what the others do", key->name);
 }

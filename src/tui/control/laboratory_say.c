@@ -1,4 +1,5 @@
-/* What the laboratory says in the bottom bar. */
+/* Messages in the bottom bar. They may hold names of files and scenarios: what would act on the terminal is
+ * written out. */
 #include "tui/control/laboratory.h"
 
 #include "base/visible.h"

@@ -47,7 +47,6 @@ static int threads_of(const Laboratory *lab)
     return lab->options.threads > 0 ? lab->options.threads : 1;
 }
 
-/* What belongs to a run and not to the way it is looked at; for a run that takes the place of another. */
 void opening_begin(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
@@ -88,7 +87,7 @@ void opening_name(Laboratory *lab, const char *name)
     lab->screen.scenario = lab->scenario;
 }
 
-/* What takes no longer is not worth a picture. */
+/* Building that takes no longer is not reported. */
 #define BUILDING_SECONDS 0.15
 
 static bool show_building(double share, void *context)
@@ -103,7 +102,6 @@ static bool show_building(double share, void *context)
     return lab->host.go_on(lab->host.context);
 }
 
-/* Settings whose simulation shows on the screen how far its building has come; copies of them do too. */
 void opening_show_progress(Laboratory *lab, Settings *settings)
 {
     settings->patience = (Patience){show_building, lab};

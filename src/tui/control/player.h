@@ -33,8 +33,7 @@ void player_forget_rates(Player *);
 /* Back to where the step that is done in parts began, for whoever wants to look or to do something else. */
 void player_drop_part(Player *);
 
-/* So many steps a frame that one exact period, or a run without one, lasts as long as it is watched gladly.
- */
+/* So many steps a frame that one exact period lasts 3 s; a run without a period, 15 s as a whole. */
 void player_choose_pace(Screen *);
 double player_next_125(double value, int direction); /* the next number of 1, 2, 5, 10, ... above or below */
 

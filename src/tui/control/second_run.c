@@ -9,7 +9,7 @@
 static bool begin(Laboratory *lab, const Assignment *keys, int n_keys, Status *status)
 {
     const bool sound = duel_start(&lab->player.duel, keys, n_keys, status);
-    laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* how far it has been built */
+    laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* in place of how far the building had come */
     if (!sound)
         return false;
     player_forget_rates(&lab->player);
@@ -76,7 +76,7 @@ void second_run_toggle(Laboratory *lab)
         second_run_open(lab);
         return;
     }
-    /* what was the last one is asked for again, else what the scenario asks about */
+    /* the keys of the last duel are proposed again, else the question of the scenario */
     lab->prompting.suggestion = duel->n_keys > 0 ? -1 : 0;
     const int n_keys = duel->n_keys > 0 ? duel->n_keys : duel_suggest(settings, 0, keys);
     duel_write_keys(duel->n_keys > 0 ? duel->keys : keys, n_keys, text, sizeof text);

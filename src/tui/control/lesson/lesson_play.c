@@ -17,15 +17,13 @@ static int *reached_of(Laboratory *lab)
 
 /* --- what a page does ------------------------------------------------------------------------------- */
 
-static const LessonPage *page_now(const Laboratory *lab)
+static const LessonPage *page_now(const LessonShown *shown)
 {
-    const LessonShown *shown = &lab->screen.lesson;
     return shown->open && shown->lesson ? &shown->lesson->pages[shown->page] : NULL;
 }
 
-static void queue_part(Laboratory *lab, const LessonPart *part)
+static void queue_part(LessonPlay *play, const LessonPart *part)
 {
-    LessonPlay *play = &lab->play;
     for (int i = 0; i < part->n_actions && play->n_queue < LESSON_QUEUE_MAX; i++)
         play->queue[play->n_queue++] = part->actions[i];
 }
@@ -33,7 +31,7 @@ static void queue_part(Laboratory *lab, const LessonPart *part)
 static void run_action(Laboratory *lab, const char *action)
 {
     const CommandSet used = lab->play.used;
-    const bool changed = lab->editing.changed; /* what the lesson changes nobody has to export */
+    const bool changed = lab->editing.changed; /* quitting does not ask about what the lesson changes */
     const bool opens = strncmp(action, "open ", 5) == 0;
     const Asker user = lab->asker;
     lab->asker = ASKER_LESSON;
@@ -91,7 +89,7 @@ void lesson_play_continue(Laboratory *lab)
     play->busy = true;
     while (play->next < play->n_queue && lab->screen.state != STATE_COMPUTING)
         run_action(lab, play->queue[play->next++]);
-    const LessonPage *page = page_now(lab);
+    const LessonPage *page = page_now(&lab->screen.lesson);
     if (page && play->next == play->n_queue && !lab->screen.lesson.met)
         lab->screen.lesson.met = is_met(lab, &page->until);
     play->busy = false;
@@ -128,10 +126,10 @@ static void show_page(Laboratory *lab, int page)
         from--;
     play->n_queue = play->next = 0;
     for (; from < page; from++) {
-        queue_part(lab, &shown->lesson->pages[from].first);
-        queue_part(lab, &shown->lesson->pages[from].revealed);
+        queue_part(&lab->play, &shown->lesson->pages[from].first);
+        queue_part(&lab->play, &shown->lesson->pages[from].revealed);
     }
-    queue_part(lab, &shown->lesson->pages[page].first);
+    queue_part(&lab->play, &shown->lesson->pages[page].first);
     shown->page = page;
     shown->answer = -1;
     shown->scroll = 0;
@@ -144,7 +142,7 @@ static void show_page(Laboratory *lab, int page)
         *reached = page + 1;
     lab->screen.focus = PANE_PARAMETERS;
     lesson_play_continue(lab);
-    const LessonPage *now = page_now(lab);
+    const LessonPage *now = page_now(&lab->screen.lesson);
     if (now->n_fields > 0)
         select_field(lab, now->fields[0]);
 }
@@ -152,10 +150,10 @@ static void show_page(Laboratory *lab, int page)
 static void turn_page(Laboratory *lab, int direction)
 {
     LessonShown *shown = &lab->screen.lesson;
-    const LessonPage *page = page_now(lab);
+    const LessonPage *page = page_now(&lab->screen.lesson);
     const bool open_question = page->question && shown->answer < 0;
     if (direction > 0 && (open_question || !shown->met) && !lab->play.warned) {
-        lab->play.warned = true; /* who presses again does not want to */
+        lab->play.warned = true; /* pressed again, the key leaves the page out */
         laboratory_say(lab, MESSAGE_INFO, "%s; PageDown again leaves it out",
                        open_question ? "the question waits for an answer" : "this page waits for something");
     } else if (shown->page + direction >= 0 && shown->page + direction < shown->lesson->n_pages) {
@@ -171,7 +169,7 @@ static void take_answer(Laboratory *lab, int choice)
 {
     lab->screen.lesson.answer = choice;
     lab->play.warned = false;
-    queue_part(lab, &page_now(lab)->revealed);
+    queue_part(&lab->play, &page_now(&lab->screen.lesson)->revealed);
 }
 
 /* --- opening and closing ---------------------------------------------------------------------------- */
@@ -262,7 +260,7 @@ bool lesson_play_click(Laboratory *lab, int x, int y)
 
 void lesson_play_enter(Laboratory *lab)
 {
-    const LessonPage *page = page_now(lab);
+    const LessonPage *page = page_now(&lab->screen.lesson);
     if (!page)
         open_from_list(lab, lab->screen.lesson.chosen);
     else if (page->n_fields > 0)
@@ -276,7 +274,7 @@ void lesson_play_enter(Laboratory *lab)
 bool lesson_play_key(Laboratory *lab, const Key *key)
 {
     const LessonShown *shown = &lab->screen.lesson;
-    const LessonPage *page = page_now(lab);
+    const LessonPage *page = page_now(&lab->screen.lesson);
     const int digit = digit_of(key);
     if (!shown->open)
         return false;
@@ -299,7 +297,7 @@ bool lesson_play_key(Laboratory *lab, const Key *key)
 void lesson_play_move(Laboratory *lab, int x, int y)
 {
     LessonShown *shown = &lab->screen.lesson;
-    const LessonPage *page = page_now(lab);
+    const LessonPage *page = page_now(&lab->screen.lesson);
     if (x) {
         if (page && page->n_fields > 0)
             edit_nudge(lab, x);

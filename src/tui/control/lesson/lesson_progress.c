@@ -1,3 +1,4 @@
+/* Reads and writes how far one has come; lines that are no page of a lesson are skipped. */
 #include "tui/control/lesson/lesson_progress.h"
 
 #include "base/input.h"

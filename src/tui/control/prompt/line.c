@@ -15,9 +15,8 @@
 
 /* --- what was entered before ------------------------------------------------------------------------ */
 
-static void remember(Laboratory *lab, const char *text)
+static void remember(LineHistory *past, const char *text)
 {
-    LineHistory *past = &lab->prompting.past;
     if (past->count > 0 && strcmp(past->lines[past->count - 1], text) == 0)
         return;
     if (past->count == LINE_HISTORY_MAX) {
@@ -27,10 +26,10 @@ static void remember(Laboratory *lab, const char *text)
     snprintf(past->lines[past->count++], sizeof past->lines[0], "%s", text);
 }
 
-static void recall(Laboratory *lab, int direction)
+static void recall(Prompting *prompting, int direction)
 {
-    LineHistory *past = &lab->prompting.past;
-    Prompt *prompt = &lab->screen.prompt;
+    LineHistory *past = &prompting->past;
+    Prompt *prompt = prompting->shown;
     const int to = past->at + direction;
     if (to < 0 || to > past->count)
         return;
@@ -40,7 +39,7 @@ static void recall(Laboratory *lab, int direction)
     memcpy(prompt->text, to == past->count ? past->unfinished : past->lines[to], sizeof prompt->text);
     prompt->cursor = text_characters(prompt->text);
     prompt->problem[0] = prompt->hint[0] = '\0';
-    lab->prompting.fresh = false;
+    prompting->fresh = false;
 }
 
 /* --- verbs ------------------------------------------------------------------------------------------ */
@@ -201,7 +200,7 @@ static bool answer_line(Laboratory *lab, const char *text)
         line[--end] = '\0';
     if (!*line)
         return true;
-    remember(lab, line);
+    remember(&lab->prompting.past, line);
     return line_run(lab, line);
 }
 
@@ -248,7 +247,7 @@ static bool line_key_of(Laboratory *lab, const char *key)
 {
     const bool up = strcmp(key, "Up") == 0;
     if (up || strcmp(key, "Down") == 0)
-        recall(lab, up ? -1 : 1);
+        recall(&lab->prompting, up ? -1 : 1);
     else if (lab->screen.prompt.problem[0] && strcmp(key, ":") == 0)
         prompt_fill(&lab->prompting, ""); /* who saw the refusal as a message begins the next line */
     else

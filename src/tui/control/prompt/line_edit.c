@@ -1,3 +1,5 @@
+/* The keys of a one-line editor, those of Emacs among them. The cursor counts characters, the text is bytes.
+ */
 #include "tui/control/prompt/line_edit.h"
 
 #include <string.h>

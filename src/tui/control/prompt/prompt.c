@@ -24,7 +24,7 @@ void prompt_ask(Prompting *prompting, Answer answer, bool yes_no, const char *te
     prompting->typing = NULL;
 }
 
-/* Long names differ at their end, where their folders are left. */
+/* A long name loses its first folders: names differ at their end. */
 void prompt_ask_replace(Prompting *prompting, Answer answer, const char *name)
 {
     enum { COLUMNS = 56 };

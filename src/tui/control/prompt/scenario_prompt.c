@@ -68,24 +68,22 @@ static void narrow(ScenarioList *list, const char *text, const char *open)
         }
 }
 
-static void choose(Laboratory *lab, int chosen)
+static void choose(Prompting *prompting, int chosen)
 {
-    ScenarioList *list = &lab->prompting.scenarios;
-    Prompt *prompt = &lab->screen.prompt;
+    ScenarioList *list = &prompting->scenarios;
     if (list->n_shown == 0)
         return;
     list->chosen = chosen < 0 ? 0 : chosen < list->n_shown ? chosen : list->n_shown - 1;
-    prompt_fill(&lab->prompting,
-                list->entries[list->shown[list->chosen]].name); /* typing begins a new search */
-    prompt->hint[0] = '\0';
+    prompt_fill(prompting, list->entries[list->shown[list->chosen]].name); /* typing begins a new search */
+    prompting->shown->hint[0] = '\0';
 }
 
 /* The row that a first key moves from: the open one, so that the way to the next is short, but what was
  * searched for begins at its top, or its end. */
-static int where_to_begin(const Laboratory *lab, int rows)
+static int where_to_begin(const Prompting *prompting, int rows)
 {
-    const ScenarioList *list = &lab->prompting.scenarios;
-    const bool searched = lab->screen.prompt.text[0] != '\0';
+    const ScenarioList *list = &prompting->scenarios;
+    const bool searched = prompting->shown->text[0] != '\0';
     if (list->chosen >= 0)
         return list->chosen;
     if (!searched && list->open >= 0 && list->open + rows >= 0 && list->open + rows < list->n_shown)
@@ -102,7 +100,7 @@ static bool choose_by_key(Laboratory *lab, const char *key)
     const ScenarioList *list = lab->screen.prompt.scenarios;
     for (size_t i = 0; list && i < sizeof moves / sizeof *moves; i++)
         if (strcmp(key, moves[i].key) == 0) {
-            choose(lab, where_to_begin(lab, moves[i].rows) + moves[i].rows);
+            choose(&lab->prompting, where_to_begin(&lab->prompting, moves[i].rows) + moves[i].rows);
             return true;
         }
     return false;

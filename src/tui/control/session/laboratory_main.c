@@ -1,3 +1,4 @@
+/* From the words of the command line to a laboratory on its host, with the session that is kept of it. */
 #include "tui/control/session/laboratory_main.h"
 
 #include "base/output.h"
@@ -47,7 +48,8 @@ static bool open_recording(const LaboratoryOptions *options, Session **recording
     return *recording != NULL;
 }
 
-/* What was asked for, and the last session of a terminal; that this one cannot be kept is no failure. */
+/* Finishes the recording that was asked for, and keeps the last session of a terminal; that the latter cannot
+ * be kept is no failure. */
 static bool keep(const LaboratoryOptions *options, Session *recording, Status *status)
 {
     const bool sound = session_finish(recording, status);

@@ -1,5 +1,5 @@
-/* The laboratory: what the user does to a Screen. Keys come in as names, pictures go out as a Canvas; whether
- * a terminal or a script is at the other end, nothing here knows. */
+/* The laboratory: what the user does to a Screen. Keys come in as names, pictures go out as a Canvas; they
+ * are the same for a terminal and for a script. */
 #ifndef TUI_LABORATORY_MAIN_H
 #define TUI_LABORATORY_MAIN_H
 

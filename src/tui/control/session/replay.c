@@ -1,3 +1,4 @@
+/* Presses the keys of a session again, each at the step of the run at which it was pressed. */
 #include "tui/control/session/replay.h"
 
 #include "tui/control/laboratory.h"

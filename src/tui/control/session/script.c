@@ -1,3 +1,4 @@
+/* The script player: a table of instructions over a laboratory with a virtual clock. */
 #include "tui/control/session/script.h"
 
 #include "base/input.h"

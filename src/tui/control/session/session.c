@@ -1,3 +1,4 @@
+/* Keeping a session: its keys in memory and, as they come, in a file; and reading such a file. */
 #include "tui/control/session/session.h"
 
 #include "base/input.h"
@@ -104,7 +105,7 @@ static void record_event(Session *session, const SessionEvent *event)
         output_close(file);
 }
 
-/* With a hole in it the rest would mean something else. */
+/* Behind a key that was not kept the others would mean something else. */
 static void note(Session *session, const SessionEvent *event, double now)
 {
     if (!session->full)

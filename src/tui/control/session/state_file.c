@@ -1,3 +1,4 @@
+/* Where the files of the program's own are, by the rules of XDG. */
 #include "tui/control/session/state_file.h"
 
 #include <stdio.h>
