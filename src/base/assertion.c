@@ -1,4 +1,4 @@
-/* What a failed assertion says; see assertion.h. */
+/* The line that a failed assertion prints before it aborts; see assertion.h. */
 #include "base/assertion.h"
 
 #include <inttypes.h>

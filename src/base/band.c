@@ -1,3 +1,10 @@
+/* Eigenvalues of a symmetric band matrix by counting (band.h): A - x = L D L^T row by row without
+ * pivoting,
+ *
+ *     D_i = A_ii - x - sum_{j<i} L_ij^2 D_j,   L_ij D_j = A_ij - sum_{k<j} L_ik D_k L_jk,
+ *
+ * and as many eigenvalues lie below x as D has negative entries (Sylvester). Only the last `width` + 1
+ * rows of L are kept. Used for the critical step and the predicted frequencies of the bar by peridynamics. */
 #include "base/band.h"
 
 #include <float.h>
@@ -8,7 +15,7 @@ static double entry(const Band *band, size_t i, size_t d)
     return d <= (size_t)band->width && d <= i ? band->rows[i * ((size_t)band->width + 1) + d] : 0;
 }
 
-/* A bound on the size of all eigenvalues (Gershgorin). */
+/* max_i sum_j |A_ij|, a bound on the size of all eigenvalues (Gershgorin). */
 static double reach_of(const Band *band)
 {
     double most = 0;
@@ -21,7 +28,7 @@ static double reach_of(const Band *band)
     return most;
 }
 
-/* `least`: a smaller pivot is taken for so large a one; a change of the matrix by its own rounding. */
+/* A pivot smaller than `least` is replaced by it, which changes the matrix by no more than its rounding. */
 static size_t count_below(const Band *band, double x, double least)
 {
     enum { ROWS = BAND_WIDTH_MAX + 1 };
@@ -54,6 +61,7 @@ size_t band_count_below(const Band *band, double x)
     return count_below(band, x, DBL_EPSILON * reach_of(band));
 }
 
+/* Bisection between the bounds; ends at a quarter of their rounding, or where no double lies between. */
 double band_eigenvalue(const Band *band, size_t number)
 {
     double high = reach_of(band), low = -high;

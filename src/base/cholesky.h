@@ -20,10 +20,10 @@ typedef struct CholeskyBand {
 typedef enum CholeskyEnd {
     CHOLESKY_DONE,
     CHOLESKY_SINGULAR, /* a pivot below 1e-14 of its diagonal: not positive definite to rounding */
-    CHOLESKY_GIVEN_UP  /* so it was asked for */
+    CHOLESKY_GIVEN_UP  /* by its Patience */
 } CholeskyEnd;
 
-/* In place. The patience is asked now and then. */
+/* In place. `patience` is called now and then. */
 CholeskyEnd cholesky_factor(CholeskyBand *, const Patience *);
 
 /* x <- K^-1 x, after cholesky_factor(). */

@@ -1,3 +1,6 @@
+/* Opening and reading files from outside (input.h): O_NONBLOCK while opening, so that a pipe does not
+ * wait, and only regular files; line by line up to a bound. Whatever reads a file from a user goes through
+ * here. */
 #include "base/input.h"
 
 #include <errno.h>

@@ -1,5 +1,5 @@
 /* Files from outside, opened and read line by line. Opening never waits and never takes anything but a file:
- * of a pipe that nobody writes to, of a device or of a folder one line tells. A line and a file have a size
+ * a pipe, a device or a folder is an error. A line and a file have a size
  * beyond which they are refused, so that a wrong file fills no memory. */
 #ifndef BASE_INPUT_H
 #define BASE_INPUT_H

@@ -1,3 +1,6 @@
+/* The gate for writing (output.h): who may write, names made absolute, and files written under a temporary
+ * name that takes the final one at the end, after fsync() of file and folder. Everything else that the
+ * program does to a disk is here too. */
 #include "base/output.h"
 
 #include "base/visible.h"
@@ -83,7 +86,7 @@ bool output_has_folder(const char *name, Status *status)
         return no_memory(status);
     const char *folder = dirname(copy);
     bool there = true;
-    const bool known = stat(folder, &what) == 0; /* one that may not be looked into is told by who opens */
+    const bool known = stat(folder, &what) == 0; /* where it cannot be known, opening reports it */
     if (!known && (errno == ENOENT || errno == ENOTDIR))
         there = status_fail(status, STATUS_USAGE, "%s: there is no folder %s", name, folder);
     else if (known && !S_ISDIR(what.st_mode))
@@ -208,7 +211,7 @@ static bool open_temporary(OutputFile *file, mode_t rights, Status *status)
     return false;
 }
 
-/* A pipe that nobody reads would wait for ever, which who sits at a keyboard cannot know. */
+/* Opening a pipe without a reader would block for ever, with nothing on screen to show why. */
 static FILE *open_direct(Asker asker, const char *name)
 {
     const int descriptor =
@@ -300,7 +303,7 @@ static bool sync_folder(const OutputFile *file, Status *status)
         return no_memory(status);
     const int folder = open(dirname(copy), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     free(copy);
-    /* some file systems, and folders that may not be read, cannot be asked */
+    /* some file systems, and folders without read permission, do not support it */
     const bool arrived = folder < 0 || fsync(folder) == 0 || errno == EINVAL || errno == ENOTSUP;
     const int why = errno;
     if (folder >= 0)
@@ -402,7 +405,7 @@ void output_make_own_folders(Asker asker, const char *file)
         *slash = '\0';
         mkdir(path, 0700); /* where that fails, so will the file */
         if (!strchr(slash + 1, '/'))
-            (void)!chmod(path, 0700); /* what one does is nobody else's, whoever made the folder */
+            (void)!chmod(path, 0700); /* private to the user, whoever made the folder */
         *slash = '/';
     }
     free(path);

@@ -1,5 +1,5 @@
-/* The one gate for writing. Whatever makes, changes or removes a file does it here and says who asks: a
- * lesson and a session that is done again are files from anybody, so they get nothing.
+/* The one gate for writing. Whatever makes, changes or removes a file does it here and names on whose behalf:
+ * a lesson and a session that is done again are files from anybody, so they may write nothing.
  *
  * A file is written whole or not at all: everything goes to a temporary file in the same folder, which takes
  * the name at the end, and file and folder are brought to the disk. What is no regular file (a terminal, a
@@ -13,7 +13,7 @@
 
 /* On whose behalf something is done. */
 typedef enum Asker {
-    ASKER_NOBODY,       /* it was not said: refused */
+    ASKER_NOBODY,       /* not named: refused */
     ASKER_KEYBOARD,     /* a person, now */
     ASKER_COMMAND_LINE, /* what the program was begun for, and what it keeps for the user */
     ASKER_SCRIPT,       /* --script: keys from a file that the user named */
@@ -30,7 +30,7 @@ typedef struct OutputFile {
     bool replaces; /* what has the name by the time it is committed; else that is an error */
 } OutputFile;
 
-/* Whether who asks may write at all; every function below that makes or changes something asks it. */
+/* Whether this asker may write at all; checked by every function below that makes or changes something. */
 bool output_allowed(Asker, const char *name, Status *);
 
 bool output_is_standard(const char *name); /* "-" */

@@ -1,12 +1,13 @@
-/* Who waits for long work may stop it: the work asks every few milliseconds whether it is to go on, and says
- * how far it has come. A bar on standard error, a line of the laboratory, ^C, Esc and signals answer. */
+/* Long work that can be watched and stopped: it calls back every few milliseconds with the share that is
+ * done, and stops when the answer is false. Behind the callback are a progress bar on standard error, a line
+ * of the laboratory, ^C, Esc and signals. */
 #ifndef BASE_PATIENCE_H
 #define BASE_PATIENCE_H
 
 #include <stdbool.h>
 
 typedef struct Patience {
-    /* `share` of the work is done, from 0 to 1; false: give up. NULL: nobody is asked. */
+    /* `share` of the work is done, from 0 to 1; false: give up. NULL: it always goes on. */
     bool (*go_on)(double share, void *context);
     void *context;
 } Patience;

@@ -1,9 +1,9 @@
-/* Signals that would end the process: each is noted, and whoever works or waits ends in good order.
+/* Signals that would end the process: each is noted, and loops that compute or wait end in good order.
  *
- * Taken are all that end a process by default and are sent by somebody (SIGHUP, SIGTERM, SIGUSR1, SIGXCPU,
+ * Taken are all that end a process by default and are sent from outside (SIGHUP, SIGTERM, SIGUSR1, SIGXCPU,
  * the real-time ones, ...). Left alone are those that the process was started to ignore (nohup), those that
- * somebody else takes already (a profiler), and faults (SIGSEGV, ...), after which nothing can go on. SIGPIPE
- * and SIGXFSZ of an own write are no wish to end: the write fails and is told. */
+ * have a handler already (a profiler), and faults (SIGSEGV, ...), after which nothing can go on. SIGPIPE
+ * and SIGXFSZ of an own write do not end the program: the write fails and is reported. */
 #ifndef BASE_SIGNALS_H
 #define BASE_SIGNALS_H
 

@@ -1,3 +1,4 @@
+/* Fills a Status (status.h): one line, with everything that could act on a terminal written out. */
 #include "base/status.h"
 
 #include "base/visible.h"

@@ -15,7 +15,7 @@ enum { NUMBER_TEXT_MAX = 32 };
  * NUMBER_TEXT_MAX characters. Returns the length. */
 size_t text_shortest(char *out, double value);
 
-/* Writes a number for people: `digits` significant digits, trailing zeros cut, never an exponent's padding.
+/* Writes a number for reading: `digits` significant digits, trailing zeros cut, never an exponent's padding.
  */
 size_t text_rounded(char *out, double value, int digits);
 
@@ -30,7 +30,7 @@ bool text_to_long(const char *text, long *value);
 bool text_to_size(const char *text, long least, long most, int size[2]);
 
 /* Closes a stream of open_memstream(). Whether all that was written is in `*text`: where memory is short at
- * the end it is NULL, and fclose() does not tell. `*text` is freed by the caller either way. */
+ * the end it is NULL, and fclose() does not report it. `*text` is freed by the caller either way. */
 bool text_stream_close(FILE *stream, char *const *text);
 
 /* Whether a stream came to its end; after getline(), which says -1 too where memory is short or reading

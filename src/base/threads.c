@@ -1,3 +1,5 @@
+/* The number of threads to use by default (threads.h): from the affinity mask of the process and
+ * OMP_NUM_THREADS. The threads themselves are those of the pool (pd_plane/pool.h). */
 #include "base/threads.h"
 
 #include <errno.h>
@@ -8,7 +10,7 @@
 
 #ifdef HAVE_SCHED_GETAFFINITY
 
-/* A mask that is shorter than the kernel's is refused, so it grows until it fits. 0: it cannot be told. */
+/* A mask that is shorter than the kernel's is refused, so it grows until it fits. 0: not known. */
 static int count_mask(void)
 {
     for (size_t processors = CPU_SETSIZE; processors <= 1 << 20; processors *= 2) {
@@ -44,7 +46,7 @@ int threads_allowed(void)
     return processors > 0 && processors <= INT_MAX ? (int)processors : 1;
 }
 
-/* "4", or "4,2" for levels of parallel regions within each other; 0: it says nothing. */
+/* "4", or "4,2" for levels of parallel regions within each other; 0: not set, or no number. */
 static int threads_asked(void)
 {
     const char *text = getenv("OMP_NUM_THREADS");

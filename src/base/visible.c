@@ -1,3 +1,5 @@
+/* Writes out what would act or hide on a terminal (visible.h): UTF-8 is decoded character by character,
+ * and each is copied or replaced by its escape. The table holds Unicode's format and control characters. */
 #include "base/visible.h"
 
 #include <stdarg.h>

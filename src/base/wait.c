@@ -1,3 +1,5 @@
+/* ppoll() where the system has it; elsewhere the same by pselect(), whose sets of descriptors are made
+ * from the list and read back into it. */
 #include "base/wait.h"
 
 #ifdef HAVE_PPOLL
@@ -36,7 +38,7 @@ int wait_for(struct pollfd *files, int count, const struct timespec *timeout, co
     for (int i = 0; i < count && result > 0; i++) {
         if (files[i].fd < 0)
             continue;
-        /* what has hung up is readable, and reading tells */
+        /* a hangup counts as readable: the next read reports it */
         files[i].revents = (short)((FD_ISSET(files[i].fd, &readable) ? POLLIN : 0) |
                                    (FD_ISSET(files[i].fd, &writable) ? POLLOUT : 0));
         ready += files[i].revents != 0;

@@ -1,4 +1,4 @@
-/* The continuum's answer for the bar.
+/* The exact solution for the bar as a continuum.
  *
  *     u_tt = c^2 u_xx + b,   u = 0 at a fixed end,   E u_x = t at a free end,   u = 0, u_t = sum A phi at t =
  * 0
@@ -21,6 +21,8 @@ double bar_wave_speed(const BarTheory *bar)
     return sqrt(bar->youngs_modulus / bar->density);
 }
 
+/* beta_n: (2n - 1) pi/2L with one free end, n pi/L with two equal ends; paper M's eq. 17 with L as a
+ * length. */
 double bar_wave_number(const BarTheory *bar, int number)
 {
     if (number < 1)
@@ -34,6 +36,8 @@ double bar_frequency(const BarTheory *bar, int number)
     return bar_wave_number(bar, number) * bar_wave_speed(bar);
 }
 
+/* phi_n = sin beta_n x with the left end fixed, cos beta_n x with it free (eq. 16); mode 0 of the
+ * free-free bar is rigid motion. */
 double bar_mode_shape(const BarTheory *bar, int number, double x)
 {
     if (number < 1)
@@ -49,7 +53,8 @@ static double mode_slope(const BarTheory *bar, int number, double x)
     return bar->left_fixed ? beta * cos(beta * x) : -beta * sin(beta * x);
 }
 
-/* The mean of phi over the bar. */
+/* int phi dx / L: (1 - cos beta L)/(beta L) left fixed, sin(beta L)/(beta L) left free; 0 free-free, by
+ * symmetry. */
 static double mode_mean(const BarTheory *bar, int number)
 {
     if (is_free_free(bar))
@@ -76,7 +81,12 @@ double bar_initial_slope(const BarTheory *bar, double x)
     return sum;
 }
 
-/* The static displacement under the loads, 0 <= x <= L. */
+/* The static displacement under the loads, 0 <= x <= L: E w'' = -rho b with w = 0 or E w' = t at the ends.
+ *
+ *     fixed-fixed   rho b/E x (L - x)/2
+ *     fixed-free    rho b/E x (L - x/2) + t/E x
+ *     free-fixed    rho b/E (L - x)(L + x)/2 - t/E (L - x)
+ *     free-free     t/E (x - L/2), about the centre of mass; b is in the rigid motion */
 static double static_displacement(const BarTheory *bar, double x)
 {
     double length = bar->length;
@@ -105,8 +115,9 @@ static double static_slope(const BarTheory *bar, double x)
     return stretch;
 }
 
-/* Folds any x back into the bar. *sign is what the reflections on the way do to a displacement, *turned tells
- * whether left and right are swapped. */
+/* The point of the bar whose image x is under reflections at the ends: W(x) = *sign w(result). A reflection
+ * at a fixed end turns the sign of a displacement; *turned: an odd number of reflections, slopes change
+ * theirs too. */
 static double fold(const BarTheory *bar, double x, double *sign, bool *turned)
 {
     double bars = floor(x / bar->length);
@@ -142,6 +153,7 @@ static bool is_loaded(const BarTheory *bar)
     return bar->body_force != 0 || bar->traction != 0;
 }
 
+/* sum A phi sin(omega t)/omega + w(x) - (W(x - ct) + W(x + ct))/2, free-free + b t^2/2. */
 double bar_displacement(const BarTheory *bar, double x, double t)
 {
     double sum = 0;
@@ -160,6 +172,7 @@ double bar_displacement(const BarTheory *bar, double x, double t)
     return sum;
 }
 
+/* Its derivative by t: sum A phi cos(omega t) + c (W'(x - ct) - W'(x + ct))/2. */
 double bar_velocity(const BarTheory *bar, double x, double t)
 {
     double sum = 0;
@@ -175,6 +188,7 @@ double bar_velocity(const BarTheory *bar, double x, double t)
     return sum;
 }
 
+/* E u_x: E sum A phi' sin(omega t)/omega + E (w' - (W'(x - ct) + W'(x + ct))/2). */
 double bar_stress(const BarTheory *bar, double x, double t)
 {
     double strain = 0;
@@ -192,6 +206,7 @@ double bar_stress(const BarTheory *bar, double x, double t)
     return bar->youngs_modulus * strain;
 }
 
+/* Eq. 20 for each mode, A mbar cos(omega t), mbar its mean over the bar; the load's part in closed form. */
 double bar_centre_velocity(const BarTheory *bar, double t)
 {
     double sum = 0;
@@ -200,7 +215,7 @@ double bar_centre_velocity(const BarTheory *bar, double t)
         sum += bar->modes[i].velocity * mode_mean(bar, number) * cos(bar_frequency(bar, number) * t);
     }
     if (is_loaded(bar)) {
-        /* the mean of bar_velocity over the bar, integrated in closed form */
+        /* int W'(x -+ ct) dx over the bar is a difference of two values of W */
         double c = bar_wave_speed(bar), length = bar->length;
         double right = continued_displacement(bar, length - c * t) - continued_displacement(bar, -c * t);
         double left = continued_displacement(bar, length + c * t) - continued_displacement(bar, c * t);

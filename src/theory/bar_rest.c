@@ -1,3 +1,6 @@
+/* Makes the matrices of bar_rest.h: shape functions at the places where particles stand at rest, then sums
+ * over the particles. Everything that theory says of the mesh (dispersion.c, step_limit.c,
+ * step_spectrum.c) starts here. */
 #include "theory/bar_rest.h"
 
 #include <math.h>
@@ -89,6 +92,8 @@ static void add_outer(const BarRest *rest, double *band, int first, const double
                 band[(first + r) * (rest->reach + 1) + r - c] += scale * a[r] * a[c];
 }
 
+/* M_l, M and K of bar_rest.h in units of rho dx and E/dx: a particle has the mass and the volume 1/P of a
+ * cell's. */
 static void assemble(BarRest *rest, bool apic)
 {
     const double part = 1.0 / rest->per_cell;
@@ -97,7 +102,7 @@ static void assemble(BarRest *rest, bool apic)
             const int first = cell + rest->origin - rest->first_node;
             double n[REST_SUPPORT_MAX], slope[REST_SUPPORT_MAX], arm[REST_SUPPORT_MAX], spread = 0;
             bar_rest_weights(rest, cell, j, n, slope, arm);
-            add_outer(rest, rest->carried, first, n, part);
+            add_outer(rest, rest->consistent, first, n, part);
             add_outer(rest, rest->stiffness, first, slope, part);
             for (int a = 0; a <= rest->degree; a++) {
                 if (first + a >= 0 && first + a < rest->nodes)
@@ -106,13 +111,13 @@ static void assemble(BarRest *rest, bool apic)
                 arm[a] *= n[a];
             }
             if (apic)
-                add_outer(rest, rest->carried, first, arm, part / spread);
+                add_outer(rest, rest->consistent, first, arm, part / spread);
         }
 }
 
 bool bar_rest_make(BarRest *rest, const BarTheory *bar, const BarMesh *mesh, int cells)
 {
-    /* further from the bar's end than two cells, the open knots at the mesh's end touch no function of it */
+    /* open knots that lie more than two cells beyond the bar's end change no function that the bar touches */
     const int padding = mesh->padding < 2 ? mesh->padding : 2;
     const int degree = bar_rest_degree(mesh->shape);
     *rest =
@@ -128,8 +133,8 @@ bool bar_rest_make(BarRest *rest, const BarTheory *bar, const BarMesh *mesh, int
     rest->mass = calloc(n + 2 * band, sizeof *rest->mass);
     if (!rest->mass)
         return false;
-    rest->carried = rest->mass + n;
-    rest->stiffness = rest->carried + band;
+    rest->consistent = rest->mass + n;
+    rest->stiffness = rest->consistent + band;
     assemble(rest, mesh->apic);
     return true;
 }
@@ -139,6 +144,7 @@ void bar_rest_free(BarRest *rest)
     free(rest->mass);
 }
 
+/* v_i = sum m N_i phi(x_p) / m_i: what mapping and eq. 4 of paper M make of a mode phi of unit velocity. */
 void bar_rest_sample(const BarRest *rest, const BarTheory *bar, int number, double *velocity)
 {
     const double part = 1.0 / rest->per_cell, cell_size = bar->length / rest->cells;

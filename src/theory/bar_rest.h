@@ -23,9 +23,9 @@ typedef struct BarRest {
     int first_node, nodes;  /* those that are kept: first_node .. first_node + nodes - 1 of the mesh */
     int reach;              /* half-width of the bands */
     double *mass;           /* M_l = sum m N, the lumped mass */
-    double *carried;        /* the mass that comes back from particles: M_c = sum m N N^T, with APIC's affine
-                               motion M_c + sum m (N d)(N d)^T / sum N d^2, d from particle to node */
-    double *stiffness;      /* K = sum V N' N'^T */
+    double *consistent; /* consistent mass M_c = sum m N N^T; with APIC M_c + sum m (N d)(N d)^T / sum N d^2,
+                        d from particle to node */
+    double *stiffness;  /* K = sum V N' N'^T */
 } BarRest;
 
 /* The weights of particle j (0 to per_cell - 1) of a cell of the bar, for the nodes from `cell + origin` of

@@ -1,9 +1,13 @@
-/* Periods of the simply supported beam. */
+/* Periods of the simply supported beam, by Euler-Bernoulli and by Timoshenko, and the first frequency of a
+ * cantilever: what beams by peridynamics are compared with. r^2 = I/A = h^2/12, unit width; SI units.
+ *
+ *     Euler-Bernoulli   omega = (pi/L)^2 sqrt(r^2 E/rho)
+ *     cantilever        omega = (lambda_1/L)^2 sqrt(r^2 E/rho),   1 + cosh lambda_1 cos lambda_1 = 0 */
 #include "theory/beam.h"
 
 #include <math.h>
 
-/* Radius of gyration squared of a rectangle. */
+/* r^2 */
 static double gyration(const BeamTheory *beam)
 {
     return beam->height * beam->height / 12;

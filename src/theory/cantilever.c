@@ -89,6 +89,7 @@ static double mode_derivative(double lambda, int derivative, double s)
     return square * (hyperbolic + circular);
 }
 
+/* B and C by Gauss-Legendre quadrature over s in [0, 1]. */
 static void integrate_couplings(Modes *modes, const gsl_integration_glfixed_table *table)
 {
     for (size_t i = 0; i < GAUSS_POINTS; i++) {
@@ -122,7 +123,7 @@ static bool build_modes(Modes *modes, Status *status)
 
 /* --- the equations of motion --------------------------------------------------------------------- */
 
-/* y holds q, then q'. */
+/* q'' of the equation above; y holds q, then q'. */
 static int modal_equations(double t, const double y[], double rate[], void *context)
 {
     const Modes *modes = context;
@@ -140,6 +141,7 @@ static int modal_equations(double t, const double y[], double rate[], void *cont
     return GSL_SUCCESS;
 }
 
+/* phi_n(1) = 2, -2, 2, ... */
 static Tip tip_of(const Modes *modes, double t, const double y[])
 {
     double rate[2 * MODES];

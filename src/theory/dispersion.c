@@ -1,8 +1,9 @@
-/* The mesh's answer for the bar: what the material point method makes of one wave.
+/* Frequency and decay of one wave in the material point method on the bar: what the mesh predicts
+ * (bar_dispersion).
  *
  * On a regular mesh whose particles have not moved, a wave of angle theta = beta dx per cell keeps its form
  * in a step, and only two numbers change: the amplitude of the particles' velocity and that of their stress.
- * Four numbers of the angle say how:
+ * They follow from four functions of the angle:
  *
  *     K  stiffness: (c/dx)^2 K is the square of the frequency of lumped finite elements
  *     T  nodal velocity that moves the particles, over p / m
@@ -35,12 +36,13 @@ typedef struct Response {
     double kept;      /* g */
 } Response;
 
-/* K, F and Fa of any shape. In an endless mesh the matrices of bar_rest.h repeat a row b(-p) .. b(p), and a
- * wave meets the sum b(0) + 2 sum b(d) cos(d theta). Rows of M add up to 1, those of K to 0, which leaves
+/* K, F and Fa of any shape. In an endless mesh every row of the matrices of bar_rest.h is the same, b(-p) ..
+ * b(p), and a wave is multiplied by b(0) + 2 sum b(d) cos(d theta). Rows of M add up to 1, those of K to 0,
+ * which leaves
  *
  *     F = 1 - 4 sum M(d) sin^2(d theta/2),   K = -4 sum K(d) sin^2(d theta/2) */
 typedef struct Rows {
-    double carried[REST_SUPPORT_MAX], stiffness[REST_SUPPORT_MAX]; /* by d */
+    double consistent[REST_SUPPORT_MAX], stiffness[REST_SUPPORT_MAX]; /* by d */
 } Rows;
 
 static Rows rows_of(const BarMesh *mesh)
@@ -49,7 +51,7 @@ static Rows rows_of(const BarMesh *mesh)
     const BarRest endless = {.per_cell = mesh->particles_per_cell,
                              .degree = bar_rest_degree(mesh->shape),
                              .mesh_cells = 2 * FAR + 1};
-    Rows rows = {.carried = {0}};
+    Rows rows = {.consistent = {0}};
     for (int j = 0; j < endless.per_cell; j++) {
         double n[REST_SUPPORT_MAX], slope[REST_SUPPORT_MAX], arm[REST_SUPPORT_MAX], spread = 0;
         bar_rest_weights(&endless, FAR, j, n, slope, arm);
@@ -58,9 +60,9 @@ static Rows rows_of(const BarMesh *mesh)
         for (int a = 0; a <= endless.degree; a++)
             for (int b = 0; b < a; b++) {
                 const double lean = mesh->apic ? n[a] * arm[a] * n[b] * arm[b] / spread : 0;
-                /* a particle between two nodes takes exactly their velocities with it: no rounding is kept */
+                /* hats with APIC: M = M_l exactly, so that no rounding is kept */
                 if (!mesh->apic || endless.degree > 1)
-                    rows.carried[a - b] += (n[a] * n[b] + lean) / endless.per_cell;
+                    rows.consistent[a - b] += (n[a] * n[b] + lean) / endless.per_cell;
                 rows.stiffness[a - b] += slope[a] * slope[b] / endless.per_cell;
             }
     }
@@ -73,7 +75,7 @@ static Response response_of(const BarMesh *mesh, const Rows *rows, double theta)
     double returns = 1, stiffness = 0;
     for (int d = 1; d < REST_SUPPORT_MAX; d++) {
         const double s = sin(d * theta / 2);
-        returns -= 4 * s * s * rows->carried[d];
+        returns -= 4 * s * s * rows->consistent[d];
         stiffness -= 4 * s * s * rows->stiffness[d];
     }
     return (Response){
@@ -129,7 +131,13 @@ bool bar_centre_velocity_is_predicted(const BarTheory *bar, const BarMesh *mesh)
     return true;
 }
 
-/* One mode's v_cm at step k, for unit velocity. */
+/* One mode's v_cm at step k for unit velocity: hat, fixed-free, FLIP, USF or MUSL.
+ *
+ *     v_cm(t_k) = (v_cm(0) - A) + A cos(Omega (k +- 1/2) dt)/cos(Omega dt/2),    + for USF, - for MUSL
+ *     A = g0 S/F,   g0 = (2/P) sum_j (1 - xi_j) cos(theta xi_j),   S = dx/2L cot(theta/2)
+ *     v_cm(0) = (d/L)/(2 sin(beta d/2)),   d = dx/P,   xi_j = (j + 1/2)/P
+ *
+ * g0 maps the particles' wave to a node, S is the mean of that wave over the nodes, 1/F brings it back. */
 static double predicted_mode(const BarTheory *bar, const BarMesh *mesh, int number, long k)
 {
     double beta = bar_wave_number(bar, number);
@@ -138,7 +146,7 @@ static double predicted_mode(const BarTheory *bar, const BarMesh *mesh, int numb
     if (!(beta > 0))
         return 0;
 
-    /* what a node takes from the particles of the two cells beside it */
+    /* g0 */
     double to_nodes = 0;
     for (int j = 0; j < mesh->particles_per_cell; j++) {
         double xi = (j + 0.5) / mesh->particles_per_cell;
@@ -147,12 +155,12 @@ static double predicted_mode(const BarTheory *bar, const BarMesh *mesh, int numb
     double node_sum = mesh->cell_size / (2 * bar->length) / tan(theta / 2);
     double amplitude = to_nodes * node_sum / wave.filter;
 
-    /* the part of the particles' velocity that the grid cannot see stays as it was at the start */
+    /* the part of the particles' velocity in the null space of the grid never changes: the offset */
     double particle_size = mesh->cell_size / mesh->particles_per_cell;
     double start = particle_size / bar->length / (2 * sin(beta * particle_size / 2));
     double offset = start - amplitude;
 
-    /* velocity and stress live half a step apart; which of them is ahead depends on the algorithm */
+    /* velocity and stress are known half a step apart; which is ahead depends on the algorithm */
     double half = mesh->algorithm == MESH_MUSL ? -0.5 : 0.5;
     double angle = wave.frequency * mesh->dt;
     return offset + amplitude * cos(angle * ((double)k + half)) / cos(angle / 2);

@@ -1,4 +1,10 @@
-/* The frequency of a recorded series, by nonlinear least squares from a start found in the spectrum. */
+/* The frequency of a recorded series by least squares, and its spectrum.
+ *
+ *     minimise sum_k (c + sum_l [a_l cos(r_l omega t_k) + b_l sin(r_l omega t_k)] - y_k)^2
+ *
+ * over omega, c, a_l, b_l for given ratios r_l (r_0 = 1). With omega fixed the rest is linear (normal
+ * equations), which also scans for a start; then all unknowns together by Levenberg and Marquardt (GSL). The
+ * start is the largest line of the spectrum, a discrete Fourier transform under a Hann window. */
 #include "theory/frequency.h"
 #include "theory/quiet.h"
 
@@ -28,8 +34,12 @@ static void chirp(size_t k, size_t n, double *real, double *imaginary)
     *real = cos(angle), *imaginary = -sin(angle);
 }
 
-/* Bluestein: a transform of any length as a convolution with a chirp, so that a record whose length is a
- * prime costs no more than another. `work` holds 2 m complex numbers, m a power of 2 >= 2 n. */
+/* Bluestein: with k j = (k^2 + j^2 - (k - j)^2)/2 the transform
+ *
+ *     X_k = sum_j x_j exp(-2 pi i k j/n) = w_k sum_j (x_j w_j) conj(w_{k-j}),   w_k = exp(-i pi k^2/n)
+ *
+ * is a convolution, done by transforms of length m, so a record whose length is a prime costs no more than
+ * another. |w_k| = 1 drops out of the amplitudes. `work` holds 2 m complex numbers, m a power of 2 >= 2 n. */
 static void transform_amplitudes(const double *windowed, size_t n, size_t m, double *work, double *out)
 {
     double *signal = work, *kernel = work + 2 * m;
@@ -140,6 +150,8 @@ static int residuals(const gsl_vector *unknowns, void *context, gsl_vector *out)
     return GSL_SUCCESS;
 }
 
+/* d(residual)/d(unknowns): t r (b cos - a sin) summed over the lines for omega, cos and sin for a and b, 1
+ * for c. */
 static int jacobian(const gsl_vector *unknowns, void *context, gsl_matrix *out)
 {
     const Record *record = context;
@@ -197,7 +209,8 @@ static double linear_part(const Record *record, double angle, double unknowns[UN
     return squares;
 }
 
-/* How far the unknowns still want to move, each by itself, relative to the largest: 0 at a minimum. */
+/* max_j |J_j . residual| / |J_j|^2 over the largest unknown: the relative Gauss-Newton step of each unknown
+ * by itself, 0 at a minimum. */
 static double step_left(const gsl_multifit_nlinear_workspace *fit, const Record *record)
 {
     const gsl_vector *left = gsl_multifit_nlinear_residual(fit), *at = gsl_multifit_nlinear_position(fit);

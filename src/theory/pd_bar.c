@@ -1,3 +1,7 @@
+/* Predicted frequencies of the bar by peridynamics; pd_bar.h derives the equations. First a wave on an
+ * endless lattice, in closed form; then the lattice with its ends, as eigenvalues of the matrix that its
+ * families make, A u = omega^2 u, a band (band_eigenvalue) for one frequency and dense (GSL) where all
+ * eigenvectors are needed; then v_cm(t) as a sum over modes. */
 #include "theory/pd_bar.h"
 
 #include "base/band.h"
@@ -23,6 +27,7 @@ static double weight(const PdBarTheory *lattice, int m)
     return lattice->partial_volumes && within < 1 ? within : 1;
 }
 
+/* Omega of sin(Omega dt/2) = omega dt/2; NAN beyond the stability limit. */
 static double verlet(double omega, double dt)
 {
     double half = omega * dt / 2;
@@ -62,7 +67,7 @@ static int node_at(const BarTheory *bar, int n, int k, int *sign)
     return k;
 }
 
-/* The energy of node i's family at unit strain, in shares of what it should be. */
+/* 1/g_i: the energy of node i's family at unit strain over E/2, (h/delta)^2 sum w_m m. */
 static double family_share(const BarTheory *bar, const PdBarTheory *lattice, int n, int i)
 {
     double ratio = lattice->horizon / lattice->spacing, sum = 0;
@@ -83,7 +88,8 @@ static double bond_factor(const BarTheory *bar, const PdBarTheory *lattice, int 
 
 typedef void PutEntry(void *into, int row, int column, double value);
 
-/* Minus acceleration of node i per displacement of node j, entry by entry (several may belong to one). */
+/* A(i, j) of u_i'' = -sum A(i, j) u_j, A(i, i) = sum k, A(i, j) = -+k with k = 2E/(rho delta^2) G w_m/m; +
+ * for a mirrored node, u = -u_j. Handed over entry by entry; entries of the same place are to be added. */
 static void write_matrix(const BarTheory *bar, const PdBarTheory *lattice, int n, PutEntry *put, void *into)
 {
     const double scale = 2 * bar->youngs_modulus / (bar->density * lattice->horizon * lattice->horizon);
@@ -116,7 +122,8 @@ static int nodes_of(const BarTheory *bar, const PdBarTheory *lattice)
     return (int)round(bar->length / lattice->spacing);
 }
 
-/* The squared frequencies are found to the rounding of the largest one: no use where that is far above. */
+/* Eigenvalues are found to eps times a bound on the largest (Gershgorin): whether that leaves 1e-8 of the one
+ * wanted. */
 static bool is_resolved(const BarTheory *bar, const PdBarTheory *lattice, int number)
 {
     enum { LARGEST_FACTOR = 2 }; /* a bond at a free end may be so much stiffer */
@@ -188,7 +195,7 @@ static PdBarModes *room_for(int count, double dt)
     return NULL;
 }
 
-/* Between two fixed ends each sine is a mode. */
+/* Between two fixed ends each sine is a mode of the lattice: share A mean(phi), frequency Omega(beta_n). */
 static bool take_sines(PdBarModes *modes, const BarTheory *bar, const PdBarTheory *lattice, int n)
 {
     for (int k = 0; k < bar->n_modes; k++) {
@@ -209,6 +216,8 @@ static void put_in_matrix(void *into, int row, int column, double value)
     *gsl_matrix_ptr(into, (size_t)row, (size_t)column) += value;
 }
 
+/* All modes e_k of the lattice: share (sum_i e_k,i v_0(X_i)) mean(e_k). False: no memory, or a mode is
+ * unstable. */
 static bool take_vectors(PdBarModes *modes, const BarTheory *bar, const PdBarTheory *lattice, int n)
 {
     const size_t size = (size_t)n;

@@ -1,3 +1,5 @@
+/* Counts the callers between quiet_begin() and quiet_end() (quiet.h): the first turns GSL's error handler
+ * off, the last puts the previous one back. */
 #include "theory/quiet.h"
 
 #include <gsl/gsl_errno.h>

@@ -1,11 +1,14 @@
-/* With D = M_l^(-1/2) M M_l^(-1/2) = Q diag(d) Q^T the operator becomes Q diag(z) Q^T on both sides of the
+/* The largest courant number with ends (step_limit.h), by two dense symmetric eigenproblems.
+ *
+ * With D = M_l^(-1/2) M M_l^(-1/2) = Q diag(d) Q^T the operator becomes Q diag(z) Q^T on both sides of the
  * scaled stiffness, and
  *
  *     lambda_max = that of diag(z)^(1/2) Q^T M_l^(-1/2) K M_l^(-1/2) Q diag(z)^(1/2)
  *     z = d / ((1 + alpha)(1 + gamma d)) for USF and MUSL, 1 less it for USL
  *
- * so that two symmetric eigenproblems over the nodes do it, dense because no iteration may be trusted: the
- * top of this spectrum is crowded. */
+ * so two symmetric eigenproblems over the nodes suffice. They are dense because an iteration would hardly
+ * converge: the gaps at the top of this spectrum fall as 1/n^2. CELLS_MOST bounds their size: its limit is at
+ * most 1e-3 below that of a longer bar with the same ends, and never above it. */
 #include "theory/step_limit.h"
 #include "theory/bar_rest.h"
 #include "theory/quiet.h"
@@ -52,10 +55,11 @@ static void release(Workspace *work)
     gsl_eigen_symm_free(work->alone);
 }
 
+/* lambda_max as above; NAN: GSL found no eigenvalues. */
 static double largest_eigenvalue(const BarRest *rest, const BarMesh *mesh, Workspace *work)
 {
     const double alpha = bar_mesh_flip(mesh), gamma = (1 - alpha) / (1 + alpha);
-    scaled(rest, rest->carried, work->matrix);
+    scaled(rest, rest->consistent, work->matrix);
     if (gsl_eigen_symmv(work->matrix, work->values, work->basis, work->with_vectors))
         return NAN;
     for (size_t k = 0; k < (size_t)rest->nodes; k++) {

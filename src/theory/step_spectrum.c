@@ -1,10 +1,12 @@
-/* The step on (v, f), nodal velocities before it and nodal forces -sum N' stress V, as a pencil
+/* The mode of a step that a sampled mode belongs to (step_spectrum.h).
+ *
+ * The step on (v, f), nodal velocities before it and nodal forces -sum N' stress V, as a pencil
  * (C - mu B) x = 0 of its eigenvalues lambda = 1 + mu:
  *
  *     USF   mu (v - dt W f) = G v + dt W f     mu f = -dt K v
  *     USL   mu v            = G v + dt W f     mu f = -dt K v - dt^2 K T f
  *     MUSL  mu v            = G v + dt W f     mu (f + dt K v) = -dt K v
- *     T = M_l^-1,  W = T M T,  G = (1 - alpha)(T M - 1),  M: the mass that particles carry back
+ *     T = M_l^-1,  W = T M T,  G = (1 - alpha)(T M - 1),  M: the consistent mass
  *
  * In USF the new force acts, in MUSL the new velocity strains: written so, nothing is wider than the band of
  * M and K. With v and f of a node side by side it is a band of half-width 2 reach + 1 and is solved as such:
@@ -24,7 +26,7 @@
 
 enum { CELLS_MOST = 2000, CELLS_MOST_HELD_CUBIC = 20000, CELLS_MOST_DENSE = 64, SOLVES_MOST = 40 };
 
-/* From this overlap on no other vector can be more of the sampled mode. */
+/* With this overlap no other eigenvector can be closer to the sampled mode. */
 static const double nearly_pure = 0.99;
 
 /* --- a complex band and its solution ---------------------------------------------------------------- */
@@ -104,7 +106,7 @@ static double symmetric(const BarRest *rest, const double *band, int i, int j)
 static Coupling coupling(const Step *step, int i, int j)
 {
     const BarRest *rest = &step->rest;
-    const double back = symmetric(rest, rest->carried, i, j) / rest->mass[i];
+    const double back = symmetric(rest, rest->consistent, i, j) / rest->mass[i];
     return (Coupling){.w = step->courant * back / rest->mass[j],
                       .k = step->courant * symmetric(rest, rest->stiffness, i, j),
                       .g = back - (i == j ? 1 : 0)};
@@ -173,7 +175,7 @@ static void normalise(double complex *x, int n)
         x[i] /= sqrt(sum);
 }
 
-/* From near mu and x to the eigenvalue and its vector. False: it does not settle. */
+/* From near mu and x to the eigenvalue and its vector. False: it does not converge. */
 static bool iterate(const Step *step, ComplexBand *band, double complex *mu, double complex *x,
                     double complex *y)
 {
@@ -245,7 +247,7 @@ static double space_frequency(const BarRest *rest, const double complex *x, doub
     }
     for (int i = 0; i < rest->nodes; i++)
         for (int j = first_of(rest, i); j < end_of(rest, i); j++)
-            above += a[i] * symmetric(rest, rest->carried, i, j) * a[j];
+            above += a[i] * symmetric(rest, rest->consistent, i, j) * a[j];
     return sqrt(above / below);
 }
 

@@ -1,12 +1,14 @@
-/* Vibration through the thickness of a beam: rows u_j with rho u_j'' = -sum K_jk u_k, stepped by velocity
- * Verlet, which raises every frequency: sin(Omega dt / 2) = omega dt / 2. */
+/* Vibration through the thickness of a beam: rows u_j with rho u_j'' = -sum K_jk u_k (physics/pd_plane,
+ * beam_thickness.c). The eigenvalues of K/rho are omega^2; velocity Verlet raises every frequency to
+ * sin(Omega dt/2) = omega dt/2. Only modes that are even about the middle show in the probe, the mean of the
+ * rows beside it. */
 #include "theory/beam.h"
 #include "theory/quiet.h"
 
 #include <gsl/gsl_eigen.h>
 #include <math.h>
 
-/* Whether a mode is the same seen from above and from below. */
+/* Whether u_j = u_{n-1-j} rather than its opposite. */
 static bool is_even(const gsl_matrix *modes, size_t mode)
 {
     double product = 0;

@@ -366,7 +366,7 @@ static gsl_matrix *transposed_step(const BarRest *rest, const BarMesh *mesh)
     gsl_matrix *product = gsl_matrix_calloc(n, n), *map = gsl_matrix_calloc(2 * n, 2 * n);
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j < n; j++) {
-            const double back = band_entry(rest, rest->carried, (int)i, (int)j) / rest->mass[i];
+            const double back = band_entry(rest, rest->consistent, (int)i, (int)j) / rest->mass[i];
             gsl_matrix_set(g, i, j, (i == j ? alpha : 0) + (1 - alpha) * back);
             gsl_matrix_set(w, i, j, back / rest->mass[j]);
             gsl_matrix_set(k, i, j, band_entry(rest, rest->stiffness, (int)i, (int)j));
