@@ -471,14 +471,14 @@ START_TEST(the_ripple_is_no_loss)
             settings.time.courant = courants[i];
             settings.start.velocity = 1e-6;
             run(&settings, &(Outputs){0}, &summary);
-            ck_assert_int_eq(summary.energy_told, ENERGY_INVARIANT);
+            ck_assert_int_eq(summary.energy_measure, ENERGY_INVARIANT);
             ck_assert_double_eq_tol(summary.energy_change, 0, 1e-3);
             /* without an invariant by the mean of the last whole period */
             settings.mpm.transfer = MPM_APIC;
             settings.start.mode = 1;
             settings.time.courant = courants[i] / 2;
             run(&settings, &(Outputs){0}, &summary);
-            ck_assert_int_eq(summary.energy_told, k == 0 ? ENERGY_TENTH : ENERGY_PERIOD);
+            ck_assert_int_eq(summary.energy_measure, k == 0 ? ENERGY_TENTH : ENERGY_PERIOD);
         }
 }
 END_TEST
@@ -506,13 +506,13 @@ START_TEST(a_summary_tells_what_a_run_came_to)
     run(&settings, &none, &summary);
     ck_assert(summary.readout.measured_known && summary.readout.predicted_known);
     ck_assert_double_eq_tol(summary.readout.error_frequency, -4.239, 2e-3);
-    ck_assert_int_eq(summary.energy_told, ENERGY_INVARIANT);
+    ck_assert_int_eq(summary.energy_measure, ENERGY_INVARIANT);
     ck_assert_double_eq_tol(summary.energy_change, 0, 0.1);
     ck_assert_double_eq_tol(summary.readout.late, 0.763, 2e-3);
     settings.start.velocity = 0;
     run(&settings, &none, &summary);
     ck_assert(!summary.readout.moving);
-    ck_assert_int_eq(summary.energy_told, ENERGY_UNTOLD);
+    ck_assert_int_eq(summary.energy_measure, ENERGY_NOT_KNOWN);
 }
 END_TEST
 

@@ -168,7 +168,7 @@ START_TEST(answers_leave_where_a_stranger_is_at_work)
     static const char all[] = "exact, predicted, frequency, energy E*: not known with mpm.damping";
     ck_assert(log_tells(experiment, all) && summary_tells(experiment, all));
     ck_assert(summary_tells(experiment, "frequency  not known with mpm.damping"));
-    ck_assert_str_eq(experiment_readout(experiment)->stranger, "mpm.damping");
+    ck_assert_str_eq(experiment_readout(experiment)->unaccounted, "mpm.damping");
 
     wanted = *experiment_settings(experiment);
     set(&wanted, "mpm.damping", "0");
@@ -183,8 +183,8 @@ START_TEST(answers_leave_where_a_stranger_comes_on_the_way)
 {
     Settings settings = load("planted", NULL, NULL);
     ck_assert(changes_add(&settings, 1000, "mpm.damping", "0.5", NULL));
-    ck_assert_str_eq(known_stranger(&settings, REFERENCE_EXACT), "mpm.damping");
-    ck_assert_ptr_null(known_stranger_now(&settings, REFERENCE_EXACT));
+    ck_assert_str_eq(known_unaccounted(&settings, REFERENCE_EXACT), "mpm.damping");
+    ck_assert_ptr_null(known_unaccounted_now(&settings, REFERENCE_EXACT));
     long step;
     char text[KNOWN_TEXT_MAX];
     ck_assert(known_text(&settings, text, &step));

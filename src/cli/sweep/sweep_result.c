@@ -104,7 +104,7 @@ void sweep_result_of(const RunSummary *summary, const Settings *settings, double
         cells[RESULT_CRACK_ANGLE] = summary->crack.angle;
     }
     cells[RESULT_CRACK_LENGTH] = last_value(summary, "crack_length");
-    if (summary->energy_told != ENERGY_UNTOLD && !summary->energy_of_work)
+    if (summary->energy_measure != ENERGY_NOT_KNOWN && !summary->energy_of_work)
         cells[RESULT_ENERGY_LEFT] = 1 + summary->energy_change / 100;
     cells[RESULT_STEPS] = (double)summary->steps;
     cells[RESULT_WALL] = wall;

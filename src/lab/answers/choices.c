@@ -1,10 +1,12 @@
+/* The list behind choices.h: one row for each place where a paper is silent, contradicts itself or is not
+ * followed. A page of the help and a section of the manual are made from it. */
 #include "lab/answers/choices.h"
 
 const Choice choices[] = {
     /* --- the bar by the material point method --- */
     {CONCERN_BAR, METHOD_MPM, "how many per cent late",
      "\"5 %\" for mode 5, \"20 %\" for mode 10: differences of frequency in one place, of phase in another.",
-     "Both are told: mode 5 has a frequency 4.24 % low and a period 4.43 % long, mode 10 17.7 % and 21.5 %. "
+     "Both are given: mode 5 has a frequency 4.24 % low and a period 4.43 % long, mode 10 17.7 % and 21.5 %. "
      "The "
      "paper's 5 % is nearer to the frequency, its 20 % lies between the two."},
     {CONCERN_BAR, METHOD_MPM, "how many modes", "figures for modes 1, 5 and 10.",
@@ -19,7 +21,8 @@ const Choice choices[] = {
      "a node with less than 1e-12 of a full cell's mass takes no part in the step."},
     {CONCERN_BAR, METHOD_MPM, "traction at an end",
      "eq. 11 spreads it over a layer of thickness h, not given.",
-     "load.traction_layer: the last particle at each free end, unless another depth is said; who is in it is "
+     "load.traction_layer: the last particle at each free end, unless another depth is given; who is in it "
+     "is "
      "settled at t = 0."},
     {CONCERN_BAR, METHOD_MPM, "uGIMP", "not in the paper.",
      "a particle's width stays what it was at first. One layer of nodes lies beyond a fixed end; all nodes "
@@ -42,7 +45,7 @@ const Choice choices[] = {
      "the text says spacing = horizon/4; Table 1 prints others.",
      "the spacings as printed: 1.2, .6, .5, .35, .3, .25 mm. The beam then has floor(height/spacing) layers "
      "and "
-     "is up to 4 % thinner than said."},
+     "is up to 4 % thinner than given."},
     {CONCERN_BEAM, METHOD_PD, "the edge of the horizon", "not given.",
      "a node at the distance of the horizon belongs to the family; one whose area lies partly within counts "
      "by "
@@ -52,7 +55,7 @@ const Choice choices[] = {
      "of "
      "the family, or none, can be chosen."},
     {CONCERN_BEAM, METHOD_PD, "Poisson's ratio", "nu = .33 in one place.",
-     "1/3, which bonds in the plane have whatever one asks for."},
+     "1/3, the only value that bonds in the plane can have."},
     {CONCERN_BEAM, METHOD_PD, "time step", "1e-8 s.",
      "half of the critical step of the lattice (the notched beam: 1e-7 s); periods do not depend on it."},
     {CONCERN_BEAM | CONCERN_DEFLECTION, METHOD_PD, "reading a period", "not given.",

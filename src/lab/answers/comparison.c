@@ -1,3 +1,5 @@
+/* The table of a duel: one function for each quantity writes its label and its value for either run, in
+ * the order of the list at the end. A row is shown if at least one of the runs has a value. */
 #include "lab/answers/comparison.h"
 
 #include "base/text.h"
@@ -17,7 +19,7 @@ typedef struct Standing {
 } Standing;
 
 /* A row: its label for this run and, if there is one, its value. False: the run has no such number. */
-typedef bool Tell(const Standing *, char *label, char *value);
+typedef bool Fill(const Standing *, char *label, char *value);
 
 static bool put(char *value, const char *format, double number)
 {
@@ -27,7 +29,7 @@ static bool put(char *value, const char *format, double number)
 
 /* --- frequency or period --------------------------------------------------------------------------- */
 
-static bool tell_answer(const Standing *run, const char *word, const char *format, bool known, double answer,
+static bool fill_answer(const Standing *run, const char *word, const char *format, bool known, double answer,
                         char *label, char *value)
 {
     const Readout *readout = run->readout;
@@ -37,32 +39,32 @@ static bool tell_answer(const Standing *run, const char *word, const char *forma
     return known && put(value, format, readout->is_period ? answer / 1e-3 : answer);
 }
 
-static bool tell_measured(const Standing *run, char *label, char *value)
+static bool fill_measured(const Standing *run, char *label, char *value)
 {
     const Readout *readout = run->readout;
     /* while rows come in the fit is a little behind them, see experiment_rest() */
     const char *format = experiment_is_flowing(run->experiment) ? "~%.3f" : "%.4f";
-    if (tell_answer(run, "measured", format, readout->measured_known, readout->measured, label, value))
+    if (fill_answer(run, "measured", format, readout->measured_known, readout->measured, label, value))
         return true;
     snprintf(value, COMPARISON_TEXT_MAX,
-             readout->stranger                    ? "not known"
+             readout->unaccounted                 ? "not known"
              : experiment_at_end(run->experiment) ? "none"
                                                   : "measuring");
     return readout->moving;
 }
 
-static bool tell_predicted(const Standing *run, char *label, char *value)
+static bool fill_predicted(const Standing *run, char *label, char *value)
 {
-    return tell_answer(run, "predicted", "%.4f", run->readout->predicted_known, run->readout->predicted,
+    return fill_answer(run, "predicted", "%.4f", run->readout->predicted_known, run->readout->predicted,
                        label, value);
 }
 
-static bool tell_exact(const Standing *run, char *label, char *value)
+static bool fill_exact(const Standing *run, char *label, char *value)
 {
-    return tell_answer(run, "exact", "%.4f", run->readout->exact_known, run->readout->exact, label, value);
+    return fill_answer(run, "exact", "%.4f", run->readout->exact_known, run->readout->exact, label, value);
 }
 
-static bool tell_error(const Standing *run, char *label, char *value)
+static bool fill_error(const Standing *run, char *label, char *value)
 {
     const Readout *readout = run->readout;
     snprintf(label, COMPARISON_TEXT_MAX, readout->is_period ? "T off by" : "w off by");
@@ -71,7 +73,7 @@ static bool tell_error(const Standing *run, char *label, char *value)
                readout->is_period ? readout->error_period : readout->error_frequency);
 }
 
-static bool tell_late(const Standing *run, char *label, char *value)
+static bool fill_late(const Standing *run, char *label, char *value)
 {
     const Readout *readout = run->readout;
     snprintf(label, COMPARISON_TEXT_MAX, "late, periods");
@@ -91,8 +93,8 @@ static int column_of(const Standing *run, const char *name)
     return -1;
 }
 
-/* Without the ripple of staggered velocities and stresses where it can be told from a loss. */
-static bool tell_loss(const Standing *run, char *label, char *value)
+/* Without the ripple of staggered velocities and stresses where E* gives the loss alone. */
+static bool fill_loss(const Standing *run, char *label, char *value)
 {
     double now, start;
     snprintf(label, COMPARISON_TEXT_MAX, "energy E* change");
@@ -100,7 +102,7 @@ static bool tell_loss(const Standing *run, char *label, char *value)
            put(value, "%+.3f %%", 100 * (now / start - 1));
 }
 
-static bool tell_total(const Standing *run, char *label, char *value)
+static bool fill_total(const Standing *run, char *label, char *value)
 {
     const int total = column_of(run, "total");
     const double *row = experiment_row(run->experiment);
@@ -108,7 +110,7 @@ static bool tell_total(const Standing *run, char *label, char *value)
     double now, start;
     snprintf(label, COMPARISON_TEXT_MAX, "energy, of start");
     if (experiment_invariant(run->experiment, &now, &start))
-        return false; /* it is told by E* */
+        return false; /* E* has it */
     if (total < 0 || !row || record->count == 0 || !(record_row(record, 0)[total] > 0))
         return false;
     return put(value, "%.2f %%", 100 * row[total] / record_row(record, 0)[total]);
@@ -116,7 +118,7 @@ static bool tell_total(const Standing *run, char *label, char *value)
 
 /* The part of the kinetic energy that is motion in the null space of the grid, as a mean over a tenth of the
  * run, or what there is of it. */
-static bool tell_hidden(const Standing *run, char *label, char *value)
+static bool fill_hidden(const Standing *run, char *label, char *value)
 {
     const int kinetic = column_of(run, "kinetic"), null = column_of(run, "kinetic_null");
     const Record *record = experiment_record(run->experiment);
@@ -141,7 +143,7 @@ static bool tell_hidden(const Standing *run, char *label, char *value)
 
 /* --- what happened --------------------------------------------------------------------------------- */
 
-static bool tell_crossing(const Standing *run, char *label, char *value)
+static bool fill_crossing(const Standing *run, char *label, char *value)
 {
     int count;
     const Simulation *sim = experiment_simulation(run->experiment);
@@ -156,13 +158,13 @@ static bool tell_crossing(const Standing *run, char *label, char *value)
     return true;
 }
 
-static bool tell_broken(const Standing *run, char *label, char *value)
+static bool fill_broken(const Standing *run, char *label, char *value)
 {
     snprintf(label, COMPARISON_TEXT_MAX, "broken bonds");
     return run->breaks && put(value, "%.0f", (double)run->crack.measured.broken);
 }
 
-static bool tell_first_break(const Standing *run, char *label, char *value)
+static bool fill_first_break(const Standing *run, char *label, char *value)
 {
     snprintf(label, COMPARISON_TEXT_MAX, "first break, us");
     if (run->breaks && isnan(run->crack.measured.first_break)) {
@@ -172,25 +174,25 @@ static bool tell_first_break(const Standing *run, char *label, char *value)
     return run->breaks && put(value, "%.1f", run->crack.measured.first_break / 1e-6);
 }
 
-static bool tell_length(const Standing *run, char *label, char *value)
+static bool fill_length(const Standing *run, char *label, char *value)
 {
     snprintf(label, COMPARISON_TEXT_MAX, "crack's length, mm");
     return run->breaks && put(value, "%.1f", run->crack.measured.length / 1e-3);
 }
 
-static bool tell_tip_x(const Standing *run, char *label, char *value)
+static bool fill_tip_x(const Standing *run, char *label, char *value)
 {
     snprintf(label, COMPARISON_TEXT_MAX, "its tip at x, mm");
     return run->breaks && run->crack.measured.begun && put(value, "%.1f", run->crack.measured.x / 1e-3);
 }
 
-static bool tell_tip_y(const Standing *run, char *label, char *value)
+static bool fill_tip_y(const Standing *run, char *label, char *value)
 {
     snprintf(label, COMPARISON_TEXT_MAX, "and y, mm");
     return run->breaks && run->crack.measured.begun && put(value, "%.1f", run->crack.measured.y / 1e-3);
 }
 
-static bool tell_work(const Standing *run, char *label, char *value)
+static bool fill_work(const Standing *run, char *label, char *value)
 {
     const int work = column_of(run, "work");
     const double *row = experiment_row(run->experiment);
@@ -199,7 +201,7 @@ static bool tell_work(const Standing *run, char *label, char *value)
 }
 
 /* Where one of the two stands apart: it failed. */
-static bool tell_stop(const Standing *run, char *label, char *value)
+static bool fill_stop(const Standing *run, char *label, char *value)
 {
     const Simulation *sim = experiment_simulation(run->experiment);
     const Problem *facts = experiment_settings(run->experiment)->problem;
@@ -208,28 +210,28 @@ static bool tell_stop(const Standing *run, char *label, char *value)
            put(value, "%.4g", (double)experiment_newest(run->experiment) * sim->dt / facts->shown_time);
 }
 
-static bool tell_step(const Standing *run, char *label, char *value)
+static bool fill_step(const Standing *run, char *label, char *value)
 {
     snprintf(label, COMPARISON_TEXT_MAX, "time step");
     return put(value, "%.4g", experiment_simulation(run->experiment)->dt);
 }
 
 static const struct {
-    Tell *tell;
+    Fill *fill;
     ColumnKind kind;
     bool if_different; /* else it is not worth a row */
-} tells[] = {
-    {tell_stop, COLUMN_MEASURED, false},       {tell_measured, COLUMN_MEASURED, false},
-    {tell_predicted, COLUMN_PREDICTED, false}, {tell_exact, COLUMN_EXACT, false},
-    {tell_broken, COLUMN_MEASURED, false},     {tell_first_break, COLUMN_MEASURED, false},
-    {tell_length, COLUMN_MEASURED, false},     {tell_tip_x, COLUMN_MEASURED, false},
-    {tell_tip_y, COLUMN_MEASURED, false},      {tell_loss, COLUMN_MEASURED, false},
-    {tell_hidden, COLUMN_MEASURED, false},     {tell_crossing, COLUMN_MEASURED, false},
-    {tell_error, COLUMN_EXACT, false},         {tell_late, COLUMN_EXACT, false},
-    {tell_total, COLUMN_MEASURED, false},      {tell_work, COLUMN_MEASURED, false},
-    {tell_step, COLUMN_MEASURED, true},
+} quantities[] = {
+    {fill_stop, COLUMN_MEASURED, false},       {fill_measured, COLUMN_MEASURED, false},
+    {fill_predicted, COLUMN_PREDICTED, false}, {fill_exact, COLUMN_EXACT, false},
+    {fill_broken, COLUMN_MEASURED, false},     {fill_first_break, COLUMN_MEASURED, false},
+    {fill_length, COLUMN_MEASURED, false},     {fill_tip_x, COLUMN_MEASURED, false},
+    {fill_tip_y, COLUMN_MEASURED, false},      {fill_loss, COLUMN_MEASURED, false},
+    {fill_hidden, COLUMN_MEASURED, false},     {fill_crossing, COLUMN_MEASURED, false},
+    {fill_error, COLUMN_EXACT, false},         {fill_late, COLUMN_EXACT, false},
+    {fill_total, COLUMN_MEASURED, false},      {fill_work, COLUMN_MEASURED, false},
+    {fill_step, COLUMN_MEASURED, true},
 };
-enum { TELLS = sizeof tells / sizeof *tells };
+enum { QUANTITIES = sizeof quantities / sizeof *quantities };
 
 /* --- the table ------------------------------------------------------------------------------------- */
 
@@ -266,15 +268,15 @@ int duel_compare(const Duel *duel, Comparison rows[COMPARISONS_MAX])
         return 0;
     const Standing runs[2] = {standing_of(duel->a), standing_of(duel->b)};
     int count = add_keys(duel, rows);
-    for (int i = 0; i < TELLS; i++) {
-        Comparison row = {.kind = tells[i].kind};
+    for (int i = 0; i < QUANTITIES; i++) {
+        Comparison row = {.kind = quantities[i].kind};
         bool any = false;
         for (int run = 0; run < 2; run++)
-            if (tells[i].tell(&runs[run], row.label, row.values[run]))
+            if (quantities[i].fill(&runs[run], row.label, row.values[run]))
                 any = true;
             else
                 strcpy(row.values[run], "-");
-        if (any && !(tells[i].if_different && strcmp(row.values[0], row.values[1]) == 0))
+        if (any && !(quantities[i].if_different && strcmp(row.values[0], row.values[1]) == 0))
             rows[count++] = row;
     }
     return count;

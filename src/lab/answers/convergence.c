@@ -1,3 +1,6 @@
+/* The studies of convergence.h: each is a function that makes the settings of its point k from those of
+ * the scenario. A point is computed by predicted answers alone (problem.h), no run is made; the observed
+ * order is the slope of a straight line through log |error| over log size. */
 #include "lab/problems/known.h"
 #include "lab/answers/convergence.h"
 
@@ -83,7 +86,7 @@ int convergence_studies(const Settings *settings, const ConvergenceStudy *out[CO
     const Problem *problem = settings->problem;
     const Solver *solver = problem_solver(problem, settings->method);
     int count = 0;
-    const bool predicts = solver && solver->predict && !known_stranger_now(settings, REFERENCE_PREDICTED);
+    const bool predicts = solver && solver->predict && !known_unaccounted_now(settings, REFERENCE_PREDICTED);
     for (int i = 0; i < LENGTH_OF(studies) && predicts; i++)
         if ((problem->concerns & studies[i].concerns) == studies[i].concerns &&
             settings->method == studies[i].method)

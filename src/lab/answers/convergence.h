@@ -4,7 +4,7 @@
  * A study keeps everything but one thing: the cells of a bar grow smaller; the horizon of a beam grows
  * smaller and the nodes in it stay as many (delta-convergence, m = horizon/spacing kept); the nodes within
  * the horizon grow more and the horizon stays (m-convergence); or it takes the six lattices of paper P's
- * Table 1. The error of a beam is told against Timoshenko's period at the size that the beam has on each
+ * Table 1. The error of a beam is measured against Timoshenko's period at the size that the beam has on each
  * lattice, so that its layers do not hide what the horizon does; the same at the size asked for stands
  * beside. */
 #ifndef LAB_CONVERGENCE_H
@@ -40,7 +40,7 @@ int convergence_studies(const Settings *, const ConvergenceStudy *out[CONVERGENC
 /* How many points a study has with these settings; at most CONVERGENCE_POINTS_MAX. */
 int convergence_count(const ConvergenceStudy *, const Settings *);
 
-/* Works out point k, which takes from a millisecond to some seconds; Settings.patience is asked on the way.
+/* Works out point k, which takes from a millisecond to some seconds; Settings.patience is called on the way.
  * False: given up, or not enough memory. */
 bool convergence_point(const ConvergenceStudy *, const Settings *, int k, ConvergencePoint *out, Status *);
 

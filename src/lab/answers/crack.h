@@ -1,5 +1,5 @@
-/* The crack of the notched beam as it is told on screen, on paper and in tables: what the method measures of
- * it, and what paper P says of it (figs. 9 and 10). Front ends ask here, not the method. SI units; angles in
+/* The crack of the notched beam as it is shown on screen, on paper and in tables: the numbers that the method
+ * measures, and those of paper P (figs. 9 and 10). Front ends call this, not the method. SI units; angles in
  * degrees between the notch and the way that the crack goes, positive towards larger x. */
 #ifndef LAB_CRACK_H
 #define LAB_CRACK_H
@@ -9,7 +9,7 @@
 /* Paper P, section 3.3: the crack leaves the notch at about this angle. */
 #define CRACK_PAPER_ANGLE 30.0
 
-/* Heights above the notch's end (m) over which the angle is told, as in figure 10. */
+/* Heights above the notch's end (m) over which the angle is measured, as in figure 10. */
 enum { CRACK_ANGLES = 3 };
 extern const double crack_heights[CRACK_ANGLES];
 

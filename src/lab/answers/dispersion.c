@@ -1,3 +1,5 @@
+/* Hands the questions of dispersion.h on to the solver, and leaves out what does not account for a
+ * parameter that is at work (known.h). */
 #include "lab/answers/dispersion.h"
 #include "lab/problems/known.h"
 
@@ -6,7 +8,7 @@
 int dispersion_modes(const Settings *settings)
 {
     const Solver *solver = problem_solver(settings->problem, settings->method);
-    if (!solver || !solver->modes || known_stranger_now(settings, REFERENCE_FREQUENCY))
+    if (!solver || !solver->modes || known_unaccounted_now(settings, REFERENCE_FREQUENCY))
         return 0;
     return solver->modes(settings);
 }
@@ -16,7 +18,7 @@ bool dispersion_mode(const Settings *settings, int number, ModeOnMesh *out)
     if (number < 1 || number > dispersion_modes(settings) ||
         !problem_solver(settings->problem, settings->method)->mode(settings, number, out))
         return false;
-    if (known_stranger_now(settings, REFERENCE_PREDICTED)) {
+    if (known_unaccounted_now(settings, REFERENCE_PREDICTED)) {
         out->predicted = NAN;
         out->n_factors = 0;
     }

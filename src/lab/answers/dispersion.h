@@ -1,7 +1,8 @@
 /* Every mode of a bar on its mesh or lattice: what a dispersion plot shows, with the reasons for its error
  * apart.
  *
- * Source: the discrete dispersion relations of theory/bar.h and theory/pd_bar.h. Units: any consistent system.
+ * Source: the discrete dispersion relations of theory/bar.h and theory/pd_bar.h. Units: any consistent
+ * system.
  */
 #ifndef LAB_DISPERSION_H
 #define LAB_DISPERSION_H
@@ -13,7 +14,7 @@ enum { MODE_FACTORS_MAX = 3 };
 /* One of the reasons for which predicted/exact is not 1. */
 typedef struct ModeFactor {
     const char *name;    /* "mesh K" */
-    const char *meaning; /* NULL: the name says it */
+    const char *meaning; /* NULL: the name is enough */
     double value;
 } ModeFactor;
 
@@ -26,7 +27,8 @@ struct ModeOnMesh {
     ModeFactor factors[MODE_FACTORS_MAX];
 };
 
-/* How many modes the mesh can carry, one for each cell or for each node of a lattice; 0: there is neither. */
+/* How many modes the mesh can represent, one for each cell or for each node of a lattice; 0: there is
+ * neither. */
 int dispersion_modes(const Settings *);
 
 /* Mode number 1 to dispersion_modes(). False: no such mode. */

@@ -5,7 +5,8 @@
  *
  *     E* = sum of m v^n v^{n+1} / 2 + strain energy of the stress that turns v^n into v^{n+1}:
  *
- * the new one with USF, the old one with MUSL and USL. By it a loss is told wherever there is one. */
+ * the new one with USF, the old one with MUSL and USL. A loss of energy is measured by it wherever it exists.
+ */
 #ifndef LAB_INVARIANT_H
 #define LAB_INVARIANT_H
 

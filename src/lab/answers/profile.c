@@ -1,3 +1,5 @@
+/* Copies fields of the particles at one moment (profile.h), of a beam those of its middle row, in the
+ * order of x. */
 #include "lab/answers/profile.h"
 
 #include <math.h>

@@ -1,3 +1,6 @@
+/* The amplitude spectrum of a column (spectrum.h): rows are taken up to a power of two, averaged in groups
+ * where there are more than the transform takes, transformed by theory/frequency.c, and divided by the
+ * gain of that average. */
 #include "lab/answers/spectrum.h"
 #include "theory/frequency.h"
 
@@ -12,7 +15,8 @@ void spectrum_close(Spectrum *spectrum)
     *spectrum = (Spectrum){0};
 }
 
-/* All rows but the last few of a growing record, and but one that is not as far from the others. */
+/* All rows but the last few of a growing record, and but the last one where its distance differs from the
+ * others'. */
 static size_t settled_rows(const Record *record)
 {
     size_t rows = record->count - (record->loose_last && record->count > 0 ? 1 : 0), grain = 1;
@@ -21,7 +25,8 @@ static size_t settled_rows(const Record *record)
     return rows / grain * grain;
 }
 
-/* What the mean of `stride` neighbours leaves of a sine of which a mean moves on by `angle`. */
+/* The gain of a mean over `stride` samples for a sine that advances by `angle` over them:
+ * sin(angle/2)/(stride sin(angle/(2 stride))). */
 static double gain_of_means(size_t stride, double angle)
 {
     const double across = (double)stride * sin(angle / (2 * (double)stride));

@@ -1,3 +1,5 @@
+/* The words at the end of a run (summary.h): measured frequency beside predicted and exact, change of the
+ * energy, crack. Written from a RunSummary by `matvib run`, from a live experiment by the laboratory. */
 #include "lab/answers/summary.h"
 #include "base/text.h"
 #include "lab/problems/known.h"
@@ -33,8 +35,8 @@ static double span_of(RunSummary *summary, double end)
     const double turn = readout->predicted_known ? readout->predicted : readout->exact;
     const double period = readout->is_period ? turn : 2 * M_PI / turn;
     const bool known = readout->moving && readout->exact_known && !readout->drifting && period > 0;
-    summary->energy_told = known && end >= period ? ENERGY_PERIOD : ENERGY_TENTH;
-    return summary->energy_told == ENERGY_PERIOD ? period : end / 10;
+    summary->energy_measure = known && end >= period ? ENERGY_PERIOD : ENERGY_TENTH;
+    return summary->energy_measure == ENERGY_PERIOD ? period : end / 10;
 }
 
 static void take_energy(RunSummary *summary, const Column *columns, int n_columns, const double *rows,
@@ -43,7 +45,7 @@ static void take_energy(RunSummary *summary, const Column *columns, int n_column
     const size_t width = (size_t)n_columns;
     int total = find(columns, n_columns, "total"), work = find(columns, n_columns, "work");
     if (invariant[0] > 0 && isfinite(invariant[1])) {
-        summary->energy_told = ENERGY_INVARIANT;
+        summary->energy_measure = ENERGY_INVARIANT;
         summary->energy_change = 100 * (invariant[1] / invariant[0] - 1);
         return;
     }
@@ -51,7 +53,7 @@ static void take_energy(RunSummary *summary, const Column *columns, int n_column
         return;
     double largest = 0;
     summary->energy_of_work = !(rows[total] > 0);
-    /* the work of a load swings with the body, so its value at the end says little */
+    /* the work of a load oscillates with the body, so the largest is taken, not that at the end */
     for (size_t i = 0; i < count && work >= 0; i++)
         largest = fmax(largest, fabs(rows[i * width + (size_t)work]));
     if (summary->energy_of_work && !(largest > 0))
@@ -137,8 +139,8 @@ static void add_readout(Writer *writer, const Readout *readout)
         return;
     }
     add(writer, "%s", what);
-    if (readout->stranger)
-        add(writer, "  not known with %s", readout->stranger);
+    if (readout->unaccounted)
+        add(writer, "  not known with %s", readout->unaccounted);
     else if (!readout->measured_known)
         add(writer, "  %s", readout->unmeasured);
     add_known(writer, "measured", readout->measured_known, readout->measured);
@@ -203,10 +205,10 @@ void summary_energy_text(const RunSummary *summary, char out[SUMMARY_MAX])
     const double change = summary->energy_change;
     Writer writer = {out, 0};
     out[0] = '\0';
-    if (summary->energy_told == ENERGY_UNTOLD || !isfinite(change))
+    if (summary->energy_measure == ENERGY_NOT_KNOWN || !isfinite(change))
         return;
     add(&writer, fabs(change) < 5e-4 ? "%s %.3f %% of the %s" : "%s %+.3g %% of the %s",
-        names[summary->energy_told], fabs(change) < 5e-4 ? 0 : change,
+        names[summary->energy_measure], fabs(change) < 5e-4 ? 0 : change,
         summary->energy_of_work ? "work" : "start");
 }
 
@@ -222,9 +224,9 @@ void summary_text(const RunSummary *summary, const Settings *settings, char out[
         facts->si ? facts->unit_of_time : "", dt, summary->failed ? ", where the run failed" : "");
     if (!summary->crack_known)
         add_readout(&writer, &summary->readout);
-    char strangers[KNOWN_TEXT_MAX];
-    if (known_text(settings, strangers, NULL))
-        add(&writer, "%s\n", strangers);
+    char unaccounted[KNOWN_TEXT_MAX];
+    if (known_text(settings, unaccounted, NULL))
+        add(&writer, "%s\n", unaccounted);
     char text[SUMMARY_MAX];
     summary_crack_text(summary, text);
     add(&writer, "%s", text);

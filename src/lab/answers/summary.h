@@ -15,10 +15,10 @@ void summary_rows(RunSummary *, const Column *columns, int n_columns, const doub
 /* The same numbers for a run on screen, to its newest step. */
 void summary_of(Experiment *, RunSummary *);
 
-/* "energy E* -82.5 % of the start": by what it is told, how much, of what. "": there is none to tell. */
+/* "energy E* -82.5 % of the start": the measure, the change, relative to what. "": not known. */
 void summary_energy_text(const RunSummary *, char out[SUMMARY_MAX]);
 
-/* The crack in a few lines of at most 76 columns, each ended by '\n'; "": there is none to tell of. */
+/* The crack in a few lines of at most 76 columns, each ended by '\n'; "": there is no crack. */
 void summary_crack_text(const RunSummary *, char out[SUMMARY_MAX]);
 
 /* A few lines of at most 76 columns, ASCII, each ended by '\n'. */

@@ -1,3 +1,5 @@
+/* Header and rows of a table (csv.h); the number format is that of base/text.h, with whole numbers written
+ * directly, since they are most of a table. */
 #include "lab/export/csv.h"
 #include "base/text.h"
 

@@ -1,4 +1,6 @@
-/* A run from its start to its end, written on the way. */
+/* A run from its start to its end without a screen, tables and frames written on the way: the engine of
+ * `matvib run` and of a sweep. Goes in batches of steps up to the next row, frame, change or question whether
+ * to go on. */
 #include "lab/settings/changes.h"
 #include "lab/export/export_internal.h"
 #include "lab/answers/invariant.h"
@@ -112,7 +114,7 @@ static bool end_early(Export *export, Status *status)
 
 /* --- the whole ------------------------------------------------------------------------------------- */
 
-/* E* where the run stands, if it is one by which its whole change can be told. */
+/* E* at the present step; NAN where the change of E* over the whole run means nothing. */
 static double invariant_of(const Export *export)
 {
     Settings then;

@@ -20,18 +20,18 @@ typedef struct Outputs {
     bool force;  /* existing files are replaced; else they are refused before the run starts */
 } Outputs;
 
-/* By what the change of a run's energy is told, so that the ripple of kinetic and strain energy, which are
+/* How the change of a run's energy is measured, so that the ripple of kinetic and strain energy, which are
  * known half a step apart, does not enter: by E* where there is one (lab/answers/invariant.h), else by the
  * means of total - work over the first and the last period, or tenths of the run where no one period is
  * known. */
-typedef enum EnergyTold { ENERGY_UNTOLD, ENERGY_INVARIANT, ENERGY_PERIOD, ENERGY_TENTH } EnergyTold;
+typedef enum EnergyMeasure { ENERGY_NOT_KNOWN, ENERGY_INVARIANT, ENERGY_PERIOD, ENERGY_TENTH } EnergyMeasure;
 
 /* What a run came to; printed by `matvib run`, shown by the laboratory at the end. */
 typedef struct RunSummary {
     long steps;
     double time, dt;
     Readout readout;
-    EnergyTold energy_told;
+    EnergyMeasure energy_measure;
     bool energy_of_work;  /* the run begins at rest: the change is a share of the largest work of the load */
     double energy_change; /* from the start to the end, in percent of the start */
     long rows;            /* of the series */

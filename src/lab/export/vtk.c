@@ -1,3 +1,4 @@
+/* Writes .vtu and .pvd files (vtk.h) as XML text, numbers as in CSV. Nothing is kept between frames. */
 #include "lab/export/vtk.h"
 #include "base/text.h"
 

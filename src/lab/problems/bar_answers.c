@@ -1,4 +1,4 @@
-/* What is asked of the bar whatever its method: its theory, which column shows its frequency, exact answers
+/* Answers for the bar that both methods share: its theory, which column shows its frequency, exact answers
  * beside the run. */
 #include "lab/problems/bar_answers.h"
 
@@ -235,7 +235,7 @@ bool bar_prepare(References *refs, const Settings *settings, const Simulation *s
     if (!bar_theory_of(settings, &bar->theory, status))
         return false;
     bar->watch = predicted_watch(settings, &bar->theory,
-                                 refs->strangers[REFERENCE_PREDICTED] ? NULL : frequency, sim->dt);
+                                 refs->unaccounted[REFERENCE_PREDICTED] ? NULL : frequency, sim->dt);
     if (bar->watch.moving)
         set_lines(&bar->watch, settings, &bar->theory, frequency, sim->dt);
 

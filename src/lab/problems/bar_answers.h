@@ -67,7 +67,7 @@ void bar_read_out(const References *, const double *rows, size_t n_rows, int n_c
     "mpm.algorithm", "mpm.shape", "mpm.transfer", "mpm.flip_fraction", "mpm.affine_start"
 #define BAR_LATTICE_KEYS "pd.spacing", "pd.horizon", "pd.surface_correction", "pd.volume_correction"
 
-/* How many modes so many cells or nodes can carry. */
+/* How many modes so many cells or nodes can represent. */
 int bar_modes_of(double count);
 
 /* A mode with the wave that is predicted for it; its factors are the caller's. False: no such wave. */

@@ -83,7 +83,7 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     const PdBarTheory lattice = bar_lattice_of(settings);
     /* what theory cannot predict is left out; for want of memory it must not be */
     errno = 0;
-    if (!refs->strangers[REFERENCE_PREDICTED])
+    if (!refs->unaccounted[REFERENCE_PREDICTED])
         bar->modes = pd_bar_modes_create(&theory, &lattice);
     const bool prepared =
         bar_prepare(refs, settings, sim, predicted_frequency, bar->modes ? predicted_v_cm : NULL,

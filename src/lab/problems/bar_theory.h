@@ -1,4 +1,4 @@
-/* The bar between its settings and its theory: for whoever wants to ask the theory further questions (a
+/* The bar between its settings and its theory: for what needs the theory directly (a
  * dispersion plot, a table of verification). */
 #ifndef LAB_BAR_THEORY_H
 #define LAB_BAR_THEORY_H

@@ -1,4 +1,5 @@
-/* What is asked of the beams whatever their method: beam theories beside, zeros and periods of a record. */
+/* Answers for the beams that do not depend on the method: beam theories beside, zeros and periods of a
+ * record. */
 #include "lab/problems/beam_answers.h"
 
 #include "physics/pd_plane/beam_modes.h"
@@ -11,7 +12,7 @@
 
 /* What References.own is of a beam. */
 typedef struct BeamAnswers {
-    BeamTheory theory;                         /* as the scenario says */
+    BeamTheory theory;                         /* as the scenario has it */
     BeamTheory real;                           /* as the lattice came out */
     double euler, timoshenko, timoshenko_real; /* periods of the simply supported beam */
     double predicted;                          /* of its lattice; NAN: not known */
@@ -269,7 +270,7 @@ bool beam_prepare_moving(References *refs, const Settings *settings, const Simul
     return true;
 }
 
-/* The period grows with the length, so the time between the last two zeros is told (twice, for a whole
+/* The period grows with the length, so the time between the last two zeros is given (twice, for a whole
  * period), against that between the same zeros of the modal solution. */
 void beam_read_moving(const References *refs, const double *rows, size_t n_rows, int n_columns, Readout *out)
 {

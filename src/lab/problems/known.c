@@ -1,3 +1,6 @@
+/* Whether a reference accounts for a run (known.h): every row of the parameter table whose value is not
+ * neutral must be in the list that the solver gave for that reference, and so must every parameter that is
+ * changed in mid-run. */
 #include "lab/problems/known.h"
 
 #include "base/text.h"
@@ -14,7 +17,7 @@ static bool is_among(const char *const *keys, const char *key)
     return false;
 }
 
-/* Whether it does something to the run. */
+/* Whether it differs from its neutral value, at which it does nothing. */
 static bool is_at_work(const Settings *settings, const Parameter *parameter)
 {
     char text[LIST_MAX];
@@ -33,7 +36,7 @@ static const Understanding *understanding(const Settings *settings, Reference re
     return solver && solver->understands[reference].keys ? &solver->understands[reference] : NULL;
 }
 
-const char *known_stranger_now(const Settings *settings, Reference reference)
+const char *known_unaccounted_now(const Settings *settings, Reference reference)
 {
     const Understanding *known = understanding(settings, reference);
     for (int i = 0; known && i < n_parameters; i++)
@@ -42,7 +45,7 @@ const char *known_stranger_now(const Settings *settings, Reference reference)
     return NULL;
 }
 
-const char *known_stranger(const Settings *settings, Reference reference)
+const char *known_unaccounted(const Settings *settings, Reference reference)
 {
     const Understanding *known = understanding(settings, reference);
     for (int i = 0; known && i < settings->n_changes; i++)
@@ -50,29 +53,29 @@ const char *known_stranger(const Settings *settings, Reference reference)
             const Parameter *parameter = parameter_find(settings->changes[i].to.key);
             return parameter ? parameter->key : NULL;
         }
-    return known_stranger_now(settings, reference);
+    return known_unaccounted_now(settings, reference);
 }
 
 bool known_text(const Settings *settings, char out[KNOWN_TEXT_MAX], long *step)
 {
     static const char *const names[REFERENCES] = {"exact", "predicted", "frequency", "energy E*"};
-    const char *stranger = NULL;
+    const char *unaccounted = NULL;
     out[0] = '\0';
     for (int i = 0; i < REFERENCES; i++) {
-        const char *key = known_stranger(settings, (Reference)i);
-        stranger = stranger ? stranger : key;
-        if (key && strcmp(key, stranger) == 0)
+        const char *key = known_unaccounted(settings, (Reference)i);
+        unaccounted = unaccounted ? unaccounted : key;
+        if (key && strcmp(key, unaccounted) == 0)
             text_list_add(out, KNOWN_TEXT_MAX, names[i]);
     }
-    if (!stranger)
+    if (!unaccounted)
         return false;
     const size_t used = strlen(out);
-    snprintf(out + used, KNOWN_TEXT_MAX - used, ": not known with %s", stranger);
+    snprintf(out + used, KNOWN_TEXT_MAX - used, ": not known with %s", unaccounted);
     if (step)
         *step = 0;
-    const Parameter *parameter = parameter_find(stranger);
+    const Parameter *parameter = parameter_find(unaccounted);
     for (int i = settings->n_changes - 1; step && !is_at_work(settings, parameter) && i >= 0; i--)
-        if (strcmp(settings->changes[i].to.key, stranger) == 0)
+        if (strcmp(settings->changes[i].to.key, unaccounted) == 0)
             *step = settings->changes[i].step;
     return true;
 }

@@ -56,8 +56,8 @@ void plan_rest_of_method(References *refs, const Simulation *sim)
 
 void plan_answer(References *refs, const Quantity *quantity, ColumnKind kind, const char *of, Answer *answer)
 {
-    if ((kind == COLUMN_EXACT && refs->strangers[REFERENCE_EXACT]) ||
-        (kind == COLUMN_PREDICTED && refs->strangers[REFERENCE_PREDICTED]))
+    if ((kind == COLUMN_EXACT && refs->unaccounted[REFERENCE_EXACT]) ||
+        (kind == COLUMN_PREDICTED && refs->unaccounted[REFERENCE_PREDICTED]))
         return;
     plan_add(refs, (PlannedColumn){{*quantity, kind, of ? plan_find(refs, of) : -1}, -1, answer, false});
 }

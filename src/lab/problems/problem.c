@@ -1,4 +1,4 @@
-/* What is asked of a problem: its rows' functions, for settings of any of them. */
+/* The functions of problem.h for settings of any problem: finds row and solver, and hands over to them. */
 #include "lab/problems/problem.h"
 
 #include "base/text.h"
@@ -39,7 +39,7 @@ int problem_derived(const Settings *settings, const Simulation *sim, Derived out
     const int all = solver && solver->derived ? solver->derived(settings, sim, out) : 0;
     int count = 0;
     for (int i = 0; i < all; i++)
-        if (!out[i].by_reference || !known_stranger(settings, out[i].reference))
+        if (!out[i].by_reference || !known_unaccounted(settings, out[i].reference))
             out[count++] = out[i];
     return count;
 }
@@ -51,8 +51,8 @@ bool problem_advice(const Settings *settings, char *advice, size_t size, Status 
         advice[0] = '\0';
     if (!solver || (solver->advice && !solver->advice(settings, advice, size, status)))
         return false;
-    /* the limit is predicted: with a parameter that the prediction does not know nobody knows it */
-    return !solver->limit || known_stranger_now(settings, REFERENCE_PREDICTED) ||
+    /* the limit is predicted: with a parameter that the prediction does not account for it is not known */
+    return !solver->limit || known_unaccounted_now(settings, REFERENCE_PREDICTED) ||
            solver->limit(settings, advice, size, status);
 }
 

@@ -2,8 +2,8 @@
  * solves it. A solver joins the problem to a method (physics) and to its right answers (theory).
  *
  * To add a problem: a file with its row, and its name in the list of problem_list.c. To add a method to a
- * problem: a file with the solver, and its name in the problem's row. Front ends ask by the functions below,
- * and by references.h; they look into no method. */
+ * problem: a file with the solver, and its name in the problem's row. Front ends use the functions below
+ * and references.h; they look into no method. */
 #ifndef LAB_PROBLEM_H
 #define LAB_PROBLEM_H
 
@@ -25,11 +25,11 @@ enum Concern {
     CONCERN_PULL = 1 << 10,     /* body force and traction at the ends */
     CONCERN_PRESSURE = 1 << 11, /* pressure on a stretch of the top */
     CONCERN_SUPPORTS = 1 << 12, /* supports at places of one's own */
-    CONCERN_STEP = 1 << 13,     /* the time step itself is said; a mesh says a courant number */
+    CONCERN_STEP = 1 << 13,     /* the time step itself is given; with a mesh it is a courant number */
     CONCERN_ANY = ~0            /* every problem: time.end, output */
 };
 
-/* Where a parameter is another one in this problem than its row says. */
+/* Where a parameter differs in this problem from its row. */
 typedef struct ParameterUse {
     const char *key;
     double usual;          /* the default */
@@ -119,7 +119,7 @@ struct Problem {
 
     bool si; /* numbers are in SI units; else in units of one's own that fit each other */
     const char *unit_of_time;
-    double shown_time;           /* people are shown a time as so many of these */
+    double shown_time;           /* a time is shown as so many of these */
     const char *shown_time_unit; /* with a space before it; "": a bare number */
     bool end_matters;            /* another time.end is another run from the start on */
 };

@@ -92,14 +92,14 @@ void references_readout(const References *refs, const double *rows, size_t n_row
         readout->time = rows[(n_rows - 1) * (size_t)n_columns + 1];
     if (refs->solver && refs->solver->readout)
         refs->solver->readout(refs, rows, n_rows, n_columns, readout);
-    if (refs->strangers[REFERENCE_PREDICTED] || refs->strangers[REFERENCE_FREQUENCY]) {
+    if (refs->unaccounted[REFERENCE_PREDICTED] || refs->unaccounted[REFERENCE_FREQUENCY]) {
         readout->predicted_known = false;
         readout->predicted = NAN;
     }
-    if (refs->strangers[REFERENCE_FREQUENCY]) {
+    if (refs->unaccounted[REFERENCE_FREQUENCY]) {
         readout->measured_known = readout->exact_known = false;
         readout->measured = readout->exact = readout->by_zeros = readout->real_size = NAN;
-        readout->stranger = refs->strangers[REFERENCE_FREQUENCY];
+        readout->unaccounted = refs->unaccounted[REFERENCE_FREQUENCY];
         readout->unmeasured = "a parameter is at work that it does not account for";
     } else if (readout->moving && !readout->measured_known)
         readout->unmeasured = why_unmeasured(refs, readout, rows, n_rows, n_columns);

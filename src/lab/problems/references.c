@@ -1,4 +1,5 @@
-/* The references of a run: made by its solver, asked by everyone. */
+/* The references of a run (references.h): made by its solver, then read by whatever shows, writes or judges
+ * the run. */
 #include "base/assertion.h"
 #include "lab/problems/known.h"
 #include "lab/problems/solver.h"
@@ -18,7 +19,7 @@ static References *make_references(const Solver *solver, const Settings *setting
     Quantity time = {"time", "t", unit_of_time, "step * dt"};
     refs->solver = solver;
     for (int i = 0; solver && i < REFERENCES; i++)
-        refs->strangers[i] = known_stranger(settings, (Reference)i);
+        refs->unaccounted[i] = known_unaccounted(settings, (Reference)i);
     refs->dt = sim->dt;
     plan_answer(refs, &step, COLUMN_MEASURED, NULL, NULL);
     plan_answer(refs, &time, COLUMN_MEASURED, NULL, NULL);
@@ -114,7 +115,7 @@ void references_row_again(References *refs, long step, double time, const double
 double references_profile(const References *refs, const char *field, double x, double time)
 {
     const Solver *solver = refs->solver;
-    return solver && solver->profile && !refs->strangers[REFERENCE_EXACT]
+    return solver && solver->profile && !refs->unaccounted[REFERENCE_EXACT]
                ? solver->profile(refs, field, x, time)
                : NAN;
 }
@@ -122,7 +123,7 @@ double references_profile(const References *refs, const char *field, double x, d
 double references_envelope(const References *refs, const char *column, double time)
 {
     const Solver *solver = refs->solver;
-    return solver && solver->envelope && !refs->strangers[REFERENCE_EXACT]
+    return solver && solver->envelope && !refs->unaccounted[REFERENCE_EXACT]
                ? solver->envelope(refs, column, time)
                : NAN;
 }
@@ -130,7 +131,7 @@ double references_envelope(const References *refs, const char *column, double ti
 double references_standing_frequency(const References *refs, double time)
 {
     const Solver *solver = refs->solver;
-    return solver && solver->standing_frequency && !refs->strangers[REFERENCE_FREQUENCY]
+    return solver && solver->standing_frequency && !refs->unaccounted[REFERENCE_FREQUENCY]
                ? solver->standing_frequency(refs, time)
                : NAN;
 }
@@ -138,7 +139,7 @@ double references_standing_frequency(const References *refs, double time)
 int references_thickness_lines(const References *refs, double out[THICKNESS_LINES_MAX])
 {
     const Solver *solver = refs->solver;
-    return solver && solver->thickness_lines && !refs->strangers[REFERENCE_PREDICTED]
+    return solver && solver->thickness_lines && !refs->unaccounted[REFERENCE_PREDICTED]
                ? solver->thickness_lines(refs, out)
                : 0;
 }

@@ -75,11 +75,11 @@ struct Readout {
                        * modes, and no one frequency can be measured to the last digit */
     double by_zeros;  /* a beam's period once more, from the zeros of its swing; NAN: fewer than two */
     bool drifting; /* the period itself changes: the three numbers and `late` are those of the last zeros */
-    const char *column;     /* the series it was measured on */
-    double times;           /* which swings so many times as fast */
-    int mode;               /* of a bar: the number of the mode that it is; 0: none */
-    const char *unmeasured; /* of what moves: why there is no measured number, in a few words; else "" */
-    const char *stranger;   /* the parameter with which no frequency is known; NULL: it is known */
+    const char *column;      /* the series it was measured on */
+    double times;            /* which swings so many times as fast */
+    int mode;                /* of a bar: the number of the mode that it is; 0: none */
+    const char *unmeasured;  /* of what moves: why there is no measured number, in a few words; else "" */
+    const char *unaccounted; /* the parameter with which no frequency is known; NULL: it is known */
 };
 
 /* Periods behind the exact answer at another time than the readout's; NAN: not known. */

@@ -1,4 +1,4 @@
-/* How many steps a run takes. */
+/* How many steps a run takes: time.end over the time step, rounded up to a whole step. */
 #include "lab/problems/problem.h"
 
 #include "base/text.h"

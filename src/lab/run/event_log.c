@@ -1,3 +1,6 @@
+/* The events of a run in one list (event_log.h): what was known before it (advice, changes), what the
+ * method reported, and what follows from the record: drift of the energy by levels, lag behind the exact
+ * answer. Brought up to date after each piece of work. */
 #include "lab/run/experiment_internal.h"
 #include "base/text.h"
 #include "lab/problems/known.h"
@@ -24,44 +27,44 @@ static void add(Event *events, int *count, int most, long step, EventKind kind, 
 
 /* --- what was known beforehand, and what was changed --------------------------------------------------- */
 
-static void tell_advice(EventLog *log, const Settings *settings, long step, char last[160])
+static void add_advice(EventLog *log, const Settings *settings, long step, char last[160])
 {
     char advice[160] = "";
     if (!problem_advice(settings, advice, sizeof advice, NULL) || strcmp(advice, last) == 0)
         return;
     memcpy(last, advice, sizeof advice);
     if (advice[0])
-        add(log->told, &log->n_told, EVENT_LOG_TOLD_MAX, step, EVENT_ADVICE, advice);
+        add(log->planned, &log->n_planned, EVENT_LOG_PLANNED_MAX, step, EVENT_ADVICE, advice);
 }
 
-/* What stands beside the run no more, and because of what. */
-static void tell_strangers(EventLog *log, const Settings *settings)
+/* Which references are left out, and because of which parameter. */
+static void add_unaccounted(EventLog *log, const Settings *settings)
 {
     char text[KNOWN_TEXT_MAX];
     long step;
     if (known_text(settings, text, &step))
-        add(log->told, &log->n_told, EVENT_LOG_TOLD_MAX, step, EVENT_ADVICE, text);
+        add(log->planned, &log->n_planned, EVENT_LOG_PLANNED_MAX, step, EVENT_ADVICE, text);
 }
 
-static void tell_changes(EventLog *log, const Settings *settings)
+static void add_changes(EventLog *log, const Settings *settings)
 {
     char last[160] = "", text[KEY_MAX + VALUE_MAX + 8];
     Settings then;
     changes_in_force(settings, -1, &then);
-    tell_advice(log, &then, 0, last);
+    add_advice(log, &then, 0, last);
     for (int i = 0; i < settings->n_changes; i++) {
         const Change *change = &settings->changes[i];
         snprintf(text, sizeof text, "%s = %s", change->to.key, change->to.value);
-        add(log->told, &log->n_told, EVENT_LOG_TOLD_MAX, change->step, EVENT_CHANGE, text);
+        add(log->planned, &log->n_planned, EVENT_LOG_PLANNED_MAX, change->step, EVENT_CHANGE, text);
         changes_in_force(settings, change->step, &then);
-        tell_advice(log, &then, change->step, last);
+        add_advice(log, &then, change->step, last);
     }
 }
 
 /* --- energy ------------------------------------------------------------------------------------------- */
 
-/* A drift is told when it is beyond a level in two periods in a row: the sum of energies that are half a step
- * apart ripples. */
+/* A drift is reported when it is beyond a level in two periods in a row: the sum of energies that are half a
+ * step apart ripples. */
 static const double levels[] = {.01, .02, .05, .1, .2, .5, 1, 2, 5, 10, 100, 1000};
 enum { LEVELS = sizeof levels / sizeof *levels };
 
@@ -91,7 +94,7 @@ static const char *cause_of(const Experiment *experiment, long step, bool gain)
     return damping ? damping : crossed_before(experiment, step) ? "cell crossing" : "";
 }
 
-static void tell_drift(EnergyWatch *watch, const Experiment *experiment, double drift)
+static void add_drift(EnergyWatch *watch, const Experiment *experiment, double drift)
 {
     const double least = fmin(fabs(drift), fabs(watch->before));
     if (drift * watch->before <= 0 || watch->level == LEVELS || least < levels[watch->level])
@@ -112,7 +115,7 @@ static void end_block(EnergyWatch *watch, const Experiment *experiment, long ste
     if (watch->block == 0)
         watch->first = mean;
     const double drift = watch->first > 0 ? mean / watch->first - 1 : 0;
-    tell_drift(watch, experiment, drift);
+    add_drift(watch, experiment, drift);
     watch->before = drift;
     watch->before_step = step;
     watch->sum = 0;
@@ -160,7 +163,7 @@ static double lag_per_time(const Readout *readout)
     return readout_late(&steady, 1);
 }
 
-static void tell_lags(EventLog *log, const Experiment *experiment)
+static void add_lags(EventLog *log, const Experiment *experiment)
 {
     static const struct {
         double periods;
@@ -179,8 +182,9 @@ static void tell_lags(EventLog *log, const Experiment *experiment)
 
 /* --- together ----------------------------------------------------------------------------------------- */
 
-/* Whether another event of the story says the same, or says it better. */
-static bool is_told(const EventLog *log, const Event *event)
+/* Whether another event of the log has the same in it, with more detail: changes, and growth that the drift
+ * covers. */
+static bool is_covered(const EventLog *log, const Event *event)
 {
     const double seen = (double)(log->energy.before_step);
     return event->kind == EVENT_CHANGE ||
@@ -202,8 +206,8 @@ void event_log_update(EventLog *log, const Experiment *experiment, const Readout
 {
     if (!log->begun) {
         *log = (EventLog){.begun = true, .newest = -1};
-        tell_changes(log, &experiment->base);
-        tell_strangers(log, &experiment->base);
+        add_changes(log, &experiment->base);
+        add_unaccounted(log, &experiment->base);
     }
     const double late = lag_per_time(readout);
     if (log->newest == experiment->newest && log->failed == experiment->failed &&
@@ -215,15 +219,15 @@ void event_log_update(EventLog *log, const Experiment *experiment, const Readout
     log->n_reported = experiment->n_events;
     watch_energy(&log->energy, experiment, readout);
     log->count = 0;
-    for (int i = 0; i < log->n_told; i++)
-        if (log->told[i].step <= experiment->newest)
-            log->events[log->count++] = log->told[i];
+    for (int i = 0; i < log->n_planned; i++)
+        if (log->planned[i].step <= experiment->newest)
+            log->events[log->count++] = log->planned[i];
     for (int i = 0; i < experiment->n_events; i++)
-        if (!is_told(log, &experiment->events[i]))
+        if (!is_covered(log, &experiment->events[i]))
             log->events[log->count++] = experiment->events[i];
     for (int i = 0; i < log->energy.n_events; i++)
         log->events[log->count++] = log->energy.events[i];
-    tell_lags(log, experiment);
+    add_lags(log, experiment);
     sort(log->events, log->count);
     if (experiment->failed)
         add(log->events, &log->count, EVENT_LOG_MAX, experiment->newest, EVENT_FAILURE,

@@ -1,13 +1,15 @@
 /* What happened in a run, in plain words with their steps: what the method reported, the changes that were
- * made, and what only the record tells beside theory: energy that drifts, a lag behind the exact answer. */
+ * made, and what follows from the record beside theory: drift of the energy, a lag behind the exact answer.
+ */
 #ifndef LAB_EVENT_LOG_H
 #define LAB_EVENT_LOG_H
 
 #include "lab/run/experiment.h"
 
-enum { EVENT_LOG_TOLD_MAX = 2 * CHANGES_MAX + 2, EVENT_LOG_DRIFTS_MAX = 16, EVENT_LOG_LAGS_MAX = 6 };
+enum { EVENT_LOG_PLANNED_MAX = 2 * CHANGES_MAX + 2, EVENT_LOG_DRIFTS_MAX = 16, EVENT_LOG_LAGS_MAX = 6 };
 enum {
-    EVENT_LOG_MAX = SIMULATION_EVENTS_MAX + EVENT_LOG_TOLD_MAX + EVENT_LOG_DRIFTS_MAX + EVENT_LOG_LAGS_MAX + 1
+    EVENT_LOG_MAX =
+        SIMULATION_EVENTS_MAX + EVENT_LOG_PLANNED_MAX + EVENT_LOG_DRIFTS_MAX + EVENT_LOG_LAGS_MAX + 1
 };
 
 /* The mean energy of each period beside that of the first. */
@@ -28,15 +30,15 @@ typedef struct EnergyWatch {
 
 typedef struct EventLog {
     bool begun;
-    Event told[EVENT_LOG_TOLD_MAX]; /* advice and changes */
-    int n_told;
+    Event planned[EVENT_LOG_PLANNED_MAX]; /* advice and changes */
+    int n_planned;
     EnergyWatch energy;
     Event events[EVENT_LOG_MAX]; /* all, ascending in step */
     int count;
     long newest; /* the step that it goes to */
     bool failed;
     int n_reported;
-    double late; /* the lag per time that it was told with */
+    double late; /* the lag per time with which its events were made */
 } EventLog;
 
 /* Forgets everything: the run is another one, or part of it was cut off. */

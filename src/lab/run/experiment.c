@@ -1,3 +1,6 @@
+/* Creates and destroys an experiment and answers what front ends read of it: step, rows, readout,
+ * references, events (experiment.h). Forward and backward motion is in experiment_run.c, other settings in
+ * experiment_edit.c. */
 #include "lab/run/experiment_internal.h"
 
 #include <math.h>
@@ -117,8 +120,8 @@ const Event *experiment_events(Experiment *experiment, int *count)
     return experiment->log.events;
 }
 
-/* They say nothing of the state, and the largest stable courant number takes a search: once for all pictures
- * that have the same settings. */
+/* They do not depend on the state, and the largest stable courant number takes a search: once for all
+ * pictures that have the same settings. */
 int experiment_derived(Experiment *experiment, Derived out[DERIVED_MAX])
 {
     if (experiment->n_derived == 0 ||

@@ -22,7 +22,7 @@ void experiment_write_legends(Experiment *experiment)
     }
 }
 
-/* What the record of a run says to its newest row. */
+/* The readout of a run at the newest row of its record. */
 static Readout read_whole(const Experiment *experiment)
 {
     const Record *record = &experiment->record;

@@ -1,10 +1,13 @@
+/* Keeps and drops keyframes (history.h). Snapshots are those of method.h; restoring one and replaying the
+ * steps since gives the same bits as the run had. */
 #include "lab/run/history.h"
 
 #include "base/assertion.h"
 
 #include <stdlib.h>
 
-/* Replaying a few dozen steps is not felt; fewer would fill the memory with small frames. */
+/* Replaying a few dozen steps takes no noticeable time; a shorter interval would fill the memory with small
+ * frames. */
 enum { FIRST_INTERVAL = 32 };
 
 void history_open(History *history, size_t budget)

@@ -1,3 +1,6 @@
+/* Reads a table of any origin (overlay.h): lines, cells, numbers; separator and decimal sign are found
+ * from the first lines. Then columns by name or number, rows sorted by x. Bounds on lines, cells and
+ * memory: files come from anywhere. */
 #include "lab/run/overlay.h"
 #include "base/input.h"
 #include "base/text.h"
@@ -205,7 +208,7 @@ static bool take_row(Reader *reader, Overlay *overlay, int cells)
     return true;
 }
 
-/* What the first line tells: how cells are parted, how many there are, their names or the first row. */
+/* From the first line: how cells are separated, how many there are, their names or the first row. */
 static bool take_head(Reader *reader, Overlay *overlay)
 {
     bool names = false;

@@ -1,9 +1,9 @@
 /* A foreign series, a student's or an experiment's, to be drawn over the curves of a run: a table of numbers
  * read from a CSV file of any origin.
  *
- * Comma, semicolon or tab between the cells (the first line tells), decimal comma where the comma is free,
- * names in the first line or none, any line ends, a byte order mark, quoted cells, lines of comment (#) and
- * empty lines. An empty cell, NaN or NA is a value that is missing. Anything else that is no number is
+ * Comma, semicolon or tab between the cells (found from the first line), decimal comma where the comma is
+ * free, names in the first line or none, any line ends, a byte order mark, quoted cells, lines of comment (#)
+ * and empty lines. An empty cell, NaN or NA is a value that is missing. Anything else that is no number is
  * refused with file and line. */
 #ifndef LAB_OVERLAY_H
 #define LAB_OVERLAY_H

@@ -1,3 +1,5 @@
+/* Changes in mid-run (changes.h): what is in force at a step is the settings with all changes up to it
+ * applied in order. */
 #include "lab/settings/changes.h"
 #include "lab/settings/parameters.h"
 #include "lab/problems/references.h"

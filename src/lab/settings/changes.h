@@ -1,4 +1,4 @@
-/* Changes of live parameters in mid-run: who applies them, and what is in force when.
+/* Changes of live parameters in mid-run: how they are applied, and what is in force when.
  *
  * A change "STEP = KEY=VALUE" is applied between steps, when STEP whole steps have been done; the row of that
  * step is from before it. */

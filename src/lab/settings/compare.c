@@ -9,7 +9,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* What a run writes does not make it another run; of the two handles on breaking only the given one counts.
+/* What a run writes does not make it another run; of critical stretch and critical energy only the given one
+ * counts.
  */
 static bool matters(const Settings *a, const Settings *b, const Parameter *parameter)
 {

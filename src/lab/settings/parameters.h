@@ -46,9 +46,9 @@ typedef struct Parameter {
     bool live;        /* may change in mid-run */
     int methods;      /* that read it; 0: every one */
     const char *help; /* one line */
-    double usual;     /* the default, where the problem says no other */
+    double usual;     /* the default, where the problem has no other */
     double neutral;   /* the value at which it does nothing to the run, as if there were no such parameter */
-    bool output;      /* says what is written of a run, not what it is */
+    bool output;      /* about what is written of a run, not about the run */
 } Parameter;
 
 extern const Parameter parameters[];
@@ -105,7 +105,7 @@ bool parameter_applies(const Parameter *, const Problem *);
 /* Its default in this problem. */
 double parameter_usual(const Parameter *, const Problem *);
 
-/* What the problem says of it otherwise than its row; NULL: nothing. */
+/* Where the problem overrides its row; NULL: nowhere. */
 const ParameterUse *parameter_use(const Parameter *, const Problem *);
 
 /* Whether a run of these settings reads it: of their problem and of their method. */
@@ -130,7 +130,7 @@ bool settings_in_range(const Parameter *, const Problem *, double value);
 /* The value as text that settings_set() reads back to the same value. */
 void settings_get(const Settings *, const Parameter *, char out[LIST_MAX]);
 
-/* The same for people: at most six digits. */
+/* The same for reading: at most six digits. */
 void settings_show(const Settings *, const Parameter *, char out[LIST_MAX]);
 
 /* The value as number: index for a choice, 0 or 1 for a flag; NAN for a text. */
@@ -163,8 +163,8 @@ int parameter_choices(const Parameter *, const Problem *);
 /* What is allowed, in words: "> 0", "1 to 8", "usf | usl | musl". */
 void parameter_range(const Parameter *, const Problem *, char *out, size_t size);
 
-/* What no single value shows: both handles given, notch outside the beam, load off the beam, overtones that
- * cannot be read, mode 0 with a fixed end, ... The status names the key. */
+/* What no single value shows: critical stretch and energy both given, notch outside the beam, load off the
+ * beam, overtones that cannot be read, mode 0 with a fixed end, ... The status names the key. */
 bool settings_check(const Settings *, Status *);
 
 /* Whether two settings lead to the same run. */

@@ -1,3 +1,6 @@
+/* Reads a scenario (scenario.h): lines come from scenario_lines.c as entries; problem and method are taken
+ * first, since the allowed keys depend on them, then every entry by its key, then values from the command
+ * line; then the whole is checked. An error gets the line or option that gave the key it names. */
 #include "lab/settings/scenario.h"
 
 #include "base/input.h"
@@ -212,8 +215,8 @@ static void spelled_key(const Entry *entry, char out[80])
         full_key(entry, out);
 }
 
-/* The status of a check gets its origin: what said the key that the message begins with, failing that what
- * said another key of the message. False: nothing of both. */
+/* The status of a check gets its origin: the option or line that gave the key with which the message begins,
+ * else one that gave another key of the message. False: neither. */
 static bool find_origin(const Source *source, Status *status)
 {
     for (int at_start = 1; at_start >= 0; at_start--) {
@@ -235,7 +238,7 @@ static bool find_origin(const Source *source, Status *status)
     return false;
 }
 
-/* Failing both, what was said last. */
+/* Without either the origin is the last option or line. */
 static bool blame(const Source *source, Status *status)
 {
     if (!status || find_origin(source, status))

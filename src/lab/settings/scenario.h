@@ -15,7 +15,7 @@ typedef struct BuiltinScenario {
 
 extern const BuiltinScenario builtin_scenarios[]; /* generated; ended by a NULL name */
 
-/* A value that stands above the file's, as if its last line had said it: from --set, --end, ... Nothing is
+/* A value that overrides the file's, as if it stood in its last line: from --set, --end, ... Nothing is
  * checked before it is in its place, but the file's own lines must be readable. */
 typedef struct Override {
     const char *origin; /* stands for FILE:LINE in an error: "--set" */

@@ -1,3 +1,5 @@
+/* Feeds inih line by line and collects its entries (scenario_lines.h). What is handed over is recorded as
+ * expected, so that a line which inih would read otherwise is refused, not misread. */
 #include "lab/settings/scenario_lines.h"
 
 #include "base/visible.h"

@@ -96,7 +96,7 @@ static bool write_parameter(FILE *stream, const Settings *settings, const Parame
         return write_text(stream, section, name, value, status);
     bool stretch = strcmp(name, "critical_stretch") == 0, energy = strcmp(name, "critical_energy") == 0;
     if ((stretch && settings->bonds.energy_given) || (energy && !settings->bonds.energy_given)) {
-        /* the other handle follows from this one; as a value it would be given twice */
+        /* critical stretch and energy follow from each other; written both, the value would be given twice */
         settings_show(settings, parameter, value);
         fprintf(stream, "# %s = %s%s%s\n", name, value, *parameter->unit ? " " : "", parameter->unit);
         return true;

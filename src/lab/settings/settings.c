@@ -9,14 +9,14 @@ const char *const method_words[] = {"mpm", "pd", NULL};
 
 double lattice_spacing(const Settings *settings)
 {
-    const double said = settings->lattice.spacing;
-    return said > 0 ? said : settings->mesh.cell_size / settings->mesh.particles_per_cell;
+    const double given = settings->lattice.spacing;
+    return given > 0 ? given : settings->mesh.cell_size / settings->mesh.particles_per_cell;
 }
 
 double lattice_horizon(const Settings *settings)
 {
-    const double said = settings->lattice.horizon;
-    return said > 0 ? said : 3 * lattice_spacing(settings);
+    const double given = settings->lattice.horizon;
+    return given > 0 ? given : 3 * lattice_spacing(settings);
 }
 
 /* Copies the next item of a list up to its comma and returns what follows; NULL at the end. */

@@ -1,4 +1,4 @@
-/* Everything that a scenario says: plain values, filled by the parameter table (parameters.h) and by the
+/* Everything that a scenario holds: plain values, filled by the parameter table (parameters.h) and by the
  * scenario reader (scenario.h), read by everyone. A copy by assignment is a whole copy. */
 #ifndef LAB_SETTINGS_H
 #define LAB_SETTINGS_H
@@ -68,7 +68,7 @@ typedef struct Mesh {
 /* With what slope of velocity APIC's particles start: that of the velocity, or none. */
 typedef enum AffineStart { AFFINE_GRADIENT, AFFINE_ZERO } AffineStart;
 
-/* How the material point method carries momentum to its mesh and back. */
+/* How the material point method transfers momentum to its mesh and back. */
 typedef struct Transfer {
     MpmAlgorithm algorithm;
     MpmShape shape;
@@ -87,9 +87,9 @@ typedef struct Lattice {
 /* When a bond breaks. */
 typedef struct Bonds {
     double critical_stretch; /* s0; 0: never */
-    double critical_energy;  /* G0, J/m^2: the other handle on s0, always its equal */
-    bool energy_given;       /* G0 was said and the stretch follows from it; else the other way round */
-    double protected_depth;  /* bonds nearer than this to load or supports never break */
+    double critical_energy;  /* G0, J/m^2: equivalent to s0, kept in step with it */
+    bool energy_given; /* G0 is the given value and the stretch follows from it; else the other way round */
+    double protected_depth; /* bonds nearer than this to load or supports never break */
 } Bonds;
 
 /* A beam that leaves its channel. */

@@ -21,9 +21,9 @@ static const void *member_of(const Settings *settings, size_t offset)
     return (const char *)settings + offset;
 }
 
-/* --- the two handles on breaking ------------------------------------------------------------------ */
+/* --- critical stretch and critical energy --------------------------------------------------------- */
 
-/* G0 = 9 E delta s0^2 / (4 pi) and back (paper P, two dimensions). The one that was said stays as it is. */
+/* G0 = 9 E delta s0^2 / (4 pi) and back (paper P, two dimensions). The one that was given stays as it is. */
 static void join_handles(Settings *settings)
 {
     Bonds *bonds = &settings->bonds;
@@ -197,7 +197,7 @@ static bool not_of_settings(const Parameter *parameter, const Settings *settings
                        problem->word, words);
 }
 
-/* The words of a rule that names them; NULL: it asks for something else. */
+/* The words that a rule allows; NULL: it has no list of words. */
 static const char *const *words_of(TextRule rule)
 {
     return rule == TEXT_REFERENCES ? reference_words : rule == TEXT_COLOUR ? colour_words : NULL;

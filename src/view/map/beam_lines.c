@@ -107,8 +107,8 @@ bool beam_lines(const Screen *screen, int width, char first[160], char second[16
         return false;
     else if (!experiment_readout(screen->experiment)->moving)
         snprintf(first, 160, "nothing vibrates: no period to measure");
-    else if (experiment_readout(screen->experiment)->stranger)
-        snprintf(first, 160, "T: not known with %s", experiment_readout(screen->experiment)->stranger);
+    else if (experiment_readout(screen->experiment)->unaccounted)
+        snprintf(first, 160, "T: not known with %s", experiment_readout(screen->experiment)->unaccounted);
     else if (leaves)
         moving_lines(screen, width, first, second);
     else

@@ -188,8 +188,8 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
     if (readout->measured_known)
         append(first, 160, narrow ? "w %s%.*f" : "w measured %s%.*f", about ? "~" : "", about ? 3 : 4,
                readout->measured);
-    else if (readout->stranger)
-        append(first, 160, narrow ? "w ? %s" : "w: not known with %s", readout->stranger);
+    else if (readout->unaccounted)
+        append(first, 160, narrow ? "w ? %s" : "w: not known with %s", readout->unaccounted);
     else if (experiment_at_end(screen->experiment))
         append(first, 160, narrow ? "w none" : "w: %s", readout->unmeasured);
     else
