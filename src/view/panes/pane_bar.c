@@ -152,45 +152,55 @@ static const char *word_of(const Screen *screen, const Command *command)
                                                                            : command_brief(command);
 }
 
-enum { BAR_OF_ONE_PANE = 80, OFFERS_MAX = 16 };
+enum { BAR_OF_ONE_PANE = 80 };
 
-/* Where one pane is seen at a time and room is short, the key to the others and that to all keys must be
- * there. */
-static void bring_forward(Offer *offers, int count, CommandId id, int place)
+static int find_offer(const Offer *offers, int count, CommandId id)
 {
-    int from = place;
-    while (from < count && offers[from].id != id)
-        from++;
-    if (from >= count)
-        return;
-    const Offer offer = offers[from];
-    memmove(&offers[place + 1], &offers[place], (size_t)(from - place) * sizeof *offers);
-    offers[place] = offer;
+    for (int i = 0; i < count; i++)
+        if (offers[i].id == id)
+            return i;
+    return -1;
+}
+
+/* The one that stands at a place once the one at `from` was brought forward, if that is forward, to `to`. */
+static int brought(int from, int to, int place)
+{
+    if (from < to || place < to || place > from)
+        return place;
+    return place == to ? from : place - 1;
+}
+
+/* The offer that stands at a place of the bar. Where one pane is seen at a time and room is short, the key to
+ * the others comes second and that to all keys fourth, wherever they are on the list. */
+static const Offer *offer_at(const Offer *offers, int count, int width, int place)
+{
+    enum { PANE_PLACE = 1, HELP_PLACE = 3 };
+    const int pane = find_offer(offers, count, COMMAND_NEXT_PANE);
+    int help = find_offer(offers, count, COMMAND_HELP);
+    if (width >= BAR_OF_ONE_PANE)
+        return &offers[place];
+    if (help >= PANE_PLACE && help < pane)
+        help++; /* the other one has passed it */
+    return &offers[brought(pane, PANE_PLACE, brought(help, HELP_PLACE, place))];
 }
 
 /* Lays the offers out from the left; draws them if `area` is not NULL. Returns the command at column x. */
 static CommandId lay_out_bar(const Screen *screen, int width, const Area *area, int wanted_x)
 {
     const Offer *offers;
-    Offer sorted[OFFERS_MAX];
     int count = offers_of(screen, &offers), x = 1;
     CommandId found = COMMAND_NONE;
-    if (width < BAR_OF_ONE_PANE && count <= OFFERS_MAX) {
-        memcpy(sorted, offers, (size_t)count * sizeof *offers);
-        bring_forward(sorted, count, COMMAND_NEXT_PANE, 1);
-        bring_forward(sorted, count, COMMAND_HELP, 3);
-        offers = sorted;
-    }
     for (int i = 0; i < count; i++) {
-        const Command *command = command_find(offers[i].id), *pair = command_find(offers[i].pair);
-        if (!command || (offers[i].pair != COMMAND_NONE && !pair))
+        const Offer *offer = offer_at(offers, count, width, i);
+        const Command *command = command_find(offer->id), *pair = command_find(offer->pair);
+        if (!command || (offer->pair != COMMAND_NONE && !pair))
             continue;
         char key[COMMAND_KEY_MAX], other[COMMAND_KEY_MAX] = "";
         command_first_key(command, key);
         if (pair)
             command_first_key(pair, other);
         const char *first = short_key(screen, key), *second = short_key(screen, other);
-        const char *word = offers[i].word ? offers[i].word : word_of(screen, command);
+        const char *word = offer->word ? offer->word : word_of(screen, command);
         int first_columns = text_columns(first), keys = first_columns + (pair ? 1 + text_columns(second) : 0);
         int columns = keys + 1 + text_columns(word);
         if (x + columns > width - 1)
