@@ -1,3 +1,5 @@
+/* The table of command words and what is done with it: finding the word, --help. One row for each command;
+ * each is a function in a file of its own. */
 #include "cli/cli.h"
 
 #include "cli/options.h"
@@ -72,7 +74,7 @@ void cli_print_help(const CliCommand *command)
         print_command(command);
     printf("\nOptions of the laboratory:\n");
     options_print("open");
-    printf("\n`matvib COMMAND --help` tells the options of a command. Exit status: 0 done, 1 the run or a "
+    printf("\n`matvib COMMAND --help` prints the options of a command. Exit status: 0 done, 1 the run or a "
            "check\n"
            "failed, 2 bad usage or bad input. More: man matvib, man 5 matvib (scenario files).\n");
 }

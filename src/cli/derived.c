@@ -1,3 +1,5 @@
+/* Derived numbers of the simulation that the settings make, one a line, then the advice or the refusal
+ * that a run would get (derived.h). */
 #include "cli/derived.h"
 
 #include "base/text.h"

@@ -181,7 +181,7 @@ int cli_figure(int count, char **arguments, Status *status)
         !options_words(&options, 1, 1, "SCENARIO", status) ||
         !options_load(&options, options.words[0], &settings, status))
         return (int)status->code;
-    /* pictures of a crack are compared with each other, so displacements are as they are unless it is said */
+    /* pictures of a crack are compared with each other, so displacements are not enlarged unless asked for */
     if (settings.problem->concerns & CONCERN_NOTCH && !settings.view.exaggeration[0])
         strcpy(settings.view.exaggeration, "1");
     first = settings;
@@ -189,7 +189,7 @@ int cli_figure(int count, char **arguments, Status *status)
     if (!options.list) {
         if (!options.view)
             sound =
-                status_fail(status, STATUS_USAGE, "figure: --view NAME is missing (--list tells the names)");
+                status_fail(status, STATUS_USAGE, "figure: --view NAME is missing (--list prints the names)");
         else if (!options.output)
             sound = status_fail(status, STATUS_USAGE,
                                 "figure: --output FILE is missing (FILE.svg, .pdf or .png)");

@@ -1,3 +1,7 @@
+/* The table of options and its reader (options.h). A row says which commands have the option, what its
+ * value may be and which member it fills; --help, manual and completion print the rows. Then SCENARIO,
+ * --set and the short forms (--end, --steps ...) are turned into one list of overrides for the scenario
+ * reader. */
 #include "cli/options.h"
 
 #include "base/threads.h"
@@ -31,7 +35,7 @@ const Option options_table[] = {
     {"--with", "KEY=VALUES", " sweep ", "changes value by value together with the --vary before it",
      OPTION_AXIS, AT(axes)},
     {"--jobs", "N", " sweep ", "runs at the same time (1)", OPTION_COUNT, AT(jobs)},
-    {"--view", "NAME", " figure ", "what is drawn, as in profile or profile:stress; --list tells the names",
+    {"--view", "NAME", " figure ", "what is drawn, as in profile or profile:stress; --list prints the names",
      OPTION_TEXT, AT(view)},
     {"--against", "KEY=VALUE", " figure ", "draws the run with this value behind, to compare", OPTION_TEXT,
      AT(against)},
@@ -68,7 +72,7 @@ const Option options_table[] = {
      "threads to compute with; the numbers do not depend on it", OPTION_COUNT, AT(threads),
      .most = THREADS_MAX},
     {"--full", NULL, " verify ", "everything, however long it takes", OPTION_FLAG, AT(full)},
-    {"--list", NULL, " verify figure lesson ", "tells the names", OPTION_FLAG, AT(list)},
+    {"--list", NULL, " verify figure lesson ", "prints the names", OPTION_FLAG, AT(list)},
     {"--paused", NULL, " open ", "opens paused at t = 0", OPTION_FLAG, AT(paused)},
     {"--glyphs", "G", " open lesson ", "characters of the plots: auto, braille, block, ascii", AT(glyphs),
      ONE_OF(glyph_sets)},
@@ -151,7 +155,7 @@ static bool take_override(const Option *option, const char *value, Options *opti
         key = kept;
         value = equals + 1;
     }
-    /* either takes the place of the scenario's other one, but not of what is said beside it */
+    /* either replaces the scenario's other one; both on the command line are an error */
     for (int i = 0; option->clears && i < options->n_overrides; i++) {
         const Override *other = &options->overrides[i];
         if (strcmp(other->key, option->clears) == 0 && *other->value)

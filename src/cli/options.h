@@ -31,7 +31,7 @@ typedef struct Option {
     const char *const *words; /* OPTION_WORD; ended by NULL */
     const char *key;          /* OPTION_OVERRIDE: the key; NULL: the argument names it */
     int most;                 /* OPTION_SIZE: of each number */
-    const char *clears;       /* OPTION_OVERRIDE: a key that it sets back, for it says the same */
+    const char *clears;       /* OPTION_OVERRIDE: a key that it resets, since both mean the same */
 } Option;
 
 extern const Option options_table[];
@@ -39,13 +39,13 @@ extern const int n_options;
 
 enum { WORDS_MAX = 64, OVERRIDES_MAX = 128, AXES_MAX = 16 };
 
-/* What a sweep varies, as it was said. */
+/* What a sweep varies, as given. */
 typedef struct SweepAxis {
     const char *origin; /* "--vary" or "--with" */
     const char *text;   /* KEY=A,B,C or KEY=LO:HI:N */
 } SweepAxis;
 
-/* What a command line came to; what was not said is 0. */
+/* What a command line came to; what was not given is 0. */
 typedef struct Options {
     const char *words[WORDS_MAX]; /* arguments that are no options */
     int n_words;
@@ -83,10 +83,10 @@ bool options_parse(const char *command, int count, char **arguments, Options *, 
 /* The usual check after it: the number of words, `least` to `most`; `expected` names them ("SCENARIO"). */
 bool options_words(const Options *, int least, int most, const char *expected, Status *);
 
-/* The settings of a scenario with all that was said of it: --set, --end, --steps, --every, --frames, --at. */
+/* The settings of a scenario with all its options: --set, --end, --steps, --every, --frames, --at. */
 bool options_load(const Options *, const char *scenario, Settings *, Status *);
 
-/* A refusal that came when the run was made gets the line or the option that said the key which it names. */
+/* An error from making the run gets the line or the option that gave the key which it names. */
 void options_blame(const Options *, const char *scenario, Status *);
 
 /* Prints the options of a command, a line each. */

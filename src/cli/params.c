@@ -1,4 +1,4 @@
-/* `matvib params [PROBLEM]`: the parameter table for people. */
+/* `matvib params [PROBLEM]`: the parameter table as text. */
 #include "cli/cli.h"
 #include "cli/derived.h"
 #include "cli/options.h"

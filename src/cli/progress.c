@@ -1,3 +1,5 @@
+/* A progress bar with the time that is left, drawn ten times a second at most and only on a terminal; it
+ * also tells a long command to stop when a signal came (progress.h). */
 #include "cli/progress.h"
 
 #include "base/signals.h"
@@ -62,7 +64,7 @@ int progress_signal(void)
     return signals_ended_by();
 }
 
-int progress_threads(long asked)
+int progress_threads(long wanted)
 {
-    return asked > 0 ? (int)asked : threads_default(false);
+    return wanted > 0 ? (int)wanted : threads_default(false);
 }

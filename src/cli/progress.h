@@ -21,7 +21,7 @@ bool progress_show(double share, void *progress);
 /* The signal that came; 0: none. */
 int progress_signal(void);
 
-/* As many as asked for, else as many as this process may use. */
-int progress_threads(long asked);
+/* The number given with --threads, else as many as this process may use. */
+int progress_threads(long wanted);
 
 #endif

@@ -18,19 +18,20 @@ static bool writes_to_standard_output(const Outputs *outputs)
     return false;
 }
 
-static void tell_files(FILE *to, const Outputs *outputs)
+static void print_files(FILE *to, const Outputs *outputs)
 {
     const char *const names[] = {outputs->series, outputs->particles, outputs->nodes, outputs->bonds,
                                  outputs->vtk};
-    int told = 0;
+    int printed = 0;
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (names[i] && strcmp(names[i], "-") != 0)
-            fprintf(to, "%s%s", told++ ? ", " : "wrote ", names[i]);
-    if (told)
+            fprintf(to, "%s%s", printed++ ? ", " : "wrote ", names[i]);
+    if (printed)
         fputc('\n', to);
 }
 
-static void tell(const Options *options, const Settings *settings, const RunSummary *summary, double took)
+static void print_summary(const Options *options, const Settings *settings, const RunSummary *summary,
+                          double took)
 {
     FILE *to = writes_to_standard_output(&options->outputs) ? stderr : stdout;
     char text[SUMMARY_MAX];
@@ -38,7 +39,7 @@ static void tell(const Options *options, const Settings *settings, const RunSumm
     if (*settings->title)
         fprintf(to, "%s\n", settings->title);
     fprintf(to, "%swall time %.3g s\n", text, took);
-    tell_files(to, &options->outputs);
+    print_files(to, &options->outputs);
 }
 
 /* Times that no table is written at are a slip. Those of a scenario file wait for a run with tables. */
@@ -76,7 +77,7 @@ int cli_run(int count, char **arguments, Status *status)
     if (progress_signal() != 0 && !done && !summary.failed)
         return 128 + progress_signal();
     if ((done || summary.failed) && !options.quiet)
-        tell(&options, &settings, &summary, progress_seconds(&progress));
+        print_summary(&options, &settings, &summary, progress_seconds(&progress));
     if (!done)
         options_blame(&options, options.words[0], status);
     return done ? STATUS_DONE : (int)status->code;

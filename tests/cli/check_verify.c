@@ -33,7 +33,7 @@ END_TEST
 START_TEST(what_the_paper_says_has_a_verdict_of_its_own)
 {
     const Claim silent = NOTHING, printed = PRINTS("90", 90), about = ABOUT("about 5", -5),
-                words = SAYS("longer", 0, INFINITY);
+                words = CLAIM("longer", 0, INFINITY);
     ck_assert_int_eq(verify_agreement(&silent, 1), PAPER_SILENT);
     ck_assert_int_eq(verify_agreement(&printed, 91), PAPER_AGREES);
     ck_assert_int_eq(verify_agreement(&printed, 82.8), PAPER_NEAR);

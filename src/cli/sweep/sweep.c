@@ -48,7 +48,8 @@ static bool no_memory(Status *status)
     return status_fail(status, STATUS_FAILED, "not enough memory for the rows of the sweep");
 }
 
-/* Every combination is read and checked before the first one runs, so that bad input costs nobody an hour. */
+/* Every combination is read and checked before the first one runs, so that bad input is found at once, not
+ * after hours. */
 static bool check_combinations(Sweep *sweep, Status *status)
 {
     const SweepPlan *plan = &sweep->plan;
@@ -141,7 +142,7 @@ static void wipe_bar(const Sweep *sweep)
         text_progress(stderr, "%s", "");
 }
 
-static void tell(const Sweep *sweep, const char *what, int combination, const char *why)
+static void warn(const Sweep *sweep, const char *what, int combination, const char *why)
 {
     char values[512];
     wipe_bar(sweep);
@@ -155,10 +156,10 @@ static bool take_result(void *context, int combination, const SweepResult *resul
     sweep->results[combination] = *result;
     sweep->ready++;
     if (result->done && result->failure.text[0])
-        tell(sweep, "no frequency", combination, result->failure.text);
+        warn(sweep, "no frequency", combination, result->failure.text);
     if (result->done)
         return sweep_partial_add(&sweep->partial, sweep->numbers[combination], result, status);
-    tell(sweep, "left out", combination, result->failure.text);
+    warn(sweep, "left out", combination, result->failure.text);
     sweep->left_out++;
     return true;
 }

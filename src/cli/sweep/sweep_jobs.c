@@ -1,3 +1,7 @@
+/* The worker processes of a sweep (sweep_jobs.h): each combination is computed in a child made by fork(),
+ * which sends its progress and then its result through a pipe; the parent polls all pipes, starts the next
+ * combination where a child has ended, and takes results in the order in which they come. A child that
+ * ends without a result is a failed row, with its signal or exit status as the reason. */
 #include "cli/sweep/sweep_jobs.h"
 
 #include "base/signals.h"
@@ -11,7 +15,7 @@
 #include <time.h>
 #include <unistd.h>
 
-/* What a worker tells its parent. A message is smaller than PIPE_BUF, so it arrives whole. */
+/* What a worker sends to its parent. A message is smaller than PIPE_BUF, so it arrives whole. */
 typedef struct Message {
     bool last;
     double share;
@@ -22,7 +26,7 @@ _Static_assert(sizeof(Message) <= 4096, "a message must go through a pipe in one
 
 typedef struct Worker {
     pid_t process; /* 0: free */
-    int from;      /* what it tells */
+    int from;      /* its end of the pipe */
     int combination;
     double share;
 } Worker;
@@ -36,29 +40,30 @@ typedef struct Pool {
 
 /* --- the worker ----------------------------------------------------------------------------------- */
 
-typedef struct Teller {
+typedef struct Sender {
     int to;
-    struct timespec told;
-} Teller;
+    struct timespec last;
+} Sender;
 
-/* Where nobody listens any more the run stops. */
-static bool tell_share(double share, void *context)
+/* At most ten times a second. False, so that the run stops, when the parent has gone: the pipe has no reader.
+ */
+static bool send_share(double share, void *context)
 {
-    Teller *teller = context;
+    Sender *sender = context;
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
     double since =
-        (double)(now.tv_sec - teller->told.tv_sec) + 1e-9 * (double)(now.tv_nsec - teller->told.tv_nsec);
+        (double)(now.tv_sec - sender->last.tv_sec) + 1e-9 * (double)(now.tv_nsec - sender->last.tv_nsec);
     if (since < 0.1)
         return true;
-    teller->told = now;
+    sender->last = now;
     Message message;
     memset(&message, 0, sizeof message);
     message.share = share;
-    return write(teller->to, &message, sizeof message) == (ssize_t)sizeof message;
+    return write(sender->to, &message, sizeof message) == (ssize_t)sizeof message;
 }
 
-static _Noreturn void be_a_worker(const Pool *pool, int combination, int to)
+static _Noreturn void work_in_child(const Pool *pool, int combination, int to)
 {
     signals_release();
     sigprocmask(SIG_SETMASK, &pool->outside, NULL);
@@ -66,13 +71,13 @@ static _Noreturn void be_a_worker(const Pool *pool, int combination, int to)
     for (int i = 0; i < pool->work->jobs; i++)
         if (pool->workers[i].process > 0)
             close(pool->workers[i].from);
-    Teller teller = {.to = to};
+    Sender sender = {.to = to};
     Message message;
     memset(&message, 0, sizeof message);
     message.last = true;
-    pool->work->run(pool->work->context, combination, tell_share, &teller, &message.result);
-    bool told = write(to, &message, sizeof message) == (ssize_t)sizeof message;
-    _exit(told ? 0 : 1); /* what stdio holds is the parent's to write */
+    pool->work->run(pool->work->context, combination, send_share, &sender, &message.result);
+    bool sent = write(to, &message, sizeof message) == (ssize_t)sizeof message;
+    _exit(sent ? 0 : 1); /* what stdio holds is the parent's to write */
 }
 
 static bool start_worker(Pool *pool, Worker *worker, int combination, Status *status)
@@ -83,7 +88,7 @@ static bool start_worker(Pool *pool, Worker *worker, int combination, Status *st
     pid_t process = fork();
     if (process == 0) {
         close(ends[0]);
-        be_a_worker(pool, combination, ends[1]);
+        work_in_child(pool, combination, ends[1]);
     }
     int why = errno;
     close(ends[1]);
@@ -97,7 +102,7 @@ static bool start_worker(Pool *pool, Worker *worker, int combination, Status *st
 
 /* --- the parent ----------------------------------------------------------------------------------- */
 
-static int dismiss(Worker *worker)
+static int reap(Worker *worker)
 {
     int how = 0;
     close(worker->from);
@@ -114,13 +119,13 @@ static void stop_workers(Pool *pool)
             kill(pool->workers[i].process, SIGTERM);
     for (int i = 0; i < pool->work->jobs; i++)
         if (pool->workers[i].process > 0)
-            dismiss(&pool->workers[i]);
+            reap(&pool->workers[i]);
 }
 
 static bool finish(Pool *pool, Worker *worker, const SweepResult *result, Status *status)
 {
     SweepResult lost = {0};
-    int combination = worker->combination, how = dismiss(worker);
+    int combination = worker->combination, how = reap(worker);
     if (!result) {
         if (WIFSIGNALED(how))
             status_fail(&lost.failure, STATUS_FAILED, "the run was ended: %s", strsignal(WTERMSIG(how)));
@@ -131,7 +136,7 @@ static bool finish(Pool *pool, Worker *worker, const SweepResult *result, Status
     return pool->work->finished(pool->work->context, combination, result, status);
 }
 
-static bool hear(Pool *pool, Worker *worker, Status *status)
+static bool receive(Pool *pool, Worker *worker, Status *status)
 {
     Message message;
     ssize_t got = read(worker->from, &message, sizeof message);
@@ -145,7 +150,7 @@ static bool hear(Pool *pool, Worker *worker, Status *status)
     return true;
 }
 
-static void tell_progress(const Pool *pool)
+static void show_progress(const Pool *pool)
 {
     double begun = 0;
     for (int i = 0; i < pool->work->jobs; i++)
@@ -176,11 +181,11 @@ static bool work_through(Pool *pool, Status *status)
             return false;
         if (busy == 0)
             return true;
-        tell_progress(pool);
+        show_progress(pool);
         if (wait_for(pool->polls, pool->work->jobs, NULL, &pool->outside) < 0)
             continue; /* a signal */
         for (int i = 0; i < pool->work->jobs; i++)
-            if (pool->polls[i].revents && !hear(pool, &pool->workers[i], status))
+            if (pool->polls[i].revents && !receive(pool, &pool->workers[i], status))
                 return false;
     }
 }

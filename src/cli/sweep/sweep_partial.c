@@ -1,3 +1,6 @@
+/* The file FILE.partial (sweep_partial.h): opened and locked, its whole rows read back, rows appended and
+ * flushed one by one, removed at the end. The key of a row is a hash (FNV-1a) of the scenario
+ * that it came from, so rows survive reordering of the sweep but not a change of the run. */
 #include "cli/sweep/sweep_partial.h"
 
 #include "base/input.h"
@@ -41,7 +44,7 @@ uint64_t sweep_partial_number(const Settings *settings, long steps)
 
 enum { LINE_BYTES = 20 + RESULT_COLUMNS * (NUMBER_TEXT_MAX + 1) };
 
-/* Says which columns a row has: another version of the program may have others. */
+/* The columns of a row: another version of the program may have others. */
 static void heading(char out[LINE_BYTES * 2])
 {
     int n =

@@ -1,6 +1,6 @@
 /* The rows of a sweep that has not come to its end, in FILE.partial: a row is appended as soon as its run is
- * done, and a sweep that was interrupted goes on from there. Each row stands behind a number that tells its
- * combination from every other, worked out from all that the run depends on; so rows are found again whatever
+ * done, and a sweep that was interrupted goes on from there. Each row begins with a hash of everything
+ * its run depends on, which identifies the combination; so rows are found again whatever
  * their order, and more values may be added to a sweep without losing those that are there. */
 #ifndef CLI_SWEEP_PARTIAL_H
 #define CLI_SWEEP_PARTIAL_H

@@ -33,7 +33,7 @@ typedef struct SweepPlan {
 bool sweep_plan_read(SweepPlan *, const Options *, Status *);
 void sweep_plan_free(SweepPlan *);
 
-/* The settings of one combination, checked. With `with_steps` --steps has its say, for which the time step
+/* The settings of one combination, checked. With `with_steps` --steps is applied too, for which the time step
  * has to be found. */
 bool sweep_plan_load(const SweepPlan *, const Options *, int combination, bool with_steps, Settings *,
                      Status *);

@@ -1,11 +1,11 @@
+/* The columns of the result of a sweep: name, unit and meaning of each, and the numbers of a finished run.
+ * A column is a bar's (frequency) or a beam's (period). */
 #include "cli/sweep/sweep_result.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-/* What a column measures and in which unit its name and its unit say: a frequency is a bar's, a period a
- * beam's. */
 static const struct {
     const char *name, *unit, *meaning;
 } texts[RESULT_COLUMNS] = {

@@ -28,8 +28,8 @@ typedef enum ResultColumn {
 } ResultColumn;
 
 typedef struct SweepResult {
-    bool done;      /* else the failure says why there is no row */
-    Status failure; /* of a row without a frequency its text says why */
+    bool done;      /* else `failure` is the reason why there is no row */
+    Status failure; /* of a row without a frequency: the reason */
     double cells[RESULT_COLUMNS];
 } SweepResult;
 

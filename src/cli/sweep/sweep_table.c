@@ -1,3 +1,5 @@
+/* Writes the rows of a sweep: as CSV, with the shortest digits that read back, or aligned for reading.
+ * Columns that no row has are left out. */
 #include "cli/sweep/sweep_table.h"
 
 #include "base/text.h"
@@ -54,7 +56,7 @@ void sweep_table_write_csv(const SweepTable *table, Dialect dialect, FILE *strea
         }
 }
 
-/* --- for people ----------------------------------------------------------------------------------- */
+/* --- aligned -------------------------------------------------------------------------------------- */
 
 static const char *word_of(const Parameter *parameter, const Problem *problem, double value)
 {

@@ -19,7 +19,7 @@ void sweep_table_choose_columns(SweepTable *);
 
 void sweep_table_write_csv(const SweepTable *, Dialect, FILE *);
 
-/* Aligned for people: six digits, choices as words. */
+/* Aligned for reading: six digits, choices as words. */
 void sweep_table_write_text(const SweepTable *, FILE *);
 
 /* A line for each column: name, unit, meaning; what the indices of choices stand for. */

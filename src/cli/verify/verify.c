@@ -68,8 +68,8 @@ static bool is_named(const Options *options, const VerifyCheck *check)
 
 /* --- running ------------------------------------------------------------------------------------- */
 
-/* What a run without --full did not do, so that nobody takes it for the whole. */
-static void tell_what_was_left_out(const Options *options, FILE *out)
+/* What a run without --full did not do, so that it is not taken for the whole. */
+static void print_left_out(const Options *options, FILE *out)
 {
     const VerifyCheck *check;
     bool first = true;
@@ -105,6 +105,6 @@ int verify_main(int count, char **arguments, FILE *out, Status *status)
             verify_check_run(&verify, check, options.full || (named && whole));
     }
     if (!options.full)
-        tell_what_was_left_out(&options, out);
+        print_left_out(&options, out);
     return verify_end(&verify, status);
 }

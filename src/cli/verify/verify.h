@@ -1,11 +1,11 @@
-/* `matvib verify`: what the papers say, what theory predicts, what was measured.
+/* `matvib verify`: the claims of the papers beside theory and measured numbers.
  *
  *     matvib verify [NAME]... [--full] [--list]
  *
  * Each name is a figure or a table of one of the two papers, or one more thing that is known of a method: a
- * table of rows (verify_row.h). The engine runs, and each row tells what theory knows, what was measured,
- * what our reference allows and whether it is reproduced; and under it, with a verdict of its own, what the
- * paper says. */
+ * table of rows (verify_row.h). The engine runs, and each row prints theory, the measured number,
+ * what our reference allows and whether it is reproduced; and under it, with a verdict of its own, the
+ * paper's claim. */
 #ifndef CLI_VERIFY_H
 #define CLI_VERIFY_H
 

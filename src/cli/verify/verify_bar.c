@@ -48,7 +48,7 @@
     }
 
 static const VerifyRow mode1[] = {
-    ERROR_ROW("error of omega, %", "mode1", -0.053, SAYS("the same", -0.5, 0.5)),
+    ERROR_ROW("error of omega, %", "mode1", -0.053, CLAIM("the same", -0.5, 0.5)),
     PERIOD_ROW(NOTHING, 0.053),
     EARLY_AMPLITUDE_ROW(1.000, PRINTS("the same", 1)),
     LATE_ROWS("mode1", 1.000, 0.06366305385680329),

@@ -9,7 +9,7 @@ typedef struct VerifyCheck {
     const char *title;
     const VerifyRow *rows; /* the first names a scenario */
     int n_rows;
-    const char *note; /* said under them; NULL: nothing */
+    const char *note; /* printed under them; NULL: nothing */
 } VerifyCheck;
 
 #define VERIFY_ROWS(rows) rows, (int)(sizeof(rows) / sizeof *(rows))

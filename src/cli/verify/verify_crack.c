@@ -63,7 +63,7 @@ static const VerifyRow path[] = {
      .to = 38e-3,
      .decimals = 1,
      .reference = WITHIN(9, 3),
-     .paper = SAYS("curves towards the load", 3, 60)},
+     .paper = CLAIM("curves towards the load", 3, 60)},
     TIP_ROWS(104, 66.8, 22.8),
     TIP_ROWS(136, 74.3, 36.8),
     TIP_ROWS(168, 85.8, 51.8),
@@ -75,6 +75,6 @@ static const VerifyRow path[] = {
 const VerifyCheck verify_crack_checks[] = {
     {"P-fig9", "times of the crack, as in figure 9", VERIFY_ROWS(times), NULL},
     {"P-fig10", "path of the crack, as in figure 10", VERIFY_ROWS(path),
-     "Of the experiment in figure 10 the paper tells no number."},
+     "Of the experiment in figure 10 the paper gives no number."},
     {NULL, NULL, NULL, 0, NULL},
 };

@@ -1,11 +1,11 @@
-/* Numbers that a verification takes from a run; what `row` has to say for each stands behind it. NAN where
+/* Numbers that a verification takes from a run; what `row` must hold for each stands after it. NAN where
  * the run has no such number. */
 #ifndef CLI_VERIFY_QUANTITY_H
 #define CLI_VERIFY_QUANTITY_H
 
 #include "cli/verify/verify_row.h"
 
-/* The readout, as `matvib run` tells it. */
+/* The readout, as `matvib run` prints it. */
 double quantity_measured(VerifyRun *, const VerifyRow *);                /* frequency or period; scale */
 double quantity_predicted(VerifyRun *, const VerifyRow *);               /* likewise */
 double quantity_measured_over_predicted(VerifyRun *, const VerifyRow *); /* less 1; scale */

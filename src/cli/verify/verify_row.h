@@ -1,4 +1,5 @@
-/* A row of a verification: one number of one run, what it has to be, and what the paper says of it. */
+/* A row of a verification: one number of one run, its reference and tolerance, and the paper's claim about
+ * it. */
 #ifndef CLI_VERIFY_ROW_H
 #define CLI_VERIFY_ROW_H
 
@@ -16,13 +17,13 @@ typedef struct Band {
         (value) - (tolerance), (value) + (tolerance)                                                         \
     }
 
-/* What the paper says of a number, in its words. */
+/* The paper's claim about a number, in its words. */
 typedef struct Claim {
-    const char *words;   /* NULL: it says nothing */
-    double number;       /* what the words name, told with how far we are off; NAN: they name none */
+    const char *words;   /* NULL: no claim */
+    double number;       /* that the words name, printed with our distance from it; NAN: they name none */
     double agrees, near; /* off by no more than such a share of the number */
     Band range;          /* where they name none: what agrees with them */
-    const char *remark;  /* told behind the verdict; NULL: none */
+    const char *remark;  /* printed after the verdict; NULL: none */
 } Claim;
 
 /* A number that the paper prints: 2 % off agrees, 10 % is near; of "about 5", 10 % and 25 %. */
@@ -38,7 +39,7 @@ typedef struct Claim {
     {                                                                                                        \
         words, number, 0.1, 0.25, {0, 0}, NULL                                                               \
     }
-#define SAYS(words, low, high)                                                                               \
+#define CLAIM(words, low, high)                                                                              \
     {                                                                                                        \
         words, NAN, 0, 0, {low, high}, NULL                                                                  \
     }
@@ -49,7 +50,7 @@ typedef struct Claim {
 
 typedef struct VerifyRow VerifyRow;
 
-/* A number of a run; `row` says of which column, when, and so on. NAN: there is none. */
+/* A number of a run; `row` has the column, the time and so on. NAN: there is none. */
 typedef double (*VerifyQuantity)(VerifyRun *, const VerifyRow *row);
 
 /* A row needs a reference, or a theory with a tolerance: something that it can miss. */
@@ -59,12 +60,12 @@ struct VerifyRow {
     VerifyQuantity quantity;
     const char *column, *other; /* what the quantity takes: columns, names */
     double from, to;            /* times, or what else it takes */
-    double scale;               /* the number is told times this; 0: 1 */
+    double scale;               /* the number is printed times this; 0: 1 */
     int decimals;
     Band reference; /* around the digits of our reference solvers; unused where both ends are 0 */
 
     VerifyQuantity theory;
-    double tolerance; /* of measured - theory, as told; 0: theory is shown only */
+    double tolerance; /* of measured - theory, as printed; 0: theory is shown only */
 
     Claim paper;
     bool full; /* --full only */
@@ -72,10 +73,10 @@ struct VerifyRow {
 
 typedef enum Agreement { PAPER_SILENT, PAPER_AGREES, PAPER_NEAR, PAPER_DIFFERS, AGREEMENTS } Agreement;
 
-/* Whether a number is what our reference and theory say it must be; what is no number is not. */
+/* Whether a number is within the tolerances of our reference and theory; NAN is not. */
 bool verify_reproduces(const VerifyRow *row, double measured, double theory);
 
-/* What the paper says of a number; what is no number differs. */
+/* The verdict of the paper's claim on a number; NAN differs. */
 Agreement verify_agreement(const Claim *claim, double measured);
 
 #endif

@@ -7,7 +7,7 @@
 #include "theory/frequency.h"
 
 typedef struct VerifyRun {
-    const char *scenario; /* as it was asked for; NULL: none was run */
+    const char *scenario; /* as the row names it; NULL: none was run */
     int threads;
     Settings settings;
     Simulation *sim; /* at the end of the run */

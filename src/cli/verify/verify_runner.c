@@ -1,11 +1,12 @@
-/* The runner: makes the runs that rows ask for, and tells each number with its verdicts. */
+/* The runner of verify: makes the runs that rows name, one run for consecutive rows of the same scenario, and
+ * prints each number with its two verdicts, against our reference and against the paper (verify_row.h). */
 #include "cli/verify/verify_runner.h"
 
 #include <string.h>
 
 /* --- a row --------------------------------------------------------------------------------------- */
 
-static void tell_number(char out[32], double value, int decimals)
+static void print_number(char out[32], double value, int decimals)
 {
     out[0] = '\0';
     if (!isnan(value))
@@ -15,7 +16,7 @@ static void tell_number(char out[32], double value, int decimals)
 enum { REFERENCE_WIDTH = 18 };
 
 /* "2..3", ">= 2", "<= 3", or "2" alone; where that has no room, the middle and how far it may be off. */
-static void tell_reference(char out[64], const VerifyRow *row)
+static void print_reference(char out[64], const VerifyRow *row)
 {
     double low = row->reference.low, high = row->reference.high;
     int decimals = row->decimals, length = 0;
@@ -35,22 +36,22 @@ static void tell_reference(char out[64], const VerifyRow *row)
         snprintf(out, 64, "%.*f +- %.0e", row->decimals, (low + high) / 2, (high - low) / 2);
 }
 
-static void tell_head(FILE *out)
+static void print_head(FILE *out)
 {
     fprintf(out, "  %-26s %10s %10s  %-18s  %s\n", "", "theory", "measured", "our reference", "");
 }
 
-static void tell_row(FILE *out, const VerifyRow *row, double measured, double theory, bool reproduced)
+static void print_row(FILE *out, const VerifyRow *row, double measured, double theory, bool reproduced)
 {
     char numbers[2][32], reference[64];
-    tell_number(numbers[0], theory, row->decimals);
-    tell_number(numbers[1], measured, row->decimals);
-    tell_reference(reference, row);
+    print_number(numbers[0], theory, row->decimals);
+    print_number(numbers[1], measured, row->decimals);
+    print_reference(reference, row);
     fprintf(out, "  %-26s %10s %10s  %-18s  %s\n", row->what, numbers[0],
             isnan(measured) ? "none" : numbers[1], reference, reproduced ? "yes" : "MISSED");
 }
 
-static void tell_agreement(FILE *out, const Claim *claim, double measured, Agreement agreement)
+static void print_agreement(FILE *out, const Claim *claim, double measured, Agreement agreement)
 {
     static const char *const words[AGREEMENTS] = {
         [PAPER_AGREES] = "agrees", [PAPER_NEAR] = "near", [PAPER_DIFFERS] = "differs"};
@@ -86,8 +87,8 @@ static void run_row(Verify *verify, const VerifyRow *row, const char *scenario)
     }
     bool reproduced = verify_reproduces(row, measured, theory);
     Agreement agreement = verify_agreement(&row->paper, measured);
-    tell_row(verify->out, row, measured, theory, reproduced);
-    tell_agreement(verify->out, &row->paper, measured, agreement);
+    print_row(verify->out, row, measured, theory, reproduced);
+    print_agreement(verify->out, &row->paper, measured, agreement);
     if (run->failure.code != STATUS_DONE)
         fprintf(verify->out, "    %s\n", run->failure.text);
     fflush(verify->out);
@@ -100,7 +101,7 @@ void verify_check_run(Verify *verify, const VerifyCheck *check, bool full)
 {
     const char *scenario = NULL;
     fprintf(verify->out, "%s  %s\n", check->name, check->title);
-    tell_head(verify->out);
+    print_head(verify->out);
     for (int i = 0; i < check->n_rows && !ferror(verify->out); i++) {
         scenario = check->rows[i].scenario ? check->rows[i].scenario : scenario;
         if (full || !check->rows[i].full)
@@ -114,7 +115,7 @@ int verify_end(Verify *verify, Status *status)
     verify_run_close(&verify->run);
     long all = verify->reproduced + verify->missed;
     if (ferror(verify->out))
-        return STATUS_DONE; /* not all was run; who closes the stream tells */
+        return STATUS_DONE; /* not all was run; closing the stream reports the error */
     fprintf(verify->out,
             "ours: %ld of %ld reproduced; paper: %ld agree, %ld near, %ld differ%s, %ld not given\n",
             verify->reproduced, all, verify->papers[PAPER_AGREES], verify->papers[PAPER_NEAR],

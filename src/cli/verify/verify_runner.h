@@ -7,22 +7,22 @@
 
 #include <stdio.h>
 
-/* One verification: where it is told, and the counts so far. */
+/* One verification: where it is printed, and the counts so far. */
 typedef struct Verify {
     FILE *out;
     int threads;
-    VerifyRun run; /* the last one, which following rows may ask for again */
+    VerifyRun run; /* the last one, which following rows may use again */
     long reproduced, missed;
     long papers[AGREEMENTS];
 } Verify;
 
-/* Runs the rows of a check, with --full all of them, and tells each. A run that cannot be made is a miss of
+/* Runs the rows of a check, with --full all of them, and prints each. A run that cannot be made is a miss of
  * its rows. */
 void verify_check_run(Verify *, const VerifyCheck *, bool full);
 
 /* The last line, with both counts, and the exit status: 1, with a status that says so, if anything was
- * missed; what differs from the paper is told only. 0 where nothing can be written any more, which who closes
- * the stream tells. */
+ * missed; what differs from the paper is only printed. 0 where nothing can be written any more: closing
+ * the stream reports that. */
 int verify_end(Verify *, Status *);
 
 #endif

@@ -1,4 +1,4 @@
-/* How many steps a run takes: time.end over the time step, rounded up to a whole step. */
+/* How many steps a run takes: the least number that reaches time.end, but for 1e-9 of it. */
 #include "lab/problems/problem.h"
 
 #include "base/text.h"
