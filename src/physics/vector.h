@@ -11,6 +11,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#ifdef __SSE2__
+#include <immintrin.h>
+#endif
+
 #if defined __AVX512F__
 enum { VECTOR_WIDTH = 8 };
 #elif defined __AVX__
@@ -39,12 +43,45 @@ KERNEL_INLINE void vector_store(double *to, Vector value)
     *(VectorInArray *)to = value;
 }
 
+/* from[0], from[8], from[16] ... */
+KERNEL_INLINE Vector vector_load_every_eighth(const double *from)
+{
+#if defined __AVX512F__
+    return (Vector){from[0], from[8], from[16], from[24], from[32], from[40], from[48], from[56]};
+#elif defined __AVX__
+    return (Vector){from[0], from[8], from[16], from[24]};
+#else
+    return (Vector){from[0], from[8]};
+#endif
+}
+
+KERNEL_INLINE Vector vector_root(Vector x)
+{
+#if defined __AVX512F__
+    return (Vector)_mm512_sqrt_pd((__m512d)x);
+#elif defined __AVX__
+    return (Vector)_mm256_sqrt_pd((__m256d)x);
+#elif defined __SSE2__
+    return (Vector)_mm_sqrt_pd((__m128d)x);
+#else
+    for (int lane = 0; lane < VECTOR_WIDTH; lane++)
+        x[lane] = __builtin_sqrt(x[lane]);
+    return x;
+#endif
+}
+
 KERNEL_INLINE bool vector_is_zero(VectorMask bits)
 {
+#if defined __AVX512F__
+    return _mm512_test_epi64_mask((__m512i)bits, (__m512i)bits) == 0;
+#elif defined __AVX__
+    return _mm256_testz_si256((__m256i)bits, (__m256i)bits) != 0;
+#else
     int64_t any = 0;
     for (int lane = 0; lane < VECTOR_WIDTH; lane++)
         any |= bits[lane];
     return any == 0;
+#endif
 }
 
 KERNEL_INLINE Vector vector_absolute(Vector x)

@@ -10,20 +10,28 @@
  *     of what stands right of it   y' = y - x r    r' = c r + g y
  *
  * A row that is empty (d = 0) takes the new one whole: c = 0, and nothing is left of it. So no pivot is too
- * small, and no tolerance says which one would be. As particles are in order, a triangle's row is complete
- * when their cells have passed it: only as many rows are kept as a cell has nodes. */
+ * small until its square leaves the range of a double, and no tolerance says which one would be. As particles
+ * are in order, a triangle's row is complete when their cells have passed it: only as many rows are kept as a
+ * cell has nodes.
+ *
+ * That is for the wider shapes. Hats go faster in pairs of cells (kernels_null.h); what is here of them is for
+ * the few cells and pairs that are not like the others. */
 #include "physics/mpm_bar/bar_null.h"
+#include "physics/mpm_bar/kernels.h"
 #include "physics/mpm_bar/shape.h"
+
+/* Numbers whose squares would leave a double's range are as good as 0 beside others of order 1. */
+static const double too_small = 1e-280;
 
 /* One particle: its row x (support entries, overwritten) and right-hand side v against the rows of the
  * triangle. */
-static inline void add_row(BarNull *null, const int support, double *x, double v)
+static inline void add_row(BarNullBand *null, const int support, double *x, double v)
 {
     double w = 1.0;
 #pragma GCC unroll 4
     for (int a = 0; a < support; a++) {
         const double first = x[a], whole = null->weight[a] + w * (first * first);
-        if (!(whole > 0.0))
+        if (!(whole > too_small))
             continue;
         const double inverse = 1.0 / whole, keep = null->weight[a] * inverse, gain = w * first * inverse;
         null->weight[a] = whole;
@@ -43,7 +51,7 @@ static inline void add_row(BarNull *null, const int support, double *x, double v
 
 /* On to the next cell, whose first node was this one's second: the complete first row of the triangle is
  * dropped, an empty last one comes in. */
-static inline void shift(BarNull *null, const int support)
+static inline void shift(BarNullBand *null, const int support)
 {
 #pragma GCC unroll 4
     for (int a = 0; a + 1 < support; a++) {
@@ -60,11 +68,11 @@ static inline void shift(BarNull *null, const int support)
 static inline void add_cells(const Bar *bar, BarNull *null, const MpmShape shape, int end)
 {
     const int support = shape_support(shape);
-    BarNull local = *null;
-    for (int c = local.next; c < end; c++) {
+    BarNullBand local = null->band;
+    for (int c = null->next; c < end; c++) {
         double free[BAR_SUPPORT_MAX];
         for (int a = 0; a < support; a++)
-            free[a] = bar->node_inverse[c + a] > 0.0 && !bar_node_is_fixed(bar, c + a) ? 1.0 : 0.0;
+            free[a] = bar_null_sees(bar, c + a) ? 1.0 : 0.0;
         const int count = bar->first[c + 1] - bar->first[c];
         int j = bar->first[c] % bar->slots, k = bar->first[c] / bar->slots;
         for (int i = 0; i < count; i++) {
@@ -78,8 +86,8 @@ static inline void add_cells(const Bar *bar, BarNull *null, const MpmShape shape
         }
         shift(&local, support);
     }
-    local.next = end > local.next ? end : local.next;
-    *null = local;
+    null->next = end > null->next ? end : null->next;
+    null->band = local;
 }
 
 void bar_null_add(const Bar *bar, BarNull *null, int end)
@@ -87,7 +95,7 @@ void bar_null_add(const Bar *bar, BarNull *null, int end)
     const int mapped = end == bar->n_cells ? end : end - bar->support + 1;
     switch (bar->def.shape) {
     case MPM_HAT:
-        add_cells(bar, null, MPM_HAT, mapped);
+        bar->kernels->null_space(bar, null, end == bar->n_cells ? end : mapped / 8 * 8);
         return;
     case MPM_GIMP:
         add_cells(bar, null, MPM_GIMP, mapped);
@@ -101,7 +109,95 @@ void bar_null_add(const Bar *bar, BarNull *null, int end)
     }
 }
 
+/* --- hats, by plain rotations ---------------------------------------------------------------------- */
+
+/* Turns (*x, and what comes with it in its row) against (other, ...), so that `other` becomes 0. Where both
+ * are 0 nothing turns. */
+typedef struct Rotation {
+    double c, s;
+} Rotation;
+
+static Rotation rotate(double *x, double other)
+{
+    const double square = *x * *x + other * other;
+    if (!(square > too_small))
+        return (Rotation){1, 0};
+    const double root = sqrt(square);
+    const Rotation rotation = {*x / root, other / root};
+    *x = root;
+    return rotation;
+}
+
+static void turn(Rotation by, double *a, double *b)
+{
+    const double before = *a;
+    *a = by.c * before + by.s * *b;
+    *b = by.c * *b - by.s * before;
+}
+
+/* A row of the far node alone. */
+static void add_far(BarTriangle *to, double t, double u)
+{
+    double *part = to->part;
+    turn(rotate(&part[NULL_T], t), &part[NULL_U], &u);
+    part[NULL_SUM] += u * u;
+}
+
+static void add_near(BarTriangle *to, double x, double y, double v)
+{
+    double *part = to->part;
+    const Rotation by = rotate(&part[NULL_X], x);
+    turn(by, &part[NULL_Y], &y);
+    turn(by, &part[NULL_V], &v);
+    add_far(to, y, v);
+}
+
+BarTriangle bar_null_cell(const Bar *bar, int cell, bool left)
+{
+    BarTriangle triangle = {{0}};
+    const double free_left = bar_null_sees(bar, cell), free_right = bar_null_sees(bar, cell + 1);
+    for (int p = bar->first[cell]; p < bar->first[cell + 1]; p++) {
+        const double s = bar->s[p % bar->slots][p / bar->slots], v = bar->v[p % bar->slots][p / bar->slots];
+        const double of_left = free_left * (1.0 - s), of_right = free_right * s;
+        add_near(&triangle, left ? of_left : of_right, left ? of_right : of_left, v);
+    }
+    return triangle;
+}
+
+BarTriangle bar_null_join(const BarTriangle *first, const BarTriangle *second)
+{
+    const double *a = first->part, *b = second->part;
+    BarTriangle all = {{[NULL_SUM] = a[NULL_SUM] + b[NULL_SUM]}};
+    add_far(&all, b[NULL_T], b[NULL_U]);
+    add_near(&all, a[NULL_T], 0.0, a[NULL_U]);
+
+    /* the shared node's two rows: one goes with the node, the other is left */
+    double x = a[NULL_X], y = a[NULL_Y], v = a[NULL_V], far = 0.0, rest_y = 0.0, rest_far = b[NULL_Y];
+    double rest_v = b[NULL_V];
+    const Rotation by = rotate(&x, b[NULL_X]);
+    turn(by, &y, &rest_y);
+    turn(by, &far, &rest_far);
+    turn(by, &v, &rest_v);
+    if (by.s == 0.0 && !(x * x > too_small)) /* the node is in neither */
+        add_near(&all, y, far, v);
+    add_near(&all, rest_y, rest_far, rest_v);
+    return all;
+}
+
+/* The last two nodes go too. */
+static double sum_of_tree(const BarNullTree *tree)
+{
+    BarTriangle all = tree->before;
+    double *part = all.part;
+    if (!(part[NULL_X] * part[NULL_X] > too_small))
+        add_far(&all, part[NULL_Y], part[NULL_V]);
+    if (!(part[NULL_T] * part[NULL_T] > too_small))
+        part[NULL_SUM] += part[NULL_U] * part[NULL_U];
+    return part[NULL_SUM];
+}
+
 double bar_null_energy(const Bar *bar, const BarNull *null)
 {
-    return 0.5 * bar->mass * null->sum;
+    const double sum = bar->def.shape == MPM_HAT ? sum_of_tree(&null->tree) : null->band.sum;
+    return 0.5 * bar->mass * sum;
 }

@@ -68,6 +68,7 @@ typedef struct BarCrossing {
 
 typedef struct Bar Bar;
 typedef struct BarKernels BarKernels;
+typedef struct BarNull BarNull;
 
 struct Bar {
     Simulation sim; /* first: a Bar is a Simulation */

@@ -23,6 +23,8 @@
 #include "physics/mpm_bar/shape.h"
 #include "physics/vector.h"
 
+#include <string.h>
+
 #ifndef BAR_KERNELS
 #define BAR_KERNELS bar_kernels_plain
 #endif
@@ -431,6 +433,8 @@ static void node_sums(const Bar *bar, int first, int end, double *lanes)
         lanes[lane] += momentum[i + lane] * momentum[i + lane] * inverse[i + lane];
 }
 
+#include "physics/mpm_bar/kernels_null.h"
+
 const BarKernels BAR_KERNELS = {
     .map = map,
     .strain = strain,
@@ -440,4 +444,5 @@ const BarKernels BAR_KERNELS = {
     .settle = settle,
     .particle_sums = particle_sums,
     .node_sums = node_sums,
+    .null_space = null_space,
 };
