@@ -337,6 +337,8 @@ static void fill_fit(const Record *record, const double unknowns[UNKNOWNS_MAX], 
     fit->residual = sqrt(squares / (double)record->count) * record->scale / fit->amplitude;
 }
 
+/* Angle, linear part, then all unknowns. False: less than half a period, beyond the Nyquist frequency, or no
+ * convergence. */
 static bool fit_record(const Record *record, double half, double start, double unknowns[UNKNOWNS_MAX],
                        Status *status)
 {

@@ -1,4 +1,7 @@
-/* A bar is made, copied out, put back and changed. */
+/* A bar by the material point method is made, copied out, put back and changed. The state is one block of
+ * arrays; a snapshot between steps is its first part, the particles, in the middle of a step all of it. At t
+ * = 0 particles stand at s = (j + 1/2)/P in their cells, with stress 0, volume m/rho and the velocity of eq.
+ * 19; m = rho dx/P, dt by eq. 21. */
 #include "physics/axial.h"
 #include "physics/mpm_bar/bar_state.h"
 #include "physics/mpm_bar/kernels.h"
@@ -190,7 +193,8 @@ static const Method method = {
     .change = change,
 };
 
-/* Numbers of the model that follow from the definition. */
+/* Numbers of the model that follow from the definition: counts, m = rho dx/P, dt = courant dx/c (eq. 21),
+ * supports and the particles under traction (eq. 11). */
 static void derive(Bar *bar)
 {
     const BarDef *def = &bar->def;

@@ -1,4 +1,6 @@
-/* What front ends read of a bar: fields, series, links. */
+/* What front ends read of a bar: fields, series, links. Computed when read, from the state as it stands in
+ * mid-step too: which stages are done decides whether a place is the old or the new one, and a node's field
+ * is 0 before its stage. */
 #include "base/assertion.h"
 #include "physics/axial.h"
 #include "physics/mpm_bar/bar_state.h"
@@ -68,6 +70,7 @@ const Quantity bar_series[BAR_SERIES] = {
     AXIAL_SERIES_END,
 };
 
+/* Eq. 5: de = dt sum N'_i v_i / dx, N' by s. */
 static double strain_increment(const Bar *bar, int cell, double s)
 {
     double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX], v[BAR_SUPPORT_MAX], gradient = 0.0;

@@ -25,6 +25,7 @@ double bar_node_position(const Bar *bar, int node)
     return ((cell - bar->origin) + offset) * bar->dx;
 }
 
+/* By bisection in first[], which ascends. */
 int bar_cell_of(const Bar *bar, int particle)
 {
     int low = 0, high = bar->n_cells; /* first[low] <= particle < first[high] */

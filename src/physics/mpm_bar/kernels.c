@@ -79,6 +79,7 @@ KERNEL_INLINE double gather(double *const *part, int support, int i)
 
 /* --- map ------------------------------------------------------------------------------------------ */
 
+/* Eqs. 2, 3: the cells' shares by runs, then m_i and p_i by nodes. m, p, 1/m: n_nodes entries each. */
 KERNEL_INLINE void map_shape(Bar *bar, MpmShape shape, int slots, int first, int end)
 {
     const bool affine = bar->head->transfer == MPM_APIC;
@@ -131,6 +132,8 @@ static void map(Bar *bar, int first, int end)
 
 /* --- strain and stress ---------------------------------------------------------------------------- */
 
+/* Eqs. 4, 5, 7, 8, 9 by runs of cells; cells at the ends of a hat's bar one by one. Returns the first
+ * crushed particle, or -1. */
 KERNEL_INLINE int strain_shape(Bar *bar, MpmShape shape, int slots, int first, int end)
 {
     int crushed = -1;
@@ -188,6 +191,7 @@ KERNEL_INLINE void external_force(Bar *bar, MpmShape shape, int first, int end)
         bar->node_f_ext[i] = bar->node_mass[i] * gravity + gather(bar->part[1], shape_support(shape), i);
 }
 
+/* Eqs. 10, 11: the cells' shares by runs, then f_int by nodes; f_ext only where a load acts. */
 KERNEL_INLINE void force_shape(Bar *bar, MpmShape shape, int slots, int first, int end)
 {
     for (int c = first; c < end;) {
@@ -249,6 +253,8 @@ KERNEL_INLINE void integrate_nodes(Bar *bar, bool loaded, int first, int end)
     }
 }
 
+/* Eqs. 12, 13: held nodes take neither force nor displacement; the work of the load is sum f_ext dt
+ * p_i/m_i. */
 static void integrate(Bar *bar, int first, int end)
 {
     const int last = nodes_end(bar, end), fixed_right = bar->n_nodes - bar->fixed_right;
@@ -270,6 +276,7 @@ static void integrate(Bar *bar, int first, int end)
 
 /* --- update particles ----------------------------------------------------------------------------- */
 
+/* Eqs. 14, 15 by runs of cells; positions go to moved[], the cells are found in the last stage (settle). */
 KERNEL_INLINE void update_as(Bar *bar, MpmShape shape, Transfer transfer, int slots, int first, int end)
 {
     for (int c = first; c < end;) {

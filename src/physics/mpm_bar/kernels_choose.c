@@ -1,4 +1,5 @@
-/* The kernels that were compiled, by level. */
+/* The kernels that were compiled, by level. kernels.c is compiled once for each instruction set; all give the
+ * same bits. */
 #include "physics/mpm_bar/kernels.h"
 
 extern const BarKernels bar_kernels_plain;

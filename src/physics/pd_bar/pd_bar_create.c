@@ -1,4 +1,5 @@
-/* The bar by peridynamics: its memory, its start, its state as bytes. */
+/* The bar by peridynamics: its memory, its start, its state as bytes, and the table of functions through
+ * which a driver runs it (method.h). The state is one block: head, u with its mirrored nodes, v, f. */
 #include "physics/axial.h"
 #include "physics/pd_bar/pd_bar_internal.h"
 

@@ -1,4 +1,9 @@
-/* What front ends read of the bar by peridynamics: fields, series, links. */
+/* What front ends read of the bar by peridynamics: fields, series, links. Computed when read, no part of a
+ * step. With k = c G w V/|xi| the stiffness of a bond and e its elongation, per unit cross-section:
+ *
+ *     energy of a bond    k e^2 h/2;  of a node half of that of its bonds, so sum_j k e^2 h/4
+ *     strain of a node    sum_j w e / sum_j w |xi|
+ *     stress of a node    mean over the two sections beside it of h sum k e, all bonds through the section */
 #include "base/assertion.h"
 #include "physics/axial.h"
 #include "physics/pd_bar/pd_bar_internal.h"
@@ -30,7 +35,6 @@ static BondAt bond_at(const PdBar *bar, int i, int m)
     return (BondAt){k, distance, pd_bar_elongation(bar, k, distance), pd_bar_stiffness(bar, k, distance)};
 }
 
-/* Half of the energy of the node's bonds. */
 static double strain_energy(const PdBar *bar, int i)
 {
     double sum = 0;

@@ -1,4 +1,6 @@
-/* A beam from its definition: model, state at t = 0, time step. */
+/* A beam from its definition: lattice and bonds (the model), memory, state at t = 0, critical time step, and
+ * the table of functions through which a driver runs it (method.h). Long work calls BeamDef.patience and may
+ * be stopped by it; on any failure nothing is left allocated. */
 #include "physics/pd_plane/beam_internal.h"
 
 #include <math.h>

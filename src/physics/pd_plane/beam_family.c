@@ -1,4 +1,10 @@
-/* Single bonds as they stand, families, and the links that front ends draw. */
+/* Single bonds as they stand, families, and the links that front ends draw. One bond by eqs. 2 and 3:
+ *
+ *     s = (|xi + eta| - |xi|)/|xi|        written so that small strains keep their digits (offset_stretch)
+ *     pull = c G w V s                    force density on its ends, N/m^3, along (xi + eta)/|xi + eta|
+ *     energy = pull s |xi| V b/2          J, b the thickness
+ *
+ * A broken bond has the coefficient c G w V = 0, so its pull and energy are 0. */
 #include "base/assertion.h"
 #include "physics/pd_plane/beam_internal.h"
 

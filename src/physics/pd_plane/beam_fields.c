@@ -1,4 +1,7 @@
-/* What front ends see of nodes and bonds: sets and fields. */
+/* The fields of a beam that front ends read (Simulation.fields): a function for the value of one node or one
+ * bond, and a row for each with name, unit and meaning. Everything is computed when it is read, from the
+ * state as it stands, in mid-step too; nothing here is part of a step. Strain energy and largest stretch of
+ * nodes, which need all bonds, go through the vector loops of beam_shares.c. SI units. */
 #include "base/assertion.h"
 #include "physics/pd_plane/beam_internal.h"
 

@@ -105,6 +105,8 @@ static double lowest_eigenvalue(const CholeskyBand *factor, const Lattice *latti
     return lambda;
 }
 
+/* T = 2 pi/sqrt(lambda/rho). *period stays NAN where the band would take more than BEAM_MODES_NUMBERS_MAX
+ * doubles. False: no memory, or interrupted. */
 static bool solve(const Lattice *lattice, const BeamDef *def, double *period, Status *status)
 {
     CholeskyBand band = {.size = 2 * lattice_nodes(lattice), .width = half_width(lattice)};

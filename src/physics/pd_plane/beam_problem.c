@@ -1,4 +1,7 @@
-/* What makes the three problems: notch, supports, load, protected zones, probe, and the shape at t = 0. */
+/* What makes the three problems of paper P, set once when a beam is created: notch, supports (eqs. 12, 13),
+ * load, protected zones, probe, and the shape at t = 0 (eqs. 15 to 18). Places are compared with a tolerance
+ * of 1e-6 dx where nodes or bonds lie exactly on a limit, so that rounding does not decide. An error names
+ * the key. */
 #include "physics/pd_plane/beam_internal.h"
 
 #include <math.h>
@@ -20,6 +23,8 @@ static bool is_cut(const Beam *beam, BondPlace place)
     return height <= beam->def.notch_depth + tolerance;
 }
 
+/* Every bond of the lattice gets its coefficient c G w V (eq. 8), a cut one 0 and its bit. False:
+ * interrupted. */
 bool beam_set_bonds(Beam *beam, Status *status)
 {
     const Lattice *lattice = &beam->lattice;
@@ -57,6 +62,7 @@ bool beam_set_bonds(Beam *beam, Status *status)
     return true;
 }
 
+/* Adds a node whose components x, y are held at rest. */
 static bool support(Beam *beam, int i, int j, bool x, bool y, Status *status)
 {
     if (beam->n_supports == SUPPORTS_MAX)
@@ -104,6 +110,7 @@ static bool set_bottom_supports(Beam *beam, Status *status)
     return true;
 }
 
+/* Loaded are the nodes of the top row with |X - x_load| <= width/2. */
 static bool set_load(Beam *beam, Status *status)
 {
     const Lattice *lattice = &beam->lattice;
@@ -165,7 +172,7 @@ bool beam_set_problem(Beam *beam, Status *status)
     return set_bottom_supports(beam, status) && set_load(beam, status);
 }
 
-/* Eqs. 15, 16. */
+/* Eqs. 15, 16: u_y = U sin(k x), u_x = -y du_y/dx, k = pi/L. */
 static void bend_supported(const Beam *beam, double x, double y, double u[2])
 {
     double k = M_PI / beam->def.length, U = beam->def.amplitude;
@@ -173,7 +180,12 @@ static void bend_supported(const Beam *beam, double x, double y, double u[2])
     u[1] = U * sin(k * x);
 }
 
-/* Eqs. 17, 18; zero inside the channel. */
+/* Eqs. 17, 18, the first mode of a cantilever with tip 2U: k = z/L, 1 + cosh z cos z = 0,
+ *
+ *     u_y = U (cosh kx - cos kx - r (sinh kx - sin kx)),   r = (sinh z - sin z)/(cosh z + cos z)
+ *     u_x = -y du_y/dx
+ *
+ * and zero inside the channel, x <= 0. */
 static void bend_cantilever(const Beam *beam, double x, double y, double u[2])
 {
     u[0] = u[1] = 0;
@@ -206,7 +218,7 @@ void beam_set_motion(Beam *beam, const BeamOptions *options)
             beam->nodes.vx[at] = v[0];
             beam->nodes.vy[at] = v[1];
         }
-    /* before the first force, or the energy jumps */
+    /* held components start at rest; set after the first force instead, the energy would jump */
     for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++) {
         size_t at = lattice_at(lattice, s->i, s->j);
         if (s->x)

@@ -1,4 +1,6 @@
-/* The state as bytes, and the parameters that may change in mid-run. */
+/* The state as bytes, and the parameters that may change in mid-run. A snapshot is the block of the state
+ * (head, six node arrays, bits of broken bonds); what follows from it (coefficients, damage, the crack) is
+ * computed again when it is put back. */
 #include "physics/pd_plane/beam_internal.h"
 
 #include <math.h>
