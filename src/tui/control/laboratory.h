@@ -30,8 +30,8 @@ typedef struct Host {
     void (*redraw)(void *context);  /* everything anew */
     void (*suspend)(void *context); /* ^Z */
     void *context;
-    bool (*key_waits)(
-        void *context); /* the engine makes room for it at once; NULL: keys come between frames */
+    /* A key waits, for which the engine makes room at once; NULL: keys come between frames. */
+    bool (*key_waits)(void *context);
 } Host;
 
 /* What keys before this one have left behind. */

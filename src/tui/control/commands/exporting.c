@@ -15,9 +15,9 @@ enum { EXPORTS = 3, PATH_BYTES = NAME_MAX_BYTES + 32, SPREADSHEET_ROWS = 1048576
 static const char *const suffixes[EXPORTS] = {"-series.csv", "-particles.csv", "-nodes.csv"};
 
 /* The runs that are written: of a duel both. NULL: there are no more. */
-static const Experiment *run_of(const Laboratory *lab, int run)
+static const Experiment *run_of(const Duel *duel, int run)
 {
-    return run == 0 ? lab->screen.experiment : run == 1 ? lab->player.duel.b : NULL;
+    return run == 0 ? duel->a : run == 1 ? duel->b : NULL;
 }
 
 static bool has_set(const Experiment *experiment, const char *name)
@@ -30,20 +30,20 @@ static bool has_set(const Experiment *experiment, const char *name)
 }
 
 /* The files of a run of an export; a table that its method has not is left empty. */
-static void file_names(const Laboratory *lab, int run, const char *name, char paths[EXPORTS][PATH_BYTES])
+static void file_names(const Duel *duel, int run, const char *name, char paths[EXPORTS][PATH_BYTES])
 {
     for (int i = 0; i < EXPORTS; i++)
         snprintf(paths[i], PATH_BYTES, "%.255s%s%s", name, run == 0 ? "" : "-b", suffixes[i]);
-    if (!has_set(run_of(lab, run), "node"))
+    if (!has_set(run_of(duel, run), "node"))
         paths[2][0] = '\0';
 }
 
 /* The first of these files that exists; "" if none does. */
-static void find_existing(const Laboratory *lab, const char *name, char found[PATH_BYTES + 4])
+static void find_existing(const Duel *duel, const char *name, char found[PATH_BYTES + 4])
 {
     char paths[EXPORTS][PATH_BYTES];
-    for (int run = 0; run_of(lab, run); run++) {
-        file_names(lab, run, name, paths);
+    for (int run = 0; run_of(duel, run); run++) {
+        file_names(duel, run, name, paths);
         for (int i = 0; i < EXPORTS; i++)
             for (int beside = 0; beside < 2 && paths[i][0]; beside++) {
                 snprintf(found, PATH_BYTES + 4, "%.*s%s", PATH_BYTES - 1, paths[i], beside ? ".ini" : "");
@@ -67,7 +67,7 @@ static void default_name(const Laboratory *lab, char name[NAME_MAX_BYTES])
         strcpy(base, "run");
     snprintf(name, NAME_MAX_BYTES, "%s", base);
     for (int i = 2; i < 1000; i++) {
-        find_existing(lab, name, found);
+        find_existing(&lab->player.duel, name, found);
         if (!found[0])
             return;
         snprintf(name, NAME_MAX_BYTES, "%.200s-%d", base, i);
@@ -90,8 +90,8 @@ static bool write_run(Laboratory *lab, int run, bool force, RunSummary *summary)
         laboratory_say(lab, MESSAGE_ERROR, "out of memory");
         return false;
     }
-    file_names(lab, run, lab->exporting.name, paths);
-    experiment_scenario(run_of(lab, run), lab->exporting.newest, settings);
+    file_names(&lab->player.duel, run, lab->exporting.name, paths);
+    experiment_scenario(run_of(&lab->player.duel, run), lab->exporting.newest, settings);
     Outputs outputs = {.series = paths[0],
                        .particles = paths[1],
                        .nodes = paths[2][0] ? paths[2] : NULL,
@@ -109,7 +109,7 @@ static bool write_run(Laboratory *lab, int run, bool force, RunSummary *summary)
 /* Steps of a run that the export reaches to. */
 static long steps_of(const Laboratory *lab, int run)
 {
-    const Experiment *experiment = run_of(lab, run);
+    const Experiment *experiment = run_of(&lab->player.duel, run);
     if (!experiment)
         return 0;
     return lab->exporting.newest ? experiment_newest(experiment) : experiment_step(experiment);
@@ -125,12 +125,12 @@ static void write_export(Laboratory *lab, bool force)
     if (!write_run(lab, 0, force, &first) || (both && !write_run(lab, 1, force, &second)))
         return;
     lab->editing.changed = false;
-    file_names(lab, 0, lab->exporting.name, paths);
+    file_names(&lab->player.duel, 0, lab->exporting.name, paths);
     char *whole = realpath(paths[0], NULL);
     char beside[PATH_BYTES + 64] = "";
     if (both) {
         char others[EXPORTS][PATH_BYTES];
-        file_names(lab, 1, lab->exporting.name, others);
+        file_names(&lab->player.duel, 1, lab->exporting.name, others);
         const char *slash = strrchr(others[0], '/');
         snprintf(beside, sizeof beside, "; of B likewise %s (%ld rows)", slash ? slash + 1 : others[0],
                  second.rows);
@@ -160,10 +160,10 @@ static bool export_named(Laboratory *lab, const char *text)
         return prompt_refuse(&lab->prompting, "a name is wanted");
     snprintf(name, sizeof name, "%.*s", (int)length, text); /* the text may be the name already */
     memcpy(lab->exporting.name, name, sizeof name);
-    file_names(lab, 0, name, paths);
+    file_names(&lab->player.duel, 0, name, paths);
     if (!writing_name_fits(lab, paths[0]))
         return false;
-    find_existing(lab, lab->exporting.name, found);
+    find_existing(&lab->player.duel, lab->exporting.name, found);
     if (found[0])
         prompt_ask_replace(&lab->prompting, answer_replace, found);
     else

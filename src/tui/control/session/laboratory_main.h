@@ -20,15 +20,15 @@ typedef struct LaboratoryOptions {
     const char *theme;  /* "auto", "light", "dark"; NULL: auto */
     bool no_mouse;
     const char *record; /* the session is kept in this file; NULL: only as the last one */
-    const char
-        *replay;    /* this session is done again, and settings, scenario, paused are its own; NULL: none */
+    /* This session is done again, and settings, scenario, paused are its own; NULL: none */
+    const char *replay;
     bool last;      /* replay the last session; `replay` is NULL */
     bool fast;      /* replay as fast as it can */
     bool force;     /* `record` may be replaced */
     size_t history; /* bytes for keyframes; 0: the default */
     int threads;    /* 0: one */
-    const char
-        *script; /* keys from this file ("-": standard input), screens to standard output; NULL: a terminal */
+    /* Keys from this file ("-": standard input), screens to standard output; NULL: a terminal */
+    const char *script;
     int width, height; /* with a script; 0: 80x24 */
 } LaboratoryOptions;
 
