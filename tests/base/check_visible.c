@@ -29,6 +29,7 @@ static const struct {
     {"\xc3", "\\xc3"},                                             /* cut */
     {"\xc0\xaf", "\\xc0\\xaf"},                                    /* longer than need be */
     {"\xed\xa0\x80", "\\xed\\xa0\\x80"},                           /* half of a pair of UTF-16 */
+    {"\xed\xbf\xbf", "\\xed\\xbf\\xbf"},                           /* the last of those */
     {"\xf4\x90\x80\x80", "\\xf4\\x90\\x80\\x80"},                  /* beyond Unicode */
     {"\xff\xfe", "\\xff\\xfe"},
 };

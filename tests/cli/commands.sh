@@ -100,6 +100,7 @@ refuse "laboratory: wrong word" '--glyphs: dots is not a choice (auto | braille 
 refuse "laboratory: wrong size" '--size: 80 is no size (such as 80x24; at most 1000 each)' --size 80
 refuse "laboratory: wrong history" '--history: 1Q is no size (such as 64M or 2G)' --history 1Q
 refuse "laboratory: wrong threads" '--threads: 0 is not allowed (a whole number, 1 or more)' --threads 0
+refuse "laboratory: too many threads" '--threads: 100000 are too many (1 to 1024)' --threads 100000
 
 # no command word: the laboratory, which needs a terminal or a script
 refuse "laboratory: no terminal" 'the laboratory needs a terminal; without one use: matvib run SCENARIO' mode5 </dev/null

@@ -177,7 +177,7 @@ static const struct {
      "f.ini:5: mpm.algorithm: is no parameter of method pd (only of mpm)"},
     {BAR "[pd]\nhorizon = 2\n", "f.ini:4: pd.horizon: is no parameter of method mpm (only of pd)"},
     {BAR "method = pd\n[pd]\nspacing = 0.7\n",
-     "f.ini:5: pd.spacing: the length 25 is 35.7143 spacings of 0.7 (a whole number, at most 20000000)"},
+     "f.ini:5: pd.spacing: the length 25 is 35.7143 spacings of 0.7 (a whole number, at most 2000000)"},
     {BAR "method = pd\n[pd]\nsurface_correction = volume\n",
      "f.ini:5: pd.surface_correction: volume is for beams (none | energy)"},
     {BAR "method = pd\n[pd]\ncritical_stretch = 0.1\n",

@@ -44,6 +44,7 @@ BarDef bar_mpm_definition(const Settings *settings)
         .transfer = settings->mpm.transfer,
         .flip_fraction = settings->mpm.flip_fraction,
         .courant = settings->time.courant,
+        .patience = settings->patience,
     };
 }
 

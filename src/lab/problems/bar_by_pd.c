@@ -25,6 +25,7 @@ PdBarDef bar_pd_definition(const Settings *settings)
         .traction = settings->loads.traction,
         .traction_layer = settings->loads.traction_layer,
         .dt = bar_time_step(settings),
+        .patience = settings->patience,
     };
 }
 

@@ -225,6 +225,8 @@ static void derive(Bar *bar)
     bar->layer_right = right ? 0 : in_layer;
 }
 
+enum { PLACES_A_QUESTION = 16384 }; /* a millisecond or less, as each takes a sine for every mode */
+
 /* The state at t = 0. */
 static bool begin(Bar *bar, Status *status)
 {
@@ -244,6 +246,9 @@ static bool begin(Bar *bar, Status *status)
     for (int j = 0; j < bar->slots; j++) {
         double s = (j + 0.5) / bar->slots;
         for (int k = 0; k < bar->places; k++) {
+            if (k % PLACES_A_QUESTION == 0 &&
+                !patience_lasts(&def->patience, (j + (double)k / bar->places) / bar->slots))
+                return status_fail(status, STATUS_FAILED, "the building of the bar was given up");
             double x = (k + s) * bar->dx;
             bar->s[j][k] = s;
             bar->v[j][k] = def->initial_velocity ? def->initial_velocity(x, def->initial_context) : 0.0;

@@ -5,6 +5,7 @@
 #ifndef PHYSICS_MPM_BAR_H
 #define PHYSICS_MPM_BAR_H
 
+#include "base/patience.h"
 #include "physics/method.h"
 
 typedef enum BarSupports { BAR_FIXED_FREE, BAR_FREE_FIXED, BAR_FIXED_FIXED, BAR_FREE_FREE } BarSupports;
@@ -40,6 +41,8 @@ typedef struct BarDef {
     double flip_fraction; /* alpha: 1 is FLIP, 0 is PIC; FLIP transfer only */
 
     double courant; /* dt = courant * dx / c, c = sqrt(E / rho) (eq. 21) */
+
+    Patience patience; /* asked while the bar is being built, with share 0 first */
 
     /* The particle velocity at t = 0 (eq. 19 and its overtones); NULL: at rest. */
     double (*initial_velocity)(double x, const void *context);

@@ -42,8 +42,8 @@ static bool whole(int value, int low, int high, const char *key, Status *status)
     return status_fail(status, STATUS_USAGE, "%s: %d is out of range (%d to %d)", key, value, low, high);
 }
 
-/* A particle takes some 150 bytes. */
-enum { CELLS_MAX = 20000000, PARTICLES_MAX = 20000000 };
+/* A particle takes some 150 bytes, and a step of so many a tenth of a second: more would not answer. */
+enum { CELLS_MAX = 2000000, PARTICLES_MAX = 2000000 };
 
 bool bar_check(const BarDef *def, Status *status)
 {

@@ -97,10 +97,11 @@ static void plan(Pipeline *pipeline, const Bar *bar, int steps, bool with_rows)
     }
 }
 
-/* Places whose particles are all in cells [0, cell), in whole lanes. */
+/* Places whose particles are all in cells [0, cell), in whole lanes; behind the last particle all of them,
+ * or each tile of empty cells would go back to it. */
 static int places_before(const Bar *bar, int cell)
 {
-    if (cell == bar->n_cells)
+    if (bar->first[cell] == bar->n_particles)
         return bar->places;
     return bar->first[cell] / bar->slots / BAR_LANES * BAR_LANES;
 }

@@ -47,6 +47,8 @@ typedef struct PdBarDef {
 
     double dt; /* > 0 */
 
+    Patience patience; /* asked while the bar is being built, with share 0 first */
+
     /* The velocity of the nodes at t = 0; NULL: at rest. */
     double (*initial_velocity)(double x, const void *context);
     const void *initial_context; /* used during pd_bar_create only */

@@ -28,7 +28,7 @@ static bool check_numbers(const PdBarDef *def, Status *status)
 
 bool pd_bar_check(const PdBarDef *def, Status *status)
 {
-    enum { NODES_MAX = 20000000 }; /* of 64 bytes with the least horizon, 248 with the largest */
+    enum { NODES_MAX = 2000000 }; /* of 64 bytes with the least horizon, 248 with the largest */
     if (!check_numbers(def, status))
         return false;
     const double nodes = def->length / def->spacing, ratio = def->horizon / def->spacing;

@@ -88,12 +88,16 @@ static bool lay_out(PdBar *bar)
     return true;
 }
 
+enum { NODES_A_QUESTION = 16384 };
+
 static bool begin(PdBar *bar, Status *status)
 {
     const PdBarDef *def = &bar->def;
     bar->head->body_force = def->body_force;
     bar->head->traction = def->traction;
     for (int i = 0; i < bar->lattice.n && def->initial_velocity; i++) {
+        if (i % NODES_A_QUESTION == 0 && !patience_lasts(&def->patience, (double)i / bar->lattice.n))
+            return status_fail(status, STATUS_FAILED, "the building of the bar was given up");
         double x = pd_bar_position(&bar->lattice, i);
         bar->v[i] = def->initial_velocity(x, def->initial_context);
         if (!isfinite(bar->v[i]))

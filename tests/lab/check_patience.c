@@ -1,0 +1,75 @@
+/* No work without an end: whatever the parameters say, within their limits, a run that is being built asks
+ * often enough whether to go on, and is given up soon after the answer is no. Time is the processor's, so
+ * that a machine that is busy with something else changes nothing. */
+#include "lab/run/experiment.h"
+#include "lab/settings/parameters.h"
+#include "suite.h"
+
+#include <math.h>
+#include <time.h>
+
+#define PATIENCE 0.02 /* s, after which the answer is no */
+#define LONG     0.12 /* s; what takes longer has to have asked since */
+#define ANSWER   0.3  /* s, in which all is over; a lattice's eigenvalues are asked about every 10 ms or so */
+
+static double processor_seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static bool until_deadline(double share, void *deadline)
+{
+    (void)share;
+    return processor_seconds() < *(double *)deadline;
+}
+
+static void expect_answer(const Problem *problem, MethodKind method, const Parameter *parameter, double value)
+{
+    Settings settings;
+    Status status = {0};
+    settings_default(&settings, problem);
+    settings.method = method;
+    if (!settings_have(&settings, parameter) || !settings_in_range(parameter, problem, value))
+        return;
+    settings_put(&settings, parameter, value);
+    const double began = processor_seconds();
+    double deadline = began + PATIENCE;
+    settings.patience = (Patience){until_deadline, &deadline};
+    Experiment *experiment =
+        settings_check(&settings, &status) ? experiment_create(&settings, 1000000, 1, &status) : NULL;
+    const double took = processor_seconds() - began;
+    ck_assert_msg(took < ANSWER, "%s, %s = %g: no answer for %.2f s (%s)", problem->word, parameter->key,
+                  value, took, status.text);
+    ck_assert_msg(took < LONG || !experiment, "%s, %s = %g: built within %.2f s without asking",
+                  problem->word, parameter->key, value, took);
+    experiment_destroy(experiment);
+}
+
+/* The limits of a value, and where it has none far more and far less than is usual. */
+START_TEST(no_value_makes_the_building_deaf)
+{
+    static const double factors[] = {1e-6, 1e-3, 1e3, 4e4, 1e9};
+    const Solver *solver;
+    for (int p = 0; problems[p]; p++)
+        for (int s = 0; (solver = problems[p]->solvers[s]) != NULL; s++)
+            for (const Parameter *one = parameters; one < parameters + n_parameters; one++) {
+                if (one->type == PARAMETER_TEXT || !parameter_applies(one, problems[p]))
+                    continue;
+                expect_answer(problems[p], solver->method, one, one->least);
+                expect_answer(problems[p], solver->method, one, one->most);
+                const double usual = parameter_usual(one, problems[p]), scale = usual != 0 ? usual : 1;
+                for (size_t k = 0; one->type == PARAMETER_REAL && k < sizeof factors / sizeof *factors; k++)
+                    expect_answer(problems[p], solver->method, one, scale * factors[k]);
+            }
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *tcase = tcase_create("limits");
+    tcase_set_timeout(tcase, 120);
+    tcase_add_test(tcase, no_value_makes_the_building_deaf);
+    suite_add_tcase(suite, tcase);
+}
