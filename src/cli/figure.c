@@ -146,6 +146,22 @@ static bool plan(Frames *frames, const Screen *screen, const View *view, const S
     return true;
 }
 
+/* All points of the study that the view shows. */
+static bool refine(Convergence *convergence, const Screen *screen, const View *view, Progress *progress,
+                   Status *status)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const ConvergenceStudy *study = view_study(view, screen);
+    if (!study)
+        return true;
+    convergence_begin(convergence, settings);
+    const Patience patience = {progress_show, progress};
+    while (convergence_lacks(convergence, settings, study))
+        if (!convergence_next(convergence, study, patience, status))
+            return false;
+    return true;
+}
+
 static bool draw(const Options *options, const Settings *settings, Screen *screen, Progress *progress,
                  Status *status)
 {
@@ -167,7 +183,11 @@ static bool draw(const Options *options, const Settings *settings, Screen *scree
         if (!settings->view.window[0])
             screen->window =
                 experiment_simulation(screen->experiment)->dt * (double)frames.steps[frames.count - 1];
-        sound = draw_frames(screen, view, &frames, options, progress, status);
+        Convergence convergence = {.n_studies = 0};
+        screen->convergence = &convergence;
+        sound = refine(&convergence, screen, view, progress, status) &&
+                draw_frames(screen, view, &frames, options, progress, status);
+        screen->convergence = NULL;
     }
     frames_free(&frames);
     return sound;

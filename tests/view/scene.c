@@ -41,6 +41,8 @@ static bool simple_word(Scene *scene, const char *word)
         screen->references = SHOW_EXACT;
     else if (strcmp(word, "inspect") == 0)
         screen->inspecting = true, screen->focus = PANE_INSPECTOR;
+    else if (strcmp(word, "refined") == 0)
+        scene->refined = true;
     else if (strcmp(word, "node") == 0)
         screen->chosen.is_node = true;
     else if (strcmp(word, "styles") == 0)
@@ -193,6 +195,19 @@ static bool play(Scene *scene, Plan *plan, Status *status)
     return true;
 }
 
+static bool refine(Scene *scene, Status *status)
+{
+    const Settings *settings = experiment_settings(scene->screen.experiment);
+    const ConvergenceStudy *study = view_study(scene->screen.lower, &scene->screen);
+    const Patience forever = {NULL, NULL};
+    scene->screen.convergence = &scene->convergence;
+    convergence_begin(&scene->convergence, settings);
+    while (study && convergence_lacks(&scene->convergence, settings, study))
+        if (!convergence_next(&scene->convergence, study, forever, status))
+            return false;
+    return true;
+}
+
 bool scene_open(Scene *scene, const char *words, Status *status)
 {
     *scene = (Scene){.scenario = ""};
@@ -209,6 +224,8 @@ bool scene_open(Scene *scene, const char *words, Status *status)
     }
     if (!scene->duel.b)
         scene->screen.duel = NULL; /* a scene without one may be copied */
+    if (scene->refined && !refine(scene, status))
+        return false;
     screen_draw(&scene->screen, &scene->canvas);
     return true;
 }

@@ -4,8 +4,9 @@
  *
  * words: duel (of the scenario, or with what differs behind it: duel mesh.cell_size=0.5), running, ended,
  * computing, ascii, block, eight and plain (colours), zoom, lecture, none, exact, node, inspect, edit, ghost
- * (an edit behind), and with a number: help, scroll, upper, lower, variant, focus, select, stage, back,
- * window, cursor, particle, magnified, at (x,y in shares of a beam).
+ * (an edit behind), refined (all points of the convergence that is shown), and with a number: help, scroll,
+ * upper, lower, variant, focus, select, stage, back, window, cursor, particle, magnified, at (x,y in shares
+ * of a beam).
  */
 #ifndef TESTS_VIEW_SCENE_H
 #define TESTS_VIEW_SCENE_H
@@ -17,7 +18,9 @@ typedef struct Scene {
     Duel duel; /* behind screen.duel */
     Canvas canvas;
     char scenario[64];
-    bool styles; /* show styles, not glyphs */
+    Convergence convergence; /* behind screen.convergence */
+    bool refined;            /* with all points of the study that the lower view shows */
+    bool styles;             /* show styles, not glyphs */
 } Scene;
 
 /* Builds, advances and draws. False: the status says why; close it all the same. */

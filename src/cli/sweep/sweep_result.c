@@ -30,6 +30,8 @@ static const struct {
     [RESULT_CRACK_ANGLE] = {"crack_angle", "degree",
                             "between the notch and the straight line through the whole path of the crack"},
     [RESULT_CRACK_LENGTH] = {"crack_length", "m", "length of the crack at the end"},
+    [RESULT_TIP_SPEED] = {"tip_speed", "m/s",
+                          "of the crack's tip at its fastest, until it came to the protected zone"},
     [RESULT_BROKEN_BONDS] = {"broken_bonds", "1", "bonds broken at the end"},
     [RESULT_ENERGY_LEFT] =
         {"energy_left", "1",
@@ -102,6 +104,8 @@ void sweep_result_of(const RunSummary *summary, const Settings *settings, double
     if (summary->crack_known) {
         cells[RESULT_FIRST_BREAK] = summary->crack.measured.first_break;
         cells[RESULT_CRACK_ANGLE] = summary->crack.angle;
+        if (summary->crack.measured.fastest > 0)
+            cells[RESULT_TIP_SPEED] = summary->crack.measured.fastest;
     }
     cells[RESULT_CRACK_LENGTH] = last_value(summary, "crack_length");
     if (summary->energy_measure != ENERGY_NOT_KNOWN && !summary->energy_of_work)

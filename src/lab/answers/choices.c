@@ -5,7 +5,8 @@
 const Choice choices[] = {
     /* --- the bar by the material point method --- */
     {CONCERN_BAR, METHOD_MPM, "how many per cent late",
-     "\"5 %\" for mode 5, \"20 %\" for mode 10: differences of frequency in one place, of phase in another.",
+     "\"5 %\" for mode 5, \"20 %\" for mode 10: of the frequency in one place, of the phase in another, "
+     "mixed.",
      "Both are given: mode 5 has a frequency 4.24 % low and a period 4.43 % long, mode 10 17.7 % and 21.5 %. "
      "The "
      "paper's 5 % is nearer to the frequency, its 20 % lies between the two."},

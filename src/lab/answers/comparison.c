@@ -61,7 +61,8 @@ static bool fill_predicted(const Standing *run, char *label, char *value)
 
 static bool fill_exact(const Standing *run, char *label, char *value)
 {
-    return fill_answer(run, "exact", "%.4f", run->readout->exact_known, run->readout->exact, label, value);
+    return fill_answer(run, experiment_settings(run->experiment)->problem->answer, "%.4f",
+                       run->readout->exact_known, run->readout->exact, label, value);
 }
 
 static bool fill_error(const Standing *run, char *label, char *value)
@@ -166,7 +167,7 @@ static bool fill_broken(const Standing *run, char *label, char *value)
 
 static bool fill_first_break(const Standing *run, char *label, char *value)
 {
-    snprintf(label, COMPARISON_TEXT_MAX, "first break, us");
+    snprintf(label, COMPARISON_TEXT_MAX, "first break, µs");
     if (run->breaks && isnan(run->crack.measured.first_break)) {
         snprintf(value, COMPARISON_TEXT_MAX, "none yet");
         return true;

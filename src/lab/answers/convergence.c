@@ -3,6 +3,7 @@
  * order is the slope of a straight line through log |error| over log size. */
 #include "lab/problems/known.h"
 #include "lab/answers/convergence.h"
+#include "lab/settings/parameters.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -12,9 +13,10 @@
 static const double by_halves[] = {4, 2, 1, 0.5};
 static const double cells_by_halves[] = {2, 1, 0.5, 0.25, 0.125};
 static const double nodes_in_horizon[] = {2, 3, 4, 5, 6, 8};
-/* Horizon and spacing of paper P's Table 1, m. */
-static const double table_1[][2] = {{5e-3, 1.2e-3},    {2.5e-3, 0.6e-3},  {2e-3, 0.5e-3},
-                                    {1.5e-3, 0.35e-3}, {1.25e-3, 0.3e-3}, {1e-3, 0.25e-3}};
+/* Paper P's Table 1: horizon and spacing, m, and the period that it prints, s. */
+static const double table_1[][3] = {{5e-3, 1.2e-3, 0.98e-3},    {2.5e-3, 0.6e-3, 0.90e-3},
+                                    {2e-3, 0.5e-3, 0.875e-3},   {1.5e-3, 0.35e-3, 0.87e-3},
+                                    {1.25e-3, 0.3e-3, 0.88e-3}, {1e-3, 0.25e-3, 0.865e-3}};
 
 #define LENGTH_OF(array) ((int)(sizeof(array) / sizeof *(array)))
 
@@ -47,6 +49,11 @@ static bool take_from_table(const Settings *base, int k, Settings *out)
     return true;
 }
 
+static double printed_in_table(int k)
+{
+    return table_1[k][2];
+}
+
 static bool refine_cells(const Settings *base, int k, Settings *out)
 {
     if (k >= LENGTH_OF(cells_by_halves))
@@ -74,11 +81,14 @@ static double cell_size_of(const Settings *settings)
 enum { VIBRATING_LATTICE = CONCERN_LATTICE | CONCERN_DEFLECTION | CONCERN_BEAM };
 
 static const ConvergenceStudy studies[] = {
-    {"cells", "cells smaller", "cell size", CONCERN_BAR | CONCERN_MESH, METHOD_MPM, refine_cells,
+    {"cells", "cells smaller", "cell size", CONCERN_BAR | CONCERN_MESH, METHOD_MPM, refine_cells, NULL,
      cell_size_of},
-    {"delta", "horizon smaller, m kept", "horizon", VIBRATING_LATTICE, METHOD_PD, refine_horizon, horizon_of},
-    {"m", "m larger, horizon kept", "spacing", VIBRATING_LATTICE, METHOD_PD, refine_spacing, spacing_of},
-    {"table", "Table 1 of paper P", "horizon", VIBRATING_LATTICE, METHOD_PD, take_from_table, horizon_of},
+    {"delta", "horizon smaller, m kept", "horizon", VIBRATING_LATTICE, METHOD_PD, refine_horizon, NULL,
+     horizon_of},
+    {"m", "m larger, horizon kept", "spacing", VIBRATING_LATTICE, METHOD_PD, refine_spacing, NULL,
+     spacing_of},
+    {"table", "Table 1 of paper P", "horizon", VIBRATING_LATTICE, METHOD_PD, take_from_table,
+     printed_in_table, horizon_of},
 };
 
 int convergence_studies(const Settings *settings, const ConvergenceStudy *out[CONVERGENCE_STUDIES_MAX])
@@ -110,13 +120,16 @@ bool convergence_point(const ConvergenceStudy *study, const Settings *settings, 
 {
     Settings refined;
     Status why = {STATUS_DONE, ""};
-    *out = (ConvergencePoint){.size = NAN, .nodes = NAN, .error = NAN};
+    *out = (ConvergencePoint){.size = NAN, .nodes = NAN, .error = NAN, .paper = NAN};
+    out->prediction.real_height = NAN;
     if (!study->refine(settings, k, &refined))
         return true;
     const Solver *solver = problem_solver(refined.problem, refined.method);
     const bool lattice = (study->concerns & CONCERN_LATTICE) != 0;
     refined.time.step = 0; /* each lattice has its own critical step */
     out->size = study->size_of(&refined);
+    if (study->paper)
+        out->paper = study->paper(k);
     out->nodes = lattice ? refined.lattice.horizon / refined.lattice.spacing
                          : refined.geometry.length / refined.mesh.cell_size;
     if (!solver->check(&refined, &why))
@@ -159,4 +172,60 @@ double convergence_fitted_order(const ConvergencePoint *points, int count)
         before = point;
     }
     return n < 3 ? NAN : (n * sum_xy - sum_x * sum_y) / (n * sum_xx - sum_x * sum_x);
+}
+
+/* --- what is known -------------------------------------------------------------------------------- */
+
+/* Of the same run, whatever it is called and however it is looked at. */
+static bool is_of(const Convergence *convergence, const Settings *settings)
+{
+    return convergence->n_studies > 0 && convergence->base.problem == settings->problem &&
+           convergence->base.method == settings->method && settings_same(&convergence->base, settings);
+}
+
+static int index_of(const Convergence *convergence, const ConvergenceStudy *study)
+{
+    for (int i = 0; i < convergence->n_studies; i++)
+        if (convergence->studies[i] == study)
+            return i;
+    return -1;
+}
+
+void convergence_begin(Convergence *convergence, const Settings *settings)
+{
+    if (is_of(convergence, settings))
+        return;
+    convergence->base = *settings;
+    convergence->n_studies = convergence_studies(settings, convergence->studies);
+    for (int i = 0; i < convergence->n_studies; i++)
+        convergence->known[i] = 0;
+}
+
+int convergence_known(const Convergence *convergence, const Settings *settings, const ConvergenceStudy *study,
+                      const ConvergencePoint **points)
+{
+    const int i = is_of(convergence, settings) ? index_of(convergence, study) : -1;
+    if (i < 0)
+        return 0;
+    *points = convergence->points[i];
+    return convergence->known[i];
+}
+
+bool convergence_lacks(const Convergence *convergence, const Settings *settings,
+                       const ConvergenceStudy *study)
+{
+    const ConvergencePoint *points;
+    return convergence_known(convergence, settings, study, &points) < convergence_count(study, settings);
+}
+
+bool convergence_next(Convergence *convergence, const ConvergenceStudy *study, Patience patience,
+                      Status *status)
+{
+    const int i = index_of(convergence, study);
+    convergence->base.patience = patience;
+    if (!convergence_point(study, &convergence->base, convergence->known[i],
+                           &convergence->points[i][convergence->known[i]], status))
+        return false;
+    convergence->known[i]++;
+    return true;
 }

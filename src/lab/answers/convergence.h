@@ -22,6 +22,7 @@ typedef struct ConvergenceStudy {
     MethodKind method;
     /* The settings of point k, coarsest first; false: there is no such point. */
     bool (*refine)(const Settings *base, int k, Settings *out);
+    double (*paper)(int k); /* ConvergencePoint.paper; NULL: the paper gives none */
     double (*size_of)(const Settings *);
 } ConvergenceStudy;
 
@@ -31,6 +32,7 @@ typedef struct ConvergencePoint {
     double nodes; /* within the horizon: m; of a bar cells in its length */
     Prediction prediction;
     double error; /* percent: of the frequency (bar), of the period at the real size (beam) */
+    double paper; /* the period that paper P prints for it, s; NAN: none */
 } ConvergencePoint;
 
 /* The studies that these settings allow; returns how many. `out` has room for CONVERGENCE_STUDIES_MAX. */
@@ -51,5 +53,27 @@ double convergence_order(const ConvergencePoint *a, const ConvergencePoint *b);
 /* The slope of the straight line through log|error| over log(size) of all points that are known. NAN: fewer
  * than three, or the error does not fall from each to the next with the same sign. */
 double convergence_fitted_order(const ConvergencePoint *points, int count);
+
+/* What is known of all studies of one run so far: nothing is worked out twice. */
+typedef struct Convergence {
+    Settings base;
+    const ConvergenceStudy *studies[CONVERGENCE_STUDIES_MAX];
+    ConvergencePoint points[CONVERGENCE_STUDIES_MAX][CONVERGENCE_POINTS_MAX];
+    int known[CONVERGENCE_STUDIES_MAX]; /* the first so many points */
+    int n_studies;
+} Convergence;
+
+/* Makes it that of these settings; what is known of the same ones stays. */
+void convergence_begin(Convergence *, const Settings *);
+
+/* How many points of a study are known, and which; 0 of one that does not belong to these settings. */
+int convergence_known(const Convergence *, const Settings *, const ConvergenceStudy *,
+                      const ConvergencePoint **points);
+
+/* Whether points are still to be worked out. */
+bool convergence_lacks(const Convergence *, const Settings *, const ConvergenceStudy *);
+
+/* Works out the next one, of settings that convergence_begin() was given. False: as convergence_point(). */
+bool convergence_next(Convergence *, const ConvergenceStudy *, Patience, Status *);
 
 #endif

@@ -2,6 +2,8 @@
  * angles over the heights of figure 10, each known only when the crack has grown so far. */
 #include "lab/answers/crack.h"
 
+#include "physics/pd_plane/crack_speed.h"
+
 #include <math.h>
 
 const double crack_heights[CRACK_ANGLES] = {0.010, 0.020, 0.038};
@@ -19,6 +21,19 @@ bool crack_facts(const Simulation *sim, CrackFacts *facts)
     }
     facts->angle = crack_angle(sim, INFINITY);
     return true;
+}
+
+bool crack_price(const Simulation *sim, const Settings *settings, CrackPrice *price)
+{
+    const double s0 = settings->bonds.critical_stretch;
+    price->critical_energy =
+        9 * settings->material.youngs_modulus * settings->lattice.horizon * s0 * s0 / (4 * M_PI);
+    return crack_cost(sim, &price->cost) && price->cost.area > 0;
+}
+
+double crack_rayleigh_speed(const Settings *settings)
+{
+    return rayleigh_speed(settings->material.youngs_modulus, settings->material.density);
 }
 
 size_t crack_line(const Simulation *sim, double *x, double *y, size_t max)

@@ -4,7 +4,9 @@
 #ifndef LAB_CRACK_H
 #define LAB_CRACK_H
 
+#include "lab/settings/settings.h"
 #include "physics/pd_plane/crack.h"
+#include "physics/pd_plane/crack_cost.h"
 
 /* Paper P, section 3.3: the crack leaves the notch at about this angle. */
 #define CRACK_PAPER_ANGLE 30.0
@@ -22,6 +24,19 @@ typedef struct CrackFacts {
 /* False: the simulation has no notch that a crack could begin at. At any stage of a step: bonds count as
  * broken from the stage of bond forces on, tip and path follow at the stage of damage. */
 bool crack_facts(const Simulation *, CrackFacts *);
+
+/* Where the energy of the broken bonds went, and what it is to be set beside. */
+typedef struct CrackPrice {
+    CrackCost cost;
+    double critical_energy; /* G0, J/m^2 */
+} CrackPrice;
+
+/* False: there is no crack as yet, or s0 was changed on the way. It looks at every broken bond: for a table
+ * or a summary, not for every row of a run. */
+bool crack_price(const Simulation *, const Settings *, CrackPrice *);
+
+/* The speed that no crack of this kind reaches, m/s. */
+double crack_rayleigh_speed(const Settings *);
 
 /* The path from the notch's end upwards: x and y (m) of at most `max` rows of the lattice; returns how many.
  */

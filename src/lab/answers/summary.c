@@ -79,6 +79,14 @@ void summary_rows(RunSummary *summary, const Column *columns, int n_columns, con
         memcpy(summary->last_row, rows + (count - 1) * (size_t)n_columns, (size_t)n_columns * sizeof *rows);
 }
 
+void summary_crack(RunSummary *summary, const Simulation *sim, const Settings *settings)
+{
+    summary->crack_known = crack_facts(sim, &summary->crack);
+    summary->price_known = summary->crack_known && crack_price(sim, settings, &summary->price);
+    if (summary->crack_known)
+        summary->rayleigh_speed = crack_rayleigh_speed(settings);
+}
+
 void summary_of(Experiment *experiment, RunSummary *summary)
 {
     const Record *record = experiment_record(experiment);
@@ -101,7 +109,7 @@ void summary_of(Experiment *experiment, RunSummary *summary)
     summary->n_derived = experiment_derived(experiment, summary->derived);
     /* the crack is that of the step on screen */
     if (experiment_simulation(experiment)->step == summary->steps)
-        summary->crack_known = crack_facts(experiment_simulation(experiment), &summary->crack);
+        summary_crack(summary, experiment_simulation(experiment), experiment_settings(experiment));
 }
 
 typedef struct Writer {
@@ -131,7 +139,7 @@ static void add_known(Writer *writer, const char *word, bool known, double value
     add(writer, "  %s %s", word, text);
 }
 
-static void add_readout(Writer *writer, const Readout *readout)
+static void add_readout(Writer *writer, const Readout *readout, const char *answer)
 {
     const char *what = readout->is_period ? "period" : "frequency";
     if (!readout->moving) {
@@ -145,7 +153,7 @@ static void add_readout(Writer *writer, const Readout *readout)
         add(writer, "  %s", readout->unmeasured);
     add_known(writer, "measured", readout->measured_known, readout->measured);
     add_known(writer, "predicted", readout->predicted_known, readout->predicted);
-    add_known(writer, readout->is_period ? "beam theory" : "exact", readout->exact_known, readout->exact);
+    add_known(writer, answer, readout->exact_known, readout->exact);
     add_known(writer, "at its real size", isfinite(readout->real_size), readout->real_size);
     if (readout->is_period && (readout->measured_known || readout->predicted_known || readout->exact_known))
         add(writer, "  s");
@@ -162,30 +170,40 @@ static void add_readout(Writer *writer, const Readout *readout)
         strcmp(readout->column, "strain") == 0 ? " (measured on the strain energy)" : "");
 }
 
-static void add_time(Writer *writer, const char *word, double seconds, const char *never)
+static void add_time(Writer *writer, const char *word, double seconds, const char *never, const char *unit)
 {
     if (isnan(seconds))
         add(writer, "%s %s", word, never);
     else
-        add(writer, "%s %.2f us", word, 1e6 * seconds);
+        add(writer, "%s %.2f %s", word, 1e6 * seconds, unit);
 }
 
-void summary_crack_text(const RunSummary *summary, char out[SUMMARY_MAX])
+/* Each share per area of the crack, so that it can be set beside G0. */
+static void add_cost(Writer *writer, const CrackPrice *price)
+{
+    const CrackCost *cost = &price->cost;
+    add(writer, "cost  %.1f J/m^2: path %.1f  beside %.1f  far %.1f  beyond s0 %.1f\n",
+        cost->total / cost->area, cost->through / cost->area, cost->beside / cost->area,
+        cost->far / cost->area, cost->beyond / cost->area);
+    add(writer, "G0  %.1f J/m^2, on this lattice %.1f\n", price->critical_energy, cost->plane);
+}
+
+void summary_crack_text(const RunSummary *summary, const char *microseconds, char out[SUMMARY_MAX])
 {
     Writer writer = {out, 0};
     const Crack *crack = &summary->crack.measured;
     out[0] = '\0';
     if (!summary->crack_known)
         return;
-    add_time(&writer, "crack  first break", crack->first_break, "none");
-    add_time(&writer, "  twentieth", crack->twentieth_break, "none");
-    add_time(&writer, "  protected zone", crack->arrival, "not yet");
+    add_time(&writer, "crack  first break", crack->first_break, "none", microseconds);
+    add_time(&writer, "  twentieth", crack->twentieth_break, "none", microseconds);
+    add_time(&writer, "  protected zone", crack->arrival, "not yet", microseconds);
     add(&writer, "\n");
     bool any = false;
     for (int i = 0; i < CRACK_ANGLES; i++) {
         if (isnan(summary->crack.angles[i]))
             continue;
-        add(&writer, "%s%.1f deg over %.0f mm", any ? "  " : "angle  ", summary->crack.angles[i],
+        add(&writer, "%s%.1f deg over %.0f mm", any ? "  " : "angle of fit  ", summary->crack.angles[i],
             1e3 * crack_heights[i]);
         any = true;
     }
@@ -195,6 +213,11 @@ void summary_crack_text(const RunSummary *summary, char out[SUMMARY_MAX])
     else
         add(&writer, "no crack yet");
     add(&writer, "  broken bonds %ld\n", crack->broken);
+    if (crack->fastest > 0)
+        add(&writer, "tip's speed  at most %.0f m/s = %.2f c_R\n", crack->fastest,
+            crack->fastest / summary->rayleigh_speed);
+    if (summary->price_known)
+        add_cost(&writer, &summary->price);
 }
 
 void summary_energy_text(const RunSummary *summary, char out[SUMMARY_MAX])
@@ -223,12 +246,12 @@ void summary_text(const RunSummary *summary, const Settings *settings, char out[
     add(&writer, "%ld steps to t = %s%s%s  (dt %s)%s\n", summary->steps, time, facts->si ? " " : "",
         facts->si ? facts->unit_of_time : "", dt, summary->failed ? ", where the run failed" : "");
     if (!summary->crack_known)
-        add_readout(&writer, &summary->readout);
+        add_readout(&writer, &summary->readout, facts->answer);
     char unaccounted[KNOWN_TEXT_MAX];
     if (known_text(settings, unaccounted, NULL))
         add(&writer, "%s\n", unaccounted);
     char text[SUMMARY_MAX];
-    summary_crack_text(summary, text);
+    summary_crack_text(summary, "us", text);
     add(&writer, "%s", text);
     summary_energy_text(summary, text);
     add(&writer, "%s%s", text, *text ? "\n" : "");

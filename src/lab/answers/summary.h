@@ -12,14 +12,18 @@ enum { SUMMARY_MAX = 1024 };
 void summary_rows(RunSummary *, const Column *columns, int n_columns, const double *rows, size_t count,
                   const double invariant[2]);
 
+/* Of a beam with a notch what there is to tell of its crack; else nothing. */
+void summary_crack(RunSummary *, const Simulation *, const Settings *);
+
 /* The same numbers for a run on screen, to its newest step. */
 void summary_of(Experiment *, RunSummary *);
 
 /* "energy E* -82.5 % of the start": the measure, the change, relative to what. "": not known. */
 void summary_energy_text(const RunSummary *, char out[SUMMARY_MAX]);
 
-/* The crack in a few lines of at most 76 columns, each ended by '\n'; "": there is no crack. */
-void summary_crack_text(const RunSummary *, char out[SUMMARY_MAX]);
+/* The crack in a few lines of at most 76 columns, each ended by '\n'; "": there is no crack. What a
+ * microsecond is written as, "us" or with its sign, is the caller's. */
+void summary_crack_text(const RunSummary *, const char *microseconds, char out[SUMMARY_MAX]);
 
 /* A few lines of at most 76 columns, ASCII, each ended by '\n'. */
 void summary_text(const RunSummary *, const Settings *, char out[SUMMARY_MAX]);

@@ -145,7 +145,7 @@ static bool sum_up(const Export *export, RunSummary *summary, Status *status)
     summary_rows(summary, export->columns, export->n_columns, record->rows, record->count, invariant);
     if (!export->adopted)
         summary->n_derived = problem_derived(export->settings, export->sim, summary->derived);
-    summary->crack_known = crack_facts(export->sim, &summary->crack);
+    summary_crack(summary, export->sim, export->settings);
     return errno != ENOMEM || status_fail(status, STATUS_FAILED, "not enough memory to sum the run up");
 }
 

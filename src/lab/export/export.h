@@ -42,6 +42,9 @@ typedef struct RunSummary {
     int n_derived;
     bool crack_known; /* a beam with a notch */
     CrackFacts crack;
+    bool price_known; /* where the crack's energy went */
+    CrackPrice price;
+    double rayleigh_speed; /* that of the tip is told beside it */
     bool failed;
     Status failure;
 } RunSummary;

@@ -22,6 +22,7 @@ static const Solver *const solvers[] = {&bar_by_mpm, &bar_by_pd, NULL};
 
 const Problem bar_problem = {
     .word = "bar",
+    .answer = "exact",
     .title = "axial vibration of a bar",
     .concerns = CONCERN_BAR | CONCERN_MODES | CONCERN_MESH | CONCERN_METHODS | CONCERN_LATTICE | CONCERN_PULL,
     .uses = uses,

@@ -82,7 +82,7 @@ static bool predict(const Settings *settings, Prediction *out, Status *status)
     if (!bar_theory_of(settings, &theory, status))
         return false;
     const int mode = bar_watched_mode(&theory);
-    *out = (Prediction){NAN, NAN, NAN};
+    *out = (Prediction){NAN, NAN, NAN, NAN};
     if (mode > 0) {
         out->theory = out->real_size = bar_frequency(&theory, mode);
         out->predicted = predicted_frequency(settings, &theory, bar_time_step(settings), mode);

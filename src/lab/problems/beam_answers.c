@@ -129,6 +129,7 @@ bool beam_predict_supported(const Settings *settings, Prediction *out, Status *s
     if (!beam_predicted_period(&def, &out->predicted, &theory.length, &theory.height, status))
         return false;
     out->real_size = beam_period_timoshenko(&theory);
+    out->real_height = theory.height;
     return true;
 }
 

@@ -1,6 +1,7 @@
 /* Beams by peridynamics: settings to simulation, derived numbers, advice. */
 #include "lab/problems/beam_answers.h"
 #include "lab/problems/solvers.h"
+#include "physics/pd_plane/crack_speed.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -34,6 +35,9 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     derived_add(out, &n, "critical_energy", "critical G0", "J/m^2",
                 stretch * stretch * 9 * settings->material.youngs_modulus * lattice->horizon / (4 * M_PI),
                 false);
+    if (settings->problem->concerns & CONCERN_NOTCH)
+        derived_add(out, &n, "rayleigh_speed", "Rayleigh c_R", "m/s",
+                    rayleigh_speed(settings->material.youngs_modulus, settings->material.density), false);
     if (sim) {
         BeamFacts facts;
         beam_facts(sim, &facts);

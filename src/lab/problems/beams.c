@@ -2,8 +2,9 @@
 #include "lab/problems/solvers.h"
 
 #define BEAM_CONCERNS (CONCERN_BEAM | CONCERN_LATTICE | CONCERN_BREAKING | CONCERN_STEP)
-#define SI_UNITS      .si = true, .unit_of_time = "s", .shown_time = 1e-3, .shown_time_unit = " ms"
-#define USES(rows)    .uses = rows, .n_uses = sizeof rows / sizeof *rows
+#define BEAM_COMMON                                                                                          \
+    .answer = "beam theory", .si = true, .unit_of_time = "s", .shown_time = 1e-3, .shown_time_unit = " ms"
+#define USES(rows) .uses = rows, .n_uses = sizeof rows / sizeof *rows
 
 /* --- simply supported ----------------------------------------------------------------------------- */
 
@@ -21,7 +22,7 @@ const Problem supported_beam_problem = {
     .concerns = BEAM_CONCERNS | CONCERN_DEFLECTION,
     USES(uses_supported),
     .solvers = solvers_supported,
-    SI_UNITS,
+    BEAM_COMMON,
 };
 
 /* --- axially moving cantilever -------------------------------------------------------------------- */
@@ -48,7 +49,7 @@ const Problem moving_cantilever_problem = {
     .concerns = BEAM_CONCERNS | CONCERN_DEFLECTION | CONCERN_MOTION,
     USES(uses_moving),
     .solvers = solvers_moving,
-    SI_UNITS,
+    BEAM_COMMON,
     .end_matters = true, /* its channel and its modal solution reach to the end */
 };
 
@@ -75,5 +76,5 @@ const Problem notched_beam_problem = {
     .concerns = BEAM_CONCERNS | CONCERN_NOTCH | CONCERN_PRESSURE | CONCERN_SUPPORTS,
     USES(uses_notched),
     .solvers = solvers_notched,
-    SI_UNITS,
+    BEAM_COMMON,
 };

@@ -58,7 +58,7 @@ const char *known_unaccounted(const Settings *settings, Reference reference)
 
 bool known_text(const Settings *settings, char out[KNOWN_TEXT_MAX], long *step)
 {
-    static const char *const names[REFERENCES] = {"exact", "predicted", "frequency", "energy E*"};
+    const char *const names[REFERENCES] = {settings->problem->answer, "predicted", "frequency", "energy E*"};
     const char *unaccounted = NULL;
     out[0] = '\0';
     for (int i = 0; i < REFERENCES; i++) {

@@ -67,9 +67,10 @@ typedef struct Understanding {
  * (bar).
  */
 typedef struct Prediction {
-    double predicted; /* by the equations of this very mesh or lattice; NAN: not known */
-    double theory;    /* of the continuum (bar), by Timoshenko's theory (beams), at the size asked for */
-    double real_size; /* the same at the size that the body has on its lattice */
+    double predicted;   /* by the equations of this very mesh or lattice; NAN: not known */
+    double theory;      /* of the continuum (bar), by Timoshenko's theory (beams), at the size asked for */
+    double real_size;   /* the same at the size that the body has on its lattice */
+    double real_height; /* of a beam on its lattice, m; NAN: it is a bar */
 } Prediction;
 
 /* A problem by a method. What is NULL there is not. */
@@ -119,6 +120,7 @@ struct Problem {
 
     bool si; /* numbers are in SI units; else in units of one's own that fit each other */
     const char *unit_of_time;
+    const char *answer;          /* what the answer beside a run is called: "exact", "beam theory" */
     double shown_time;           /* a time is shown as so many of these */
     const char *shown_time_unit; /* with a space before it; "": a bare number */
     bool end_matters;            /* another time.end is another run from the start on */

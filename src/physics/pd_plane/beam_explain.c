@@ -11,7 +11,8 @@
 static const Stage stage_table[N_STAGES] = {
     [STAGE_HALF_KICK] = VERLET_HALF_KICK("vx vy fx fy", "vx vy"),
     [STAGE_DRIFT] = VERLET_DRIFT("ux uy vx vy", "ux uy"),
-    [STAGE_CONSTRAINTS] = {"constraints", "supports", "u = 0 at supports", "u = 0 at supports", "eqs. 12, 13",
+    [STAGE_CONSTRAINTS] = {"constraints", "supports", "uy = 0 at the supports, ux = 0 at the left one",
+                           "uy = 0 at the supports, ux = 0 at the left one", "eqs. 12, 13",
                            "Supported nodes stay where they are.", "ux uy vx vy held", "ux uy vx vy"},
     [STAGE_BONDS] =
         {"bonds", "bond forces",
@@ -41,9 +42,16 @@ void beam_set_stages(Beam *beam)
         constraints->name = "clamp";
         constraints->equation = "in the channel uy = 0, with a full clamp ux = v0t";
         constraints->ascii = "in the channel uy = 0, with a full clamp ux = v0 t";
+        constraints->source = "in words";
         constraints->sentence = "The channel guides the nodes inside it.";
         beam->stages[STAGE_SECOND_KICK].sentence =
             "The new force completes the step's velocity; the clamp holds again.";
+    }
+    if (beam->def.problem == BEAM_NOTCHED) {
+        Stage *constraints = &beam->stages[STAGE_CONSTRAINTS];
+        constraints->source = "in words";
+        if (!beam->def.pinned)
+            constraints->equation = constraints->ascii = "uy = 0 at the supports, ux is free";
     }
     beam->sim.stages = beam->stages;
     beam->sim.n_stages = N_STAGES;

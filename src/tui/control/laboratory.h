@@ -11,6 +11,7 @@
 #include "tui/control/lesson/lesson_play.h"
 #include "tui/control/player.h"
 #include "tui/control/prompt/prompt.h"
+#include "tui/control/refining.h"
 #include "tui/control/session/laboratory_main.h"
 #include "tui/terminal/keys.h"
 #include "view/panes/screen.h"
@@ -60,6 +61,7 @@ struct Laboratory {
     Editing editing;
     LessonPlay play;
     Exporting exporting;
+    Refining refining;
     Held held;
     Overlay overlay;               /* behind screen.overlay */
     char scenario[NAME_MAX_BYTES]; /* behind screen.scenario */

@@ -17,7 +17,8 @@
 
 bool laboratory_active(const Laboratory *lab)
 {
-    return !lab->closed && (lab->screen.state == STATE_RUNNING || lab->screen.state == STATE_COMPUTING);
+    return !lab->closed && (lab->screen.state == STATE_RUNNING || lab->screen.state == STATE_COMPUTING ||
+                            refining_is_due(lab));
 }
 
 /* Steps for the next piece of work: about CHUNK_SECONDS of it, judged by the last piece. */
@@ -181,6 +182,8 @@ static bool do_frame(Laboratory *lab, double deadline)
         return compute_frame(lab, deadline);
     if (lab->screen.state == STATE_RUNNING)
         return run_frame(lab, deadline);
+    if (refining_is_due(lab))
+        refining_work(lab);
     return true;
 }
 

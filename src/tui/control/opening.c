@@ -70,6 +70,7 @@ void opening_begin(Laboratory *lab)
     player_choose_pace(&lab->screen);
     read_view(lab);
     screen->duel = &lab->player.duel;
+    screen->convergence = &lab->refining.convergence;
     duel_open(&lab->player.duel, screen->experiment, history_size(lab), threads_of(lab));
     lab->player.second_ended = false;
     screen->selected = first_parameter(screen);

@@ -148,7 +148,8 @@ typedef struct Place {
 static Place place_of(const Plot *plot, const Raster *raster, size_t point)
 {
     double width = raster->columns * raster->across, height = raster->rows * raster->down;
-    double x = (plot->points[2 * point] - plot->x.low) / (plot->x.high - plot->x.low) * width;
+    const double left = axis_place(&plot->x, plot->x.low), right = axis_place(&plot->x, plot->x.high);
+    double x = (axis_place(&plot->x, plot->points[2 * point]) - left) / (right - left) * width;
     const double top = axis_place(&plot->y, plot->y.high), bottom = axis_place(&plot->y, plot->y.low);
     double y =
         (top - axis_place(&plot->y, plot->points[2 * point + 1])) / (top - bottom) * (height - 1) + 0.5;

@@ -113,8 +113,6 @@ static void write_curves(Sheet *sheet, int width, const HelpText *text)
                      "its rows, so no peak is lost."},
         {"predicted", "what the equations of this very mesh or lattice and this time step give, worked out "
                       "beforehand: dashed. It holds the error of the method."},
-        {"exact", "the continuum's exact answer, without mesh and time step: dotted. A beam has no such "
-                  "answer here: it is set beside beam theories, by name."},
         {"faint",
          "curves of an earlier run: the one before the last edit, or pinned ones with their letter."},
     };

@@ -4,6 +4,7 @@
 /* --- words of the curves --------------------------------------------------------------------------- */
 
 static const HelpWord bar_words[] = {
+    {"exact", "the continuum's exact answer, without mesh and time step: dotted."},
     {"w", "the frequency in radians per time, by least squares of cosine, sine and offset. T is the period: "
           "its error has the other sign."},
     {"late", "by how many periods the run is behind the exact answer now: a small error of frequency grows "
@@ -28,6 +29,7 @@ static const HelpWord bar_words[] = {
 };
 
 static const HelpWord pd_bar_words[] = {
+    {"exact", "the continuum's exact answer, without mesh and time step: dotted."},
     {"w", "the frequency in radians per time, by least squares of cosine, sine and offset. T is the period: "
           "its error has the other sign."},
     {"late", "by how many periods the run is behind the exact answer now: a small error of frequency grows "
@@ -49,6 +51,9 @@ static const HelpWord pd_bar_words[] = {
 };
 
 static const HelpWord beam_words[] = {
+    {"beam theory",
+     "Euler-Bernoulli's beam, Timoshenko's, or the modes of a cantilever that grows longer, without "
+     "lattice and time step: dotted. They have names of their own."},
     {"probe", "the mid-point of a supported beam, the tip of a cantilever."},
     {"Euler", "Euler-Bernoulli: plane sections stay at right angles. Timoshenko adds shear and rotation: "
               "what a two-dimensional body should give."},
@@ -145,13 +150,17 @@ static const HelpPassage bar_after[] = {
 
 static const HelpPassage pd_bar_after[] = {
     {true, "What this lattice makes of a wave", NULL},
-    {false, "ω² = 8E/(ρδ²) Σ (w_m/m) sin²(mβh/2)      sin(ΩΔt/2) = ωΔt/2",
-     "w^2 = 8E/(rho delta^2) sum (w_m/m) sin^2(m beta h/2)      sin(W dt/2) = w dt/2"},
+    {false, "ω² = 8EG/(ρδ²) Σ (w_m/m) sin²(mβΔx/2)      sin(ΩΔt/2) = ωΔt/2",
+     "w^2 = 8EG/(rho delta^2) sum (w_m/m) sin^2(m beta dx/2)      sin(W dt/2) = w dt/2"},
     {false,
-     "m counts the spacings h within the horizon, Ω is what the run shows. For long waves ω = βc (1 - "
-     "β²(δ² + h²)/48): the horizon sets the error, more than the spacing.",
-     "m counts the spacings h within the horizon, W is what the run shows. For long waves w = beta c (1 - "
-     "beta^2 (delta^2 + h^2)/48): the horizon sets the error, more than the spacing."},
+     "m counts the spacings Δx within the horizon; G is the surface factor of a whole family, 1 where "
+     "nothing is "
+     "corrected; Ω is what the run shows. For long waves ω = βc (1 - β²(δ² + Δx²)/48): the horizon sets the "
+     "error, more than the spacing.",
+     "m counts the spacings dx within the horizon; G is the surface factor of a whole family, 1 where "
+     "nothing is "
+     "corrected; W is what the run shows. For long waves w = beta c (1 - beta^2 (delta^2 + dx^2)/48): the "
+     "horizon sets the error, more than the spacing."},
     {false,
      "Exact for a bar fixed at both ends. With a free end the frequencies are eigenvalues of the lattice as "
      "it lies.",

@@ -75,8 +75,14 @@ static void moving_lines(const Screen *screen, int width, char first[160], char 
         append(second, 160, "%sat fixed length %.1f Hz", second[0] ? "  " : "", standing);
 }
 
+void tip_speed_text(const Crack *crack, double rayleigh, char out[160])
+{
+    snprintf(out, 160, "%.0f m/s = %.2f c_R, fastest %.0f = %.2f", crack->speed, crack->speed / rayleigh,
+             crack->fastest, crack->fastest / rayleigh);
+}
+
 /* What a beam that breaks is judged by. */
-static void crack_lines(const CrackFacts *facts, char first[160], char second[160])
+static void crack_lines(const CrackFacts *facts, double rayleigh, char first[160], char second[160])
 {
     const Crack *crack = &facts->measured;
     snprintf(first, 160, "broken bonds %ld", crack->broken);
@@ -84,6 +90,11 @@ static void crack_lines(const CrackFacts *facts, char first[160], char second[16
         append(first, 160, "  tip at x %.1f, y %.1f mm", crack->x / 1e-3, crack->y / 1e-3);
     else
         append(first, 160, "  no crack yet");
+    if (crack->begun && crack->fastest > 0) {
+        char speed[160];
+        tip_speed_text(crack, rayleigh, speed);
+        append(first, 160, "  %s", speed);
+    }
     for (int i = CRACK_ANGLES - 1; i >= 0 && !second[0]; i--)
         if (isfinite(facts->angles[i]))
             snprintf(second, 160, "fit over %.0f mm %.0f deg", crack_heights[i] / 1e-3, facts->angles[i]);
@@ -93,7 +104,7 @@ static void crack_lines(const CrackFacts *facts, char first[160], char second[16
            isnan(crack->arrival) ? "first break" : "grew from", crack->first_break / 1e-6);
     if (isfinite(crack->arrival))
         append(second, 160, " to %.1f", crack->arrival / 1e-6);
-    append(second, 160, " us");
+    append(second, 160, " µs");
 }
 
 bool beam_lines(const Screen *screen, int width, char first[160], char second[160])
@@ -102,7 +113,7 @@ bool beam_lines(const Screen *screen, int width, char first[160], char second[16
     first[0] = second[0] = '\0';
     CrackFacts facts;
     if (crack_facts(experiment_simulation(screen->experiment), &facts))
-        crack_lines(&facts, first, second);
+        crack_lines(&facts, crack_rayleigh_speed(experiment_settings(screen->experiment)), first, second);
     else if (!simulation_has(experiment_simulation(screen->experiment), HAS_PLANE))
         return false;
     else if (!experiment_readout(screen->experiment)->moving)

@@ -177,13 +177,14 @@ static void draw_summary(const Screen *screen, Area area)
         if (readout->predicted_known && shows_predicted(screen))
             append(text, sizeof text, "  predicted %.5f", readout->predicted / unit);
         if (readout->exact_known && shows_exact(screen))
-            append(text, sizeof text, "  exact %.5f%s  %+.3f %%", readout->exact / unit, tail,
+            append(text, sizeof text, "  %s %.5f%s  %+.3f %%", facts_of(screen)->answer,
+                   readout->exact / unit, tail,
                    readout->is_period ? readout->error_period : readout->error_frequency);
         y += area_phrases(area, 1, y, width, rows - y, text, STYLE_NORMAL);
     }
     char crack[SUMMARY_MAX] = "", *line = crack;
     if (screen->summary_known)
-        summary_crack_text(summary, crack);
+        summary_crack_text(summary, "µs", crack);
     for (char *end; y < rows && (end = strchr(line, '\n')); line = end + 1) {
         *end = '\0';
         y += area_phrases(area, 1, y, width, rows - y, line, STYLE_NORMAL);

@@ -63,6 +63,9 @@ typedef struct Inspector {
 } Inspector;
 const Inspector *inspector_find(const Screen *); /* NULL: none fits */
 
+/* "640 m/s = 0.30 c_R, fastest 904 = 0.42": how fast a crack's tip is now. */
+void tip_speed_text(const Crack *, double rayleigh, char out[160]);
+
 /* Two lines that tell what a beam's run is judged by, for a pane of so many columns; false: it is a bar. */
 bool beam_lines(const Screen *, int width, char first[160], char second[160]);
 

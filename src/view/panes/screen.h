@@ -5,6 +5,7 @@
 
 #include "lab/run/duel.h"
 #include "lab/run/experiment.h"
+#include "lab/answers/convergence.h"
 #include "lab/export/export.h"
 #include "lab/run/overlay.h"
 #include "lab/lessons/lesson.h"
@@ -177,7 +178,8 @@ typedef struct Screen {
 
     Bookmark bookmarks[BOOKMARKS_MAX]; /* ascending */
     int n_bookmarks;
-    const Overlay *overlay; /* a foreign series over the plots; NULL: none */
+    const Convergence *convergence; /* what is known of the run's studies; NULL: nothing */
+    const Overlay *overlay;         /* a foreign series over the plots; NULL: none */
 
     LessonShown lesson;
 

@@ -68,6 +68,11 @@ bool view_makes_figure(const View *view, const Screen *screen)
            (!view->variant_word || view->variant_word(screen, view_variant(view, screen)));
 }
 
+const ConvergenceStudy *view_study(const View *view, const Screen *screen)
+{
+    return view->study ? view->study(screen, view_variant(view, screen)) : NULL;
+}
+
 bool view_shows_start(const View *view, const Screen *screen)
 {
     return view->shows_start && view->shows_start(screen, view_variant(view, screen));

@@ -48,6 +48,9 @@ struct View {
     /* Whether a variant shows the start of the run whatever the time; NULL: none does. */
     bool (*shows_start)(const Screen *, int variant);
 
+    /* The study whose points a variant shows, worked out while one waits; NULL: it shows none. */
+    const ConvergenceStudy *(*study)(const Screen *, int variant);
+
     /* The column or field that its present variant draws, for a foreign curve beside it; NULL: none. */
     const char *(*curve)(const Screen *);
 
@@ -97,6 +100,9 @@ bool view_makes_figure(const View *, const Screen *);
 const char *view_variant_word(const View *, const Screen *, int variant);
 
 bool view_shows_start(const View *, const Screen *);
+
+/* The study whose points the present variant shows; NULL: none. */
+const ConvergenceStudy *view_study(const View *, const Screen *);
 
 /* Draws it into a pane, both runs of a duel as it likes. */
 void view_draw(const View *, const Screen *, Area, bool focused);

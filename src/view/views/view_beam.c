@@ -51,7 +51,7 @@ static void crack_texts(const Map *map, char *tip, char *angle, size_t size)
     else
         snprintf(tip, size, "no crack yet");
     if (isfinite(facts.angle))
-        snprintf(angle, size, "fit %.0f°", fabs(facts.angle));
+        snprintf(angle, size, "whole path %.0f°", fabs(facts.angle));
 }
 
 /* The parts of a title in the order in which they are worth its room: of a piece seen from near that it is

@@ -30,10 +30,13 @@ static int lines_under(Area area)
     return area.rect.height < 7 ? 0 : area.rect.width >= 100 ? 1 : 2;
 }
 
-static void draw_lines(const Screen *screen, Area area, int under)
+/* `first`: what this plot tells beside them; "": nothing. */
+static void draw_lines(const Screen *screen, Area area, int under, const char *first)
 {
     char lines[2][160];
     beam_lines(screen, area.rect.width - 2, lines[0], lines[1]);
+    if (*first)
+        snprintf(lines[0], sizeof lines[0], "%s", first);
     if (under == 1)
         append(lines[0], sizeof lines[0], "  %s", lines[1]);
     for (int i = 0; i < under; i++)
@@ -135,13 +138,13 @@ static void draw_path(const Screen *screen, Area area, Style heading)
     CrackFacts facts;
     if (crack_facts(sim, &facts) && facts.measured.begun)
         axes_mark(inner, &x, &y, facts.measured.x, facts.measured.y, 0x25cf, STYLE_CHANGED);
-    draw_lines(screen, area, under);
+    draw_lines(screen, area, under, "");
 }
 
 /* --- curves over time ------------------------------------------------------------------------------ */
 
 typedef struct CrackColumns {
-    int x, y, length, dissipated;
+    int x, y, length, dissipated, speed;
     Notch notch;
     double thickness;
 } CrackColumns;
@@ -162,17 +165,24 @@ static double energy_of_crack(const double *row, const void *context)
     return row[columns->length] > 2e-3 ? row[columns->dissipated] / area : NAN;
 }
 
+static double tip_speed(const double *row, const void *context)
+{
+    return row[((const CrackColumns *)context)->speed];
+}
+
 static CrackColumns crack_columns(const Run *run)
 {
-    return (CrackColumns){run_column(run, "crack_x"),      run_column(run, "crack_y"),
-                          run_column(run, "crack_length"), run_column(run, "dissipated"),
-                          notch_of(run->settings),         run->settings->geometry.thickness};
+    return (CrackColumns){run_column(run, "crack_x"),       run_column(run, "crack_y"),
+                          run_column(run, "crack_length"),  run_column(run, "dissipated"),
+                          run_column(run, "crack_speed"),   notch_of(run->settings),
+                          run->settings->geometry.thickness};
 }
 
 typedef struct Told {
-    const char *name, *target_name;
+    const char *name, *unit, *target_name;
     double (*value)(const double *row, const void *context);
-    double target; /* what it should be */
+    double target;    /* what it should be */
+    const char *line; /* below, in the place of the tip; "": nothing */
 } Told;
 
 static void draw_over_time(const Screen *screen, Area area, Style heading, const Told *told)
@@ -196,7 +206,7 @@ static void draw_over_time(const Screen *screen, Area area, Style heading, const
     Axis x = time_plot_axis(screen, width);
     const Legend target = {LINE_DOTTED, '.', STYLE_EXACT, told->target_name, NULL};
     char scale[TICK_TEXT_MAX], name[32];
-    axis_scale_text(&y, "", scale);
+    axis_scale_text(&y, told->unit, scale);
     draw_runs_heading(screen, area, heading, told->name, scale, runs, n_runs, &target);
     Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
     Plot plot;
@@ -223,31 +233,119 @@ static void draw_over_time(const Screen *screen, Area area, Style heading, const
         run_letter(&runs[r], &plot, inner, row[1], told->value(row, &columns[r]));
     }
     plot_close(&plot);
-    draw_lines(screen, area, under);
+    draw_lines(screen, area, under, told->line);
 }
+
+static const char *const pictures[] = {"path", "angle", "speed"};
 
 int crack_variants(const Screen *screen)
 {
-    return has_crack(screen) ? 2 : 0;
+    return has_crack(screen) ? (int)(sizeof pictures / sizeof *pictures) : 0;
+}
+
+const char *crack_variant_word(int variant)
+{
+    return pictures[variant];
 }
 
 void crack_draw(const Screen *screen, Area area, Style heading, int variant)
 {
-    static const Told angle = {"chord to tip, deg", "30 deg", tip_angle, CRACK_PAPER_ANGLE};
+    static const Told angle = {"chord to tip, deg", "", "30 deg", tip_angle, CRACK_PAPER_ANGLE, ""};
+    const double rayleigh = crack_rayleigh_speed(experiment_settings(screen->experiment));
+    char line[160] = "";
+    CrackFacts facts;
+    if (crack_facts(experiment_simulation(screen->experiment), &facts) && facts.measured.fastest > 0)
+        tip_speed_text(&facts.measured, rayleigh, line);
+    const Told speed = {"tip's speed", "m/s", "Rayleigh's c_R", tip_speed, rayleigh, line};
     if (variant == 0)
         draw_path(screen, area, heading);
     else
-        draw_over_time(screen, area, heading, &angle);
+        draw_over_time(screen, area, heading, variant == 1 ? &angle : &speed);
 }
 
 int fracture_variants(const Screen *screen)
 {
-    return has_crack(screen) ? 1 : 0;
+    return has_crack(screen) ? 2 : 0;
 }
 
-void fracture_draw(const Screen *screen, Area area, Style heading)
+const char *fracture_variant_word(int variant)
 {
-    const Told cost = {"crack's cost, J/m^2", "G0", energy_of_crack,
-                       derived_value(screen, "critical_energy")};
-    draw_over_time(screen, area, heading, &cost);
+    return variant == 0 ? "fracture" : "cost";
+}
+
+/* --- where the energy went ------------------------------------------------------------------------- */
+
+enum { PARTS = 4 };
+
+/* A bar a part, beside what theory and what a plane through this lattice would cost. */
+static void draw_bars(const Screen *screen, Area area, const double parts[PARTS], const CrackPrice *price)
+{
+    double most = fmax(price->critical_energy, price->cost.plane);
+    for (int i = 0; i < PARTS; i++)
+        most = fmax(most, parts[i]);
+    const Axis x = axis_make(0, PARTS + 1, PARTS + 2);
+    const Axis y = axis_make(0, axis_round_up(most * 1.02), area.rect.height < 7 ? 3 : 5);
+    Area inner = axes_draw(area, &x, &y, "part", GUTTER);
+    Plot plot;
+    plot_open(&plot, x, y);
+    for (int i = 0; i < PARTS; i++) {
+        plot_begin(&plot, STROKE_BAND, LINE_SOLID, STYLE_MEASURED, RANK_BAND, '#');
+        for (int side = -1; side <= 1; side += 2) {
+            plot_point(&plot, i + 1 + 0.3 * side, 0);
+            plot_point(&plot, i + 1 + 0.3 * side, parts[i]);
+        }
+    }
+    for (int i = 0; i < 2 && shows_exact(screen); i++) {
+        const double level = i == 0 ? price->critical_energy : price->cost.plane;
+        plot_begin(&plot, STROKE_LINE, i == 0 ? LINE_DOTTED : LINE_DASHED,
+                   i == 0 ? STYLE_EXACT : STYLE_PREDICTED, i == 0 ? RANK_EXACT : RANK_PREDICTED,
+                   i == 0 ? '.' : '-');
+        plot_point(&plot, x.low, level);
+        plot_point(&plot, x.high, level);
+    }
+    plot_draw(&plot, inner);
+    plot_close(&plot);
+}
+
+static void draw_cost(const Screen *screen, Area area, Style heading)
+{
+    static const Legend targets[] = {{LINE_DOTTED, '.', STYLE_EXACT, "G0", NULL},
+                                     {LINE_DASHED, '-', STYLE_PREDICTED, "a plane of this lattice", NULL}};
+    CrackPrice price;
+    const bool known = crack_price(experiment_simulation(screen->experiment),
+                                   experiment_settings(screen->experiment), &price);
+    draw_heading(area, heading, "where the energy went, J/m^2", "", targets,
+                 known && shows_exact(screen) ? 2 : 0);
+    if (!known) {
+        area_paragraph(
+            area, 1, 1, area.rect.width - 2, area.rect.height - 1,
+            "There is no crack as yet, or s0 was changed on the way: then no bond's share is known.",
+            STYLE_FAINT);
+        return;
+    }
+    const CrackCost *cost = &price.cost;
+    const double parts[PARTS] = {cost->through / cost->area, cost->beside / cost->area,
+                                 cost->far / cost->area, cost->beyond / cost->area};
+    const int under = area.rect.height < 7 ? 1 : 3;
+    draw_bars(screen, area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under), parts, &price);
+    char lines[3][160];
+    snprintf(lines[0], sizeof lines[0], "all %.1f  G0 %.1f, a plane of this lattice %.1f  crack %.1f mm",
+             cost->total / cost->area, price.critical_energy, cost->plane,
+             cost->area / experiment_settings(screen->experiment)->geometry.thickness / 1e-3);
+    snprintf(lines[1], sizeof lines[1], "1 through the path %.1f  2 beside it %.1f", parts[0], parts[1]);
+    snprintf(lines[2], sizeof lines[2], "3 further than a horizon %.1f  4 held beyond s0 %.1f", parts[2],
+             parts[3]);
+    for (int i = 0; i < under; i++)
+        area_phrases(area, 1, area.rect.height - under + i, area.rect.width - 2, 1, lines[i],
+                     i == 0 ? STYLE_NORMAL : STYLE_FAINT);
+}
+
+void fracture_draw(const Screen *screen, Area area, Style heading, int variant)
+{
+    const Told cost = {
+        "crack's cost, J/m^2", "", "G0", energy_of_crack, derived_value(screen, "critical_energy"), ""};
+    if (variant == 0)
+        draw_over_time(screen, area, heading, &cost);
+    else
+        draw_cost(screen, area, heading);
 }

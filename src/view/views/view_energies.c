@@ -214,13 +214,13 @@ static int variants_of(const Screen *screen)
 static const char *word_of(const Screen *screen, int variant)
 {
     (void)screen;
-    return variant == 1 ? "fracture" : "stack";
+    return variant > 0 ? fracture_variant_word(variant - 1) : "stack";
 }
 
 static void draw(const Screen *screen, Area area, Style heading, int variant)
 {
     if (variant > 0) {
-        fracture_draw(screen, area, heading);
+        fracture_draw(screen, area, heading, variant - 1);
         return;
     }
     const Stack stack = stack_of(screen);
@@ -328,7 +328,7 @@ static const char *curve(const Screen *screen)
 const View view_energies = {
     .word = "energies",
     .brief = "energy",
-    .help = "energies: grid, lumping, null space, strain, work; again: what a crack costs",
+    .help = "energies: grid, lumping, null space, strain, work; again: a crack's cost, its parts",
     .digit = 3,
     .home = PANE_LOWER,
     .draw = draw,

@@ -27,13 +27,16 @@ static int probe_columns(const Screen *screen, int out[COLUMNS_MAX])
     const Column *columns = experiment_columns(screen->experiment, &n);
     const bool cracks = crack_variants(screen) > 0;
     const bool breaks = simulation_has(experiment_simulation(screen->experiment), HAS_BREAKING);
-    const int broken = find_column(screen, "broken_bonds");
+    const int broken = find_column(screen, "broken_bonds"), speed = find_column(screen, "crack_speed");
     if (cracks && broken >= 0)
         out[count++] = broken;
-    for (int i = 2; i < n; i++)
+    for (int i = 2; i < n; i++) {
+        const bool has_picture =
+            cracks && (i == broken || i == speed); /* the first one, and one of a crack's */
         if (columns[i].kind == COLUMN_MEASURED && columns[i].of < 0 && !is_energy(columns[i].quantity.name) &&
-            (i != broken || (breaks && !cracks)))
+            !has_picture && (i != broken || breaks))
             out[count++] = i;
+    }
     return count;
 }
 
@@ -61,7 +64,7 @@ static const char *word_of(const Screen *screen, int variant)
     int n, picture;
     const int column = probe_column(screen, variant, &picture);
     if (picture >= 0)
-        return picture == 0 ? "path" : "angle";
+        return crack_variant_word(picture);
     return column >= 0 ? experiment_columns(screen->experiment, &n)[column].quantity.name : NULL;
 }
 

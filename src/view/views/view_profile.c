@@ -182,7 +182,7 @@ static void draw_legends(const Screen *screen, Area area, Style heading, const c
             append(runs[i].word, sizeof runs[i].word, ", middle row");
     }
     if (exact)
-        legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL};
+        legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, facts_of(screen)->answer, NULL};
     n_legend += ghost_legends(runs, n_curves, legend + n_legend);
     draw_heading(area, heading, label, scale, legend, n_legend);
 }

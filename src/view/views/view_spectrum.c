@@ -355,7 +355,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         predicted |= !marks[i].exact;
     }
     if (exact && shows_exact(screen))
-        legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL};
+        legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, facts_of(screen)->answer, NULL};
     if (predicted && shows_predicted(screen))
         legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "predicted", NULL};
     char scale[TICK_TEXT_MAX] = "";

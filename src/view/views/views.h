@@ -5,18 +5,20 @@
 
 #include "view/views/view.h"
 
-extern const View view_profile, view_probe, view_energies, view_shapes, view_dispersion, view_spectrum,
-    view_table, view_beam, view_log;
+extern const View view_profile, view_probe, view_energies, view_shapes, view_dispersion, view_convergence,
+    view_spectrum, view_table, view_beam, view_log;
 
 /* The last profile of a body in the plane: through its thickness. */
 void section_draw(const Screen *, Area, Style heading);
 
-/* Of a body that breaks: the crack's path and angle among the probe's pictures, what it costs among the
- * energies. Counts of 0: it does not break. */
+/* Of a body that breaks: the crack's path, angle and speed among the probe's pictures, what it costs and
+ * where that went among the energies. Counts of 0: it does not break. */
 int crack_variants(const Screen *);
+const char *crack_variant_word(int variant);
 void crack_draw(const Screen *, Area, Style heading, int variant);
 int fracture_variants(const Screen *);
-void fracture_draw(const Screen *, Area, Style heading);
+const char *fracture_variant_word(int variant);
+void fracture_draw(const Screen *, Area, Style heading, int variant);
 
 /* A bond's force over its stretch, in the place of shape functions where there is no mesh. */
 void bond_law_draw(const Screen *, Area, Style heading);

@@ -182,6 +182,6 @@ void command_cancel(Laboratory *lab)
     if (lab->screen.state == STATE_COMPUTING) {
         duel_cancel(&lab->player.duel);
         player_pause(lab);
-    } else
+    } else if (!refining_stop(lab))
         command_close_top(lab);
 }

@@ -23,6 +23,7 @@ void command_show_view(Laboratory *lab, const View *view)
         laboratory_say(lab, MESSAGE_INFO, "%s: %s", view->word, missing);
         return;
     }
+    lab->refining.stopped = NULL;
     if (screen->inspecting) /* it lies over the plots: who asks for one wants to see it */
         command_close_inspector(&lab->screen);
     bool in_plot = screen->focus == PANE_UPPER || screen->focus == PANE_LOWER;

@@ -131,18 +131,33 @@ static bool overlay(Laboratory *lab, const char *words)
     return true;
 }
 
+/* By its number, from 1 on, or by its word; 0: it is neither. */
+static int variant_of(const View *view, const Screen *screen, const char *which)
+{
+    long number;
+    if (text_to_long(which, &number))
+        return number > 0 && number < 100 ? (int)number : 0;
+    for (int i = 0; i < view_variants(view, screen); i++) {
+        const char *word = view_variant_word(view, screen, i);
+        if (word && strcmp(word, which) == 0)
+            return i + 1;
+    }
+    return 0;
+}
+
 static bool show(Laboratory *lab, const char *words)
 {
-    char word[32] = "", known[160], why[256];
-    int variant = 1, first = 0, second = 0;
+    char word[32] = "", which[32] = "", known[160], why[256];
+    int first = 0, second = 0;
     const bool sound = sscanf(words, "%31s%n", word, &first) == 1 &&
-                       (!words[first] || sscanf(words + first, "%d%n", &variant, &second) == 1) &&
+                       (!words[first] || sscanf(words + first, "%31s%n", which, &second) == 1) &&
                        !words[first + second];
     const View *view = view_named(word);
+    const int variant = !view || !which[0] ? 1 : variant_of(view, &lab->screen, which);
     view_names(known, sizeof known);
-    snprintf(why, sizeof why, "a view is wanted (%s), and its variant, as in show energies or show 1 2",
+    snprintf(why, sizeof why, "a view is wanted (%s), and its variant, as in show probe angle or show 1 2",
              known);
-    if (!sound || !view || variant < 1 || variant > 99)
+    if (!sound || !view || variant < 1)
         return prompt_refuse(&lab->prompting, why);
     if (view_missing(view, &lab->screen))
         return prompt_refuse(&lab->prompting, view_missing(view, &lab->screen));
