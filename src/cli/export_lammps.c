@@ -1,6 +1,7 @@
 /* `matvib export-lammps SCENARIO --output DIR`: a beam as input for LAMMPS. */
 #include "cli/cli.h"
 #include "cli/options.h"
+#include "cli/progress.h"
 #include "lab/export/lammps.h"
 
 #include <stdio.h>
@@ -16,9 +17,15 @@ int cli_export_lammps(int count, char **arguments, Status *status)
         status_fail(status, STATUS_USAGE, "--output: is missing (a folder)");
         return (int)status->code;
     }
-    if (!options_load(&options, options.words[0], &settings, status) ||
-        !lammps_export(&settings, ASKER_COMMAND_LINE, options.output, options.force, status))
+    if (!options_load(&options, options.words[0], &settings, status))
         return (int)status->code;
+    Progress progress;
+    progress_begin(&progress, false);
+    settings.patience = (Patience){progress_show, &progress};
+    const bool done = lammps_export(&settings, ASKER_COMMAND_LINE, options.output, options.force, status);
+    progress_end(&progress);
+    if (!done)
+        return progress_signal() != 0 ? 128 + progress_signal() : (int)status->code;
     printf("wrote %s; run it with: cd %s && lmp -in in.matvib\n", options.output, options.output);
     return STATUS_DONE;
 }

@@ -51,4 +51,16 @@ for scenario in supported-beam-coarse moving-cantilever-coarse notched-beam-coar
 	(ran $scenario) >/dev/null 2>&1
 	result "$scenario moves in LAMMPS as here" agree 1e-7 $scenario/probe.csv $scenario.csv
 done
+
+# ended by a signal while it writes: nothing stays behind
+"$MATVIB" export-lammps notched-beam --output ended >/dev/null 2>&1 &
+asked=0
+while [ -z "$(ls -A ended 2>/dev/null)" ] && [ $asked -lt 5000 ]; do
+	asked=$((asked + 1))
+	sleep 0.002
+done
+kill -TERM $!
+wait $!
+result "a signal ends it with its status" test $? -eq 143
+result "and leaves no folder" test ! -e ended
 echo "1..$number"

@@ -428,7 +428,9 @@ static bool write_all(const Nodes *nodes, Asker asker, const char *folder, bool 
     }
     for (int k = 0; k < count && done; k++) {
         write_file(files[k].stream, (FileKind)k, nodes);
-        done = output_finish(&files[k], status);
+        done = output_finish(&files[k], status) &&
+               (patience_lasts(&nodes->settings->patience, (k + 1.0) / count) ||
+                status_fail(status, STATUS_FAILED, "interrupted"));
     }
     for (int k = 0; k < count && done; k++)
         done = output_commit(&files[k], status);
