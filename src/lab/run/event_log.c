@@ -176,7 +176,7 @@ static void add_lags(EventLog *log, const Experiment *experiment)
         if (step > (double)experiment->newest)
             return;
         snprintf(text, sizeof text, "%s %s against %s", lags[i].words, log->late > 0 ? "late" : "early",
-                 experiment_settings(experiment)->problem->answer);
+                 experiment->base.problem->answer);
         add(log->events, &log->count, EVENT_LOG_MAX, lround(step), EVENT_LATE, text);
     }
 }
