@@ -124,14 +124,11 @@ static BarCase bar_of_number(int number, double length)
     return bar;
 }
 
-/* Whether K_0 is more than round-off there. Wider shapes on one point of each cell hang together by a thread;
- * with single particles near the nodes a node's velocity is the next one's times their distance, and so on
- * through the bar, beyond any number. */
+/* Whether K_0 is more than round-off there: wider shapes on one point of each cell hang together by a thread.
+ */
 static bool is_defined(const BarDef *def, int how)
 {
-    if (def->shape != MPM_HAT)
-        return how <= ANYWHERE;
-    return def->particles_per_cell > 1 || (how != BEFORE_NODES && how != FROM_THE_MIDDLE);
+    return def->shape == MPM_HAT || how <= ANYWHERE;
 }
 
 START_TEST(particles_anywhere)

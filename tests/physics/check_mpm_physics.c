@@ -278,8 +278,9 @@ START_TEST(hidden_energy_in_two)
     Simulation *sim = bar_case_create(&bar);
     const long period = lround(known[_i].period / sim->dt);
     for (int i = 0; i < 3; i++) {
-        if (i > 0)
-            advance(sim, lround(ends[i] / sim->dt) - period - sim->step);
+        const long first = lround(ends[i] / sim->dt) - period; /* two periods of mode 1 are just over 20 */
+        if (first > sim->step)
+            advance(sim, first - sim->step);
         const Shares got = mean_shares(sim, period), expected = known[_i].at[i];
         /* to the last digit of the table or two */
         ck_assert_double_eq_tol(got.lumping, expected.lumping, fmax(1e-3, 2e-3 * expected.lumping));

@@ -14,8 +14,8 @@
  * are in order, a triangle's row is complete when their cells have passed it: only as many rows are kept as a
  * cell has nodes.
  *
- * That is for the wider shapes. Hats go faster in pairs of cells (kernels_null.h); what is here of them is for
- * the few cells and pairs that are not like the others. */
+ * That is for the wider shapes. Hats go faster in pairs of cells (kernels_null.h); what is here of them is
+ * for the few cells and pairs that are not like the others. */
 #include "physics/mpm_bar/bar_null.h"
 #include "physics/mpm_bar/kernels.h"
 #include "physics/mpm_bar/shape.h"
@@ -90,12 +90,25 @@ static inline void add_cells(const Bar *bar, BarNull *null, const MpmShape shape
     null->band = local;
 }
 
+/* Whether cells go in pairs. A short bar is done sooner cell by cell; with one particle a cell the products
+ * of many joined cells would leave the range of a double, and there is nothing to be found: as many particles
+ * as nodes can hide nothing. */
+static bool goes_in_pairs(const Bar *bar)
+{
+    enum { SHORT = 128 };
+    return bar->def.shape == MPM_HAT && bar->slots > 1 && bar->n_cells > SHORT;
+}
+
 void bar_null_add(const Bar *bar, BarNull *null, int end)
 {
     const int mapped = end == bar->n_cells ? end : end - bar->support + 1;
+    if (goes_in_pairs(bar)) {
+        bar->kernels->null_space(bar, null, end == bar->n_cells ? end : mapped / 8 * 8);
+        return;
+    }
     switch (bar->def.shape) {
     case MPM_HAT:
-        bar->kernels->null_space(bar, null, end == bar->n_cells ? end : mapped / 8 * 8);
+        add_cells(bar, null, MPM_HAT, mapped);
         return;
     case MPM_GIMP:
         add_cells(bar, null, MPM_GIMP, mapped);
@@ -198,6 +211,6 @@ static double sum_of_tree(const BarNullTree *tree)
 
 double bar_null_energy(const Bar *bar, const BarNull *null)
 {
-    const double sum = bar->def.shape == MPM_HAT ? sum_of_tree(&null->tree) : null->band.sum;
+    const double sum = goes_in_pairs(bar) ? sum_of_tree(&null->tree) : null->band.sum;
     return 0.5 * bar->mass * sum;
 }
