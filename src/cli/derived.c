@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "lab/problems/references.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -29,8 +30,12 @@ bool derived_text(const Settings *settings, char *out, size_t size, Status *stat
     Simulation *simulation = problem_simulate(settings, 1, status);
     if (!simulation)
         return false;
+    errno = 0;
     int count = problem_derived(settings, simulation, derived);
+    const bool complete = errno != ENOMEM;
     simulation_destroy(simulation);
+    if (!complete)
+        return status_fail(status, STATUS_FAILED, "not enough memory for the numbers that follow from these");
     size_t used = 0;
     out[0] = '\0';
     for (int i = 0; i < count; i++)

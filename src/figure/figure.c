@@ -1,4 +1,5 @@
-/* A figure from its name to its file: which views make one, panels side by side, what the page says of the run. */
+/* A figure from its name to its file: which views make one, panels side by side, what the page says of the
+ * run. */
 #include "figure/figure.h"
 
 #include "base/text.h"

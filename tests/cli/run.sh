@@ -135,7 +135,7 @@ first=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "broken_bonds") c
 seen=$(sed -n 's/^crack  first break \([0-9.]*\) us  twentieth [0-9.]* us  protected zone [0-9.]* us$/\1/p' out)
 result "tells its times" test -n "$seen"
 result "none before a bond breaks" awk "BEGIN { exit !($seen >= $first * 1e6 - 0.01) }"
-result "its angles" says out '^angle  [0-9.]* deg over 10 mm  [0-9.]* deg over 20 mm  [0-9.]* deg over 38 mm$'
+result "its angles" says out '^angle of fit  [0-9.]* deg over 10 mm  [0-9.]* deg over 20 mm  [0-9.]* deg over 38 mm$'
 broken=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "broken_bonds") c = i; next } { last = $c } END { print last }' n.csv)
 result "its tip and the bonds of the last row" says out "^tip  x [0-9.]* mm  y [0-9.]* mm  broken bonds $broken\$"
 result "the energy by the work" says out ' % of the work$'

@@ -74,7 +74,7 @@ START_TEST(pasted_text_runs_no_commands)
     session_keys(&session, ":\033[200~show 3\r\033[201~");
     ck_assert(session_shows(&session, ": show 3"));
     session_keys(&session, "\r");
-    ck_assert(session_shows(&session, "hidden"));
+    ck_assert(session_shows(&session, "lumping"));
     session_send(&session, "q");
     ck_assert_int_eq(session_exit(&session), 0);
     ck_assert_ptr_nonnull(strstr(session.bytes, "\033[?2004l"));

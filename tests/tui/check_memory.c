@@ -6,6 +6,7 @@
 #include "suite.h"
 #include "tui/tui_case.h"
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -75,7 +76,10 @@ static void gone(uintptr_t address)
 
 static bool fails(void)
 {
-    return ++n_calls == fails_at;
+    if (++n_calls != fails_at)
+        return false;
+    errno = ENOMEM; /* as the real ones do */
+    return true;
 }
 
 void *__wrap_malloc(size_t size)

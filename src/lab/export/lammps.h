@@ -14,8 +14,8 @@
 #include "lab/settings/settings.h"
 
 /* Writes them into a folder, which is made if it is missing; all or none. False: the settings are no beam, a
- * file exists and may not be replaced, or it cannot be written; the status says which. Settings.patience is asked
- * while the beam is built and after each file. */
+ * file exists and may not be replaced, or it cannot be written; the status says which. Settings.patience is
+ * asked while the beam is built and after each file. */
 bool lammps_export(const Settings *, Asker, const char *folder, bool force, Status *);
 
 #endif

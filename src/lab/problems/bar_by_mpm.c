@@ -4,6 +4,7 @@
 #include "theory/step_limit.h"
 #include "theory/step_spectrum.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -106,13 +107,17 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
         return false;
     bar->mesh = bar_mesh_of(settings, sim->dt);
     const bool whole = bar_centre_velocity_is_predicted(&theory, &bar->mesh);
+    /* what theory cannot predict is left out; for want of memory it must not be */
+    errno = 0;
     if (!bar_prepare(refs, settings, sim, predicted_frequency, whole ? predicted_v_cm : NULL,
                      "velocity of the centre of mass predicted for this mesh", status))
         return false;
     const StepMode found = step_mode(&theory, &bar->mesh, bar->watch.mode);
     if (bar->watch.mode > 0 && found.known)
         bar->watch.overlap = found.overlap;
-    return true;
+    return errno != ENOMEM ||
+           status_fail(status, STATUS_FAILED, "not enough memory to predict the motion of %g cells",
+                       round(settings->geometry.length / settings->mesh.cell_size));
 }
 
 /* --- derived numbers and advice ------------------------------------------------------------------- */
@@ -152,7 +157,11 @@ static bool limit(const Settings *settings, char *text, size_t size, Status *sta
     if (!bar_theory_of(settings, &theory, status))
         return false;
     BarMesh mesh = bar_mesh_of(settings, bar_time_step(settings));
-    const double courant = settings->time.courant, largest = step_limit(&theory, &mesh);
+    const double courant = settings->time.courant;
+    errno = 0;
+    const double largest = step_limit(&theory, &mesh);
+    if (errno == ENOMEM)
+        return status_fail(status, STATUS_FAILED, "not enough memory for the largest stable time step");
     if (courant > largest && !settings->time.unstable)
         return status_fail(
             status, STATUS_USAGE,

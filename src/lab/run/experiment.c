@@ -3,6 +3,7 @@
  * experiment_edit.c. */
 #include "lab/run/experiment_internal.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -126,8 +127,12 @@ int experiment_derived(Experiment *experiment, Derived out[DERIVED_MAX])
 {
     if (experiment->n_derived == 0 ||
         memcmp(&experiment->derived_for, &experiment->now, sizeof experiment->now) != 0) {
+        errno = 0;
         experiment->n_derived = problem_derived(&experiment->now, experiment->sim, experiment->derived);
-        experiment->derived_for = experiment->now;
+        if (errno == ENOMEM) /* what is missing is asked for again */
+            memset(&experiment->derived_for, 0, sizeof experiment->derived_for);
+        else
+            experiment->derived_for = experiment->now;
     }
     memcpy(out, experiment->derived, (size_t)experiment->n_derived * sizeof *out);
     return experiment->n_derived;

@@ -58,8 +58,8 @@ KERNEL_INLINE VectorMask is_there(const Vector *part, int count)
 
 /* --- the triangle of a cell ----------------------------------------------------------------------- */
 
-/* Cells with P particles at s, both nodes free. The right node is the near one, or the left. The mask: lanes to be
- * done otherwise. */
+/* Cells with P particles at s, both nodes free. The right node is the near one, or the left. The mask: lanes
+ * to be done otherwise. */
 KERNEL_INLINE VectorMask triangle_of_cells(int slots, bool left, const Vector *s, const Vector *v,
                                            Triangles *triangles)
 {
@@ -169,7 +169,8 @@ KERNEL_INLINE void triangles_of_cells(const Bar *bar, int slots, int c, int lane
 
 /* --- two triangles into one ----------------------------------------------------------------------- */
 
-static __attribute__((noinline)) void mend(Triangles *joined, const Vector *a, const Vector *b, VectorMask bad)
+static __attribute__((noinline)) void mend(Triangles *joined, const Vector *a, const Vector *b,
+                                           VectorMask bad)
 {
     for (int lane = 0; lane < VECTOR_WIDTH; lane++)
         if (bad[lane]) {

@@ -145,8 +145,8 @@ static bool open_loop(Loop *loop, const LaboratoryOptions *options, Status *stat
     loop->lab.utf8 = terminal_is_utf8(loop->terminal);
     const char *stand_in = terminal_stand_in(loop->terminal);
     if (stand_in && !screen->message[0])
-        laboratory_say(&loop->lab, MESSAGE_INFO, "TERM=%.40s is not known here: drawn as on %s", getenv("TERM"),
-            stand_in);
+        laboratory_say(&loop->lab, MESSAGE_INFO, "TERM=%.40s is not known here: drawn as on %s",
+                       getenv("TERM"), stand_in);
     return true;
 }
 
@@ -184,7 +184,8 @@ static void replay_round(Loop *loop)
             return;
     }
     if (is_replaying(loop))
-        lab->player.run_limit = replay_next(&loop->replay)->on_the_way ? -1 : replay_next(&loop->replay)->step;
+        lab->player.run_limit =
+            replay_next(&loop->replay)->on_the_way ? -1 : replay_next(&loop->replay)->step;
 }
 
 static void one_round(Loop *loop)
