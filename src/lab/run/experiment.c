@@ -127,12 +127,15 @@ int experiment_derived(Experiment *experiment, Derived out[DERIVED_MAX])
 {
     if (experiment->n_derived == 0 ||
         memcmp(&experiment->derived_for, &experiment->now, sizeof experiment->now) != 0) {
+        const int before = errno; /* of whoever draws, and asks for memory too */
         errno = 0;
         experiment->n_derived = problem_derived(&experiment->now, experiment->sim, experiment->derived);
         if (errno == ENOMEM) /* what is missing is asked for again */
             memset(&experiment->derived_for, 0, sizeof experiment->derived_for);
-        else
+        else {
             experiment->derived_for = experiment->now;
+            errno = before;
+        }
     }
     memcpy(out, experiment->derived, (size_t)experiment->n_derived * sizeof *out);
     return experiment->n_derived;
