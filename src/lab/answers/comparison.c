@@ -117,11 +117,14 @@ static bool fill_total(const Standing *run, char *label, char *value)
     return put(value, "%.2f %%", 100 * row[total] / record_row(record, 0)[total]);
 }
 
-/* The part of the kinetic energy that is motion in the null space of the grid, as a mean over a tenth of the
- * run, or what there is of it. */
-static bool fill_hidden(const Standing *run, char *label, char *value)
+/* A part of the kinetic energy that the grid's own does not hold, as a mean over a tenth of the run, or over
+ * what there is of it: `word` says which, and `part` takes it from a row. */
+typedef double HiddenPart(const double *row, int kinetic, int grid, int null);
+
+static bool fill_part(const Standing *run, const char *word, HiddenPart *part, char *label, char *value)
 {
-    const int kinetic = column_of(run, "kinetic"), null = column_of(run, "kinetic_null");
+    const int kinetic = column_of(run, "kinetic"), grid = column_of(run, "kinetic_grid");
+    const int null = column_of(run, "kinetic_null");
     const Record *record = experiment_record(run->experiment);
     const double to = experiment_time(run->experiment),
                  span = experiment_settings(run->experiment)->time.end / 10;
@@ -129,17 +132,41 @@ static bool fill_hidden(const Standing *run, char *label, char *value)
     char number[NUMBER_TEXT_MAX];
     text_rounded(number, span, 3);
     if (to > span)
-        snprintf(label, COMPARISON_TEXT_MAX, "null, last t %.8s", number);
+        snprintf(label, COMPARISON_TEXT_MAX, "%s, last t %.8s", word, number);
     else
-        snprintf(label, COMPARISON_TEXT_MAX, "null, since t 0");
-    if (kinetic < 0 || null < 0 || record->count == 0)
+        snprintf(label, COMPARISON_TEXT_MAX, "%s, since t 0", word);
+    if (kinetic < 0 || grid < 0 || null < 0 || record->count == 0)
         return false;
     for (size_t i = record_find(record, to - span); i < record->count && record_row(record, i)[1] <= to;
          i++) {
-        all += record_row(record, i)[kinetic];
-        hidden += record_row(record, i)[null];
+        const double *row = record_row(record, i);
+        all += row[kinetic];
+        hidden += part(row, kinetic, grid, null);
     }
     return all > 0 && put(value, "%.2f %%", 100 * hidden / all);
+}
+
+/* Motion that no nodal velocities represent. */
+static double in_null_space(const double *row, int kinetic, int grid, int null)
+{
+    (void)kinetic, (void)grid;
+    return row[null];
+}
+
+/* What the nodes would have more of, were their mass not lumped. */
+static double by_lumping(const double *row, int kinetic, int grid, int null)
+{
+    return row[kinetic] - row[grid] - row[null];
+}
+
+static bool fill_null(const Standing *run, char *label, char *value)
+{
+    return fill_part(run, "null", in_null_space, label, value);
+}
+
+static bool fill_lumping(const Standing *run, char *label, char *value)
+{
+    return fill_part(run, "lumping", by_lumping, label, value);
 }
 
 /* --- what happened --------------------------------------------------------------------------------- */
@@ -227,10 +254,10 @@ static const struct {
     {fill_broken, COLUMN_MEASURED, false},     {fill_first_break, COLUMN_MEASURED, false},
     {fill_length, COLUMN_MEASURED, false},     {fill_tip_x, COLUMN_MEASURED, false},
     {fill_tip_y, COLUMN_MEASURED, false},      {fill_loss, COLUMN_MEASURED, false},
-    {fill_hidden, COLUMN_MEASURED, false},     {fill_crossing, COLUMN_MEASURED, false},
+    {fill_null, COLUMN_MEASURED, false},       {fill_crossing, COLUMN_MEASURED, false},
     {fill_error, COLUMN_EXACT, false},         {fill_late, COLUMN_EXACT, false},
-    {fill_total, COLUMN_MEASURED, false},      {fill_work, COLUMN_MEASURED, false},
-    {fill_step, COLUMN_MEASURED, true},
+    {fill_lumping, COLUMN_MEASURED, false},    {fill_total, COLUMN_MEASURED, false},
+    {fill_work, COLUMN_MEASURED, false},       {fill_step, COLUMN_MEASURED, true},
 };
 enum { QUANTITIES = sizeof quantities / sizeof *quantities };
 
