@@ -25,9 +25,7 @@ bool crack_facts(const Simulation *sim, CrackFacts *facts)
 
 bool crack_price(const Simulation *sim, const Settings *settings, CrackPrice *price)
 {
-    const double s0 = settings->bonds.critical_stretch;
-    price->critical_energy =
-        9 * settings->material.youngs_modulus * settings->lattice.horizon * s0 * s0 / (4 * M_PI);
+    price->critical_energy = settings->bonds.critical_energy;
     return crack_cost(sim, &price->cost) && price->cost.area > 0;
 }
 

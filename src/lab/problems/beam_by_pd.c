@@ -30,11 +30,8 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     int n = 0;
     derived_add(out, &n, "horizon_over_spacing", "horizon/spacing", "1", lattice->horizon / lattice->spacing,
                 false);
-    double stretch = settings->bonds.critical_stretch;
-    derived_add(out, &n, "critical_stretch", "critical s0", "1", stretch, false);
-    derived_add(out, &n, "critical_energy", "critical G0", "J/m^2",
-                stretch * stretch * 9 * settings->material.youngs_modulus * lattice->horizon / (4 * M_PI),
-                false);
+    derived_add(out, &n, "critical_stretch", "critical s0", "1", settings->bonds.critical_stretch, false);
+    derived_add(out, &n, "critical_energy", "critical G0", "J/m^2", settings->bonds.critical_energy, false);
     if (settings->problem->concerns & CONCERN_NOTCH)
         derived_add(out, &n, "rayleigh_speed", "Rayleigh c_R", "m/s",
                     rayleigh_speed(settings->material.youngs_modulus, settings->material.density), false);
