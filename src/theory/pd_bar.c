@@ -4,7 +4,7 @@
  * eigenvectors are needed; then v_cm(t) as a sum over modes. */
 #include "theory/pd_bar.h"
 
-#include "base/band.h"
+#include "base/linear/band.h"
 #include "theory/quiet.h"
 
 #include <float.h>

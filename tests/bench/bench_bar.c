@@ -4,7 +4,7 @@
  * for each of map, strain with force, and update; scalar, compiled with the flags of the rest of the program.
  * Runs are interleaved and the best of several counts, so that a busy machine disturbs the ratios little. */
 #include "physics/mpm_bar/bar.h"
-#include "physics/mpm_bar/kernels.h"
+#include "physics/mpm_bar/kernels/kernels.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* One bar by two methods: which keys each has, how a scenario changes from one to the other, and what stands
  * beside a run by peridynamics. */
-#include "lab/problems/bar_theory.h"
+#include "lab/problems/bars/bar_theory.h"
 #include "lab/lab_case.h"
 #include "lab/settings/scenario.h"
 #include "suite.h"

@@ -1,5 +1,5 @@
 /* The parameter table: rows that fit the screen, values that survive the way through text, nudges. */
-#include "lab/problems/beam_answers.h"
+#include "lab/problems/beams/beam_answers.h"
 #include "lab/settings/parameters.h"
 
 #include "base/text.h"

@@ -1,5 +1,5 @@
 /* Problems with their references: columns, answers, readouts, advice. */
-#include "lab/problems/bar_theory.h"
+#include "lab/problems/bars/bar_theory.h"
 #include "lab/lab_case.h"
 #include "suite.h"
 #include "theory/beam.h"

@@ -1,7 +1,7 @@
 /* One scenario, one set of bits: however a run is cut, watched, rewound, and whatever the machine's vectors.
  */
 #include "physics/bar_case.h"
-#include "physics/mpm_bar/kernels.h"
+#include "physics/mpm_bar/kernels/kernels.h"
 #include "suite.h"
 
 #include <stdint.h>

@@ -2,8 +2,8 @@
  * their cells, on nodes, upon each other, and cells that decide next to nothing. */
 #include "physics/bar_case.h"
 #include "physics/mpm_bar/bar_state.h"
-#include "physics/mpm_bar/kernels.h"
-#include "physics/mpm_bar/shape.h"
+#include "physics/mpm_bar/kernels/kernels.h"
+#include "physics/mpm_bar/kernels/shape.h"
 #include "suite.h"
 
 #include <float.h>

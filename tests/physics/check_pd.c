@@ -1,6 +1,6 @@
 /* Beams keep what physics says they keep, and give the same bits whichever way a step is done. */
 #include "physics/beam_case.h"
-#include "physics/pd_plane/crack.h"
+#include "physics/pd_plane/fracture/crack.h"
 #include "suite.h"
 
 #include <math.h>

@@ -1,8 +1,8 @@
 /* The paper's notched beam to the end: when and where it cracks (paper P, figs. 9 and 10), with the numbers
  * of an independent program and the tolerances that its own sensitivity asks for. */
 #include "physics/beam_case.h"
-#include "physics/pd_plane/crack.h"
-#include "physics/pd_plane/crack_cost.h"
+#include "physics/pd_plane/fracture/crack.h"
+#include "physics/pd_plane/fracture/crack_cost.h"
 #include "suite.h"
 
 #include <math.h>

@@ -2,7 +2,7 @@
  */
 #include "base/text.h"
 #include "physics/beam_case.h"
-#include "physics/pd_plane/crack.h"
+#include "physics/pd_plane/fracture/crack.h"
 #include "suite.h"
 
 #include <math.h>

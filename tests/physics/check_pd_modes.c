@@ -1,9 +1,9 @@
 /* The predicted period of the supported beam against an independent eigenvalue solver, and the factor behind.
  */
-#include "base/cholesky.h"
+#include "base/linear/cholesky.h"
 #include "physics/beam_case.h"
 #include "physics/pd_plane/beam_modes.h"
-#include "physics/pd_plane/crack_speed.h"
+#include "physics/pd_plane/fracture/crack_speed.h"
 #include "suite.h"
 
 #include <math.h>

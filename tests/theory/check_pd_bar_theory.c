@@ -1,5 +1,5 @@
 /* The lattice's prediction against the engine, and what counts eigenvalues against a dense solver. */
-#include "base/band.h"
+#include "base/linear/band.h"
 #include "physics/pd_bar/pd_bar.h"
 #include "suite.h"
 #include "theory/frequency.h"

@@ -2,7 +2,7 @@
 #include "cli/verify/verify_quantity.h"
 
 #include "lab/answers/crack.h"
-#include "physics/pd_plane/crack_cost.h"
+#include "physics/pd_plane/fracture/crack_cost.h"
 
 #include <stdlib.h>
 #include <string.h>

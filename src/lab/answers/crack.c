@@ -2,7 +2,7 @@
  * angles over the heights of figure 10, each known only when the crack has grown so far. */
 #include "lab/answers/crack.h"
 
-#include "physics/pd_plane/crack_speed.h"
+#include "physics/pd_plane/fracture/crack_speed.h"
 
 #include <math.h>
 

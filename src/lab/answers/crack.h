@@ -5,8 +5,8 @@
 #define LAB_CRACK_H
 
 #include "lab/settings/settings.h"
-#include "physics/pd_plane/crack.h"
-#include "physics/pd_plane/crack_cost.h"
+#include "physics/pd_plane/fracture/crack.h"
+#include "physics/pd_plane/fracture/crack_cost.h"
 
 /* Paper P, section 3.3: the crack leaves the notch at about this angle. */
 #define CRACK_PAPER_ANGLE 30.0

@@ -4,8 +4,8 @@
  * 19; m = rho dx/P, dt by eq. 21. */
 #include "physics/axial.h"
 #include "physics/mpm_bar/bar_state.h"
-#include "physics/mpm_bar/kernels.h"
-#include "physics/mpm_bar/shape.h"
+#include "physics/mpm_bar/kernels/kernels.h"
+#include "physics/mpm_bar/kernels/shape.h"
 
 #include <math.h>
 #include <stdlib.h>

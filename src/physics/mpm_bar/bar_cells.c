@@ -6,7 +6,7 @@
  * whose particles leaves is done by a kernel. Here a run fails when a particle leaves the mesh or overtakes
  * its neighbour, and first crossings of a cell's edge become events. */
 #include "physics/mpm_bar/bar_state.h"
-#include "physics/mpm_bar/kernels.h"
+#include "physics/mpm_bar/kernels/kernels.h"
 
 #include "base/text.h"
 

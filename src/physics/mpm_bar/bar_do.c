@@ -1,7 +1,7 @@
 /* The work of a bar's stages on a range of cells: the kernels, the supports, and what makes a run fail.
  * Stages one by one and whole steps in tiles (bar_tiles.c) both call this. */
 #include "physics/mpm_bar/bar_state.h"
-#include "physics/mpm_bar/kernels.h"
+#include "physics/mpm_bar/kernels/kernels.h"
 
 /* Step 2 of paper M: p_i = 0 at nodes held by a support, among those that come with these cells; their mass
  * stays, so that eqs. 4 and 15 divide by it as everywhere. */

@@ -12,7 +12,7 @@
  * for the inspector and the written-out sums (bar_explain.c). The stages themselves do not call this: their
  * loops are in kernels.c. */
 #include "physics/mpm_bar/bar_state.h"
-#include "physics/mpm_bar/shape.h"
+#include "physics/mpm_bar/kernels/shape.h"
 
 #define TABLE(momentum, momentum_ascii, momentum_note, taken, taken_ascii, taken_note, taken_adds)           \
     {                                                                                                        \

@@ -2,7 +2,7 @@
  * what the laboratory shows when a stage has just been done. The terms come from bar_exchange.c, bar_sums.c
  * makes sums of them; which sums a stage has is the table at the end of this file. */
 #include "physics/mpm_bar/bar_sums.h"
-#include "physics/mpm_bar/shape.h"
+#include "physics/mpm_bar/kernels/shape.h"
 
 static double *velocity_of_particle(const Bar *bar, int particle)
 {

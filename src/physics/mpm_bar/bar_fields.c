@@ -4,7 +4,7 @@
 #include "base/assertion.h"
 #include "physics/axial.h"
 #include "physics/mpm_bar/bar_state.h"
-#include "physics/mpm_bar/shape.h"
+#include "physics/mpm_bar/kernels/shape.h"
 
 /* One list for the table of fields and for the functions that fill them; it begins with those of axial.h. */
 enum FieldIndex {

@@ -17,8 +17,8 @@
  * That is for the wider shapes. Hats go faster in pairs of cells (kernels_null.h); what is here of them is
  * for the few cells and pairs that are not like the others. */
 #include "physics/mpm_bar/bar_null.h"
-#include "physics/mpm_bar/kernels.h"
-#include "physics/mpm_bar/shape.h"
+#include "physics/mpm_bar/kernels/kernels.h"
+#include "physics/mpm_bar/kernels/shape.h"
 
 /* Numbers whose squares would leave a double's range are as good as 0 beside others of order 1. */
 static const double too_small = 1e-280;

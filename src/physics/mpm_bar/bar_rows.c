@@ -8,8 +8,8 @@
  * Each is kept in BAR_LANES partial sums, so that neither vectors nor tiles leave a trace. */
 #include "physics/mpm_bar/bar_null.h"
 #include "physics/mpm_bar/bar_state.h"
-#include "physics/mpm_bar/kernels.h"
-#include "physics/mpm_bar/shape.h"
+#include "physics/mpm_bar/kernels/kernels.h"
+#include "physics/mpm_bar/kernels/shape.h"
 
 /* Adds the BAR_LANES partial sums pairwise, always in this order. */
 static double fold(const double *lane)

@@ -2,7 +2,7 @@
  * are, and what a node has at present, whatever the order of the stages. For what front ends read (fields,
  * exchanges, explanations); the stages themselves need none of it. */
 #include "physics/mpm_bar/bar_state.h"
-#include "physics/mpm_bar/shape.h"
+#include "physics/mpm_bar/kernels/shape.h"
 
 bool bar_has_done(const Bar *bar, BarOp op)
 {

@@ -20,7 +20,7 @@
  * the caller does the steps again stage by stage over the whole bar (bar_steps.c). */
 #include "physics/mpm_bar/bar_null.h"
 #include "physics/mpm_bar/bar_state.h"
-#include "physics/mpm_bar/kernels.h"
+#include "physics/mpm_bar/kernels/kernels.h"
 
 #include <string.h>
 

@@ -9,7 +9,7 @@
 #include "physics/axial.h"
 #include "physics/pd_bar/pd_bar_internal.h"
 
-#include "base/band.h"
+#include "base/linear/band.h"
 
 #include <math.h>
 #include <stdlib.h>

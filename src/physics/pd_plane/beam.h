@@ -62,7 +62,8 @@ bool beam_check(const BeamDef *definition, Status *status);
  * dissipated total broken_bonds. total = kinetic + strain + dissipated; less the work it keeps its value.
  * broken_bonds leaves out the notch's. Live parameters: load.stress, pd.critical_stretch.
  *
- * The crack as the paper speaks of it (first break, tip, angle, arrival): physics/pd_plane/crack.h. */
+ * The crack as the paper speaks of it (first break, tip, angle, arrival): physics/pd_plane/fracture/crack.h.
+ */
 Simulation *beam_create(const BeamDef *definition, Status *status);
 
 /* What the lattice came to; for the read-only rows and the tables. */

@@ -7,7 +7,7 @@
  * evaluation. Here its energy goes to "dissipated" and its ends are marked; only marked nodes compute their
  * damage again. On the notched beam the stage also follows the crack (crack.c). */
 #include "physics/pd_plane/beam_internal.h"
-#include "physics/pd_plane/crack.h"
+#include "physics/pd_plane/fracture/crack.h"
 
 #include <math.h>
 #include <string.h>

@@ -3,9 +3,9 @@
 #define PHYSICS_PD_BEAM_INTERNAL_H
 
 #include "physics/pd_plane/beam.h"
-#include "physics/pd_plane/bonds.h"
-#include "physics/pd_plane/lattice.h"
-#include "physics/pd_plane/pool.h"
+#include "physics/pd_plane/bonds/bonds.h"
+#include "physics/pd_plane/bonds/lattice.h"
+#include "physics/pd_plane/bonds/pool.h"
 
 /* The stages of a step (velocity Verlet, eqs. 9 to 11). */
 enum {

@@ -9,7 +9,7 @@
  * are uncoupled. With the nodes numbered by columns K is a narrow band: its Cholesky factor and a few steps
  * of inverse iteration, x <- K^-1 x, give lambda = x.x / x.K^-1 x to all digits that K has. */
 #include "physics/pd_plane/beam_modes.h"
-#include "base/cholesky.h"
+#include "base/linear/cholesky.h"
 #include "physics/pd_plane/beam_internal.h"
 
 #include <math.h>

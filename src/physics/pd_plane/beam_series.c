@@ -7,7 +7,7 @@
  * V = dx^2, b the thickness; SI units. Each column is a function and a row of the table below, which says
  * which problems have it. */
 #include "physics/pd_plane/beam_internal.h"
-#include "physics/pd_plane/crack.h"
+#include "physics/pd_plane/fracture/crack.h"
 
 static double probe(const Beam *beam, const double *array)
 {

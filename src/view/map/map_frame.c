@@ -1,7 +1,7 @@
 /* Where the nodes of a beam are drawn: lengths to scale; the displacement enlarged so that it is seen; the
  * height stretched where the beam is too slender for the pane. */
 #include "view/map/map.h"
-#include "view/views/time_plot.h"
+#include "view/plots/time_plot.h"
 
 #include <math.h>
 #include <stdlib.h>

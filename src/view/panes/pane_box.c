@@ -3,8 +3,8 @@
 #include "view/panes/panes.h"
 #include "view/views/views.h"
 #include "lab/answers/summary.h"
-#include "view/views/runs.h"
-#include "view/views/time_plot.h"
+#include "view/plots/runs.h"
+#include "view/plots/time_plot.h"
 
 #include <math.h>
 #include <stdio.h>

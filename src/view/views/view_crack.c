@@ -1,8 +1,8 @@
 /* More pictures of a beam that breaks: the crack's path with its angle, the angle over time, and what a piece
  * of crack has cost beside the fracture energy that it should cost. */
 #include "view/views/views.h"
-#include "view/views/runs.h"
-#include "view/views/time_plot.h"
+#include "view/plots/runs.h"
+#include "view/plots/time_plot.h"
 
 #include "lab/answers/crack.h"
 

@@ -2,7 +2,7 @@
  * paper's 5 % and 20 %. A beam: its period over the horizon, between the two beam theories. Earlier runs
  * leave their dot.
  */
-#include "view/views/runs.h"
+#include "view/plots/runs.h"
 #include "view/views/views.h"
 
 #include "lab/answers/dispersion.h"

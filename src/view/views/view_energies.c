@@ -1,7 +1,7 @@
 /* The energies over time, stacked. */
-#include "view/views/overlay_plot.h"
-#include "view/views/runs.h"
-#include "view/views/time_plot.h"
+#include "view/plots/overlay_plot.h"
+#include "view/plots/runs.h"
+#include "view/plots/time_plot.h"
 #include "view/views/views.h"
 
 #include <math.h>

@@ -1,8 +1,8 @@
 /* What is measured at the probe, over time, with the reference curves, earlier runs and the readout.
  */
-#include "view/views/overlay_plot.h"
-#include "view/views/runs.h"
-#include "view/views/time_plot.h"
+#include "view/plots/overlay_plot.h"
+#include "view/plots/runs.h"
+#include "view/plots/time_plot.h"
 #include "view/views/views.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* A field of the particles along the bar, or along the middle of a beam, with the exact curve behind.
  */
-#include "view/views/overlay_plot.h"
-#include "view/views/runs.h"
+#include "view/plots/overlay_plot.h"
+#include "view/plots/runs.h"
 #include "view/views/views.h"
 
 #include <math.h>

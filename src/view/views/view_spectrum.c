@@ -1,6 +1,6 @@
 /* The amplitude spectrum of the probe, with the predicted and the exact lines marked. The slow lines
  * on an even scale, or everything that the mesh can do on a logarithmic one. */
-#include "view/views/runs.h"
+#include "view/plots/runs.h"
 #include "view/views/views.h"
 
 #include "lab/answers/dispersion.h"

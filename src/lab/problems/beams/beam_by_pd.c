@@ -1,7 +1,7 @@
 /* Beams by peridynamics: settings to simulation, derived numbers, advice. */
-#include "lab/problems/beam_answers.h"
+#include "lab/problems/beams/beam_answers.h"
 #include "lab/problems/solvers.h"
-#include "physics/pd_plane/crack_speed.h"
+#include "physics/pd_plane/fracture/crack_speed.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -11,7 +11,7 @@
 #include <stddef.h>
 
 /* rows[i * (width + 1) + d] = K(i, i - d), d = 0 .. width; after cholesky_factor() the same of L. What lies
- * left of the matrix (d > i) is not read. Laid out as Band of base/band.h, of any width. */
+ * left of the matrix (d > i) is not read. Laid out as Band of base/linear/band.h, of any width. */
 typedef struct CholeskyBand {
     size_t size, width;
     double *rows;

@@ -1,5 +1,5 @@
 /* A foreign series over the plots: which view it belongs to, its stroke, marks and part of the axes. */
-#include "view/views/overlay_plot.h"
+#include "view/plots/overlay_plot.h"
 
 #include "view/draw/sketch.h"
 

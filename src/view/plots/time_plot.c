@@ -1,5 +1,5 @@
 /* What plots over time have in common: the window, the mark of the present, how far references will reach. */
-#include "view/views/time_plot.h"
+#include "view/plots/time_plot.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,9 +1,9 @@
 /* The energy that the crack has cost, by what broke (crack_cost.h): every bond that broke in the run is
  * counted as cut by the path, beside it within a horizon, or farther away. Reads the state after the damage
  * stage. */
-#include "physics/pd_plane/crack_cost.h"
+#include "physics/pd_plane/fracture/crack_cost.h"
 #include "physics/pd_plane/beam_internal.h"
-#include "physics/pd_plane/crack.h"
+#include "physics/pd_plane/fracture/crack.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* The kernels that were compiled, by level. kernels.c is compiled once for each instruction set; all give the
  * same bits. */
-#include "physics/mpm_bar/kernels.h"
+#include "physics/mpm_bar/kernels/kernels.h"
 
 extern const BarKernels bar_kernels_plain;
 #ifdef HAVE_X86_KERNELS

@@ -19,8 +19,8 @@
  * once as a vector has numbers, in runs of cells that hold P particles each. What is done by which is a
  * matter of speed only. The file is compiled once for each instruction set; BAR_KERNELS is the name of the
  * table. */
-#include "physics/mpm_bar/kernels.h"
-#include "physics/mpm_bar/shape.h"
+#include "physics/mpm_bar/kernels/kernels.h"
+#include "physics/mpm_bar/kernels/shape.h"
 #include "physics/vector.h"
 
 #include <string.h>
@@ -42,9 +42,9 @@ KERNEL_INLINE Transfer transfer_of(const Bar *bar)
     return bar->head->transfer == MPM_APIC ? TO_APIC : bar->head->flip_fraction == 1.0 ? TO_FLIP : TO_BLEND;
 }
 
-#include "physics/mpm_bar/kernels_cell.h"
+#include "physics/mpm_bar/kernels/kernels_cell.h"
 
-#include "physics/mpm_bar/kernels_run.h"
+#include "physics/mpm_bar/kernels/kernels_run.h"
 
 /* Nodes that come with cells [first, end). */
 KERNEL_INLINE int nodes_end(const Bar *bar, int end)
@@ -440,7 +440,7 @@ static void node_sums(const Bar *bar, int first, int end, double *lanes)
         lanes[lane] += momentum[i + lane] * momentum[i + lane] * inverse[i + lane];
 }
 
-#include "physics/mpm_bar/kernels_null.h"
+#include "physics/mpm_bar/kernels/kernels_null.h"
 
 const BarKernels BAR_KERNELS = {
     .map = map,

@@ -1,5 +1,5 @@
 /* The sharp invariant of the bar by the material point method: answers/invariant.h says what it is. */
-#include "lab/problems/bar_answers.h"
+#include "lab/problems/bars/bar_answers.h"
 
 #include <math.h>
 #include <stdlib.h>

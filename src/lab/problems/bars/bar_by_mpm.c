@@ -1,5 +1,5 @@
 /* The bar by the material point method: settings to simulation, exact and predicted answers beside. */
-#include "lab/problems/bar_answers.h"
+#include "lab/problems/bars/bar_answers.h"
 #include "lab/problems/solvers.h"
 #include "theory/step_limit.h"
 #include "theory/step_spectrum.h"

@@ -1,5 +1,5 @@
 /* The bar by peridynamics: settings to simulation, exact and predicted answers beside. */
-#include "lab/problems/bar_answers.h"
+#include "lab/problems/bars/bar_answers.h"
 #include "lab/problems/solvers.h"
 #include "physics/pd_bar/pd_bar.h"
 #include "theory/pd_bar.h"

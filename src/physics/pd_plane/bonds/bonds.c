@@ -1,7 +1,7 @@
 /* Chooses the bond kernels of this machine (bond_kernels.c is compiled once for each instruction set), and
  * turns the critical stretch s0 into the limits that they compare with: a bond breaks where
  * d = |xi + eta|^2 - |xi|^2 reaches |xi|^2 (2 s0 + s0^2), eq. 6 without a root. */
-#include "physics/pd_plane/bonds.h"
+#include "physics/pd_plane/bonds/bonds.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* Answers for the bar that both methods share: its theory, which column shows its frequency, exact answers
  * beside the run. */
-#include "lab/problems/bar_answers.h"
+#include "lab/problems/bars/bar_answers.h"
 
 #include <limits.h>
 #include <math.h>

@@ -10,7 +10,7 @@
 #define REAL        Vector
 #define SHAPE_INNER shape_inner_vector
 #define ABSOLUTE(x) vector_absolute(x)
-#include "physics/mpm_bar/shape_inner.h"
+#include "physics/mpm_bar/kernels/shape_inner.h"
 #undef REAL
 #undef SHAPE_INNER
 #undef ABSOLUTE

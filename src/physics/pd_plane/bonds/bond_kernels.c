@@ -10,7 +10,7 @@
  * The file is compiled once for each CpuLevel. Blocks are always eight columns, and every sum keeps eight
  * partial sums, so that the width of the vectors leaves no trace. Units: m, N/m^3 for forces, J for energies.
  */
-#include "physics/pd_plane/bonds.h"
+#include "physics/pd_plane/bonds/bonds.h"
 #include "physics/vector.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* A beam as its engine by peridynamics wants it. */
-#include "lab/problems/beam_answers.h"
+#include "lab/problems/beams/beam_answers.h"
 
 static BeamProblem engine_problem(const Problem *problem)
 {

@@ -33,7 +33,7 @@ double shape_node_offset(MpmShape shape, int n_cells, int cell, int a);
 #define REAL        double
 #define SHAPE_INNER shape_inner
 #define ABSOLUTE(x) fabs(x)
-#include "physics/mpm_bar/shape_inner.h"
+#include "physics/mpm_bar/kernels/shape_inner.h"
 #undef REAL
 #undef SHAPE_INNER
 #undef ABSOLUTE

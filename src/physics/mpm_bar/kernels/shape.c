@@ -6,7 +6,7 @@
  *     N'_i,d = d (N_i,d-1/(k_i+d - k_i) - N_i+1,d-1/(k_i+d+1 - k_i+1))
  *
  * Inner cells, nearly all of a mesh, have the closed forms of shape_inner.h. Lengths in cells. */
-#include "physics/mpm_bar/shape.h"
+#include "physics/mpm_bar/kernels/shape.h"
 
 /* Knot k of an open knot vector on cell edges 0, 1, ..., n_cells: the ends are repeated degree + 1 times. */
 static double knot(int degree, int n_cells, int k)

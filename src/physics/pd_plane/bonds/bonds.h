@@ -16,7 +16,7 @@
 #define PHYSICS_PD_BONDS_H
 
 #include "physics/cpu.h"
-#include "physics/pd_plane/lattice.h"
+#include "physics/pd_plane/bonds/lattice.h"
 
 enum {
     BONDS_TILE = 128

@@ -4,7 +4,7 @@
 #define LAB_BAR_ANSWERS_H
 
 #include "lab/answers/dispersion.h"
-#include "lab/problems/bar_theory.h"
+#include "lab/problems/bars/bar_theory.h"
 #include "lab/problems/solver.h"
 #include "theory/frequency.h"
 

@@ -1,7 +1,7 @@
 /* The runs of a picture: earlier ones as ghosts with letters, then the present one, or both of a duel. */
-#include "view/views/runs.h"
+#include "view/plots/runs.h"
 
-#include "view/views/time_plot.h"
+#include "view/plots/time_plot.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -5,7 +5,7 @@
  *
  * and as many eigenvalues lie below x as D has negative entries (Sylvester). Only the last `width` + 1
  * rows of L are kept. Used for the critical step and the predicted frequencies of the bar by peridynamics. */
-#include "base/band.h"
+#include "base/linear/band.h"
 
 #include <float.h>
 #include <math.h>

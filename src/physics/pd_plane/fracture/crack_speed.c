@@ -4,7 +4,7 @@
  *     x^3 - 8 x^2 + (24 - 16 k) x - 16 (1 - k) = 0,   k = (c_s/c_p)^2 = (1 - nu)/2 = 1/3,
  *
  * whose root between 0 and 1 is 2 - 2/sqrt(3). */
-#include "physics/pd_plane/crack_speed.h"
+#include "physics/pd_plane/fracture/crack_speed.h"
 
 #include <math.h>
 

@@ -1,9 +1,9 @@
 /* The crack of the notched beam (crack.h), measured from the damage of nodes: path, tip, length, angle and
  * speed. Called at the end of the damage stage (beam_break.c) and by whoever shows or tabulates the crack;
  * nothing here changes the motion. */
-#include "physics/pd_plane/crack.h"
+#include "physics/pd_plane/fracture/crack.h"
 #include "physics/pd_plane/beam_internal.h"
-#include "physics/pd_plane/crack_speed.h"
+#include "physics/pd_plane/fracture/crack_speed.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* The factor and the solution of cholesky.h. Nearly all time goes into dot products of two rows of L. Used
  * for the lowest modes of the beams' lattice (pd_plane/beam_modes.c). */
-#include "base/cholesky.h"
+#include "base/linear/cholesky.h"
 
 #include <math.h>
 

@@ -12,7 +12,7 @@
  *
  * (9/16) E is the energy density of a unit uniaxial strain at nu = 1/3 in plane stress, E/(2 (1 - nu^2)); the
  * sum below it is what the family of node i stores. */
-#include "physics/pd_plane/lattice.h"
+#include "physics/pd_plane/bonds/lattice.h"
 
 #include <math.h>
 #include <stdlib.h>

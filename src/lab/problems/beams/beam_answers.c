@@ -1,6 +1,6 @@
 /* Answers for the beams that do not depend on the method: beam theories beside, zeros and periods of a
  * record. */
-#include "lab/problems/beam_answers.h"
+#include "lab/problems/beams/beam_answers.h"
 
 #include "physics/pd_plane/beam_modes.h"
 #include "theory/beam.h"
