@@ -109,8 +109,8 @@ expect "laboratory: a script" 0 --script keys --size 100x30 --paused mode10 --se
 result "it opens the scenario" says out 'mode10 .*PAUSED'
 result "with the value that was set" says out 'cell size *0.5'
 result "in the size asked for" test "$(awk 'length > n { n = length } END { print n }' out)" -eq 100
-expect "laboratory: mode1 without a name" 0 --script keys
-result "it is mode1" says out 'mode1 '
+expect "laboratory: mode5 without a name" 0 --script keys
+result "it is mode5" says out 'mode5 '
 
 printf 'zebra\n' >keys
 refuse "a script with an unknown instruction" \

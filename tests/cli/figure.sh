@@ -23,7 +23,7 @@ if command -v xmllint >/dev/null 2>&1; then
 else
 	skip "it is well-formed" "no xmllint"
 fi
-result "its title" has_word a.svg "Fifth mode: 4 % late"
+result "its title" has_word a.svg "Why is mode 5 late?"
 result "the name of its upright axis" has_word a.svg "v"
 result "with its index" has_word a.svg "cm"
 result "and its power of ten" has_word a.svg " ×10⁻³"

@@ -61,6 +61,26 @@ END_TEST
 
 /* --- time ------------------------------------------------------------------------------------------- */
 
+/* The fifth mode is half a period late at t = 13.1: within ten seconds, but a period can be followed. Cells
+ * of half the size make it late too seldom to go faster still. */
+START_TEST(a_late_run_is_late_within_ten_seconds)
+{
+    Bench *bench = open_bench("mode5", false);
+    ck_assert_double_eq(bench->lab.screen.pace, 5); /* 111 steps in 0.76 s */
+    while (bench->time < 10)
+        frame(bench);
+    const Readout *readout = experiment_readout(bench->lab.screen.experiment);
+    ck_assert_double_gt(readout_late(readout, experiment_time(bench->lab.screen.experiment)), 0.5);
+    select_parameter(bench, "mesh.cell_size");
+    press(bench, "Left");
+    ck_assert_double_eq(bench->lab.screen.pace, 10);
+    close_bench(bench);
+    bench = open_bench("mode10", false); /* late after three periods already: they take their time */
+    ck_assert_double_eq(bench->lab.screen.pace, 0.5);
+    close_bench(bench);
+}
+END_TEST
+
 START_TEST(a_period_lasts_three_seconds)
 {
     Bench *bench = open_bench("mode1", false);
@@ -807,6 +827,7 @@ void add_cases(Suite *suite)
     TCase *tcase = tcase_create("laboratory");
     tcase_set_timeout(tcase, 120);
     tcase_add_test(tcase, every_row_of_the_table_is_carried_out);
+    tcase_add_test(tcase, a_late_run_is_late_within_ten_seconds);
     tcase_add_test(tcase, a_period_lasts_three_seconds);
     tcase_add_test(tcase, a_slow_engine_is_the_limit);
     tcase_add_test(tcase, faster_and_slower_in_1_2_5);

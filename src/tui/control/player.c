@@ -6,9 +6,13 @@
 #include <math.h>
 #include <string.h>
 
-/* One exact period should last this long on screen; a run without a period, this long as a whole. */
-#define PERIOD_SECONDS 3.0
-#define RUN_SECONDS    15.0
+/* One exact period should last this long on screen; a run without a period, this long as a whole. A run that
+ * comes to be half a period late should be so after LATE_SECONDS, as far as that leaves a period long enough
+ * to be followed. */
+#define PERIOD_SECONDS   3.0
+#define SHORTEST_SECONDS 0.75
+#define LATE_SECONDS     9.0
+#define RUN_SECONDS      15.0
 
 static const double tau = 6.283185307179586;
 
@@ -116,14 +120,29 @@ double player_next_125(double value, int direction)
     return best > 0 ? best : value;
 }
 
+/* How long a period should last on screen. With the frequency off by a share e it is half a period late, or
+ * early, after 1 / (2 e) periods. */
+static double period_seconds(const Readout *readout, double period, double end)
+{
+    const double share = fabs(readout->predicted_error_frequency) / 100;
+    const double periods = readout->predicted_known && share > 0 ? 0.5 / share : INFINITY;
+    if (periods * period > end)
+        return PERIOD_SECONDS;
+    return fmin(fmax(LATE_SECONDS / periods, SHORTEST_SECONDS), PERIOD_SECONDS);
+}
+
 void player_choose_pace(Screen *screen)
 {
     Experiment *experiment = screen->experiment;
     const Readout *readout = experiment_readout(experiment);
     double dt = experiment_simulation(experiment)->dt;
-    double frames = PERIOD_SECONDS / FRAME_SECONDS, steps = 0;
-    if (readout->moving && readout->exact_known && readout->exact > 0)
-        steps = (readout->is_period ? readout->exact : tau / readout->exact) / dt;
+    double frames = 1, steps = 0;
+    if (readout->moving && readout->exact_known && readout->exact > 0) {
+        const double period = readout->is_period ? readout->exact : tau / readout->exact;
+        const double end = dt * (double)experiment_last_step(experiment);
+        frames = period_seconds(readout, period, end) / FRAME_SECONDS;
+        steps = period / dt;
+    }
     if (!(steps > 0) || !isfinite(steps)) {
         frames = RUN_SECONDS / FRAME_SECONDS;
         steps = (double)experiment_last_step(experiment);
