@@ -167,7 +167,7 @@ static bool draw(const Options *options, const Settings *settings, Screen *scree
 {
     Frames frames = {0};
     const View *view = NULL;
-    screen->state = STATE_RUNNING; /* nothing is chosen by hand */
+    screen->playback.state = STATE_RUNNING; /* nothing is chosen by hand */
     screen_read_view(screen, &settings->view);
     bool sound =
         figure_view(screen, options->view, &view, status) && plan(&frames, screen, view, settings, status);
@@ -181,7 +181,7 @@ static bool draw(const Options *options, const Settings *settings, Screen *scree
                 plan(&frames, screen, view, settings, status);
     if (sound) {
         if (!settings->view.window[0])
-            screen->window =
+            screen->time.window =
                 experiment_simulation(screen->experiment)->dt * (double)frames.steps[frames.count - 1];
         Convergence convergence = {.n_studies = 0};
         screen->convergence = &convergence;

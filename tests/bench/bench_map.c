@@ -48,7 +48,7 @@ int main(int count, char **arguments)
             measure(&scene, colour_words[variant]);
         }
         view_choose_variant(view_of_map(), &scene.screen, 4);
-        scene.screen.colours = 0;
+        scene.screen.look.colours = 0;
         measure(&scene, "dots");
         scene.screen.eye.magnified = 64;
         measure(&scene, "bonds as lines");

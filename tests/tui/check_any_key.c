@@ -21,15 +21,16 @@ static void press_every_key_after(Bench *bench, const char *before)
             press_all(bench, before);
             press(bench, key);
             frame(bench);
-            for (int most = 8; most > 0 && (bench->lab.screen.prompt.open || bench->lab.screen.edit.open ||
-                                            bench->lab.screen.help || bench->lab.screen.zoomed);
+            for (int most = 8;
+                 most > 0 && (bench->lab.screen.prompt.open || bench->lab.screen.parameters.edit.open ||
+                              bench->lab.screen.help.open || bench->lab.screen.panes.zoomed);
                  most--)
                 press(bench, "Esc");
-            ck_assert_msg(!bench->lab.screen.prompt.open && !bench->lab.screen.edit.open, "%s %s", before,
-                          key);
+            ck_assert_msg(!bench->lab.screen.prompt.open && !bench->lab.screen.parameters.edit.open, "%s %s",
+                          before, key);
             bench->lab.closed = false;
         }
-        if (bench->lab.screen.state == STATE_RUNNING)
+        if (bench->lab.screen.playback.state == STATE_RUNNING)
             press(bench, "Space");
     }
 }
@@ -54,7 +55,7 @@ START_TEST(every_key_in_every_prompt)
     Bench *bench = open_bench(scenarios[_i], true);
     bench->rate = 1000;
     for (size_t i = 0; i < sizeof openers / sizeof *openers; i++) {
-        bench->lab.screen.focus = PANE_PARAMETERS;
+        bench->lab.screen.panes.focus = PANE_PARAMETERS;
         press_every_key_after(bench, openers[i]);
     }
     close_bench(bench);

@@ -16,10 +16,10 @@ static void select_parameter(Bench *bench, const char *key)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
     int count = screen_parameter_rows(&bench->lab.screen, rows);
-    bench->lab.screen.focus = PANE_PARAMETERS;
+    bench->lab.screen.panes.focus = PANE_PARAMETERS;
     for (int i = 0; i < count; i++)
         if (rows[i].parameter && strcmp(rows[i].parameter->key, key) == 0) {
-            bench->lab.screen.selected = i;
+            bench->lab.screen.parameters.selected = i;
             return;
         }
     ck_abort_msg("%s is not on the screen", key);
@@ -84,7 +84,7 @@ END_TEST
 START_TEST(a_period_lasts_three_seconds)
 {
     Bench *bench = open_bench("mode1", false);
-    ck_assert_int_eq(bench->lab.screen.state, STATE_RUNNING);
+    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_RUNNING);
     while (bench->time < 3)
         frame(bench);
     /* the first mode of the bar has a period of 10 */
@@ -102,12 +102,12 @@ START_TEST(a_slow_engine_is_the_limit)
         frame(bench);
         ck_assert_double_le(bench->time - begin, FRAME_SECONDS + 1.01 / bench->rate);
     }
-    ck_assert(bench->lab.screen.at_limit);
+    ck_assert(bench->lab.screen.playback.at_limit);
     ck_assert_double_eq_tol((double)step_of(bench), bench->time * 100, 20);
     bench->rate = 1e6;
     for (int i = 0; i < 60; i++)
         frame(bench);
-    ck_assert(!bench->lab.screen.at_limit);
+    ck_assert(!bench->lab.screen.playback.at_limit);
     close_bench(bench);
 }
 END_TEST
@@ -115,14 +115,14 @@ END_TEST
 START_TEST(faster_and_slower_in_1_2_5)
 {
     Bench *bench = open_bench("mode1", true);
-    bench->lab.screen.pace = 1;
+    bench->lab.screen.playback.pace = 1;
     static const double paces[] = {2, 5, 10, 20, 50, 100};
     for (size_t i = 0; i < sizeof paces / sizeof *paces; i++) {
         press(bench, "+");
-        ck_assert_double_eq_tol(bench->lab.screen.pace, paces[i], 1e-9);
+        ck_assert_double_eq_tol(bench->lab.screen.playback.pace, paces[i], 1e-9);
     }
     press_all(bench, "- - - - - - -");
-    ck_assert_double_eq_tol(bench->lab.screen.pace, 0.5, 1e-9);
+    ck_assert_double_eq_tol(bench->lab.screen.playback.pace, 0.5, 1e-9);
     press(bench, "Space");
     for (int i = 0; i < 20; i++)
         frame(bench);
@@ -165,7 +165,7 @@ START_TEST(steps_and_stages_go_both_ways)
     ck_assert_double_eq_tol(experiment_time(experiment), 2.5, 1e-9);
     press(bench, "r");
     ck_assert_int_eq(step_of(bench), 0);
-    ck_assert_int_eq(bench->lab.screen.state, STATE_PAUSED);
+    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_PAUSED);
     close_bench(bench);
 }
 END_TEST
@@ -174,7 +174,7 @@ START_TEST(the_end_pauses_with_a_summary)
 {
     Bench *bench = open_bench("mode1", true);
     press_all(bench, "g 1 0 0 Enter");
-    ck_assert_int_eq(bench->lab.screen.state, STATE_ENDED);
+    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_ENDED);
     ck_assert(bench->lab.screen.summary_known);
     ck_assert_int_eq(bench->lab.screen.summary.steps, 10000);
     ck_assert(!laboratory_active(&bench->lab));
@@ -185,7 +185,7 @@ START_TEST(the_end_pauses_with_a_summary)
     ck_assert(bench->lab.screen.prompt.open);
     ck_assert(bench->lab.screen.prompt.problem[0] != '\0');
     press_all(bench, "Esc Space");
-    ck_assert_int_eq(bench->lab.screen.state, STATE_RUNNING);
+    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_RUNNING);
     ck_assert_int_eq(step_of(bench), 0);
     close_bench(bench);
 }
@@ -197,17 +197,17 @@ START_TEST(a_long_seek_is_cut_into_frames)
     Bench *bench = open_bench("mode1", true);
     bench->rate = 10000;
     press_all(bench, "g 9 0 Enter");
-    ck_assert_int_eq(bench->lab.screen.state, STATE_COMPUTING);
+    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_COMPUTING);
     double share = 0;
     for (int i = 0; i < 10; i++) {
         double begin = bench->time;
         frame(bench);
         ck_assert_double_le(bench->time - begin, FRAME_SECONDS + 0.005);
-        ck_assert_double_gt(bench->lab.screen.work_share, share);
-        share = bench->lab.screen.work_share;
+        ck_assert_double_gt(bench->lab.screen.playback.work_share, share);
+        share = bench->lab.screen.playback.work_share;
     }
     press(bench, "^C");
-    ck_assert_int_eq(bench->lab.screen.state, STATE_PAUSED);
+    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_PAUSED);
     ck_assert(!bench->lab.closed);
     ck_assert_int_gt(step_of(bench), 1000);
     ck_assert_int_lt(step_of(bench), 9000);
@@ -247,7 +247,7 @@ START_TEST(a_long_step_is_cut_into_frames)
     for (int i = 0; i < 100; i++)
         laboratory_frame(&bench->lab, bench->time + FRAME_SECONDS);
     press(bench, "Esc");
-    ck_assert_int_eq(bench->lab.screen.state, STATE_PAUSED);
+    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_PAUSED);
     ck_assert_int_gt(step_of(bench), steps);
     ck_assert_int_eq(experiment_stage(experiment), 0);
     bench->tick = 0;
@@ -310,22 +310,22 @@ START_TEST(a_run_that_took_long_is_not_given_up_unasked)
     Bench *bench = open_bench("mode1", true);
     bench->rate = 1000;
     press_all(bench, ": t i m e . e n d = 5 Enter g 5 Enter");
-    while (bench->lab.screen.state == STATE_COMPUTING)
+    while (bench->lab.screen.playback.state == STATE_COMPUTING)
         frame(bench);
-    ck_assert_int_eq(bench->lab.screen.state, STATE_ENDED);
+    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_ENDED);
     press(bench, "Space"); /* half a second: at once */
-    ck_assert_int_eq(bench->lab.screen.state, STATE_RUNNING);
+    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_RUNNING);
     bench->rate = 100;
-    while (bench->lab.screen.state == STATE_RUNNING)
+    while (bench->lab.screen.playback.state == STATE_RUNNING)
         frame(bench);
     press(bench, "Space");
     ck_assert(bench->lab.screen.prompt.open && bench->lab.screen.prompt.yes_no);
     ck_assert_msg(shows(bench, "takes about 5 s"), "%s", bench->lab.screen.prompt.question);
     press(bench, "n");
-    ck_assert_int_eq(bench->lab.screen.state, STATE_ENDED);
+    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_ENDED);
     ck_assert_int_eq(step_of(bench), 500);
     press_all(bench, "Space y");
-    ck_assert_int_eq(bench->lab.screen.state, STATE_RUNNING);
+    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_RUNNING);
     ck_assert_int_lt(step_of(bench), 10);
     close_bench(bench);
 }
@@ -344,7 +344,7 @@ START_TEST(ten_nudges_redraw_ten_times)
         char *before = canvas_dump(&bench->canvas);
         press(bench, i < 5 ? "Right" : "Left");
         ck_assert_double_eq(value(bench, "initial.mode"), i < 5 ? i + 2 : 10 - i);
-        ck_assert_int_eq(bench->lab.screen.state, STATE_PAUSED);
+        ck_assert_int_eq(bench->lab.screen.playback.state, STATE_PAUSED);
         ck_assert_int_eq(step_of(bench), 2000);
         check_like_fresh(bench);
         char *after = canvas_dump(&bench->canvas);
@@ -376,14 +376,14 @@ START_TEST(a_field_is_edited_in_place)
     Bench *bench = open_bench("mode1", true);
     select_parameter(bench, "initial.velocity");
     press_all(bench, "Enter");
-    ck_assert(bench->lab.screen.edit.open);
+    ck_assert(bench->lab.screen.parameters.edit.open);
     press_all(bench, "0 . 2 5 Enter");
-    ck_assert(!bench->lab.screen.edit.open);
+    ck_assert(!bench->lab.screen.parameters.edit.open);
     ck_assert_double_eq(value(bench, "initial.velocity"), 0.25);
     press_all(bench, "Enter Backspace 7 Enter"); /* 0.2 and 7 */
     ck_assert_double_eq(value(bench, "initial.velocity"), 0.27);
     press_all(bench, "Enter 9 Esc");
-    ck_assert(!bench->lab.screen.edit.open);
+    ck_assert(!bench->lab.screen.parameters.edit.open);
     ck_assert_double_eq(value(bench, "initial.velocity"), 0.27);
     close_bench(bench);
 }
@@ -398,8 +398,8 @@ START_TEST(a_bad_value_says_why_and_keeps_the_old)
         press(bench, "Enter");
         press_all(bench, bad[i]);
         press(bench, "Enter");
-        ck_assert_msg(bench->lab.screen.edit.open, "'%s' was taken", bad[i]);
-        ck_assert(bench->lab.screen.edit.problem[0] != '\0');
+        ck_assert_msg(bench->lab.screen.parameters.edit.open, "'%s' was taken", bad[i]);
+        ck_assert(bench->lab.screen.parameters.edit.problem[0] != '\0');
         ck_assert_double_eq(value(bench, "bar.length"), 25);
         press(bench, "Esc");
         ck_assert_double_eq(value(bench, "bar.length"), 25);
@@ -466,10 +466,10 @@ START_TEST(enter_in_the_log_goes_to_the_event)
     Bench *bench = open_bench("crossing", true);
     press(bench, "d"); /* a run alone */
     press_all(bench, "g # 2 0 0 0 Enter");
-    while (bench->lab.screen.state == STATE_COMPUTING)
+    while (bench->lab.screen.playback.state == STATE_COMPUTING)
         frame(bench);
     int count;
-    bench->lab.screen.focus = PANE_LOWER;
+    bench->lab.screen.panes.focus = PANE_LOWER;
     press(bench, "9");
     const Event *events = experiment_events(bench->lab.screen.experiment, &count);
     const long newest = events[count - 1].step, before = events[count - 2].step, first = events[0].step;
@@ -524,10 +524,10 @@ START_TEST(an_event_of_the_log_is_chosen_by_the_mouse)
     if (_i & 4)
         bench->width = 132, bench->height = 43;
     press_all(bench, "g # 2 0 0 0 Enter");
-    while (bench->lab.screen.state == STATE_COMPUTING)
+    while (bench->lab.screen.playback.state == STATE_COMPUTING)
         frame(bench);
     Screen *screen = &bench->lab.screen;
-    screen->focus = pane;
+    screen->panes.focus = pane;
     press(bench, "9");
     if (_i & 2)
         press(bench, "z");
@@ -565,10 +565,10 @@ START_TEST(the_log_of_a_duel_tells_of_both)
     ck_assert(line_run(&bench->lab, "duel mpm.algorithm=usl time.courant=0.07"));
     ck_assert_ptr_nonnull(bench->lab.player.duel.b);
     press_all(bench, "g # 1 0 0 0 Enter");
-    while (bench->lab.screen.state == STATE_COMPUTING)
+    while (bench->lab.screen.playback.state == STATE_COMPUTING)
         frame(bench);
     Screen *screen = &bench->lab.screen;
-    screen->focus = PANE_LOWER;
+    screen->panes.focus = PANE_LOWER;
     press(bench, "9");
     int first, second;
     experiment_events(bench->lab.player.duel.a, &first);
@@ -587,7 +587,7 @@ START_TEST(the_log_of_a_duel_tells_of_both)
         ck_assert_int_ge(step, before);
         before = step;
         press(bench, "Enter");
-        while (bench->lab.screen.state == STATE_COMPUTING)
+        while (bench->lab.screen.playback.state == STATE_COMPUTING)
             frame(bench);
         seen += seen < second && experiment_step(bench->lab.player.duel.b) >= events[seen].step &&
                 experiment_step(bench->lab.player.duel.b) <= events[seen].step + 1;
@@ -614,7 +614,7 @@ START_TEST(a_click_into_the_strip_chooses)
         before = screen->chosen.particle;
     }
     ck_assert_uint_eq(before, particles - 1);
-    ck_assert_int_eq(screen->focus, PANE_MESH);
+    ck_assert_int_eq(screen->panes.focus, PANE_MESH);
     if (_i == 0) {
         click_at(bench, "Click", rect.x + 2 + 3 * 7, rect.y);
         ck_assert(screen->chosen.is_node);
@@ -633,7 +633,7 @@ START_TEST(bookmarks_are_kept_in_the_order_of_the_run)
     press(bench, "'");
     ck_assert(shows(bench, "no bookmark yet"));
     press_all(bench, "> > m 0 > ] ] m $ >");
-    ck_assert_int_eq(bench->lab.screen.n_bookmarks, 2);
+    ck_assert_int_eq(bench->lab.screen.bookmarks.count, 2);
     press(bench, "'"); /* behind the last one: the first */
     ck_assert_int_eq(step_of(bench), 10);
     ck_assert_int_eq(experiment_stage(bench->lab.screen.experiment), 2);
@@ -643,7 +643,7 @@ START_TEST(bookmarks_are_kept_in_the_order_of_the_run)
     press(bench, "'");
     ck_assert_int_eq(step_of(bench), 10);
     press(bench, "m"); /* on one: away with it */
-    ck_assert_int_eq(bench->lab.screen.n_bookmarks, 1);
+    ck_assert_int_eq(bench->lab.screen.bookmarks.count, 1);
     press_all(bench, "$ '");
     ck_assert_int_eq(step_of(bench), 20);
     /* with half the time step it stays at its time */
@@ -653,9 +653,9 @@ START_TEST(bookmarks_are_kept_in_the_order_of_the_run)
     ck_assert_double_eq_tol((double)step_of(bench) * dt, 0.2, 1e-9);
     for (int i = 0; i < 2 * BOOKMARKS_MAX; i++)
         press_all(bench, ". m");
-    ck_assert_int_eq(bench->lab.screen.n_bookmarks, BOOKMARKS_MAX);
+    ck_assert_int_eq(bench->lab.screen.bookmarks.count, BOOKMARKS_MAX);
     press_all(bench, "o m o d e 5 Enter '");
-    ck_assert_int_eq(bench->lab.screen.n_bookmarks, 0);
+    ck_assert_int_eq(bench->lab.screen.bookmarks.count, 0);
     close_bench(bench);
 }
 END_TEST
@@ -685,11 +685,11 @@ START_TEST(quitting_closes_what_is_open_first)
 {
     Bench *bench = open_bench("mode1", true);
     press_all(bench, "? q");
-    ck_assert(!bench->lab.closed && !bench->lab.screen.help);
+    ck_assert(!bench->lab.closed && !bench->lab.screen.help.open);
     press_all(bench, "z q");
-    ck_assert(!bench->lab.closed && !bench->lab.screen.zoomed);
+    ck_assert(!bench->lab.closed && !bench->lab.screen.panes.zoomed);
     press_all(bench, "Enter F10");
-    ck_assert(!bench->lab.closed && !bench->lab.screen.edit.open);
+    ck_assert(!bench->lab.closed && !bench->lab.screen.parameters.edit.open);
     press_all(bench, ": F10");
     ck_assert(!bench->lab.closed && !bench->lab.screen.prompt.open);
     press(bench, "F10");
@@ -710,7 +710,7 @@ START_TEST(export_writes_and_does_not_overwrite)
     press_all(bench, "> x");
     ck_assert_str_eq(bench->lab.screen.prompt.text, "mode1");
     press(bench, "Enter");
-    ck_assert_msg(shows(bench, "mode1-series.csv (11 rows)"), "%s", bench->lab.screen.message);
+    ck_assert_msg(shows(bench, "mode1-series.csv (11 rows)"), "%s", bench->lab.screen.message.text);
     static const char *const files[] = {"mode1-series.csv",    "mode1-series.csv.ini",
                                         "mode1-particles.csv", "mode1-particles.csv.ini",
                                         "mode1-nodes.csv",     "mode1-nodes.csv.ini"};
@@ -758,11 +758,11 @@ START_TEST(a_full_disk_costs_nothing_that_was_there)
     room = (struct rlimit){300, before.rlim_max};
     ck_assert_int_eq(setrlimit(RLIMIT_FSIZE, &room), 0);
     press_all(bench, "x b Enter");
-    ck_assert_int_eq(bench->lab.screen.message_kind, MESSAGE_ERROR);
-    ck_assert_msg(shows(bench, "File too large"), "%s", bench->lab.screen.message);
+    ck_assert_int_eq(bench->lab.screen.message.kind, MESSAGE_ERROR);
+    ck_assert_msg(shows(bench, "File too large"), "%s", bench->lab.screen.message.text);
     press_all(bench, "w a . i n i Enter y");
-    ck_assert_int_eq(bench->lab.screen.message_kind, MESSAGE_ERROR);
-    ck_assert_msg(shows(bench, "File too large"), "%s", bench->lab.screen.message);
+    ck_assert_int_eq(bench->lab.screen.message.kind, MESSAGE_ERROR);
+    ck_assert_msg(shows(bench, "File too large"), "%s", bench->lab.screen.message.text);
     ck_assert_int_eq(setrlimit(RLIMIT_FSIZE, &before), 0);
     ck_assert_int_eq(count_files(), 1);
     /* what was there is still whole */
@@ -780,7 +780,7 @@ START_TEST(scenarios_are_written_and_opened)
     Bench *bench = open_bench("mode1", true);
     select_parameter(bench, "initial.mode");
     press_all(bench, "Right Right > w t h r e e . i n i Enter");
-    ck_assert_msg(access("three.ini", R_OK) == 0, "%s", bench->lab.screen.message);
+    ck_assert_msg(access("three.ini", R_OK) == 0, "%s", bench->lab.screen.message.text);
     press_all(bench, "o m o d e 5 Enter");
     ck_assert_double_eq(value(bench, "initial.mode"), 5);
     press_all(bench, "Space o t h r e e . i n i Enter");

@@ -119,7 +119,7 @@ END_TEST
 
 static const char *text_of(const Bench *bench)
 {
-    return bench->lab.screen.message;
+    return bench->lab.screen.message.text;
 }
 
 static const LessonPage *page_of(const Bench *bench)
@@ -130,7 +130,7 @@ static const LessonPage *page_of(const Bench *bench)
 
 static void finish_work(Bench *bench)
 {
-    while (bench->lab.screen.state == STATE_COMPUTING)
+    while (bench->lab.screen.playback.state == STATE_COMPUTING)
         frame(bench);
 }
 
@@ -181,7 +181,7 @@ static void check_page(Bench *bench, const char *name)
     const LessonShown *shown = &bench->lab.screen.lesson;
     finish_work(bench);
     lesson_play_continue(&bench->lab);
-    ck_assert_msg(bench->lab.screen.message_kind != MESSAGE_ERROR, "%s, page %d: %s", name, shown->page + 1,
+    ck_assert_msg(bench->lab.screen.message.kind != MESSAGE_ERROR, "%s, page %d: %s", name, shown->page + 1,
                   text_of(bench));
     ck_assert_int_eq(bench->lab.play.next, bench->lab.play.n_queue);
     const int most = screen_lesson_most(&bench->lab.screen, 80, 24);

@@ -20,7 +20,7 @@ static void enter_line(Bench *bench, const char *text)
     press(bench, ":");
     type(bench, text);
     press(bench, "Enter");
-    while (bench->lab.screen.state == STATE_COMPUTING)
+    while (bench->lab.screen.playback.state == STATE_COMPUTING)
         frame(bench);
     press(bench, "^L");
 }
@@ -74,7 +74,7 @@ START_TEST(verbs_take_arguments)
     enter_line(bench, "export part"); /* rewound: how far is asked, the name is known */
     type(bench, "here");
     press(bench, "Enter");
-    ck_assert_msg(shows(bench, "(51 rows)"), "%s", bench->lab.screen.message);
+    ck_assert_msg(shows(bench, "(51 rows)"), "%s", bench->lab.screen.message.text);
     ck_assert_int_eq(access("part-series.csv", R_OK), 0);
     press(bench, ":");
     press(bench, "Enter");
@@ -281,22 +281,22 @@ START_TEST(a_scenario_opens_as_its_view_says)
     Bench *bench = open_bench("seen.ini", true);
     const Screen *screen = &bench->lab.screen;
     double from, to;
-    ck_assert_int_eq(screen->upper->digit, 3);
-    ck_assert_int_eq(screen->lower->digit, 6);
+    ck_assert_int_eq(screen->views.upper->digit, 3);
+    ck_assert_int_eq(screen->views.lower->digit, 6);
     screen_time_window(screen, &from, &to);
     ck_assert_double_eq(to - from, 7.5);
-    ck_assert_double_eq(screen->pace, 3);
-    ck_assert_int_eq(screen->references, SHOW_EXACT);
+    ck_assert_double_eq(screen->playback.pace, 3);
+    ck_assert_int_eq(screen->views.references, SHOW_EXACT);
     ck_assert(shows(bench, "energy"));
     enter_line(bench, "open plain.ini"); /* nothing of it stays */
-    ck_assert_int_eq(screen->upper->digit, 1);
-    ck_assert_int_eq(screen->lower->digit, 2);
-    ck_assert_double_eq(screen->window, 0);
-    ck_assert_double_ne(screen->pace, 3);
-    ck_assert_int_eq(screen->references, SHOW_ALL);
+    ck_assert_int_eq(screen->views.upper->digit, 1);
+    ck_assert_int_eq(screen->views.lower->digit, 2);
+    ck_assert_double_eq(screen->time.window, 0);
+    ck_assert_double_ne(screen->playback.pace, 3);
+    ck_assert_int_eq(screen->views.references, SHOW_ALL);
     enter_line(bench, "open beam.ini"); /* of a beam the whole is seen */
-    ck_assert_int_eq(screen->upper->digit, 8);
-    ck_assert_int_eq(screen->lower->digit, 9);
+    ck_assert_int_eq(screen->views.upper->digit, 8);
+    ck_assert_int_eq(screen->views.lower->digit, 9);
     close_bench(bench);
     leave_folder(folder);
 }
@@ -308,7 +308,7 @@ START_TEST(the_time_window_narrows_widens_and_finds_itself)
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         Bench *bench = open_bench(names[i], true);
         Screen *screen = &bench->lab.screen;
-        screen->focus = PANE_LOWER;
+        screen->panes.focus = PANE_LOWER;
         double from, to, length, end = experiment_settings(screen->experiment)->time.end;
         const double dt = experiment_simulation(screen->experiment)->dt;
         screen_time_window(screen, &from, &to);
@@ -342,14 +342,14 @@ START_TEST(the_cursor_reads_and_enter_goes_there)
     Bench *bench = open_bench("mode5", true);
     Screen *screen = &bench->lab.screen;
     enter_line(bench, "goto 4");
-    screen->focus = PANE_LOWER;
+    screen->panes.focus = PANE_LOWER;
     press_all(bench, "Left Left Left Left Left Left Left");
-    const double time = screen->cursor_time;
+    const double time = screen->time.cursor;
     ck_assert(isfinite(time) && time < 4);
     ck_assert(shows(bench, "measured") && shows(bench, "exact") && shows(bench, "predicted"));
     press(bench, "Enter");
     ck_assert_int_eq(experiment_step(screen->experiment), lround(100 * time));
-    ck_assert(isnan(screen->cursor_time));
+    ck_assert(isnan(screen->time.cursor));
     ck_assert_int_eq(experiment_newest(screen->experiment), 400); /* nothing is lost */
     close_bench(bench);
 }
@@ -375,8 +375,8 @@ START_TEST(a_series_lies_over_the_plot_and_goes_again)
     ck_assert(shows(bench, "+ pupil.csv"));
     /* the cursor reads it, and a curve without a column of its name has none */
     press_all(bench, "Tab Tab Tab");
-    ck_assert_int_eq(bench->lab.screen.focus, PANE_LOWER);
-    bench->lab.screen.cursor_time = 1;
+    ck_assert_int_eq(bench->lab.screen.panes.focus, PANE_LOWER);
+    bench->lab.screen.time.cursor = 1;
     press(bench, "^L");
     ck_assert(shows(bench, "pupil.csv 0.006"));
     press(bench, "3");
@@ -415,7 +415,7 @@ START_TEST(an_export_says_its_size_first_and_its_place_afterwards)
     ck_assert_int_eq(rows, 5001);
     press(bench, "Enter");
     snprintf(path, sizeof path, "%s/mode1-series.csv", folder);
-    ck_assert_msg(strstr(bench->lab.screen.message, path) != NULL, "%s", bench->lab.screen.message);
+    ck_assert_msg(strstr(bench->lab.screen.message.text, path) != NULL, "%s", bench->lab.screen.message.text);
     FILE *file = fopen(path, "r");
     ck_assert_ptr_nonnull(file);
     fseek(file, 0, SEEK_END);
@@ -427,7 +427,8 @@ START_TEST(an_export_says_its_size_first_and_its_place_afterwards)
     ck_assert_int_eq(rows, 5000 / 7 + 2);
     ck_assert(!shows(bench, "spreadsheet"));
     press(bench, "Enter");
-    ck_assert_msg(strstr(bench->lab.screen.message, "(716 rows)") != NULL, "%s", bench->lab.screen.message);
+    ck_assert_msg(strstr(bench->lab.screen.message.text, "(716 rows)") != NULL, "%s",
+                  bench->lab.screen.message.text);
     close_bench(bench);
     leave_folder(folder);
 }

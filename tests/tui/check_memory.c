@@ -152,8 +152,8 @@ static void look(Sitting *sitting)
     const Screen *screen = &bench->lab.screen;
     /* the host leaves the picture before where there is no memory for one */
     laboratory_draw(&bench->lab, &bench->canvas, bench->width, bench->height);
-    sitting->told |= speaks_of_memory(screen->message) || speaks_of_memory(screen->prompt.problem) ||
-                     speaks_of_memory(screen->edit.problem);
+    sitting->told |= speaks_of_memory(screen->message.text) || speaks_of_memory(screen->prompt.problem) ||
+                     speaks_of_memory(screen->parameters.edit.problem);
 }
 
 static void go(Sitting *sitting)
@@ -174,7 +174,7 @@ static void do_keys(Sitting *sitting, const char *names)
         snprintf(key.name, sizeof key.name, "%s", name);
         laboratory_key(&sitting->bench.lab, &key);
         look(sitting);
-        for (int most = 1000; most > 0 && sitting->bench.lab.screen.state == STATE_COMPUTING; most--)
+        for (int most = 1000; most > 0 && sitting->bench.lab.screen.playback.state == STATE_COMPUTING; most--)
             go(sitting);
     }
 }

@@ -87,7 +87,7 @@ START_TEST(it_is_shown_by_digit_and_word)
     const Screen *screen = &bench->lab.screen;
     ck_assert(!shows(bench, "a new view"));
     press(bench, "9");
-    ck_assert_ptr_eq(screen->lower, &view_new);
+    ck_assert_ptr_eq(screen->views.lower, &view_new);
     ck_assert(shows(bench, "a new view"));
     press(bench, "9"); /* again: the next variant */
     ck_assert(shows(bench, "a new view, the second"));
@@ -110,7 +110,7 @@ START_TEST(enter_does_what_it_says)
 {
     Bench *bench = open_bench("mode1", true);
     enter_line(bench, "show new-view");
-    bench->lab.screen.focus = PANE_LOWER;
+    bench->lab.screen.panes.focus = PANE_LOWER;
     press(bench, "Enter");
     while (experiment_pending(bench->lab.screen.experiment, &(long){0}))
         frame(bench);

@@ -25,7 +25,7 @@ static void worked(void *context, long steps)
 static bool go_on(void *context)
 {
     Bench *bench = context;
-    snprintf(bench->progress, sizeof bench->progress, "%.79s", bench->lab.screen.message);
+    snprintf(bench->progress, sizeof bench->progress, "%.79s", bench->lab.screen.message.text);
     return !bench->gives_up;
 }
 
@@ -77,7 +77,7 @@ void frame(Bench *bench)
 void press_key(Bench *bench, const Key *key)
 {
     laboratory_key(&bench->lab, key);
-    if (bench->lab.screen.state == STATE_COMPUTING)
+    if (bench->lab.screen.playback.state == STATE_COMPUTING)
         frame(bench);
     ck_assert(laboratory_draw(&bench->lab, &bench->canvas, bench->width, bench->height));
 }

@@ -134,7 +134,7 @@ START_TEST(the_legend_is_never_cut)
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         Scene scene;
         open_scene(&scene, scenes[i][0]);
-        scene.screen.focus = PANE_LOWER;
+        scene.screen.panes.focus = PANE_LOWER;
         static const int sizes[][2] = {{80, 24}, {60, 18}, {40, 12}, {60, 20}, {120, 40}, {100, 30}};
         for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
             ck_assert(canvas_open(&scene.canvas, sizes[k][0], sizes[k][1], NULL));

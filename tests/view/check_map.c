@@ -198,7 +198,7 @@ START_TEST(every_colour_word_is_known)
     for (; colour_words[count]; count++) {
         ck_assert(settings_set(&settings, "view.colour", colour_words[count], &status));
         screen_read_view(&screen, &settings.view);
-        ck_assert_int_eq(screen.variants[0].variant, count);
+        ck_assert_int_eq(screen.views.variants[0].variant, count);
     }
     ck_assert_int_eq(count, MAP_VARIANTS);
     ck_assert(!settings_set(&settings, "view.colour", "mauve", &status));

@@ -227,11 +227,11 @@ START_TEST(every_screen_is_sound)
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
         for (int glyphs = 0; glyphs < GLYPHS_COUNT; glyphs++)
             for (int focus = 0; focus < PANE_COUNT; focus++) {
-                screen->glyphs = (Glyphs)glyphs;
-                screen->focus = (PaneId)focus;
+                screen->look.glyphs = (Glyphs)glyphs;
+                screen->panes.focus = (PaneId)focus;
                 ck_assert(canvas_open(canvas, sizes[i][0], sizes[i][1], NULL));
                 screen_draw(screen, canvas);
-                expect_plain_glyphs(canvas, screen->glyphs, picture->words);
+                expect_plain_glyphs(canvas, screen->look.glyphs, picture->words);
                 expect_whole_numbers(canvas, picture->words);
                 ck_assert(canvas->cursor_x < canvas->width && canvas->cursor_y < canvas->height);
             }
@@ -264,7 +264,7 @@ START_TEST(nothing_leaves_its_pane)
                      1 + (int)(state >> 32) % 38};
         rect.y = abs(rect.y), rect.width = abs(rect.width), rect.height = abs(rect.height);
         Area area = {&scene.canvas, rect, (Glyphs)(trial % GLYPHS_COUNT)};
-        scene.screen.glyphs = area.glyphs;
+        scene.screen.look.glyphs = area.glyphs;
         const int drawing = trial % drawings;
         if (drawing < panes)
             draws[drawing](&scene.screen, area);
@@ -291,7 +291,7 @@ START_TEST(panes_do_not_overlap)
     for (int width = 40; width < 240; width += 3)
         for (int height = 12; height < 80; height++)
             for (int zoomed = 0; zoomed < 2; zoomed++) {
-                scene.screen.zoomed = zoomed;
+                scene.screen.panes.zoomed = zoomed;
                 Layout layout = layout_make(&scene.screen, width, height);
                 char taken[240][80] = {0};
                 Rect all[PANE_COUNT + SIDES_MAX + 2];
@@ -360,50 +360,50 @@ START_TEST(any_state_can_be_drawn)
     (state ^= state << 13, state ^= state >> 7, state ^= state << 17, (int)(state % (uint64_t)(most)))
     for (int trial = 0; trial < 1500; trial++) {
         Screen *screen = &scene.screen;
-        screen->glyphs = (Glyphs)DRAW(GLYPHS_COUNT);
-        screen->state = (RunState)DRAW(STATE_FAILED + 1);
-        screen->pace = DRAW(3) ? DRAW(1000) : 0.125;
-        screen->rate = DRAW(100000);
-        screen->at_limit = DRAW(2);
-        screen->work_share = DRAW(101) / 100.0;
-        screen->focus = (PaneId)DRAW(PANE_COUNT);
-        screen->zoomed = DRAW(3) == 0;
-        screen->upper = views[DRAW(n_views)];
-        screen->lower = views[DRAW(n_views)];
+        screen->look.glyphs = (Glyphs)DRAW(GLYPHS_COUNT);
+        screen->playback.state = (RunState)DRAW(STATE_FAILED + 1);
+        screen->playback.pace = DRAW(3) ? DRAW(1000) : 0.125;
+        screen->playback.rate = DRAW(100000);
+        screen->playback.at_limit = DRAW(2);
+        screen->playback.work_share = DRAW(101) / 100.0;
+        screen->panes.focus = (PaneId)DRAW(PANE_COUNT);
+        screen->panes.zoomed = DRAW(3) == 0;
+        screen->views.upper = views[DRAW(n_views)];
+        screen->views.lower = views[DRAW(n_views)];
         for (int v = 0; v < n_views; v++)
             view_choose_variant(views[v], screen, DRAW(9));
-        screen->references = (ReferencesShown)DRAW(SHOW_COUNT);
-        screen->selected = DRAW(60) - 2;
-        screen->edit.open = DRAW(4) == 0;
-        strcpy(screen->edit.text, DRAW(2) ? "3:0.03,7:0.01,9:0.005,11:0.001,13:0.01" : "");
-        screen->edit.cursor = DRAW(40);
-        strcpy(screen->filter, DRAW(4) ? "" : "den");
+        screen->views.references = (ReferencesShown)DRAW(SHOW_COUNT);
+        screen->parameters.selected = DRAW(60) - 2;
+        screen->parameters.edit.open = DRAW(4) == 0;
+        strcpy(screen->parameters.edit.text, DRAW(2) ? "3:0.03,7:0.01,9:0.005,11:0.001,13:0.01" : "");
+        screen->parameters.edit.cursor = DRAW(40);
+        strcpy(screen->parameters.filter, DRAW(4) ? "" : "den");
         screen->chosen.particle = (size_t)DRAW(3000);
         screen->chosen.node = (size_t)DRAW(100);
         screen->chosen.is_node = DRAW(2);
-        screen->inspecting = screen_has_inspector(screen) && DRAW(3) == 0;
+        screen->panes.inspecting = screen_has_inspector(screen) && DRAW(3) == 0;
         screen->log.event = DRAW(100) - 1;
         screen->log.first = DRAW(100);
         screen->chosen.table_column = DRAW(40);
-        screen->window = DRAW(2) ? 0 : DRAW(100) / 7.0;
-        screen->cursor_time = DRAW(2) ? NAN : DRAW(100) / 33.0;
+        screen->time.window = DRAW(2) ? 0 : DRAW(100) / 7.0;
+        screen->time.cursor = DRAW(2) ? NAN : DRAW(100) / 33.0;
         screen->prompt.open = DRAW(6) == 0;
         screen->prompt.yes_no = DRAW(2);
         strcpy(screen->prompt.question, "write the run as");
         strcpy(screen->prompt.text, "a-rather-long-name-of-a-file-in-some-folder/mode5.csv");
         screen->prompt.cursor = DRAW(60);
         strcpy(screen->prompt.problem, DRAW(2) ? "" : "it exists already");
-        screen->message_kind = (MessageKind)DRAW(4);
-        strcpy(screen->message, "a message that says something");
-        screen->help = DRAW(6) == 0;
-        screen->help_page = DRAW(5) - 1;
-        screen->help_scroll = DRAW(200) - 5;
+        screen->message.kind = (MessageKind)DRAW(4);
+        strcpy(screen->message.text, "a message that says something");
+        screen->help.open = DRAW(6) == 0;
+        screen->help.page = DRAW(5) - 1;
+        screen->help.scroll = DRAW(200) - 5;
         screen->used.words[0] = state;
         screen->summary_known = DRAW(2);
         int width = 1 + DRAW(180), height = 1 + DRAW(60);
         ck_assert(canvas_open(&scene.canvas, width, height, NULL));
         screen_draw(screen, &scene.canvas);
-        expect_plain_glyphs(&scene.canvas, screen->glyphs, "random state");
+        expect_plain_glyphs(&scene.canvas, screen->look.glyphs, "random state");
         for (int x = -1; x <= width; x++)
             screen_bar_command(screen, width, x);
     }

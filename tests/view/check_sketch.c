@@ -21,7 +21,7 @@ static void open_drawing(Drawing *drawing, const char *words, const char *view, 
     ck_assert_msg(scene_open(&drawing->scene, words, &status), "%s: %s", words, status.text);
     drawing->sim = experiment_simulation(drawing->scene.screen.experiment);
     if (window > 0)
-        drawing->scene.screen.window = window;
+        drawing->scene.screen.time.window = window;
     screen_sketch(&drawing->scene.screen, view_named(view), 84, 25, &drawing->sketch);
 }
 

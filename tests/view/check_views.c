@@ -152,10 +152,10 @@ START_TEST(predicted_curve_is_where_theory_says)
     for (int i = 0; i < 2; i++) {
         Show show;
         open_show(&show, cases[i].scenario, 2000);
-        show.screen.lower = view_named("dispersion");
-        show.screen.focus = PANE_LOWER;
-        show.screen.zoomed = true;
-        show.screen.references = SHOW_PREDICTED;
+        show.screen.views.lower = view_named("dispersion");
+        show.screen.panes.focus = PANE_LOWER;
+        show.screen.panes.zoomed = true;
+        show.screen.views.references = SHOW_PREDICTED;
         draw(&show, 100, 30);
         const int zero = row_of(&show, "0"), twenty = row_of(&show, "-20");
         const double grain = (twenty - zero) / sqrt(20);
@@ -183,9 +183,9 @@ START_TEST(earlier_runs_leave_a_dot)
     ck_assert(settings_set(&settings, "initial.mode", "10", &show.status));
     ck_assert(experiment_edit(show.screen.experiment, &settings, &show.status));
     work(&show);
-    show.screen.lower = view_named("dispersion");
-    show.screen.focus = PANE_LOWER;
-    show.screen.zoomed = true;
+    show.screen.views.lower = view_named("dispersion");
+    show.screen.panes.focus = PANE_LOWER;
+    show.screen.panes.zoomed = true;
     draw(&show, 100, 30);
     const int zero = row_of(&show, "0"), twenty = row_of(&show, "-20");
     const double five = column_of(&show, "5"), row = zero + (twenty - zero) * sqrt(4.24 / 20);
@@ -275,9 +275,9 @@ START_TEST(spectrum_on_screen)
 {
     Show show;
     open_show(&show, "mode5", 100);
-    show.screen.lower = view_named("spectrum");
-    show.screen.focus = PANE_LOWER;
-    show.screen.zoomed = true;
+    show.screen.views.lower = view_named("spectrum");
+    show.screen.panes.focus = PANE_LOWER;
+    show.screen.panes.zoomed = true;
     draw(&show, 100, 30);
     char text[400];
     row_text(&show, 2, text);
@@ -336,7 +336,7 @@ START_TEST(timeline_comes_when_rewound)
     work(&show);
     draw(&show, 80, 24);
     ck_assert(find_timeline(&show, &y, &first, &last));
-    show.screen.zoomed = true;
+    show.screen.panes.zoomed = true;
     draw(&show, 80, 24);
     ck_assert(!find_timeline(&show, &y, &first, &last));
     close_show(&show);
@@ -376,7 +376,8 @@ START_TEST(timeline_marks_places)
     ck_assert_ptr_nonnull(strstr(legend, "crossing"));
     ck_assert_ptr_nonnull(strstr(legend, "energy"));
     ck_assert_ptr_null(strstr(legend, "bookmark"));
-    show.screen.bookmarks[show.screen.n_bookmarks++] = (Bookmark){.time = experiment_time(experiment) / 2};
+    show.screen.bookmarks.places[show.screen.bookmarks.count++] =
+        (Bookmark){.time = experiment_time(experiment) / 2};
     draw(&show, 132, 43);
     row_text(&show, y + 1, legend);
     ck_assert_ptr_nonnull(strstr(legend, "bookmark"));

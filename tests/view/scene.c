@@ -22,25 +22,25 @@ static bool simple_word(Scene *scene, const char *word)
 {
     Screen *screen = &scene->screen;
     if (strcmp(word, "running") == 0)
-        screen->state = STATE_RUNNING, screen->pace = 10;
+        screen->playback.state = STATE_RUNNING, screen->playback.pace = 10;
     else if (strcmp(word, "ended") == 0)
-        screen->state = STATE_ENDED;
+        screen->playback.state = STATE_ENDED;
     else if (strcmp(word, "computing") == 0)
-        screen->state = STATE_COMPUTING, screen->work_share = 0.42;
+        screen->playback.state = STATE_COMPUTING, screen->playback.work_share = 0.42;
     else if (strcmp(word, "ascii") == 0)
-        screen->glyphs = GLYPHS_ASCII;
+        screen->look.glyphs = GLYPHS_ASCII;
     else if (strcmp(word, "block") == 0)
-        screen->glyphs = GLYPHS_BLOCK;
+        screen->look.glyphs = GLYPHS_BLOCK;
     else if (strcmp(word, "lecture") == 0)
-        screen->lecture = true;
+        screen->panes.lecture = true;
     else if (strcmp(word, "zoom") == 0)
-        screen->zoomed = true;
+        screen->panes.zoomed = true;
     else if (strcmp(word, "none") == 0)
-        screen->references = SHOW_NONE;
+        screen->views.references = SHOW_NONE;
     else if (strcmp(word, "exact") == 0)
-        screen->references = SHOW_EXACT;
+        screen->views.references = SHOW_EXACT;
     else if (strcmp(word, "inspect") == 0)
-        screen->inspecting = true, screen->focus = PANE_INSPECTOR;
+        screen->panes.inspecting = true, screen->panes.focus = PANE_INSPECTOR;
     else if (strcmp(word, "refined") == 0)
         scene->refined = true;
     else if (strcmp(word, "node") == 0)
@@ -48,13 +48,13 @@ static bool simple_word(Scene *scene, const char *word)
     else if (strcmp(word, "styles") == 0)
         scene->styles = true;
     else if (strcmp(word, "eight") == 0)
-        screen->colours = 8;
+        screen->look.colours = 8;
     else if (strcmp(word, "plain") == 0)
-        screen->colours = 0;
+        screen->look.colours = 0;
     else if (strcmp(word, "edit") == 0) {
-        screen->edit.open = true;
-        strcpy(screen->edit.text, "12.5");
-        screen->edit.cursor = 4;
+        screen->parameters.edit.open = true;
+        strcpy(screen->parameters.edit.text, "12.5");
+        screen->parameters.edit.cursor = 4;
     } else
         return false;
     return true;
@@ -64,20 +64,20 @@ static bool number_word(Scene *scene, Plan *plan, const char *word, const char *
 {
     Screen *screen = &scene->screen;
     if (strcmp(word, "help") == 0)
-        screen->help = true, screen->help_page = atoi(number);
+        screen->help.open = true, screen->help.page = atoi(number);
     else if (strcmp(word, "scroll") == 0)
-        screen->help_scroll = atoi(number);
+        screen->help.scroll = atoi(number);
     else if (strcmp(word, "upper") == 0)
-        screen->upper = view_named(number);
+        screen->views.upper = view_named(number);
     else if (strcmp(word, "lower") == 0)
-        screen->lower = view_named(number);
+        screen->views.lower = view_named(number);
     else if (strcmp(word, "variant") == 0)
         for (int i = 0; i < n_views; i++)
             view_choose_variant(views[i], screen, atoi(number));
     else if (strcmp(word, "focus") == 0)
-        screen->focus = (PaneId)atoi(number);
+        screen->panes.focus = (PaneId)atoi(number);
     else if (strcmp(word, "select") == 0)
-        screen->selected = atoi(number);
+        screen->parameters.selected = atoi(number);
     else if (strcmp(word, "stage") == 0)
         plan->stages = atol(number);
     else if (strcmp(word, "back") == 0)
@@ -85,9 +85,9 @@ static bool number_word(Scene *scene, Plan *plan, const char *word, const char *
     else if (strcmp(word, "particle") == 0)
         plan->particle = atol(number);
     else if (strcmp(word, "window") == 0)
-        screen->window = atof(number);
+        screen->time.window = atof(number);
     else if (strcmp(word, "cursor") == 0)
-        screen->cursor_time = atof(number);
+        screen->time.cursor = atof(number);
     else if (strcmp(word, "magnified") == 0)
         screen->eye.magnified = atof(number);
     else if (strcmp(word, "at") == 0)
@@ -174,7 +174,7 @@ static bool play(Scene *scene, Plan *plan, Status *status)
     if (plan->duels && !begin_duel(scene, plan, status))
         return false;
     if (!duel_advance(duel, plan->steps, status))
-        screen->state = STATE_FAILED;
+        screen->playback.state = STATE_FAILED;
     experiment_rest(experiment);
     if (duel->b)
         experiment_rest(duel->b);
@@ -198,7 +198,7 @@ static bool play(Scene *scene, Plan *plan, Status *status)
 static bool refine(Scene *scene, Status *status)
 {
     const Settings *settings = experiment_settings(scene->screen.experiment);
-    const ConvergenceStudy *study = view_study(scene->screen.lower, &scene->screen);
+    const ConvergenceStudy *study = view_study(scene->screen.views.lower, &scene->screen);
     const Patience forever = {NULL, NULL};
     scene->screen.convergence = &scene->convergence;
     convergence_begin(&scene->convergence, settings);
@@ -214,11 +214,11 @@ bool scene_open(Scene *scene, const char *words, Status *status)
     Plan plan = {.particle = -1};
     screen_default(&scene->screen);
     scene->screen.scenario = scene->scenario;
-    scene->screen.selected = 1;
+    scene->screen.parameters.selected = 1;
     if (!read_words(scene, &plan, words, status) || !play(scene, &plan, status) ||
         !canvas_open(&scene->canvas, plan.width, plan.height, status))
         return false;
-    if (scene->screen.state == STATE_ENDED) {
+    if (scene->screen.playback.state == STATE_ENDED) {
         summary_of(scene->screen.experiment, &scene->screen.summary);
         scene->screen.summary_known = true;
     }

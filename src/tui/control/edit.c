@@ -10,7 +10,7 @@ const Parameter *edit_selected(const Screen *screen)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
     int count = screen_parameter_rows(screen, rows);
-    int selected = screen->selected;
+    int selected = screen->parameters.selected;
     return selected >= 0 && selected < count ? rows[selected].parameter : NULL;
 }
 
@@ -18,7 +18,7 @@ void edit_move(Screen *screen, int by)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
     int count = screen_parameter_rows(screen, rows);
-    int direction = by < 0 ? -1 : 1, at = screen->selected, last = at;
+    int direction = by < 0 ? -1 : 1, at = screen->parameters.selected, last = at;
     for (int left = by * direction; left > 0;) {
         at += direction;
         if (at < 0 || at >= count)
@@ -28,21 +28,21 @@ void edit_move(Screen *screen, int by)
         last = at;
         left--;
     }
-    screen->selected = last < 0 ? 0 : last >= count && count > 0 ? count - 1 : last;
+    screen->parameters.selected = last < 0 ? 0 : last >= count && count > 0 ? count - 1 : last;
 }
 
 bool edit_answer_filter(Laboratory *lab, const char *text)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
-    snprintf(lab->screen.filter, sizeof lab->screen.filter, "%.31s", text);
+    snprintf(lab->screen.parameters.filter, sizeof lab->screen.parameters.filter, "%.31s", text);
     int count = screen_parameter_rows(&lab->screen, rows);
-    lab->screen.selected = 0;
-    while (lab->screen.selected < count && !rows[lab->screen.selected].parameter)
-        lab->screen.selected++;
-    if (lab->screen.selected < count)
+    lab->screen.parameters.selected = 0;
+    while (lab->screen.parameters.selected < count && !rows[lab->screen.parameters.selected].parameter)
+        lab->screen.parameters.selected++;
+    if (lab->screen.parameters.selected < count)
         return true;
-    lab->screen.filter[0] = '\0';
-    lab->screen.selected = 0;
+    lab->screen.parameters.filter[0] = '\0';
+    lab->screen.parameters.selected = 0;
     edit_move(&lab->screen, 1);
     return prompt_refuse(&lab->prompting, "no parameter has that in its name");
 }
@@ -185,10 +185,10 @@ void edit_begin(Laboratory *lab)
             laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
         return;
     }
-    settings_get(experiment_settings(lab->screen.experiment), parameter, screen->edit.text);
-    screen->edit.cursor = text_characters(screen->edit.text);
-    screen->edit.problem[0] = '\0';
-    screen->edit.open = true;
+    settings_get(experiment_settings(lab->screen.experiment), parameter, screen->parameters.edit.text);
+    screen->parameters.edit.cursor = text_characters(screen->parameters.edit.text);
+    screen->parameters.edit.problem[0] = '\0';
+    screen->parameters.edit.open = true;
     lab->editing.fresh = true;
 }
 
@@ -199,12 +199,13 @@ static bool accept_edit(Laboratory *lab)
     const Parameter *parameter = edit_selected(&lab->screen);
     Settings settings = *experiment_settings(lab->screen.experiment);
     Status status = {STATUS_DONE, ""};
-    if (parameter && (!settings_set(&settings, parameter->key, screen->edit.text, &status) ||
+    if (parameter && (!settings_set(&settings, parameter->key, screen->parameters.edit.text, &status) ||
                       !edit_change(lab, &settings, experiment_edit, &status))) {
-        snprintf(screen->edit.problem, sizeof screen->edit.problem, "%.159s", status.text);
+        snprintf(screen->parameters.edit.problem, sizeof screen->parameters.edit.problem, "%.159s",
+                 status.text);
         return false;
     }
-    screen->edit.open = false;
+    screen->parameters.edit.open = false;
     return true;
 }
 
@@ -215,16 +216,16 @@ void edit_key(Laboratory *lab, const Key *key)
     if (strcmp(name, "Enter") == 0)
         accept_edit(lab);
     else if (strcmp(name, "Esc") == 0 || strcmp(name, "F10") == 0)
-        screen->edit.open = false;
+        screen->parameters.edit.open = false;
     else if (strcmp(name, "Up") == 0 || strcmp(name, "S-Tab") == 0) {
         if (accept_edit(lab))
             edit_move(&lab->screen, -1);
     } else if (strcmp(name, "Down") == 0 || strcmp(name, "Tab") == 0) {
         if (accept_edit(lab))
             edit_move(&lab->screen, 1);
-    } else if (line_edit_key(screen->edit.text, sizeof screen->edit.text, &screen->edit.cursor, name,
-                             lab->editing.fresh)) {
+    } else if (line_edit_key(screen->parameters.edit.text, sizeof screen->parameters.edit.text,
+                             &screen->parameters.edit.cursor, name, lab->editing.fresh)) {
         lab->editing.fresh = false;
-        screen->edit.problem[0] = '\0';
+        screen->parameters.edit.problem[0] = '\0';
     }
 }

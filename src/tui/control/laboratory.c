@@ -34,7 +34,7 @@ bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Ho
     opening_name(lab, options->scenario);
     opening_begin(lab);
     if (options->paused)
-        lab->player.resume = lab->screen.state = STATE_PAUSED;
+        lab->player.resume = lab->screen.playback.state = STATE_PAUSED;
     if (options->reached)
         memcpy(lab->screen.lesson.reached, options->reached, sizeof lab->screen.lesson.reached);
     if (options->lesson && !lesson_play_open(lab, options->lesson, status)) {
@@ -62,14 +62,14 @@ bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)
     /* a screen without room for all panes begins with the plot; Tab reaches the others */
     const bool was_whole = lab->width == 0 || screen_is_whole(lab->width, lab->height);
     const bool is_whole = screen_is_whole(width, height);
-    if (was_whole && !is_whole && lab->screen.focus == PANE_PARAMETERS && !lab->screen.edit.open &&
-        !lab->screen.prompt.open) {
-        lab->screen.focus = PANE_LOWER;
+    if (was_whole && !is_whole && lab->screen.panes.focus == PANE_PARAMETERS &&
+        !lab->screen.parameters.edit.open && !lab->screen.prompt.open) {
+        lab->screen.panes.focus = PANE_LOWER;
         lab->focus_lent = true;
     } else if (!was_whole && is_whole && lab->focus_lent) {
         /* the focus was only lent: Enter and the arrows mean the parameters again */
-        if (lab->screen.focus == PANE_LOWER)
-            lab->screen.focus = PANE_PARAMETERS;
+        if (lab->screen.panes.focus == PANE_LOWER)
+            lab->screen.panes.focus = PANE_PARAMETERS;
         lab->focus_lent = false;
     }
     lab->width = width;

@@ -25,7 +25,7 @@ typedef struct Host {
     double (*now)(void *context); /* seconds, only ever growing */
     /* `steps` time steps were done: lets a virtual clock go on. */
     void (*worked)(void *context, long steps);
-    /* In the middle of work that cannot be cut into frames, screen.message says what: draw, look for ^C;
+    /* In the middle of work that cannot be cut into frames, screen.message.text says what: draw, look for ^C;
      * false: give up. While the laboratory is being opened there is nothing to draw. */
     bool (*go_on)(void *context);
     void (*redraw)(void *context);  /* everything anew */

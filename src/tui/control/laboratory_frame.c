@@ -17,8 +17,8 @@
 
 bool laboratory_active(const Laboratory *lab)
 {
-    return !lab->closed && (lab->screen.state == STATE_RUNNING || lab->screen.state == STATE_COMPUTING ||
-                            refining_is_due(lab));
+    return !lab->closed && (lab->screen.playback.state == STATE_RUNNING ||
+                            lab->screen.playback.state == STATE_COMPUTING || refining_is_due(lab));
 }
 
 /* Steps for the next piece of work: about CHUNK_SECONDS of it, judged by the last piece. */
@@ -100,7 +100,7 @@ static bool run_frame(Laboratory *lab, double deadline)
     Status status = {STATUS_DONE, ""};
     double begin = lab->host.now(lab->host.context);
     if (!lab->player.in_parts)
-        lab->player.owed += screen->pace;
+        lab->player.owed += screen->playback.pace;
     long wanted = lab->player.in_parts ? 1 : (long)lab->player.owed, done = 0;
     if (!lab->player.in_parts)
         lab->player.owed -= (double)wanted;
@@ -110,7 +110,7 @@ static bool run_frame(Laboratory *lab, double deadline)
     double *rate = &lab->player.rates[RATE_RUN];
     while (sound && in_time && done < wanted && !experiment_at_end(screen->experiment)) {
         if (done > 0 && key_waits(&lab->host)) {
-            lab->player.owed += fmin((double)(wanted - done), screen->pace);
+            lab->player.owed += fmin((double)(wanted - done), screen->playback.pace);
             break;
         }
         double left = deadline - lab->host.now(lab->host.context);
@@ -127,12 +127,12 @@ static bool run_frame(Laboratory *lab, double deadline)
     }
     lab->player.frames_in_time = in_time ? lab->player.frames_in_time + 1 : 0;
     if (!in_time)
-        screen->at_limit = true;
+        screen->playback.at_limit = true;
     else if (lab->player.frames_in_time >= ROUND_FRAMES)
-        screen->at_limit = false;
+        screen->playback.at_limit = false;
     double took = lab->host.now(lab->host.context) - begin;
     double reached = (double)done / (took > FRAME_SECONDS ? took / FRAME_SECONDS : 1);
-    screen->rate = screen->rate > 0 ? 0.8 * screen->rate + 0.2 * reached : reached;
+    screen->playback.rate = screen->playback.rate > 0 ? 0.8 * screen->playback.rate + 0.2 * reached : reached;
     if (!lab->player.in_parts && (!sound || experiment_at_end(screen->experiment)))
         player_settle(lab);
     player_tell_second(lab);
@@ -160,27 +160,27 @@ static bool compute_frame(Laboratory *lab, double deadline)
             sound = work(lab, duel_work, rate, chunk(*rate, left > 0 ? left : 1, time_left), &status);
     }
     if (!sound || !duel_pending(duel, &left)) {
-        lab->screen.work_share = 0;
+        lab->screen.playback.work_share = 0;
         player_settle(lab);
         return true;
     }
     /* the first frame of a work is where its length is known */
-    if (lab->screen.work_share <= 0 || left > lab->player.work_total)
+    if (lab->screen.playback.work_share <= 0 || left > lab->player.work_total)
         lab->player.work_total = most > 0 ? most : 1;
-    lab->screen.work_share = 1 - (double)left / (double)lab->player.work_total;
-    if (lab->screen.work_share < 1e-6)
-        lab->screen.work_share = 1e-6;
+    lab->screen.playback.work_share = 1 - (double)left / (double)lab->player.work_total;
+    if (lab->screen.playback.work_share < 1e-6)
+        lab->screen.playback.work_share = 1e-6;
     return true;
 }
 
 static bool do_frame(Laboratory *lab, double deadline)
 {
-    if (lab->screen.message_kind == MESSAGE_INFO &&
+    if (lab->screen.message.kind == MESSAGE_INFO &&
         lab->host.now(lab->host.context) > lab->said_at + MESSAGE_SECONDS)
         laboratory_say(lab, MESSAGE_NONE, "%s", "");
-    if (lab->screen.state == STATE_COMPUTING)
+    if (lab->screen.playback.state == STATE_COMPUTING)
         return compute_frame(lab, deadline);
-    if (lab->screen.state == STATE_RUNNING)
+    if (lab->screen.playback.state == STATE_RUNNING)
         return run_frame(lab, deadline);
     if (refining_is_due(lab))
         refining_work(lab);

@@ -13,15 +13,15 @@
 static void turn_page(Screen *screen, int direction)
 {
     int pages = screen_help_pages();
-    screen->help_page = (screen->help_page + direction + pages) % pages;
-    screen->help_scroll = 0;
+    screen->help.page = (screen->help.page + direction + pages) % pages;
+    screen->help.scroll = 0;
 }
 
 static void scroll_help(Laboratory *lab, int lines)
 {
     int most = screen_help_most(&lab->screen, lab->width, lab->height);
-    int to = lab->screen.help_scroll + lines;
-    lab->screen.help_scroll = to < 0 ? 0 : to > most ? most : to;
+    int to = lab->screen.help.scroll + lines;
+    lab->screen.help.scroll = to < 0 ? 0 : to > most ? most : to;
 }
 
 static void help_command(Laboratory *lab, CommandId id)
@@ -53,7 +53,7 @@ static void help_command(Laboratory *lab, CommandId id)
     case COMMAND_CANCEL:
     case COMMAND_QUIT:
     case COMMAND_ENTER:
-        lab->screen.help = false;
+        lab->screen.help.open = false;
         break;
     default:
         break;
@@ -74,13 +74,13 @@ static void click(Laboratory *lab, int x, int y)
     Screen *screen = &lab->screen;
     if (y == lab->height - 1) {
         CommandId id = screen_bar_command(screen, lab->width, x);
-        if (screen->help)
+        if (screen->help.open)
             help_command(lab, id);
         else if (id != COMMAND_NONE)
             laboratory_command(lab, id);
         return;
     }
-    if (screen->help)
+    if (screen->help.open)
         return;
     const long step = screen_timeline_step(screen, lab->width, lab->height, x, y);
     if (step >= 0) {
@@ -91,9 +91,9 @@ static void click(Laboratory *lab, int x, int y)
     }
     for (int pane = 0; pane < PANE_COUNT; pane++)
         if (holds(screen_pane(screen, lab->width, lab->height, (PaneId)pane), x, y) &&
-            screen->focus != (PaneId)pane) {
-            screen->focus = (PaneId)pane;
-            screen->cursor_time = NAN;
+            screen->panes.focus != (PaneId)pane) {
+            screen->panes.focus = (PaneId)pane;
+            screen->time.cursor = NAN;
         }
     if (lesson_play_click(lab, x, y) || screen_click_view(screen, lab->width, lab->height, x, y) ||
         screen_choose_in_strip(screen, lab->width, lab->height, x, y))
@@ -103,9 +103,9 @@ static void click(Laboratory *lab, int x, int y)
         return;
     lab->held.drag = DRAG_VALUE;
     lab->held.drag_x = x;
-    if (row == screen->selected)
+    if (row == screen->parameters.selected)
         laboratory_command(lab, COMMAND_ENTER);
-    screen->selected = row;
+    screen->parameters.selected = row;
 }
 
 /* A value gets smaller to the left and larger to the right; the time follows the mouse. */
@@ -116,7 +116,7 @@ static void drag(Laboratory *lab, int x)
     if (lab->held.drag == DRAG_TIME) {
         player_seek(lab, screen_timeline_nearest(&lab->screen, lab->width, lab->height, x), 0);
     } else if (lab->held.drag == DRAG_VALUE && nudges != 0) {
-        lab->screen.edit.open = false; /* the press began a drag, not an edit */
+        lab->screen.parameters.edit.open = false; /* the press began a drag, not an edit */
         lab->held.drag_x += CELLS_A_NUDGE * nudges;
         for (int i = 0; i < abs(nudges); i++)
             edit_nudge(lab, nudges > 0 ? 1 : -1);
@@ -126,7 +126,7 @@ static void drag(Laboratory *lab, int x)
 static void wheel(Laboratory *lab, int direction, int x, int y)
 {
     enum { LINES = 3 };
-    if (lab->screen.help)
+    if (lab->screen.help.open)
         scroll_help(lab, LINES * direction);
     else if (!screen_scroll_view(&lab->screen, lab->width, lab->height, x, y, LINES * direction))
         laboratory_command(lab, direction < 0 ? COMMAND_UP : COMMAND_DOWN);
@@ -135,7 +135,7 @@ static void wheel(Laboratory *lab, int direction, int x, int y)
 /* False: not the mouse. In the middle of a field or a question the mouse does nothing. */
 static bool mouse_key(Laboratory *lab, const Key *key)
 {
-    bool busy = lab->screen.prompt.open || lab->screen.edit.open;
+    bool busy = lab->screen.prompt.open || lab->screen.parameters.edit.open;
     const bool drags = strcmp(key->name, "Drag") == 0;
     if (!drags)
         lab->held.drag = DRAG_NOTHING;
@@ -160,7 +160,7 @@ static bool is_for_everywhere(CommandId id)
 
 static bool takes_text(const Screen *screen)
 {
-    return screen->edit.open || (screen->prompt.open && !screen->prompt.yes_no);
+    return screen->parameters.edit.open || (screen->prompt.open && !screen->prompt.yes_no);
 }
 
 static void text_key(Laboratory *lab, const char *name)
@@ -209,9 +209,9 @@ static void take_key(Laboratory *lab, const Key *key)
         return;
     else if (lab->screen.prompt.open)
         prompt_key(lab, key);
-    else if (lab->screen.edit.open)
+    else if (lab->screen.parameters.edit.open)
         edit_key(lab, key);
-    else if (lab->screen.help)
+    else if (lab->screen.help.open)
         help_command(lab, command ? command->id : COMMAND_NONE);
     else if (lesson_play_key(lab, key))
         return;

@@ -11,10 +11,10 @@ void laboratory_say(Laboratory *lab, MessageKind kind, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    char text[sizeof lab->screen.message];
+    char text[sizeof lab->screen.message.text];
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    text_visible(lab->screen.message, sizeof lab->screen.message, text);
-    lab->screen.message_kind = lab->screen.message[0] ? kind : MESSAGE_NONE;
+    text_visible(lab->screen.message.text, sizeof lab->screen.message.text, text);
+    lab->screen.message.kind = lab->screen.message.text[0] ? kind : MESSAGE_NONE;
     lab->said_at = lab->host.now(lab->host.context);
 }

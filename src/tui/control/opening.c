@@ -20,7 +20,7 @@ static void read_view(Laboratory *lab)
     double value;
     screen_open_views(screen, view);
     if (sscanf(view->pace, "%lf", &value) == 1 && value > 0) {
-        screen->pace = value;
+        screen->playback.pace = value;
         lab->player.pace_automatic = false;
     }
     screen_read_view(screen, view);
@@ -54,16 +54,16 @@ void opening_begin(Laboratory *lab)
     lab->editing.n_undo = lab->editing.n_redo = 0;
     lab->editing.changed = false;
     lab->editing.anchor_step = screen->log.event = -1;
-    screen->n_bookmarks = screen->log.first = 0;
+    screen->bookmarks.count = screen->log.first = 0;
     lab->player.owed = 0;
     player_forget_rates(&lab->player);
     lab->player.frames_in_time = 0;
-    screen->at_limit = false;
+    screen->playback.at_limit = false;
     screen->summary_known = false;
-    screen->cursor_time = NAN;
-    if (screen->inspecting && screen->focus == PANE_INSPECTOR)
-        screen->focus = screen->before_inspector;
-    screen->inspecting = false;
+    screen->time.cursor = NAN;
+    if (screen->panes.inspecting && screen->panes.focus == PANE_INSPECTOR)
+        screen->panes.focus = screen->panes.before_inspector;
+    screen->panes.inspecting = false;
     const Simulation *simulation = experiment_simulation(screen->experiment);
     screen->chosen.particle = screen_middle_particle(simulation);
     screen->chosen.node = simulation->n_sets > 1 ? simulation->counts[1] / 2 : 0;
@@ -73,12 +73,12 @@ void opening_begin(Laboratory *lab)
     screen->convergence = &lab->refining.convergence;
     duel_open(&lab->player.duel, screen->experiment, history_size(lab), threads_of(lab));
     lab->player.second_ended = false;
-    screen->selected = first_parameter(screen);
-    lab->player.resume = screen->state = STATE_RUNNING;
+    screen->parameters.selected = first_parameter(screen);
+    lab->player.resume = screen->playback.state = STATE_RUNNING;
     laboratory_say(lab, MESSAGE_NONE, "%s", "");
     second_run_open(lab);
     const char *advice = experiment_advice(screen->experiment);
-    if (advice && !screen->message[0])
+    if (advice && !screen->message.text[0])
         laboratory_say(lab, MESSAGE_WARNING, "%s", advice);
 }
 
@@ -137,9 +137,9 @@ bool opening_scenario(Laboratory *lab, const char *name, Status *status)
         lab->screen.experiment = experiment;
         Screen fresh;
         screen_default(&fresh);
-        lab->screen.n_variants = 0;
-        lab->screen.window = fresh.window;
-        lab->screen.references = fresh.references;
+        lab->screen.views.n_variants = 0;
+        lab->screen.time.window = fresh.time.window;
+        lab->screen.views.references = fresh.views.references;
         command_map_whole(&lab->screen);
         opening_name(lab, name);
         opening_begin(lab);

@@ -42,20 +42,20 @@ void player_settle(Laboratory *lab)
     long left;
     Status failure;
     if (duel_pending(&lab->player.duel, &left))
-        screen->state = STATE_COMPUTING;
+        screen->playback.state = STATE_COMPUTING;
     else if (experiment_failed(experiment, &failure) &&
              experiment_step(experiment) >= experiment_newest(experiment)) {
-        screen->state = STATE_FAILED;
+        screen->playback.state = STATE_FAILED;
         lab->player.resume = STATE_PAUSED;
         laboratory_say(lab, MESSAGE_ERROR, "%s", failure.text);
     } else if (experiment_at_end(experiment)) {
-        screen->state = STATE_ENDED;
+        screen->playback.state = STATE_ENDED;
         lab->player.resume = STATE_PAUSED;
         summary_of(experiment, &screen->summary);
         screen->summary_known = true;
     } else
-        screen->state = lab->player.resume;
-    if (screen->state != STATE_RUNNING) {
+        screen->playback.state = lab->player.resume;
+    if (screen->playback.state != STATE_RUNNING) {
         experiment_rest(experiment);
         if (lab->player.duel.b)
             experiment_rest(lab->player.duel.b);
@@ -73,7 +73,7 @@ void player_pause(Laboratory *lab)
 void player_place(const Laboratory *lab, long *step, int *stage)
 {
     const Experiment *experiment = lab->screen.experiment;
-    bool under_way = lab->screen.state == STATE_COMPUTING;
+    bool under_way = lab->screen.playback.state == STATE_COMPUTING;
     *step = under_way ? lab->player.goal_step : experiment_step(experiment);
     *stage = under_way ? lab->player.goal_stage : experiment_stage(experiment);
 }
@@ -149,5 +149,5 @@ void player_choose_pace(Screen *screen)
     }
     double pace = steps / frames;
     /* whole steps per frame look steady; below one it is frames per step that are counted */
-    screen->pace = pace >= 1 ? round(pace) : pace > 0 ? 1 / round(1 / pace) : 1;
+    screen->playback.pace = pace >= 1 ? round(pace) : pace > 0 ? 1 / round(1 / pace) : 1;
 }

@@ -7,7 +7,7 @@
 static const ConvergenceStudy *study_to_do(const Laboratory *lab)
 {
     const Screen *screen = &lab->screen;
-    const View *const shown[] = {screen->lower, screen->upper};
+    const View *const shown[] = {screen->views.lower, screen->views.upper};
     for (int i = 0; i < 2; i++) {
         const ConvergenceStudy *study = shown[i] ? view_study(shown[i], screen) : NULL;
         if (study && study != lab->refining.stopped &&
@@ -20,8 +20,9 @@ static const ConvergenceStudy *study_to_do(const Laboratory *lab)
 bool refining_is_due(const Laboratory *lab)
 {
     const Screen *screen = &lab->screen;
-    return screen->experiment && screen->state != STATE_RUNNING && screen->state != STATE_COMPUTING &&
-           !screen->prompt.open && !screen->edit.open && !screen->help && study_to_do(lab);
+    return screen->experiment && screen->playback.state != STATE_RUNNING &&
+           screen->playback.state != STATE_COMPUTING && !screen->prompt.open &&
+           !screen->parameters.edit.open && !screen->help.open && study_to_do(lab);
 }
 
 /* A point takes up to some seconds. */
@@ -64,7 +65,7 @@ void refining_work(Laboratory *lab)
     waiting.begun = lab->host.now(lab->host.context);
     const Patience patience = {wait_for_point, &waiting};
     if (convergence_next(&lab->refining.convergence, waiting.study, patience, &status)) {
-        if (lab->screen.message_kind == MESSAGE_INFO && waiting.point == waiting.count)
+        if (lab->screen.message.kind == MESSAGE_INFO && waiting.point == waiting.count)
             laboratory_say(lab, MESSAGE_NONE, "%s", "");
     } else if (waiting.stopped) {
         refining_stop(lab);

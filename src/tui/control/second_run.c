@@ -13,7 +13,7 @@ static bool begin(Laboratory *lab, const Assignment *keys, int n_keys, Status *s
     if (!sound)
         return false;
     player_forget_rates(&lab->player);
-    lab->screen.cursor_time = NAN;
+    lab->screen.time.cursor = NAN;
     lab->screen.summary_known = false;
     player_settle(lab);
     return true;

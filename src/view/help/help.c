@@ -164,7 +164,7 @@ static void write_passages(Sheet *sheet, int width, bool ascii, const HelpPassag
 static void write_solved(Sheet *sheet, const Screen *screen, int width, const HelpText *text)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
-    const bool ascii = screen->glyphs == GLYPHS_ASCII;
+    const bool ascii = screen->look.glyphs == GLYPHS_ASCII;
     const HelpPassage step = {true, text->step, NULL};
     write_passages(sheet, width, ascii, text->before, text->n_before);
     write_passages(sheet, width, ascii, text->answers, text->n_answers);
@@ -200,7 +200,7 @@ static void write_choices(Sheet *sheet, const Settings *settings, int width)
 
 static int page_of(const Screen *screen)
 {
-    return screen->help_page < 0 ? 0 : screen->help_page >= HELP_PAGES ? HELP_PAGES - 1 : screen->help_page;
+    return screen->help.page < 0 ? 0 : screen->help.page >= HELP_PAGES ? HELP_PAGES - 1 : screen->help.page;
 }
 
 /* The lines of the page that is open, for a screen of this width. */
@@ -245,7 +245,7 @@ void pane_help(const Screen *screen, Area area)
     Sheet sheet;
     write_page(&sheet, screen, area.rect.width);
 
-    int first = screen->help_scroll;
+    int first = screen->help.scroll;
     if (first > sheet.count - room)
         first = sheet.count - room;
     if (first < 0)

@@ -206,7 +206,7 @@ bool map_open(Map *map, const Screen *screen, Area area)
                  .sim = sim,
                  .settings = experiment_settings(screen->experiment),
                  .area = area,
-                 .coloured = screen->colours >= 256 && area.glyphs != GLYPHS_ASCII};
+                 .coloured = screen->look.colours >= 256 && area.glyphs != GLYPHS_ASCII};
     if (area.rect.width < 4 || area.rect.height < 2 || !body_of(sim, &map->body))
         return false;
     map->scene = map_scene(map->settings);

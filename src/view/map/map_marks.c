@@ -276,7 +276,7 @@ static void draw_load(Map *map)
 static void draw_chosen(Map *map)
 {
     const Screen *screen = map->screen;
-    if (screen->chosen.particle >= map->body.count || screen->state == STATE_RUNNING)
+    if (screen->chosen.particle >= map->body.count || screen->playback.state == STATE_RUNNING)
         return;
     double column, row;
     map_node_place(map, screen->chosen.particle, &column, &row);

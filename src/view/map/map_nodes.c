@@ -48,7 +48,7 @@ void map_draw_bonds(Map *map)
 /* Each with the colour of its value; where colours are few with its letter. */
 void map_draw_nodes(Map *map)
 {
-    const bool few = map->screen->colours < 256 || map->area.glyphs == GLYPHS_ASCII;
+    const bool few = map->screen->look.colours < 256 || map->area.glyphs == GLYPHS_ASCII;
     for (size_t node = 0; node < map->body.count; node++) {
         double column, row;
         map_node_place(map, node, &column, &row);

@@ -33,17 +33,17 @@ Experiment *clock_run(const Screen *screen)
 
 bool shows_exact(const Screen *screen)
 {
-    return screen->references == SHOW_ALL || screen->references == SHOW_EXACT;
+    return screen->views.references == SHOW_ALL || screen->views.references == SHOW_EXACT;
 }
 
 bool shows_predicted(const Screen *screen)
 {
-    return screen->references == SHOW_ALL || screen->references == SHOW_PREDICTED;
+    return screen->views.references == SHOW_ALL || screen->views.references == SHOW_PREDICTED;
 }
 
 bool is_focused(const Screen *screen, PaneId pane)
 {
-    return screen->focus == pane;
+    return screen->panes.focus == pane;
 }
 
 bool is_rewound(const Screen *screen)
@@ -381,7 +381,7 @@ void plain_text(const Screen *screen, const char *text, char *out, size_t size)
     while (*text != '\0') {
         const char *word = NULL;
         size_t taken = 1;
-        for (int i = 0; !word && screen->glyphs == GLYPHS_ASCII && i < SPELLINGS; i++)
+        for (int i = 0; !word && screen->look.glyphs == GLYPHS_ASCII && i < SPELLINGS; i++)
             if (strncmp(text, spellings[i][0], strlen(spellings[i][0])) == 0) {
                 word = spellings[i][1];
                 taken = strlen(spellings[i][0]);

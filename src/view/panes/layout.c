@@ -32,7 +32,7 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     const int box = height < 22 ? 4 : height < 27 ? 5 : height < 30 ? 6 : height < 40 ? 9 : 10;
     /* a beam that stands in a plot pane is not drawn twice */
     const bool drawn = simulation_has(experiment_simulation(screen->experiment), HAS_PLANE) &&
-                       (screen->upper->is_map || screen->lower->is_map);
+                       (screen->views.upper->is_map || screen->views.lower->is_map);
     const int mesh = drawn ? 0 : height < 28 ? 2 : height < 40 ? 3 : 4;
     const int top = 1 + mesh, middle = height - 2 - box - mesh;
     const int fields = screen->lesson.open ? width < WIDE ? LESSON_WIDTH : WIDE_LESSON_WIDTH
@@ -44,8 +44,8 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     const int left = fields + 1, plots = width - left - (side ? side_width + 1 : 0);
     /* the map of a beam that is no rod wants height more than the curve below it */
     const Settings *settings = experiment_settings(screen->experiment);
-    const bool tall =
-        drawn && screen->upper->is_map && settings->geometry.height > TALL_SHARE * settings->geometry.length;
+    const bool tall = drawn && screen->views.upper->is_map &&
+                      settings->geometry.height > TALL_SHARE * settings->geometry.length;
     const int lower = tall ? middle * 4 / 9 + 1 : (middle + 3) / 2, upper = middle - lower;
     /* on a large screen with a row for what its marks are */
     const bool own = width >= TIMELINE_WIDTH && height >= TIMELINE_HEIGHT;
@@ -59,7 +59,7 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     if (timeline)
         layout->timeline = (Rect){left, top + middle - timeline, plots, timeline};
     layout->panes[PANE_BOX] = (Rect){0, top + middle, width, box};
-    if (screen->inspecting) {
+    if (screen->panes.inspecting) {
         /* over the plots, and where its columns need the room over the fields too */
         const bool beside = width >= INSPECTOR_WIDTH + fields + 1;
         layout->panes[PANE_INSPECTOR] =
@@ -88,7 +88,7 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
  * arrows; in the middle of a step its stage. */
 static void lay_out_lecture(const Screen *screen, int width, int height, Layout *layout)
 {
-    const bool inside = experiment_stage(screen->experiment) > 0 || screen->state == STATE_FAILED;
+    const bool inside = experiment_stage(screen->experiment) > 0 || screen->playback.state == STATE_FAILED;
     const int banner = banner_rows(screen, width, height);
     const int box = !inside ? 0 : height < LECTURE_LARGE_HEIGHT ? 5 : 9;
     const int top = 1 + banner, middle = height - top - 2 - box, upper = (middle - 1) / 2;
@@ -98,7 +98,7 @@ static void lay_out_lecture(const Screen *screen, int width, int height, Layout 
     layout->panes[PANE_LOWER] = (Rect){0, top + 1 + upper, width, middle - 1 - upper};
     layout->panes[PANE_PARAMETERS] = (Rect){0, top + middle, LECTURE_FIELD_WIDTH, 1};
     layout->panes[PANE_BOX] = (Rect){0, height - 1 - box, box ? width : 0, box};
-    if (screen->inspecting) {
+    if (screen->panes.inspecting) {
         layout->panes[PANE_INSPECTOR] = (Rect){0, top + 1, width, middle - 1};
         layout->panes[PANE_UPPER] = layout->panes[PANE_LOWER] = (Rect){0};
     }
@@ -111,17 +111,17 @@ Layout layout_make(const Screen *screen, int width, int height)
         return layout;
     layout.title = (Rect){0, 0, width, 1};
     layout.bar = (Rect){0, height - 1, width, 1};
-    if (width >= FULL_WIDTH && height >= FULL_HEIGHT && !screen->zoomed) {
-        if (screen->lecture && !screen->lesson.open)
+    if (width >= FULL_WIDTH && height >= FULL_HEIGHT && !screen->panes.zoomed) {
+        if (screen->panes.lecture && !screen->lesson.open)
             lay_out_lecture(screen, width, height, &layout);
         else
             lay_out_full(screen, width, height, &layout);
         return layout;
     }
     layout.kind = LAYOUT_ONE_PANE;
-    PaneId focus = screen->focus < PANE_COUNT ? screen->focus : PANE_PARAMETERS;
+    PaneId focus = screen->panes.focus < PANE_COUNT ? screen->panes.focus : PANE_PARAMETERS;
     layout.panes[focus] = (Rect){0, 1, width, height - 2};
-    if (!screen->zoomed && width >= PAIR_WIDTH && height >= PAIR_HEIGHT &&
+    if (!screen->panes.zoomed && width >= PAIR_WIDTH && height >= PAIR_HEIGHT &&
         (focus == PANE_UPPER || focus == PANE_LOWER)) {
         const int upper = (height - 2) / 2;
         layout.panes[PANE_UPPER] = (Rect){0, 1, width, upper};

@@ -41,7 +41,7 @@ typedef struct Size {
 static Size size_of(const Screen *screen, int width, int height)
 {
     const bool large = width >= LECTURE_LARGE_WIDTH && height >= LECTURE_LARGE_HEIGHT;
-    return (Size){.halves = !large && screen->glyphs != GLYPHS_ASCII, .columns = large ? 2 : 1};
+    return (Size){.halves = !large && screen->look.glyphs != GLYPHS_ASCII, .columns = large ? 2 : 1};
 }
 
 int banner_rows(const Screen *screen, int width, int height)
@@ -79,10 +79,10 @@ static void state_word(const Screen *screen, char *out, size_t size)
                                         [STATE_RUNNING] = "RUNNING",
                                         [STATE_ENDED] = "END",
                                         [STATE_FAILED] = "STOPPED"};
-    if (screen->state == STATE_COMPUTING)
-        snprintf(out, size, "%.0f %%", 100 * screen->work_share);
+    if (screen->playback.state == STATE_COMPUTING)
+        snprintf(out, size, "%.0f %%", 100 * screen->playback.work_share);
     else
-        snprintf(out, size, "%s", words[screen->state]);
+        snprintf(out, size, "%s", words[screen->playback.state]);
 }
 
 void pane_banner(const Screen *screen, Area area)
@@ -97,5 +97,5 @@ void pane_banner(const Screen *screen, Area area)
     while (columns_of(time, size) + right + 2 * WIDE * size.columns > width && ++fewer < 8);
     draw_text(area, 1, time, size, STYLE_HEADING);
     draw_text(area, area.rect.width - 1 - right, state, size,
-              screen->state == STATE_FAILED ? STYLE_ERROR : STYLE_HEADING);
+              screen->playback.state == STATE_FAILED ? STYLE_ERROR : STYLE_HEADING);
 }

@@ -99,15 +99,15 @@ static int offers_of(const Screen *screen, const Offer **offers)
         {COMMAND_STAGE_FORWARD, COMMAND_NONE, NULL}, {COMMAND_ZOOM, COMMAND_NONE, NULL},
     };
 #define GIVE(list) return *offers = list, (int)(sizeof list / sizeof *list)
-    if (screen->help)
+    if (screen->help.open)
         GIVE(help);
-    if (screen->edit.open)
+    if (screen->parameters.edit.open)
         GIVE(editing);
-    if (screen->state == STATE_COMPUTING)
+    if (screen->playback.state == STATE_COMPUTING)
         GIVE(computing);
-    if (screen->lecture)
+    if (screen->panes.lecture)
         GIVE(lecture);
-    const bool in_fields = screen->focus == PANE_PARAMETERS;
+    const bool in_fields = screen->panes.focus == PANE_PARAMETERS;
     if (screen->eye.open && !in_fields)
         GIVE(magnified);
     if (in_fields && screen->lesson.open) {
@@ -118,12 +118,12 @@ static int offers_of(const Screen *screen, const Offer **offers)
             GIVE(lesson_fields);
         GIVE(lesson);
     }
-    if (screen->state == STATE_RUNNING) {
+    if (screen->playback.state == STATE_RUNNING) {
         if (in_fields)
             GIVE(running_parameters);
         GIVE(running);
     }
-    if (screen->state == STATE_ENDED || screen->state == STATE_FAILED)
+    if (screen->playback.state == STATE_ENDED || screen->playback.state == STATE_FAILED)
         GIVE(ended);
     if (in_fields)
         GIVE(paused_parameters);
@@ -138,7 +138,7 @@ static const char *short_key(const Screen *screen, const char *key)
         {"Left", "←", "<-"}, {"Right", "→", "->"}, {"Up", "↑", "Up"}, {"Down", "↓", "Down"}};
     for (size_t i = 0; i < sizeof shorter / sizeof *shorter; i++)
         if (strcmp(key, shorter[i][0]) == 0)
-            return shorter[i][screen->glyphs == GLYPHS_ASCII ? 2 : 1];
+            return shorter[i][screen->look.glyphs == GLYPHS_ASCII ? 2 : 1];
     return key;
 }
 
@@ -147,9 +147,10 @@ static const char *word_of(const Screen *screen, const Command *command)
 {
     if (command->id != COMMAND_RUN_PAUSE)
         return command_brief(command);
-    return screen->state == STATE_RUNNING                                  ? "pause"
-           : screen->state == STATE_ENDED || screen->state == STATE_FAILED ? "again"
-                                                                           : command_brief(command);
+    return screen->playback.state == STATE_RUNNING ? "pause"
+           : screen->playback.state == STATE_ENDED || screen->playback.state == STATE_FAILED
+               ? "again"
+               : command_brief(command);
 }
 
 enum { BAR_OF_ONE_PANE = 80 };
@@ -279,10 +280,10 @@ static void draw_keys(const Screen *screen, Area area)
     lay_out_bar(screen, area.rect.width, &area, -1);
     ParameterRow rows[PARAMETER_ROWS_MAX];
     const int count = screen_parameter_rows(screen, rows);
-    if (!screen->edit.open || screen->selected < 0 || screen->selected >= count ||
-        !rows[screen->selected].parameter)
+    if (!screen->parameters.edit.open || screen->parameters.selected < 0 ||
+        screen->parameters.selected >= count || !rows[screen->parameters.selected].parameter)
         return;
-    const Parameter *parameter = rows[screen->selected].parameter;
+    const Parameter *parameter = rows[screen->parameters.selected].parameter;
     char range[96], text[256];
     const Problem *problem = experiment_settings(screen->experiment)->problem;
     parameter_range(parameter, problem, range, sizeof range);
@@ -305,10 +306,10 @@ void pane_bar(const Screen *screen, Area area)
         area_put(area, x, 0, ' ', STYLE_TITLE);
     if (screen->prompt.open)
         draw_prompt(screen, area);
-    else if (screen->edit.open && screen->edit.problem[0])
-        draw_notice(area, 0, screen->edit.problem, STYLE_ERROR);
-    else if (screen->message_kind != MESSAGE_NONE && screen->message[0])
-        draw_notice(area, 0, screen->message, styles[screen->message_kind]);
+    else if (screen->parameters.edit.open && screen->parameters.edit.problem[0])
+        draw_notice(area, 0, screen->parameters.edit.problem, STYLE_ERROR);
+    else if (screen->message.kind != MESSAGE_NONE && screen->message.text[0])
+        draw_notice(area, 0, screen->message.text, styles[screen->message.kind]);
     else
         draw_keys(screen, area);
 }

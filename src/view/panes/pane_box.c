@@ -56,7 +56,7 @@ static void line_words(const Screen *screen, char *out, size_t size)
 {
     static const char *const words[] = {
         [LINE_SOLID] = "Solid", [LINE_DOTTED] = "Dotted", [LINE_DASHED] = "Dashed"};
-    const bool ascii = screen->glyphs == GLYPHS_ASCII;
+    const bool ascii = screen->look.glyphs == GLYPHS_ASCII;
     int n;
     const Column *columns = experiment_columns(screen->experiment, &n);
     snprintf(out, size, "%s measured.", ascii ? "*" : "Solid:");
@@ -93,10 +93,10 @@ static void keep_sentences(char *text, int width, int rows)
 static void rate_text(const Screen *screen, char *out, size_t size)
 {
     const Experiment *experiment = screen->experiment;
-    const double rate = screen->rate * FRAMES_PER_SECOND;
+    const double rate = screen->playback.rate * FRAMES_PER_SECOND;
     const long left = experiment_last_step(experiment) - experiment_step(experiment);
     out[0] = '\0';
-    if (screen->state != STATE_RUNNING || !(rate > 0) || left < 1)
+    if (screen->playback.state != STATE_RUNNING || !(rate > 0) || left < 1)
         return;
     const double seconds = (double)left / rate;
     const double grain = pow(10, floor(log10(rate)) - 1); /* two digits: the third would dance */
@@ -150,7 +150,7 @@ static void draw_caption(const Screen *screen, Area area)
 
 static void draw_summary(const Screen *screen, Area area)
 {
-    const bool failed = screen->state == STATE_FAILED;
+    const bool failed = screen->playback.state == STATE_FAILED;
     const RunSummary *summary = &screen->summary;
     const Readout *readout = experiment_readout(screen->experiment);
     const int rows = area.rect.height;
@@ -220,9 +220,9 @@ static void draw_box(const Screen *screen, Area area)
     const bool between = experiment_stage(screen->experiment) == 0 && !experiment_before(screen->experiment);
     if (second_run(screen) && between)
         pane_duel(screen, area);
-    else if (screen->state == STATE_RUNNING || screen->state == STATE_COMPUTING)
+    else if (screen->playback.state == STATE_RUNNING || screen->playback.state == STATE_COMPUTING)
         draw_caption(screen, area);
-    else if ((screen->state == STATE_ENDED || screen->state == STATE_FAILED) &&
+    else if ((screen->playback.state == STATE_ENDED || screen->playback.state == STATE_FAILED) &&
              experiment_stage(screen->experiment) == 0)
         draw_summary(screen, area);
     else

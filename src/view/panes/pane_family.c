@@ -201,9 +201,9 @@ static void draw_subject(const Family *family, Area area, bool narrow)
              1e3 * (body->first[0] + family->i * body->spacing),
              1e3 * (body->first[1] + family->j * body->spacing), family->count);
     append_lost(family, text, sizeof text);
-    const char *hint = !narrow                  ? " ← → ↑ ↓ next node  i closes "
-                       : family->screen->zoomed ? " z family "
-                                                : " z forces ";
+    const char *hint = !narrow                        ? " ← → ↑ ↓ next node  i closes "
+                       : family->screen->panes.zoomed ? " z family "
+                                                      : " z forces ";
     const Style heading = is_focused(family->screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING;
     const int end = area.rect.width - 1;
     area_rule(area, 0, text, heading);
@@ -220,8 +220,8 @@ static void draw_place(const Screen *screen, Area area)
 {
     Screen whole = *screen;
     whole.eye.magnified = 1;
-    if (whole.state == STATE_RUNNING)
-        whole.state = STATE_PAUSED; /* the node that is inspected is shown in any case */
+    if (whole.playback.state == STATE_RUNNING)
+        whole.playback.state = STATE_PAUSED; /* the node that is inspected is shown in any case */
     Map map;
     if (map_open(&map, &whole, area) && map_colour(&map, (MapVariant)(view_variant(&view_beam, screen)))) {
         map.nodes_seen = true; /* no room for words */
@@ -235,7 +235,8 @@ static void draw_place(const Screen *screen, Area area)
 static void draw_narrow(const Family *family, Area area, int cell)
 {
     const Area words = area_part(area, 1, 0, area.rect.width - 1, area.rect.height);
-    const int used = family->screen->zoomed ? family_forces(family, words) : draw_family(family, area, cell);
+    const int used =
+        family->screen->panes.zoomed ? family_forces(family, words) : draw_family(family, area, cell);
     const Area below = area_part(words, 0, used, words.rect.width, words.rect.height - used);
     const int last = used + 2 <= area.rect.height ? draw_last(family, below) : 0;
     if (used + last + 3 <= area.rect.height)

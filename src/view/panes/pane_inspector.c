@@ -433,7 +433,7 @@ void pane_mesh_inspector(const Screen *screen, Area area)
                 const bool first = stage == latest || takes || subject.set == 0;
                 Block block;
                 if (first != (pass == 0) || !make_block(&block, &subject, stage, takes,
-                                                        screen->glyphs == GLYPHS_ASCII, area.rect.width))
+                                                        screen->look.glyphs == GLYPHS_ASCII, area.rect.width))
                     continue;
                 const int begin = y > 1 ? y + 1 : y;
                 const Plan plan = plan_of(screen, &subject, &block, area.rect.height - begin);

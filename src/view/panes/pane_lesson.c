@@ -61,8 +61,8 @@ static void write_page(Pen *pen, const Screen *screen)
     const int count = page->n_fields ? screen_parameter_rows(screen, rows) : 0;
     for (int i = 0; i < page->n_fields; i++) {
         const Parameter *parameter = parameter_find(page->fields[i]);
-        const bool chosen = screen->selected >= 0 && screen->selected < count &&
-                            rows[screen->selected].parameter == parameter;
+        const bool chosen = screen->parameters.selected >= 0 && screen->parameters.selected < count &&
+                            rows[screen->parameters.selected].parameter == parameter;
         draw_parameter(screen, pen->area, pen->y++, parameter, chosen);
     }
 }
@@ -197,7 +197,7 @@ int screen_lesson_at(const Screen *screen, int width, int height, int x, int y)
 {
     const Rect pane = screen_pane(screen, width, height, PANE_PARAMETERS);
     Canvas none = {.width = width, .height = height};
-    const Area area = {&none, pane, screen->glyphs};
+    const Area area = {&none, pane, screen->look.glyphs};
     const bool inside = x >= pane.x && x < pane.x + pane.width && y > pane.y && y < pane.y + pane.height - 1;
     if (!screen->lesson.open || screen->lesson.lesson || !inside)
         return -1;
@@ -212,7 +212,7 @@ int screen_lesson_most(const Screen *screen, int width, int height)
     Canvas none = {.width = width, .height = height};
     if (!screen->lesson.open || pane.width == 0)
         return 0;
-    const int lines = lines_of(screen, (Area){&none, pane, screen->glyphs});
+    const int lines = lines_of(screen, (Area){&none, pane, screen->look.glyphs});
     const int most = lines - 1 - (pane.height - MARGIN_ROWS);
     return most > 0 ? most : 0;
 }

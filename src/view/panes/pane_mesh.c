@@ -173,7 +173,7 @@ static void draw_bar(const Screen *screen, Area area)
                   is_focused(screen, PANE_MESH) ? STYLE_FOCUS : STYLE_HEADING);
     bool done;
     const int stage = box_stage(screen, &done);
-    const bool inside = screen->state != STATE_RUNNING && done;
+    const bool inside = screen->playback.state != STATE_RUNNING && done;
     const Flow flow = inside ? stage_flow(sim, &sim->stages[stage]) : FLOW_NONE;
     const bool grid_there = experiment_stage(screen->experiment) > 0;
 
@@ -215,7 +215,8 @@ static void draw_bar(const Screen *screen, Area area)
         sim->method->links ? sim->method->links(sim, 0, chosen, links, NODES_OF_PARTICLE_MAX) : 0;
     const int own = strip_column(&strip, x0[chosen] + k * u[chosen]);
     const uint32_t arrow = flow == FLOW_TO_NODES ? 0x2191 : flow == FLOW_TO_PARTICLES ? 0x2193 : 0x00b7;
-    for (size_t i = 0; i < n_links && i < NODES_OF_PARTICLE_MAX && screen->state != STATE_RUNNING; i++) {
+    for (size_t i = 0; i < n_links && i < NODES_OF_PARTICLE_MAX && screen->playback.state != STATE_RUNNING;
+         i++) {
         int column = strip_column(&strip, field_at(sim, node_x, links[i].index));
         if (column < 0)
             continue;
@@ -224,9 +225,9 @@ static void draw_bar(const Screen *screen, Area area)
             area_put(part, column, y, arrow,
                      flow == FLOW_NONE || flow == FLOW_FORGET ? STYLE_FRAME : STYLE_CHANGED);
     }
-    if (screen->state != STATE_RUNNING)
+    if (screen->playback.state != STATE_RUNNING)
         area_put(part, own, particle_row, 0x25cf, flow == FLOW_TO_PARTICLES ? STYLE_CHANGED : STYLE_SECOND);
-    if (screen->chosen.is_node && screen->state != STATE_RUNNING && screen->chosen.node < nodes)
+    if (screen->chosen.is_node && screen->playback.state != STATE_RUNNING && screen->chosen.node < nodes)
         area_put(part, strip_column(&strip, field_at(sim, node_x, screen->chosen.node)), grid_row, 0x25a0,
                  STYLE_CHANGED);
 

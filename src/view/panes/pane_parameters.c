@@ -24,7 +24,7 @@ static bool holds(const char *text, const char *part)
 
 static bool passes(const Screen *screen, const char *label, const char *key)
 {
-    return holds(label, screen->filter) || holds(key, screen->filter);
+    return holds(label, screen->parameters.filter) || holds(key, screen->parameters.filter);
 }
 
 /* Whether a derived number is one of the fields too. */
@@ -86,7 +86,7 @@ static void real_text(const Screen *screen, const Parameter *parameter, char out
 /* The first row shown, so that the chosen one stands near the middle. */
 static int first_row(const Screen *screen, int count, int room)
 {
-    int first = screen->selected - room / 2;
+    int first = screen->parameters.selected - room / 2;
     if (first > count - room)
         first = count - room;
     return first > 0 ? first : 0;
@@ -114,10 +114,10 @@ void draw_parameter(const Screen *screen, Area area, int y, const Parameter *par
     const int indent = is_number && 2 + text_columns(parameter->label) > label_width ? 1 : 2;
     int label = area_text(area_part(area, 0, y, label_width, 1), indent, 0, parameter->label, style) + indent;
 
-    if (focused && screen->edit.open) {
-        int room = width - label - 1 < 12 ? 12 : width - label - 1, cursor = screen->edit.cursor;
+    if (focused && screen->parameters.edit.open) {
+        int room = width - label - 1 < 12 ? 12 : width - label - 1, cursor = screen->parameters.edit.cursor;
         Area field = area_part(area, width - room, y, room, 1);
-        const char *text = screen->edit.text;
+        const char *text = screen->parameters.edit.text;
         for (; cursor >= room && *text; cursor--)
             utf8_next(&text);
         for (int x = 0; x < room; x++)
@@ -200,7 +200,7 @@ void pane_parameters(const Screen *screen, Area area)
 
     for (int y = 0; y < room && first + y < count; y++) {
         const ParameterRow *row = &rows[first + y];
-        const bool chosen = first + y == screen->selected;
+        const bool chosen = first + y == screen->parameters.selected;
         if (row->heading)
             area_text(area, 1, y, row->heading, focused ? STYLE_FOCUS : STYLE_HEADING);
         else if (row->parameter)
@@ -212,8 +212,8 @@ void pane_parameters(const Screen *screen, Area area)
         area_text(area, 1, 0, "no parameter of that name", STYLE_FAINT);
     if (room == area.rect.height)
         return;
-    if (focused && screen->selected >= 0 && screen->selected < count)
-        draw_hint(screen, area, &rows[screen->selected], derived);
+    if (focused && screen->parameters.selected >= 0 && screen->parameters.selected < count)
+        draw_hint(screen, area, &rows[screen->parameters.selected], derived);
     else if (first + room < count) {
         char text[40];
         snprintf(text, sizeof text, "%d more below", count - first - room);
@@ -239,6 +239,7 @@ void pane_chosen_parameter(const Screen *screen, Area area)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
     const int count = screen_parameter_rows(screen, rows);
-    if (screen->selected >= 0 && screen->selected < count && rows[screen->selected].parameter)
-        draw_parameter(screen, area, 0, rows[screen->selected].parameter, true);
+    if (screen->parameters.selected >= 0 && screen->parameters.selected < count &&
+        rows[screen->parameters.selected].parameter)
+        draw_parameter(screen, area, 0, rows[screen->parameters.selected].parameter, true);
 }

@@ -200,7 +200,7 @@ static void draw_body(const Subject *subject, Area area)
     const int width = area.rect.width, rows = area.rect.height;
     char sums[SUMS_MAX], equation[512];
     snprintf(equation, sizeof equation, "%s",
-             subject->screen->glyphs == GLYPHS_ASCII ? stage->ascii : stage->equation);
+             subject->screen->look.glyphs == GLYPHS_ASCII ? stage->ascii : stage->equation);
     int sum_rows = choose_sums(subject, width, rows - 1, sums);
     if (sum_rows + paragraph_lines(width, equation) > rows) /* its first line says what the sums are of */
         equation[strcspn(equation, "\n")] = '\0';
@@ -243,7 +243,7 @@ static void draw_list(const Subject *subject, Area area)
         const Style style = here ? STYLE_SELECTED : i < subject->stage ? STYLE_NORMAL : STYLE_FAINT;
         area_print(area, 1, i, style, "%s%d %s", here ? "> " : "  ", i + 1, sim->stages[i].name);
         const char *equation =
-            subject->screen->glyphs == GLYPHS_ASCII ? sim->stages[i].ascii : sim->stages[i].equation;
+            subject->screen->look.glyphs == GLYPHS_ASCII ? sim->stages[i].ascii : sim->stages[i].equation;
         char line[160];
         snprintf(line, sizeof line, "%.*s", (int)strcspn(equation, "\n"), equation);
         const char *gap = strstr(line, "  ");
@@ -296,7 +296,7 @@ void pane_stage(const Screen *screen, Area area)
     const Subject subject = subject_of(screen);
     draw_heading_of(&subject, area);
     Area body = area_part(area, 0, 1, area.rect.width, area.rect.height - 1);
-    const bool zoomed = screen->zoomed && screen->focus == PANE_BOX;
+    const bool zoomed = screen->panes.zoomed && screen->panes.focus == PANE_BOX;
     const int stages = subject.sim->n_stages, width = body.rect.width;
     if (width >= 100 && body.rect.height >= stages) {
         draw_list(&subject, area_part(body, 0, 0, LIST_WIDTH, body.rect.height));

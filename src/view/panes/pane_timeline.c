@@ -55,7 +55,7 @@ static int cell_of(const Screen *screen, const Line *line, long step)
 long screen_bookmark_step(const Screen *screen, int index)
 {
     const double dt = experiment_simulation(screen->experiment)->dt;
-    const long step = lround(screen->bookmarks[index].time / dt),
+    const long step = lround(screen->bookmarks.places[index].time / dt),
                last = experiment_last_step(screen->experiment);
     return step < last ? step : last;
 }
@@ -67,7 +67,7 @@ static void draw_marks(const Screen *screen, Area area, int x, const bool seen[M
     char keys[MARKS][3];
     int n = 0;
     legend[n++] = (Legend){.style = STYLE_FOCUS, .name = "here", .key = "● "};
-    if (screen->n_bookmarks > 0)
+    if (screen->bookmarks.count > 0)
         legend[n++] = (Legend){.style = STYLE_KEY, .name = "bookmark", .key = "m "};
     for (size_t m = 0; m < MARKS; m++)
         if (seen[m]) {
@@ -101,7 +101,7 @@ void pane_timeline(const Screen *screen, Area area)
                 area_put(area, cell_of(screen, &line, events[i].step), 0,
                          (uint32_t)(unsigned char)marks[m].letter, marks[m].style);
             }
-    for (int i = 0; i < screen->n_bookmarks; i++)
+    for (int i = 0; i < screen->bookmarks.count; i++)
         area_put(area, cell_of(screen, &line, screen_bookmark_step(screen, i)), 0, 'm', STYLE_KEY);
     area_put(area, cell_of(screen, &line, experiment_step(screen->experiment)), 0, 0x25cf, STYLE_FOCUS);
     if (area.rect.height > 1)

@@ -42,17 +42,17 @@ static void state_text(const Screen *screen, bool brief, char *out, size_t size)
 {
     char pace[24];
     long back = experiment_newest(screen->experiment) - experiment_step(screen->experiment);
-    switch (screen->state) {
+    switch (screen->playback.state) {
     case STATE_RUNNING:
-        pace_text(screen->pace, pace, sizeof pace);
-        if (screen->at_limit && screen->rate > 0) {
-            pace_text(screen->rate, pace, sizeof pace);
+        pace_text(screen->playback.pace, pace, sizeof pace);
+        if (screen->playback.at_limit && screen->playback.rate > 0) {
+            pace_text(screen->playback.rate, pace, sizeof pace);
             snprintf(out, size, brief ? "%s max" : "RUNNING %s max", pace);
         } else
             snprintf(out, size, "RUNNING %s", pace);
         return;
     case STATE_COMPUTING:
-        snprintf(out, size, "computing %3.0f %%", 100 * screen->work_share);
+        snprintf(out, size, "computing %3.0f %%", 100 * screen->playback.work_share);
         return;
     case STATE_ENDED:
         snprintf(out, size, "END");
@@ -129,11 +129,11 @@ void pane_title(const Screen *screen, Area area)
     bool bar = false, fits = false;
     for (int i = 0; i < FORMS && !fits; i++) {
         const TitleForm *form = &forms[i];
-        if (!form->brief && form->fewer > 0 && screen->state != STATE_RUNNING)
+        if (!form->brief && form->fewer > 0 && screen->playback.state != STATE_RUNNING)
             continue;
         const char *gap = form->close ? " " : "  ";
         state_text(screen, form->brief, state, sizeof state);
-        bar = screen->state == STATE_COMPUTING && !form->brief;
+        bar = screen->playback.state == STATE_COMPUTING && !form->brief;
         end = width - 1 - text_columns(state) - 1 - (bar ? BAR_CELLS + 1 : 0);
         shorter_time(screen, form->fewer, time, sizeof time);
         snprintf(whole, sizeof whole, " %s", form->brand ? "matvib  " : "");
@@ -149,13 +149,13 @@ void pane_title(const Screen *screen, Area area)
         if (!form->no_stage)
             append(whole, sizeof whole, "%sstage %d/%d", gap, stage, sim->n_stages);
         fits = text_columns(whole) <= end && !(form->no_stage && stage > 0) &&
-               !(form->no_step && screen->state != STATE_RUNNING);
+               !(form->no_step && screen->playback.state != STATE_RUNNING);
     }
     if (!fits)
         snprintf(whole, sizeof whole, " %s", time);
     int right = width - 1;
     if (bar) {
-        int full = (int)(screen->work_share * BAR_CELLS + 0.5);
+        int full = (int)(screen->playback.work_share * BAR_CELLS + 0.5);
         for (int i = 0; i < BAR_CELLS; i++)
             area_put(area, right - BAR_CELLS + i, 0, i < full ? 0x2588 : 0x2591, STYLE_TITLE);
         right -= BAR_CELLS + 1;

@@ -10,16 +10,12 @@
 void screen_default(Screen *screen)
 {
     *screen = (Screen){
-        .glyphs = GLYPHS_BRAILLE,
-        .colours = 256,
-        .state = STATE_PAUSED,
-        .pace = 1,
-        .focus = PANE_PARAMETERS,
-        .upper = view_at_home(PANE_UPPER, NULL),
-        .lower = view_at_home(PANE_LOWER, NULL),
-        .references = SHOW_ALL,
+        .look = {.glyphs = GLYPHS_BRAILLE, .colours = 256},
+        .playback = {.state = STATE_PAUSED, .pace = 1},
+        .panes = {.focus = PANE_PARAMETERS},
+        .views = {.upper = view_at_home(PANE_UPPER, NULL), .lower = view_at_home(PANE_LOWER, NULL)},
+        .time = {.cursor = NAN},
         .eye = {.magnified = 1, .centre = {0.5, 0.5}},
-        .cursor_time = NAN,
         .log = {.event = -1},
     };
 }
@@ -28,10 +24,10 @@ void screen_read_view(Screen *screen, const ViewSettings *view)
 {
     double window;
     if (sscanf(view->window, "%lf", &window) == 1 && window > 0)
-        screen->window = window;
+        screen->time.window = window;
     for (int i = 0; i < SHOW_COUNT; i++)
         if (strcmp(view->references, reference_words[i]) == 0)
-            screen->references = (ReferencesShown)i;
+            screen->views.references = (ReferencesShown)i;
     for (int i = 0; colour_words[i]; i++)
         if (strcmp(view->colour, colour_words[i]) == 0)
             view_choose_variant(view_of_map(), screen, i);
@@ -41,8 +37,8 @@ void screen_read_view(Screen *screen, const ViewSettings *view)
 
 static Area area_of(const Screen *screen, Canvas *canvas, Rect rect)
 {
-    return area_part((Area){canvas, {0, 0, canvas->width, canvas->height}, screen->glyphs}, rect.x, rect.y,
-                     rect.width, rect.height);
+    return area_part((Area){canvas, {0, 0, canvas->width, canvas->height}, screen->look.glyphs}, rect.x,
+                     rect.y, rect.width, rect.height);
 }
 
 static void draw_too_small(Canvas *canvas)
@@ -72,10 +68,10 @@ static void draw_pane(const Screen *screen, PaneId pane, Area area)
         pane_mesh(screen, area);
         break;
     case PANE_UPPER:
-        view_draw(screen->upper, screen, area, is_focused(screen, pane));
+        view_draw(screen->views.upper, screen, area, is_focused(screen, pane));
         break;
     case PANE_LOWER:
-        view_draw(screen->lower, screen, area, is_focused(screen, pane));
+        view_draw(screen->views.lower, screen, area, is_focused(screen, pane));
         break;
     case PANE_BOX:
         pane_box(screen, area);
@@ -92,15 +88,15 @@ static void draw_pane(const Screen *screen, PaneId pane, Area area)
 void screen_draw(const Screen *screen, Canvas *canvas)
 {
     canvas_clear(canvas);
-    canvas->large = screen->lecture;
+    canvas->large = screen->panes.lecture;
     const Layout layout = layout_make(screen, canvas->width, canvas->height);
     if (layout.kind == LAYOUT_TOO_SMALL) {
         draw_too_small(canvas);
-        if (screen->glyphs == GLYPHS_ASCII)
+        if (screen->look.glyphs == GLYPHS_ASCII)
             canvas_to_ascii(canvas);
         return;
     }
-    if (screen->help) {
+    if (screen->help.open) {
         Rect all = {0, 1, canvas->width, canvas->height - 2};
         pane_help(screen, area_of(screen, canvas, all));
     } else {
@@ -119,7 +115,7 @@ void screen_draw(const Screen *screen, Canvas *canvas)
     }
     pane_title(screen, area_of(screen, canvas, layout.title));
     pane_bar(screen, area_of(screen, canvas, layout.bar));
-    if (screen->glyphs == GLYPHS_ASCII)
+    if (screen->look.glyphs == GLYPHS_ASCII)
         canvas_to_ascii(canvas);
 }
 

@@ -88,6 +88,11 @@ typedef struct Bookmark {
 
 enum { BOOKMARKS_MAX = 9 };
 
+typedef struct Bookmarks {
+    Bookmark places[BOOKMARKS_MAX]; /* ascending */
+    int count;
+} Bookmarks;
+
 /* The lesson beside the run, in place of the parameters. */
 typedef struct LessonShown {
     bool open;
@@ -139,56 +144,85 @@ typedef struct MapEye {
     double centre[2]; /* shares of its length and height */
 } MapEye;
 
+/* What the player shows of itself. */
+typedef struct Playback {
+    RunState state;
+    double pace;       /* steps per frame; FRAMES_PER_SECOND frames */
+    double rate;       /* steps per frame that the engine reaches; shown where it is the limit */
+    bool at_limit;     /* the engine is slower than the pace asked for */
+    double work_share; /* STATE_COMPUTING: share done */
+} Playback;
+
+/* What a terminal can show, and what was asked for. */
+typedef struct ScreenLook {
+    Glyphs glyphs;
+    int colours; /* 0: none; 8; 256 */
+    bool light;  /* a light background */
+} ScreenLook;
+
+/* Which panes there are and which one the keys go to. */
+typedef struct PanesShown {
+    PaneId focus;
+    bool zoomed;             /* the focused pane fills the screen */
+    bool lecture;            /* time and state in large letters, thick curves, no parameters beside them */
+    bool inspecting;         /* the inspector is open, see screen_has_inspector() */
+    PaneId before_inspector; /* the pane that had the focus before it was opened */
+} PanesShown;
+
+/* What stands in the two plot panes. */
+typedef struct ViewsShown {
+    const View *upper, *lower;
+    ViewVariant variants[VIEWS_MAX];
+    int n_variants;
+    ReferencesShown references;
+} ViewsShown;
+
+/* The parameter pane. */
+typedef struct ParametersShown {
+    int selected;    /* row */
+    char filter[32]; /* parameters whose label or key holds it */
+    FieldEdit edit;
+} ParametersShown;
+
+/* The axis of time. */
+typedef struct TimeShown {
+    double window; /* its length; 0: automatic */
+    double cursor; /* the time of the plot's cursor; NAN: none */
+} TimeShown;
+
+typedef struct HelpShown {
+    bool open;
+    int page, scroll;
+} HelpShown;
+
+typedef struct Message {
+    MessageKind kind;
+    char text[512];
+} Message;
+
 typedef struct Screen {
     Experiment *experiment;
     const Duel *duel;     /* whose A is the experiment; its second run is drawn beside. NULL: there is none */
     DuelSide side;        /* a picture of one run of it only */
     const char *scenario; /* name shown in the title line */
 
-    Glyphs glyphs;
-    int colours; /* 0: none; 8; 256 */
-    bool light;  /* a light background */
-
-    RunState state;
-    double pace;       /* steps per frame; FRAMES_PER_SECOND frames */
-    double rate;       /* steps per frame that the engine reaches; shown where it is the limit */
-    bool at_limit;     /* the engine is slower than the pace asked for */
-    double work_share; /* STATE_COMPUTING: share done */
-
-    PaneId focus;
-    bool zoomed;               /* the focused pane fills the screen */
-    bool lecture;              /* time and state in large letters, thick curves, no parameters beside them */
-    const View *upper, *lower; /* in the two plot panes */
-    ViewVariant variants[VIEWS_MAX];
-    int n_variants;
-    ReferencesShown references;
-
-    int selected;    /* row in the parameter pane */
-    char filter[32]; /* parameters whose label or key holds it */
-    FieldEdit edit;
+    ScreenLook look;
+    Playback playback;
+    PanesShown panes;
+    ViewsShown views;
+    TimeShown time;
+    ParametersShown parameters;
     Selection chosen;
     LogPlace log;
-
-    bool inspecting;         /* the inspector is open, see screen_has_inspector() */
-    PaneId before_inspector; /* the pane that had the focus before it was opened */
     MapEye eye;
-
-    double window;      /* length of the time window; 0: automatic */
-    double cursor_time; /* of the time plot's cursor; NAN: none */
-
-    Bookmark bookmarks[BOOKMARKS_MAX]; /* ascending */
-    int n_bookmarks;
+    Bookmarks bookmarks;
     const Convergence *convergence; /* what is known of the run's studies; NULL: nothing */
     const Overlay *overlay;         /* a foreign series over the plots; NULL: none */
 
     LessonShown lesson;
-
     Prompt prompt;
-    MessageKind message_kind;
-    char message[512];
-
-    bool help;
-    int help_page, help_scroll;
+    Message message;
+    HelpShown help;
 
     CommandSet used; /* for hints that go once their command was used */
     bool summary_known;

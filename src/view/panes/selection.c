@@ -21,5 +21,5 @@ size_t screen_middle_particle(const Simulation *sim)
 
 const View *screen_view_in(const Screen *screen, PaneId pane)
 {
-    return pane == PANE_UPPER ? screen->upper : pane == PANE_LOWER ? screen->lower : NULL;
+    return pane == PANE_UPPER ? screen->views.upper : pane == PANE_LOWER ? screen->views.lower : NULL;
 }

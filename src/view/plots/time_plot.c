@@ -24,7 +24,7 @@ void screen_time_window(const Screen *screen, double *from, double *to)
     const double dt = experiment_simulation(clock)->dt;
     const double newest = dt * (double)experiment_newest(clock);
     const double last = dt * (double)experiment_last_step(clock);
-    double window = screen->window > 0 ? screen->window : automatic_window(screen, last);
+    double window = screen->time.window > 0 ? screen->time.window : automatic_window(screen, last);
     if (!(window > 0))
         window = last > 0 ? last : 1;
     /* it shows the newest; rewound far, the present stands in the middle */
@@ -133,8 +133,8 @@ void time_plot_now(const Screen *screen, Area inner, const Axis *x)
     const Experiment *clock = clock_run(screen);
     if (experiment_newest(clock) > experiment_step(clock))
         axes_rule(inner, x, experiment_time(clock), STYLE_FOCUS);
-    if (isfinite(screen->cursor_time))
-        axes_rule(inner, x, screen->cursor_time, STYLE_SELECTED);
+    if (isfinite(screen->time.cursor))
+        axes_rule(inner, x, screen->time.cursor, STYLE_SELECTED);
 }
 
 const char *time_plot_name(const Screen *screen, const Axis *x, char *out, size_t size)

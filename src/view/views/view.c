@@ -26,9 +26,9 @@ int view_variants(const View *view, const Screen *screen)
 static const int *chosen_variant(const View *view, const Screen *screen)
 {
     static const int first = 0;
-    for (int i = 0; i < screen->n_variants; i++)
-        if (screen->variants[i].view == view)
-            return &screen->variants[i].variant;
+    for (int i = 0; i < screen->views.n_variants; i++)
+        if (screen->views.variants[i].view == view)
+            return &screen->views.variants[i].variant;
     return &first;
 }
 
@@ -41,14 +41,14 @@ int view_variant(const View *view, const Screen *screen)
 void view_choose_variant(const View *view, Screen *screen, int variant)
 {
     int i = 0;
-    while (i < screen->n_variants && screen->variants[i].view != view)
+    while (i < screen->views.n_variants && screen->views.variants[i].view != view)
         i++;
     if (i == VIEWS_MAX)
         return;
-    screen->variants[i].view = view;
-    screen->variants[i].variant = variant;
-    if (i == screen->n_variants)
-        screen->n_variants++;
+    screen->views.variants[i].view = view;
+    screen->views.variants[i].variant = variant;
+    if (i == screen->views.n_variants)
+        screen->views.n_variants++;
 }
 
 bool view_is_on_paper(const View *view, const Screen *screen)
@@ -137,7 +137,7 @@ static void draw_sides(const View *view, const Screen *screen, Area area, Style 
         draw_side(view, screen, SIDE_B, "", area_part(area, 0, height / 2, width, height - height / 2),
                   heading);
     } else {
-        draw_side(view, screen, SIDE_A, screen->zoomed ? "" : ", z: and B", area, heading);
+        draw_side(view, screen, SIDE_A, screen->panes.zoomed ? "" : ", z: and B", area, heading);
     }
 }
 

@@ -218,12 +218,13 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
 /* The map in the pane that shows it. False: none does. */
 static bool open_shown(Map *map, const Screen *screen, int width, int height)
 {
-    const PaneId pane = screen->upper == &view_beam ? PANE_UPPER : PANE_LOWER;
+    const PaneId pane = screen->views.upper == &view_beam ? PANE_UPPER : PANE_LOWER;
     const Rect rect = screen_pane(screen, width, height, pane);
     *map = (Map){.block = NULL};
-    if (rect.width < 4 || rect.height < 4 || (screen->upper != &view_beam && screen->lower != &view_beam))
+    if (rect.width < 4 || rect.height < 4 ||
+        (screen->views.upper != &view_beam && screen->views.lower != &view_beam))
         return false;
-    return map_open(map, screen, map_part((Area){NULL, rect, screen->glyphs}));
+    return map_open(map, screen, map_part((Area){NULL, rect, screen->look.glyphs}));
 }
 
 double screen_map_enlargement(const Screen *screen, int width, int height)
@@ -240,7 +241,7 @@ static bool click(Screen *screen, Rect rect, int x, int y)
     Map map;
     long node = -1;
     if (rect.width >= 4 && rect.height >= 4 &&
-        map_open(&map, screen, map_part((Area){NULL, rect, screen->glyphs}))) {
+        map_open(&map, screen, map_part((Area){NULL, rect, screen->look.glyphs}))) {
         const Rect *part = &map.area.rect;
         x -= part->x;
         y -= part->y;

@@ -71,7 +71,7 @@ static double last_order(const Study *study)
 
 static void verdict_of(const Screen *screen, const Study *study, char out[160])
 {
-    if (study->known < study->count && screen->state == STATE_RUNNING && !screen->lecture) {
+    if (study->known < study->count && screen->playback.state == STATE_RUNNING && !screen->panes.lecture) {
         snprintf(out, 160, "%d of %d points  they come while the run is paused", study->known, study->count);
         return;
     }

@@ -68,14 +68,14 @@ void screen_open_views(Screen *screen, const ViewSettings *settings)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     const View *upper = view_named(settings->upper), *lower = view_named(settings->lower);
-    screen->upper = upper && !view_missing(upper, screen) ? upper : view_at_home(PANE_UPPER, sim);
-    screen->lower = lower && !view_missing(lower, screen) ? lower : view_at_home(PANE_LOWER, sim);
+    screen->views.upper = upper && !view_missing(upper, screen) ? upper : view_at_home(PANE_UPPER, sim);
+    screen->views.lower = lower && !view_missing(lower, screen) ? lower : view_at_home(PANE_LOWER, sim);
 }
 
 /* The view whose curve is meant: that in focus, else the first of the list with such an axis. */
 static const char *curve_of(const Screen *screen, bool over_time)
 {
-    const View *view = screen->focus == PANE_UPPER ? screen->upper : screen->lower;
+    const View *view = screen->panes.focus == PANE_UPPER ? screen->views.upper : screen->views.lower;
     for (int i = 0; i < n_views && (!view->curve || view->has_time_axis != over_time); i++)
         view = views[i];
     return view->curve ? view->curve(screen) : "";

@@ -187,7 +187,7 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
     }
     const bool narrow = width < 52;
     /* while rows come in the fit is a little behind them, see experiment_rest() */
-    const bool about = screen->state == STATE_RUNNING && experiment_is_flowing(screen->experiment);
+    const bool about = screen->playback.state == STATE_RUNNING && experiment_is_flowing(screen->experiment);
     if (readout->measured_known)
         append(first, 160, narrow ? "w %s%.*f" : "w measured %s%.*f", about ? "~" : "", about ? 3 : 4,
                readout->measured);
@@ -221,7 +221,7 @@ static void cursor_line(const Screen *screen, const Line *lines, int n_lines, co
         const Record *record = lines[i].run->record;
         if (record->count == 0)
             return;
-        const double *row = record_row(record, record_find(record, screen->cursor_time));
+        const double *row = record_row(record, record_find(record, screen->time.cursor));
         if (i == 0) {
             time_text(screen, row[1], time, sizeof time);
             snprintf(out, 160, "%s", time);
@@ -233,7 +233,7 @@ static void cursor_line(const Screen *screen, const Line *lines, int n_lines, co
         const char *name = lines[i].own && letter[0] ? letter : lines[i].legend.name;
         append(out, 160, "  %s %s", brief ? short_word(name) : name, number);
     }
-    const double foreign = overlay_value(screen, curve, false, screen->cursor_time);
+    const double foreign = overlay_value(screen, curve, false, screen->time.cursor);
     if (isfinite(foreign)) {
         number_text(foreign, digits, 12, number);
         append(out, 160, "  %s %s", brief ? "file" : screen->overlay->file, number);
@@ -267,7 +267,7 @@ static void draw_readout(const Screen *screen, Area area, const Line *lines, int
         bool brief;
     } forms[] = {{5, false}, {5, true}, {4, true}, {3, true}};
     const size_t n_forms = rows > 1 ? 3 : 4;
-    for (size_t i = 0; isfinite(screen->cursor_time) && i < n_forms; i++) {
+    for (size_t i = 0; isfinite(screen->time.cursor) && i < n_forms; i++) {
         cursor_line(screen, lines, n_lines, curve, forms[i].digits, forms[i].brief, cursor);
         if (text_columns(cursor) <= width)
             break;
@@ -297,7 +297,7 @@ static void draw_readout(const Screen *screen, Area area, const Line *lines, int
 
 static int lines_under(const Screen *screen, Area area, const char *curve)
 {
-    const bool cursor = isfinite(screen->cursor_time);
+    const bool cursor = isfinite(screen->time.cursor);
     const bool judged =
         strcmp(experiment_readout(screen->experiment)->column, curve) == 0 || cursor || facts_of(screen)->si;
     if (!judged || area.rect.height < 6)

@@ -198,7 +198,7 @@ static int variant_shown(const Screen *screen, int variant)
 {
     const Experiment *clock = clock_run(screen);
     const bool at_start = experiment_step(clock) == 0 && experiment_stage(clock) == 0;
-    return variant == 0 && at_start && screen->state != STATE_RUNNING &&
+    return variant == 0 && at_start && screen->playback.state != STATE_RUNNING &&
                    simulation_has(experiment_simulation(screen->experiment), HAS_LINE)
                ? 1
                : variant;

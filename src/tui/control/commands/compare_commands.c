@@ -40,7 +40,7 @@ void command_question(Laboratory *lab)
         laboratory_say(lab, MESSAGE_INFO, "both answers are on screen already; d ends the duel");
     else if (!edit_change(lab, &settings, experiment_rerun, &status))
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
-    else if (lab->screen.message_kind == MESSAGE_NONE)
+    else if (lab->screen.message.kind == MESSAGE_NONE)
         say_answer(lab, parameter, &before);
 }
 

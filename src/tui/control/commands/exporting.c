@@ -235,7 +235,7 @@ bool exporting_ask(Laboratory *lab, const char *name)
 {
     Experiment *experiment = lab->screen.experiment;
     player_pause(lab);
-    if (lab->screen.state == STATE_COMPUTING) {
+    if (lab->screen.playback.state == STATE_COMPUTING) {
         laboratory_say(lab, MESSAGE_INFO, "wait until the run has come to its time, or cancel with Esc");
         return true;
     }

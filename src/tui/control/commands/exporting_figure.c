@@ -12,7 +12,7 @@
 /* Where no plot has the focus it is the lower one, as for the cursor. */
 static const View *view_in_focus(const Screen *screen)
 {
-    return screen->focus == PANE_UPPER ? screen->upper : screen->lower;
+    return screen->panes.focus == PANE_UPPER ? screen->views.upper : screen->views.lower;
 }
 
 static bool write_figure(Laboratory *lab, bool force)
@@ -59,7 +59,7 @@ bool exporting_figure(Laboratory *lab, const char *file)
     if (!writing_name_fits(lab, file))
         return false;
     player_pause(lab);
-    if (lab->screen.state == STATE_COMPUTING)
+    if (lab->screen.playback.state == STATE_COMPUTING)
         return prompt_refuse(&lab->prompting, "wait until the run has come to its time, or cancel with Esc");
     if (!view_makes_figure(view_in_focus(&lab->screen), &lab->screen))
         return prompt_refuse(

@@ -77,9 +77,9 @@ void command_map_zoom(Laboratory *lab)
         command_map_whole(&lab->screen);
         return;
     }
-    if (!screen->upper->is_map && !screen->lower->is_map)
-        screen->upper = view_of_map();
-    screen->focus = screen->upper->is_map ? PANE_UPPER : PANE_LOWER;
+    if (!screen->views.upper->is_map && !screen->views.lower->is_map)
+        screen->views.upper = view_of_map();
+    screen->panes.focus = screen->views.upper->is_map ? PANE_UPPER : PANE_LOWER;
     screen->eye.open = true;
     screen->eye.magnified = FIRST_MAGNIFIED;
     look_at_something(screen);
@@ -88,8 +88,8 @@ void command_map_zoom(Laboratory *lab)
 bool command_map_is_focused(const Screen *screen)
 {
     return simulation_has(experiment_simulation(screen->experiment), HAS_PLANE) &&
-           ((screen->focus == PANE_UPPER && screen->upper->is_map) ||
-            (screen->focus == PANE_LOWER && screen->lower->is_map));
+           ((screen->panes.focus == PANE_UPPER && screen->views.upper->is_map) ||
+            (screen->panes.focus == PANE_LOWER && screen->views.lower->is_map));
 }
 
 /* The size of displacements is part of the scenario's view, which an edit changes without a new run. */

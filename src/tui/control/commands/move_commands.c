@@ -8,16 +8,17 @@ static void focus_by(Laboratory *lab, int direction)
 {
     Screen *screen = &lab->screen;
     Screen whole = *screen;
-    whole.zoomed = false; /* a pane that fills the screen can be left for any that the whole picture has */
-    int focus = (int)screen->focus;
+    whole.panes.zoomed =
+        false; /* a pane that fills the screen can be left for any that the whole picture has */
+    int focus = (int)screen->panes.focus;
     for (int i = 0; i < PANE_COUNT; i++) {
         focus = (focus + direction + PANE_COUNT) % PANE_COUNT;
-        whole.focus = (PaneId)focus; /* a small screen has the one that is asked for */
+        whole.panes.focus = (PaneId)focus; /* a small screen has the one that is asked for */
         if (screen_pane(&whole, lab->width, lab->height, (PaneId)focus).width > 0)
             break;
     }
-    screen->focus = (PaneId)focus;
-    screen->cursor_time = NAN;
+    screen->panes.focus = (PaneId)focus;
+    screen->time.cursor = NAN;
 }
 
 void command_next_pane(Laboratory *lab)
@@ -36,38 +37,38 @@ static void move_cursor(Laboratory *lab, int columns)
     Screen *screen = &lab->screen;
     double from, to;
     screen_time_window(screen, &from, &to);
-    int width = screen_pane(screen, lab->width, lab->height, screen->focus).width - 10;
+    int width = screen_pane(screen, lab->width, lab->height, screen->panes.focus).width - 10;
     double column = (to - from) / (width > 20 ? width : 20);
-    if (isnan(screen->cursor_time))
-        screen->cursor_time = experiment_time(screen->experiment);
+    if (isnan(screen->time.cursor))
+        screen->time.cursor = experiment_time(screen->experiment);
     else
-        screen->cursor_time += columns * column;
-    if (screen->cursor_time < from)
-        screen->cursor_time = from;
-    if (screen->cursor_time > to)
-        screen->cursor_time = to;
+        screen->time.cursor += columns * column;
+    if (screen->time.cursor < from)
+        screen->time.cursor = from;
+    if (screen->time.cursor > to)
+        screen->time.cursor = to;
 }
 
 static void move(Laboratory *lab, int x, int y, int page)
 {
     Screen *screen = &lab->screen;
-    const View *view = screen_view_in(screen, screen->focus);
+    const View *view = screen_view_in(screen, screen->panes.focus);
     const bool map = command_map_is_focused(&lab->screen);
     if (screen->eye.open && map) {
         command_map_pan(&lab->screen, x, y);
         return;
     }
-    if ((screen->focus == PANE_INSPECTOR || map) && screen_move_inspector(screen, x, y, page))
+    if ((screen->panes.focus == PANE_INSPECTOR || map) && screen_move_inspector(screen, x, y, page))
         return;
-    if (screen->focus == PANE_PARAMETERS && screen->lesson.open) {
+    if (screen->panes.focus == PANE_PARAMETERS && screen->lesson.open) {
         lesson_play_move(lab, x, y);
-    } else if (screen->focus == PANE_PARAMETERS) {
+    } else if (screen->panes.focus == PANE_PARAMETERS) {
         if (x)
             edit_nudge(lab, x);
         else
             edit_move(&lab->screen, y * page);
     } else if (view && view->move) {
-        view->move(screen, screen_pane(screen, lab->width, lab->height, screen->focus), x, y, page);
+        view->move(screen, screen_pane(screen, lab->width, lab->height, screen->panes.focus), x, y, page);
     } else if (view && view->has_time_axis) {
         move_cursor(lab, x ? x : y * page);
     } else if (x || page > 1) {
@@ -111,15 +112,15 @@ void command_page_down(Laboratory *lab)
 void command_enter(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
-    const View *view = screen_view_in(screen, screen->focus);
-    if (screen->focus == PANE_PARAMETERS && screen->lesson.open) {
+    const View *view = screen_view_in(screen, screen->panes.focus);
+    if (screen->panes.focus == PANE_PARAMETERS && screen->lesson.open) {
         lesson_play_enter(lab);
-    } else if (screen->focus == PANE_PARAMETERS) {
+    } else if (screen->panes.focus == PANE_PARAMETERS) {
         edit_begin(lab);
-    } else if (view && view->has_time_axis && !isnan(screen->cursor_time)) {
+    } else if (view && view->has_time_axis && !isnan(screen->time.cursor)) {
         player_pause(lab);
-        player_seek(lab, lround(screen->cursor_time / experiment_simulation(screen->experiment)->dt), 0);
-        screen->cursor_time = NAN;
+        player_seek(lab, lround(screen->time.cursor / experiment_simulation(screen->experiment)->dt), 0);
+        screen->time.cursor = NAN;
     } else if (view && view->enter) {
         const long step = view->enter(screen);
         if (step < 0)
@@ -131,24 +132,24 @@ void command_enter(Laboratory *lab)
 
 void command_close_inspector(Screen *screen)
 {
-    screen->inspecting = false;
-    screen->zoomed = false;
-    if (screen->focus == PANE_INSPECTOR)
-        screen->focus = screen->before_inspector;
+    screen->panes.inspecting = false;
+    screen->panes.zoomed = false;
+    if (screen->panes.focus == PANE_INSPECTOR)
+        screen->panes.focus = screen->panes.before_inspector;
 }
 
 void command_inspect(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
-    if (screen->inspecting) {
+    if (screen->panes.inspecting) {
         command_close_inspector(&lab->screen);
     } else if (!screen_has_inspector(screen)) {
         laboratory_say(lab, MESSAGE_INFO, "there is no inspector for this method");
     } else {
-        screen->inspecting = true;
-        screen->before_inspector = screen->focus;
-        screen->focus = PANE_INSPECTOR;
-        screen->cursor_time = NAN;
+        screen->panes.inspecting = true;
+        screen->panes.before_inspector = screen->panes.focus;
+        screen->panes.focus = PANE_INSPECTOR;
+        screen->time.cursor = NAN;
     }
 }
 
@@ -156,22 +157,22 @@ void command_inspect(Laboratory *lab)
 bool command_close_top(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
-    if (screen->help)
-        screen->help = false;
+    if (screen->help.open)
+        screen->help.open = false;
     else if (screen->prompt.open)
         prompt_close(&lab->prompting);
-    else if (screen->edit.open)
-        screen->edit.open = false;
-    else if (!isnan(screen->cursor_time))
-        screen->cursor_time = NAN;
+    else if (screen->parameters.edit.open)
+        screen->parameters.edit.open = false;
+    else if (!isnan(screen->time.cursor))
+        screen->time.cursor = NAN;
     else if (screen->eye.open)
         command_map_whole(&lab->screen);
-    else if (screen->zoomed)
-        screen->zoomed = false;
-    else if (screen->inspecting)
+    else if (screen->panes.zoomed)
+        screen->panes.zoomed = false;
+    else if (screen->panes.inspecting)
         command_close_inspector(&lab->screen);
-    else if (screen->filter[0])
-        screen->filter[0] = '\0';
+    else if (screen->parameters.filter[0])
+        screen->parameters.filter[0] = '\0';
     else
         return false;
     return true;
@@ -179,7 +180,7 @@ bool command_close_top(Laboratory *lab)
 
 void command_cancel(Laboratory *lab)
 {
-    if (lab->screen.state == STATE_COMPUTING) {
+    if (lab->screen.playback.state == STATE_COMPUTING) {
         duel_cancel(&lab->player.duel);
         player_pause(lab);
     } else if (!refining_stop(lab))

@@ -10,16 +10,17 @@ void command_export(Laboratory *lab)
 
 void command_filter(Laboratory *lab)
 {
-    if (lab->screen.inspecting)
+    if (lab->screen.panes.inspecting)
         command_close_inspector(&lab->screen);
-    lab->screen.focus = PANE_PARAMETERS;
-    prompt_ask(&lab->prompting, edit_answer_filter, false, lab->screen.filter, "parameters whose name holds");
+    lab->screen.panes.focus = PANE_PARAMETERS;
+    prompt_ask(&lab->prompting, edit_answer_filter, false, lab->screen.parameters.filter,
+               "parameters whose name holds");
 }
 
 void command_help_pages(Laboratory *lab)
 {
-    lab->screen.help = true;
-    lab->screen.help_page = lab->screen.help_scroll = 0;
+    lab->screen.help.open = true;
+    lab->screen.help.page = lab->screen.help.scroll = 0;
 }
 
 static bool answer_quit(Laboratory *lab, const char *text)
@@ -55,7 +56,7 @@ void command_quit(Laboratory *lab)
 
 void command_interrupt(Laboratory *lab)
 {
-    if (lab->screen.state == STATE_COMPUTING) {
+    if (lab->screen.playback.state == STATE_COMPUTING) {
         duel_cancel(&lab->player.duel);
         player_pause(lab);
         laboratory_say(lab, MESSAGE_INFO, "cancelled");

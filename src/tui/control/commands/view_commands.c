@@ -17,48 +17,48 @@ void command_show_view(Laboratory *lab, const View *view)
 {
     Screen *screen = &lab->screen;
     /* where panes are seen one at a time, who asks for a view wants to see it */
-    const bool alone = screen->zoomed || (lab->width > 0 && !screen_is_whole(lab->width, lab->height));
+    const bool alone = screen->panes.zoomed || (lab->width > 0 && !screen_is_whole(lab->width, lab->height));
     const char *missing = view_missing(view, screen);
     if (missing) {
         laboratory_say(lab, MESSAGE_INFO, "%s: %s", view->word, missing);
         return;
     }
     lab->refining.stopped = NULL;
-    if (screen->inspecting) /* it lies over the plots: who asks for one wants to see it */
+    if (screen->panes.inspecting) /* it lies over the plots: who asks for one wants to see it */
         command_close_inspector(&lab->screen);
-    bool in_plot = screen->focus == PANE_UPPER || screen->focus == PANE_LOWER;
-    if (screen->upper == view || screen->lower == view) {
-        PaneId at = in_plot && screen_view_in(screen, screen->focus) == view ? screen->focus
-                    : screen->upper == view                                  ? PANE_UPPER
-                                                                             : PANE_LOWER;
-        if (alone && screen->focus != at)
-            screen->focus = at;
+    bool in_plot = screen->panes.focus == PANE_UPPER || screen->panes.focus == PANE_LOWER;
+    if (screen->views.upper == view || screen->views.lower == view) {
+        PaneId at = in_plot && screen_view_in(screen, screen->panes.focus) == view ? screen->panes.focus
+                    : screen->views.upper == view                                  ? PANE_UPPER
+                                                                                   : PANE_LOWER;
+        if (alone && screen->panes.focus != at)
+            screen->panes.focus = at;
         else
             view_choose_variant(view, screen, view_variant(view, screen) + 1);
         return;
     }
-    PaneId pane = in_plot ? screen->focus : view->home;
+    PaneId pane = in_plot ? screen->panes.focus : view->home;
     if (pane == PANE_UPPER)
-        screen->upper = view;
+        screen->views.upper = view;
     else
-        screen->lower = view;
+        screen->views.lower = view;
     if (alone)
-        screen->focus = pane;
+        screen->panes.focus = pane;
     screen->chosen.table_column = 0;
-    screen->cursor_time = NAN;
+    screen->time.cursor = NAN;
 }
 
 void command_zoom(Laboratory *lab)
 {
-    lab->screen.zoomed = !lab->screen.zoomed;
+    lab->screen.panes.zoomed = !lab->screen.panes.zoomed;
 }
 
 void command_lecture(Laboratory *lab)
 {
-    lab->screen.lecture = !lab->screen.lecture;
-    if (lab->screen.lecture && lab->screen.lesson.open)
+    lab->screen.panes.lecture = !lab->screen.panes.lecture;
+    if (lab->screen.panes.lecture && lab->screen.lesson.open)
         laboratory_say(lab, MESSAGE_INFO, "a lesson keeps its page; the rest gets large when T closes it");
-    else if (lab->screen.lecture && !screen_is_whole(lab->width, lab->height))
+    else if (lab->screen.panes.lecture && !screen_is_whole(lab->width, lab->height))
         laboratory_say(lab, MESSAGE_INFO, "large letters want 80x24 at least; the curves are thick");
 }
 
@@ -71,7 +71,7 @@ static void change_window(Laboratory *lab, int direction)
         return;
     }
     screen_time_window(screen, &from, &to);
-    double length = screen->window > 0 ? screen->window : to - from;
+    double length = screen->time.window > 0 ? screen->time.window : to - from;
     const double dt = experiment_simulation(screen->experiment)->dt, least = 10 * dt;
     const double end = dt * (double)experiment_last_step(screen->experiment);
     double window = player_next_125(length, direction);
@@ -84,7 +84,7 @@ static void change_window(Laboratory *lab, int direction)
                                      : "the time window holds the whole run");
         return;
     }
-    screen->window = window;
+    screen->time.window = window;
     const Problem *facts = experiment_settings(screen->experiment)->problem;
     laboratory_say(lab, MESSAGE_INFO, "time window %g%s", window / facts->shown_time, facts->shown_time_unit);
 }
@@ -105,15 +105,15 @@ void command_automatic(Laboratory *lab)
         command_map_enlarge(lab, 0);
         return;
     }
-    lab->screen.window = 0;
+    lab->screen.time.window = 0;
     laboratory_say(lab, MESSAGE_INFO, "time window automatic");
 }
 
 void command_cycle_references(Laboratory *lab)
 {
     static const char *const texts[SHOW_COUNT] = {"all", "exact only", "predicted only", "none"};
-    lab->screen.references = (ReferencesShown)((lab->screen.references + 1) % SHOW_COUNT);
-    laboratory_say(lab, MESSAGE_INFO, "reference curves: %s", texts[lab->screen.references]);
+    lab->screen.views.references = (ReferencesShown)((lab->screen.views.references + 1) % SHOW_COUNT);
+    laboratory_say(lab, MESSAGE_INFO, "reference curves: %s", texts[lab->screen.views.references]);
 }
 
 void command_cycle_glyphs(Laboratory *lab)
@@ -123,6 +123,6 @@ void command_cycle_glyphs(Laboratory *lab)
         laboratory_say(lab, MESSAGE_INFO, "this locale has ASCII only");
         return;
     }
-    lab->screen.glyphs = (Glyphs)((lab->screen.glyphs + 1) % GLYPHS_COUNT);
-    laboratory_say(lab, MESSAGE_INFO, "glyphs: %s", texts[lab->screen.glyphs]);
+    lab->screen.look.glyphs = (Glyphs)((lab->screen.look.glyphs + 1) % GLYPHS_COUNT);
+    laboratory_say(lab, MESSAGE_INFO, "glyphs: %s", texts[lab->screen.look.glyphs]);
 }

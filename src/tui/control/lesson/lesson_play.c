@@ -87,7 +87,7 @@ void lesson_play_continue(Laboratory *lab)
     if (play->busy)
         return;
     play->busy = true;
-    while (play->next < play->n_queue && lab->screen.state != STATE_COMPUTING)
+    while (play->next < play->n_queue && lab->screen.playback.state != STATE_COMPUTING)
         run_action(lab, play->queue[play->next++]);
     const LessonPage *page = page_now(&lab->screen.lesson);
     if (page && play->next == play->n_queue && !lab->screen.lesson.met)
@@ -107,11 +107,11 @@ static bool opens_scenario(const LessonPage *page)
 static void select_field(Laboratory *lab, const char *key)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
-    lab->screen.filter[0] = '\0';
+    lab->screen.parameters.filter[0] = '\0';
     const int count = screen_parameter_rows(&lab->screen, rows);
     for (int i = 0; i < count; i++)
         if (rows[i].parameter && strcmp(rows[i].parameter->key, key) == 0)
-            lab->screen.selected = i;
+            lab->screen.parameters.selected = i;
 }
 
 /* Turns to a page. What it shows rests on what the pages before it did since the last that opened a scenario;
@@ -140,7 +140,7 @@ static void show_page(Laboratory *lab, int page)
     int *reached = reached_of(lab);
     if (reached && *reached < page + 1)
         *reached = page + 1;
-    lab->screen.focus = PANE_PARAMETERS;
+    lab->screen.panes.focus = PANE_PARAMETERS;
     lesson_play_continue(lab);
     const LessonPage *now = page_now(&lab->screen.lesson);
     if (now->n_fields > 0)
@@ -224,7 +224,7 @@ void lesson_play_toggle(Laboratory *lab)
     }
     lab->screen.lesson.open = true;
     lab->screen.lesson.scroll = 0;
-    lab->screen.focus = PANE_PARAMETERS;
+    lab->screen.panes.focus = PANE_PARAMETERS;
 }
 
 bool lesson_play_answer(Laboratory *lab, const char *text)

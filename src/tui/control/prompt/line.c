@@ -170,7 +170,7 @@ static bool references(Laboratory *lab, const char *words)
 {
     for (int i = 0; i < SHOW_COUNT; i++)
         if (strcmp(words, reference_words[i]) == 0) {
-            lab->screen.references = (ReferencesShown)i;
+            lab->screen.views.references = (ReferencesShown)i;
             return true;
         }
     return prompt_refuse(&lab->prompting, "which reference curves? (all | exact | predicted | none)");

@@ -18,12 +18,12 @@ static bool is_there(const Laboratory *lab, const SessionEvent *event)
  * it did stands where it is. False: it is on its way. */
 static bool approach(Replay *replay, Laboratory *lab, const SessionEvent *event, double deadline)
 {
-    while (lab->screen.state == STATE_COMPUTING || !is_there(lab, event)) {
+    while (lab->screen.playback.state == STATE_COMPUTING || !is_there(lab, event)) {
         const long ahead = event->step - experiment_step(lab->screen.experiment);
-        if (lab->screen.state == STATE_RUNNING && ahead > 0) {
+        if (lab->screen.playback.state == STATE_RUNNING && ahead > 0) {
             lab->player.run_limit = event->step;
             lab->player.owed = (double)ahead;
-        } else if (lab->screen.state != STATE_COMPUTING) {
+        } else if (lab->screen.playback.state != STATE_COMPUTING) {
             if (replay->sought)
                 return true;
             replay->sought = true;
@@ -32,14 +32,14 @@ static bool approach(Replay *replay, Laboratory *lab, const SessionEvent *event,
         laboratory_frame(lab, deadline);
         lab->player.run_limit = -1;
         if (lab->host.now(lab->host.context) >= deadline)
-            return lab->screen.state != STATE_COMPUTING && is_there(lab, event);
+            return lab->screen.playback.state != STATE_COMPUTING && is_there(lab, event);
     }
     return true;
 }
 
 static bool takes_text(const Screen *screen)
 {
-    return screen->prompt.open || screen->edit.open || screen->help;
+    return screen->prompt.open || screen->parameters.edit.open || screen->help.open;
 }
 
 bool replay_go_on(Replay *replay, Laboratory *lab, double deadline)
@@ -52,7 +52,7 @@ bool replay_go_on(Replay *replay, Laboratory *lab, double deadline)
     static const Key space = {.name = "Space", .x = -1, .y = -1};
     const Key *key = event->is_end ? &space : &event->key;
     /* who opens it again finds it paused; as by a key, so that this too can be done again */
-    if (event->is_end && (lab->screen.state != STATE_RUNNING || takes_text(&lab->screen)))
+    if (event->is_end && (lab->screen.playback.state != STATE_RUNNING || takes_text(&lab->screen)))
         return true;
     /* a click means the cell of the screen that it was made on */
     if (event->key.x >= 0 && event->width > 0) {

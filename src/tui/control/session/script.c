@@ -73,7 +73,7 @@ static void frame(Script *script)
 
 static void frame_of_work(Script *script)
 {
-    if (script->lab.screen.state == STATE_COMPUTING)
+    if (script->lab.screen.playback.state == STATE_COMPUTING)
         frame(script);
 }
 
@@ -318,9 +318,9 @@ static bool open_script(Script *script, const LaboratoryOptions *options, Status
                            options->glyphs);
     if (!laboratory_open(&script->lab, options, &host, status))
         return false;
-    script->lab.screen.glyphs = glyphs;
-    script->lab.screen.colours = 256;
-    script->lab.screen.light = theme_is_light(options->theme, NULL);
+    script->lab.screen.look.glyphs = glyphs;
+    script->lab.screen.look.colours = 256;
+    script->lab.screen.look.light = theme_is_light(options->theme, NULL);
     script->lab.utf8 = strcmp(codeset, "UTF-8") == 0;
     script->width = options->width > 0 ? options->width : 80;
     script->height = options->height > 0 ? options->height : 24;
