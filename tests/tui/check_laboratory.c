@@ -66,17 +66,17 @@ END_TEST
 START_TEST(a_late_run_is_late_within_ten_seconds)
 {
     Bench *bench = open_bench("mode5", false);
-    ck_assert_double_eq(bench->lab.screen.pace, 5); /* 111 steps in 0.76 s */
+    ck_assert_double_eq(bench->lab.screen.playback.pace, 5); /* 111 steps in 0.76 s */
     while (bench->time < 10)
         frame(bench);
     const Readout *readout = experiment_readout(bench->lab.screen.experiment);
     ck_assert_double_gt(readout_late(readout, experiment_time(bench->lab.screen.experiment)), 0.5);
     select_parameter(bench, "mesh.cell_size");
     press(bench, "Left");
-    ck_assert_double_eq(bench->lab.screen.pace, 10);
+    ck_assert_double_eq(bench->lab.screen.playback.pace, 10);
     close_bench(bench);
     bench = open_bench("mode10", false); /* late after three periods already: they take their time */
-    ck_assert_double_eq(bench->lab.screen.pace, 0.5);
+    ck_assert_double_eq(bench->lab.screen.playback.pace, 0.5);
     close_bench(bench);
 }
 END_TEST
