@@ -120,7 +120,7 @@ static bool write_lessons(const char *unused)
     (void)unused;
     for (const BuiltinLesson *builtin = builtin_lessons; builtin->name; builtin++) {
         Lesson lesson;
-        if (!lesson_load(builtin->name, line_is_for_lessons, &lesson, NULL))
+        if (!lesson_load(builtin->name, command_line_for_lessons, &lesson, NULL))
             return false;
         puts(".TP");
         say_in("B", builtin->name);
@@ -285,7 +285,8 @@ static void write_parameter(const Parameter *parameter, int concern)
     putchar('.');
     write_of_problems(parameter, concern);
     if (first->concerns & CONCERN_METHODS && parameter->methods != BY_EVERY_METHOD)
-        printf(" Of method %s only.", method_words[parameter->methods & BY_MPM ? METHOD_MPM : METHOD_PD]);
+        printf(" Of method %s only.",
+               settings_method_words[parameter->methods & BY_MPM ? METHOD_MPM : METHOD_PD]);
     write_defaults(parameter, concern);
     if (parameter->live)
         fputs(" May change in mid\\-run.", stdout);

@@ -44,7 +44,7 @@ const char *cli_nearest(const char *word)
         names[count++] = builtin->name;
     for (const CliCommand *command = cli_commands; command->name && count < MOST; command++)
         names[count++] = command->name;
-    return nearest_word(names, word);
+    return parameter_nearest_word(names, word);
 }
 
 static void print_command(const CliCommand *command)

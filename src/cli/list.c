@@ -36,7 +36,7 @@ int cli_list_lessons(Status *status)
         width = strlen(builtin->name) > width ? strlen(builtin->name) : width;
     for (builtin = builtin_lessons; builtin->name; builtin++) {
         Lesson lesson;
-        if (!lesson_load(builtin->name, line_is_for_lessons, &lesson, status))
+        if (!lesson_load(builtin->name, command_line_for_lessons, &lesson, status))
             return (int)status->code;
         printf("%-*s  %s\n", (int)width, builtin->name, lesson.title);
         lesson_free(&lesson);

@@ -228,7 +228,7 @@ static bool unknown(const char *command, const char *name, Status *status)
     for (int i = 0; i < n_options && count < MOST; i++)
         if (takes(&options_table[i], command))
             known[count++] = options_table[i].name;
-    const char *nearest = nearest_word(known, name);
+    const char *nearest = parameter_nearest_word(known, name);
     bool open = strcmp(command, "open") == 0;
     if (nearest)
         return status_fail(status, STATUS_USAGE, "%.60s: unknown option (did you mean %s?)", name, nearest);

@@ -41,7 +41,7 @@ static bool print_derived(Settings *settings, MethodKind method, Status *status)
     settings->method = method;
     if (!derived_text(settings, derived, sizeof derived, status))
         return false;
-    printf("\nFrom these (%s)\n", method_words[method]);
+    printf("\nFrom these (%s)\n", settings_method_words[method]);
     print_indented(derived);
     return true;
 }
@@ -51,10 +51,10 @@ static bool print_problem(const Problem *problem, Status *status)
     Settings settings;
     char methods[32] = "";
     settings_default(&settings, problem);
-    for (int method = 0; method_words[method]; method++)
+    for (int method = 0; settings_method_words[method]; method++)
         if (problem_allows(problem, (MethodKind)method, NULL))
             snprintf(methods + strlen(methods), sizeof methods - strlen(methods), "%s%s",
-                     *methods ? " | " : "", method_words[method]);
+                     *methods ? " | " : "", settings_method_words[method]);
     printf("%s (%s): %s\n", problem->word, methods, problem->title);
     const char *group = "";
     for (int i = 0; i < n_parameters; i++) {
@@ -64,7 +64,7 @@ static bool print_problem(const Problem *problem, Status *status)
             printf("\n%s\n", group = parameters[i].group);
         print_parameter(&settings, &parameters[i]);
     }
-    for (int method = 0; method_words[method]; method++)
+    for (int method = 0; settings_method_words[method]; method++)
         if (problem_allows(problem, (MethodKind)method, NULL) &&
             !print_derived(&settings, (MethodKind)method, status))
             return false;

@@ -25,7 +25,7 @@ static double width_of(const char *text, size_t length, const Type *type)
     enum { RAISED = 40, TIMES = 84, OTHER = 66 };
     int sum = 0;
     for (const char *end = text + length; text < end;) {
-        const uint32_t c = utf8_next(&text);
+        const uint32_t c = glyph_next(&text);
         if (c >= ' ' && c <= '~')
             sum += advances[c - ' '];
         else

@@ -38,7 +38,7 @@ double beam_period_timoshenko(const BeamTheory *beam)
     return 2 * M_PI / sqrt(z);
 }
 
-double cantilever_frequency(const BeamTheory *beam, double length)
+double beam_cantilever_frequency(const BeamTheory *beam, double length)
 {
     const double lambda = 1.8751040687119611; /* the first root of 1 + cosh cos */
     return lambda * lambda / (length * length) * sqrt(gyration(beam) * beam->youngs_modulus / beam->density);

@@ -26,7 +26,7 @@ double beam_midpoint_velocity(const BeamTheory *beam, double period, double t);
 
 /* The first angular frequency of a cantilever of the beam's section and of this length (its own does not
  * count): lambda_1^2 / length^2 sqrt(E h^2 / (12 rho)). */
-double cantilever_frequency(const BeamTheory *beam, double length);
+double beam_cantilever_frequency(const BeamTheory *beam, double length);
 
 /* The frequencies (radians per s, ascending) of the vibration through the thickness that leaves the middle's
  * two sides alike, as a run with steps of dt shows them (paper P, the fast lines of fig. 4). `stiffness`:

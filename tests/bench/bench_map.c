@@ -43,9 +43,9 @@ int main(int count, char **arguments)
         }
         printf("map of %s (%zu nodes) at %s\n", scenario,
                experiment_simulation(scene.screen.experiment)->counts[0], sizes[size]);
-        for (int variant = 0; colour_words[variant]; variant++) {
+        for (int variant = 0; parameter_colour_words[variant]; variant++) {
             view_choose_variant(view_of_map(), &scene.screen, variant);
-            measure(&scene, colour_words[variant]);
+            measure(&scene, parameter_colour_words[variant]);
         }
         view_choose_variant(view_of_map(), &scene.screen, 4);
         scene.screen.look.colours = 0;

@@ -102,7 +102,7 @@ static void any_value(const Parameter *parameter, char *out, size_t size)
         snprintf(out, size, "%s", PICK(odd));
     else if (parameter->choices)
         snprintf(out, size, "%s",
-                 parameter->choices[below(parameter_choices(parameter, &supported_beam_problem))]);
+                 parameter->choices[below(parameter_choices(parameter, &problem_supported_beam))]);
     else if (parameter->type == PARAMETER_TEXT)
         snprintf(out, size, "%s", PICK(texts));
     else if (kind < 25)
@@ -162,7 +162,7 @@ static void any_line(char *out, size_t size)
     else if (kind < 71)
         snprintf(out, size, below(3) ? "show %d" : "show %d %d", 1 + below(9), 1 + below(6));
     else if (kind < 73)
-        snprintf(out, size, "references %s", reference_words[below(4)]);
+        snprintf(out, size, "references %s", parameter_reference_words[below(4)]);
     else if (kind < 75)
         snprintf(out, size, "particle %d", below(3) ? below(60) : below(100000));
     else if (kind < 77)

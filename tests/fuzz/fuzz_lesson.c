@@ -15,7 +15,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         return 0;
     FILE *file = fmemopen((void *)(uintptr_t)data, size, "r");
     FUZZ_ASSERT(file);
-    if (lesson_read(file, "input", line_is_for_lessons, &lesson, &status)) {
+    if (lesson_read(file, "input", command_line_for_lessons, &lesson, &status)) {
         FUZZ_ASSERT(lesson.title && lesson.n_pages > 0);
         for (int i = 0; i < lesson.n_pages; i++)
             FUZZ_ASSERT(!lesson.pages[i].question || lesson.pages[i].right < lesson.pages[i].n_choices);

@@ -28,7 +28,7 @@ static ConvergencePoint point_of(const ConvergenceStudy *study, const Settings *
 static Settings beam(double spacing, SurfaceCorrection correction)
 {
     Settings settings;
-    settings_default(&settings, &supported_beam_problem);
+    settings_default(&settings, &problem_supported_beam);
     settings.lattice.spacing = spacing;
     settings.lattice.horizon = 4 * spacing;
     settings.lattice.surface_correction = correction;
@@ -97,7 +97,7 @@ END_TEST
 START_TEST(cells_of_a_bar_are_of_second_order)
 {
     Settings settings;
-    settings_default(&settings, &bar_problem);
+    settings_default(&settings, &problem_bar);
     settings.start.mode = 5;
     const ConvergenceStudy *study = study_of(&settings, "cells");
     ConvergencePoint points[CONVERGENCE_POINTS_MAX];
@@ -133,9 +133,9 @@ START_TEST(what_cannot_converge_has_no_study)
 {
     const ConvergenceStudy *studies[CONVERGENCE_STUDIES_MAX];
     Settings settings;
-    settings_default(&settings, &notched_beam_problem);
+    settings_default(&settings, &problem_notched_beam);
     ck_assert_int_eq(convergence_studies(&settings, studies), 0);
-    settings_default(&settings, &moving_cantilever_problem);
+    settings_default(&settings, &problem_moving_cantilever);
     ck_assert_int_eq(convergence_studies(&settings, studies), 0);
 }
 END_TEST

@@ -111,15 +111,15 @@ START_TEST(both_stand_at_one_time)
         double end;
         const char *keys;
     } cases[] = {
-        {&bar_problem, 3, "mpm.algorithm=usl"},
-        {&bar_problem, 3, "mesh.cell_size=0.5"},               /* two steps for one */
-        {&bar_problem, 3, "time.courant=0.37 mpm.shape=gimp"}, /* no whole ratio, B is coarser */
-        {&bar_problem, 3, "time.courant=0.03 mesh.particles_per_cell=3"},
-        {&bar_problem, 3, "pd.horizon=2 scenario.method=pd"}, /* which keys there are depends on the method */
-        {&supported_beam_problem, 4e-5, "pd.surface_correction=none"},
-        {&moving_cantilever_problem, 4e-5, "motion.clamp=guide pd.horizon=0.0015"},
+        {&problem_bar, 3, "mpm.algorithm=usl"},
+        {&problem_bar, 3, "mesh.cell_size=0.5"},               /* two steps for one */
+        {&problem_bar, 3, "time.courant=0.37 mpm.shape=gimp"}, /* no whole ratio, B is coarser */
+        {&problem_bar, 3, "time.courant=0.03 mesh.particles_per_cell=3"},
+        {&problem_bar, 3, "pd.horizon=2 scenario.method=pd"}, /* which keys there are depends on the method */
+        {&problem_supported_beam, 4e-5, "pd.surface_correction=none"},
+        {&problem_moving_cantilever, 4e-5, "motion.clamp=guide pd.horizon=0.0015"},
     };
-    const Settings settings = cases[_i].problem == &bar_problem
+    const Settings settings = cases[_i].problem == &problem_bar
                                   ? bar_settings(5, cases[_i].end)
                                   : beam_settings(cases[_i].problem, cases[_i].end);
     Duel duel = begin(&settings, cases[_i].keys, MEGABYTE);
@@ -204,7 +204,7 @@ END_TEST
 
 START_TEST(the_question_suggests_the_next_choice)
 {
-    Settings settings = beam_settings(&moving_cantilever_problem, 1e-4);
+    Settings settings = beam_settings(&problem_moving_cantilever, 1e-4);
     Assignment keys[DUEL_MAX];
     char text[100];
     strcpy(settings.question, "motion.clamp");
@@ -216,7 +216,7 @@ START_TEST(the_question_suggests_the_next_choice)
     duel_write_keys(keys, 1, text, sizeof text);
     ck_assert_str_eq(text, "mpm.algorithm=usl");
     /* what can be left out is left out, not replaced by another kind of it */
-    settings = beam_settings(&supported_beam_problem, 1e-4);
+    settings = beam_settings(&problem_supported_beam, 1e-4);
     ck_assert_int_eq(duel_suggest(&settings, 0, keys), 1);
     duel_write_keys(keys, 1, text, sizeof text);
     ck_assert_str_eq(text, "pd.surface_correction=none");

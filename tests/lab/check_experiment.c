@@ -161,12 +161,12 @@ END_TEST
 
 START_TEST(any_way_to_a_moment_of_a_beam_is_the_same)
 {
-    Settings settings = beam_settings(&notched_beam_problem, 6e-5);
+    Settings settings = beam_settings(&problem_notched_beam, 6e-5);
     settings.loads.stress = 2.4e8; /* things break soon */
     walk_randomly(&settings, 16 * MEGABYTE, 60, 6);
-    settings = beam_settings(&moving_cantilever_problem, 4e-5);
+    settings = beam_settings(&problem_moving_cantilever, 4e-5);
     walk_randomly(&settings, 16 * MEGABYTE, 40, 7);
-    settings = beam_settings(&supported_beam_problem, 4e-5);
+    settings = beam_settings(&problem_supported_beam, 4e-5);
     walk_randomly(&settings, 1, 40, 8);
 }
 END_TEST
@@ -440,7 +440,7 @@ START_TEST(changes_in_mid_run_hold_on_any_way)
     walk_with_changes(&settings, bar, sizeof bar / sizeof *bar, 16 * MEGABYTE, 100, 11);
     set(&settings, "mpm.shape", "gimp");
     walk_with_changes(&settings, bar, sizeof bar / sizeof *bar, 12000, 100, 12);
-    settings = beam_settings(&notched_beam_problem, 6e-5);
+    settings = beam_settings(&problem_notched_beam, 6e-5);
     settings.loads.stress = 2.4e8;
     walk_with_changes(&settings, beam, sizeof beam / sizeof *beam, 4 * MEGABYTE, 30, 13);
 }
@@ -547,7 +547,7 @@ END_TEST
 
 START_TEST(a_filter_survives_a_change_in_the_past)
 {
-    Settings settings = beam_settings(&moving_cantilever_problem, 3e-4);
+    Settings settings = beam_settings(&problem_moving_cantilever, 3e-4);
     Experiment *experiment = open_experiment(&settings, MEGABYTE);
     ck_assert(experiment_advance(experiment, 600, NULL));
     experiment_seek(experiment, 500, 0);
@@ -694,13 +694,13 @@ START_TEST(a_ghost_keeps_what_was_on_screen)
         const char *key, *value, *field;
         size_t count;
     } cases[] = {
-        {&bar_problem, "mesh.cell_size", "0.5", "u", 50},
-        {&bar_problem, "mpm.algorithm", "usl", "stress", 50},
-        {&supported_beam_problem, "pd.surface_correction", "none", "vy", 0},
+        {&problem_bar, "mesh.cell_size", "0.5", "u", 50},
+        {&problem_bar, "mpm.algorithm", "usl", "stress", 50},
+        {&problem_supported_beam, "pd.surface_correction", "none", "vy", 0},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Settings settings =
-            cases[i].problem == &bar_problem ? bar_settings(5, 10) : beam_settings(cases[i].problem, 1e-4);
+            cases[i].problem == &problem_bar ? bar_settings(5, 10) : beam_settings(cases[i].problem, 1e-4);
         Experiment *experiment = open_experiment(&settings, MEGABYTE);
         ck_assert(experiment_advance(experiment, 60, NULL));
         experiment_seek(experiment, 40, 0);

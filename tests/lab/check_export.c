@@ -158,11 +158,11 @@ START_TEST(columns_are_those_of_the_contract)
         const Problem *problem;
         const char *columns;
     } beams[] = {
-        {&supported_beam_problem, "step,time,u_probe,v_probe,u_euler,v_euler,u_timoshenko,v_timoshenko,"
+        {&problem_supported_beam, "step,time,u_probe,v_probe,u_euler,v_euler,u_timoshenko,v_timoshenko,"
                                   "kinetic,strain,work,dissipated,total,broken_bonds"},
-        {&moving_cantilever_problem, "step,time,u_probe,v_probe,length,u_modal,v_modal,v_filtered,"
+        {&problem_moving_cantilever, "step,time,u_probe,v_probe,length,u_modal,v_modal,v_filtered,"
                                      "kinetic,strain,work,dissipated,total,broken_bonds"},
-        {&notched_beam_problem, "step,time,u_probe,v_probe,crack_x,crack_y,crack_length,crack_speed,"
+        {&problem_notched_beam, "step,time,u_probe,v_probe,crack_x,crack_y,crack_length,crack_speed,"
                                 "kinetic,strain,work,dissipated,total,broken_bonds"},
     };
     for (size_t i = 0; i < sizeof beams / sizeof *beams; i++) {
@@ -185,9 +185,9 @@ END_TEST
 
 START_TEST(rows_are_those_of_the_laboratory)
 {
-    static const Problem *const some[] = {&bar_problem, &moving_cantilever_problem, &notched_beam_problem};
+    static const Problem *const some[] = {&problem_bar, &problem_moving_cantilever, &problem_notched_beam};
     for (size_t p = 0; p < sizeof some / sizeof *some; p++) {
-        Settings settings = some[p] == &bar_problem ? bar_settings(5, 3) : beam_settings(some[p], 3e-5);
+        Settings settings = some[p] == &problem_bar ? bar_settings(5, 3) : beam_settings(some[p], 3e-5);
         settings.output.every = 7;
         Outputs outputs = {.asker = ASKER_COMMAND_LINE, .series = in_folder("s.csv"), .force = true};
         run(&settings, &outputs, NULL);
@@ -232,7 +232,7 @@ static void expect_same_scenarios(const char *a, const char *b, bool failed)
 /* Runs, runs again what stands beside, compares all. */
 static void expect_repeats(const Settings *settings, bool may_fail)
 {
-    bool bar = settings->problem == &bar_problem;
+    bool bar = settings->problem == &problem_bar;
     Outputs first = {.asker = ASKER_COMMAND_LINE,
                      .series = in_folder("a.csv"),
                      .particles = in_folder("ap.csv"),
@@ -271,13 +271,13 @@ START_TEST(what_stands_beside_repeats_the_run)
     settings.changes[0] = (Change){100, {"mpm.algorithm", "musl"}};
     settings.changes[1] = (Change){150, {"mpm.transfer", "apic"}};
     expect_repeats(&settings, false);
-    settings = beam_settings(&supported_beam_problem, 2e-5);
+    settings = beam_settings(&problem_supported_beam, 2e-5);
     settings.output.frames = 3;
     expect_repeats(&settings, false);
-    settings = beam_settings(&moving_cantilever_problem, 1.5e-4);
+    settings = beam_settings(&problem_moving_cantilever, 1.5e-4);
     settings.output.every = 13;
     expect_repeats(&settings, false);
-    settings = beam_settings(&notched_beam_problem, 4e-5);
+    settings = beam_settings(&problem_notched_beam, 4e-5);
     settings.n_changes = 1;
     settings.changes[0] = (Change){50, {"load.stress", "240000000"}};
     expect_repeats(&settings, false);
@@ -433,7 +433,7 @@ END_TEST
 
 START_TEST(paraview_gets_a_collection)
 {
-    Settings settings = beam_settings(&supported_beam_problem, 2e-6);
+    Settings settings = beam_settings(&problem_supported_beam, 2e-6);
     Outputs outputs = {.asker = ASKER_COMMAND_LINE, .vtk = in_folder("v.pvd")};
     settings.output.frames = 3;
     run(&settings, &outputs, NULL);

@@ -49,7 +49,7 @@ START_TEST(each_method_has_its_keys)
     ck_assert_double_eq(lattice_spacing(&pd), 0.5 / 3);
     ck_assert_double_eq(lattice_horizon(&pd), 0.5);
     ck_assert_double_eq(bar_pd_definition(&pd).dt, bar_time_step(&mpm));
-    Settings beam = beam_settings(&notched_beam_problem, 1e-5);
+    Settings beam = beam_settings(&problem_notched_beam, 1e-5);
     ck_assert(!settings_set(&beam, "pd.spacing", "auto", &status));
     ck_assert_str_eq(status.text, "pd.spacing: auto is not a number (> 0)");
     ck_assert(!settings_set(&beam, "scenario.method", "mpm", &status));
@@ -112,7 +112,7 @@ START_TEST(the_method_is_a_field_that_can_be_nudged)
     ck_assert_int_eq(other.lattice.surface_correction, SURFACE_NONE);
     ck_assert(settings_nudge(&other, parameter_find("pd.surface_correction"), 1));
     ck_assert_int_eq(other.lattice.surface_correction, SURFACE_ENERGY);
-    Settings beam = beam_settings(&notched_beam_problem, 1e-5);
+    Settings beam = beam_settings(&problem_notched_beam, 1e-5);
     ck_assert(!settings_nudge(&beam, parameter_find("scenario.method"), 1));
 }
 END_TEST
@@ -214,7 +214,7 @@ START_TEST(loads_as_by_the_other_method)
     double crest[2];
     for (int method = 0; method < 2; method++) {
         Settings settings = bar_settings(1, 5);
-        set(&settings, "scenario.method", method_words[method]);
+        set(&settings, "scenario.method", settings_method_words[method]);
         set(&settings, "initial.velocity", "0");
         set(&settings, "load.body_force", "1e-3");
         Experiment *experiment = run(&settings);

@@ -64,8 +64,8 @@ static const Problem membrane_problem = {
 };
 
 const Problem *const problems[] = {
-    &bar_problem,          &supported_beam_problem, &moving_cantilever_problem,
-    &notched_beam_problem, &membrane_problem,       NULL,
+    &problem_bar,          &problem_supported_beam, &problem_moving_cantilever,
+    &problem_notched_beam, &membrane_problem,       NULL,
 };
 
 /* --- a scenario: one text --------------------------------------------------------------------------- */
@@ -236,7 +236,7 @@ START_TEST(beam_theory_leaves_too)
     static const struct {
         const Problem *problem;
         const char *column;
-    } beams[] = {{&supported_beam_problem, "u_timoshenko"}, {&moving_cantilever_problem, "u_modal"}};
+    } beams[] = {{&problem_supported_beam, "u_timoshenko"}, {&problem_moving_cantilever, "u_modal"}};
     static const char *const keys[] = {"pd.damping", "pd.critical_stretch"};
     for (int i = 0; i < 4; i++) {
         const Problem *problem = beams[i / 2].problem;
@@ -260,7 +260,7 @@ END_TEST
 /* A filter looks back over rows; those of the run so far stay as they were when theory leaves beside it. */
 START_TEST(theory_leaves_a_filter_alone)
 {
-    Settings settings = beam_settings(&moving_cantilever_problem, 2e-4);
+    Settings settings = beam_settings(&problem_moving_cantilever, 2e-4);
     Experiment *experiment = open_experiment(&settings, 1 << 22),
                *whole = open_experiment(&settings, 1 << 22);
     const long half = experiment_last_step(experiment) / 2;

@@ -62,7 +62,7 @@ END_TEST
 /* The table and the engines must not drift apart. */
 START_TEST(defaults_are_those_of_the_engines)
 {
-    Settings bar = set_of(&bar_problem);
+    Settings bar = set_of(&problem_bar);
     BarDef engine = bar_default();
     ck_assert(bar.geometry.length == engine.length && bar.time.courant == engine.courant);
     ck_assert_int_eq(bar.mesh.padding, engine.padding);
@@ -104,9 +104,9 @@ START_TEST(values_read_back)
             continue;
         /* what only the bar's other method reads is read by that one */
         if (!settings_have(&from, row)) {
-            ck_assert_ptr_eq(problems[_i], &bar_problem);
+            ck_assert_ptr_eq(problems[_i], &problem_bar);
             from.method = to.method = METHOD_PD;
-        } else if (problems[_i] == &bar_problem) {
+        } else if (problems[_i] == &problem_bar) {
             from.method = to.method = row->methods == BY_PD ? METHOD_PD : METHOD_MPM;
         }
         char value[LIST_MAX];
@@ -124,7 +124,7 @@ END_TEST
 
 START_TEST(wrong_values_are_refused)
 {
-    Settings bar = set_of(&bar_problem), notched = set_of(&notched_beam_problem);
+    Settings bar = set_of(&problem_bar), notched = set_of(&problem_notched_beam);
     expect_refused(&bar, "mesh.cell_size", "abc", "mesh.cell_size: abc is not a number (> 0)");
     expect_refused(&bar, "mesh.cell_size", "0", "mesh.cell_size: 0 is out of range (> 0)");
     expect_refused(&bar, "mesh.cell_size", "", "mesh.cell_size: has no value (> 0)");
@@ -166,33 +166,33 @@ START_TEST(the_whole_is_checked)
         const Problem *problem;
         const char *key, *value, *message;
     } cases[] = {
-        {&bar_problem, "mesh.cell_size", "0.7", "mesh.cell_size: the length 25"},
-        {&bar_problem, "initial.mode", "0", "initial.mode: 0 is rigid motion"},
-        {&bar_problem, "initial.mode", "51", "initial.mode: 51 is finer"},
-        {&bar_problem, "initial.overtones", "1:0.1", "initial.overtones: mode 1 is initial.mode"},
-        {&bar_problem, "initial.overtones", "3:0.1,3:0.2", "initial.overtones: mode 3 stands twice"},
-        {&bar_problem, "initial.overtones", "3", "initial.overtones: \"3\" cannot be read"},
-        {&bar_problem, "initial.overtones", "3:0.1,", "initial.overtones: ends in a comma"},
-        {&bar_problem, "load.traction_layer", "26", "load.traction_layer: 26 is out of range"},
-        {&bar_problem, "output.at", "1,x", "output.at: \"x\" is not a time"},
-        {&bar_problem, "output.at", "2,1", "output.at: 1 does not come after 2"},
-        {&bar_problem, "output.at", "101", "output.at: 101 is after the end"},
-        {&bar_problem, "time.end", "1e300", "time.end: 1e+300 takes"},
-        {&bar_problem, "question.key", "bar.length", "question.key: bar.length cannot be toggled"},
-        {&supported_beam_problem, "pd.horizon", "1e-4", "pd.horizon: 0.0001 is below the spacing"},
-        {&moving_cantilever_problem, "time.end", "6e-3", "motion.channel: 0.055 is too short"},
-        {&notched_beam_problem, "notch.position", "0.3", "notch.position: 0.3 is outside the beam"},
-        {&notched_beam_problem, "notch.depth", "0.08", "notch.depth: 0.08"},
-        {&notched_beam_problem, "load.position", "0.21", "load.position: the load from"},
-        {&notched_beam_problem, "supports.right", "0.22", "supports.right: 0.22 is off the beam"},
-        {&notched_beam_problem, "supports.left", "0.205", "supports.left: 0.205"},
+        {&problem_bar, "mesh.cell_size", "0.7", "mesh.cell_size: the length 25"},
+        {&problem_bar, "initial.mode", "0", "initial.mode: 0 is rigid motion"},
+        {&problem_bar, "initial.mode", "51", "initial.mode: 51 is finer"},
+        {&problem_bar, "initial.overtones", "1:0.1", "initial.overtones: mode 1 is initial.mode"},
+        {&problem_bar, "initial.overtones", "3:0.1,3:0.2", "initial.overtones: mode 3 stands twice"},
+        {&problem_bar, "initial.overtones", "3", "initial.overtones: \"3\" cannot be read"},
+        {&problem_bar, "initial.overtones", "3:0.1,", "initial.overtones: ends in a comma"},
+        {&problem_bar, "load.traction_layer", "26", "load.traction_layer: 26 is out of range"},
+        {&problem_bar, "output.at", "1,x", "output.at: \"x\" is not a time"},
+        {&problem_bar, "output.at", "2,1", "output.at: 1 does not come after 2"},
+        {&problem_bar, "output.at", "101", "output.at: 101 is after the end"},
+        {&problem_bar, "time.end", "1e300", "time.end: 1e+300 takes"},
+        {&problem_bar, "question.key", "bar.length", "question.key: bar.length cannot be toggled"},
+        {&problem_supported_beam, "pd.horizon", "1e-4", "pd.horizon: 0.0001 is below the spacing"},
+        {&problem_moving_cantilever, "time.end", "6e-3", "motion.channel: 0.055 is too short"},
+        {&problem_notched_beam, "notch.position", "0.3", "notch.position: 0.3 is outside the beam"},
+        {&problem_notched_beam, "notch.depth", "0.08", "notch.depth: 0.08"},
+        {&problem_notched_beam, "load.position", "0.21", "load.position: the load from"},
+        {&problem_notched_beam, "supports.right", "0.22", "supports.right: 0.22 is off the beam"},
+        {&problem_notched_beam, "supports.left", "0.205", "supports.left: 0.205"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Settings settings = set_of(cases[i].problem);
         set(&settings, cases[i].key, cases[i].value);
         expect_unsound(&settings, cases[i].message);
     }
-    Settings free_bar = set_of(&bar_problem);
+    Settings free_bar = set_of(&problem_bar);
     set(&free_bar, "initial.mode", "0");
     set(&free_bar, "bar.supports", "free-free");
     ck_assert(settings_check(&free_bar, NULL));
@@ -209,7 +209,7 @@ static void expect_nudge(Settings *settings, const char *key, int direction, con
 
 START_TEST(nudges_take_the_next_value)
 {
-    Settings bar = set_of(&bar_problem), beam = set_of(&notched_beam_problem);
+    Settings bar = set_of(&problem_bar), beam = set_of(&problem_notched_beam);
     expect_nudge(&bar, "initial.mode", 1, "2");
     expect_nudge(&bar, "mesh.cell_size", -1, "0.5");
     expect_nudge(&bar, "mesh.cell_size", 1, "1");
@@ -248,7 +248,7 @@ END_TEST
 
 START_TEST(two_handles_on_breaking)
 {
-    Settings beam = set_of(&notched_beam_problem);
+    Settings beam = set_of(&problem_notched_beam);
     ck_assert(fabs(beam.bonds.critical_energy - 35.68) < 0.005);
     ck_assert(!beam.bonds.energy_given);
     set(&beam, "pd.critical_energy", "50");
@@ -264,7 +264,7 @@ END_TEST
 
 START_TEST(differences_are_named)
 {
-    Settings a = set_of(&bar_problem), b = a;
+    Settings a = set_of(&problem_bar), b = a;
     char text[60];
     ck_assert(settings_same(&a, &b));
     settings_name(&a, &b, text, sizeof text);
@@ -292,7 +292,7 @@ START_TEST(lists_are_read)
     ck_assert_int_eq(overtones_read("3:0.03, 7:-0.01", overtones, NULL), 2);
     ck_assert(overtones[1].mode == 7 && overtones[1].velocity == -0.01);
     double times[TIMES_MAX];
-    ck_assert_int_eq(times_read("0,1e-4, 2e-4", times, NULL), 3);
+    ck_assert_int_eq(settings_times_read("0,1e-4, 2e-4", times, NULL), 3);
     ck_assert(times[2] == 2e-4);
     ck_assert(text_is_clean("\xc3\xa9 \xe2\x82\xac") && !text_is_clean("\xc3") && !text_is_clean("\xc0\xaf"));
 }

@@ -207,7 +207,7 @@ START_TEST(what_rests_has_no_frequency)
     /* an overtone is a vibration */
     strcpy(settings.start.overtones, "2:0.01");
     ck_assert(read_out(&settings).moving);
-    settings = beam_settings(&notched_beam_problem, 2e-6);
+    settings = beam_settings(&problem_notched_beam, 2e-6);
     ck_assert(!read_out(&settings).moving);
 }
 END_TEST
@@ -265,7 +265,7 @@ START_TEST(a_supported_beam_s_period_is_read)
 {
     /* Table 1's coarsest lattice */
     Settings settings;
-    settings_default(&settings, &supported_beam_problem);
+    settings_default(&settings, &problem_supported_beam);
     set(&settings, "pd.horizon", "5e-3");
     set(&settings, "pd.spacing", "1.2e-3");
     settings.time.end = 2e-3;
@@ -292,7 +292,7 @@ END_TEST
 START_TEST(a_beam_rings_through_its_height)
 {
     Settings settings;
-    settings_default(&settings, &supported_beam_problem);
+    settings_default(&settings, &problem_supported_beam);
     set(&settings, "pd.horizon", "2e-3");
     set(&settings, "pd.spacing", "0.5e-3");
     Experiment *experiment = open_experiment(&settings, 1 << 20);
@@ -319,7 +319,7 @@ END_TEST
 START_TEST(a_moving_cantilever_is_read_at_its_zeros)
 {
     const double shift = 2e-5;
-    Settings settings = beam_settings(&moving_cantilever_problem, 5e-3);
+    Settings settings = beam_settings(&problem_moving_cantilever, 5e-3);
     Simulation *sim = simulate(&settings);
     References *refs = refer(&settings, sim);
     BeamTheory theory = {.length = settings.geometry.length,
@@ -384,7 +384,7 @@ static double slow(double t)
 
 START_TEST(the_filter_takes_thickness_modes_away_and_does_not_lag)
 {
-    Settings settings = beam_settings(&moving_cantilever_problem, 5e-3);
+    Settings settings = beam_settings(&problem_moving_cantilever, 5e-3);
     Simulation *sim = simulate(&settings);
     References *refs = refer(&settings, sim);
     Column columns[COLUMNS_MAX];
@@ -452,7 +452,7 @@ START_TEST(courant_numbers_are_warned_of_and_refused)
     set(&settings, "time.courant", "1.5");
     ck_assert(problem_advice(&settings, advice, sizeof advice, NULL));
     ck_assert(*advice);
-    settings = beam_settings(&notched_beam_problem, 1e-6);
+    settings = beam_settings(&problem_notched_beam, 1e-6);
     ck_assert(problem_advice(&settings, advice, sizeof advice, NULL));
     ck_assert_str_eq(advice, "");
     set(&settings, "pd.horizon", "6e-3");
@@ -498,7 +498,7 @@ START_TEST(derived_numbers_follow_from_the_settings)
     Derived rows[DERIVED_MAX];
     for (int p = 0; problems[p]; p++) {
         const Problem *problem = problems[p];
-        Settings settings = problem == &bar_problem ? bar_settings(5, 1) : beam_settings(problem, 1e-6);
+        Settings settings = problem == &problem_bar ? bar_settings(5, 1) : beam_settings(problem, 1e-6);
         Simulation *sim = simulate(&settings);
         int n = problem_derived(&settings, sim, rows), without = 0;
         ck_assert_int_gt(n, 4);
@@ -507,7 +507,7 @@ START_TEST(derived_numbers_follow_from_the_settings)
             for (int j = 0; j < i; j++)
                 ck_assert_str_ne(rows[i].name, rows[j].name);
         ck_assert_double_eq(derived_value(rows, n, "dt"), sim->dt);
-        if (problem == &bar_problem) {
+        if (problem == &problem_bar) {
             ck_assert_double_eq_tol(derived_value(rows, n, "omega"), 5.6548667765, 1e-9);
             ck_assert_double_eq_tol(derived_value(rows, n, "omega_predicted"), 5.4151680880, 1e-9);
             ck_assert_double_eq(derived_value(rows, n, "particles"), 50);
@@ -517,11 +517,11 @@ START_TEST(derived_numbers_follow_from_the_settings)
         }
         /* what needs no simulation is there without one */
         without = problem_derived(&settings, NULL, rows);
-        ck_assert(problem == &bar_problem ? without == n : without > 0 && without < n);
+        ck_assert(problem == &problem_bar ? without == n : without > 0 && without < n);
         simulation_destroy(sim);
     }
     Settings settings;
-    settings_default(&settings, &notched_beam_problem);
+    settings_default(&settings, &problem_notched_beam);
     int n = problem_derived(&settings, NULL, rows);
     ck_assert_double_eq_tol(derived_value(rows, n, "critical_energy"), 35.68, 0.01);
 }
@@ -557,7 +557,7 @@ START_TEST(a_run_cut_short_leaves_out_what_comes_later)
     ck_assert_double_eq(settings.time.end, 2);
     ck_assert_str_eq(settings.output.at, "0,0.5,2");
     ck_assert_int_eq(settings.n_changes, 1);
-    Settings beam = beam_settings(&supported_beam_problem, 1e-3);
+    Settings beam = beam_settings(&problem_supported_beam, 1e-3);
     problem_end_at(&beam, 1.5e-7, 10);
     ck_assert_double_eq(beam.time.step, 1.5e-7);
 }
@@ -567,11 +567,11 @@ START_TEST(every_problem_has_its_method)
 {
     for (int p = 0; problems[p]; p++) {
         const Problem *problem = problems[p];
-        ck_assert(problem_allows(problem, METHOD_MPM, NULL) == (problem == &bar_problem));
+        ck_assert(problem_allows(problem, METHOD_MPM, NULL) == (problem == &problem_bar));
         ck_assert(problem_allows(problem, METHOD_PD, NULL));
         ck_assert_uint_gt(strlen(problem->title), 10);
     }
-    Settings settings = beam_settings(&supported_beam_problem, 1e-5);
+    Settings settings = beam_settings(&problem_supported_beam, 1e-5);
     settings.method = METHOD_MPM;
     Status status = {0};
     ck_assert_ptr_null(problem_simulate(&settings, 1, &status));

@@ -77,7 +77,7 @@ START_TEST(a_file_is_read)
     ck_assert_str_eq(s.changes[2].to.value, "usl");
     expect_round_trip(&s);
     s = read_text("[time]\nend=1e-3\n[scenario]\nproblem=notched-beam\n[pd]\ncritical_energy=30\n");
-    ck_assert(s.problem == &notched_beam_problem && s.bonds.energy_given && s.bonds.critical_energy == 30 &&
+    ck_assert(s.problem == &problem_notched_beam && s.bonds.energy_given && s.bonds.critical_energy == 30 &&
               s.time.end == 1e-3);
     expect_round_trip(&s);
 }

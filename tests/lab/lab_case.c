@@ -7,7 +7,7 @@
 Settings bar_settings(int mode, double end)
 {
     Settings settings;
-    settings_default(&settings, &bar_problem);
+    settings_default(&settings, &problem_bar);
     settings.start.mode = mode;
     settings.time.end = end;
     return settings;
@@ -24,7 +24,7 @@ Settings beam_settings(const Problem *problem, double end)
     Settings settings;
     settings_default(&settings, problem);
     settings.time.end = end;
-    if (problem == &notched_beam_problem) {
+    if (problem == &problem_notched_beam) {
         settings.geometry.length = 0.1;
         settings.geometry.height = 0.04;
         set(&settings, "pd.horizon", "4e-3");

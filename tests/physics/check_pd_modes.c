@@ -115,10 +115,10 @@ END_TEST
 START_TEST(rayleigh_speed_is_the_root)
 {
     /* (2 - r)^2 = 4 sqrt(1 - r/3) sqrt(1 - r) with r = (c_R/c_s)^2, for c_L^2 = 3 c_s^2 */
-    const double r = pow(rayleigh_speed(65e9, 2235), 2) / (3 * 65e9 / (8 * 2235));
+    const double r = pow(crack_speed_rayleigh(65e9, 2235), 2) / (3 * 65e9 / (8 * 2235));
     ck_assert_double_eq_tol((2 - r) * (2 - r), 4 * sqrt(1 - r / 3) * sqrt(1 - r), 1e-14);
-    ck_assert_double_eq_tol(rayleigh_speed(34.48e9, 2400), 2134.0222232867636, 1e-9);
-    ck_assert_double_eq_tol(rayleigh_speed(65e9, 2235), 3036.259206217476, 1e-9);
+    ck_assert_double_eq_tol(crack_speed_rayleigh(34.48e9, 2400), 2134.0222232867636, 1e-9);
+    ck_assert_double_eq_tol(crack_speed_rayleigh(65e9, 2235), 3036.259206217476, 1e-9);
 }
 END_TEST
 

@@ -538,20 +538,20 @@ START_TEST(an_event_of_the_log_is_chosen_by_the_mouse)
     ck_assert_int_ge(row_with(bench, events[count - 1].text), 0);
     ck_assert_int_lt(row_with(bench, events[0].text), 0);
     click_at(bench, "Click", rect.x + 5, rect.y + 1);
-    const int chosen = screen_log_chosen(screen);
+    const int chosen = view_log_chosen(screen);
     ck_assert_int_eq(chosen, count - (rect.height - 1));
     ck_assert_int_eq(row_with(bench, events[chosen].text), rect.y + 1); /* nothing has moved */
     press(bench, "Enter");
     ck_assert_int_eq(step_of(bench), events[chosen].step);
     press(bench, "Up"); /* beyond the first one that is seen */
-    ck_assert_int_eq(screen_log_chosen(screen), chosen - 1);
+    ck_assert_int_eq(view_log_chosen(screen), chosen - 1);
     ck_assert_int_eq(row_with(bench, events[chosen - 1].text), rect.y + 1);
     press(bench, "Down");
     ck_assert_int_eq(row_with(bench, events[chosen].text), rect.y + 2);
     for (int i = 0; i < count; i++)
         click_at(bench, "WheelUp", rect.x + 5, rect.y + 2);
     ck_assert_int_eq(row_with(bench, events[0].text), rect.y + 1);
-    ck_assert_int_lt(screen_log_chosen(screen), rect.height - 1); /* kept in sight */
+    ck_assert_int_lt(view_log_chosen(screen), rect.height - 1); /* kept in sight */
     for (int i = 0; i < count; i++)
         click_at(bench, "WheelDown", rect.x + 5, rect.y + 2);
     ck_assert_int_ge(row_with(bench, events[count - 1].text), 0);
@@ -583,7 +583,7 @@ START_TEST(the_log_of_a_duel_tells_of_both)
     long before = -1;
     for (int i = 0; i < first + second; i++) {
         screen->log.event = i;
-        const long step = screen_log_step(screen);
+        const long step = view_log_step(screen);
         ck_assert_int_ge(step, before);
         before = step;
         press(bench, "Enter");

@@ -16,7 +16,7 @@ static bool read_text(const char *text, Lesson *lesson, Status *status)
     FILE *stream = fmemopen((void *)text, strlen(text), "r");
     ck_assert_ptr_nonnull(stream);
     *status = (Status){STATUS_DONE, ""};
-    bool sound = lesson_read(stream, "my.lesson", line_is_for_lessons, lesson, status);
+    bool sound = lesson_read(stream, "my.lesson", command_line_for_lessons, lesson, status);
     fclose(stream);
     return sound;
 }

@@ -283,7 +283,7 @@ START_TEST(a_scenario_opens_as_its_view_says)
     double from, to;
     ck_assert_int_eq(screen->views.upper->digit, 3);
     ck_assert_int_eq(screen->views.lower->digit, 6);
-    screen_time_window(screen, &from, &to);
+    time_plot_window(screen, &from, &to);
     ck_assert_double_eq(to - from, 7.5);
     ck_assert_double_eq(screen->playback.pace, 3);
     ck_assert_int_eq(screen->views.references, SHOW_EXACT);
@@ -311,11 +311,11 @@ START_TEST(the_time_window_narrows_widens_and_finds_itself)
         screen->panes.focus = PANE_LOWER;
         double from, to, length, end = experiment_settings(screen->experiment)->time.end;
         const double dt = experiment_simulation(screen->experiment)->dt;
-        screen_time_window(screen, &from, &to);
+        time_plot_window(screen, &from, &to);
         const double automatic = length = to - from;
         for (int k = 0; k < 60; k++, length = to - from) {
             press(bench, "n");
-            screen_time_window(screen, &from, &to);
+            time_plot_window(screen, &from, &to);
             ck_assert_double_le(to - from, length * (1 + 1e-9));
             ck_assert_double_ge(to - from, 10 * dt * (1 - 1e-9));
         }
@@ -323,14 +323,14 @@ START_TEST(the_time_window_narrows_widens_and_finds_itself)
         ck_assert_double_lt(length, 25 * dt);
         for (int k = 0; k < 60; k++, length = to - from) {
             press(bench, "N");
-            screen_time_window(screen, &from, &to);
+            time_plot_window(screen, &from, &to);
             ck_assert_double_ge(to - from, length * (1 - 1e-9));
         }
         ck_assert(shows(bench, "holds the whole run"));
         ck_assert_double_ge(length, end);
         ck_assert_double_lt(length, 2.6 * end);
         press(bench, "a");
-        screen_time_window(screen, &from, &to);
+        time_plot_window(screen, &from, &to);
         ck_assert_double_eq_tol(to - from, automatic, 1e-9 * automatic);
         close_bench(bench);
     }

@@ -33,7 +33,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
 {
     const Axis x = axis_make(0, 1, 3), y = axis_make(0, 2, 3);
     (void)screen;
-    draw_heading(area, heading, variant == 1 ? "a new view, the second" : "a new view", "", NULL, 0);
+    heading_draw(area, heading, variant == 1 ? "a new view, the second" : "a new view", "", NULL, 0);
     axes_draw(area_part(area, 0, 1, area.rect.width, area.rect.height - 1), &x, &y, "x", GUTTER);
 }
 

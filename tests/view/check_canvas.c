@@ -57,7 +57,7 @@ START_TEST(bad_bytes_become_question_marks)
     canvas_text(&canvas, 0, 0, 12, "a\xff\xc3(\xe2\x82z\x80\x1b[", STYLE_NORMAL);
     expect_dump(&canvas, "a?"
                          "?(?z? [\n");
-    ck_assert_int_eq(text_columns("Δε ≈ 1"), 6);
+    ck_assert_int_eq(glyphs_columns("Δε ≈ 1"), 6);
     canvas_close(&canvas);
 }
 END_TEST
@@ -68,7 +68,7 @@ START_TEST(no_control_reaches_a_cell)
     Canvas canvas = open_canvas(3, 1);
     for (uint32_t glyph = 1; glyph < 0x110000; glyph++) {
         char text[5] = "";
-        utf8_put(text, glyph);
+        glyph_put(text, glyph);
         canvas_put(&canvas, 0, 0, glyph, STYLE_NORMAL);
         canvas_text(&canvas, 1, 0, 1, text, STYLE_NORMAL);
         for (int x = 0; x < 2; x++) {
@@ -102,7 +102,7 @@ END_TEST
 START_TEST(wide_characters_keep_their_two_cells)
 {
     Canvas canvas = open_canvas(6, 2);
-    ck_assert_int_eq(text_columns("梁x"), 3);
+    ck_assert_int_eq(glyphs_columns("梁x"), 3);
     ck_assert_int_eq(canvas_text(&canvas, 0, 0, 6, "梁の振", STYLE_NORMAL), 6);
     expect_dump(&canvas, "梁の振\n\n");
     canvas_put(&canvas, 1, 0, '!', STYLE_NORMAL); /* the second half */
@@ -130,8 +130,8 @@ START_TEST(scalars_survive_utf8)
     for (size_t i = 0; i < sizeof glyphs / sizeof *glyphs; i++) {
         char bytes[5] = "";
         const char *here = bytes;
-        size_t length = utf8_put(bytes, glyphs[i]);
-        ck_assert_uint_eq(utf8_next(&here), glyphs[i]);
+        size_t length = glyph_put(bytes, glyphs[i]);
+        ck_assert_uint_eq(glyph_next(&here), glyphs[i]);
         ck_assert_ptr_eq(here, bytes + length);
     }
 }
@@ -143,9 +143,9 @@ START_TEST(commands_are_unambiguous)
         const Command *command = &commands[i];
         ck_assert_ptr_eq(command_find(command->id), command);
         ck_assert_ptr_eq(command_by_name(command->name), command);
-        ck_assert_msg(text_columns(command_brief(command)) <= 8, "%s: %s", command->name,
+        ck_assert_msg(glyphs_columns(command_brief(command)) <= 8, "%s: %s", command->name,
                       command_brief(command));
-        ck_assert_msg(text_columns(command_help(command)) <= 84, "%s: help is long", command->name);
+        ck_assert_msg(glyphs_columns(command_help(command)) <= 84, "%s: help is long", command->name);
         char keys[64];
         ck_assert_uint_lt(strlen(command->keys), sizeof keys);
         strcpy(keys, command->keys);

@@ -192,11 +192,11 @@ START_TEST(every_colour_word_is_known)
     Settings settings;
     Status status = {STATUS_DONE, ""};
     Screen screen;
-    settings_default(&settings, &notched_beam_problem);
+    settings_default(&settings, &problem_notched_beam);
     screen_default(&screen);
     int count = 0;
-    for (; colour_words[count]; count++) {
-        ck_assert(settings_set(&settings, "view.colour", colour_words[count], &status));
+    for (; parameter_colour_words[count]; count++) {
+        ck_assert(settings_set(&settings, "view.colour", parameter_colour_words[count], &status));
         screen_read_view(&screen, &settings.view);
         ck_assert_int_eq(screen.views.variants[0].variant, count);
     }

@@ -51,7 +51,7 @@ START_TEST(rounded_up_is_above_and_near)
     for (int i = 0; i < 20000; i++) {
         double value = pow(10, random_share(&state) * 40 - 20), up = axis_round_up(value);
         ck_assert_msg(up >= value * (1 - 1e-9) && up <= 1.5 * value, "%g -> %g", value, up);
-        double step = step_round_up(value), down = step_round_down(value);
+        double step = axis_step_up(value), down = axis_step_down(value);
         ck_assert_msg(step >= value * (1 - 1e-9) && step <= 2.51 * value, "%g -> %g", value, step);
         ck_assert_msg(down <= value * (1 + 1e-9) && down >= value / 2.51, "%g -> %g", value, down);
     }

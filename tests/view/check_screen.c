@@ -246,7 +246,7 @@ typedef void Draw(const Screen *, Area);
 START_TEST(nothing_leaves_its_pane)
 {
     static Draw *const draws[] = {pane_title, pane_bar,  pane_parameters, pane_mesh,
-                                  pane_box,   pane_help, pane_banner,     pane_chosen_parameter};
+                                  pane_box,   help_draw, pane_banner,     pane_chosen_parameter};
     const int panes = (int)(sizeof draws / sizeof *draws), drawings = panes + n_views;
     static const char *const words[] = {"mode5 80x24 700 stage 3", "mode5 80x24 700 running",
                                         "notched-beam-coarse 80x24 30 stage 5", "crossing 80x24 900 ended"};

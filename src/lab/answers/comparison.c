@@ -290,7 +290,7 @@ static int add_keys(const Duel *duel, Comparison *rows)
     return count;
 }
 
-int duel_compare(const Duel *duel, Comparison rows[COMPARISONS_MAX])
+int comparison_of_duel(const Duel *duel, Comparison rows[COMPARISONS_MAX])
 {
     if (!duel->b)
         return 0;

@@ -15,6 +15,6 @@ typedef struct Comparison {
 
 /* At the present step of each, which stand between steps. Rows that neither run has are left out. Returns how
  * many there are; 0: there is no duel. */
-int duel_compare(const Duel *, Comparison rows[COMPARISONS_MAX]);
+int comparison_of_duel(const Duel *, Comparison rows[COMPARISONS_MAX]);
 
 #endif

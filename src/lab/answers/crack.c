@@ -31,7 +31,7 @@ bool crack_price(const Simulation *sim, const Settings *settings, CrackPrice *pr
 
 double crack_rayleigh_speed(const Settings *settings)
 {
-    return rayleigh_speed(settings->material.youngs_modulus, settings->material.density);
+    return crack_speed_rayleigh(settings->material.youngs_modulus, settings->material.density);
 }
 
 size_t crack_line(const Simulation *sim, double *x, double *y, size_t max)

@@ -15,7 +15,7 @@ static void add(Frames *frames, long step)
 bool frames_plan(Frames *frames, const Settings *settings, double dt, long last, Status *status)
 {
     double times[TIMES_MAX];
-    int n_times = times_read(settings->output.at, times, status);
+    int n_times = settings_times_read(settings->output.at, times, status);
     if (n_times < 0)
         return false;
     size_t most = settings->output.frames > 1 ? (size_t)settings->output.frames : 1;

@@ -276,7 +276,7 @@ static bool unknown(const char *name, Status *status)
     int count = 0;
     for (const BuiltinLesson *builtin = builtin_lessons; builtin->name && count < MOST; builtin++)
         names[count++] = builtin->name;
-    const char *nearest = nearest_word(names, name);
+    const char *nearest = parameter_nearest_word(names, name);
     if (!nearest)
         return status_fail(status, STATUS_USAGE, "%s: no such lesson or file (see: matvib lesson --list)",
                            name);

@@ -74,7 +74,7 @@ void problem_end_at(Settings *settings, double dt, long step)
         settings->time.step = dt;
     while (settings->n_changes > 0 && settings->changes[settings->n_changes - 1].step > step)
         settings->n_changes--;
-    int n = times_read(settings->output.at, times, NULL), kept = n;
+    int n = settings_times_read(settings->output.at, times, NULL), kept = n;
     while (kept > 0 && lround(times[kept - 1] / dt) > step)
         kept--;
     if (kept == n)

@@ -126,7 +126,7 @@ struct Problem {
     bool end_matters;            /* another time.end is another run from the start on */
 };
 
-extern const Problem bar_problem, supported_beam_problem, moving_cantilever_problem, notched_beam_problem;
+extern const Problem problem_bar, problem_supported_beam, problem_moving_cantilever, problem_notched_beam;
 
 enum { PROBLEMS_MAX = 32 };
 extern const Problem *const problems[]; /* ended by NULL */

@@ -2,5 +2,5 @@
 #include "lab/problems/problem.h"
 
 const Problem *const problems[] = {
-    &bar_problem, &supported_beam_problem, &moving_cantilever_problem, &notched_beam_problem, NULL,
+    &problem_bar, &problem_supported_beam, &problem_moving_cantilever, &problem_notched_beam, NULL,
 };

@@ -13,5 +13,6 @@ bool problem_allows(const Problem *problem, MethodKind method, Status *status)
 {
     return problem_solver(problem, method) ||
            status_fail(status, STATUS_USAGE, "scenario.method: %s cannot solve problem %s (%s)",
-                       method_words[method], problem->word, method_words[problem->solvers[0]->method]);
+                       settings_method_words[method], problem->word,
+                       settings_method_words[problem->solvers[0]->method]);
 }

@@ -8,6 +8,6 @@
 #define USE(name, value) .key = name, .usual = value
 
 extern const Solver bar_by_mpm, bar_by_pd;
-extern const Solver supported_beam_by_pd, moving_cantilever_by_pd, notched_beam_by_pd;
+extern const Solver beam_by_pd_supported, beam_by_pd_moving, beam_by_pd_notched;
 
 #endif

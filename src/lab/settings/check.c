@@ -64,7 +64,7 @@ bool settings_check(const Settings *settings, Status *status)
         !problem_solver(settings->problem, settings->method)->check(settings, status))
         return false;
     double times[TIMES_MAX];
-    int n_times = times_read(settings->output.at, times, status);
+    int n_times = settings_times_read(settings->output.at, times, status);
     if (n_times < 0)
         return false;
     if (n_times > 0 && times[n_times - 1] > settings->time.end * (1 + 1e-9))

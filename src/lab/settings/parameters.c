@@ -8,9 +8,9 @@
 #include <stdio.h>
 #include <string.h>
 
-const char *const method_titles[] = {"MPM", "PD"};
-const char *const reference_words[] = {"all", "exact", "predicted", "none", NULL};
-const char *const colour_words[] = {
+const char *const parameter_method_titles[] = {"MPM", "PD"};
+const char *const parameter_reference_words[] = {"all", "exact", "predicted", "none", NULL};
+const char *const parameter_colour_words[] = {
     "uy", "ux", "velocity", "energy", "damage", "family", "surface_factor", "drawing", NULL};
 
 #define TEXT(member) offsetof(Settings, member), sizeof(((Settings *)NULL)->member)
@@ -95,7 +95,7 @@ static size_t too_far(const char *wrong)
     return length < 3 ? length : (share < 2 ? 2 : share) + 1;
 }
 
-const char *nearest_word(const char *const *words, const char *wrong)
+const char *parameter_nearest_word(const char *const *words, const char *wrong)
 {
     const char *nearest = NULL;
     size_t least = too_far(wrong);

@@ -59,8 +59,8 @@ typedef enum TextRule {
     TEXT_ANY,
     TEXT_VIEW,       /* a view's digit, 1 to 9, or its word */
     TEXT_POSITIVE,   /* a number > 0 */
-    TEXT_REFERENCES, /* one of reference_words */
-    TEXT_COLOUR      /* one of colour_words */
+    TEXT_REFERENCES, /* one of parameter_reference_words */
+    TEXT_COLOUR      /* one of parameter_colour_words */
 } TextRule;
 
 /* Keys of a scenario file that hold words and are no parameters of the run: title, question, view. */
@@ -75,13 +75,13 @@ typedef struct TextKey {
 extern const TextKey text_keys[];
 extern const int n_text_keys;
 
-extern const char *const method_titles[]; /* on screen: "MPM" */
+extern const char *const parameter_method_titles[]; /* on screen: "MPM" */
 
 /* The words of view.references, ended by NULL. */
-extern const char *const reference_words[];
+extern const char *const parameter_reference_words[];
 
 /* The words of view.colour, ended by NULL, in the order in which the beam view goes through them. */
-extern const char *const colour_words[];
+extern const char *const parameter_colour_words[];
 
 /* The row of a key; NULL: unknown. */
 const Parameter *parameter_find(const char *key);
@@ -97,7 +97,7 @@ const char *parameter_unit(const Parameter *, const Problem *);
 const char *parameter_help(const Parameter *, const Problem *);
 
 /* The nearest of some words (ended by NULL) to a wrong one; NULL: nothing is near. */
-const char *nearest_word(const char *const *words, const char *wrong);
+const char *parameter_nearest_word(const char *const *words, const char *wrong);
 
 /* Whether the problem has it, by any method. */
 bool parameter_applies(const Parameter *, const Problem *);

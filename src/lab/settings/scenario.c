@@ -104,7 +104,7 @@ static bool begin(const Source *source, Settings *settings, Status *status)
         return at_line(source, problem, status);
     settings_default(settings, problems[chosen]);
     const Entry *method = find_entry(source, "scenario", "method");
-    chosen = method ? choose(method_words, method, status) : (int)settings->method;
+    chosen = method ? choose(settings_method_words, method, status) : (int)settings->method;
     if (chosen < 0)
         return at_line(source, method, status);
     settings->method = (MethodKind)chosen;
@@ -294,7 +294,7 @@ static bool not_found(const char *name, Status *status)
     const char *names_of[MOST + 1] = {NULL};
     for (; builtin_scenarios[count].name && count < MOST; count++)
         names_of[count] = builtin_scenarios[count].name;
-    const char *nearest = nearest_word(names_of, name);
+    const char *nearest = parameter_nearest_word(names_of, name);
     if (error != ENOENT)
         return false; /* the status says why */
     if (nearest)

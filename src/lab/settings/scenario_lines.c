@@ -155,7 +155,7 @@ static bool accept_section(Reader *reader, const char *line)
         }
     char subject[KEY_MAX + 2], what[96];
     snprintf(subject, sizeof subject, "[%s]", name);
-    const char *nearest = nearest_word(scenario_sections, name);
+    const char *nearest = parameter_nearest_word(scenario_sections, name);
     if (nearest)
         snprintf(what, sizeof what, "unknown section (did you mean [%s]?)", nearest);
     else

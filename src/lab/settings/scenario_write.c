@@ -138,7 +138,7 @@ static bool write_section(FILE *stream, const Settings *settings, const char *se
         return false;
     if (strcmp(section, "scenario") == 0)
         fprintf(stream, "problem = %s\nmethod = %s\n", settings->problem->word,
-                method_words[settings->method]);
+                settings_method_words[settings->method]);
     for (int i = 0; i < n_parameters; i++) {
         const char *name = name_in(parameters[i].key, section);
         if (name && settings_have(settings, &parameters[i]) &&

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-const char *const method_words[] = {"mpm", "pd", NULL};
+const char *const settings_method_words[] = {"mpm", "pd", NULL};
 
 double lattice_spacing(const Settings *settings)
 {
@@ -79,7 +79,7 @@ int overtones_read(const char *text, Overtone out[OVERTONES_MAX], Status *status
     return count;
 }
 
-int times_read(const char *text, double out[TIMES_MAX], Status *status)
+int settings_times_read(const char *text, double out[TIMES_MAX], Status *status)
 {
     static const char key[] = "output.at";
     if (is_blank(text))

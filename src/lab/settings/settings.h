@@ -159,7 +159,7 @@ typedef struct Settings {
 } Settings;
 
 /* The words of a scenario file for MethodKind, ended by NULL. */
-extern const char *const method_words[];
+extern const char *const settings_method_words[];
 
 /* Spacing and horizon of the lattice, with what stands for "auto" on the bar: one node where each particle
  * of the cells would be, and three spacings. */
@@ -178,6 +178,6 @@ typedef struct Overtone {
 int overtones_read(const char *text, Overtone out[OVERTONES_MAX], Status *);
 
 /* "0,1e-4,2e-4", ascending: how many there are, or -1. */
-int times_read(const char *text, double out[TIMES_MAX], Status *);
+int settings_times_read(const char *text, double out[TIMES_MAX], Status *);
 
 #endif

@@ -185,8 +185,8 @@ static bool not_of_settings(const Parameter *parameter, const Settings *settings
     const Problem *problem = settings->problem;
     if (parameter_applies(parameter, problem))
         return status_fail(status, STATUS_USAGE, "%s: is no parameter of method %s (only of %s)",
-                           parameter->key, method_words[settings->method],
-                           method_words[parameter->methods & BY_MPM ? METHOD_MPM : METHOD_PD]);
+                           parameter->key, settings_method_words[settings->method],
+                           settings_method_words[parameter->methods & BY_MPM ? METHOD_MPM : METHOD_PD]);
     char words[128];
     size_t used = 0;
     for (int p = 0; problems[p]; p++)
@@ -200,7 +200,9 @@ static bool not_of_settings(const Parameter *parameter, const Settings *settings
 /* The words that a rule allows; NULL: it has no list of words. */
 static const char *const *words_of(TextRule rule)
 {
-    return rule == TEXT_REFERENCES ? reference_words : rule == TEXT_COLOUR ? colour_words : NULL;
+    return rule == TEXT_REFERENCES ? parameter_reference_words
+           : rule == TEXT_COLOUR   ? parameter_colour_words
+                                   : NULL;
 }
 
 /* A view's digit, or a word such as name views; which there are the laboratory knows, not the scenario. */

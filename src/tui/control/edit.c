@@ -186,7 +186,7 @@ void edit_begin(Laboratory *lab)
         return;
     }
     settings_get(experiment_settings(lab->screen.experiment), parameter, screen->parameters.edit.text);
-    screen->parameters.edit.cursor = text_characters(screen->parameters.edit.text);
+    screen->parameters.edit.cursor = glyphs_count(screen->parameters.edit.text);
     screen->parameters.edit.problem[0] = '\0';
     screen->parameters.edit.open = true;
     lab->editing.fresh = true;

@@ -12,14 +12,14 @@
 
 static void turn_page(Screen *screen, int direction)
 {
-    int pages = screen_help_pages();
+    int pages = help_pages();
     screen->help.page = (screen->help.page + direction + pages) % pages;
     screen->help.scroll = 0;
 }
 
 static void scroll_help(Laboratory *lab, int lines)
 {
-    int most = screen_help_most(&lab->screen, lab->width, lab->height);
+    int most = help_most(&lab->screen, lab->width, lab->height);
     int to = lab->screen.help.scroll + lines;
     lab->screen.help.scroll = to < 0 ? 0 : to > most ? most : to;
 }

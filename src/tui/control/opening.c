@@ -18,7 +18,7 @@ static void read_view(Laboratory *lab)
     const ViewSettings *view = &experiment_settings(lab->screen.experiment)->view;
     Screen *screen = &lab->screen;
     double value;
-    screen_open_views(screen, view);
+    views_open(screen, view);
     if (sscanf(view->pace, "%lf", &value) == 1 && value > 0) {
         screen->playback.pace = value;
         lab->player.pace_automatic = false;

@@ -46,7 +46,7 @@ int area_text(Area area, int x, int y, const char *text, Style style)
 {
     if (area.canvas->sketch) {
         sketch_note(area.canvas->sketch, text, style == STYLE_FAINT);
-        return text_columns(text);
+        return glyphs_columns(text);
     }
     if (x < 0 || x >= area.rect.width || !has_row(area, y))
         return 0;
@@ -65,19 +65,19 @@ int area_print(Area area, int x, int y, Style style, const char *format, ...)
 
 void area_text_right(Area area, int end, int y, const char *text, Style style)
 {
-    int x = end - text_columns(text);
+    int x = end - glyphs_columns(text);
     area_text(area, x > 0 ? x : 0, y, text, style);
 }
 
 int area_text_whole(Area area, int x, int y, int width, const char *text, Style style)
 {
-    int columns = text_columns(text);
+    int columns = glyphs_columns(text);
     if (columns > width || x + columns > area.rect.width)
         return 0;
     return area_text(area, x, y, text, style);
 }
 
-size_t paragraph_line(const char *text, int width, const char **rest)
+size_t area_paragraph_line(const char *text, int width, const char **rest)
 {
     const char *here = text, *space = NULL, *gap = NULL;
     for (int columns = 0; *here != '\0' && *here != '\n'; columns++) {
@@ -93,7 +93,7 @@ size_t paragraph_line(const char *text, int width, const char **rest)
                 end--;
             return (size_t)(end - text);
         }
-        utf8_next(&here);
+        glyph_next(&here);
     }
     *rest = *here == '\n' ? here + 1 : here;
     return (size_t)(here - text);
@@ -106,11 +106,11 @@ static int paragraph(const Area *area, int x, int y, int width, int rows, const 
         return 0;
     while (*text != '\0' && lines < rows) {
         const char *rest;
-        size_t length = paragraph_line(text, width, &rest);
+        size_t length = area_paragraph_line(text, width, &rest);
         /* what does not fit is not silently gone, and no word is cut for the ellipsis */
         const bool cut = lines == rows - 1 && *rest != '\0';
         if (cut && width > 2)
-            length = paragraph_line(text, width - 2, &rest);
+            length = area_paragraph_line(text, width - 2, &rest);
         if (area) {
             char line[1024];
             length = length < sizeof line - 8 ? length : sizeof line - 8;
@@ -131,7 +131,7 @@ int area_paragraph(Area area, int x, int y, int width, int rows, const char *tex
     return paragraph(&area, x, y, width, rows, text, style);
 }
 
-int paragraph_lines(int width, const char *text)
+int area_paragraph_lines(int width, const char *text)
 {
     return paragraph(NULL, 0, 0, width, 10000, text, STYLE_NORMAL);
 }
@@ -148,7 +148,7 @@ int area_phrases(Area area, int x, int y, int width, int rows, const char *text,
         length = length < sizeof phrase - 1 ? length : sizeof phrase - 1;
         memcpy(phrase, text, length);
         phrase[length] = '\0';
-        const int columns = text_columns(phrase), gap = used ? 2 : 0;
+        const int columns = glyphs_columns(phrase), gap = used ? 2 : 0;
         if (used && used + gap + columns > width) {
             line++;
             used = 0;

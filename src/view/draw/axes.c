@@ -42,15 +42,15 @@ double axis_round_up(double value)
     return round_on(value, ladder, sizeof ladder / sizeof *ladder);
 }
 
-double step_round_up(double value)
+double axis_step_up(double value)
 {
     static const double ladder[] = {1, 2, 5};
     return round_on(value, ladder, 3);
 }
 
-double step_round_down(double value)
+double axis_step_down(double value)
 {
-    double up = step_round_up(value);
+    double up = axis_step_up(value);
     if (up <= value * (1 + 1e-12))
         return up;
     double power = power_of_ten(decade_of(up));
@@ -70,9 +70,9 @@ Axis axis_make(double low, double high, int most)
         low = 0, high = 1;
     most = most < 2 ? 2 : most > TICKS_MAX ? TICKS_MAX : most;
     Axis axis = {.low = low, .high = high};
-    axis.step = step_round_down((high - low) / (most + 1));
+    axis.step = axis_step_down((high - low) / (most + 1));
     while (ticks_within(low, high, axis.step) > most)
-        axis.step = step_round_up(axis.step * 1.5);
+        axis.step = axis_step_up(axis.step * 1.5);
 
     double largest = fmax(fabs(low), fabs(high));
     int decade = decade_of(largest), step_decade = decade_of(axis.step);
@@ -106,7 +106,7 @@ Axis axis_around(double low, double high, int most)
         double room = reach > 0 ? 0.05 * reach : 1;
         return axis_make(low - room, high + room, most);
     }
-    double step = step_round_up((high - low) / 4);
+    double step = axis_step_up((high - low) / 4);
     return axis_make(floor(low / step) * step, ceil(high / step) * step, most);
 }
 
@@ -312,7 +312,7 @@ Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int 
         axis_label(y, ticks[i], text);
         /* where two would stand in one row the first has it, but the line of 0 is that of 0 alone */
         const bool beside_zero = row == zero && fabs(ticks[i]) > 1e-9 * (y->high - y->low);
-        if (row < 0 || row == before || beside_zero || text_columns(text) > gutter)
+        if (row < 0 || row == before || beside_zero || glyphs_columns(text) > gutter)
             continue;
         before = row;
         area_text_right(area, gutter, row, text, STYLE_NORMAL);
@@ -321,12 +321,12 @@ Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int 
     for (int column = 0; zero >= 0 && column < columns; column++)
         area_put(inner, column, zero, 0x2500, STYLE_FRAME);
 
-    int name = text_columns(x_name), limit = area.rect.width - (name ? name + 1 : 0), used = gutter - 1;
+    int name = glyphs_columns(x_name), limit = area.rect.width - (name ? name + 1 : 0), used = gutter - 1;
     count = few_ticks(area, axis_ticks(x, ticks), ticks);
     for (int i = 0; i < count; i++) {
         int column = axis_column(x, ticks[i], columns);
         axis_label(x, ticks[i], text);
-        int width = text_columns(text), start = gutter + 1 + column - width / 2;
+        int width = glyphs_columns(text), start = gutter + 1 + column - width / 2;
         if (start + width > area.rect.width && !name)
             start = area.rect.width - width;
         if (column < 0 || start <= used || start + width > limit)

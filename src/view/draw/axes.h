@@ -44,8 +44,8 @@ Axis axis_count(double high, int most);
 double axis_round_up(double value);
 
 /* The next of 1, 2, 5 times a power of ten that is not below (not above) a positive value. */
-double step_round_up(double value);
-double step_round_down(double value);
+double axis_step_up(double value);
+double axis_step_down(double value);
 
 /* The values of the ticks; returns how many. */
 int axis_ticks(const Axis *, double ticks[TICKS_MAX]);

@@ -87,7 +87,7 @@ int canvas_text(Canvas *canvas, int x, int y, int width, const char *text, Style
     if (canvas->large && style == STYLE_FAINT)
         style = STYLE_NORMAL;
     for (bool cut = false; used < width && *text && !cut;) {
-        const uint32_t glyph = glyph_shown(utf8_next(&text));
+        const uint32_t glyph = glyph_shown(glyph_next(&text));
         const int columns = glyph_columns(glyph);
         cut = used + columns > width || (used + columns == width && *text != '\0');
         canvas_put(canvas, x + used, y, cut ? ELLIPSIS : glyph, style);
@@ -120,7 +120,7 @@ char *canvas_dump(const Canvas *canvas)
             end--;
         for (int x = 0; x < end; x++)
             if (row[x].glyph != CELL_FOLLOWS)
-                used += utf8_put(out + used, row[x].glyph ? row[x].glyph : ' ');
+                used += glyph_put(out + used, row[x].glyph ? row[x].glyph : ' ');
         out[used++] = '\n';
     }
     out[used] = '\0';

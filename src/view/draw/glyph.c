@@ -5,7 +5,7 @@
 
 enum { REPLACEMENT = '?' };
 
-uint32_t utf8_next(const char **text)
+uint32_t glyph_next(const char **text)
 {
     const unsigned char *s = (const unsigned char *)*text;
     if (*s == '\0')
@@ -24,7 +24,7 @@ uint32_t utf8_next(const char **text)
     return length ? glyph : REPLACEMENT;
 }
 
-size_t utf8_put(char out[4], uint32_t glyph)
+size_t glyph_put(char out[4], uint32_t glyph)
 {
     if (glyph < 0x80) {
         out[0] = (char)glyph;
@@ -92,18 +92,18 @@ uint32_t glyph_shown(uint32_t glyph)
     return glyph_columns(glyph) > 0 ? glyph : REPLACEMENT;
 }
 
-int text_characters(const char *utf8)
+int glyphs_count(const char *utf8)
 {
     int count = 0;
-    while (utf8_next(&utf8))
+    while (glyph_next(&utf8))
         count++;
     return count;
 }
 
-int text_columns(const char *utf8)
+int glyphs_columns(const char *utf8)
 {
     int columns = 0;
-    for (uint32_t glyph; (glyph = utf8_next(&utf8)) != 0;)
+    for (uint32_t glyph; (glyph = glyph_next(&utf8)) != 0;)
         columns += glyph_columns(glyph_shown(glyph));
     return columns;
 }

@@ -6,10 +6,10 @@
 #include <stdint.h>
 
 /* The next scalar value of a text, which moves on; 0 at its end, '?' for bytes that are no UTF-8. */
-uint32_t utf8_next(const char **text);
+uint32_t glyph_next(const char **text);
 
 /* Writes one scalar value; returns the bytes used. */
-size_t utf8_put(char out[4], uint32_t glyph);
+size_t glyph_put(char out[4], uint32_t glyph);
 
 /* Cells that a character takes, 1 or 2, in any locale; 0: it cannot be shown in cells. */
 int glyph_columns(uint32_t glyph);
@@ -21,7 +21,7 @@ uint32_t glyph_shown(uint32_t glyph);
 uint32_t glyph_ascii(uint32_t glyph);
 
 /* Cells that a text takes; characters that it has. */
-int text_columns(const char *utf8);
-int text_characters(const char *utf8);
+int glyphs_columns(const char *utf8);
+int glyphs_count(const char *utf8);
 
 #endif

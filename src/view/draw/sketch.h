@@ -1,6 +1,6 @@
 /* What a view has drawn, kept as strokes, axes, marks and words in place of cells: the display list that
  * figures on paper are made of. A canvas with a sketch has no cells; everything that a view draws on it in
- * the usual way (axes_draw, plot_draw, axes_mark, draw_heading, area_text, ...) goes into the sketch in the
+ * the usual way (axes_draw, plot_draw, axes_mark, heading_draw, area_text, ...) goes into the sketch in the
  * coordinates of the plot. What is drawn cell by cell (area_put) is of the screen alone and leaves nothing.
  */
 #ifndef VIEW_SKETCH_H

@@ -116,7 +116,7 @@ Format format_of(const double *values, size_t n, int digits, int width)
     return format;
 }
 
-void write_number(Area area, int end, int y, double value, Writing writing, int decimals, Style style)
+void sum_column_write(Area area, int end, int y, double value, Writing writing, int decimals, Style style)
 {
     char text[64];
     const double scaled = value * pow(10, -writing.exponent);

@@ -30,6 +30,6 @@ Format format_of(const double *values, size_t n, int digits, int width);
 void format_number(double value, Format, char out[NUMBER_TEXT_MAX]);
 
 /* Writes a number of the column so that the points stand under each other; it ends before column `end`. */
-void write_number(Area, int end, int y, double value, Writing, int decimals, Style);
+void sum_column_write(Area, int end, int y, double value, Writing, int decimals, Style);
 
 #endif

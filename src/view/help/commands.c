@@ -101,7 +101,7 @@ LineMeaning line_meaning(const char *text)
     return line;
 }
 
-bool line_is_for_lessons(const char *text, Status *status)
+bool command_line_for_lessons(const char *text, Status *status)
 {
     const LineMeaning line = line_meaning(text);
     const char *name = line.verb ? line.verb->name : line.command ? line.command->name : text;

@@ -89,7 +89,7 @@ typedef struct LineMeaning {
 LineMeaning line_meaning(const char *text);
 
 /* Whether a lesson may have this line done; a LessonJudge. */
-bool line_is_for_lessons(const char *text, Status *);
+bool command_line_for_lessons(const char *text, Status *);
 
 extern const Command commands[];
 extern const int n_commands;

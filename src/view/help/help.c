@@ -39,7 +39,7 @@ static void put_text(Sheet *sheet, Style style, int width, int indent, const cha
     while (*text) {
         char line[512];
         const char *rest;
-        const size_t length = paragraph_line(text, width - indent, &rest);
+        const size_t length = area_paragraph_line(text, width - indent, &rest);
         snprintf(line, sizeof line, "%*s%.*s", indent, "", (int)length, text);
         put_line(sheet, style, line);
         text = rest;
@@ -65,10 +65,10 @@ static void put_key(Sheet *sheet, int width, const char *keys, const char *help)
 {
     enum { COLUMN = 13 };
     char line[256];
-    const bool beside = COLUMN < width / 3 && text_columns(keys) < COLUMN - 2;
+    const bool beside = COLUMN < width / 3 && glyphs_columns(keys) < COLUMN - 2;
     const char *rest = help;
     if (beside) {
-        const size_t length = paragraph_line(help, width - COLUMN, &rest);
+        const size_t length = area_paragraph_line(help, width - COLUMN, &rest);
         snprintf(line, sizeof line, "  %-10s %.*s", keys, (int)length, help);
     } else {
         snprintf(line, sizeof line, "  %s", keys);
@@ -222,12 +222,12 @@ static void write_page(Sheet *sheet, const Screen *screen, int screen_width)
         write_choices(sheet, experiment_settings(screen->experiment), width);
 }
 
-int screen_help_pages(void)
+int help_pages(void)
 {
     return HELP_PAGES;
 }
 
-int screen_help_most(const Screen *screen, int width, int height)
+int help_most(const Screen *screen, int width, int height)
 {
     Sheet sheet;
     if (layout_make(screen, width, height).kind == LAYOUT_TOO_SMALL)
@@ -237,7 +237,7 @@ int screen_help_most(const Screen *screen, int width, int height)
     return sheet.count > room ? sheet.count - room : 0;
 }
 
-void pane_help(const Screen *screen, Area area)
+void help_draw(const Screen *screen, Area area)
 {
     static const char *const names[HELP_PAGES] = {"this scenario, the keys", "the curves", "what is solved",
                                                   "where the paper is silent"};
@@ -256,7 +256,7 @@ void pane_help(const Screen *screen, Area area)
     if (sheet.count > room) {
         snprintf(heading, sizeof heading, " lines %d-%d of %d ", first + 1,
                  first + room < sheet.count ? first + room : sheet.count, sheet.count);
-        if (text_columns(heading) + 30 < area.rect.width)
+        if (glyphs_columns(heading) + 30 < area.rect.width)
             area_text_right(area, area.rect.width - 2, 0, heading, STYLE_FAINT);
     }
     for (int y = 0; y < room && first + y < sheet.count; y++)

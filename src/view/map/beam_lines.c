@@ -18,64 +18,65 @@ static void append_ghosts(const Screen *screen, char line[160])
     const Ghost *ghosts = experiment_ghosts(screen->experiment);
     for (int i = 0; i < GHOSTS_MAX; i++)
         if (ghosts[i].used && ghosts[i].readout.is_period && ghosts[i].readout.measured_known)
-            append(line, 160, "  %c: %.4f", ghosts[i].letter, ghosts[i].readout.measured / 1e-3);
+            text_append(line, 160, "  %c: %.4f", ghosts[i].letter, ghosts[i].readout.measured / 1e-3);
 }
 
 static void supported_lines(const Screen *screen, int width, char first[160], char second[160])
 {
     const bool narrow = width < 60;
     const Readout *readout = experiment_readout(screen->experiment);
-    const double euler = derived_value(screen, "period_euler"), timoshenko = readout->exact;
+    const double euler = screen_derived(screen, "period_euler"), timoshenko = readout->exact;
     char theory[80] = ""; /* where the first line has no room for it, it begins the second */
     if (readout->measured_known) {
         snprintf(first, 160, "T %s%.4f ms", narrow ? "" : "measured ", readout->measured / 1e-3);
-        if (shows_exact(screen)) {
-            append(first, 160, "  Euler %+.2f %%", percent(readout->measured / euler));
+        if (screen_shows_exact(screen)) {
+            text_append(first, 160, "  Euler %+.2f %%", percent(readout->measured / euler));
             snprintf(theory, sizeof theory, "Timoshenko %+.2f %%", percent(readout->measured / timoshenko));
         }
     } else {
         snprintf(first, 160, "T measuring");
-        if (shows_exact(screen)) {
-            append(first, 160, "  Euler %.4f ms", euler / 1e-3);
+        if (screen_shows_exact(screen)) {
+            text_append(first, 160, "  Euler %.4f ms", euler / 1e-3);
             snprintf(theory, sizeof theory, "Timoshenko %.4f ms", timoshenko / 1e-3);
         }
     }
-    if (theory[0] && text_columns(first) + 2 + text_columns(theory) <= width)
-        append(first, 160, "  %s", theory);
+    if (theory[0] && glyphs_columns(first) + 2 + glyphs_columns(theory) <= width)
+        text_append(first, 160, "  %s", theory);
     else
         snprintf(second, 160, "%s", theory);
     if (isfinite(readout->by_zeros))
-        append(second, 160, "%sby its zeros %.4f ms", second[0] ? "  " : "", readout->by_zeros / 1e-3);
+        text_append(second, 160, "%sby its zeros %.4f ms", second[0] ? "  " : "", readout->by_zeros / 1e-3);
     append_ghosts(screen, second);
-    if (shows_predicted(screen) && readout->predicted_known)
-        append(second, 160, "%s%s %.4f ms", second[0] ? "  " : "", "predicted", readout->predicted / 1e-3);
+    if (screen_shows_predicted(screen) && readout->predicted_known)
+        text_append(second, 160, "%s%s %.4f ms", second[0] ? "  " : "", "predicted",
+                    readout->predicted / 1e-3);
 }
 
 static void moving_lines(const Screen *screen, int width, char first[160], char second[160])
 {
     const bool narrow = width < 52;
     const Readout *readout = experiment_readout(screen->experiment);
-    const int length = find_column(screen, "length");
+    const int length = screen_column(screen, "length");
     const double *row = experiment_row(screen->experiment);
     const double standing = references_standing_frequency(experiment_references(screen->experiment),
                                                           experiment_time(screen->experiment));
     if (length >= 0 && row)
         snprintf(first, 160, narrow ? "length %.1f mm" : "length %.2f mm", row[length] / 1e-3);
     if (readout->measured_known) {
-        append(first, 160, narrow ? "  f %.1f Hz" : "  f measured %.1f Hz", 1 / readout->measured);
-        if (shows_exact(screen))
-            append(first, 160, "  modal %.1f", 1 / readout->exact);
-        if (shows_exact(screen))
-            append(second, 160, "last swing T %+.2f %%  %s by %.3f T", readout->error_period,
-                   readout->late < 0 ? "early" : "late", fabs(readout->late));
+        text_append(first, 160, narrow ? "  f %.1f Hz" : "  f measured %.1f Hz", 1 / readout->measured);
+        if (screen_shows_exact(screen))
+            text_append(first, 160, "  modal %.1f", 1 / readout->exact);
+        if (screen_shows_exact(screen))
+            text_append(second, 160, "last swing T %+.2f %%  %s by %.3f T", readout->error_period,
+                        readout->late < 0 ? "early" : "late", fabs(readout->late));
     } else {
-        append(first, 160, "  f measuring");
+        text_append(first, 160, "  f measuring");
     }
-    if (shows_exact(screen))
-        append(second, 160, "%sat fixed length %.1f Hz", second[0] ? "  " : "", standing);
+    if (screen_shows_exact(screen))
+        text_append(second, 160, "%sat fixed length %.1f Hz", second[0] ? "  " : "", standing);
 }
 
-void tip_speed_text(const Crack *crack, double rayleigh, char out[160])
+void beam_lines_tip_speed(const Crack *crack, double rayleigh, char out[160])
 {
     snprintf(out, 160, "%.0f m/s = %.2f c_R, fastest %.0f = %.2f", crack->speed, crack->speed / rayleigh,
              crack->fastest, crack->fastest / rayleigh);
@@ -87,24 +88,24 @@ static void crack_lines(const CrackFacts *facts, double rayleigh, char first[160
     const Crack *crack = &facts->measured;
     snprintf(first, 160, "broken bonds %ld", crack->broken);
     if (crack->begun)
-        append(first, 160, "  tip at x %.1f, y %.1f mm", crack->x / 1e-3, crack->y / 1e-3);
+        text_append(first, 160, "  tip at x %.1f, y %.1f mm", crack->x / 1e-3, crack->y / 1e-3);
     else
-        append(first, 160, "  no crack yet");
+        text_append(first, 160, "  no crack yet");
     if (crack->begun && crack->fastest > 0) {
         char speed[160];
-        tip_speed_text(crack, rayleigh, speed);
-        append(first, 160, "  %s", speed);
+        beam_lines_tip_speed(crack, rayleigh, speed);
+        text_append(first, 160, "  %s", speed);
     }
     for (int i = CRACK_ANGLES - 1; i >= 0 && !second[0]; i--)
         if (isfinite(facts->angles[i]))
             snprintf(second, 160, "fit over %.0f mm %.0f deg", crack_heights[i] / 1e-3, facts->angles[i]);
     if (isnan(crack->first_break))
         return;
-    append(second, 160, "%s%s %.1f", second[0] ? "  " : "",
-           isnan(crack->arrival) ? "first break" : "grew from", crack->first_break / 1e-6);
+    text_append(second, 160, "%s%s %.1f", second[0] ? "  " : "",
+                isnan(crack->arrival) ? "first break" : "grew from", crack->first_break / 1e-6);
     if (isfinite(crack->arrival))
-        append(second, 160, " to %.1f", crack->arrival / 1e-6);
-    append(second, 160, " µs");
+        text_append(second, 160, " to %.1f", crack->arrival / 1e-6);
+    text_append(second, 160, " µs");
 }
 
 bool beam_lines(const Screen *screen, int width, char first[160], char second[160])

@@ -22,7 +22,7 @@ typedef struct ForceSum {
 
 double family_field(const Family *family, const char *name, size_t node)
 {
-    return field_at(family->sim, simulation_find_field(family->sim, 0, name), node);
+    return simulation_value(family->sim, simulation_find_field(family->sim, 0, name), node);
 }
 
 static void add_row(ForceSum *sum, const char *name, double x, double y, bool is_sum, bool is_changed)

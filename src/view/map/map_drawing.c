@@ -84,7 +84,7 @@ static void put(const Drawing *drawing, double x, double y, uint32_t glyph, Styl
 static void label(const Drawing *drawing, double x, double y, int side, const char *text, Style style)
 {
     if (!paper_of(drawing)) {
-        const int columns = text_columns(text);
+        const int columns = glyphs_columns(text);
         const int from = side > 0 ? (int)x : side < 0 ? (int)x - columns : ((int)(2 * x) + 1 - columns) / 2;
         area_text(drawing->area, from, (int)y, text, style);
         return;
@@ -193,7 +193,7 @@ static void draw_dimension(const Drawing *drawing, const Dimension *dimension, d
     char text[NUMBER_TEXT_MAX + 8];
     millimetres(dimension->to - dimension->from, text, sizeof text);
     draw_span(drawing, from, to, y);
-    if (to - from - 1 >= text_columns(text))
+    if (to - from - 1 >= glyphs_columns(text))
         label(drawing, (from + to) / 2, y, 0, text, STYLE_NORMAL);
     else
         label(drawing, to + 1, y, 1, text, STYLE_NORMAL);
@@ -275,7 +275,7 @@ static void draw_words(const Drawing *drawing, int y)
     snprintf(text, sizeof text, "E %s GPa  density %s kg/m³  thickness %s mm", a, b, c);
     if (!drawing->scene.pressed) {
         text_rounded(a, 1e6 * settings->start.amplitude, 4);
-        append(text, sizeof text, "  U %s µm", a);
+        text_append(text, sizeof text, "  U %s µm", a);
     }
     area_phrases(drawing->area, 1, y, drawing->area.rect.width - 2, 1, text, STYLE_FAINT);
 }
@@ -358,7 +358,7 @@ static void draw_on_paper(Drawing *drawing, const Screen *screen)
     sketch_axes(sketch, &x, &y, "");
     sketch->bare = true;
     sketch->stretch = 2; /* rows, columns */
-    time_text(screen, 0, sketch->time, sizeof sketch->time);
+    screen_time_text(screen, 0, sketch->time, sizeof sketch->time);
     draw_all(drawing, APART);
     scale_words((drawing->bottom - drawing->top) / rise, rise >= LEAST_ROWS - 1, "×", words, sizeof words);
     area_text(drawing->area, 0, 0, words, STYLE_NORMAL);

@@ -37,7 +37,7 @@ bool body_of(const Simulation *sim, Body *body)
     if (!simulation_has(sim, HAS_PLANE) || body->count < 4)
         return false;
     for (int d = 0; d < 2; d++)
-        body->first[d] = field_at(sim, sim->position[d], 0);
+        body->first[d] = simulation_value(sim, sim->position[d], 0);
     body->nx = (int)sim->columns;
     body->ny = (int)sim->rows;
     body->spacing = sim->spacing;
@@ -109,12 +109,12 @@ long map_node_at(const Map *map, int x, int y)
 double map_reach(const Map *map, int field, const double *now)
 {
     static const char *const probes[][2] = {{"uy", "u_probe"}, {"vy", "v_probe"}};
-    double reach = field_reach(map->screen, field, now, map->body.count);
+    double reach = screen_field_reach(map->screen, field, now, map->body.count);
     for (size_t i = 0; i < sizeof probes / sizeof *probes; i++) {
         if (strcmp(map->sim->fields[field].quantity.name, probes[i][0]) != 0)
             continue;
         /* what the probe did, and what theory says that it will do */
-        const int column = find_column(map->screen, probes[i][1]);
+        const int column = screen_column(map->screen, probes[i][1]);
         References *refs = experiment_references(map->screen->experiment);
         const double envelope = references_envelope(refs, probes[i][1], map->settings->time.end);
         if (column >= 0)
@@ -138,7 +138,7 @@ static double choose_enlargement(const Map *map, double rows)
     if (map->scene.pressed)
         room = fmin(room, BENT_PART * rows);
     const double factor = reach > 0 ? room / (reach * map->scale_y) : 1;
-    return factor > 1 ? step_round_down(factor) : 1;
+    return factor > 1 ? axis_step_down(factor) : 1;
 }
 
 static void choose_scales(Map *map)
@@ -160,7 +160,7 @@ static void choose_scales(Map *map)
     }
     map->stretch = 1;
     if (rows < LEAST_ROWS && SLENDER_PART * height > rows)
-        map->stretch = step_round_down(SLENDER_PART * height / rows);
+        map->stretch = axis_step_down(SLENDER_PART * height / rows);
     map->stretch = map->stretch > 1 ? map->stretch : 1;
     map->scale_y = map->scale_x / 2 * map->stretch;
     map->enlarged = choose_enlargement(map, rows * map->stretch);
@@ -177,7 +177,7 @@ static void choose_scales(Map *map)
     }
     map->scale_x *= screen->eye.magnified;
     rows *= screen->eye.magnified;
-    const double stretch = rows < SLENDER_PART * height ? step_round_down(SLENDER_PART * height / rows) : 1;
+    const double stretch = rows < SLENDER_PART * height ? axis_step_down(SLENDER_PART * height / rows) : 1;
     map->stretch = stretch < map->stretch ? stretch : map->stretch;
     map->scale_y = map->scale_x / 2 * map->stretch;
     /* what is looked at stays in the middle while it moves */

@@ -165,10 +165,10 @@ static void name_lines(const Map *map)
     const Area area = map->area;
     if (map->legend_at > 0)
         for (int i = 0; i < LINES; i++)
-            draw_legend(area_part(area, map->legend_at, area.rect.height - 5, area.rect.width, LINES), 0, i,
+            legend_draw(area_part(area, map->legend_at, area.rect.height - 5, area.rect.width, LINES), 0, i,
                         &lines[i], 1);
     else if (area.rect.height >= TALL_MAP && is_blank(area, 0, 0, area.rect.width))
-        draw_legend(area, 0, 0, lines, LINES);
+        legend_draw(area, 0, 0, lines, LINES);
 }
 
 /* --- the channel ---------------------------------------------------------------------------------- */
@@ -266,10 +266,10 @@ static void draw_load(Map *map)
     char text[64], stress[NUMBER_TEXT_MAX];
     while (last_row > 0 && !is_blank(map->area, last + 2, last_row, 14))
         last_row--;
-    number_text(settings->loads.stress * 1e-6, 4, 8, stress);
+    text_fitted(settings->loads.stress * 1e-6, 4, 8, stress);
     snprintf(text, sizeof text, "%s MPa", stress);
     if (share < 1)
-        append(text, sizeof text, " x %.2f", share);
+        text_append(text, sizeof text, " x %.2f", share);
     area_text_whole(map->area, last + 2, last_row, map->area.rect.width - last - 2, text, STYLE_NORMAL);
 }
 

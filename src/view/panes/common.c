@@ -8,14 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-Experiment *second_run(const Screen *screen)
+Experiment *screen_second_run(const Screen *screen)
 {
     return screen->duel ? screen->duel->b : NULL;
 }
 
-bool is_shared(const Screen *screen)
+bool screen_is_shared(const Screen *screen)
 {
-    return second_run(screen) && screen->side == SIDE_BOTH;
+    return screen_second_run(screen) && screen->side == SIDE_BOTH;
 }
 
 Screen screen_of_side(const Screen *screen, DuelSide side)
@@ -26,38 +26,38 @@ Screen screen_of_side(const Screen *screen, DuelSide side)
     return one;
 }
 
-Experiment *clock_run(const Screen *screen)
+Experiment *screen_clock_run(const Screen *screen)
 {
-    return second_run(screen) ? screen->duel->a : screen->experiment;
+    return screen_second_run(screen) ? screen->duel->a : screen->experiment;
 }
 
-bool shows_exact(const Screen *screen)
+bool screen_shows_exact(const Screen *screen)
 {
     return screen->views.references == SHOW_ALL || screen->views.references == SHOW_EXACT;
 }
 
-bool shows_predicted(const Screen *screen)
+bool screen_shows_predicted(const Screen *screen)
 {
     return screen->views.references == SHOW_ALL || screen->views.references == SHOW_PREDICTED;
 }
 
-bool is_focused(const Screen *screen, PaneId pane)
+bool screen_is_focused(const Screen *screen, PaneId pane)
 {
     return screen->panes.focus == pane;
 }
 
-bool is_rewound(const Screen *screen)
+bool screen_is_rewound(const Screen *screen)
 {
     return experiment_newest(screen->experiment) > experiment_step(screen->experiment);
 }
 
-double exaggeration(double reach, double room)
+double axis_enlargement(double reach, double room)
 {
     if (!(reach > 0))
         return 1;
     /* a coarse step: a scale that changes is worse than one that is a little small */
-    double factor = room / step_round_up(reach);
-    return factor < 1 ? 1 : step_round_down(factor);
+    double factor = room / axis_step_up(reach);
+    return factor < 1 ? 1 : axis_step_down(factor);
 }
 
 /* A sketch takes the whole legend. */
@@ -79,12 +79,12 @@ static int legend_room(Area area)
     return area.canvas->sketch ? NO_LIMIT : area.rect.width;
 }
 
-int draw_legend(Area area, int x, int y, const Legend *legend, int n_legend)
+int legend_draw(Area area, int x, int y, const Legend *legend, int n_legend)
 {
     if (area.canvas->sketch)
         return sketch_legend(area.canvas->sketch, legend, n_legend);
     for (int i = 0; i < n_legend; i++) {
-        const int columns = 3 + text_columns(legend[i].name);
+        const int columns = 3 + glyphs_columns(legend[i].name);
         if (x + columns + 1 > area.rect.width)
             return i;
         for (int k = -1; k <= columns + 1; k++)
@@ -98,7 +98,7 @@ int draw_legend(Area area, int x, int y, const Legend *legend, int n_legend)
     return n_legend;
 }
 
-const char *short_word(const char *name)
+const char *legend_short_name(const char *name)
 {
     static const char *const words[][2] = {
         {"predicted", "pred"},
@@ -125,7 +125,7 @@ static const char *shorter_name(const Legend *entry, int kind)
     case 0:
         return !run ? NULL : entry->name[0] == 'A' ? "A" : "B";
     case 1:
-        return short_word(entry->name);
+        return legend_short_name(entry->name);
     default:
         return ghost ? "" : NULL; /* its letter has to do */
     }
@@ -135,7 +135,7 @@ static int legend_columns(const Legend *legend, int n_legend)
 {
     int columns = -1; /* after the last one there is no gap */
     for (int i = 0; i < n_legend; i++)
-        columns += text_columns(legend[i].name) + 5;
+        columns += glyphs_columns(legend[i].name) + 5;
     return columns;
 }
 
@@ -145,7 +145,7 @@ static void shorten_legend(int room, int kinds, Legend *legend, int n_legend)
     for (int kind = 0; kind < kinds; kind++)
         for (int i = 0, columns = legend_columns(legend, n_legend); i < n_legend && columns > room; i++) {
             const char *name = shorter_name(&legend[i], kind);
-            columns -= name ? text_columns(legend[i].name) - text_columns(name) : 0;
+            columns -= name ? glyphs_columns(legend[i].name) - glyphs_columns(name) : 0;
             legend[i].name = name ? name : legend[i].name;
         }
 }
@@ -154,14 +154,14 @@ static void shorten_legend(int room, int kinds, Legend *legend, int n_legend)
 static int leave_out_measured(Legend *legend, int n_legend)
 {
     for (int i = 0; i < n_legend; i++)
-        if (strcmp(legend[i].name, short_word("measured")) == 0) {
+        if (strcmp(legend[i].name, legend_short_name("measured")) == 0) {
             memmove(&legend[i], &legend[i + 1], (size_t)(n_legend - i - 1) * sizeof *legend);
             return n_legend - 1;
         }
     return n_legend;
 }
 
-int draw_heading(Area area, Style heading, const char *name, const char *scale, const Legend *legend,
+int heading_draw(Area area, Style heading, const char *name, const char *scale, const Legend *legend,
                  int n_legend)
 {
     enum { SHORT_NAME = 1, NO_MEASURED, LETTERS_ONLY }; /* what gives way, one after the other */
@@ -170,9 +170,9 @@ int draw_heading(Area area, Style heading, const char *name, const char *scale, 
     n_legend = n_legend < LEGENDS_MAX ? n_legend : LEGENDS_MAX;
     int n_shown = 0, x = 0;
     for (int pass = 0; pass <= LETTERS_ONLY; pass++) {
-        const char *title = pass >= SHORT_NAME ? short_word(name) : name;
+        const char *title = pass >= SHORT_NAME ? legend_short_name(name) : name;
         snprintf(text, sizeof text, "%s%s%s", title, !scale[0] ? "" : scale[0] == 'x' ? " " : ", ", scale);
-        x = 4 + text_columns(text) + 1;
+        x = 4 + glyphs_columns(text) + 1;
         const int room = legend_room(area) - x;
         memcpy(shown, legend, (size_t)n_legend * sizeof *legend);
         shorten_legend(room, NAME_KINDS - 1, shown, n_legend);
@@ -182,20 +182,20 @@ int draw_heading(Area area, Style heading, const char *name, const char *scale, 
             break;
     }
     area_rule(area, 0, text, heading);
-    return draw_legend(area, x, 0, shown, n_shown) + n_legend - n_shown;
+    return legend_draw(area, x, 0, shown, n_shown) + n_legend - n_shown;
 }
 
-bool draw_heading_hint(const Screen *screen, Area area, int begin, int end, const char *hint)
+bool heading_hint(const Screen *screen, Area area, int begin, int end, const char *hint)
 {
     char text[96];
-    plain_text(screen, hint, text, sizeof text);
-    if (begin + text_columns(text) >= end)
+    screen_plain_text(screen, hint, text, sizeof text);
+    if (begin + glyphs_columns(text) >= end)
         return false;
     area_text_right(area, end, 0, text, STYLE_FAINT);
     return true;
 }
 
-double field_at(const Simulation *sim, int field, size_t index)
+double simulation_value(const Simulation *sim, int field, size_t index)
 {
     double value = NAN;
     if (field >= 0)
@@ -203,19 +203,19 @@ double field_at(const Simulation *sim, int field, size_t index)
     return value;
 }
 
-void number_text(double value, int digits, int width, char out[NUMBER_TEXT_MAX])
+void text_fitted(double value, int digits, int width, char out[NUMBER_TEXT_MAX])
 {
     do
         text_rounded(out, value, digits);
     while ((int)strlen(out) > width && --digits > 0);
 }
 
-const Problem *facts_of(const Screen *screen)
+const Problem *screen_problem(const Screen *screen)
 {
     return experiment_settings(screen->experiment)->problem;
 }
 
-void factor_text(double factor, char out[NUMBER_TEXT_MAX])
+void text_factor(double factor, char out[NUMBER_TEXT_MAX])
 {
     if (factor >= 1 && factor < 1e7)
         snprintf(out, NUMBER_TEXT_MAX, "%.0f", factor);
@@ -223,16 +223,16 @@ void factor_text(double factor, char out[NUMBER_TEXT_MAX])
         text_rounded(out, factor, 2);
 }
 
-void time_text(const Screen *screen, double time, char *out, size_t size)
+void screen_time_text(const Screen *screen, double time, char *out, size_t size)
 {
-    const Problem *facts = facts_of(screen);
+    const Problem *facts = screen_problem(screen);
     const double unit = facts->shown_time, dt = experiment_simulation(screen->experiment)->dt / unit;
     int decimals = dt > 0 ? (int)ceil(-log10(dt) - 1e-9) : 2;
     decimals = decimals < 0 ? 0 : decimals > 6 ? 6 : decimals;
     snprintf(out, size, "t %.*f%s", decimals, time / unit, facts->shown_time_unit);
 }
 
-int find_column(const Screen *screen, const char *name)
+int screen_column(const Screen *screen, const char *name)
 {
     int count;
     const Column *columns = experiment_columns(screen->experiment, &count);
@@ -242,7 +242,7 @@ int find_column(const Screen *screen, const char *name)
     return -1;
 }
 
-double derived_value(const Screen *screen, const char *name)
+double screen_derived(const Screen *screen, const char *name)
 {
     Derived derived[DERIVED_MAX];
     const int count = experiment_derived(screen->experiment, derived);
@@ -252,7 +252,7 @@ double derived_value(const Screen *screen, const char *name)
     return NAN;
 }
 
-int box_stage(const Screen *screen, bool *done)
+int screen_box_stage(const Screen *screen, bool *done)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     int stage = experiment_stage(screen->experiment);
@@ -265,7 +265,7 @@ int box_stage(const Screen *screen, bool *done)
     return 0;
 }
 
-void append(char *out, size_t size, const char *format, ...)
+void text_append(char *out, size_t size, const char *format, ...)
 {
     const size_t used = strlen(out);
     va_list arguments;
@@ -274,7 +274,7 @@ void append(char *out, size_t size, const char *format, ...)
     va_end(arguments);
 }
 
-bool next_word(const char **text, char *out, size_t size)
+bool text_next_word(const char **text, char *out, size_t size)
 {
     *text += strspn(*text, " ");
     size_t length = strcspn(*text, " ");
@@ -290,12 +290,12 @@ static int own_names(const Simulation *sim, const char *words, int set)
 {
     char word[64];
     int count = 0;
-    while (next_word(&words, word, sizeof word))
+    while (text_next_word(&words, word, sizeof word))
         count += simulation_find_field(sim, set, word) >= 0 && simulation_find_field(sim, 1 - set, word) < 0;
     return count;
 }
 
-int stage_target(const Simulation *sim, const Stage *stage)
+int stage_flow_target(const Simulation *sim, const Stage *stage)
 {
     if (!simulation_has(sim, HAS_MESH))
         return 0;
@@ -312,13 +312,13 @@ Flow stage_flow(const Simulation *sim, const Stage *stage)
         return FLOW_NONE;
     if (strcmp(stage->id, "forget") == 0)
         return FLOW_FORGET;
-    const int target = stage_target(sim, stage);
+    const int target = stage_flow_target(sim, stage);
     if (own_names(sim, stage->reads, 1 - target) == 0)
         return FLOW_NONE;
     return target == 1 ? FLOW_TO_NODES : FLOW_TO_PARTICLES;
 }
 
-int stage_field(const Simulation *sim, int set, const char *name)
+int stage_flow_field(const Simulation *sim, int set, const char *name)
 {
     return set < sim->n_sets ? simulation_find_field(sim, set, name) : -1;
 }
@@ -348,10 +348,10 @@ static double reach_of(Experiment *experiment, int field, const double *now, siz
 }
 
 /* Two runs are compared by one scale. */
-double field_reach(const Screen *screen, int field, const double *now, size_t count)
+double screen_field_reach(const Screen *screen, int field, const double *now, size_t count)
 {
     double reach = reach_of(screen->experiment, field, now, count);
-    Experiment *second = second_run(screen);
+    Experiment *second = screen_second_run(screen);
     if (!second)
         return reach;
     Experiment *other = screen->experiment == second ? screen->duel->a : second;
@@ -368,7 +368,7 @@ double field_reach(const Screen *screen, int field, const double *now, size_t co
     return reach;
 }
 
-void plain_text(const Screen *screen, const char *text, char *out, size_t size)
+void screen_plain_text(const Screen *screen, const char *text, char *out, size_t size)
 {
     static const char *const spellings[][2] = {
         {"→", "->"},  {"←", "<-"}, {"Δ", "d"},   {"ε", "e"},    {"σ", "s"},   {"ρ", "rho"},
@@ -397,9 +397,9 @@ void plain_text(const Screen *screen, const char *text, char *out, size_t size)
     out[used] = '\0';
 }
 
-void unit_text(const Screen *screen, const Field *field, char *out, size_t size)
+void screen_unit_text(const Screen *screen, const Field *field, char *out, size_t size)
 {
     const char *unit = field->quantity.unit;
-    const bool none = !facts_of(screen)->si || strcmp(unit, "1") == 0;
+    const bool none = !screen_problem(screen)->si || strcmp(unit, "1") == 0;
     snprintf(out, size, "%s%s", none ? "" : " ", none ? "" : unit);
 }

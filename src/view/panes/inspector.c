@@ -2,9 +2,9 @@
 #include "view/panes/panes.h"
 
 static const Inspector inspectors[] = {
-    {HAS_MESH | HAS_LINE, pane_mesh_inspector, move_mesh_inspector},
-    {HAS_BONDS | HAS_LINE, pane_bonds, move_bonds},
-    {HAS_BONDS | HAS_PLANE, pane_family, move_node},
+    {HAS_MESH | HAS_LINE, pane_mesh_inspector, pane_mesh_inspector_move},
+    {HAS_BONDS | HAS_LINE, pane_bonds, pane_bonds_move},
+    {HAS_BONDS | HAS_PLANE, pane_family, pane_family_move},
 };
 
 const Inspector *inspector_find(const Screen *screen)
@@ -25,7 +25,7 @@ void screen_choose_across(Screen *screen, bool node)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     if (simulation_has(sim, HAS_MESH))
-        move_mesh_inspector(screen, 0, node ? -1 : 1, 1);
+        pane_mesh_inspector_move(screen, 0, node ? -1 : 1, 1);
 }
 
 bool screen_move_inspector(Screen *screen, int x, int y, int page)

@@ -39,7 +39,7 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
                        : width < WIDER     ? PARAMETERS_WIDTH
                                            : WIDE_PARAMETERS_WIDTH;
     /* two runs side by side take what else joins at the right */
-    const bool side = width >= WIDE && height >= SIDE_HEIGHT && !second_run(screen);
+    const bool side = width >= WIDE && height >= SIDE_HEIGHT && !screen_second_run(screen);
     const int side_width = side ? (width < WIDER ? 39 : width < 150 ? 45 : width * 3 / 10) : 0;
     const int left = fields + 1, plots = width - left - (side ? side_width + 1 : 0);
     /* the map of a beam that is no rod wants height more than the curve below it */
@@ -49,7 +49,7 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     const int lower = tall ? middle * 4 / 9 + 1 : (middle + 3) / 2, upper = middle - lower;
     /* on a large screen with a row for what its marks are */
     const bool own = width >= TIMELINE_WIDTH && height >= TIMELINE_HEIGHT;
-    const int timeline = own && height >= LEGEND_HEIGHT ? 2 : own || is_rewound(screen);
+    const int timeline = own && height >= LEGEND_HEIGHT ? 2 : own || screen_is_rewound(screen);
 
     layout->kind = LAYOUT_FULL;
     layout->panes[PANE_MESH] = (Rect){0, 1, mesh ? width : 0, mesh};

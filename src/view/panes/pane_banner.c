@@ -51,12 +51,12 @@ int banner_rows(const Screen *screen, int width, int height)
 
 static int columns_of(const char *text, Size size)
 {
-    return (text_columns(text) * (WIDE + GAP) - GAP) * size.columns;
+    return (glyphs_columns(text) * (WIDE + GAP) - GAP) * size.columns;
 }
 
 static void draw_text(Area area, int x, const char *text, Size size, Style style)
 {
-    for (uint32_t glyph; (glyph = utf8_next(&text)) != 0; x += (WIDE + GAP) * size.columns) {
+    for (uint32_t glyph; (glyph = glyph_next(&text)) != 0; x += (WIDE + GAP) * size.columns) {
         const unsigned rows = rows_of(glyph);
         for (int y = 0; y < (size.halves ? (HIGH + 1) / 2 : HIGH); y++)
             for (int i = 0; i < WIDE * size.columns; i++) {
@@ -93,7 +93,7 @@ void pane_banner(const Screen *screen, Area area)
     const int right = columns_of(state, size), width = area.rect.width - 2;
     int fewer = 0;
     do
-        shorter_time(screen, fewer, time, sizeof time);
+        screen_shorter_time(screen, fewer, time, sizeof time);
     while (columns_of(time, size) + right + 2 * WIDE * size.columns > width && ++fewer < 8);
     draw_text(area, 1, time, size, STYLE_HEADING);
     draw_text(area, area.rect.width - 1 - right, state, size,

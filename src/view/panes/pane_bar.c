@@ -202,8 +202,9 @@ static CommandId lay_out_bar(const Screen *screen, int width, const Area *area, 
             command_first_key(pair, other);
         const char *first = short_key(screen, key), *second = short_key(screen, other);
         const char *word = offer->word ? offer->word : word_of(screen, command);
-        int first_columns = text_columns(first), keys = first_columns + (pair ? 1 + text_columns(second) : 0);
-        int columns = keys + 1 + text_columns(word);
+        int first_columns = glyphs_columns(first),
+            keys = first_columns + (pair ? 1 + glyphs_columns(second) : 0);
+        int columns = keys + 1 + glyphs_columns(word);
         if (x + columns > width - 1)
             continue;
         if (area) {
@@ -231,7 +232,7 @@ enum { EDIT_HINT_COLUMN = 31 };
 static int draw_notice(Area bar, int y, const char *text, Style style)
 {
     const int width = bar.rect.width - 2, last = bar.rect.y + y;
-    int rows = paragraph_lines(width, text);
+    int rows = area_paragraph_lines(width, text);
     rows = rows < last ? rows : last;
     Area area = {bar.canvas, {bar.rect.x, last - rows + 1, bar.rect.width, rows}, bar.glyphs};
     for (int row = 0; row < rows; row++)
@@ -257,7 +258,7 @@ static void draw_prompt(const Screen *screen, Area area)
     int room = area.rect.width - x - 1, cursor = prompt->cursor;
     const char *text = prompt->text;
     for (; cursor >= room && *text; cursor--)
-        utf8_next(&text);
+        glyph_next(&text);
     Area field = area_part(area, x, 0, room, 1);
     for (int i = 0; i < room; i++)
         area_put(field, i, 0, ' ', STYLE_EDIT);
@@ -267,7 +268,7 @@ static void draw_prompt(const Screen *screen, Area area)
     if (*notice)
         above -= draw_notice(area, -1, notice, prompt->problem[0] ? STYLE_ERROR : STYLE_TITLE);
     if (prompt->scenarios)
-        draw_scenarios(prompt->scenarios,
+        pane_scenarios(prompt->scenarios,
                        (Area){area.canvas, {area.rect.x, 0, area.rect.width, area.rect.y}, area.glyphs},
                        above);
     area.canvas->cursor_x = area.rect.x + x + (cursor < room ? cursor : room - 1);
@@ -288,7 +289,7 @@ static void draw_keys(const Screen *screen, Area area)
     const Problem *problem = experiment_settings(screen->experiment)->problem;
     parameter_range(parameter, problem, range, sizeof range);
     snprintf(text, sizeof text, "%s: %s", range, parameter_help(parameter, problem));
-    if (EDIT_HINT_COLUMN + text_columns(text) < area.rect.width)
+    if (EDIT_HINT_COLUMN + glyphs_columns(text) < area.rect.width)
         area_text(area, EDIT_HINT_COLUMN, 0, text, STYLE_TITLE);
     else
         draw_notice(area, -1, text, STYLE_TITLE);

@@ -103,17 +103,17 @@ static void draw_node(const Screen *screen, const BondSum *sum, Area area)
         const char *label, *field;
     } told[] = {{"u", "u"}, {"v", "v"}, {"stress", "stress"}, {"strain", "strain"}, {"g", "surface_factor"}};
     char text[160] = "", number[NUMBER_TEXT_MAX];
-    number_text(named(sum, "x0"), 6, 12, number);
-    snprintf(text, sizeof text, "%snode %zu at X = %s: %zu bonds", second_run(screen) ? "A: " : "", sum->node,
-             number, sum->count);
-    area_rule(area, 0, text, is_focused(screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING);
-    draw_heading_hint(screen, area, 5 + text_columns(text), area.rect.width - 1, " ← → next node  i closes ");
+    text_fitted(named(sum, "x0"), 6, 12, number);
+    snprintf(text, sizeof text, "%snode %zu at X = %s: %zu bonds", screen_second_run(screen) ? "A: " : "",
+             sum->node, number, sum->count);
+    area_rule(area, 0, text, screen_is_focused(screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING);
+    heading_hint(screen, area, 5 + glyphs_columns(text), area.rect.width - 1, " ← → next node  i closes ");
     text[0] = '\0';
     for (size_t i = 0; i < sizeof told / sizeof *told; i++) {
         if (simulation_find_field(sum->sim, 0, told[i].field) < 0)
             continue;
-        number_text(named(sum, told[i].field), 5, 11, number);
-        append(text, sizeof text, "%s%s = %s", *text ? "  " : "", told[i].label, number);
+        text_fitted(named(sum, told[i].field), 5, 11, number);
+        text_append(text, sizeof text, "%s%s = %s", *text ? "  " : "", told[i].label, number);
     }
     area_phrases(area, 1, 1, area.rect.width - 2, 1, text, STYLE_NORMAL);
 }
@@ -136,19 +136,19 @@ static void draw_bond(const BondSum *sum, Area area, size_t i, double spacing, i
     name_partner(sum, link, spacing, text, sizeof text);
     area_text_right(area, NAME_WIDTH - 1, y, text, STYLE_NORMAL);
     for (int c = 0; c < 3; c++) {
-        number_text(values[c], 6, COLUMN_WIDTH - 1, text);
+        text_fitted(values[c], 6, COLUMN_WIDTH - 1, text);
         area_text_right(area, column_end(c), y, text, STYLE_NORMAL);
     }
-    write_number(area, column_end(3), y, sum->forces[i], sum->writing, sum->writing.decimals,
-                 sum->just_bonds ? STYLE_CHANGED : STYLE_NORMAL);
+    sum_column_write(area, column_end(3), y, sum->forces[i], sum->writing, sum->writing.decimals,
+                     sum->just_bonds ? STYLE_CHANGED : STYLE_NORMAL);
 }
 
 static void draw_total(const BondSum *sum, Area area, int y, const char *name, double value, int decimals,
                        bool changed)
 {
     area_text_right(area, NAME_WIDTH - 1, y, name, STYLE_HEADING);
-    write_number(area, column_end(3), y, value, sum->writing, decimals,
-                 changed ? STYLE_CHANGED : STYLE_NORMAL);
+    sum_column_write(area, column_end(3), y, value, sum->writing, decimals,
+                     changed ? STYLE_CHANGED : STYLE_NORMAL);
 }
 
 void pane_bonds(const Screen *screen, Area area)
@@ -182,7 +182,7 @@ void pane_bonds(const Screen *screen, Area area)
         char text[48];
         snprintf(text, sizeof text, "%zu longer ones", sum.count - sum.shown);
         area_text_right(area, NAME_WIDTH - 1, y, text, STYLE_FAINT);
-        write_number(area, column_end(3), y++, rest, *writing, writing->decimals, STYLE_NORMAL);
+        sum_column_write(area, column_end(3), y++, rest, *writing, writing->decimals, STYLE_NORMAL);
     }
     const bool based = sum.load != 0;
     draw_total(&sum, area, y++, "all its bonds", sum.all, based ? writing->decimals : writing->sum_decimals,
@@ -197,7 +197,7 @@ void pane_bonds(const Screen *screen, Area area)
                sum.force, writing->sum_decimals, !sum.is_old);
 }
 
-void move_bonds(Screen *screen, int x, int y, int page)
+void pane_bonds_move(Screen *screen, int x, int y, int page)
 {
     const size_t count = experiment_simulation(screen->experiment)->counts[0];
     const long to = (long)screen->chosen.particle + (x != 0 ? x : page > 1 ? y : 0) * (long)page;

@@ -61,14 +61,14 @@ static void line_words(const Screen *screen, char *out, size_t size)
     const Column *columns = experiment_columns(screen->experiment, &n);
     snprintf(out, size, "%s measured.", ascii ? "*" : "Solid:");
     for (int i = 0; i < n; i++) {
-        const Legend legend = column_legend(columns, i);
-        if (columns[i].kind == COLUMN_MEASURED || columns[i].of < 0 || !shows_column(screen, &columns[i]) ||
-            strstr(out, legend.name))
+        const Legend legend = time_plot_legend(columns, i);
+        if (columns[i].kind == COLUMN_MEASURED || columns[i].of < 0 ||
+            !time_plot_shows(screen, &columns[i]) || strstr(out, legend.name))
             continue;
         if (ascii)
-            append(out, size, "  %c %s%s.", legend.letter, legend.name, gloss_of(legend.name));
+            text_append(out, size, "  %c %s%s.", legend.letter, legend.name, gloss_of(legend.name));
         else
-            append(out, size, "  %s: %s%s.", words[legend.line], legend.name, gloss_of(legend.name));
+            text_append(out, size, "  %s: %s%s.", words[legend.line], legend.name, gloss_of(legend.name));
     }
 }
 
@@ -79,13 +79,13 @@ static void keep_sentences(char *text, int width, int rows)
     char cut[ABOUT_MAX];
     snprintf(cut, sizeof cut, "%s", text);
     size_t end = strlen(cut);
-    while (end > 0 && paragraph_lines(width, cut) > rows) {
+    while (end > 0 && area_paragraph_lines(width, cut) > rows) {
         do
             end--;
         while (end > 0 && !(strchr(".?!", cut[end - 1]) && cut[end] == ' '));
         cut[end] = '\0';
     }
-    if (paragraph_lines(width, cut) == rows)
+    if (area_paragraph_lines(width, cut) == rows)
         text[end] = '\0';
 }
 
@@ -102,9 +102,9 @@ static void rate_text(const Screen *screen, char *out, size_t size)
     const double grain = pow(10, floor(log10(rate)) - 1); /* two digits: the third would dance */
     snprintf(out, size, rate < 10 ? " %.1f steps/s, " : " %.0f steps/s, ", round(rate / grain) * grain);
     if (seconds < 100)
-        append(out, size, "about %.0f s left ", fmax(1, seconds));
+        text_append(out, size, "about %.0f s left ", fmax(1, seconds));
     else
-        append(out, size, "about %.0f min left ", ceil(seconds / 60));
+        text_append(out, size, "about %.0f min left ", ceil(seconds / 60));
 }
 
 static void draw_caption(const Screen *screen, Area area)
@@ -116,7 +116,7 @@ static void draw_caption(const Screen *screen, Area area)
     area_rule(area, 0, title, STYLE_HEADING);
     char rate[64];
     rate_text(screen, rate, sizeof rate);
-    if (5 + text_columns(title) + text_columns(rate) + 2 <= area.rect.width)
+    if (5 + glyphs_columns(title) + glyphs_columns(rate) + 2 <= area.rect.width)
         area_text_right(area, area.rect.width - 1, 0, rate, STYLE_FAINT);
 
     int last = rows - 1, y = 1;
@@ -131,7 +131,7 @@ static void draw_caption(const Screen *screen, Area area)
         count--; /* what is still to come, or to come again */
     if (count > 0 && last > y) {
         char time[48];
-        time_text(screen, sim->dt * (double)events[count - 1].step, time, sizeof time);
+        screen_time_text(screen, sim->dt * (double)events[count - 1].step, time, sizeof time);
         snprintf(text, sizeof text, "%s: %s", time, events[count - 1].text);
         area_text(area, 1, last--, text, STYLE_NORMAL);
     } else if (experiment_advice(screen->experiment)[0] && last > y) {
@@ -161,12 +161,12 @@ static void draw_summary(const Screen *screen, Area area)
     if (experiment_failed(screen->experiment, &status) && y < rows)
         y += area_paragraph(area, 1, y, area.rect.width - 2, 2, status.text, STYLE_ERROR);
     char time[48], text[200];
-    time_text(screen, experiment_time(screen->experiment), time, sizeof time);
+    screen_time_text(screen, experiment_time(screen->experiment), time, sizeof time);
     snprintf(text, sizeof text, "%ld steps to %s", experiment_step(screen->experiment), time);
     char energy[SUMMARY_MAX] = "";
     if (screen->summary_known)
         summary_energy_text(summary, energy);
-    append(text, sizeof text, "%s%s", *energy ? "  " : "", energy);
+    text_append(text, sizeof text, "%s%s", *energy ? "  " : "", energy);
     const int width = area.rect.width - 2;
     y += area_phrases(area, 1, y, width, rows - y, text, STYLE_NORMAL);
     if (readout->moving && readout->measured_known && y < rows) {
@@ -174,12 +174,12 @@ static void draw_summary(const Screen *screen, Area area)
         const char *tail = readout->is_period ? " ms" : "";
         snprintf(text, sizeof text, "%s measured %.5f", readout->is_period ? "period" : "frequency w",
                  readout->measured / unit);
-        if (readout->predicted_known && shows_predicted(screen))
-            append(text, sizeof text, "  predicted %.5f", readout->predicted / unit);
-        if (readout->exact_known && shows_exact(screen))
-            append(text, sizeof text, "  %s %.5f%s  %+.3f %%", facts_of(screen)->answer,
-                   readout->exact / unit, tail,
-                   readout->is_period ? readout->error_period : readout->error_frequency);
+        if (readout->predicted_known && screen_shows_predicted(screen))
+            text_append(text, sizeof text, "  predicted %.5f", readout->predicted / unit);
+        if (readout->exact_known && screen_shows_exact(screen))
+            text_append(text, sizeof text, "  %s %.5f%s  %+.3f %%", screen_problem(screen)->answer,
+                        readout->exact / unit, tail,
+                        readout->is_period ? readout->error_period : readout->error_frequency);
         y += area_phrases(area, 1, y, width, rows - y, text, STYLE_NORMAL);
     }
     char crack[SUMMARY_MAX] = "", *line = crack;
@@ -206,10 +206,10 @@ static void draw_ghost_names(const Screen *screen, Area area)
             columns = run, begin = x + 1 - run;
     }
     char text[160];
-    ghost_names(screen, columns - 4, text, sizeof text);
+    runs_ghost_names(screen, columns - 4, text, sizeof text);
     if (columns < LEAST || !text[0])
         return;
-    const int end = begin + columns - 1, width = text_columns(text);
+    const int end = begin + columns - 1, width = glyphs_columns(text);
     area_text_right(area, end, 0, " ", STYLE_FRAME);
     area_text_right(area, end - 1, 0, text, STYLE_NORMAL);
     area_text_right(area, end - 1 - width, 0, " ", STYLE_FRAME);
@@ -218,7 +218,7 @@ static void draw_ghost_names(const Screen *screen, Area area)
 static void draw_box(const Screen *screen, Area area)
 {
     const bool between = experiment_stage(screen->experiment) == 0 && !experiment_before(screen->experiment);
-    if (second_run(screen) && between)
+    if (screen_second_run(screen) && between)
         pane_duel(screen, area);
     else if (screen->playback.state == STATE_RUNNING || screen->playback.state == STATE_COMPUTING)
         draw_caption(screen, area);

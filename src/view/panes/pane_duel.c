@@ -12,11 +12,11 @@ enum { LABEL_LEAST = 12, VALUE_LEAST = 7, GROUPS_MAX = 3 };
 /* What may be told: no theory where a class is to guess. */
 static int rows_shown(const Screen *screen, Comparison rows[COMPARISONS_MAX])
 {
-    const int all = duel_compare(screen->duel, rows);
+    const int all = comparison_of_duel(screen->duel, rows);
     int count = 0;
     for (int i = 0; i < all; i++)
-        if (rows[i].kind == COLUMN_MEASURED || (rows[i].kind == COLUMN_EXACT && shows_exact(screen)) ||
-            (rows[i].kind == COLUMN_PREDICTED && shows_predicted(screen)))
+        if (rows[i].kind == COLUMN_MEASURED || (rows[i].kind == COLUMN_EXACT && screen_shows_exact(screen)) ||
+            (rows[i].kind == COLUMN_PREDICTED && screen_shows_predicted(screen)))
             rows[count++] = rows[i];
     return count;
 }
@@ -27,10 +27,10 @@ static void measure(const Comparison *rows, int count, int *label, int values[2]
     *label = LABEL_LEAST;
     values[0] = values[1] = VALUE_LEAST;
     for (int i = 0; i < count; i++) {
-        *label = text_columns(rows[i].label) > *label ? text_columns(rows[i].label) : *label;
+        *label = glyphs_columns(rows[i].label) > *label ? glyphs_columns(rows[i].label) : *label;
         for (int run = 0; run < 2; run++)
-            if (text_columns(rows[i].values[run]) > values[run])
-                values[run] = text_columns(rows[i].values[run]);
+            if (glyphs_columns(rows[i].values[run]) > values[run])
+                values[run] = glyphs_columns(rows[i].values[run]);
     }
 }
 
@@ -66,14 +66,14 @@ static const char *heading_of(const Screen *screen, int width)
     enum { LETTERS = 16 }; /* of the last columns */
     const Settings *settings = experiment_settings(screen->experiment);
     const char *title = settings->title[0] ? settings->title : settings->problem->title;
-    return 5 + text_columns(title) + LETTERS < width ? title : "Duel";
+    return 5 + glyphs_columns(title) + LETTERS < width ? title : "Duel";
 }
 
 /* "A usf", "B usl"; false: there is no room for it. */
 static bool name_values(Comparison *row, const int values[2])
 {
     for (int run = 0; run < 2; run++)
-        if (text_columns(row->values[run]) + 2 > values[run])
+        if (glyphs_columns(row->values[run]) + 2 > values[run])
             return false;
     for (int run = 0; run < 2; run++) {
         char value[COMPARISON_TEXT_MAX];
@@ -97,13 +97,13 @@ void pane_duel(const Screen *screen, Area area)
     const bool own_row = count <= groups * (height - 1);
     if (!own_row && (count < 1 || !name_values(&rows[0], values)))
         heading = "Duel";
-    area_rule(area, 0, heading, is_focused(screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
+    area_rule(area, 0, heading, screen_is_focused(screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
     if (height < 1)
         return;
     const int each = height - own_row;
     if (count > groups * each)
         count = groups * each;
-    const int used = (count + each - 1) / each, end = area.rect.x + 4 + text_columns(heading);
+    const int used = (count + each - 1) / each, end = area.rect.x + 4 + glyphs_columns(heading);
     for (int i = 0; i < used; i++) {
         const int first = i * each, here = count - first < each ? count - first : each;
         draw_group(area_part(area, i * (area.rect.width / used), 0, width, area.rect.height), rows + first,

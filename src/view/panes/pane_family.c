@@ -24,8 +24,8 @@ static Ray ray_of(const Family *family, const Link *link)
     const int steps[2] = {ray.p, ray.q};
     for (int d = 0; d < 2; d++)
         ray.direction[d] = steps[d] * family->body.spacing +
-                           field_at(sim, sim->displacement[d], link->index) -
-                           field_at(sim, sim->displacement[d], family->node);
+                           simulation_value(sim, sim->displacement[d], link->index) -
+                           simulation_value(sim, sim->displacement[d], family->node);
     const double length = hypot(ray.direction[0], ray.direction[1]);
     for (int d = 0; d < 2 && length > 0; d++)
         ray.direction[d] /= length;
@@ -93,7 +93,7 @@ static void draw_bond(const Family *family, Area area, const Ray *ray, int cell,
     snprintf(text, sizeof text, "%.0f", ray->stretch * scale);
     if (strcmp(text, "-0") == 0)
         strcpy(text, "0");
-    if (text_columns(text) > cell - (text[0] != '-')) /* far beyond: about to break, or unstable */
+    if (glyphs_columns(text) > cell - (text[0] != '-')) /* far beyond: about to break, or unstable */
         strcpy(text, ray->stretch > 0 ? ">>" : "<<");
     const bool most = family->most >= 0 && ray == &family->rays[family->most];
     area_text_right(area, end, y, text, most ? STYLE_CHANGED : STYLE_NORMAL);
@@ -117,7 +117,7 @@ static int draw_family(const Family *family, Area area, int cell)
         draw_bond(family, area, &family->rays[k], cell, scale);
     area_put(area, (family->reach + 1) * cell - 1, family->reach, 0x25a0, STYLE_SECOND);
     const int rows = 2 * family->reach + 1;
-    append(caption, sizeof caption, "%s", family->broken + family->cut ? "  x broken  | notch" : "");
+    text_append(caption, sizeof caption, "%s", family->broken + family->cut ? "  x broken  | notch" : "");
     area_text(area, 1, rows, caption, STYLE_FAINT);
     return rows + 1;
 }
@@ -129,12 +129,12 @@ static void draw_stretch(const Family *family, Area area, int y, const Ray *ray)
 {
     const double s0 = family->settings->bonds.critical_stretch;
     char text[96], number[NUMBER_TEXT_MAX], share[NUMBER_TEXT_MAX], critical[NUMBER_TEXT_MAX];
-    number_text(ray->stretch, 4, 12, number);
-    number_text(100 * ray->stretch / s0, 4, 8, share);
-    number_text(s0, 4, 12, critical);
+    text_fitted(ray->stretch, 4, 12, number);
+    text_fitted(100 * ray->stretch / s0, 4, 8, share);
+    text_fitted(s0, 4, 12, critical);
     snprintf(text, sizeof text, "s = %s", number);
     if (s0 > 0)
-        append(text, sizeof text, " = %s %% of s0 = %s", share, critical);
+        text_append(text, sizeof text, " = %s %% of s0 = %s", share, critical);
     area_text(area, 0, y, text, STYLE_CHANGED);
 }
 
@@ -188,9 +188,9 @@ static int draw_most(const Family *family, Area area)
 static void append_lost(const Family *family, char *text, size_t size)
 {
     if (family->cut)
-        append(text, size, ", %d cut by the notch", family->cut);
+        text_append(text, size, ", %d cut by the notch", family->cut);
     if (family->broken)
-        append(text, size, ", %d broken", family->broken);
+        text_append(text, size, ", %d broken", family->broken);
 }
 
 static void draw_subject(const Family *family, Area area, bool narrow)
@@ -204,15 +204,15 @@ static void draw_subject(const Family *family, Area area, bool narrow)
     const char *hint = !narrow                        ? " ← → ↑ ↓ next node  i closes "
                        : family->screen->panes.zoomed ? " z family "
                                                       : " z forces ";
-    const Style heading = is_focused(family->screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING;
+    const Style heading = screen_is_focused(family->screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING;
     const int end = area.rect.width - 1;
     area_rule(area, 0, text, heading);
-    if (draw_heading_hint(family->screen, area, 5 + text_columns(text), end, hint) || !narrow)
+    if (heading_hint(family->screen, area, 5 + glyphs_columns(text), end, hint) || !narrow)
         return;
     snprintf(text, sizeof text, "node %zu: %d bonds", family->node, family->count);
     append_lost(family, text, sizeof text);
     area_rule(area, 0, text, heading);
-    draw_heading_hint(family->screen, area, 5 + text_columns(text), end, hint);
+    heading_hint(family->screen, area, 5 + glyphs_columns(text), end, hint);
 }
 
 /* Where the node lies: the whole beam, small. */
@@ -275,7 +275,7 @@ long screen_broken_node(const Screen *screen, long step)
 {
     enum { BONDS = 1, AT_ONCE = 4096 };
     const Simulation *sim = experiment_simulation(screen->experiment);
-    const int when = stage_field(sim, BONDS, "broken_at"), end = stage_field(sim, BONDS, "i");
+    const int when = stage_flow_field(sim, BONDS, "broken_at"), end = stage_flow_field(sim, BONDS, "i");
     Body body;
     double value[AT_ONCE];
     if (!body_of(sim, &body) || when < 0 || end < 0)
@@ -292,7 +292,7 @@ long screen_broken_node(const Screen *screen, long step)
     return -1;
 }
 
-void move_node(Screen *screen, int x, int y, int page)
+void pane_family_move(Screen *screen, int x, int y, int page)
 {
     Body body;
     if (!body_of(experiment_simulation(screen->experiment), &body))

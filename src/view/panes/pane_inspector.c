@@ -97,7 +97,7 @@ static void add_exchange(Block *block, const Subject *subject, int exchange, con
         const char *rest = words;
         char word[32];
         double value = 1;
-        for (int f = 0; f < n_factors && next_word(&rest, word, sizeof word); f++) {
+        for (int f = 0; f < n_factors && text_next_word(&rest, word, sizeof word); f++) {
             value *= factors[f];
             const int at = product ? -1 : column_named(block, word);
             if (at >= 2) /* the first two are the shape functions */
@@ -131,7 +131,8 @@ static bool fill_block(Block *block, const Subject *subject, int stage, bool tak
                 continue;
             add_exchange(block, subject, e, ascii ? exchange->ascii : exchange->factors, pass == 1);
             if (exchange->note && !strstr(block->notes, exchange->note))
-                append(block->notes, sizeof block->notes, "%s%s", *block->notes ? ", " : "", exchange->note);
+                text_append(block->notes, sizeof block->notes, "%s%s", *block->notes ? ", " : "",
+                            exchange->note);
             any = true;
         }
     return any;
@@ -156,7 +157,7 @@ static void drop_unused(Block *block)
         for (int c = 2; c < block->n_columns; c++) {
             const char *words = block->columns[c].exchange >= 0 ? block->columns[c].name : "";
             char word[32];
-            while (next_word(&words, word, sizeof word))
+            while (text_next_word(&words, word, sizeof word))
                 used |= strcmp(word[0] == '-' ? word + 1 : word, block->columns[i].name) == 0;
         }
         if (!used)
@@ -177,7 +178,7 @@ static bool make_block(Block *block, const Subject *subject, int stage, bool tak
     const BlockColumn *longest = NULL;
     for (int c = 0; c < block->n_columns; c++)
         if (block->columns[c].exchange >= 0 &&
-            (!longest || text_columns(block->columns[c].name) > text_columns(longest->name)))
+            (!longest || glyphs_columns(block->columns[c].name) > glyphs_columns(longest->name)))
             longest = &block->columns[c];
     if (!longest)
         return true;
@@ -229,8 +230,8 @@ static bool base_of(const Screen *screen, const Subject *subject, const Block *b
         return false;
     return !exchange->adds ||
            experiment_field_before(screen->experiment,
-                                   stage_field(subject->sim, exchange->to, exchange->field), subject->index,
-                                   1, base);
+                                   stage_flow_field(subject->sim, exchange->to, exchange->field),
+                                   subject->index, 1, base);
 }
 
 /* The rows of a block: the links that are written one by one, then one for the others, then the sums. */
@@ -293,10 +294,10 @@ static void draw_head(const Subject *subject, Area area, const Block *block, con
     snprintf(text, sizeof text, "%sstage %d, %s: what ", sim->stage == 0 ? "next, " : "", block->stage + 1,
              sim->stages[block->stage].name);
     if (block->takes)
-        append(text, sizeof text, "its %s give to this %s", other->plural, own->name);
+        text_append(text, sizeof text, "its %s give to this %s", other->plural, own->name);
     else
-        append(text, sizeof text, "this %s gives to its %s", own->name, other->plural);
-    if (1 + text_columns(text) > area.rect.width)
+        text_append(text, sizeof text, "this %s gives to its %s", own->name, other->plural);
+    if (1 + glyphs_columns(text) > area.rect.width)
         snprintf(text, sizeof text, "%sstage %d: %s to %s", sim->stage == 0 ? "next, " : "", block->stage + 1,
                  block->takes ? other->plural : own->name, block->takes ? own->name : other->plural);
     area_text(area, 1, y, text, STYLE_HEADING);
@@ -310,8 +311,8 @@ static void draw_head(const Subject *subject, Area area, const Block *block, con
         if (column->exchange < 0)
             continue;
         const Exchange *exchange = exchange_of(subject, column);
-        const char *label = sim->fields[stage_field(sim, exchange->to, exchange->field)].quantity.label;
-        if (!beside_factors && text_columns(label) >= PRODUCT_WIDTH)
+        const char *label = sim->fields[stage_flow_field(sim, exchange->to, exchange->field)].quantity.label;
+        if (!beside_factors && glyphs_columns(label) >= PRODUCT_WIDTH)
             label = exchange->field;
         area_text_right(area, end, y + 1, label, STYLE_HEADING);
         beside_factors = false;
@@ -327,18 +328,19 @@ static void draw_totals(const Subject *subject, Area area, const Block *block, c
     const BlockColumn *column = &block->columns[c];
     const Exchange *exchange = exchange_of(subject, column);
     const Writing writing = plan->writings[c];
-    const int end = column_end(block, c), field = stage_field(subject->sim, exchange->to, exchange->field);
+    const int end = column_end(block, c),
+              field = stage_flow_field(subject->sim, exchange->to, exchange->field);
     const bool based = plan->bases[c] != 0;
-    write_number(area, end, y++, sum_of(column, 0, plan->all), writing,
-                 based ? writing.decimals : writing.sum_decimals, STYLE_CHANGED);
+    sum_column_write(area, end, y++, sum_of(column, 0, plan->all), writing,
+                     based ? writing.decimals : writing.sum_decimals, STYLE_CHANGED);
     if (!plan->known[c])
         return;
     if (exchange->adds)
-        write_number(area, end, y, plan->bases[c], writing, based ? writing.decimals : writing.sum_decimals,
-                     STYLE_NORMAL);
+        sum_column_write(area, end, y, plan->bases[c], writing,
+                         based ? writing.decimals : writing.sum_decimals, STYLE_NORMAL);
     y += plan->adds;
-    write_number(area, end, y, field_at(subject->sim, field, subject->index), writing, writing.sum_decimals,
-                 STYLE_CHANGED);
+    sum_column_write(area, end, y, simulation_value(subject->sim, field, subject->index), writing,
+                     writing.sum_decimals, STYLE_CHANGED);
 }
 
 static void draw_block(const Subject *subject, Area area, const Block *block, const Plan *plan, int y)
@@ -375,8 +377,8 @@ static void draw_block(const Subject *subject, Area area, const Block *block, co
         size_t count;
         terms_of(column, plan, terms, &count);
         for (size_t i = 0; i < count; i++)
-            write_number(area, end, y + (int)i, terms[i], plan->writings[c], plan->writings[c].decimals,
-                         i < plan->shown ? STYLE_NORMAL : STYLE_FAINT);
+            sum_column_write(area, end, y + (int)i, terms[i], plan->writings[c], plan->writings[c].decimals,
+                             i < plan->shown ? STYLE_NORMAL : STYLE_FAINT);
         if (plan->totals > 0)
             draw_totals(subject, area, block, plan, c, totals);
     }
@@ -387,19 +389,20 @@ static void draw_subject(const Screen *screen, const Subject *subject, Area area
 {
     const Simulation *sim = subject->sim;
     char text[128], number[NUMBER_TEXT_MAX];
-    const int x = stage_field(sim, subject->set, "x"), cell = stage_field(sim, subject->set, "cell");
-    const int fixed = stage_field(sim, subject->set, "fixed");
-    number_text(field_at(sim, x, subject->index), 6, 10, number);
-    snprintf(text, sizeof text, "%s%s %zu at x = %s", second_run(screen) ? "A: " : "",
+    const int x = stage_flow_field(sim, subject->set, "x"),
+              cell = stage_flow_field(sim, subject->set, "cell");
+    const int fixed = stage_flow_field(sim, subject->set, "fixed");
+    text_fitted(simulation_value(sim, x, subject->index), 6, 10, number);
+    snprintf(text, sizeof text, "%s%s %zu at x = %s", screen_second_run(screen) ? "A: " : "",
              sim->sets[subject->set].name, subject->index, number);
     if (cell >= 0 && area.rect.width >= LEAST_FOR_CELL)
-        append(text, sizeof text, ", in cell %.0f", field_at(sim, cell, subject->index));
-    if (fixed >= 0 && field_at(sim, fixed, subject->index) > 0)
-        append(text, sizeof text, ", held by a support");
-    area_rule(area, 0, text, is_focused(screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING);
-    const int begin = 5 + text_columns(text), end = area.rect.width - 1;
-    if (!draw_heading_hint(screen, area, begin, end, " ← → next  ↑ ↓ node or particle  i closes "))
-        draw_heading_hint(screen, area, begin, end, " ← → next  ↑ node  i closes ");
+        text_append(text, sizeof text, ", in cell %.0f", simulation_value(sim, cell, subject->index));
+    if (fixed >= 0 && simulation_value(sim, fixed, subject->index) > 0)
+        text_append(text, sizeof text, ", held by a support");
+    area_rule(area, 0, text, screen_is_focused(screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING);
+    const int begin = 5 + glyphs_columns(text), end = area.rect.width - 1;
+    if (!heading_hint(screen, area, begin, end, " ← → next  ↑ ↓ node or particle  i closes "))
+        heading_hint(screen, area, begin, end, " ← → next  ↑ node  i closes ");
 }
 
 /* Whether a stage passes anything between the subject and its links. */
@@ -445,7 +448,7 @@ void pane_mesh_inspector(const Screen *screen, Area area)
 }
 
 /* Left and right: the next thing; up: the node that the particle shares most with, down: the particle. */
-void move_mesh_inspector(Screen *screen, int x, int y, int page)
+void pane_mesh_inspector_move(Screen *screen, int x, int y, int page)
 {
     const Subject subject = subject_of(screen);
     const size_t count = subject.sim->counts[subject.set];

@@ -112,8 +112,8 @@ static void list_bonds(Area area, const Simulation *sim, size_t chosen)
     area_print(area, 0, 0, STYLE_HEADING, "particle %zu and its bonds", chosen);
     for (size_t i = 0; i < count && i < FAMILY_MAX; i++) {
         char stretch[NUMBER_TEXT_MAX], pull[NUMBER_TEXT_MAX], line[128];
-        number_text(links[i].stretch, 4, 10, stretch);
-        number_text(links[i].pull, 4, 10, pull);
+        text_fitted(links[i].stretch, 4, 10, stretch);
+        text_fitted(links[i].pull, 4, 10, pull);
         snprintf(line, sizeof line, "to %zu  stretch %s  pull %s", links[i].index, stretch, pull);
         area_phrases(area, 0, 1 + (int)i, area.rect.width, 1, line, STYLE_NORMAL);
     }
@@ -130,12 +130,12 @@ static double *displacements_of(const Screen *screen, double *k)
         return NULL;
     }
     sim->method->field(sim, sim->displacement[0], 0, count, u);
-    *k = exaggeration(field_reach(screen, sim->displacement[0], u, count),
-                      lattice_spacing(experiment_settings(screen->experiment)));
+    *k = axis_enlargement(screen_field_reach(screen, sim->displacement[0], u, count),
+                          lattice_spacing(experiment_settings(screen->experiment)));
     return u;
 }
 
-bool choose_in_lattice(Screen *screen, Rect rect, int x, int y)
+bool pane_lattice_choose(Screen *screen, Rect rect, int x, int y)
 {
     const NodeRow row = row_of(screen, rect.width - MARGIN - WORDS_WIDTH - 1);
     const int column = x - rect.x - MARGIN;
@@ -172,13 +172,13 @@ void pane_lattice(const Screen *screen, Area area)
     const int rows = area.rect.height, bonds_row = rows >= 4 ? 1 : 0, nodes_row = rows > 6 ? 3 : rows - 1;
     const bool paused = screen->playback.state != STATE_RUNNING;
     bool done;
-    const char *stage = sim->stages[box_stage(screen, &done)].id;
+    const char *stage = sim->stages[screen_box_stage(screen, &done)].id;
     const bool pulls = paused && done && strcmp(stage, "bonds") == 0;
     const bool mirrors = paused && done && strcmp(stage, "mirror") == 0;
 
     if (rows >= 4)
         area_rule(area, 0, "the bar: its nodes, and the bonds of one",
-                  is_focused(screen, PANE_MESH) ? STYLE_FOCUS : STYLE_HEADING);
+                  screen_is_focused(screen, PANE_MESH) ? STYLE_FOCUS : STYLE_HEADING);
     Area part = area_part(area, MARGIN, 0, columns_of(&row), rows);
     draw_nodes(part, &row, nodes_row, u, k / spacing);
     if (paused) {
@@ -203,7 +203,7 @@ void pane_lattice(const Screen *screen, Area area)
     else
         area_print(words, 0, bonds_row, STYLE_FAINT, "%d nodes, %d bonds each", row.nodes, 2 * row.reach);
     area_print(words, 0, nodes_row, STYLE_FAINT, k == 1 ? "%snodes at x0 + u%.0s" : "%snodes at x0 + %s u",
-               second_run(screen) ? "A: " : "", number);
+               screen_second_run(screen) ? "A: " : "", number);
     if (rows > nodes_row + 2)
         list_bonds(area_part(area, 1, nodes_row + 2, area.rect.width - 2, rows - nodes_row - 2), sim,
                    (size_t)chosen);

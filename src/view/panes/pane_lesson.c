@@ -18,7 +18,7 @@ static void write_paragraphs(Pen *pen, const char *text, Style style)
         char paragraph[1024];
         const size_t length = strcspn(text, "\n");
         snprintf(paragraph, sizeof paragraph, "%.*s", (int)length, text);
-        const int lines = paragraph_lines(width, paragraph);
+        const int lines = area_paragraph_lines(width, paragraph);
         area_paragraph(pen->area, 1, pen->y, width, lines, paragraph, style);
         pen->y += lines + 1;
         text += length + (text[length] == '\n');
@@ -32,7 +32,7 @@ static void write_question(Pen *pen, const Screen *screen, const LessonPage *pag
     if (answer < 0)
         pen->y--; /* the choices stand close to it */
     for (int i = 0; i < page->n_choices && answer < 0; i++) {
-        const int lines = paragraph_lines(width - 3, page->choices[i]);
+        const int lines = area_paragraph_lines(width - 3, page->choices[i]);
         area_print(pen->area, 2, pen->y, STYLE_KEY, "%d", i + 1);
         area_paragraph(pen->area, 4, pen->y, width - 3, lines, page->choices[i], STYLE_NORMAL);
         pen->y += lines;
@@ -63,7 +63,7 @@ static void write_page(Pen *pen, const Screen *screen)
         const Parameter *parameter = parameter_find(page->fields[i]);
         const bool chosen = screen->parameters.selected >= 0 && screen->parameters.selected < count &&
                             rows[screen->parameters.selected].parameter == parameter;
-        draw_parameter(screen, pen->area, pen->y++, parameter, chosen);
+        pane_parameter(screen, pen->area, pen->y++, parameter, chosen);
     }
 }
 
@@ -72,7 +72,7 @@ static void write_list(Pen *pen, const Screen *screen)
     write_paragraphs(pen, "What shall we look at?", STYLE_NORMAL);
     for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++) {
         Lesson lesson;
-        if (!lesson_load(builtin_lessons[i].name, line_is_for_lessons, &lesson, NULL))
+        if (!lesson_load(builtin_lessons[i].name, command_line_for_lessons, &lesson, NULL))
             continue;
         const bool chosen = i == screen->lesson.chosen;
         const Style style = chosen ? STYLE_SELECTED : STYLE_NORMAL;
@@ -119,7 +119,7 @@ static void footer_text(const Screen *screen, char *out, size_t size)
             snprintf(out, size, "goes on from step %.0f", until->number);
             break;
         case UNTIL_TIME:
-            time_text(screen, until->number, time, sizeof time);
+            screen_time_text(screen, until->number, time, sizeof time);
             snprintf(out, size, "goes on from %s", time);
             break;
         case UNTIL_STAGE:
@@ -171,7 +171,7 @@ void pane_lesson(const Screen *screen, Area area)
                  shown->lesson->n_pages);
     else
         snprintf(heading, sizeof heading, "Lessons");
-    area_rule(area, 0, heading, is_focused(screen, PANE_PARAMETERS) ? STYLE_FOCUS : STYLE_HEADING);
+    area_rule(area, 0, heading, screen_is_focused(screen, PANE_PARAMETERS) ? STYLE_FOCUS : STYLE_HEADING);
     Pen pen = {area_part(area, 0, 1, area.rect.width, rows), -lines_above(screen, area)};
     write_all(&pen, screen);
     footer_text(screen, footer, sizeof footer);
@@ -179,7 +179,7 @@ void pane_lesson(const Screen *screen, Area area)
     const int used = area_text(area, 1, last, footer, STYLE_KEY) + 2;
     static const char *const more[] = {"more below", "more", "↓"};
     for (size_t i = 0; pen.y > rows + 1 && i < sizeof more / sizeof *more; i++)
-        if (used + text_columns(more[i]) < end) {
+        if (used + glyphs_columns(more[i]) < end) {
             area_text_right(area, end, last, more[i], STYLE_FAINT);
             break;
         }

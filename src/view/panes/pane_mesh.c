@@ -78,9 +78,9 @@ static void list_links(Area area, const Simulation *sim, size_t chosen, const Li
     area_print(area, 0, 0, STYLE_HEADING, "particle %zu and its nodes", chosen);
     for (size_t i = 0; i < count && i < NODES_OF_PARTICLE_MAX; i++) {
         char place[NUMBER_TEXT_MAX], weight[NUMBER_TEXT_MAX], slope[NUMBER_TEXT_MAX];
-        number_text(field_at(sim, node_x, links[i].index), 5, 10, place);
-        number_text(links[i].weight, 4, 10, weight);
-        number_text(links[i].gradient[0], 4, 10, slope);
+        text_fitted(simulation_value(sim, node_x, links[i].index), 5, 10, place);
+        text_fitted(links[i].weight, 4, 10, weight);
+        text_fitted(links[i].gradient[0], 4, 10, slope);
         char line[128];
         snprintf(line, sizeof line, "node %zu  x %s  N %s  N' %s", links[i].index, place, weight, slope);
         area_phrases(area, 0, 1 + (int)i, area.rect.width, 1, line, STYLE_NORMAL);
@@ -121,14 +121,15 @@ static bool open_picture(const Screen *screen, int width, int rows, BarPicture *
         close_picture(bar);
         return false;
     }
-    bar->spacing =
-        field_at(sim, bar->node_x, bar->nodes / 2) - field_at(sim, bar->node_x, bar->nodes / 2 - 1);
+    bar->spacing = simulation_value(sim, bar->node_x, bar->nodes / 2) -
+                   simulation_value(sim, bar->node_x, bar->nodes / 2 - 1);
     const double gap = bar->particles > 1 ? bar->x0[1] - bar->x0[0] : bar->spacing;
     bar->length = bar->x0[bar->particles - 1] + gap / 2;
     bar->chosen = screen->chosen.particle < bar->particles ? screen->chosen.particle : bar->particles - 1;
     bar->strip =
         strip_of(width - MARGIN - CAPTION_WIDTH - 1, bar->x0[bar->chosen], bar->length, bar->spacing);
-    bar->k = exaggeration(field_reach(screen, sim->displacement[0], bar->u, bar->particles), bar->spacing);
+    bar->k = axis_enlargement(screen_field_reach(screen, sim->displacement[0], bar->u, bar->particles),
+                              bar->spacing);
     return true;
 }
 
@@ -144,8 +145,9 @@ static bool choose_in_bar(Screen *screen, Rect rect, int x, int y)
     double least = INFINITY;
     for (size_t i = 0; i < (among_nodes ? bar.nodes : bar.particles) && inside; i++) {
         /* a node is drawn in the column that begins at it */
-        const double at = among_nodes ? column_of_x(&bar.strip, field_at(bar.sim, bar.node_x, i)) + 0.5
-                                      : column_of_x(&bar.strip, bar.x0[i] + bar.k * bar.u[i]);
+        const double at = among_nodes
+                              ? column_of_x(&bar.strip, simulation_value(bar.sim, bar.node_x, i)) + 0.5
+                              : column_of_x(&bar.strip, bar.x0[i] + bar.k * bar.u[i]);
         if (fabs(at - column) < least && at >= 0 && at < bar.strip.columns + 1) {
             least = fabs(at - column);
             *(among_nodes ? &screen->chosen.node : &screen->chosen.particle) = i;
@@ -170,9 +172,9 @@ static void draw_bar(const Screen *screen, Area area)
     Area part = area_part(area, MARGIN, 0, strip.columns, rows);
     if (rows >= 4)
         area_rule(area, 0, "the bar: its grid, and its particles",
-                  is_focused(screen, PANE_MESH) ? STYLE_FOCUS : STYLE_HEADING);
+                  screen_is_focused(screen, PANE_MESH) ? STYLE_FOCUS : STYLE_HEADING);
     bool done;
-    const int stage = box_stage(screen, &done);
+    const int stage = screen_box_stage(screen, &done);
     const bool inside = screen->playback.state != STATE_RUNNING && done;
     const Flow flow = inside ? stage_flow(sim, &sim->stages[stage]) : FLOW_NONE;
     const bool grid_there = experiment_stage(screen->experiment) > 0;
@@ -181,13 +183,14 @@ static void draw_bar(const Screen *screen, Area area)
     for (int x = 0; x < strip.columns; x++)
         area_put(part, x, grid_row, 0x2500, STYLE_FRAME);
     for (size_t i = 0; i < nodes; i++) {
-        int column = strip_column(&strip, field_at(sim, node_x, i));
+        int column = strip_column(&strip, simulation_value(sim, node_x, i));
         if (column < 0)
             continue;
         area_put(part, column, grid_row, 0x253c, grid_there ? STYLE_NORMAL : STYLE_FRAME);
-        if (node_fixed >= 0 && field_at(sim, node_fixed, i) > 0 && field_at(sim, node_x, i) > -spacing / 2 &&
-            field_at(sim, node_x, i) < length + spacing / 2) {
-            const bool left = field_at(sim, node_x, i) < length / 2;
+        if (node_fixed >= 0 && simulation_value(sim, node_fixed, i) > 0 &&
+            simulation_value(sim, node_x, i) > -spacing / 2 &&
+            simulation_value(sim, node_x, i) < length + spacing / 2) {
+            const bool left = simulation_value(sim, node_x, i) < length / 2;
             for (int y = grid_row; y <= particle_row; y++)
                 area_put(area, MARGIN + column + (left ? -1 : 1), y, 0x2592, STYLE_FRAME);
         }
@@ -217,7 +220,7 @@ static void draw_bar(const Screen *screen, Area area)
     const uint32_t arrow = flow == FLOW_TO_NODES ? 0x2191 : flow == FLOW_TO_PARTICLES ? 0x2193 : 0x00b7;
     for (size_t i = 0; i < n_links && i < NODES_OF_PARTICLE_MAX && screen->playback.state != STATE_RUNNING;
          i++) {
-        int column = strip_column(&strip, field_at(sim, node_x, links[i].index));
+        int column = strip_column(&strip, simulation_value(sim, node_x, links[i].index));
         if (column < 0)
             continue;
         area_put(part, column, grid_row, 0x25cf, flow == FLOW_TO_NODES ? STYLE_CHANGED : STYLE_SECOND);
@@ -228,8 +231,8 @@ static void draw_bar(const Screen *screen, Area area)
     if (screen->playback.state != STATE_RUNNING)
         area_put(part, own, particle_row, 0x25cf, flow == FLOW_TO_PARTICLES ? STYLE_CHANGED : STYLE_SECOND);
     if (screen->chosen.is_node && screen->playback.state != STATE_RUNNING && screen->chosen.node < nodes)
-        area_put(part, strip_column(&strip, field_at(sim, node_x, screen->chosen.node)), grid_row, 0x25a0,
-                 STYLE_CHANGED);
+        area_put(part, strip_column(&strip, simulation_value(sim, node_x, screen->chosen.node)), grid_row,
+                 0x25a0, STYLE_CHANGED);
 
     /* words */
     static const char *const flows[] = {[FLOW_NONE] = "",
@@ -246,7 +249,7 @@ static void draw_bar(const Screen *screen, Area area)
     else
         area_print(words, 0, grid_row, STYLE_FAINT, "%ld cells", strip.cells);
     text_rounded(number, k, 3);
-    snprintf(text, sizeof text, "%sparticles at x0 + %s%su", second_run(screen) ? "A: " : "",
+    snprintf(text, sizeof text, "%sparticles at x0 + %s%su", screen_second_run(screen) ? "A: " : "",
              k == 1 ? "" : number, k == 1 ? "" : " ");
     area_text(words, 0, particle_row, text, STYLE_FAINT);
     if (rows > particle_row + 2)
@@ -290,8 +293,8 @@ static void draw_beam(const Screen *screen, Area area)
     if (most >= 4 && part.rect.width > most)
         part.rect.width = most;
     const double height = high[1] - low[1];
-    const double reach = field_reach(screen, sim->displacement[1], at[3], count);
-    const double k = exaggeration(reach > moved ? reach : moved, 0.75 * height);
+    const double reach = screen_field_reach(screen, sim->displacement[1], at[3], count);
+    const double k = axis_enlargement(reach > moved ? reach : moved, 0.75 * height);
     /* the drawing keeps its frame while the beam swings; to scale if there are rows enough, else as they
      * allow */
     double top = high[1] + 0.8 * height, bottom = low[1] - 0.8 * height;
@@ -310,16 +313,16 @@ static void draw_beam(const Screen *screen, Area area)
     plot_draw(&plot, part);
     plot_close(&plot);
     if (tall)
-        area_rule(area, 0, "the beam", is_focused(screen, PANE_MESH) ? STYLE_FOCUS : STYLE_HEADING);
+        area_rule(area, 0, "the beam", screen_is_focused(screen, PANE_MESH) ? STYLE_FOCUS : STYLE_HEADING);
     Area words = area_part(area, part.rect.x + part.rect.width + 1, 0, area.rect.width, rows);
     char number[NUMBER_TEXT_MAX];
-    factor_text(k, number);
+    text_factor(k, number);
     if (stretch < 0.95)
         area_print(words, 0, tall ? 1 : 0, STYLE_FAINT, "height drawn x %.2g", stretch);
     else
         area_text(words, 0, tall ? 1 : 0, "to scale", STYLE_FAINT);
     area_print(words, 0, rows - 1, STYLE_FAINT, k == 1 ? "%sdrawn in place%.0s" : "%sat y0 + %s uy",
-               second_run(screen) ? "A: " : "", number);
+               screen_second_run(screen) ? "A: " : "", number);
     for (int i = 0; i < 4; i++)
         free(at[i]);
     free(damage);
@@ -341,5 +344,5 @@ bool screen_choose_in_strip(Screen *screen, int width, int height, int x, int y)
     if (!simulation_has(sim, HAS_LINE) || x < rect.x || x >= rect.x + rect.width || y < rect.y ||
         y >= rect.y + rect.height)
         return false;
-    return (simulation_has(sim, HAS_MESH) ? choose_in_bar : choose_in_lattice)(screen, rect, x, y);
+    return (simulation_has(sim, HAS_MESH) ? choose_in_bar : pane_lattice_choose)(screen, rect, x, y);
 }

@@ -75,12 +75,12 @@ static void real_text(const Screen *screen, const Parameter *parameter, char out
     const double nominal = settings_number(settings, parameter);
     double real = NAN;
     if (strcmp(parameter->key, "beam.height") == 0)
-        real = derived_value(screen, "real_height");
+        real = screen_derived(screen, "real_height");
     else if (strcmp(parameter->key, "beam.length") == 0 &&
              !(settings->problem->concerns & (CONCERN_MOTION | CONCERN_SUPPORTS)))
-        real = derived_value(screen, "real_span");
+        real = screen_derived(screen, "real_span");
     if (fabs(real - nominal) > 1e-6 * nominal)
-        number_text(real, 4, 8, out);
+        text_fitted(real, 4, 8, out);
 }
 
 /* The first row shown, so that the chosen one stands near the middle. */
@@ -92,10 +92,10 @@ static int first_row(const Screen *screen, int count, int room)
     return first > 0 ? first : 0;
 }
 
-void draw_parameter(const Screen *screen, Area area, int y, const Parameter *parameter, bool chosen)
+void pane_parameter(const Screen *screen, Area area, int y, const Parameter *parameter, bool chosen)
 {
     const Settings *settings = experiment_settings(screen->experiment);
-    const bool focused = chosen && is_focused(screen, PANE_PARAMETERS);
+    const bool focused = chosen && screen_is_focused(screen, PANE_PARAMETERS);
     const int width = area.rect.width;
     Style style = focused ? STYLE_SELECTED : STYLE_NORMAL;
     for (int x = 1; focused && x < width; x++)
@@ -106,12 +106,12 @@ void draw_parameter(const Screen *screen, Area area, int y, const Parameter *par
         snprintf(value, sizeof value, "-");
     /* a number is never cut: where both have no room, the label is shorter */
     const bool is_number = parameter->type == PARAMETER_REAL || parameter->type == PARAMETER_INTEGER;
-    const int wanted = 3 + text_columns(parameter->label);
-    if (is_number && text_columns(value) > width - wanted && parameter->type == PARAMETER_REAL)
-        number_text(settings_number(settings, parameter), 6, width - wanted < 10 ? 10 : width - wanted,
+    const int wanted = 3 + glyphs_columns(parameter->label);
+    if (is_number && glyphs_columns(value) > width - wanted && parameter->type == PARAMETER_REAL)
+        text_fitted(settings_number(settings, parameter), 6, width - wanted < 10 ? 10 : width - wanted,
                     value);
-    const int label_width = is_number ? width - text_columns(value) - 1 : width;
-    const int indent = is_number && 2 + text_columns(parameter->label) > label_width ? 1 : 2;
+    const int label_width = is_number ? width - glyphs_columns(value) - 1 : width;
+    const int indent = is_number && 2 + glyphs_columns(parameter->label) > label_width ? 1 : 2;
     int label = area_text(area_part(area, 0, y, label_width, 1), indent, 0, parameter->label, style) + indent;
 
     if (focused && screen->parameters.edit.open) {
@@ -119,7 +119,7 @@ void draw_parameter(const Screen *screen, Area area, int y, const Parameter *par
         Area field = area_part(area, width - room, y, room, 1);
         const char *text = screen->parameters.edit.text;
         for (; cursor >= room && *text; cursor--)
-            utf8_next(&text);
+            glyph_next(&text);
         for (int x = 0; x < room; x++)
             area_put(field, x, 0, ' ', STYLE_EDIT);
         area_text(field, 0, 0, text, STYLE_EDIT);
@@ -127,7 +127,7 @@ void draw_parameter(const Screen *screen, Area area, int y, const Parameter *par
         area.canvas->cursor_y = field.rect.y;
         return;
     }
-    const int columns = text_columns(value), room = width - label - 1;
+    const int columns = glyphs_columns(value), room = width - label - 1;
     if (focused && parameter->type == PARAMETER_CHOICE && columns + 2 <= room) {
         char marked[LIST_MAX + 8];
         snprintf(marked, sizeof marked, "‹%s›", value);
@@ -137,7 +137,7 @@ void draw_parameter(const Screen *screen, Area area, int y, const Parameter *par
         real_text(screen, parameter, real);
         snprintf(brackets, sizeof brackets, "(%s) ", real);
         area_text_right(area, width, y, value, style);
-        if (real[0] && text_columns(brackets) + columns + 1 <= room)
+        if (real[0] && glyphs_columns(brackets) + columns + 1 <= room)
             area_text_right(area, width - columns, y, brackets, focused ? style : STYLE_FAINT);
     } else {
         area_text(area_part(area, label + 1, y, room, 1), 0, 0, value, style);
@@ -158,7 +158,7 @@ static void draw_derived(Area area, int y, const Derived *derived, bool chosen)
     if (derived->integer)
         snprintf(value, sizeof value, "%.0f", derived->value);
     else
-        number_text(derived->value, 6, area.rect.width - label - 1, value);
+        text_fitted(derived->value, 6, area.rect.width - label - 1, value);
     area_text_right(area, area.rect.width, y, value, style);
 }
 
@@ -195,7 +195,7 @@ void pane_parameters(const Screen *screen, Area area)
     Derived derived[DERIVED_MAX];
     const int count = screen_parameter_rows(screen, rows);
     experiment_derived(screen->experiment, derived);
-    const bool focused = is_focused(screen, PANE_PARAMETERS);
+    const bool focused = screen_is_focused(screen, PANE_PARAMETERS);
     const int room = room_of(area.rect.height), first = first_row(screen, count, room);
 
     for (int y = 0; y < room && first + y < count; y++) {
@@ -204,7 +204,7 @@ void pane_parameters(const Screen *screen, Area area)
         if (row->heading)
             area_text(area, 1, y, row->heading, focused ? STYLE_FOCUS : STYLE_HEADING);
         else if (row->parameter)
-            draw_parameter(screen, area, y, row->parameter, chosen);
+            pane_parameter(screen, area, y, row->parameter, chosen);
         else
             draw_derived(area, y, &derived[row->derived], chosen && focused);
     }
@@ -241,5 +241,5 @@ void pane_chosen_parameter(const Screen *screen, Area area)
     const int count = screen_parameter_rows(screen, rows);
     if (screen->parameters.selected >= 0 && screen->parameters.selected < count &&
         rows[screen->parameters.selected].parameter)
-        draw_parameter(screen, area, 0, rows[screen->parameters.selected].parameter, true);
+        pane_parameter(screen, area, 0, rows[screen->parameters.selected].parameter, true);
 }

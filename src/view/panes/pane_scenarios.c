@@ -9,7 +9,8 @@ static int widest(const ScenarioList *list, bool of_titles)
     int width = 0;
     for (int i = 0; i < list->n_shown; i++) {
         const int entry = list->shown[i];
-        const int columns = text_columns(of_titles ? list->entries[entry].title : list->entries[entry].name);
+        const int columns =
+            glyphs_columns(of_titles ? list->entries[entry].title : list->entries[entry].name);
         width = columns > width ? columns : width;
     }
     return width;
@@ -21,12 +22,12 @@ static void fill(Area area, int y, Style style)
         area_put(area, x, y, ' ', style);
 }
 
-void draw_scenarios(const ScenarioList *list, Area area, int bottom)
+void pane_scenarios(const ScenarioList *list, Area area, int bottom)
 {
     const int names = widest(list, false), width = area.rect.width;
     const bool beside = 1 + names + 2 + widest(list, true) + 1 <= width;
     const char *chosen = list->chosen >= 0 ? list->entries[list->shown[list->chosen]].title : "";
-    const int below = !beside && *chosen ? paragraph_lines(width - 2, chosen) : 0;
+    const int below = !beside && *chosen ? area_paragraph_lines(width - 2, chosen) : 0;
     const int room = bottom - 1 - below; /* the title line stays */
     const int rows = list->n_shown < room ? list->n_shown : room;
     if (rows < 1)

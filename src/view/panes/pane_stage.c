@@ -23,7 +23,7 @@ static Subject subject_of(const Screen *screen)
 {
     Subject subject = {.screen = screen, .sim = experiment_simulation(screen->experiment)};
     const Simulation *sim = subject.sim;
-    subject.stage = box_stage(screen, &subject.done);
+    subject.stage = screen_box_stage(screen, &subject.done);
     subject.set = screen->chosen.is_node && simulation_has(sim, HAS_MESH);
     const size_t chosen = subject.set ? screen->chosen.node : screen->chosen.particle,
                  count = sim->counts[subject.set];
@@ -37,8 +37,8 @@ static Subject subject_of(const Screen *screen)
 static void pair_text(double before, double now, char was[NUMBER_TEXT_MAX], char is[NUMBER_TEXT_MAX])
 {
     for (int digits = 5; digits <= 9; digits++) {
-        number_text(before, digits, 16, was);
-        number_text(now, digits, 16, is);
+        text_fitted(before, digits, 16, was);
+        text_fitted(now, digits, 16, is);
         if (strcmp(was, is) != 0)
             return;
     }
@@ -59,20 +59,20 @@ static FieldPhrase phrase_of(const Subject *subject, int field)
     char arrow[4];
     subject->sim->method->field(subject->sim, field, subject->index, 1, &value);
     snprintf(phrase.label, sizeof phrase.label, "%s ", row->quantity.label);
-    unit_text(subject->screen, row, phrase.unit, sizeof phrase.unit);
-    plain_text(subject->screen, "→", arrow, sizeof arrow);
+    screen_unit_text(subject->screen, row, phrase.unit, sizeof phrase.unit);
+    screen_plain_text(subject->screen, "→", arrow, sizeof arrow);
     phrase.changed =
         subject->done &&
         experiment_field_before(subject->screen->experiment, field, subject->index, 1, &before) &&
         before != value && !(isnan(before) && isnan(value));
-    number_text(value, 5, 12, phrase.now);
+    text_fitted(value, 5, 12, phrase.now);
     if (phrase.changed) {
         char was[NUMBER_TEXT_MAX];
         pair_text(before, value, was, phrase.now);
         snprintf(phrase.was, sizeof phrase.was, "%s %s ", was, arrow);
     }
-    phrase.columns = text_columns(phrase.label) + text_columns(phrase.was) + text_columns(phrase.now) +
-                     text_columns(phrase.unit);
+    phrase.columns = glyphs_columns(phrase.label) + glyphs_columns(phrase.was) + glyphs_columns(phrase.now) +
+                     glyphs_columns(phrase.unit);
     return phrase;
 }
 
@@ -83,7 +83,7 @@ static int draw_fields(const Subject *subject, const Area *area, int width, int 
 {
     char name[64];
     snprintf(name, sizeof name, "%s %zu", subject->sim->sets[subject->set].name, subject->index);
-    int x = text_columns(name), line = 0;
+    int x = glyphs_columns(name), line = 0;
     if (area)
         area_text(*area, 0, y, name, STYLE_HEADING);
     for (int i = 0; i < count; i++) {
@@ -119,9 +119,9 @@ static int fields_of(const Subject *subject, const char *words, bool all, int fi
     int count = 0;
     char word[64];
     const bool named =
-        !all || subject->set == stage_target(subject->sim, &subject->sim->stages[subject->stage]);
-    while (named && next_word(&words, word, sizeof word))
-        add_field(fields, &count, stage_field(subject->sim, subject->set, word));
+        !all || subject->set == stage_flow_target(subject->sim, &subject->sim->stages[subject->stage]);
+    while (named && text_next_word(&words, word, sizeof word))
+        add_field(fields, &count, stage_flow_field(subject->sim, subject->set, word));
     for (int i = 0; all && i < subject->sim->n_fields; i++)
         if (subject->sim->fields[i].set == subject->set && subject->sim->fields[i].in_table)
             add_field(fields, &count, i);
@@ -160,7 +160,7 @@ static int sums_on(const Area *area, int width, int y, const char *sums)
     int used = 0;
     while (*sums != '\0') {
         const char *rest;
-        const size_t length = paragraph_line(sums, width, &rest);
+        const size_t length = area_paragraph_line(sums, width, &rest);
         if (area && y + used < area->rect.height)
             draw_line(*area, y + used, sums, length, rest[-1] == '\n');
         used++;
@@ -183,7 +183,7 @@ static int choose_sums(const Subject *subject, int width, int rows, char sums[SU
         char text[SUMS_MAX];
         sim->method->explain(sim, subject->stage, subject->set, subject->index,
                              experiment_before(subject->screen->experiment), terms[i], text, sizeof text);
-        plain_text(subject->screen, text, sums, SUMS_MAX);
+        screen_plain_text(subject->screen, text, sums, SUMS_MAX);
         lines = sums_on(NULL, width, 0, sums);
         if (lines <= rows)
             break;
@@ -202,9 +202,10 @@ static void draw_body(const Subject *subject, Area area)
     snprintf(equation, sizeof equation, "%s",
              subject->screen->look.glyphs == GLYPHS_ASCII ? stage->ascii : stage->equation);
     int sum_rows = choose_sums(subject, width, rows - 1, sums);
-    if (sum_rows + paragraph_lines(width, equation) > rows) /* its first line says what the sums are of */
+    if (sum_rows + area_paragraph_lines(width, equation) >
+        rows) /* its first line says what the sums are of */
         equation[strcspn(equation, "\n")] = '\0';
-    int room = rows - sum_rows - paragraph_lines(width, equation);
+    int room = rows - sum_rows - area_paragraph_lines(width, equation);
     if (room < 0) {
         equation[0] = '\0';
         room = rows - sum_rows;
@@ -217,7 +218,7 @@ static void draw_body(const Subject *subject, Area area)
         !subject->done && n_fields > 0 ? draw_fields(subject, NULL, width, 0, fields, n_fields) : 0;
     field_rows = field_rows <= room ? field_rows : 0;
     room -= field_rows;
-    const int sentence_rows = paragraph_lines(width, stage->sentence);
+    const int sentence_rows = area_paragraph_lines(width, stage->sentence);
     const bool sentence = room >= sentence_rows;
     room -= sentence ? sentence_rows : 0;
     if (subject->done) {
@@ -248,7 +249,7 @@ static void draw_list(const Subject *subject, Area area)
         snprintf(line, sizeof line, "%.*s", (int)strcspn(equation, "\n"), equation);
         const char *gap = strstr(line, "  ");
         Area rest = area_part(area, LIST_WIDTH + 2, i, area.rect.width, 1);
-        if (text_columns(line) <= rest.rect.width || (gap && gap - line <= rest.rect.width))
+        if (glyphs_columns(line) <= rest.rect.width || (gap && gap - line <= rest.rect.width))
             area_phrases(rest, 0, 0, rest.rect.width, 1, line, STYLE_FAINT);
     }
 }
@@ -258,11 +259,12 @@ static void labels_of(const Simulation *sim, const char *words, char *out, size_
 {
     char word[64];
     out[0] = '\0';
-    while (next_word(&words, word, sizeof word)) {
+    while (text_next_word(&words, word, sizeof word)) {
         int field = -1;
         for (int set = 0; field < 0 && set < sim->n_sets; set++)
-            field = stage_field(sim, set, word);
-        append(out, size, "%s%s", *out ? ", " : "", field >= 0 ? sim->fields[field].quantity.label : word);
+            field = stage_flow_field(sim, set, word);
+        text_append(out, size, "%s%s", *out ? ", " : "",
+                    field >= 0 ? sim->fields[field].quantity.label : word);
     }
 }
 
@@ -271,14 +273,14 @@ static void draw_heading_of(const Subject *subject, Area area)
     const Simulation *sim = subject->sim;
     const Stage *stage = &sim->stages[subject->stage];
     char text[128], reads[256], writes[256], flow[600], plain[600];
-    const bool both = second_run(subject->screen) != NULL;
+    const bool both = screen_second_run(subject->screen) != NULL;
     snprintf(text, sizeof text, "%s%s %d of %d: %s", both ? "A: " : "",
              !subject->done ? both ? "next, stage" : "Next: stage"
              : both         ? "stage"
                             : "Stage",
              subject->stage + 1, sim->n_stages, stage->name);
-    area_rule(area, 0, text, is_focused(subject->screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
-    const int heading = 5 + text_columns(text), source = text_columns(stage->source) + 2;
+    area_rule(area, 0, text, screen_is_focused(subject->screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
+    const int heading = 5 + glyphs_columns(text), source = glyphs_columns(stage->source) + 2;
     if (heading + source + 2 <= area.rect.width) {
         snprintf(text, sizeof text, " %s ", stage->source);
         area_text_right(area, area.rect.width - 1, 0, text, STYLE_FAINT);
@@ -286,8 +288,8 @@ static void draw_heading_of(const Subject *subject, Area area)
     labels_of(sim, stage->reads, reads, sizeof reads);
     labels_of(sim, stage->writes, writes, sizeof writes);
     snprintf(flow, sizeof flow, " %s → %s ", reads, writes);
-    plain_text(subject->screen, flow, plain, sizeof plain);
-    if (heading + 1 + text_columns(plain) + source + 2 <= area.rect.width)
+    screen_plain_text(subject->screen, flow, plain, sizeof plain);
+    if (heading + 1 + glyphs_columns(plain) + source + 2 <= area.rect.width)
         area_text(area, heading + 1, 0, plain, STYLE_FAINT);
 }
 

@@ -18,7 +18,7 @@ static const struct {
 };
 enum { MARKS = sizeof marks / sizeof *marks };
 
-char event_letter(EventKind kind)
+char pane_timeline_letter(EventKind kind)
 {
     for (int i = 0; i < MARKS; i++)
         if (marks[i].kind == kind)
@@ -34,13 +34,13 @@ typedef struct Line {
 
 static Line line_of(const Screen *screen, int width)
 {
-    const Problem *facts = facts_of(screen);
+    const Problem *facts = screen_problem(screen);
     const double dt = experiment_simulation(screen->experiment)->dt;
     char number[NUMBER_TEXT_MAX];
     Line line = {.first = GUTTER};
-    number_text(dt * (double)experiment_last_step(screen->experiment) / facts->shown_time, 4, 10, number);
+    text_fitted(dt * (double)experiment_last_step(screen->experiment) / facts->shown_time, 4, 10, number);
     snprintf(line.end, sizeof line.end, "%s%s", number, facts->shown_time_unit);
-    line.cells = width - GUTTER - 2 - text_columns(line.end);
+    line.cells = width - GUTTER - 2 - glyphs_columns(line.end);
     return line;
 }
 
@@ -74,7 +74,7 @@ static void draw_marks(const Screen *screen, Area area, int x, const bool seen[M
             snprintf(keys[m], sizeof keys[m], "%c ", marks[m].letter);
             legend[n++] = (Legend){.style = marks[m].style, .name = marks[m].word, .key = keys[m]};
         }
-    draw_legend(area, x, 1, legend, n);
+    legend_draw(area, x, 1, legend, n);
 }
 
 void pane_timeline(const Screen *screen, Area area)
@@ -84,7 +84,7 @@ void pane_timeline(const Screen *screen, Area area)
         return;
     const int newest = cell_of(screen, &line, experiment_newest(screen->experiment));
     /* of a duel A's, by whose times the axes go */
-    area_text_right(area, line.first, 0, second_run(screen) ? "A t 0" : "t 0", STYLE_NORMAL);
+    area_text_right(area, line.first, 0, screen_second_run(screen) ? "A t 0" : "t 0", STYLE_NORMAL);
     area_text(area, line.first + line.cells + 1, 0, line.end, STYLE_NORMAL);
     for (int x = line.first; x < line.first + line.cells; x++)
         area_put(area, x, 0, x > newest ? 0x00b7 : 0x2500, x > newest ? STYLE_FAINT : STYLE_NORMAL);

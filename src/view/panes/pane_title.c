@@ -12,11 +12,11 @@ static void method_words_of(const Screen *screen, char *out, size_t size)
 {
     static const char *const keys[] = {"mpm.algorithm", "mpm.shape", "mpm.transfer"};
     const Settings *settings = experiment_settings(screen->experiment);
-    if (second_run(screen)) {
+    if (screen_second_run(screen)) {
         snprintf(out, size, "A %s  B %s", screen->duel->names[0], screen->duel->names[1]);
         return;
     }
-    snprintf(out, size, "%s", method_titles[settings->method]);
+    snprintf(out, size, "%s", parameter_method_titles[settings->method]);
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
         const Parameter *parameter = parameter_find(keys[i]);
         if (!parameter || !settings_have(settings, parameter))
@@ -25,7 +25,7 @@ static void method_words_of(const Screen *screen, char *out, size_t size)
         settings_spell(settings, parameter, value);
         if (i == 2 && strcmp(value, "FLIP") == 0)
             continue; /* the usual one goes without saying */
-        append(out, size, " %s", value);
+        text_append(out, size, " %s", value);
     }
 }
 
@@ -69,9 +69,9 @@ static void state_text(const Screen *screen, bool brief, char *out, size_t size)
         snprintf(out, size, "PAUSED");
 }
 
-void shorter_time(const Screen *screen, int less, char *out, size_t size)
+void screen_shorter_time(const Screen *screen, int less, char *out, size_t size)
 {
-    time_text(screen, experiment_time(screen->experiment), out, size);
+    screen_time_text(screen, experiment_time(screen->experiment), out, size);
     char *point = strchr(out, '.');
     if (!point)
         return;
@@ -134,21 +134,21 @@ void pane_title(const Screen *screen, Area area)
         const char *gap = form->close ? " " : "  ";
         state_text(screen, form->brief, state, sizeof state);
         bar = screen->playback.state == STATE_COMPUTING && !form->brief;
-        end = width - 1 - text_columns(state) - 1 - (bar ? BAR_CELLS + 1 : 0);
-        shorter_time(screen, form->fewer, time, sizeof time);
+        end = width - 1 - glyphs_columns(state) - 1 - (bar ? BAR_CELLS + 1 : 0);
+        screen_shorter_time(screen, form->fewer, time, sizeof time);
         snprintf(whole, sizeof whole, " %s", form->brand ? "matvib  " : "");
         if (form->name)
-            append(whole, sizeof whole, "%s%s", name, gap);
+            text_append(whole, sizeof whole, "%s%s", name, gap);
         if (form->words)
-            append(whole, sizeof whole, "%s%s", words, gap);
+            text_append(whole, sizeof whole, "%s%s", words, gap);
         if (form->name && !form->close)
-            append(whole, sizeof whole, " ");
-        append(whole, sizeof whole, "%s", time);
+            text_append(whole, sizeof whole, " ");
+        text_append(whole, sizeof whole, "%s", time);
         if (!form->no_step)
-            append(whole, sizeof whole, "%sstep %ld", gap, experiment_step(screen->experiment));
+            text_append(whole, sizeof whole, "%sstep %ld", gap, experiment_step(screen->experiment));
         if (!form->no_stage)
-            append(whole, sizeof whole, "%sstage %d/%d", gap, stage, sim->n_stages);
-        fits = text_columns(whole) <= end && !(form->no_stage && stage > 0) &&
+            text_append(whole, sizeof whole, "%sstage %d/%d", gap, stage, sim->n_stages);
+        fits = glyphs_columns(whole) <= end && !(form->no_stage && stage > 0) &&
                !(form->no_step && screen->playback.state != STATE_RUNNING);
     }
     if (!fits)

@@ -26,10 +26,10 @@ void screen_read_view(Screen *screen, const ViewSettings *view)
     if (sscanf(view->window, "%lf", &window) == 1 && window > 0)
         screen->time.window = window;
     for (int i = 0; i < SHOW_COUNT; i++)
-        if (strcmp(view->references, reference_words[i]) == 0)
+        if (strcmp(view->references, parameter_reference_words[i]) == 0)
             screen->views.references = (ReferencesShown)i;
-    for (int i = 0; colour_words[i]; i++)
-        if (strcmp(view->colour, colour_words[i]) == 0)
+    for (int i = 0; parameter_colour_words[i]; i++)
+        if (strcmp(view->colour, parameter_colour_words[i]) == 0)
             view_choose_variant(view_of_map(), screen, i);
 }
 
@@ -46,7 +46,7 @@ static void draw_too_small(Canvas *canvas)
     char text[64];
     snprintf(text, sizeof text, "matvib needs 40x12, this is %dx%d", canvas->width, canvas->height);
     Area whole = {canvas, {0, 0, canvas->width, canvas->height}, GLYPHS_ASCII};
-    int lines = paragraph_lines(canvas->width, text), y = (canvas->height - lines) / 2;
+    int lines = area_paragraph_lines(canvas->width, text), y = (canvas->height - lines) / 2;
     y = y > 0 ? y : 0;
     area_paragraph(whole, 0, y, canvas->width, canvas->height - y, text, STYLE_NORMAL);
 }
@@ -68,10 +68,10 @@ static void draw_pane(const Screen *screen, PaneId pane, Area area)
         pane_mesh(screen, area);
         break;
     case PANE_UPPER:
-        view_draw(screen->views.upper, screen, area, is_focused(screen, pane));
+        view_draw(screen->views.upper, screen, area, screen_is_focused(screen, pane));
         break;
     case PANE_LOWER:
-        view_draw(screen->views.lower, screen, area, is_focused(screen, pane));
+        view_draw(screen->views.lower, screen, area, screen_is_focused(screen, pane));
         break;
     case PANE_BOX:
         pane_box(screen, area);
@@ -98,7 +98,7 @@ void screen_draw(const Screen *screen, Canvas *canvas)
     }
     if (screen->help.open) {
         Rect all = {0, 1, canvas->width, canvas->height - 2};
-        pane_help(screen, area_of(screen, canvas, all));
+        help_draw(screen, area_of(screen, canvas, all));
     } else {
         if (layout.banner.width > 0)
             pane_banner(screen, area_of(screen, canvas, layout.banner));
@@ -126,7 +126,7 @@ void screen_sketch(const Screen *screen, const View *view, int columns, int rows
     Canvas canvas = {.width = columns, .height = rows, .sketch = sketch};
     sketch_open(sketch);
     sketch->of_moment = view->of_moment;
-    time_text(screen, experiment_time(screen->experiment), sketch->time, sizeof sketch->time);
+    screen_time_text(screen, experiment_time(screen->experiment), sketch->time, sizeof sketch->time);
     view_draw(view, screen, (Area){&canvas, {0, 0, columns, rows}, GLYPHS_NONE}, false);
 }
 

@@ -240,7 +240,7 @@ void screen_read_view(Screen *, const ViewSettings *);
 void screen_draw(const Screen *, Canvas *);
 
 /* What stands in the plot panes when the run is opened: as the scenario says, else as the views like. */
-void screen_open_views(Screen *, const ViewSettings *);
+void views_open(Screen *, const ViewSettings *);
 
 /* The view in a pane; NULL: it is no plot pane. */
 const View *screen_view_in(const Screen *, PaneId);
@@ -280,8 +280,8 @@ int screen_lesson_count(void);
 int screen_lesson_at(const Screen *, int width, int height, int x, int y);
 
 /* How many pages the help has, and how far the open one can be scrolled. */
-int screen_help_pages(void);
-int screen_help_most(const Screen *, int width, int height);
+int help_pages(void);
+int help_most(const Screen *, int width, int height);
 
 /* The step of a bookmark in the run as it is now. */
 long screen_bookmark_step(const Screen *, int index);
@@ -308,20 +308,20 @@ size_t screen_middle_particle(const Simulation *);
 long screen_broken_node(const Screen *, long step);
 
 /* The factor by which the beam's map draws displacements; 0: it is not shown. */
-double screen_map_enlargement(const Screen *, int width, int height);
+double view_map_enlargement(const Screen *, int width, int height);
 
 /* The event of the log that is chosen, and the step to go to for it; -1: there is none. */
-int screen_log_chosen(const Screen *);
-long screen_log_step(const Screen *);
+int view_log_chosen(const Screen *);
+long view_log_step(const Screen *);
 
 /* The particle or node of the strip that is drawn nearest to a place of it becomes the chosen one. */
 bool screen_choose_in_strip(Screen *, int width, int height, int x, int y);
 
 /* The names of the curves on screen: of the plot over time, and of the field along the bar. */
-const char *screen_time_curve(const Screen *);
-const char *screen_profile_curve(const Screen *);
+const char *view_time_curve(const Screen *);
+const char *view_profile_curve(const Screen *);
 
 /* The time at the left and right end of the time plots, as drawn at present. */
-void screen_time_window(const Screen *, double *from, double *to);
+void time_plot_window(const Screen *, double *from, double *to);
 
 #endif

@@ -82,7 +82,7 @@ static void name_on_paper(Sketch *sketch, const char *name)
 
 static void draw_name(Area inner, const char *name)
 {
-    const int columns = 2 + text_columns(name), room = inner.rect.width - columns - 1,
+    const int columns = 2 + glyphs_columns(name), room = inner.rect.width - columns - 1,
               x = room > 1 ? room : 1;
     for (int i = -1; i <= columns; i++)
         area_put(inner, x + i, 0, ' ', STYLE_NORMAL);

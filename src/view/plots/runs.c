@@ -74,12 +74,12 @@ static Run duel_run(const Screen *screen, int which)
 
 int runs_of(const Screen *screen, Run runs[RUNS_MAX])
 {
-    const Ghost *ghosts = experiment_ghosts(clock_run(screen));
+    const Ghost *ghosts = experiment_ghosts(screen_clock_run(screen));
     int count = 0;
     for (int i = 0; i < GHOSTS_MAX && screen->side != SIDE_B; i++)
         if (ghosts[i].used)
             runs[count++] = run_of_ghost(&ghosts[i], i);
-    if (second_run(screen)) {
+    if (screen_second_run(screen)) {
         runs[count++] = duel_run(screen, screen->side == SIDE_B ? 0 : 1);
         runs[count++] = duel_run(screen, screen->side == SIDE_B ? 1 : 0);
     } else
@@ -120,7 +120,7 @@ void run_letter(const Run *run, const Plot *plot, Area inner, double x, double y
         axes_mark(inner, &plot->x, &plot->y, x, y, (uint32_t)(unsigned char)run->letter, run->style);
 }
 
-void add_ghosts(Plot *plot, const Run *runs, int n_runs, const char *column, int dots)
+void runs_add_ghosts(Plot *plot, const Run *runs, int n_runs, const char *column, int dots)
 {
     for (int i = 0; i < n_runs; i++) {
         if (runs[i].ghost < 0 || !runs[i].shown)
@@ -143,7 +143,7 @@ void time_plot_letter(const Plot *plot, Area inner, const Run *run, int column)
     run_letter(run, plot, inner, row[1], row[column]);
 }
 
-void draw_run_letters(const Plot *plot, Area inner, const Run *runs, int n_runs, const char *column)
+void runs_draw_letters(const Plot *plot, Area inner, const Run *runs, int n_runs, const char *column)
 {
     for (int i = 0; i < n_runs; i++) {
         if (runs[i].shown)
@@ -151,7 +151,7 @@ void draw_run_letters(const Plot *plot, Area inner, const Run *runs, int n_runs,
     }
 }
 
-int ghost_legends(const Run *runs, int n_runs, Legend *out)
+int runs_ghost_legends(const Run *runs, int n_runs, Legend *out)
 {
     int count = 0;
     for (int i = 0; i < n_runs; i++)
@@ -160,7 +160,7 @@ int ghost_legends(const Run *runs, int n_runs, Legend *out)
     return count;
 }
 
-void ghost_names(const Screen *screen, int columns, char *out, size_t size)
+void runs_ghost_names(const Screen *screen, int columns, char *out, size_t size)
 {
     Run runs[RUNS_MAX];
     const int n_runs = runs_of(screen, runs);
@@ -168,7 +168,7 @@ void ghost_names(const Screen *screen, int columns, char *out, size_t size)
     for (int i = 0; i < n_runs; i++) {
         char name[RUN_WORD_MAX + sizeof runs[i].key + 3];
         snprintf(name, sizeof name, "%s%s %s", out[0] ? "  " : "", runs[i].key, runs[i].word);
-        if (runs[i].ghost >= 0 && text_columns(out) + text_columns(name) <= columns)
-            append(out, size, "%s", name);
+        if (runs[i].ghost >= 0 && glyphs_columns(out) + glyphs_columns(name) <= columns)
+            text_append(out, size, "%s", name);
     }
 }

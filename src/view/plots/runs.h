@@ -48,20 +48,20 @@ Legend run_legend(const Run *);
 void run_letter(const Run *, const Plot *, Area inner, double x, double y);
 
 /* Adds the column's curves over time of all ghosts that are shown. */
-void add_ghosts(Plot *, const Run *, int n_runs, const char *column, int dots);
+void runs_add_ghosts(Plot *, const Run *, int n_runs, const char *column, int dots);
 
 /* The run's letter at the end of its curve over time. */
 void time_plot_letter(const Plot *, Area inner, const Run *, int column);
 
 /* A letter at the end of the column's curve of every run that has one: a ghost is told by more than its faint
  * colour. */
-void draw_run_letters(const Plot *, Area inner, const Run *, int n_runs, const char *column);
+void runs_draw_letters(const Plot *, Area inner, const Run *, int n_runs, const char *column);
 
 /* "a: cell size 1  b: USL": what the ghosts' letters stand for, for pictures whose legend has no room for it.
  * "" without ghosts. What does not fit whole is left out. */
-void ghost_names(const Screen *, int columns, char *out, size_t size);
+void runs_ghost_names(const Screen *, int columns, char *out, size_t size);
 
 /* Legend entries of the ghosts among these runs. Returns how many there are. */
-int ghost_legends(const Run *, int n_runs, Legend *out);
+int runs_ghost_legends(const Run *, int n_runs, Legend *out);
 
 #endif

@@ -10,16 +10,16 @@
 static double automatic_window(const Screen *screen, double end)
 {
     enum { PERIODS = 4 };
-    const Readout *readout = experiment_readout(clock_run(screen));
+    const Readout *readout = experiment_readout(screen_clock_run(screen));
     double window = end;
     if (readout->moving && readout->exact_known && readout->exact > 0 && !readout->drifting)
-        window = step_round_up(PERIODS * (readout->is_period ? readout->exact : 2 * M_PI / readout->exact));
+        window = axis_step_up(PERIODS * (readout->is_period ? readout->exact : 2 * M_PI / readout->exact));
     return window < end ? window : end;
 }
 
-void screen_time_window(const Screen *screen, double *from, double *to)
+void time_plot_window(const Screen *screen, double *from, double *to)
 {
-    const Experiment *clock = clock_run(screen);
+    const Experiment *clock = screen_clock_run(screen);
     const double present = experiment_time(clock);
     const double dt = experiment_simulation(clock)->dt;
     const double newest = dt * (double)experiment_newest(clock);
@@ -40,7 +40,7 @@ void screen_time_window(const Screen *screen, double *from, double *to)
 Axis time_plot_axis(const Screen *screen, int columns)
 {
     double from, to;
-    screen_time_window(screen, &from, &to);
+    time_plot_window(screen, &from, &to);
     const double window = to - from, cell = window / (columns > 0 ? columns : 1);
     if (from > 0)
         from = ceil(from / cell - 1e-9) * cell;
@@ -100,7 +100,7 @@ void time_plot_reach_to_come(const Screen *screen, double reach[COLUMNS_MAX])
     References *refs = experiment_references(screen->experiment);
     const long last = experiment_last_step(screen->experiment);
     double from, to, nothing[COLUMNS_MAX] = {0}, earlier[COLUMNS_MAX] = {0}, row[COLUMNS_MAX];
-    screen_time_window(screen, &from, &to);
+    time_plot_window(screen, &from, &to);
     long steps = sim->dt > 0 ? (long)((to - from) / sim->dt) : 0;
     steps = steps < last ? steps : last;
     memset(reach, 0, COLUMNS_MAX * sizeof *reach);
@@ -130,7 +130,7 @@ void time_plot_breaks(const Screen *screen, Area inner, const Axis *x)
 
 void time_plot_now(const Screen *screen, Area inner, const Axis *x)
 {
-    const Experiment *clock = clock_run(screen);
+    const Experiment *clock = screen_clock_run(screen);
     if (experiment_newest(clock) > experiment_step(clock))
         axes_rule(inner, x, experiment_time(clock), STYLE_FOCUS);
     if (isfinite(screen->time.cursor))
@@ -140,13 +140,13 @@ void time_plot_now(const Screen *screen, Area inner, const Axis *x)
 const char *time_plot_name(const Screen *screen, const Axis *x, char *out, size_t size)
 {
     char scale[TICK_TEXT_MAX];
-    const Problem *facts = facts_of(screen);
+    const Problem *facts = screen_problem(screen);
     axis_scale_text(x, facts->si ? facts->unit_of_time : "", scale);
     snprintf(out, size, scale[0] ? "t, %s" : "t", scale);
     return out;
 }
 
-Legend column_legend(const Column *columns, int column)
+Legend time_plot_legend(const Column *columns, int column)
 {
     const char *label = columns[column].quantity.label;
     int exact_before = 0; /* of the same curve: beams have two theories */
@@ -165,9 +165,9 @@ Legend column_legend(const Column *columns, int column)
     return (Legend){LINE_DOTTED, '.', STYLE_EXACT, label, NULL};
 }
 
-bool shows_column(const Screen *screen, const Column *column)
+bool time_plot_shows(const Screen *screen, const Column *column)
 {
-    return column->kind == COLUMN_EXACT       ? shows_exact(screen)
-           : column->kind == COLUMN_PREDICTED ? shows_predicted(screen)
+    return column->kind == COLUMN_EXACT       ? screen_shows_exact(screen)
+           : column->kind == COLUMN_PREDICTED ? screen_shows_predicted(screen)
                                               : true;
 }

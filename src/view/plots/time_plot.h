@@ -40,9 +40,9 @@ void time_plot_now(const Screen *, Area inner, const Axis *x);
 const char *time_plot_name(const Screen *, const Axis *x, char *out, size_t size);
 
 /* How the column of a record is drawn that answers another one: with which line, under which name. */
-Legend column_legend(const Column *columns, int column);
+Legend time_plot_legend(const Column *columns, int column);
 
 /* Whether the reference curves that are shown are such as this one. */
-bool shows_column(const Screen *, const Column *);
+bool time_plot_shows(const Screen *, const Column *);
 
 #endif

@@ -101,7 +101,7 @@ static void name_side(const Screen *screen, DuelSide side, const char *note, Are
     snprintf(names[1], sizeof names[1], " %c%s ", letter, note);
     snprintf(names[2], sizeof names[2], " %c ", letter);
     int form = 0;
-    while (form < 2 && end + text_columns(names[form]) + 1 > area.rect.width - 1)
+    while (form < 2 && end + glyphs_columns(names[form]) + 1 > area.rect.width - 1)
         form++;
     area_text_right(area, area.rect.width - 1, 0, names[form],
                     side == SIDE_A ? STYLE_MEASURED : STYLE_SECOND);
@@ -146,7 +146,7 @@ void view_draw(const View *view, const Screen *screen, Area area, bool focused)
     const Style heading = focused ? STYLE_FOCUS : STYLE_HEADING;
     if (area.rect.width < 1 || area.rect.height < 1)
         return;
-    if (is_shared(screen))
+    if (screen_is_shared(screen))
         draw_sides(view, screen, area, heading);
     else
         draw_one(view, screen, area, heading);

@@ -21,7 +21,7 @@ static int variants_of(const Screen *screen)
 
 static const char *word_of(const Screen *screen, int variant)
 {
-    return in_plane(screen) ? colour_words[variant] : NULL;
+    return in_plane(screen) ? parameter_colour_words[variant] : NULL;
 }
 
 static bool shows_start(const Screen *screen, int variant)
@@ -34,8 +34,8 @@ static bool shows_start(const Screen *screen, int variant)
 /* Appends a part if the heading still has room for it. */
 static void add_part(char *title, size_t size, int room, const char *part)
 {
-    if (*part && text_columns(title) + 2 + text_columns(part) <= room)
-        append(title, size, "  %s", part);
+    if (*part && glyphs_columns(title) + 2 + glyphs_columns(part) <= room)
+        text_append(title, size, "  %s", part);
 }
 
 /* "tip 66.5, 19.5 mm" and "fit 29°": where the crack is, and the slope of the straight line that
@@ -73,14 +73,14 @@ static void draw_title(const Map *map, Area area, Style heading)
             map->settings->geometry.length + map->settings->motion.speed * simulation_time(map->sim);
         snprintf(parts[TIP], sizeof parts[TIP], "length %.1f mm", 1e3 * length);
     }
-    factor_text(map->enlarged, number);
+    text_factor(map->enlarged, number);
     if (map->enlarged != 1)
         snprintf(parts[ENLARGED], sizeof parts[ENLARGED], "%s %s %s", map->scene.leaves ? "uy" : "u", times,
                  number);
-    factor_text(map->screen->eye.magnified, number);
+    text_factor(map->screen->eye.magnified, number);
     if (map->screen->eye.magnified > 1)
         snprintf(parts[MAGNIFIED], sizeof parts[MAGNIFIED], "zoom %s", number);
-    factor_text(map->stretch, number);
+    text_factor(map->stretch, number);
     if (map->stretch != 1)
         snprintf(parts[STRETCHED], sizeof parts[STRETCHED], "height %s %s", times, number);
     else
@@ -91,9 +91,9 @@ static void draw_title(const Map *map, Area area, Style heading)
         area_text(area, 0, 0, title, STYLE_NORMAL);
         return;
     }
-    int columns = text_columns(colouring->meaning);
+    int columns = glyphs_columns(colouring->meaning);
     for (int i = 0; i < PARTS; i++)
-        columns += parts[i][0] ? 2 + text_columns(parts[i]) : 0;
+        columns += parts[i][0] ? 2 + glyphs_columns(parts[i]) : 0;
     snprintf(title, sizeof title, "%s", columns <= room ? colouring->meaning : colouring->label);
     for (int i = 0; i < PARTS; i++)
         add_part(title, sizeof title, room, parts[order[i]]);
@@ -129,12 +129,12 @@ static const char *note_of(const Map *map, bool brief)
 static int draw_length(const Map *map, Area area, int x, int y, int end)
 {
     enum { COLUMNS_MOST = 10 };
-    const double length = step_round_down(COLUMNS_MOST / map->scale_x);
+    const double length = axis_step_down(COLUMNS_MOST / map->scale_x);
     const int columns = (int)lround(length * map->scale_x);
     char number[NUMBER_TEXT_MAX], text[NUMBER_TEXT_MAX + 8];
     text_rounded(number, 1e3 * length, 3);
     snprintf(text, sizeof text, " %s mm", number);
-    if (x + columns + text_columns(text) > end)
+    if (x + columns + glyphs_columns(text) > end)
         return 0;
     for (int i = 0; i < columns; i++)
         area_put(area, x + i, y, i == 0 ? 0x251c : i == columns - 1 ? 0x2524 : 0x2500, STYLE_NORMAL);
@@ -162,11 +162,11 @@ static void draw_scale(const Map *map, Area area, int y)
     x += area_text(area, x, y, scale, STYLE_NORMAL) + 2;
     if (map->screen->eye.magnified > 1) {
         /* what the lines between the nodes are must be said in any case */
-        const int kept = map->nodes_seen ? text_columns(note_of(map, true)) + 2 : 0;
+        const int kept = map->nodes_seen ? glyphs_columns(note_of(map, true)) + 2 : 0;
         x += draw_length(map, area, x, y, area.rect.width - kept) + 2;
     }
-    const char *note = note_of(map, x + text_columns(note_of(map, false)) >= area.rect.width);
-    if (x + text_columns(note) < area.rect.width)
+    const char *note = note_of(map, x + glyphs_columns(note_of(map, false)) >= area.rect.width);
+    if (x + glyphs_columns(note) < area.rect.width)
         area_text_right(area, area.rect.width - 1, y, note, STYLE_FAINT);
 }
 
@@ -227,7 +227,7 @@ static bool open_shown(Map *map, const Screen *screen, int width, int height)
     return map_open(map, screen, map_part((Area){NULL, rect, screen->look.glyphs}));
 }
 
-double screen_map_enlargement(const Screen *screen, int width, int height)
+double view_map_enlargement(const Screen *screen, int width, int height)
 {
     Map map;
     const double factor = open_shown(&map, screen, width, height) ? map.enlarged : 0;

@@ -100,23 +100,23 @@ static void law_lines(const Screen *screen, const Stretches *all, double s0, int
     char number[NUMBER_TEXT_MAX], limit[NUMBER_TEXT_MAX];
     first[0] = second[0] = '\0';
     if (all->foremost < all->count) {
-        number_text(all->largest, 4, 10, number);
+        text_fitted(all->largest, 4, 10, number);
         snprintf(first, 160, "largest s %s", number);
         if (s0 > 0)
-            append(first, 160, " = %.1f %% of s0", 100 * all->largest / s0);
-        append(first, 160, "  particle %zu", all->foremost);
+            text_append(first, 160, " = %.1f %% of s0", 100 * all->largest / s0);
+        text_append(first, 160, "  particle %zu", all->foremost);
     }
     if (s0 > 0) {
-        number_text(s0, 4, 10, limit);
-        number_text(derived_value(screen, "critical_energy"), 4, 9, number);
+        text_fitted(s0, 4, 10, limit);
+        text_fitted(screen_derived(screen, "critical_energy"), 4, 9, number);
         snprintf(second, 160, "s0 %s: G0 %s J/m^2", limit, number);
         if (all->most > s0)
-            append(second, 160, "  protected bonds reach %.0f %%", 100 * all->most / s0);
+            text_append(second, 160, "  protected bonds reach %.0f %%", 100 * all->most / s0);
     } else {
         snprintf(second, 160, s0 == 0 ? "s0 = 0: bonds never break" : "a bar's bonds never break");
     }
     if (most > 0)
-        append(second, 160, "  nodes: log scale to %d", most);
+        text_append(second, 160, "  nodes: log scale to %d", most);
 }
 
 /* On paper the legend names the dot and the scale of the counts; on the screen the lines below do. */
@@ -127,7 +127,7 @@ static void draw_law_heading(const Screen *screen, Area area, Style heading, con
     const bool paper = area.canvas->sketch;
     char nodes[64] = "nodes";
     if (paper)
-        append(nodes, sizeof nodes, " by their largest s, log scale to %d", most);
+        text_append(nodes, sizeof nodes, " by their largest s, log scale to %d", most);
     Legend legend[4] = {{LINE_SOLID, '*', STYLE_MEASURED, "f = c s", NULL}};
     int n = 1;
     if (breaks)
@@ -135,14 +135,15 @@ static void draw_law_heading(const Screen *screen, Area area, Style heading, con
     legend[n++] = (Legend){LINE_SOLID, '+', STYLE_SECOND, nodes, band[area.glyphs]};
     if (paper)
         legend[n++] = (Legend){LINE_SOLID, 'O', STYLE_CHANGED, "largest s of all", NULL};
-    draw_heading(area, heading, !facts_of(screen)->si ? "force of a bond" : "force, N/m^6", scale, legend, n);
+    heading_draw(area, heading, !screen_problem(screen)->si ? "force of a bond" : "force, N/m^6", scale,
+                 legend, n);
 }
 
 void bond_law_draw(const Screen *screen, Area area, Style heading)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
-    const double s0 = derived_value(screen, "critical_stretch");
-    const double stiffness = derived_value(screen, "micromodulus");
+    const double s0 = screen_derived(screen, "critical_stretch");
+    const double stiffness = screen_derived(screen, "micromodulus");
     Stretches all;
     if (!take_stretches(sim, s0, &all) || !(stiffness > 0)) {
         area_rule(area, 0, "a bond's force", heading);

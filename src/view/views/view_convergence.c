@@ -78,13 +78,13 @@ static void verdict_of(const Screen *screen, const Study *study, char out[160])
     const double order = last_order(study), fitted = convergence_fitted_order(study->points, study->known);
     snprintf(out, 160, "%d of %d points", study->known, study->count);
     if (study->of->paper)
-        append(out, 160, "  the layers make the beam thinner: see its height");
+        text_append(out, 160, "  the layers make the beam thinner: see its height");
     else if (isfinite(fitted))
-        append(out, 160, "  fitted order %.2f  the last two %.2f", fitted, order);
+        text_append(out, 160, "  fitted order %.2f  the last two %.2f", fitted, order);
     else if (isfinite(order))
-        append(out, 160, "  order of the last two %.2f  no one order", order);
+        text_append(out, 160, "  order of the last two %.2f  no one order", order);
     else if (study->known > 1)
-        append(out, 160, "  no one order: the error does not fall with one sign");
+        text_append(out, 160, "  no one order: the error does not fall with one sign");
 }
 
 /* Of point k: its size, its answers, its error, the order from the one before. */
@@ -94,21 +94,21 @@ static void point_line(const Study *study, int k, char out[200])
     const Prediction *is = &point->prediction;
     snprintf(out, 200, "%s %.4g%s", study->of->size, shown(study, point->size), study->periods ? " mm" : "");
     if (study->of->paper)
-        append(out, 200, ", %.1f high", is->real_height / 1e-3);
+        text_append(out, 200, ", %.1f high", is->real_height / 1e-3);
     else
-        append(out, 200, study->periods ? ", m %.3g" : ", %.0f cells", point->nodes);
+        text_append(out, 200, study->periods ? ", m %.3g" : ", %.0f cells", point->nodes);
     if (!point->known) {
-        append(out, 200, ": none can be made");
+        text_append(out, 200, ": none can be made");
         return;
     }
-    append(out, 200, ": %+.2f %%", point->error);
+    text_append(out, 200, ": %+.2f %%", point->error);
     const double order = k > 0 && !study->of->paper ? convergence_order(&study->points[k - 1], point) : NAN;
     if (isfinite(order))
-        append(out, 200, ", order %.2f", order);
-    append(out, 200, ", %s %.4f", study->of->paper ? "T" : "predicted", shown(study, is->predicted));
+        text_append(out, 200, ", order %.2f", order);
+    text_append(out, 200, ", %s %.4f", study->of->paper ? "T" : "predicted", shown(study, is->predicted));
     if (study->of->paper)
-        append(out, 200, ", paper %.3f", point->paper / 1e-3);
-    append(out, 200, ", theory %.4f%s", shown(study, is->real_size), study->periods ? " ms" : "");
+        text_append(out, 200, ", paper %.3f", point->paper / 1e-3);
+    text_append(out, 200, ", theory %.4f%s", shown(study, is->real_size), study->periods ? " ms" : "");
 }
 
 /* --- pictures ------------------------------------------------------------------------------------- */
@@ -140,7 +140,7 @@ static void draw_errors(Area area, Area plot_area, Style heading, const Study *s
                              {LINE_SOLID, 'o', STYLE_PREDICTED, "below", ascii ? "o " : "○ "}};
     char name[64];
     snprintf(name, sizeof name, "%s%s", study->of->size, study->periods ? ", mm" : "");
-    draw_heading(area, heading, "|error|, %", "", legend, 2);
+    heading_draw(area, heading, "|error|, %", "", legend, 2);
     Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
     Plot plot;
     plot_open(&plot, x, y);
@@ -196,7 +196,7 @@ static void draw_periods(Area area, Area plot_area, Style heading, const Study *
     }
     const Axis y = axis_around(least, most, plot_area.rect.height < 6 ? 3 : 5);
     const Axis x = axis_make(0, axis_round_up(1.05 * largest), area.rect.width / 9);
-    draw_heading(area, heading, "Table 1: T, ms", "", legend, CURVES);
+    heading_draw(area, heading, "Table 1: T, ms", "", legend, CURVES);
     Area inner = axes_draw(plot_area, &x, &y, "horizon, mm", GUTTER);
     Plot plot;
     plot_open(&plot, x, y);

@@ -21,7 +21,7 @@ static Notch notch_of(const Settings *settings)
 
 static bool has_crack(const Screen *screen)
 {
-    return find_column(screen, "crack_x") >= 0;
+    return screen_column(screen, "crack_x") >= 0;
 }
 
 /* Under a plot of the crack: the same two lines as under the others. */
@@ -38,7 +38,7 @@ static void draw_lines(const Screen *screen, Area area, int under, const char *f
     if (*first)
         snprintf(lines[0], sizeof lines[0], "%s", first);
     if (under == 1)
-        append(lines[0], sizeof lines[0], "  %s", lines[1]);
+        text_append(lines[0], sizeof lines[0], "  %s", lines[1]);
     for (int i = 0; i < under; i++)
         area_phrases(area, 1, area.rect.height - under + i, area.rect.width - 2, 1, lines[i], STYLE_NORMAL);
 }
@@ -52,10 +52,10 @@ static void draw_runs_heading(const Screen *screen, Area area, Style heading, co
     for (int r = 0; r < n_runs; r++)
         if (runs[r].ghost < 0 && runs[r].shown)
             legend[count++] = run_legend(&runs[r]);
-    if (shows_exact(screen))
+    if (screen_shows_exact(screen))
         legend[count++] = *target;
-    count += ghost_legends(runs, n_runs, legend + count);
-    draw_heading(area, heading, name, scale, legend, count);
+    count += runs_ghost_legends(runs, n_runs, legend + count);
+    heading_draw(area, heading, name, scale, legend, count);
 }
 
 /* The places of the tip of an earlier run, of which no more is kept. */
@@ -107,7 +107,7 @@ static void draw_path(const Screen *screen, Area area, Style heading)
     plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_FAINT, RANK_PREDICTED, '-');
     plot_point(&plot, settings->loads.position, settings->geometry.height);
     plot_point(&plot, settings->loads.position, settings->geometry.height - settings->bonds.protected_depth);
-    if (shows_exact(screen)) {
+    if (screen_shows_exact(screen)) {
         const double towards = settings->loads.position < notch.x ? -1 : 1,
                      rise = settings->geometry.height - notch.y;
         plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
@@ -211,7 +211,7 @@ static void draw_over_time(const Screen *screen, Area area, Style heading, const
     Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
     Plot plot;
     plot_open(&plot, x, y);
-    if (shows_exact(screen)) {
+    if (screen_shows_exact(screen)) {
         plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
         plot_point(&plot, x.low, told->target);
         plot_point(&plot, x.high, told->target);
@@ -255,7 +255,7 @@ void crack_draw(const Screen *screen, Area area, Style heading, int variant)
     char line[160] = "";
     CrackFacts facts;
     if (crack_facts(experiment_simulation(screen->experiment), &facts) && facts.measured.fastest > 0)
-        tip_speed_text(&facts.measured, rayleigh, line);
+        beam_lines_tip_speed(&facts.measured, rayleigh, line);
     const Told speed = {"tip's speed", "m/s", "Rayleigh's c_R", tip_speed, rayleigh, line};
     if (variant == 0)
         draw_path(screen, area, heading);
@@ -263,12 +263,12 @@ void crack_draw(const Screen *screen, Area area, Style heading, int variant)
         draw_over_time(screen, area, heading, variant == 1 ? &angle : &speed);
 }
 
-int fracture_variants(const Screen *screen)
+int crack_cost_variants(const Screen *screen)
 {
     return has_crack(screen) ? 2 : 0;
 }
 
-const char *fracture_variant_word(int variant)
+const char *crack_cost_variant_word(int variant)
 {
     return variant == 0 ? "fracture" : "cost";
 }
@@ -295,7 +295,7 @@ static void draw_bars(const Screen *screen, Area area, const double parts[PARTS]
             plot_point(&plot, i + 1 + 0.3 * side, parts[i]);
         }
     }
-    for (int i = 0; i < 2 && shows_exact(screen); i++) {
+    for (int i = 0; i < 2 && screen_shows_exact(screen); i++) {
         const double level = i == 0 ? price->critical_energy : price->cost.plane;
         plot_begin(&plot, STROKE_LINE, i == 0 ? LINE_DOTTED : LINE_DASHED,
                    i == 0 ? STYLE_EXACT : STYLE_PREDICTED, i == 0 ? RANK_EXACT : RANK_PREDICTED,
@@ -314,8 +314,8 @@ static void draw_cost(const Screen *screen, Area area, Style heading)
     CrackPrice price;
     const bool known = crack_price(experiment_simulation(screen->experiment),
                                    experiment_settings(screen->experiment), &price);
-    draw_heading(area, heading, "where the energy went, J/m^2", "", targets,
-                 known && shows_exact(screen) ? 2 : 0);
+    heading_draw(area, heading, "where the energy went, J/m^2", "", targets,
+                 known && screen_shows_exact(screen) ? 2 : 0);
     if (!known) {
         area_paragraph(
             area, 1, 1, area.rect.width - 2, area.rect.height - 1,
@@ -340,10 +340,10 @@ static void draw_cost(const Screen *screen, Area area, Style heading)
                      i == 0 ? STYLE_NORMAL : STYLE_FAINT);
 }
 
-void fracture_draw(const Screen *screen, Area area, Style heading, int variant)
+void crack_cost_draw(const Screen *screen, Area area, Style heading, int variant)
 {
     const Told cost = {
-        "crack's cost, J/m^2", "", "G0", energy_of_crack, derived_value(screen, "critical_energy"), ""};
+        "crack's cost, J/m^2", "", "G0", energy_of_crack, screen_derived(screen, "critical_energy"), ""};
     if (variant == 0)
         draw_over_time(screen, area, heading, &cost);
     else

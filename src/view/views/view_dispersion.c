@@ -89,7 +89,7 @@ static double percent(double ratio)
 static bool are_cut(Area area, const char *first, const char *second)
 {
     const int room = area.rect.width - 1;
-    return text_columns(first) > room || text_columns(second) > room;
+    return glyphs_columns(first) > room || glyphs_columns(second) > room;
 }
 
 /* A factor's letter where its name is "mesh K". */
@@ -103,9 +103,9 @@ static const char *letter_of(const char *name)
 static void append_factor(char line[160], const char *name, double value, bool brief)
 {
     if (brief)
-        append(line, 160, "%s (1%+.2f%%)%s", line[0] ? "" : "=", percent(value), name);
+        text_append(line, 160, "%s (1%+.2f%%)%s", line[0] ? "" : "=", percent(value), name);
     else
-        append(line, 160, "%s %s (1%+.2f %%)", line[0] ? " x" : "=", name, percent(value));
+        text_append(line, 160, "%s %s (1%+.2f %%)", line[0] ? " x" : "=", name, percent(value));
 }
 
 /* "mode 5: measured -4.24 %, predicted -4.24 %" and where it comes from; in brief "pred" and letters. */
@@ -120,11 +120,11 @@ static void mode_lines(const Screen *screen, bool brief, char first[160], char s
     }
     snprintf(first, 160, "mode %d:", readout->mode);
     if (readout->measured_known)
-        append(first, 160, " measured %+.2f %%", percent(readout->measured / readout->exact));
+        text_append(first, 160, " measured %+.2f %%", percent(readout->measured / readout->exact));
     else
-        append(first, 160, " measuring");
+        text_append(first, 160, " measuring");
     const bool found = dispersion_mode(experiment_settings(screen->experiment), readout->mode, &mode);
-    if (!shows_predicted(screen))
+    if (!screen_shows_predicted(screen))
         return;
     if (!found || isnan(mode.predicted)) {
         snprintf(second, 160,
@@ -133,8 +133,8 @@ static void mode_lines(const Screen *screen, bool brief, char first[160], char s
     }
     /* the readout's prediction knows of free ends, the curve does not */
     const double predicted = readout->predicted_known ? readout->predicted : mode.predicted;
-    append(first, 160, ", %s %+.2f %%", brief ? short_word("predicted") : "predicted",
-           percent(predicted / mode.exact));
+    text_append(first, 160, ", %s %+.2f %%", brief ? legend_short_name("predicted") : "predicted",
+                percent(predicted / mode.exact));
     for (int i = 0; i < mode.n_factors; i++) {
         const char *name = mode.factors[i].name;
         append_factor(second, brief ? letter_of(name) : name, mode.factors[i].value, brief);
@@ -156,7 +156,7 @@ static void factor_line(const Screen *screen, int width, char out[160])
             continue;
         if (width <= 78)
             out[named = 0] = '\0';
-        append(out, 160, "%s%s: %s", named++ ? "; " : "", mode.factors[i].name, mode.factors[i].meaning);
+        text_append(out, 160, "%s%s: %s", named++ ? "; " : "", mode.factors[i].name, mode.factors[i].meaning);
     }
 }
 
@@ -208,7 +208,7 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
     Run runs[RUNS_MAX];
     const int n_runs = runs_of(screen, runs);
     bool predicted = false;
-    for (int i = 0; i < n_runs && shows_predicted(screen); i++)
+    for (int i = 0; i < n_runs && screen_shows_predicted(screen); i++)
         for (int n = 1; n <= last && runs[i].experiment; n += every)
             if (dispersion_mode(runs[i].settings, n, &mode)) {
                 widen(percent(mode.predicted / mode.exact), &least, &most);
@@ -224,18 +224,18 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
     Legend legend[3];
     int n_legend = 0;
     legend[n_legend++] = (Legend){LINE_SOLID, 'O', STYLE_MEASURED, "measured", dot_key(area.glyphs)};
-    if (shows_exact(screen))
+    if (screen_shows_exact(screen))
         legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL};
     if (predicted)
         legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "predicted", NULL};
-    draw_heading(area, heading,
+    heading_draw(area, heading,
                  area.rect.width >= 70 ? "error of w, % (square-root scale)" : "% error, sqrt scale", "",
                  legend, n_legend);
     Area inner = axes_draw(plot_area, &x, &y, "mode n", GUTTER);
 
     Plot plot;
     plot_open(&plot, x, y);
-    if (shows_exact(screen)) {
+    if (screen_shows_exact(screen)) {
         plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
         plot_point(&plot, 0, 0);
         plot_point(&plot, last, 0);
@@ -329,9 +329,9 @@ static void draw_beam(const Screen *screen, Area area, Style heading)
         Style style;
     } theories[] = {
         {readout->drifting ? "modal" : "Euler",
-         readout->drifting ? 0 : milliseconds(derived_value(screen, "period_euler")), LINE_DOTTED, '.',
+         readout->drifting ? 0 : milliseconds(screen_derived(screen, "period_euler")), LINE_DOTTED, '.',
          STYLE_EXACT},
-        {"Timoshenko", readout->drifting ? NAN : milliseconds(derived_value(screen, "period_timoshenko")),
+        {"Timoshenko", readout->drifting ? NAN : milliseconds(screen_derived(screen, "period_timoshenko")),
          LINE_DASHED, '-', STYLE_THIRD},
     };
 
@@ -349,11 +349,11 @@ static void draw_beam(const Screen *screen, Area area, Style heading)
                                : axis_around(least, most, rows < 5 ? 3 : 5);
     Legend legend[3] = {{LINE_SOLID, 'O', STYLE_MEASURED, "measured", dot_key(area.glyphs)}};
     int n_legend = 1;
-    for (int i = 0; i < 2 && shows_exact(screen); i++)
+    for (int i = 0; i < 2 && screen_shows_exact(screen); i++)
         if (isfinite(theories[i].value))
             legend[n_legend++] =
                 (Legend){theories[i].line, theories[i].letter, theories[i].style, theories[i].name, NULL};
-    draw_heading(area, heading, readout->drifting ? "error of the last swing, %" : "period, ms", "", legend,
+    heading_draw(area, heading, readout->drifting ? "error of the last swing, %" : "period, ms", "", legend,
                  n_legend);
     char scale[TICK_TEXT_MAX], name[TICK_TEXT_MAX + 12];
     axis_scale_text(&x, "m", scale);
@@ -361,7 +361,7 @@ static void draw_beam(const Screen *screen, Area area, Style heading)
     Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
     Plot plot;
     plot_open(&plot, x, y);
-    for (int i = 0; i < 2 && shows_exact(screen); i++) {
+    for (int i = 0; i < 2 && screen_shows_exact(screen); i++) {
         if (!isfinite(theories[i].value))
             continue;
         plot_begin(&plot, STROKE_LINE, theories[i].line, theories[i].style, RANK_EXACT, theories[i].letter);
@@ -373,7 +373,7 @@ static void draw_beam(const Screen *screen, Area area, Style heading)
     draw_run_dots(inner, &x, &y, dots, n_dots);
 
     char lines[2][160];
-    const double height = derived_value(screen, "real_height"), span = derived_value(screen, "real_span");
+    const double height = screen_derived(screen, "real_height"), span = screen_derived(screen, "real_span");
     period_lines(readout, height, span, false, lines[0], lines[1]);
     if (are_cut(area, lines[0], lines[1]))
         period_lines(readout, height, span, true, lines[0], lines[1]);

@@ -65,18 +65,18 @@ static double rigid_energy(const Screen *screen)
 static int null_column(const Screen *screen)
 {
     const bool apic = experiment_settings(screen->experiment)->mpm.transfer == MPM_APIC;
-    return apic ? -1 : find_column(screen, "kinetic_null");
+    return apic ? -1 : screen_column(screen, "kinetic_null");
 }
 
 static Stack stack_of(const Screen *screen)
 {
     Stack stack = {.record = experiment_record(screen->experiment)};
     if (rigid_energy(screen) > 0) {
-        add_layer(&stack, "strain, for travel dwarfs the rest", find_column(screen, "strain"), -1,
+        add_layer(&stack, "strain, for travel dwarfs the rest", screen_column(screen, "strain"), -1,
                   STYLE_EXACT);
         return stack;
     }
-    const int kinetic = find_column(screen, "kinetic"), grid = find_column(screen, "kinetic_grid");
+    const int kinetic = screen_column(screen, "kinetic"), grid = screen_column(screen, "kinetic_grid");
     const int null = null_column(screen);
     if (grid >= 0) {
         add_layer(&stack, "grid", grid, -1, STYLE_MEASURED);
@@ -88,9 +88,9 @@ static Stack stack_of(const Screen *screen)
     } else {
         add_layer(&stack, "kinetic", kinetic, -1, STYLE_MEASURED);
     }
-    add_layer(&stack, "strain", find_column(screen, "strain"), -1, STYLE_EXACT);
-    if (find_column(screen, "kinetic_grid") >= 0 || breaks(screen))
-        add_layer(&stack, "dissipated", find_column(screen, "dissipated"), -1, STYLE_THIRD);
+    add_layer(&stack, "strain", screen_column(screen, "strain"), -1, STYLE_EXACT);
+    if (screen_column(screen, "kinetic_grid") >= 0 || breaks(screen))
+        add_layer(&stack, "dissipated", screen_column(screen, "dissipated"), -1, STYLE_THIRD);
     return stack;
 }
 
@@ -134,7 +134,7 @@ static void add_stack(Plot *plot, const Stack *stack, int dots)
 static bool unseen_shares(const Screen *screen, const Record *record, const Axis *x, double *lumping,
                           double *hidden)
 {
-    const int kinetic = find_column(screen, "kinetic"), grid = find_column(screen, "kinetic_grid");
+    const int kinetic = screen_column(screen, "kinetic"), grid = screen_column(screen, "kinetic_grid");
     const int null = null_column(screen);
     double all = 0, seen = 0, blind = 0;
     if (kinetic < 0 || grid < 0 || record->count == 0)
@@ -155,38 +155,39 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
 {
     const Record *record = stack->record;
     const double *now = experiment_row(screen->experiment), *start = record_row(record, 0);
-    const int total = find_column(screen, "total");
+    const int total = screen_column(screen, "total");
     out[0] = '\0';
     if (record->count == 0 || !now || total < 0)
         return;
     char number[NUMBER_TEXT_MAX];
     double sharp, first;
-    number_text(now[total], 4, 10, number);
-    append(out, 320, "total %s", number);
+    text_fitted(now[total], 4, 10, number);
+    text_append(out, 320, "total %s", number);
     /* what is kept is told once: the total as a share of the start would tell its ripple as well */
     const bool known = experiment_invariant(screen->experiment, &sharp, &first) && first > 0;
     if (start[total] != 0 && !known)
-        append(out, 320, " = %.2f %%%s", 100 * now[total] / start[total], wide ? " of the start" : "");
+        text_append(out, 320, " = %.2f %%%s", 100 * now[total] / start[total], wide ? " of the start" : "");
     if (known) {
         const double loss = 100 * (1 - sharp / first);
-        number_text(sharp, 4, 10, number);
-        append(out, 320, "  E* %s, %s %.3f %%", number, loss < -5e-4 ? "gain" : "loss", fabs(loss));
+        text_fitted(sharp, 4, 10, number);
+        text_append(out, 320, "  E* %s, %s %.3f %%", number, loss < -5e-4 ? "gain" : "loss", fabs(loss));
     }
     double lumping, hidden;
     const bool shares = unseen_shares(screen, record, x, &lumping, &hidden);
     const double rigid = rigid_energy(screen);
     if (rigid > 0) {
-        number_text(rigid, 4, 10, number);
-        append(out, 320, "  kinetic %s J of travel%s: not drawn", number, wide ? " (1/2 m v0^2)" : "");
+        text_fitted(rigid, 4, 10, number);
+        text_append(out, 320, "  kinetic %s J of travel%s: not drawn", number, wide ? " (1/2 m v0^2)" : "");
     }
     if (shares && isfinite(hidden))
-        append(out, 320, "  null space %.2f %%%s", 100 * hidden, wide ? " of kinetic in this window" : "");
+        text_append(out, 320, "  null space %.2f %%%s", 100 * hidden,
+                    wide ? " of kinetic in this window" : "");
     if (shares)
-        append(out, 320, "  lumping %.2f %%", 100 * lumping);
+        text_append(out, 320, "  lumping %.2f %%", 100 * lumping);
     if (shares)
-        append(out, 320,
-               wide ? "  the ripple is staggering (v and stress half a step apart), not loss"
-                    : "  the ripple is staggering, not loss");
+        text_append(out, 320,
+                    wide ? "  the ripple is staggering (v and stress half a step apart), not loss"
+                         : "  the ripple is staggering, not loss");
 }
 
 /* What the balance lacks: kinetic + strain + dissipated less the start and the work of the load, against the
@@ -194,38 +195,38 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
 static void residual_phrases(const Screen *screen, double most_work, char out[320])
 {
     const double *now = experiment_row(screen->experiment);
-    const int total = find_column(screen, "total"), work = find_column(screen, "work");
+    const int total = screen_column(screen, "total"), work = screen_column(screen, "work");
     const Record *record = experiment_record(screen->experiment);
     if (!now || !(most_work > 0) || work < 0 || total < 0 || record->count == 0)
         return;
     const double residual = now[total] - record_row(record, 0)[total] - now[work];
     char sum[NUMBER_TEXT_MAX], load[NUMBER_TEXT_MAX];
-    number_text(now[total], 4, 9, sum);
-    number_text(now[work], 4, 9, load);
+    text_fitted(now[total], 4, 9, sum);
+    text_fitted(now[work], 4, 9, load);
     snprintf(out, 320, "residual %+.2f %% of the work  total %s J  work %s J", 100 * residual / most_work,
              sum, load);
 }
 
 static int variants_of(const Screen *screen)
 {
-    return 1 + fracture_variants(screen);
+    return 1 + crack_cost_variants(screen);
 }
 
 static const char *word_of(const Screen *screen, int variant)
 {
     (void)screen;
-    return variant > 0 ? fracture_variant_word(variant - 1) : "stack";
+    return variant > 0 ? crack_cost_variant_word(variant - 1) : "stack";
 }
 
 static void draw(const Screen *screen, Area area, Style heading, int variant)
 {
     if (variant > 0) {
-        fracture_draw(screen, area, heading, variant - 1);
+        crack_cost_draw(screen, area, heading, variant - 1);
         return;
     }
     const Stack stack = stack_of(screen);
     const Record *record = stack.record;
-    const int work = find_column(screen, "work");
+    const int work = screen_column(screen, "work");
     double most = 0, most_work = 0;
     for (size_t i = 0; i < record->count; i += time_plot_stride(record)) {
         most = fmax(most, stack_height(&stack, i, stack.count));
@@ -237,7 +238,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     Run runs[RUNS_MAX];
     const int n_runs = runs_with(runs, runs_of(screen, runs), line);
     const Run *second =
-        is_shared(screen) && n_runs > 1 && runs[n_runs - 2].experiment ? &runs[n_runs - 2] : NULL;
+        screen_is_shared(screen) && n_runs > 1 && runs[n_runs - 2].experiment ? &runs[n_runs - 2] : NULL;
     for (int i = 0; i < n_runs; i++)
         if (runs[i].experiment)
             most = fmax(most, time_plot_reach(runs[i].record, run_column(&runs[i], line)));
@@ -262,15 +263,15 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     const int height = area.rect.height;
     Axis y = axis_make(0, axis_round_up(fmax(most, most_work) * 1.02), height < 7 ? 2 : height < 15 ? 4 : 6);
     char scale[TICK_TEXT_MAX], name[32], phrases[320];
-    axis_scale_text(&y, facts_of(screen)->si ? "J" : "", scale);
+    axis_scale_text(&y, screen_problem(screen)->si ? "J" : "", scale);
     /* a band without a name says nothing: what the heading has no room for stands below it */
-    const int named = draw_heading(area, heading, "energy", scale, legend, n_legend),
+    const int named = heading_draw(area, heading, "energy", scale, legend, n_legend),
               top = 1 + (named < n_legend);
-    draw_legend(area, 2, 1, legend + named, n_legend - named);
+    legend_draw(area, 2, 1, legend + named, n_legend - named);
     /* of velocities and stresses half a step apart there is more to say; velocity Verlet has none */
-    const int lines = find_column(screen, "kinetic_grid") < 0 ? 1 + (most_work > 0 || is_rigid)
-                      : height - top >= 10                    ? 3
-                                                              : 2;
+    const int lines = screen_column(screen, "kinetic_grid") < 0 ? 1 + (most_work > 0 || is_rigid)
+                      : height - top >= 10                      ? 3
+                                                                : 2;
     const int under = height - top >= 7 ? lines : height - top >= 5 ? 1 : 0;
     Area plot_area = area_part(area, 0, top, area.rect.width, height - top - under);
     const int width = plot_area.rect.width - GUTTER - 1, dots = width * plot_dots_across(area.glyphs);
@@ -283,7 +284,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-');
         time_plot_curve(&plot, &(Curve){.record = record, .column = work, .minus = -1, .plus = -1}, dots);
     }
-    add_ghosts(&plot, runs, n_runs, line, dots);
+    runs_add_ghosts(&plot, runs, n_runs, line, dots);
     if (second) {
         run_begin(&plot, second);
         time_plot_curve(
@@ -296,12 +297,12 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     time_plot_now(screen, inner, &x);
     plot_draw(&plot, inner);
     overlay_marks(screen, inner, &plot, line, false);
-    draw_run_letters(&plot, inner, runs, n_runs, line);
+    runs_draw_letters(&plot, inner, runs, n_runs, line);
     plot_close(&plot);
 
     const bool wide = area.rect.width > 90;
     energy_phrases(screen, &stack, &x, wide, phrases);
-    if (most_work > 0 && find_column(screen, "kinetic_grid") < 0)
+    if (most_work > 0 && screen_column(screen, "kinetic_grid") < 0)
         residual_phrases(screen, most_work, phrases);
     if (!second || under < 2) {
         const int x0 = 1 + (second && under ? area_text(area, 1, height - under, "A ", STYLE_NORMAL) : 0);
@@ -312,7 +313,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         const Screen one = screen_of_side(screen, run == 0 ? SIDE_A : SIDE_B);
         const Stack of_one = stack_of(&one);
         energy_phrases(&one, &of_one, &x, wide, phrases);
-        if (most_work > 0 && find_column(&one, "kinetic_grid") < 0)
+        if (most_work > 0 && screen_column(&one, "kinetic_grid") < 0)
             residual_phrases(&one, most_work, phrases);
         area_text(area, 1, height - under + run, run == 0 ? "A" : "B", STYLE_NORMAL);
         area_phrases(area, 3, height - under + run, area.rect.width - 4, 1, phrases, STYLE_NORMAL);

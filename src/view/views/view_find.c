@@ -64,7 +64,7 @@ bool view_check(const ViewSettings *view, Status *status)
     return true;
 }
 
-void screen_open_views(Screen *screen, const ViewSettings *settings)
+void views_open(Screen *screen, const ViewSettings *settings)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     const View *upper = view_named(settings->upper), *lower = view_named(settings->lower);
@@ -81,12 +81,12 @@ static const char *curve_of(const Screen *screen, bool over_time)
     return view->curve ? view->curve(screen) : "";
 }
 
-const char *screen_time_curve(const Screen *screen)
+const char *view_time_curve(const Screen *screen)
 {
     return curve_of(screen, true);
 }
 
-const char *screen_profile_curve(const Screen *screen)
+const char *view_profile_curve(const Screen *screen)
 {
     return curve_of(screen, false);
 }

@@ -29,7 +29,7 @@ typedef struct Log {
 
 static void entry_time(const Screen *screen, const LogEntry *entry, char out[48])
 {
-    time_text(screen, entry->time, out, 48);
+    screen_time_text(screen, entry->time, out, 48);
 }
 
 static Style style_of(const Event *event)
@@ -67,10 +67,10 @@ static void add_run(Log *log, Experiment *experiment, char run)
 static void list_entries(const Screen *screen, Log *log)
 {
     *log = (Log){.count = 0};
-    const bool both = is_shared(screen);
+    const bool both = screen_is_shared(screen);
     add_run(log, screen->experiment, both ? 'A' : '\0');
     if (both)
-        add_run(log, second_run(screen), 'B');
+        add_run(log, screen_second_run(screen), 'B');
 }
 
 static int chosen_of(const LogPlace *place, const Log *log)
@@ -78,14 +78,14 @@ static int chosen_of(const LogPlace *place, const Log *log)
     return place->event < 0 || place->event >= log->count ? log->count - 1 : place->event;
 }
 
-int screen_log_chosen(const Screen *screen)
+int view_log_chosen(const Screen *screen)
 {
     Log log;
     list_entries(screen, &log);
     return chosen_of(&screen->log, &log);
 }
 
-long screen_log_step(const Screen *screen)
+long view_log_step(const Screen *screen)
 {
     Log log;
     list_entries(screen, &log);
@@ -106,7 +106,7 @@ long screen_log_step(const Screen *screen)
 /* Lines that an event takes behind its time. */
 static int lines_of(const Log *log, int entry)
 {
-    const int lines = paragraph_lines(log->width, log->entries[entry].event->text);
+    const int lines = area_paragraph_lines(log->width, log->entries[entry].event->text);
     return lines > 1 ? lines : 1;
 }
 
@@ -135,10 +135,10 @@ static void open_log(const Screen *screen, int width, int height, Log *log)
     list_entries(screen, log);
     for (int i = 0; i < log->count; i++) {
         entry_time(screen, &log->entries[i], time);
-        log->columns = text_columns(time) > log->columns ? text_columns(time) : log->columns;
+        log->columns = glyphs_columns(time) > log->columns ? glyphs_columns(time) : log->columns;
     }
     log->columns = log->columns < TIME_COLUMNS ? log->columns : TIME_COLUMNS;
-    log->text = log->columns + 5 + (is_shared(screen) ? 2 : 0);
+    log->text = log->columns + 5 + (screen_is_shared(screen) ? 2 : 0);
     log->width = width - log->text - 1;
     log->room = height - 1 - (log->beyond > 0);
     log->first = log->count > 0 ? first_of(&screen->log, log) : 0;
@@ -150,7 +150,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     Log log;
     char text[64], time[48];
     open_log(screen, area.rect.width, area.rect.height, &log);
-    if (is_shared(screen))
+    if (screen_is_shared(screen))
         snprintf(text, sizeof text, "what happened: %d event%s of A, %d of B", log.of_run[0],
                  log.of_run[0] == 1 ? "" : "s", log.of_run[1]);
     else
@@ -170,7 +170,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         if (marked)
             area_put(area, 0, y, '>', STYLE_SELECTED);
         area_text_right(area, 1 + log.columns, y, time, marked ? STYLE_SELECTED : STYLE_FAINT);
-        area_put(area, log.text - 2, y, (uint32_t)event_letter(entry->event->kind),
+        area_put(area, log.text - 2, y, (uint32_t)pane_timeline_letter(entry->event->kind),
                  marked ? STYLE_SELECTED : style_of(entry->event));
         if (entry->run)
             area_put(area, log.text - 4, y, (uint32_t)entry->run,
@@ -217,7 +217,7 @@ static void move(Screen *screen, Rect rect, int x, int y, int page)
 /* Where it happened is what one wants to look at. */
 static long enter(Screen *screen)
 {
-    const long step = screen_log_step(screen), broken = step >= 0 ? screen_broken_node(screen, step) : -1;
+    const long step = view_log_step(screen), broken = step >= 0 ? screen_broken_node(screen, step) : -1;
     if (broken >= 0) {
         screen->chosen.particle = (size_t)broken;
         screen->chosen.is_node = false;

@@ -27,7 +27,7 @@ static int probe_columns(const Screen *screen, int out[COLUMNS_MAX])
     const Column *columns = experiment_columns(screen->experiment, &n);
     const bool cracks = crack_variants(screen) > 0;
     const bool breaks = simulation_has(experiment_simulation(screen->experiment), HAS_BREAKING);
-    const int broken = find_column(screen, "broken_bonds"), speed = find_column(screen, "crack_speed");
+    const int broken = screen_column(screen, "broken_bonds"), speed = screen_column(screen, "crack_speed");
     if (cracks && broken >= 0)
         out[count++] = broken;
     for (int i = 2; i < n; i++) {
@@ -78,7 +78,7 @@ static const char *curve(const Screen *screen)
 
 static bool has_envelope(const Screen *screen, const char *name)
 {
-    return shows_exact(screen) &&
+    return screen_shows_exact(screen) &&
            isfinite(references_envelope(experiment_references(screen->experiment), name, 0));
 }
 
@@ -115,7 +115,7 @@ enum { REFERENCES_MAX = 6, LINES_MAX = 2 * (REFERENCES_MAX + 1) };
  * has its smoothed curve, where there is one, and the exact one stands for both where it is the same. */
 static int add_lines(const Screen *screen, const Run *run, const char *name, Line *lines, int count)
 {
-    const bool shared = is_shared(screen);
+    const bool shared = screen_is_shared(screen);
     const bool doubled = shared && run->experiment != screen->experiment && screen->duel->same_exact;
     const int column = run_column(run, name), most = count + 1 + REFERENCES_MAX;
     Line *own = &lines[count++];
@@ -125,8 +125,8 @@ static int add_lines(const Screen *screen, const Run *run, const char *name, Lin
         Line line = {run, i, {0}, kind == COLUMN_EXACT ? RANK_EXACT : RANK_PREDICTED, false};
         if (run->columns[i].of != column)
             continue;
-        const bool shown = shows_column(screen, &run->columns[i]);
-        line.legend = column_legend(run->columns, i);
+        const bool shown = time_plot_shows(screen, &run->columns[i]);
+        line.legend = time_plot_legend(run->columns, i);
         if (kind == COLUMN_MEASURED) {
             line.rank = RANK_SECOND;
             own->rank = RANK_BAND; /* the raw one lies below */
@@ -179,8 +179,8 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
     if (beam_lines(screen, width, first, second))
         return;
     const Readout *readout = experiment_readout(screen->experiment);
-    const bool exact = readout->exact_known && shows_exact(screen);
-    const bool predicted = readout->predicted_known && shows_predicted(screen);
+    const bool exact = readout->exact_known && screen_shows_exact(screen);
+    const bool predicted = readout->predicted_known && screen_shows_predicted(screen);
     if (!readout->moving) {
         snprintf(first, 160, "nothing vibrates: no frequency to measure");
         return;
@@ -189,26 +189,27 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
     /* while rows come in the fit is a little behind them, see experiment_rest() */
     const bool about = screen->playback.state == STATE_RUNNING && experiment_is_flowing(screen->experiment);
     if (readout->measured_known)
-        append(first, 160, narrow ? "w %s%.*f" : "w measured %s%.*f", about ? "~" : "", about ? 3 : 4,
-               readout->measured);
+        text_append(first, 160, narrow ? "w %s%.*f" : "w measured %s%.*f", about ? "~" : "", about ? 3 : 4,
+                    readout->measured);
     else if (readout->unaccounted)
-        append(first, 160, narrow ? "w ? %s" : "w: not known with %s", readout->unaccounted);
+        text_append(first, 160, narrow ? "w ? %s" : "w: not known with %s", readout->unaccounted);
     else if (experiment_at_end(screen->experiment))
-        append(first, 160, narrow ? "w none" : "w: %s", readout->unmeasured);
+        text_append(first, 160, narrow ? "w none" : "w: %s", readout->unmeasured);
     else
-        append(first, 160, narrow ? "w ..." : "w measuring");
+        text_append(first, 160, narrow ? "w ..." : "w measuring");
     if (predicted)
-        append(first, 160, narrow ? " pred %.4f" : "  predicted %.4f", readout->predicted);
+        text_append(first, 160, narrow ? " pred %.4f" : "  predicted %.4f", readout->predicted);
     if (exact)
-        append(first, 160, narrow ? " exact %.4f" : "  exact %.4f", readout->exact);
+        text_append(first, 160, narrow ? " exact %.4f" : "  exact %.4f", readout->exact);
     if (!readout->measured_known || !exact)
         return;
-    append(second, 160, "w %+.*f %%  T %+.*f %%", about ? 1 : 2, readout->error_frequency, about ? 1 : 2,
-           readout->error_period);
-    append(second, 160, narrow ? "  %s %.2f T" : "  %s by %.2f periods", readout->late < 0 ? "early" : "late",
-           fabs(readout->late));
+    text_append(second, 160, "w %+.*f %%  T %+.*f %%", about ? 1 : 2, readout->error_frequency, about ? 1 : 2,
+                readout->error_period);
+    text_append(second, 160, narrow ? "  %s %.2f T" : "  %s by %.2f periods",
+                readout->late < 0 ? "early" : "late", fabs(readout->late));
     if (predicted && readout->overlap < READOUT_PURE)
-        append(second, 160, narrow ? "  mixture %.2f" : "  mixture of modes, overlap %.3f", readout->overlap);
+        text_append(second, 160, narrow ? "  mixture %.2f" : "  mixture of modes, overlap %.3f",
+                    readout->overlap);
 }
 
 /* The values of every curve at the cursor: with so many digits, and in short words if wanted. */
@@ -223,20 +224,20 @@ static void cursor_line(const Screen *screen, const Line *lines, int n_lines, co
             return;
         const double *row = record_row(record, record_find(record, screen->time.cursor));
         if (i == 0) {
-            time_text(screen, row[1], time, sizeof time);
+            screen_time_text(screen, row[1], time, sizeof time);
             snprintf(out, 160, "%s", time);
         }
         if (i > 0 && !isfinite(row[lines[i].column]))
             continue;
-        number_text(row[lines[i].column], digits, 12, number);
+        text_fitted(row[lines[i].column], digits, 12, number);
         letter[0] = lines[i].run->letter;
         const char *name = lines[i].own && letter[0] ? letter : lines[i].legend.name;
-        append(out, 160, "  %s %s", brief ? short_word(name) : name, number);
+        text_append(out, 160, "  %s %s", brief ? legend_short_name(name) : name, number);
     }
     const double foreign = overlay_value(screen, curve, false, screen->time.cursor);
     if (isfinite(foreign)) {
-        number_text(foreign, digits, 12, number);
-        append(out, 160, "  %s %s", brief ? "file" : screen->overlay->file, number);
+        text_fitted(foreign, digits, 12, number);
+        text_append(out, 160, "  %s %s", brief ? "file" : screen->overlay->file, number);
     }
 }
 
@@ -269,15 +270,15 @@ static void draw_readout(const Screen *screen, Area area, const Line *lines, int
     const size_t n_forms = rows > 1 ? 3 : 4;
     for (size_t i = 0; isfinite(screen->time.cursor) && i < n_forms; i++) {
         cursor_line(screen, lines, n_lines, curve, forms[i].digits, forms[i].brief, cursor);
-        if (text_columns(cursor) <= width)
+        if (glyphs_columns(cursor) <= width)
             break;
     }
-    if (is_shared(screen)) {
+    if (screen_is_shared(screen)) {
         draw_both(screen, area, cursor);
         return;
     }
     frequency_lines(screen, width, first, second);
-    if (cursor[0] && rows > 1 && text_columns(cursor) > width) {
+    if (cursor[0] && rows > 1 && glyphs_columns(cursor) > width) {
         cursor_line(screen, lines, n_lines, curve, 5, false, cursor);
         area_phrases(area, 1, 0, width, rows, cursor, STYLE_SELECTED);
         return;
@@ -289,7 +290,7 @@ static void draw_readout(const Screen *screen, Area area, const Line *lines, int
         return;
     }
     if (rows == 1 && second[0])
-        append(first, sizeof first, "   %s", second);
+        text_append(first, sizeof first, "   %s", second);
     area_phrases(area, 1, 0, width, 1, first, STYLE_NORMAL);
     if (rows > 1)
         area_phrases(area, 1, 1, width, 1, second, STYLE_NORMAL);
@@ -298,11 +299,11 @@ static void draw_readout(const Screen *screen, Area area, const Line *lines, int
 static int lines_under(const Screen *screen, Area area, const char *curve)
 {
     const bool cursor = isfinite(screen->time.cursor);
-    const bool judged =
-        strcmp(experiment_readout(screen->experiment)->column, curve) == 0 || cursor || facts_of(screen)->si;
+    const bool judged = strcmp(experiment_readout(screen->experiment)->column, curve) == 0 || cursor ||
+                        screen_problem(screen)->si;
     if (!judged || area.rect.height < 6)
         return 0;
-    if (is_shared(screen))
+    if (screen_is_shared(screen))
         return area.rect.height >= 8 ? 2 : cursor;
     return area.rect.width >= 100 || area.rect.height < 8 ? 1 : 2;
 }
@@ -360,16 +361,16 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         for (int i = 0; i < n_lines; i++)
             if (lines[i].own == own)
                 entries[n_entries++] = lines[i].legend;
-    n_entries += ghost_legends(runs, n_runs, entries + n_entries);
+    n_entries += runs_ghost_legends(runs, n_runs, entries + n_entries);
     if (has_envelope(screen, quantity->name))
         entries[n_entries++] =
             (Legend){LINE_DOTTED, ',', STYLE_FAINT, quantity->name[0] == 'u' ? "~L^1/2" : "~L^-3/2",
                      area.glyphs == GLYPHS_ASCII ? NULL : "· "};
-    draw_heading(area, heading, quantity->label, scale, entries, n_entries);
+    heading_draw(area, heading, quantity->label, scale, entries, n_entries);
     Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
     Plot plot;
     plot_open(&plot, x, y);
-    add_ghosts(&plot, runs, n_runs, quantity->name, dots);
+    runs_add_ghosts(&plot, runs, n_runs, quantity->name, dots);
     for (int i = 0; i < n_lines; i++) {
         const Line *line = &lines[i];
         plot_begin(&plot, STROKE_LINE, line->legend.line, line->legend.style, line->rank,
@@ -384,7 +385,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     time_plot_now(screen, inner, &x);
     plot_draw(&plot, inner);
     overlay_marks(screen, inner, &plot, quantity->name, false);
-    draw_run_letters(&plot, inner, runs, n_ghosts, quantity->name); /* they come first */
+    runs_draw_letters(&plot, inner, runs, n_ghosts, quantity->name); /* they come first */
     for (int i = 0; i < n_lines; i++)
         if (lines[i].own)
             time_plot_letter(&plot, inner, lines[i].run, lines[i].column);

@@ -160,7 +160,7 @@ static void tell_moment(const Screen *screen, Run *run, bool wide)
     char moment[48], word[LEGEND_MAX];
     if (fabs(run->profile->time - experiment_time(screen->experiment)) < 0.51 * dt)
         return;
-    time_text(screen, run->profile->time, moment, sizeof moment);
+    screen_time_text(screen, run->profile->time, moment, sizeof moment);
     snprintf(word, sizeof word, "%s", run->word);
     snprintf(run->word, sizeof run->word, wide ? "at %s, %s" : "at %s", moment, word);
 }
@@ -179,12 +179,12 @@ static void draw_legends(const Screen *screen, Area area, Style heading, const c
             legend[n_legend++] = run_legend(&runs[i]);
         if (runs[i].experiment && !runs[i].letter &&
             simulation_has(experiment_simulation(runs[i].experiment), HAS_PLANE))
-            append(runs[i].word, sizeof runs[i].word, ", middle row");
+            text_append(runs[i].word, sizeof runs[i].word, ", middle row");
     }
     if (exact)
-        legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, facts_of(screen)->answer, NULL};
-    n_legend += ghost_legends(runs, n_curves, legend + n_legend);
-    draw_heading(area, heading, label, scale, legend, n_legend);
+        legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, screen_problem(screen)->answer, NULL};
+    n_legend += runs_ghost_legends(runs, n_curves, legend + n_legend);
+    heading_draw(area, heading, label, scale, legend, n_legend);
 }
 
 static void close_curves(Curve *curves, int n_curves)
@@ -196,7 +196,7 @@ static void close_curves(Curve *curves, int n_curves)
 /* At t = 0 nothing has moved yet: what there is to see of a bar is the velocity. */
 static int variant_shown(const Screen *screen, int variant)
 {
-    const Experiment *clock = clock_run(screen);
+    const Experiment *clock = screen_clock_run(screen);
     const bool at_start = experiment_step(clock) == 0 && experiment_stage(clock) == 0;
     return variant == 0 && at_start && screen->playback.state != STATE_RUNNING &&
                    simulation_has(experiment_simulation(screen->experiment), HAS_LINE)
@@ -238,7 +238,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     Axis x = place_axis(curves, n_curves, area.rect.width / 9);
 
     const bool exact =
-        shows_exact(screen) &&
+        screen_shows_exact(screen) &&
         isfinite(references_profile(experiment_references(screen->experiment), name,
                                     present->x[present->count / 2], experiment_time(screen->experiment)));
     char scale[TICK_TEXT_MAX], x_scale[TICK_TEXT_MAX], x_name[TICK_TEXT_MAX + 4];
@@ -255,7 +255,8 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     const int dots = inner.rect.width * plot_dots_across(area.glyphs);
     if (exact && inner.rect.width > 0)
         draw_exact(screen->experiment, &plot, name, present, dots);
-    if (exact && inner.rect.width > 0 && is_shared(screen) && !screen->duel->same_exact && n_curves > 1)
+    if (exact && inner.rect.width > 0 && screen_is_shared(screen) && !screen->duel->same_exact &&
+        n_curves > 1)
         draw_exact(screen->duel->b, &plot, name, curves[n_curves - 2].profile, dots);
     for (int k = 0; k < n_curves; k++) {
         if (!curves[k].run->shown)

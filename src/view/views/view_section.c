@@ -15,7 +15,7 @@ typedef struct Section {
 
 static double named_at(const Simulation *sim, const char *name, size_t index)
 {
-    return field_at(sim, simulation_find_field(sim, 0, name), index);
+    return simulation_value(sim, simulation_find_field(sim, 0, name), index);
 }
 
 static void free_section(Section *section)
@@ -35,7 +35,7 @@ static double on_axis(const Simulation *sim, const char *name, size_t column, si
 static bool take_section(const Screen *screen, Section *section)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
-    const size_t columns = (size_t)derived_value(screen, "columns"), count = sim->counts[0];
+    const size_t columns = (size_t)screen_derived(screen, "columns"), count = sim->counts[0];
     *section = (Section){.rows = columns > 0 ? count / columns : 0};
     if (section->rows < 2 || columns < 2)
         return false;
@@ -82,13 +82,13 @@ static void section_line(const Section *section, char out[160])
     char slope[NUMBER_TEXT_MAX], off[NUMBER_TEXT_MAX];
     double share, away = off_line(section, &share);
     const bool large = away >= 1e-6;
-    number_text(away / (large ? 1e-6 : 1e-9), 2, 8, off);
-    number_text(section->slope, 3, 10, slope);
+    text_fitted(away / (large ? 1e-6 : 1e-9), 2, 8, off);
+    text_fitted(section->slope, 3, 10, slope);
     snprintf(out, 160, "at x %.2f mm", section->x / 1e-3);
-    append(out, 160, "  off the line by %s %s", off, large ? "um" : "nm");
+    text_append(out, 160, "  off the line by %s %s", off, large ? "um" : "nm");
     if (share < 1)
-        append(out, 160, " = %.1f %%", 100 * share);
-    append(out, 160, "  duy/dx %s", slope);
+        text_append(out, 160, " = %.1f %%", 100 * share);
+    text_append(out, 160, "  duy/dx %s", slope);
 }
 
 void section_draw(const Screen *screen, Area area, Style heading)
@@ -115,12 +115,12 @@ void section_draw(const Screen *screen, Area area, Style heading)
     axis_scale_text(&y, "m", scale);
     axis_scale_text(&x, "m", x_scale);
     snprintf(name, sizeof name, "ux, %s", x_scale);
-    draw_heading(area, heading, "section, y", scale, legend, shows_exact(screen) ? 2 : 1);
+    heading_draw(area, heading, "section, y", scale, legend, screen_shows_exact(screen) ? 2 : 1);
     Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
 
     Plot plot;
     plot_open(&plot, x, y);
-    if (shows_exact(screen)) {
+    if (screen_shows_exact(screen)) {
         plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
         plot_point(&plot, on_line(&section, bottom), bottom);
         plot_point(&plot, on_line(&section, top), top);

@@ -62,7 +62,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     const bool slope = variant == 1;
     const int position = simulation_find_field(sim, 0, "x"), node_x = simulation_find_field(sim, 1, "x");
     const size_t chosen = screen->chosen.particle < sim->counts[0] ? screen->chosen.particle : 0;
-    const double place = field_at(sim, position, chosen);
+    const double place = simulation_value(sim, position, chosen);
     Link links[LINKS_MAX];
     size_t n_links = sim->method->shapes(sim, &place, links, LINKS_MAX);
     n_links = n_links < LINKS_MAX ? n_links : LINKS_MAX;
@@ -74,7 +74,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     size_t first = links[0].index, last = links[n_links - 1].index;
     first = first > NEIGHBOURS ? first - NEIGHBOURS : 0;
     last = last + NEIGHBOURS < sim->counts[1] ? last + NEIGHBOURS : sim->counts[1] - 1;
-    double from = field_at(sim, node_x, first), to = field_at(sim, node_x, last);
+    double from = simulation_value(sim, node_x, first), to = simulation_value(sim, node_x, last);
     Axis x = axis_make(from, to, area.rect.width / 9);
 
     /* the mesh's spacing: slopes are counted in it */
@@ -87,7 +87,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     char name[64], scale[TICK_TEXT_MAX];
     snprintf(name, sizeof name, slope ? "slopes N', p %zu" : "shapes N, p %zu", chosen);
     axis_scale_text(&y, "", scale);
-    draw_heading(area, heading, name, scale, legend, 3);
+    heading_draw(area, heading, name, scale, legend, 3);
     Area inner = axes_draw(area_part(area, 0, 1, area.rect.width, area.rect.height - 1), &x, &y, "x", GUTTER);
     const int dots = inner.rect.width * plot_dots_across(area.glyphs);
 
@@ -116,7 +116,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
 
     /* every particle in sight on the functions that it sees, the chosen one marked */
     for (size_t p = 0; p < sim->counts[0]; p++) {
-        const double at = field_at(sim, position, p);
+        const double at = simulation_value(sim, position, p);
         if (at < from || at > to)
             continue;
         Link seen[LINKS_MAX];

@@ -33,24 +33,24 @@ typedef struct Picture {
 
 static Choice choice_of(const Screen *screen, int variant)
 {
-    if (!facts_of(screen)->si) {
+    if (!screen_problem(screen)->si) {
         const Readout *readout = experiment_readout(screen->experiment);
-        const int column = find_column(screen, readout->moving ? readout->column : "v_cm");
+        const int column = screen_column(screen, readout->moving ? readout->column : "v_cm");
         return (Choice){column, variant % 2 == 1};
     }
     /* a beam swings a few times only in a run: what it does at once is its thickness modes */
-    return (Choice){find_column(screen, variant < 2 ? "v_probe" : "u_probe"), variant == 0};
+    return (Choice){screen_column(screen, variant < 2 ? "v_probe" : "u_probe"), variant == 0};
 }
 
 static int variants_of(const Screen *screen)
 {
-    return !facts_of(screen)->si ? 2 : 3;
+    return !screen_problem(screen)->si ? 2 : 3;
 }
 
 static const char *word_of(const Screen *screen, int variant)
 {
     static const char *const bar[] = {"slow", "fast"}, *const beam[] = {"fast", "slow", "displacement"};
-    return !facts_of(screen)->si ? bar[variant % 2] : beam[variant % 3];
+    return !screen_problem(screen)->si ? bar[variant % 2] : beam[variant % 3];
 }
 
 /* The lines that theory knows: of the watched mode, of the bar's other modes where v_cm is watched, and, in
@@ -74,7 +74,7 @@ static int marks_of(const Screen *screen, bool fast, Mark marks[MARKS_MAX])
         fast ? references_thickness_lines(experiment_references(screen->experiment), thickness) : 0;
     for (int i = 0; i < n_thickness && count < MARKS_MAX; i++)
         marks[count++] = (Mark){thickness[i], false};
-    if (!facts_of(screen)->si && readout->times < 1.5)
+    if (!screen_problem(screen)->si && readout->times < 1.5)
         n_overtones = overtones_read(settings->start.overtones, overtones, NULL);
     for (int i = 0; i < n_overtones && count + 2 <= MARKS_MAX; i++) {
         ModeOnMesh mode;
@@ -91,7 +91,7 @@ static int marks_of(const Screen *screen, bool fast, Mark marks[MARKS_MAX])
 static double highest_of(const Screen *screen)
 {
     const Settings *settings = experiment_settings(screen->experiment);
-    const double critical = derived_value(screen, "dt_crit");
+    const double critical = screen_derived(screen, "dt_crit");
     ModeOnMesh mode;
     if (critical > 0)
         return 2 / critical;
@@ -139,8 +139,8 @@ static double slow_range(const Screen *screen, const Spectrum *spectrum, const M
 {
     double range = 0;
     for (int i = 0; i < n_marks; i++)
-        range = fmax(range, marks[i].frequency * (!facts_of(screen)->si ? 2 : 4));
-    if (facts_of(screen)->si)
+        range = fmax(range, marks[i].frequency * (!screen_problem(screen)->si ? 2 : 4));
+    if (screen_problem(screen)->si)
         return range;
     double largest = 0;
     for (size_t k = 1; k < spectrum->count; k++)
@@ -211,11 +211,11 @@ static void peak_line(const Screen *screen, const Picture *picture, bool fast, c
     char number[NUMBER_TEXT_MAX];
     snprintf(out, 160, count == 0 ? "no peak stands out" : count == 1 ? "peak at" : "peaks at");
     for (int i = 0; i < count; i++) {
-        number_text(peaks[i], 4, 8, number);
-        append(out, 160, "%s %s", i > 0 ? "," : "", number);
+        text_fitted(peaks[i], 4, 8, number);
+        text_append(out, 160, "%s %s", i > 0 ? "," : "", number);
     }
-    number_text(bin, 2, 8, number);
-    append(out, 160, "%s; a bin is %s", !facts_of(screen)->si ? "" : " kHz", number);
+    text_fitted(bin, 2, 8, number);
+    text_append(out, 160, "%s; a bin is %s", !screen_problem(screen)->si ? "" : " kHz", number);
 }
 
 /* Why there is no picture yet; false: there is one. */
@@ -224,7 +224,7 @@ static bool wants_time(const Screen *screen, const Spectrum *spectrum, Choice ch
 {
     const Readout *readout = experiment_readout(screen->experiment);
     char time[48];
-    if (!facts_of(screen)->si && !readout->moving) {
+    if (!screen_problem(screen)->si && !readout->moving) {
         snprintf(out, 160, "Nothing vibrates here: there is no line to look for.");
         return true;
     }
@@ -241,7 +241,7 @@ static bool wants_time(const Screen *screen, const Spectrum *spectrum, Choice ch
     const double needed = PERIODS_LEAST * 2 * M_PI / marks[0].frequency;
     if (spectrum->to >= needed)
         return false;
-    time_text(screen, needed, time, sizeof time);
+    screen_time_text(screen, needed, time, sizeof time);
     snprintf(out, 160, "needs more time: two periods, that is until %s", time);
     return true;
 }
@@ -255,9 +255,9 @@ static bool thickness_line(const Screen *screen, int width, char out[160])
     for (count = count < PEAKS_MAX ? count : PEAKS_MAX; count > 0; count--) {
         snprintf(out, 160, "predicted through height");
         for (int i = 0; i < count; i++)
-            append(out, 160, "%s %.0f", i > 0 ? "," : "", thickness[i] / (2e3 * M_PI));
-        append(out, 160, " kHz");
-        if (text_columns(out) < width)
+            text_append(out, 160, "%s %.0f", i > 0 ? "," : "", thickness[i] / (2e3 * M_PI));
+        text_append(out, 160, " kHz");
+        if (glyphs_columns(out) < width)
             break;
     }
     return count > 0;
@@ -267,7 +267,7 @@ static void add_marks(const Screen *screen, Plot *plot, const Picture *picture, 
                       int n_marks)
 {
     for (int i = 0; i < n_marks; i++) {
-        if (marks[i].exact ? !shows_exact(screen) : !shows_predicted(screen))
+        if (marks[i].exact ? !screen_shows_exact(screen) : !screen_shows_predicted(screen))
             continue;
         const double x = marks[i].frequency / picture->unit;
         plot_begin(plot, STROKE_LINE, marks[i].exact ? LINE_DOTTED : LINE_DASHED,
@@ -308,8 +308,8 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     Mark marks[MARKS_MAX];
     const int n_marks = marks_of(screen, choice.fast, marks);
     /* what breaks has no line of its own: all that the mesh does is shown */
-    choice.fast |= facts_of(screen)->si && !experiment_readout(screen->experiment)->moving;
-    Picture picture = {.unit = !facts_of(screen)->si ? 1 : 2e3 * M_PI};
+    choice.fast |= screen_problem(screen)->si && !experiment_readout(screen->experiment)->moving;
+    Picture picture = {.unit = !screen_problem(screen)->si ? 1 : 2e3 * M_PI};
     picture.spectrum =
         experiment_spectrum(screen->experiment, choice.column, choice.fast ? SPECTRUM_FAST : SPECTRUM_SLOW);
     char name[64], text[160], lines[160];
@@ -321,7 +321,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     }
 
     const bool rings =
-        choice.fast && shows_predicted(screen) && thickness_line(screen, area.rect.width, lines);
+        choice.fast && screen_shows_predicted(screen) && thickness_line(screen, area.rect.width, lines);
     const int under = area.rect.height < 8             ? 0
                       : area.rect.height < 9 || !rings ? 1
                                                        : 2,
@@ -354,20 +354,20 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         exact |= marks[i].exact;
         predicted |= !marks[i].exact;
     }
-    if (exact && shows_exact(screen))
-        legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, facts_of(screen)->answer, NULL};
-    if (predicted && shows_predicted(screen))
+    if (exact && screen_shows_exact(screen))
+        legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, screen_problem(screen)->answer, NULL};
+    if (predicted && screen_shows_predicted(screen))
         legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "predicted", NULL};
     char scale[TICK_TEXT_MAX] = "";
     if (!choice.fast)
         axis_scale_text(&y, quantity->unit, scale);
-    else if (facts_of(screen)->si)
+    else if (screen_problem(screen)->si)
         snprintf(scale, sizeof scale, "%s", quantity->unit);
     snprintf(name, sizeof name, "spectrum of %s", quantity->label);
-    n_legend += ghost_legends(runs, n_runs, legend + n_legend);
-    draw_heading(area, heading, name, scale, legend, n_legend);
+    n_legend += runs_ghost_legends(runs, n_runs, legend + n_legend);
+    heading_draw(area, heading, name, scale, legend, n_legend);
     Area inner = axes_draw(area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under), &picture.x,
-                           &y, !facts_of(screen)->si ? "w" : "f, kHz", GUTTER);
+                           &y, !screen_problem(screen)->si ? "w" : "f, kHz", GUTTER);
 
     Plot plot;
     plot_open(&plot, picture.x, y);
@@ -388,9 +388,10 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     if (under > 0) {
         peak_line(screen, &picture, choice.fast, text);
         const int x =
-            1 + (is_shared(screen) ? area_text(area, 1, area.rect.height - under, "A ", STYLE_NORMAL) : 0);
+            1 +
+            (screen_is_shared(screen) ? area_text(area, 1, area.rect.height - under, "A ", STYLE_NORMAL) : 0);
         char *bin = strchr(text, ';');
-        if (bin && x + text_columns(text) > area.rect.width)
+        if (bin && x + glyphs_columns(text) > area.rect.width)
             *bin = '\0';
         area_text(area, x, area.rect.height - under, text, STYLE_NORMAL);
     }

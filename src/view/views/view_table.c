@@ -41,11 +41,11 @@ static void list_columns(const Screen *screen, Table *table)
                 continue;
             TableColumn *column = &table->columns[table->n_columns++];
             char unit[24];
-            unit_text(screen, field, unit, sizeof unit);
+            screen_unit_text(screen, field, unit, sizeof unit);
             snprintf(column->name, sizeof column->name, "%.30s%s%s", field->quantity.label, *unit ? "," : "",
                      unit);
             column->field = i;
-            column->width = text_columns(column->name) + 2;
+            column->width = glyphs_columns(column->name) + 2;
             column->width = column->width > CELL_WIDTH ? column->width : CELL_WIDTH;
         }
 }
@@ -96,11 +96,11 @@ static void draw_heading_of(const Screen *screen, Area area, const Table *table,
     snprintf(text, sizeof text, "%s, %zu of them%s", sim->sets[table->set].plural, sim->counts[table->set],
              empty ? ": no mass until stage 1" : "");
     area_rule(area, 0, text, heading);
-    const int end = second_run(screen) ? 20 : 2; /* in a duel it is said at the end whose they are */
+    const int end = screen_second_run(screen) ? 20 : 2; /* in a duel it is said at the end whose they are */
     if (table->end_column - table->first_column < table->n_columns)
         snprintf(more, sizeof more, " ← → columns %d-%d of %d ", table->first_column + 1, table->end_column,
                  table->n_columns);
-    draw_heading_hint(screen, area, 5 + text_columns(text), area.rect.width + 1 - end, more);
+    heading_hint(screen, area, 5 + glyphs_columns(text), area.rect.width + 1 - end, more);
 }
 
 static void draw_column(const Screen *screen, Area area, const Table *table, const TableColumn *column,

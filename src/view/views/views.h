@@ -16,9 +16,9 @@ void section_draw(const Screen *, Area, Style heading);
 int crack_variants(const Screen *);
 const char *crack_variant_word(int variant);
 void crack_draw(const Screen *, Area, Style heading, int variant);
-int fracture_variants(const Screen *);
-const char *fracture_variant_word(int variant);
-void fracture_draw(const Screen *, Area, Style heading, int variant);
+int crack_cost_variants(const Screen *);
+const char *crack_cost_variant_word(int variant);
+void crack_cost_draw(const Screen *, Area, Style heading, int variant);
 
 /* A bond's force over its stretch, in the place of shape functions where there is no mesh. */
 void bond_law_draw(const Screen *, Area, Style heading);

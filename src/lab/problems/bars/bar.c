@@ -20,7 +20,7 @@ static const ParameterUse uses[] = {
 
 static const Solver *const solvers[] = {&bar_by_mpm, &bar_by_pd, NULL};
 
-const Problem bar_problem = {
+const Problem problem_bar = {
     .word = "bar",
     .answer = "exact",
     .title = "axial vibration of a bar",

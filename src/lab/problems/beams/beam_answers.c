@@ -330,13 +330,13 @@ double beam_moving_envelope(const References *refs, const char *column, double t
     if (strcmp(column, "u_probe") == 0)
         return tip * sqrt(growth);
     if (strcmp(column, "v_probe") == 0)
-        return tip * cantilever_frequency(beam, beam->length) * pow(growth, -1.5);
+        return tip * beam_cantilever_frequency(beam, beam->length) * pow(growth, -1.5);
     return NAN;
 }
 
 double beam_moving_frequency(const References *refs, double time)
 {
-    return cantilever_frequency(&own(refs)->theory, length_at(refs, time)) / (2 * M_PI);
+    return beam_cantilever_frequency(&own(refs)->theory, length_at(refs, time)) / (2 * M_PI);
 }
 
 int beam_thickness_lines(const References *refs, double out[THICKNESS_LINES_MAX])

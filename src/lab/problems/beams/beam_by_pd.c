@@ -34,7 +34,8 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     derived_add(out, &n, "critical_energy", "critical G0", "J/m^2", settings->bonds.critical_energy, false);
     if (settings->problem->concerns & CONCERN_NOTCH)
         derived_add(out, &n, "rayleigh_speed", "Rayleigh c_R", "m/s",
-                    rayleigh_speed(settings->material.youngs_modulus, settings->material.density), false);
+                    crack_speed_rayleigh(settings->material.youngs_modulus, settings->material.density),
+                    false);
     if (sim) {
         BeamFacts facts;
         beam_facts(sim, &facts);
@@ -90,7 +91,7 @@ static const char *const of_beam[] = {
 #define BY_PD_ALIKE                                                                                          \
     .method = METHOD_PD, .check = check, .simulate = simulate, .derived = derived, .advice = advice
 
-const Solver supported_beam_by_pd = {
+const Solver beam_by_pd_supported = {
     BY_PD_ALIKE,
     UNDERSTAND_BEAMS,
     .predict = beam_predict_supported,
@@ -100,7 +101,7 @@ const Solver supported_beam_by_pd = {
     .thickness_lines = beam_thickness_lines,
 };
 
-const Solver moving_cantilever_by_pd = {
+const Solver beam_by_pd_moving = {
     BY_PD_ALIKE,
     UNDERSTAND_BEAMS,
     .prepare = beam_prepare_moving,
@@ -110,7 +111,7 @@ const Solver moving_cantilever_by_pd = {
     .thickness_lines = beam_thickness_lines,
 };
 
-const Solver notched_beam_by_pd = {
+const Solver beam_by_pd_notched = {
     BY_PD_ALIKE,
     .prepare = beam_prepare_notched,
     .readout = beam_read_nothing,

@@ -14,9 +14,9 @@ static const ParameterUse uses_supported[] = {
     {USE("pd.spacing", 0.25e-3)}, {USE("pd.horizon", 1e-3)},          {USE("time.end", 1.8e-3)},
 };
 
-static const Solver *const solvers_supported[] = {&supported_beam_by_pd, NULL};
+static const Solver *const solvers_supported[] = {&beam_by_pd_supported, NULL};
 
-const Problem supported_beam_problem = {
+const Problem problem_supported_beam = {
     .word = "simply-supported-beam",
     .title = "vibration of a simply supported beam",
     .concerns = BEAM_CONCERNS | CONCERN_DEFLECTION,
@@ -41,9 +41,9 @@ static const ParameterUse uses_moving[] = {
     {USE("time.end", 5e-3)},
 };
 
-static const Solver *const solvers_moving[] = {&moving_cantilever_by_pd, NULL};
+static const Solver *const solvers_moving[] = {&beam_by_pd_moving, NULL};
 
-const Problem moving_cantilever_problem = {
+const Problem problem_moving_cantilever = {
     .word = "moving-cantilever",
     .title = "vibration of an axially moving cantilever",
     .concerns = BEAM_CONCERNS | CONCERN_DEFLECTION | CONCERN_MOTION,
@@ -68,9 +68,9 @@ static const ParameterUse uses_notched[] = {
     {USE("time.end", 3e-4)},
 };
 
-static const Solver *const solvers_notched[] = {&notched_beam_by_pd, NULL};
+static const Solver *const solvers_notched[] = {&beam_by_pd_notched, NULL};
 
-const Problem notched_beam_problem = {
+const Problem problem_notched_beam = {
     .word = "notched-beam",
     .title = "three-point bending of a beam with an offset notch",
     .concerns = BEAM_CONCERNS | CONCERN_NOTCH | CONCERN_PRESSURE | CONCERN_SUPPORTS,

@@ -8,14 +8,14 @@
 
 #include <math.h>
 
-double rayleigh_speed(double youngs_modulus, double density)
+double crack_speed_rayleigh(double youngs_modulus, double density)
 {
     return sqrt(2 - 2 / sqrt(3)) * sqrt(3 * youngs_modulus / (8 * density));
 }
 
 double crack_speed_window(double horizon, double youngs_modulus, double density)
 {
-    return 4 * horizon / rayleigh_speed(youngs_modulus, density);
+    return 4 * horizon / crack_speed_rayleigh(youngs_modulus, density);
 }
 
 /* slope = sum (k - m) a_k / sum (k - m)^2, m = (n - 1)/2, and the latter sum is n (n^2 - 1)/12. */

@@ -7,7 +7,7 @@
 
 /* Rayleigh's speed in plane stress with Poisson's ratio 1/3, where its equation has a root in closed form:
  * c_R/c_s = sqrt(2 - 2/sqrt(3)), c_s = sqrt(3 E/(8 rho)). m/s. */
-double rayleigh_speed(double youngs_modulus, double density);
+double crack_speed_rayleigh(double youngs_modulus, double density);
 
 /* The time over which a crack's speed is taken: 4 horizons at Rayleigh's speed, s. The tip moves in jumps of
  * a spacing: over a shorter time its speed would exceed Rayleigh's, over twice as long the peak loses a

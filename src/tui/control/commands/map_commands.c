@@ -97,7 +97,7 @@ void command_map_enlarge(Laboratory *lab, int direction)
 {
     Screen *screen = &lab->screen;
     Settings settings = *experiment_settings(screen->experiment);
-    const double now = screen_map_enlargement(screen, lab->width, lab->height);
+    const double now = view_map_enlargement(screen, lab->width, lab->height);
     Status status = {STATUS_DONE, ""};
     if (direction == 0)
         settings.view.exaggeration[0] = '\0';

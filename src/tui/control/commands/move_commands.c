@@ -36,7 +36,7 @@ static void move_cursor(Laboratory *lab, int columns)
 {
     Screen *screen = &lab->screen;
     double from, to;
-    screen_time_window(screen, &from, &to);
+    time_plot_window(screen, &from, &to);
     int width = screen_pane(screen, lab->width, lab->height, screen->panes.focus).width - 10;
     double column = (to - from) / (width > 20 ? width : 20);
     if (isnan(screen->time.cursor))

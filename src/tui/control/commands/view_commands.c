@@ -70,7 +70,7 @@ static void change_window(Laboratory *lab, int direction)
         command_map_enlarge(lab, direction);
         return;
     }
-    screen_time_window(screen, &from, &to);
+    time_plot_window(screen, &from, &to);
     double length = screen->time.window > 0 ? screen->time.window : to - from;
     const double dt = experiment_simulation(screen->experiment)->dt, least = 10 * dt;
     const double end = dt * (double)experiment_last_step(screen->experiment);

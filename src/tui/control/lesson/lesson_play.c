@@ -191,7 +191,7 @@ bool lesson_play_open(Laboratory *lab, const char *name, Status *status)
         return true;
     }
     Lesson lesson;
-    if (!lesson_load(name, line_is_for_lessons, &lesson, status))
+    if (!lesson_load(name, command_line_for_lessons, &lesson, status))
         return false;
     forget_lesson(lab);
     lab->play.lesson = lesson;

@@ -191,8 +191,8 @@ static void offer_arguments(Completion *completion, const Laboratory *lab, LineA
         offer_views(completion, &lab->screen);
         break;
     case ARGUMENT_REFERENCES:
-        for (int i = 0; reference_words[i]; i++)
-            offer(completion, reference_words[i], "");
+        for (int i = 0; parameter_reference_words[i]; i++)
+            offer(completion, parameter_reference_words[i], "");
         break;
     case ARGUMENT_LESSON:
         for (const BuiltinLesson *lesson = builtin_lessons; lesson->name; lesson++)
@@ -250,7 +250,7 @@ void complete_tab(Laboratory *lab)
     } else if (before + strlen(completion.common) + 2 < sizeof prompt->text) {
         snprintf(prompt->text + before, sizeof prompt->text - before, "%s%s", completion.common,
                  completion.found == 1 ? completion.tail : "");
-        prompt->cursor = text_characters(prompt->text);
+        prompt->cursor = glyphs_count(prompt->text);
         const BuiltinScenario *scenario = completion.found == 1 ? scenario_builtin(completion.common) : NULL;
         char title[TITLE_MAX];
         if (scenario && !prompt->scenarios && scenario_title(scenario, title))

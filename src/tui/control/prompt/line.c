@@ -37,7 +37,7 @@ static void recall(Prompting *prompting, int direction)
         memcpy(past->unfinished, prompt->text, sizeof past->unfinished);
     past->at = to;
     memcpy(prompt->text, to == past->count ? past->unfinished : past->lines[to], sizeof prompt->text);
-    prompt->cursor = text_characters(prompt->text);
+    prompt->cursor = glyphs_count(prompt->text);
     prompt->problem[0] = prompt->hint[0] = '\0';
     prompting->fresh = false;
 }
@@ -114,8 +114,8 @@ static bool overlay(Laboratory *lab, const char *words)
     const bool x_given = take_word(&words, x, sizeof x), y_given = take_word(&words, y, sizeof y);
     if (!overlay_load(&read, path, reading, lab, &status))
         return prompt_refuse(&lab->prompting, status.text);
-    if (!overlay_choose(&read, x_given ? x : NULL, y_given ? y : NULL, screen_time_curve(screen),
-                        screen_profile_curve(screen), &status)) {
+    if (!overlay_choose(&read, x_given ? x : NULL, y_given ? y : NULL, view_time_curve(screen),
+                        view_profile_curve(screen), &status)) {
         overlay_close(&read);
         return prompt_refuse(&lab->prompting, status.text);
     }
@@ -169,7 +169,7 @@ static bool show(Laboratory *lab, const char *words)
 static bool references(Laboratory *lab, const char *words)
 {
     for (int i = 0; i < SHOW_COUNT; i++)
-        if (strcmp(words, reference_words[i]) == 0) {
+        if (strcmp(words, parameter_reference_words[i]) == 0) {
             lab->screen.views.references = (ReferencesShown)i;
             return true;
         }
@@ -231,7 +231,7 @@ static bool refuse_word(Laboratory *lab, const char *line, const char *end)
     for (int i = 0; i < n_commands && count < MOST; i++)
         known[count++] = commands[i].name;
     snprintf(word, sizeof word, "%.*s", (int)(end - line), line);
-    nearest = nearest_word(known, word);
+    nearest = parameter_nearest_word(known, word);
     snprintf(why, sizeof why, "%s: unknown%s%s%s: a command (Tab completes), KEY=VALUE or a time is wanted",
              word, nearest ? " (did you mean " : "", nearest ? nearest : "", nearest ? "?)" : "");
     return prompt_refuse(&lab->prompting, why);

@@ -29,8 +29,8 @@ void prompt_ask_replace(Prompting *prompting, Answer answer, const char *name)
 {
     enum { COLUMNS = 56 };
     const char *end = name;
-    for (int more = text_columns(name) - COLUMNS; more > 0; more--)
-        utf8_next(&end);
+    for (int more = glyphs_columns(name) - COLUMNS; more > 0; more--)
+        glyph_next(&end);
     prompt_ask(prompting, answer, true, "", "%s%s exists: replace?", end > name ? "..." : "", end);
     prompting->shown->wants_y = true;
 }
@@ -39,7 +39,7 @@ void prompt_fill(Prompting *prompting, const char *text)
 {
     Prompt *prompt = prompting->shown;
     snprintf(prompt->text, sizeof prompt->text, "%s", text);
-    prompt->cursor = text_characters(prompt->text);
+    prompt->cursor = glyphs_count(prompt->text);
     prompt->problem[0] = '\0';
     prompting->fresh = true;
 }
