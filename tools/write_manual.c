@@ -303,6 +303,15 @@ static bool write_parameters(const char *which)
         if (of_any)
             write_parameter(&parameters[i], concern);
     }
+    for (const FixedKey *fixed = fixed_keys; fixed->key; fixed++)
+        if (fixed->concern & concern) {
+            puts(".TP");
+            say_in("B", fixed->key);
+            fputs("  always ", stdout);
+            say_line(fixed->value);
+            fputs("No parameter: ", stdout);
+            say_line(fixed->reason);
+        }
     return true;
 }
 

@@ -64,6 +64,9 @@ static bool print_problem(const Problem *problem, Status *status)
             printf("\n%s\n", group = parameters[i].group);
         print_parameter(&settings, &parameters[i]);
     }
+    for (const FixedKey *fixed = fixed_keys; fixed->key; fixed++)
+        if (fixed == fixed_key_find(&settings, fixed->key))
+            printf("\nFixed\n  %s = %s\n      %s\n", fixed->key, fixed->value, fixed->reason);
     for (int method = 0; settings_method_words[method]; method++)
         if (problem_allows(problem, (MethodKind)method, NULL) &&
             !print_derived(&settings, (MethodKind)method, status))

@@ -70,6 +70,9 @@ refuse "--set of an unknown key" '--set: mesh.cellsize: unknown key (did you mea
 	show mode1 --set mesh.cellsize=1
 refuse "--set out of range" '--set: mesh.particles_per_cell: 9 is out of range (1 to 8)' \
 	show mode1 --set mesh.particles_per_cell=9
+refuse "Poisson's ratio of bonds" '--set: beam.poisson: is 1/3 here and cannot be set: bonds pull along their own line alone; a sheet of such springs grows narrower by a third of its stretch' \
+	show supported-beam --set beam.poisson=0.3
+refuse "which a bar has not" '--set: beam.poisson: unknown key (see: matvib params bar)' show mode1 --set beam.poisson=0.3
 refuse "a view that is none" '--set: view.upper: 99 is not allowed (1 to 9, or a view'\''s word)' show mode1 --set view.upper=99
 refuse "half a view" '--set: view.lower: 1.5 is not allowed (1 to 9, or a view'\''s word)' show mode1 --set view.lower=1.5
 refuse "a window without length" '--set: view.window: 0 is not allowed (> 0)' show mode1 --set view.window=0

@@ -39,6 +39,27 @@ const Parameter *parameter_find(const char *key)
     return NULL;
 }
 
+const FixedKey fixed_keys[] = {
+    {"beam.poisson", CONCERN_BEAM, BY_PD, "1/3",
+     "bonds pull along their own line alone; a sheet of such springs grows narrower by a third of its "
+     "stretch"},
+    {NULL, 0, 0, NULL, NULL},
+};
+
+const FixedKey *fixed_key_find(const Settings *settings, const char *key)
+{
+    for (const FixedKey *fixed = fixed_keys; fixed->key; fixed++)
+        if ((strcmp(key, fixed->key) == 0 || strcmp(key, strchr(fixed->key, '.') + 1) == 0) &&
+            (fixed->concern & settings->problem->concerns) && (fixed->methods & 1 << settings->method))
+            return fixed;
+    return NULL;
+}
+
+void fixed_key_text(const FixedKey *fixed, char *out, size_t size)
+{
+    snprintf(out, size, "%s: is %s here and cannot be set: %s", fixed->key, fixed->value, fixed->reason);
+}
+
 const TextKey *text_key_find(const char *key)
 {
     for (int i = 0; i < n_text_keys; i++)

@@ -83,6 +83,24 @@ extern const char *const parameter_reference_words[];
 /* The words of view.colour, ended by NULL, in the order in which the beam view goes through them. */
 extern const char *const parameter_colour_words[];
 
+/* What one may look for as a parameter, but follows from the method: it has one value, and a reason for it.
+ */
+typedef struct FixedKey {
+    const char *key;    /* "beam.poisson"; its end, "poisson", finds it too */
+    int concern;        /* of the problems that have it */
+    int methods;        /* by which it is fixed */
+    const char *value;  /* "1/3" */
+    const char *reason; /* why: the end of a sentence */
+} FixedKey;
+
+extern const FixedKey fixed_keys[]; /* ended by a NULL key */
+
+/* The row of such a key for these settings; NULL: it is none. */
+const FixedKey *fixed_key_find(const Settings *, const char *key);
+
+/* "beam.poisson: is 1/3 here and cannot be set: why". */
+void fixed_key_text(const FixedKey *, char *out, size_t size);
+
 /* The row of a key; NULL: unknown. */
 const Parameter *parameter_find(const char *key);
 const TextKey *text_key_find(const char *key);

@@ -241,6 +241,12 @@ bool settings_set(Settings *settings, const char *key, const char *text, Status 
         return check_words(words, text, status) &&
                put_text(settings, key, words->offset, words->size, text, status);
     const Parameter *parameter = parameter_find(key);
+    const FixedKey *fixed = fixed_key_find(settings, key);
+    if (fixed) {
+        char why[sizeof status->text];
+        fixed_key_text(fixed, why, sizeof why);
+        return status_fail(status, STATUS_USAGE, "%s", why);
+    }
     if (!parameter)
         return unknown(settings->problem, key, status);
     if (!settings_have(settings, parameter))

@@ -231,6 +231,12 @@ static bool refuse_word(Laboratory *lab, const char *line, const char *end)
     for (int i = 0; i < n_commands && count < MOST; i++)
         known[count++] = commands[i].name;
     snprintf(word, sizeof word, "%.*s", (int)(end - line), line);
+    const FixedKey *fixed = fixed_key_find(experiment_settings(lab->screen.experiment), word);
+    if (fixed) {
+        char text[sizeof lab->screen.prompt.problem];
+        fixed_key_text(fixed, text, sizeof text);
+        return prompt_refuse(&lab->prompting, text);
+    }
     nearest = parameter_nearest_word(known, word);
     snprintf(why, sizeof why, "%s: unknown%s%s%s: a command (Tab completes), KEY=VALUE or a time is wanted",
              word, nearest ? " (did you mean " : "", nearest ? nearest : "", nearest ? "?)" : "");
