@@ -5,11 +5,13 @@
 #include "lab/settings/parameters.h"
 #include "suite.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <time.h>
 
 #define PATIENCE 0.02 /* s, after which the answer is no */
 #define LONG     0.06 /* s; what takes longer has to have asked since */
+#define LONGEST  0.1  /* s between two questions: twice what is wanted, for a machine that is busy */
 #define ANSWER   0.3  /* s, in which all is over; a lattice's eigenvalues are asked about every 10 ms or so */
 
 static double processor_seconds(void)
@@ -73,10 +75,57 @@ START_TEST(no_value_makes_the_building_deaf)
 }
 END_TEST
 
+/* How often a building asks, to its end or until it has taken long enough. */
+typedef struct Listening {
+    double began, last, longest; /* s; the longest time without a question */
+    double patience;
+} Listening;
+
+static bool listen(double share, void *context)
+{
+    (void)share;
+    Listening *listening = context;
+    const double now = processor_seconds();
+    listening->longest = fmax(listening->longest, now - listening->last);
+    listening->last = now;
+    return now - listening->began < listening->patience;
+}
+
+static const struct {
+    const char *problem, *key;
+    double value;
+} large[] = {
+    {"moving-cantilever", "motion.channel", 16.5},
+    {"simply-supported-beam", "beam.length", 1},
+    {"simply-supported-beam", "beam.height", 0.01},
+    {"notched-beam", "beam.length", 10.5},
+};
+
+/* Each part of a large building asks, not only its first. */
+START_TEST(every_part_of_a_building_asks)
+{
+    Settings settings;
+    Status status = {0};
+    settings_default(&settings, problem_find(large[_i].problem));
+    settings_put(&settings, parameter_find(large[_i].key), large[_i].value);
+    ck_assert(settings_check(&settings, &status));
+    const double now = processor_seconds();
+    Listening listening = {now, now, 0, 3 * slowness()};
+    settings.patience = (Patience){listen, &listening};
+    Experiment *experiment = experiment_create(&settings, 1000000, 1, &status);
+    if (experiment)
+        listen(1, &listening);
+    experiment_destroy(experiment);
+    ck_assert_msg(listening.longest < LONGEST * slowness(), "%s, %s = %g: %.2f s without a question",
+                  large[_i].problem, large[_i].key, large[_i].value, listening.longest);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("limits");
     tcase_set_timeout(tcase, 120);
     tcase_add_test(tcase, no_value_makes_the_building_deaf);
+    tcase_add_loop_test(tcase, every_part_of_a_building_asks, 0, sizeof large / sizeof *large);
     suite_add_tcase(suite, tcase);
 }

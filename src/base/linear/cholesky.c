@@ -4,7 +4,9 @@
 
 #include <math.h>
 
-enum { LANES = 8, PRODUCTS_BETWEEN_QUESTIONS = 20000000 };
+/* A question every ten milliseconds or so: a product of the solution waits for memory, where the factor has
+ * its rows at hand. */
+enum { LANES = 8, PRODUCTS_BETWEEN_QUESTIONS = 20000000, PRODUCTS_OF_SOLUTION = 2000000 };
 
 /* sum a_k b_k in LANES partial sums, so that the compiler may keep them in vectors of any width with the same
  * bits. */
@@ -51,10 +53,12 @@ CholeskyEnd cholesky_factor(CholeskyBand *band, const Patience *patience)
 }
 
 /* L y = x forwards, L^T x = y backwards. */
-void cholesky_solve(const CholeskyBand *band, double *x)
+bool cholesky_solve(const CholeskyBand *band, double *x, const Patience *patience)
 {
-    const size_t width = band->width, stride = width + 1;
+    const size_t width = band->width, stride = width + 1, rows_a_question = PRODUCTS_OF_SOLUTION / stride + 1;
     for (size_t i = 0; i < band->size; i++) {
+        if (i % rows_a_question == 0 && !patience_lasts(patience, 1))
+            return false;
         const double *row = band->rows + i * stride;
         const size_t left = i < width ? i : width;
         double sum = x[i];
@@ -63,10 +67,13 @@ void cholesky_solve(const CholeskyBand *band, double *x)
         x[i] = sum / row[0];
     }
     for (size_t i = band->size; i-- > 0;) {
+        if (i % rows_a_question == 0 && !patience_lasts(patience, 1))
+            return false;
         const double *row = band->rows + i * stride;
         const size_t left = i < width ? i : width;
         x[i] /= row[0];
         for (size_t d = 1; d <= left; d++)
             x[i - d] -= row[d] * x[i];
     }
+    return true;
 }

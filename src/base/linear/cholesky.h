@@ -8,6 +8,7 @@
 
 #include "base/patience.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* rows[i * (width + 1) + d] = K(i, i - d), d = 0 .. width; after cholesky_factor() the same of L. What lies
@@ -26,7 +27,7 @@ typedef enum CholeskyEnd {
 /* In place. `patience` is called now and then. */
 CholeskyEnd cholesky_factor(CholeskyBand *, const Patience *);
 
-/* x <- K^-1 x, after cholesky_factor(). */
-void cholesky_solve(const CholeskyBand *, double *x);
+/* x <- K^-1 x, after cholesky_factor(). False: given up, and x is of no use. */
+bool cholesky_solve(const CholeskyBand *, double *x, const Patience *);
 
 #endif

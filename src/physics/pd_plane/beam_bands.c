@@ -85,11 +85,25 @@ static void bonds_and_energy_chunk(void *context, int band, int worker)
     bonds_of_band(context, band, worker, true);
 }
 
-static void halos_chunk(void *context, int band, int worker)
+/* Whether the building goes on; asked by the thread that builds, and heard by all. */
+static bool is_wanted(Beam *beam, int worker)
 {
-    (void)worker;
+    return worker == 0 ? beam_go_on(beam, beam->built, NULL) : !beam->given_up;
+}
+
+static void asking_bonds_chunk(void *context, int band, int worker)
+{
     Beam *beam = context;
-    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
+    BondLog *log = &beam->band_logs[band];
+    log->scratch = beam->scratch + (size_t)worker * BONDS_SCRATCH;
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1] && is_wanted(beam, worker); j++)
+        beam_bonds_of_row(beam, j, log, false);
+}
+
+static void asking_halos_chunk(void *context, int band, int worker)
+{
+    Beam *beam = context;
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1] && is_wanted(beam, worker); j++)
         beam_add_halos(beam, j);
 }
 
@@ -118,10 +132,12 @@ void beam_bond_forces(Beam *beam, bool with_energy)
     }
 }
 
-void beam_all_forces(Beam *beam)
+bool beam_ask_forces(Beam *beam, double share, Status *status)
 {
-    beam_bond_forces(beam, false);
-    beam_run(beam, halos_chunk, beam->n_bands);
+    beam->built = share;
+    beam_run(beam, asking_bonds_chunk, beam->n_bands);
+    beam_run(beam, asking_halos_chunk, beam->n_bands);
+    return beam_go_on(beam, share, status);
 }
 
 double beam_strain(Beam *beam)

@@ -80,13 +80,26 @@ static void destroy(Simulation *sim)
     free(beam);
 }
 
-/* Zeroed, aligned to a cache line. */
-static void *zeroed(size_t bytes)
+bool beam_go_on(Beam *beam, double share, Status *status)
 {
+    if (!beam->given_up)
+        beam->given_up = !patience_lasts(&beam->def.patience, share);
+    return !beam->given_up || status_fail(status, STATUS_FAILED, "the building of the beam was given up");
+}
+
+/* Zeroed, aligned to a cache line. NULL: no memory, or given up on the way, for gigabytes take their time. */
+static void *zeroed(Beam *beam, size_t bytes)
+{
+    const size_t piece = 4 << 20;
     bytes = (bytes + 63) / 64 * 64;
-    void *block = aligned_alloc(64, bytes ? bytes : 64);
-    if (block)
-        memset(block, 0, bytes);
+    char *block = aligned_alloc(64, bytes ? bytes : 64);
+    for (size_t at = 0; block && at < bytes; at += piece) {
+        memset(block + at, 0, bytes - at < piece ? bytes - at : piece);
+        if (!beam_go_on(beam, BUILDING_BONDS, NULL)) {
+            free(block);
+            return NULL;
+        }
+    }
     return block;
 }
 
@@ -116,30 +129,32 @@ static bool allocate(Beam *beam, Status *status)
     size_t head = (sizeof(StateHead) + 63) / 64 * 64, arrays = 6 * beam->array * sizeof(double);
     beam->state_size = head + arrays + slots / 8;
 
-    beam->band_of_row = zeroed((size_t)lattice->ny * sizeof *beam->band_of_row);
-    beam->band_first = zeroed(((size_t)lattice->ny + 1) * sizeof *beam->band_first);
+    beam->band_of_row = zeroed(beam, (size_t)lattice->ny * sizeof *beam->band_of_row);
+    beam->band_first = zeroed(beam, ((size_t)lattice->ny + 1) * sizeof *beam->band_first);
     if (!beam->band_of_row || !beam->band_first)
-        return status_fail(status, STATUS_FAILED, "not enough memory for %d rows (pd.spacing)", lattice->ny);
+        return beam_go_on(beam, BUILDING_BONDS, status) &&
+               status_fail(status, STATUS_FAILED, "not enough memory for %d rows (pd.spacing)", lattice->ny);
     cut_into_bands(beam);
     size_t bands = (size_t)beam->n_bands, reach = (size_t)lattice->reach;
 
-    beam->coefficient = zeroed(slots * sizeof *beam->coefficient);
-    beam->notched = zeroed(slots / 8);
-    beam->unbreakable = zeroed(nodes);
-    beam->state = zeroed(beam->state_size);
+    beam->coefficient = zeroed(beam, slots * sizeof *beam->coefficient);
+    beam->notched = zeroed(beam, slots / 8);
+    beam->unbreakable = zeroed(beam, nodes);
+    beam->state = zeroed(beam, beam->state_size);
     beam->rescue.state = malloc(beam->state_size);
     beam->broken_at = calloc(slots, sizeof *beam->broken_at);
-    beam->damage = zeroed(nodes * sizeof *beam->damage);
-    beam->dirty = zeroed(nodes * sizeof *beam->dirty);
-    beam->is_dirty = zeroed(nodes);
-    beam->halo = zeroed(bands * 2 * reach * lattice->stride * sizeof *beam->halo);
-    beam->row_energy = zeroed((size_t)lattice->ny * sizeof *beam->row_energy);
-    beam->band_logs = zeroed(bands * sizeof *beam->band_logs);
-    beam->scratch = zeroed((size_t)beam->def.threads * BONDS_SCRATCH * sizeof *beam->scratch);
+    beam->damage = zeroed(beam, nodes * sizeof *beam->damage);
+    beam->dirty = zeroed(beam, nodes * sizeof *beam->dirty);
+    beam->is_dirty = zeroed(beam, nodes);
+    beam->halo = zeroed(beam, bands * 2 * reach * lattice->stride * sizeof *beam->halo);
+    beam->row_energy = zeroed(beam, (size_t)lattice->ny * sizeof *beam->row_energy);
+    beam->band_logs = zeroed(beam, bands * sizeof *beam->band_logs);
+    beam->scratch = zeroed(beam, (size_t)beam->def.threads * BONDS_SCRATCH * sizeof *beam->scratch);
     if (!beam->coefficient || !beam->notched || !beam->unbreakable || !beam->state || !beam->rescue.state ||
         !beam->broken_at || !beam->damage || !beam->dirty || !beam->is_dirty || !beam->halo ||
         !beam->row_energy || !beam->band_logs || !beam->scratch)
-        return status_fail(status, STATUS_FAILED, "not enough memory for %zu bonds (pd.spacing)",
+        return beam_go_on(beam, BUILDING_BONDS, status) &&
+               status_fail(status, STATUS_FAILED, "not enough memory for %zu bonds (pd.spacing)",
                            lattice_bonds(lattice));
 
     double *arrays_at = (double *)((char *)beam->state + head);
@@ -176,7 +191,8 @@ static bool set_time_step(Beam *beam, Status *status)
 /* Forces at t = 0; a bond that is stretched too far by the initial shape breaks now. */
 static bool start(Beam *beam, Status *status)
 {
-    beam_all_forces(beam);
+    if (!beam_ask_forces(beam, 1, status))
+        return false;
     for (int band = 0; band < beam->n_bands; band++) {
         const BeamDef *def = &beam->def;
         if (beam->band_logs[band].unstable &&
@@ -223,8 +239,7 @@ static bool build(Beam *beam, const BeamOptions *options, Status *status)
         return false;
     if (!beam_set_problem(beam, status) || !set_time_step(beam, status))
         return false;
-    beam_set_motion(beam, options);
-    if (!start(beam, status))
+    if (!beam_set_motion(beam, options, status) || !start(beam, status))
         return false;
 
     const Lattice *lattice = &beam->lattice;

@@ -86,18 +86,24 @@ static double iterate(Beam *beam, double *v, double *previous, Status *status)
     for (int k = 0; k < STEPS_MAX; k++) {
         /* how many iterations it takes is not known beforehand */
         double share = 1 - exp(-(double)k / STEPS_USUAL);
-        if (!lattice_go_on(&beam->def, BUILDING_CRITICAL + (1 - BUILDING_CRITICAL) * share, status))
+        share = BUILDING_CRITICAL + (1 - BUILDING_CRITICAL) * share;
+        if (!beam_go_on(beam, share, status))
             return -1;
         for (size_t i = 0; i < count; i++)
             u[i] = tiny * v[i];
-        beam_all_forces(beam);
+        if (!beam_ask_forces(beam, share, status))
+            return -1;
         for (size_t i = 0; i < count; i++)
             f[i] = f[i] / (-tiny * beam->def.density) - last_beside * previous[i];
+        if (!beam_go_on(beam, share, status))
+            return -1;
         diagonal[k] = dot(beam, f, v);
         for (size_t i = 0; i < count; i++) {
             previous[i] = v[i];
             f[i] -= diagonal[k] * v[i];
         }
+        if (!beam_go_on(beam, share, status))
+            return -1;
         beside[k] = last_beside = sqrt(dot(beam, f, f));
         if (last_beside == 0)
             return largest(diagonal, beside, k + 1);

@@ -120,6 +120,8 @@ typedef struct Beam {
     double *scratch;    /* one per worker */
     Pool *pool;         /* NULL: one thread */
     Rescue rescue;
+    double built; /* share of the building that is done, for forces meanwhile; see beam_ask_forces() */
+    _Atomic bool given_up; /* by BeamDef.patience */
 } Beam;
 
 /* For tests: a kernel level by force, a body that nothing holds or loads, and any initial motion. */
@@ -137,18 +139,22 @@ Simulation *beam_create_with(const BeamDef *definition, const BeamOptions *optio
  * afterwards. */
 bool beam_critical_step(Beam *beam, double *step, Status *status);
 
+/* beam_create.c: asks BeamDef.patience. False: the building is to be given up, from now on. */
+bool beam_go_on(Beam *beam, double share, Status *status);
+
 /* beam_problem.c */
 bool beam_set_bonds(Beam *beam, Status *); /* coefficients, and the notch */
 bool beam_set_problem(Beam *beam, Status *status);
 void beam_simple_supports(const Lattice *, Support supports[2]); /* one node at each end, at mid-height */
-void beam_set_motion(Beam *beam, const BeamOptions *options);
+bool beam_set_motion(Beam *beam, const BeamOptions *options, Status *status); /* false: interrupted */
 
 /* beam_bands.c */
 void beam_run(Beam *beam, PoolWork *work, int chunks); /* context: the beam */
 void beam_bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy);
 void beam_add_halos(Beam *beam, int j);              /* what the bands below have for row j */
 void beam_bond_forces(Beam *beam, bool with_energy); /* all bands; halos are still to be added */
-void beam_all_forces(Beam *beam);                    /* with halos */
+/* With halos. While the beam is being built, asking on the way; false: to be given up. */
+bool beam_ask_forces(Beam *beam, double share, Status *status);
 double beam_strain(Beam *beam);
 
 /* beam_step.c */

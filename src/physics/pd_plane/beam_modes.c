@@ -61,14 +61,22 @@ static void add_bond(CholeskyBand *stiffness, const Lattice *lattice, BondPlace 
         }
 }
 
-static void assemble(CholeskyBand *stiffness, const Lattice *lattice, const bool *held)
+/* False: to be given up. */
+static bool assemble(CholeskyBand *stiffness, const Lattice *lattice, const bool *held,
+                     const Patience *patience)
 {
+    const double share = 0.01; /* of the whole: the factor takes most of the time */
+    size_t number = 0;
     for (BondPlace bond = lattice_next_bond(lattice, (BondPlace){0, 0, -1}); bond.j < lattice->ny;
-         bond = lattice_next_bond(lattice, bond))
+         bond = lattice_next_bond(lattice, bond), number++) {
+        if (number % LATTICE_BONDS_A_QUESTION == 0 && !patience_lasts(patience, share))
+            return false;
         add_bond(stiffness, lattice, bond, held);
+    }
     for (size_t i = 0; i < stiffness->size; i++)
         if (held[i])
             add(stiffness, i, i, 1);
+    return true;
 }
 
 static double dot(const double *a, const double *b, size_t count)
@@ -79,9 +87,9 @@ static double dot(const double *a, const double *b, size_t count)
     return sum;
 }
 
-/* lambda by inverse iteration from half a wave, eq. 16; the held components stay zero. */
+/* lambda by inverse iteration from half a wave, eq. 16; the held components stay zero. NAN: given up. */
 static double lowest_eigenvalue(const CholeskyBand *factor, const Lattice *lattice, const bool *held,
-                                double *x, double *y)
+                                double *x, double *y, const Patience *patience)
 {
     const size_t n = factor->size;
     for (int i = 0; i < lattice->nx; i++)
@@ -95,7 +103,8 @@ static double lowest_eigenvalue(const CholeskyBand *factor, const Lattice *latti
         const double length = sqrt(dot(x, x, n)), before = lambda;
         for (size_t i = 0; i < n; i++)
             y[i] = x[i] /= length;
-        cholesky_solve(factor, y);
+        if (!cholesky_solve(factor, y, patience))
+            return NAN;
         lambda = 1 / dot(x, y, n);
         for (size_t i = 0; i < n; i++)
             x[i] = y[i];
@@ -125,14 +134,15 @@ static bool solve(const Lattice *lattice, const BeamDef *def, double *period, St
             held[unknown(lattice, supports[k].i, supports[k].j, 0)] = supports[k].x;
             held[unknown(lattice, supports[k].i, supports[k].j, 1)] = supports[k].y;
         }
-        assemble(&band, lattice, held);
-        const CholeskyEnd end = cholesky_factor(&band, &def->patience);
-        done = end != CHOLESKY_GIVEN_UP ||
+        const Patience *patience = &def->patience;
+        const CholeskyEnd end =
+            assemble(&band, lattice, held, patience) ? cholesky_factor(&band, patience) : CHOLESKY_GIVEN_UP;
+        const double lambda = end == CHOLESKY_DONE ? lowest_eigenvalue(&band, lattice, held, vectors,
+                                                                       vectors + band.size, patience)
+                                                   : NAN;
+        done = end == CHOLESKY_SINGULAR || !isnan(lambda) ||
                status_fail(status, STATUS_FAILED, "the predicted period was given up");
-        if (end == CHOLESKY_DONE)
-            *period =
-                2 * M_PI /
-                sqrt(lowest_eigenvalue(&band, lattice, held, vectors, vectors + band.size) / def->density);
+        *period = 2 * M_PI / sqrt(lambda / def->density);
     }
     free(held);
     free(vectors);

@@ -29,16 +29,13 @@ bool beam_set_bonds(Beam *beam, Status *status)
 {
     const Lattice *lattice = &beam->lattice;
     bool has_notch = beam->def.problem == BEAM_NOTCHED && beam->def.notch_depth > 0 && !beam->free_body;
-    int row = 0;
+    const double bonds = (double)lattice_bonds(lattice);
+    size_t number = 0;
     for (BondPlace bond = lattice_next_bond(lattice, (BondPlace){0, 0, -1}); bond.j < lattice->ny;
-         bond = lattice_next_bond(lattice, bond)) {
-        if (bond.j > row) {
-            double share = (double)bond.j / lattice->ny;
-            if (!lattice_go_on(&beam->def, BUILDING_BONDS + (BUILDING_CRITICAL - BUILDING_BONDS) * share,
-                               status))
-                return false;
-            row = bond.j;
-        }
+         bond = lattice_next_bond(lattice, bond), number++) {
+        const double share = BUILDING_BONDS + (BUILDING_CRITICAL - BUILDING_BONDS) * (double)number / bonds;
+        if (number % LATTICE_BONDS_A_QUESTION == 0 && !beam_go_on(beam, share, status))
+            return false;
         size_t slot = lattice_slot(lattice, bond);
         if (has_notch && is_cut(beam, bond)) {
             uint8_t bit = (uint8_t)(1u << slot % 8);
@@ -128,13 +125,14 @@ static bool set_load(Beam *beam, Status *status)
     return true;
 }
 
-/* Nodes nearer than pd.protected to the load or a support: none of their bonds ever breaks. */
-static void protect(Beam *beam)
+/* Nodes nearer than pd.protected to the load or a support: none of their bonds ever breaks. False:
+ * interrupted. */
+static bool protect(Beam *beam, Status *status)
 {
     const Lattice *lattice = &beam->lattice;
     double p = beam->def.protected_depth, tolerance = 1e-6 * lattice->spacing;
     if (p <= 0)
-        return;
+        return true;
     double top = beam->def.height - p + tolerance, bottom = p - tolerance;
     double beside_load = beam->def.load_width / 2 + p - tolerance;
     for (int j = 0; j < lattice->ny; j++)
@@ -143,8 +141,12 @@ static void protect(Beam *beam)
             bool near_load = y > top && fabs(x - beam->def.load_position) < beside_load;
             bool near_support = y < bottom && (fabs(x - beam->def.support_left) < bottom ||
                                                fabs(x - beam->def.support_right) < bottom);
-            beam->unbreakable[(size_t)j * (size_t)lattice->nx + (size_t)i] = near_load || near_support;
+            size_t node = (size_t)j * (size_t)lattice->nx + (size_t)i;
+            if (node % LATTICE_NODES_A_QUESTION == 0 && !beam_go_on(beam, BUILDING_CRITICAL, status))
+                return false;
+            beam->unbreakable[node] = near_load || near_support;
         }
+    return true;
 }
 
 bool beam_set_problem(Beam *beam, Status *status)
@@ -168,8 +170,7 @@ bool beam_set_problem(Beam *beam, Status *status)
         set_simple_supports(beam);
     if (beam->def.problem != BEAM_NOTCHED)
         return true;
-    protect(beam);
-    return set_bottom_supports(beam, status) && set_load(beam, status);
+    return protect(beam, status) && set_bottom_supports(beam, status) && set_load(beam, status);
 }
 
 /* Eqs. 15, 16: u_y = U sin(k x), u_x = -y du_y/dx, k = pi/L. */
@@ -198,11 +199,14 @@ static void bend_cantilever(const Beam *beam, double x, double y, double u[2])
     u[1] = U * (cosh(k * x) - cos(k * x) - ratio * (sinh(k * x) - sin(k * x)));
 }
 
-void beam_set_motion(Beam *beam, const BeamOptions *options)
+bool beam_set_motion(Beam *beam, const BeamOptions *options, Status *status)
 {
     const Lattice *lattice = &beam->lattice;
+    size_t node = 0;
     for (int j = 0; j < lattice->ny; j++)
-        for (int i = 0; i < lattice->nx; i++) {
+        for (int i = 0; i < lattice->nx; i++, node++) {
+            if (node % LATTICE_NODES_A_QUESTION == 0 && !beam_go_on(beam, 1, status))
+                return false;
             double x = lattice_x(lattice, i), y = lattice_y(lattice, j), u[2] = {0, 0}, v[2] = {0, 0};
             if (beam->def.problem == BEAM_SIMPLY_SUPPORTED)
                 bend_supported(beam, x, y, u);
@@ -226,4 +230,5 @@ void beam_set_motion(Beam *beam, const BeamOptions *options)
         if (s->y)
             beam->nodes.uy[at] = beam->nodes.vy[at] = 0;
     }
+    return true;
 }

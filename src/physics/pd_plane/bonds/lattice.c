@@ -95,11 +95,13 @@ bool lattice_go_on(const BeamDef *def, double share, Status *status)
 
 static bool set_factors(Lattice *lattice, const BeamDef *def, Status *status)
 {
+    const double nodes = (double)lattice_nodes(lattice);
     size_t node = 0;
     for (int j = 0; j < lattice->ny; j++) {
-        if (!lattice_go_on(def, BUILDING_BONDS * j / lattice->ny, status))
-            return false;
         for (int i = 0; i < lattice->nx; i++, node++) {
+            const double share = 0.5 + 0.5 * (double)node / nodes;
+            if (node % LATTICE_NODES_A_QUESTION == 0 && !lattice_go_on(def, BUILDING_BONDS * share, status))
+                return false;
             lattice->factor_x[node] = lattice->factor_y[node] = 1;
             if (lattice->correction == SURFACE_ENERGY)
                 energy_factors(lattice, i, j, &lattice->factor_x[node], &lattice->factor_y[node]);
@@ -111,17 +113,22 @@ static bool set_factors(Lattice *lattice, const BeamDef *def, Status *status)
     return true;
 }
 
-static void number_bonds(Lattice *lattice)
+static bool number_bonds(Lattice *lattice, const BeamDef *def, Status *status)
 {
+    const double nodes = (double)lattice_nodes(lattice);
     size_t node = 0;
     uint32_t number = 0;
     for (int j = 0; j < lattice->ny; j++)
         for (int i = 0; i < lattice->nx; i++) {
+            const double share = 0.5 * (double)node / nodes;
+            if (node % LATTICE_NODES_A_QUESTION == 0 && !lattice_go_on(def, BUILDING_BONDS * share, status))
+                return false;
             lattice->first_bond[node++] = number;
             for (int o = 0; o < lattice->n_offsets; o++)
                 number += lattice_has(lattice, i + lattice->offsets[o].p, j + lattice->offsets[o].q);
         }
     lattice->first_bond[node] = number;
+    return true;
 }
 
 double lattice_coefficient(const Lattice *lattice, BondPlace bond)
@@ -259,8 +266,7 @@ bool lattice_init(Lattice *lattice, const BeamDef *def, Status *status)
         lattice_free(lattice);
         return status_fail(status, STATUS_FAILED, "not enough memory for %zu nodes", nodes);
     }
-    number_bonds(lattice);
-    if (set_factors(lattice, def, status))
+    if (number_bonds(lattice, def, status) && set_factors(lattice, def, status))
         return true;
     lattice_free(lattice);
     return false;

@@ -22,7 +22,10 @@ enum {
     LATTICE_BLOCK = 8,     /* columns are padded to whole blocks, whatever the vector width */
     LATTICE_REACH_MAX = 8, /* horizon / spacing at most */
     LATTICE_OFFSETS_MAX = 98, /* half a family of that reach */
-    LATTICE_SERIES = 6        /* terms of the force's series, see bonds.h */
+    LATTICE_SERIES = 6,       /* terms of the force's series, see bonds.h */
+    /* some milliseconds of building lie between two questions of its patience */
+    LATTICE_NODES_A_QUESTION = 4096,
+    LATTICE_BONDS_A_QUESTION = 65536
 };
 
 /* A bond's direction, common to all bonds of that direction. */
