@@ -213,9 +213,18 @@ static void derive(Bar *bar)
     bar->fixed_right = right ? held : 0;
 
     bar->dx = def->length / bar->places;
-    bar->dt = def->courant * bar->dx / sqrt(def->youngs_modulus / def->density);
+    double speed = sqrt(def->youngs_modulus / def->density), lightest = def->density;
+    bar->joint = bar->n_particles;
+    bar->joint_weight = 1.0;
+    if (def->joint > 0.0) {
+        bar->joint = (int)round(def->joint / bar->dx) * bar->slots;
+        bar->joint_weight = def->joint_density / def->density;
+        speed = fmax(speed, sqrt(def->joint_modulus / def->joint_density));
+        lightest = fmin(lightest, def->joint_density);
+    }
+    bar->dt = def->courant * bar->dx / speed;
     bar->mass = def->density * bar->dx / bar->slots;
-    bar->mass_floor = 1e-12 * def->density * bar->dx;
+    bar->mass_floor = 1e-12 * lightest * bar->dx;
     bar->gimp_half = 0.5 / bar->slots;
 
     double spacing = bar->dx / bar->slots;
@@ -223,6 +232,23 @@ static void derive(Bar *bar)
     int in_layer = axial_particles_in_layer(bar->layer, spacing, bar->n_particles);
     bar->layer_left = left ? 0 : in_layer;
     bar->layer_right = right ? 0 : in_layer;
+}
+
+/* Each cell's particles take the mean of the stress where they lie. */
+static bool begin_stress(Bar *bar, Status *status)
+{
+    const BarDef *def = &bar->def;
+    for (int k = 0; def->initial_stress && k < bar->places; k++) {
+        double sum = 0.0;
+        for (int j = 0; j < bar->slots; j++)
+            sum += def->initial_stress((k + bar->s[j][k]) * bar->dx, def->initial_context);
+        if (!isfinite(sum))
+            return status_fail(status, STATUS_USAGE, "initial.pulse: no finite stress at x = %g",
+                               (k + 0.5) * bar->dx);
+        for (int j = 0; j < bar->slots; j++)
+            bar->stress[j][k] = sum / bar->slots;
+    }
+    return true;
 }
 
 enum { PLACES_A_QUESTION = 16384 }; /* a millisecond or less, as each takes a sine for every mode */
@@ -259,6 +285,8 @@ static bool begin(Bar *bar, Status *status)
                 return status_fail(status, STATUS_USAGE, "initial.velocity: no finite number at x = %g", x);
         }
     }
+    if (!begin_stress(bar, status))
+        return false;
     bar->energy_start = bar_energy(bar);
     if (!isfinite(bar->energy_start))
         return status_fail(status, STATUS_USAGE, "initial.velocity: the kinetic energy is no finite number");

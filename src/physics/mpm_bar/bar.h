@@ -27,6 +27,10 @@ typedef struct BarDef {
     double density;        /* rho > 0 */
     BarSupports supports;
 
+    double joint;         /* from here on the bar is of a second material: a node inside it; 0: of one */
+    double joint_modulus; /* E > 0 of the second material; */
+    double joint_density; /* rho > 0 */
+
     double cell_size;       /* dx > 0 */
     int particles_per_cell; /* P, 1 to 8 */
     int padding;            /* cells beyond each free end, >= 0 */
@@ -40,7 +44,7 @@ typedef struct BarDef {
     MpmTransfer transfer;
     double flip_fraction; /* alpha: 1 is FLIP, 0 is PIC; FLIP transfer only */
 
-    double courant; /* dt = courant * dx / c, c = sqrt(E / rho) (eq. 21) */
+    double courant; /* dt = courant * dx / c, c = sqrt(E / rho) (eq. 21), of two materials the larger c */
 
     Patience patience; /* asked while the bar is being built, with share 0 first */
 
@@ -48,7 +52,10 @@ typedef struct BarDef {
     double (*initial_velocity)(double x, const void *context);
     /* Its slope dv0/dx, the affine velocities with which APIC's particles start; NULL: they start from 0. */
     double (*initial_slope)(double x, const void *context);
-    const void *initial_context; /* of both; used during bar_create only */
+    /* The stress at t = 0, of which each cell's particles take their mean: what differs within a cell the
+     * grid cannot see, and it would stay. NULL: none. */
+    double (*initial_stress)(double x, const void *context);
+    const void *initial_context; /* of all; used during bar_create only */
 } BarDef;
 
 /* Paper M's first mode, at rest: L 25, E 100, rho 1, dx 1, two particles per cell, USF, hat, courant 0.1. */

@@ -42,6 +42,23 @@ static bool whole(int value, int low, int high, const char *key, Status *status)
     return status_fail(status, STATUS_USAGE, "%s: %d is out of range (%d to %d)", key, value, low, high);
 }
 
+/* The second material, if there is one. */
+static bool check_joint(const BarDef *def, Status *status)
+{
+    const double cells = def->joint / def->cell_size;
+    if (def->joint == 0.0)
+        return true;
+    if (!(def->joint > 0.0 && def->joint < def->length * (1 - 1e-9)) ||
+        !(fabs(cells - round(cells)) <= 1e-9 * fmax(cells, 1.0)) || cells < 0.5)
+        return status_fail(
+            status, STATUS_USAGE,
+            "bar2.joint: %g is no node inside the bar (0, or a whole number of cells less than "
+            "the length %g)",
+            def->joint, def->length);
+    return positive(def->joint_modulus, "bar2.youngs_modulus", status) &&
+           positive(def->joint_density, "bar2.density", status);
+}
+
 /* A particle takes some 150 bytes, and a step of so many a tenth of a second: more would not answer. */
 enum { CELLS_MAX = 2000000, PARTICLES_MAX = 2000000 };
 
@@ -83,6 +100,7 @@ bool bar_check(const BarDef *def, Status *status)
     if ((long)round(cells) * def->particles_per_cell > PARTICLES_MAX)
         return status_fail(status, STATUS_USAGE,
                            "mesh.particles_per_cell: more than %d particles are not possible", PARTICLES_MAX);
-    return axial_check_layer(def->traction_layer, def->cell_size / def->particles_per_cell, def->length,
+    return check_joint(def, status) &&
+           axial_check_layer(def->traction_layer, def->cell_size / def->particles_per_cell, def->length,
                              status);
 }

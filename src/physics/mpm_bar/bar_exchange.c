@@ -91,7 +91,8 @@ static double given_velocity(const Bar *bar, int particle, int cell, int a, doub
 static double load_on(const Bar *bar, int particle, double volume)
 {
     int side = (particle >= bar->n_particles - bar->layer_right) - (particle < bar->layer_left);
-    return bar->mass * bar->head->body_force + side * bar->head->traction * volume / bar->layer;
+    return bar_particle_mass(bar, particle) * bar->head->body_force +
+           side * bar->head->traction * volume / bar->layer;
 }
 
 /* With flip_fraction alpha < 1 a particle's new velocity is
@@ -137,10 +138,10 @@ int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
     } while (0)
     switch ((BarExchange)exchange) {
     case GIVE_MASS:
-        FACTORS(2, bar->mass, n[a]);
+        FACTORS(2, bar_particle_mass(bar, particle), n[a]);
     case GIVE_MOMENTUM:
     case GIVE_MOMENTUM_AGAIN:
-        FACTORS(3, bar->mass, given_velocity(bar, particle, cell, a, s), n[a]);
+        FACTORS(3, bar_particle_mass(bar, particle), given_velocity(bar, particle, cell, a, s), n[a]);
     case GIVE_F_INT:
         FACTORS(3, -dn[a] / bar->dx, bar->stress[slot][k], volume);
     case GIVE_F_EXT:

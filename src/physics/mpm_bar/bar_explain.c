@@ -35,9 +35,9 @@ static void map_particle(const BarSubject *subject)
     for (size_t i = 0; i < subject->n_links; i++)
         calculation_add(&sum, 1, subject->links[i].weight, 0, 0)->to = (long)subject->links[i].index;
     calculation_sum(subject->calculation, &sum);
-    bar_write_shares(subject, GIVE_MASS, "m N: ", bar->mass);
-    bar_write_shares(subject, GIVE_MOMENTUM,
-                     "m v N: ", bar->mass * *velocity_of_particle(bar, subject->index));
+    bar_write_shares(subject, GIVE_MASS, "m N: ", bar_particle_mass(bar, subject->index));
+    bar_write_shares(subject, GIVE_MOMENTUM, "m v N: ",
+                     bar_particle_mass(bar, subject->index) * *velocity_of_particle(bar, subject->index));
 }
 
 static void map_again_node(const BarSubject *subject)
@@ -49,8 +49,9 @@ static void map_again_node(const BarSubject *subject)
 
 static void map_again_particle(const BarSubject *subject)
 {
-    bar_write_shares(subject, GIVE_MOMENTUM_AGAIN,
-                     "new m v N: ", subject->bar->mass * *velocity_of_particle(subject->bar, subject->index));
+    bar_write_shares(subject, GIVE_MOMENTUM_AGAIN, "new m v N: ",
+                     bar_particle_mass(subject->bar, subject->index) *
+                         *velocity_of_particle(subject->bar, subject->index));
 }
 
 /* --- boundary conditions -------------------------------------------------------------------------- */
@@ -98,12 +99,13 @@ static void strain_particle(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
     const int slot = subject->index % bar->slots, k = subject->index / bar->slots;
-    const double stress = bar->stress[slot][k], density = bar->mass / bar->volume[slot][k];
+    const double stress = bar->stress[slot][k],
+                 density = bar_particle_mass(bar, subject->index) / bar->volume[slot][k];
     CalculationSum strain = {.label = "Δε = "};
     const double increment = strain.result = bar_add_terms(subject, TAKE_STRAIN, &strain);
     calculation_sum(subject->calculation, &strain);
 
-    const double modulus = bar->def.youngs_modulus;
+    const double modulus = bar_modulus(bar, subject->index);
     calculation_change(subject->calculation, "σ = σ + E Δε = ", stress - modulus * increment, modulus,
                        increment, stress, NULL);
 

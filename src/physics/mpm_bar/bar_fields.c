@@ -107,13 +107,13 @@ static void particle_field(const Bar *bar, int field, int first, int count, doub
             out[i] = bar->stress[j][k];
             break;
         case AXIAL_STRAIN:
-            out[i] = bar->stress[j][k] / bar->def.youngs_modulus;
+            out[i] = bar->stress[j][k] / bar_modulus(bar, p);
             break;
         case AXIAL_DENSITY:
-            out[i] = bar->mass / bar->volume[j][k];
+            out[i] = bar_particle_mass(bar, p) / bar->volume[j][k];
             break;
         case AXIAL_MASS:
-            out[i] = bar->mass;
+            out[i] = bar_particle_mass(bar, p);
             break;
         case P_CELL:
             out[i] = cell;
@@ -125,7 +125,7 @@ static void particle_field(const Bar *bar, int field, int first, int count, doub
             out[i] = strained ? strain_increment(bar, cell, s) : 0.0;
             break;
         case P_MOMENTUM:
-            out[i] = bar->mass * bar->v[j][k];
+            out[i] = bar_particle_mass(bar, p) * bar->v[j][k];
             break;
         case P_AFFINE:
             out[i] = bar->affine[j][k];

@@ -68,6 +68,7 @@ static inline void shift(BarNullBand *null, const int support)
 static inline void add_cells(const Bar *bar, BarNull *null, const MpmShape shape, int end)
 {
     const int support = shape_support(shape);
+    const double root_of_second = sqrt(bar->joint_weight);
     BarNullBand local = null->band;
     for (int c = null->next; c < end; c++) {
         double free[BAR_SUPPORT_MAX];
@@ -78,9 +79,11 @@ static inline void add_cells(const Bar *bar, BarNull *null, const MpmShape shape
         for (int i = 0; i < count; i++) {
             double n[BAR_SUPPORT_MAX], slope[BAR_SUPPORT_MAX];
             shape_at(shape, bar->gimp_half, bar->n_cells, c, bar->s[j][k], n, slope);
+            /* the rows of the second material weigh more or less in the sum of squares */
+            const double root = bar->first[c] + i < bar->joint ? 1.0 : root_of_second;
             for (int a = 0; a < support; a++)
-                n[a] *= free[a];
-            add_row(&local, support, n, bar->v[j][k]);
+                n[a] *= root * free[a];
+            add_row(&local, support, n, root * bar->v[j][k]);
             if (++j == bar->slots)
                 j = 0, k++;
         }
@@ -92,11 +95,11 @@ static inline void add_cells(const Bar *bar, BarNull *null, const MpmShape shape
 
 /* Whether cells go in pairs. A short bar is done sooner cell by cell; with one particle a cell the products
  * of many joined cells would leave the range of a double, and there is nothing to be found: as many particles
- * as nodes can hide nothing. */
+ * as nodes can hide nothing. Of two materials the pairs know nothing. */
 static bool goes_in_pairs(const Bar *bar)
 {
     enum { SHORT = 128 };
-    return bar->def.shape == MPM_HAT && bar->slots > 1 && bar->n_cells > SHORT;
+    return bar->def.shape == MPM_HAT && bar->slots > 1 && bar->n_cells > SHORT && bar->def.joint == 0.0;
 }
 
 void bar_null_add(const Bar *bar, BarNull *null, int end)

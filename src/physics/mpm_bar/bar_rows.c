@@ -32,9 +32,51 @@ static double affine_energy(const Bar *bar)
                 spread += n[a] * (arm * arm);
             }
             double speed = bar->affine[j][k] * bar->dx;
-            sum += spread * (speed * speed);
+            sum += bar_weight(bar, p) * (spread * (speed * speed));
         }
     return 0.5 * bar->mass * sum;
+}
+
+/* A bar of two materials: the sums over the particles of each, and the particles' places x/dx weighed by
+ * their mass. */
+typedef struct BarParts {
+    BarSums of[2];
+    double moment;
+} BarParts;
+
+static BarParts sum_parts(const Bar *bar)
+{
+    BarParts parts = {.moment = 0.0};
+    for (int c = 0; c < bar->n_cells; c++)
+        for (int p = bar->first[c]; p < bar->first[c + 1]; p++) {
+            const int j = p % bar->slots, k = p / bar->slots, lane = k % BAR_LANES;
+            const double v = bar->v[j][k], stress = bar->stress[j][k];
+            BarSums *sums = &parts.of[p >= bar->joint];
+            sums->v[lane] += v;
+            sums->square[lane] += v * v;
+            sums->strain[lane] += stress * stress * bar->volume[j][k];
+            parts.moment += bar_weight(bar, p) * (c - bar->origin + bar->s[j][k]);
+        }
+    return parts;
+}
+
+/* A sum over the second material's particles counts by their mass, or by their stiffness. */
+static double both(double first, double factor, double second)
+{
+    return first + factor * second;
+}
+
+static double kinetic_of_parts(const Bar *bar, const BarParts *parts)
+{
+    const double squares = both(fold(parts->of[0].square), bar->joint_weight, fold(parts->of[1].square));
+    const double kinetic = 0.5 * bar->mass * squares;
+    return bar->head->transfer == MPM_APIC ? kinetic + affine_energy(bar) : kinetic;
+}
+
+static double strain_of_parts(const Bar *bar, const BarParts *parts)
+{
+    const double soft = bar->def.youngs_modulus / bar->def.joint_modulus;
+    return both(fold(parts->of[0].strain), soft, fold(parts->of[1].strain)) / (2.0 * bar->def.youngs_modulus);
 }
 
 static double kinetic_of(const Bar *bar, const BarSums *sums)
@@ -50,6 +92,10 @@ static double strain_of(const Bar *bar, const BarSums *sums)
 
 double bar_energy(const Bar *bar)
 {
+    if (bar->def.joint > 0.0) {
+        const BarParts parts = sum_parts(bar);
+        return kinetic_of_parts(bar, &parts) + strain_of_parts(bar, &parts);
+    }
     BarSums sums = {.v = {0}};
     bar->kernels->particle_sums(bar, 0, bar->places, &sums);
     return kinetic_of(bar, &sums) + strain_of(bar, &sums);
@@ -71,14 +117,33 @@ void bar_write_row(const Bar *bar, const BarSums *sums, const double *grid_lanes
     row[7] = kinetic + strain;
 }
 
+/* The same of two materials: v_cm = sum m v / sum m, x_cm likewise. */
+static void write_row_of_parts(const Bar *bar, const double *grid_lanes, double null_energy, double *row)
+{
+    const BarParts parts = sum_parts(bar);
+    const double whole = both(bar->joint, bar->joint_weight, bar->n_particles - bar->joint);
+    row[0] = both(fold(parts.of[0].v), bar->joint_weight, fold(parts.of[1].v)) / whole;
+    row[1] = bar->dx * (parts.moment / whole);
+    row[2] = kinetic_of_parts(bar, &parts);
+    row[3] = 0.5 * fold(grid_lanes);
+    row[4] = null_energy;
+    row[5] = strain_of_parts(bar, &parts);
+    row[6] = bar->head->work;
+    row[7] = row[2] + row[5];
+}
+
 static void write_row(const Bar *bar, double *row)
 {
     BarSums sums = {.v = {0}};
     double grid[BAR_LANES] = {0};
     BarNull null = {0};
-    bar->kernels->particle_sums(bar, 0, bar->places, &sums);
     bar->kernels->node_sums(bar, 0, bar->n_nodes, grid);
     bar_null_add(bar, &null, bar->n_cells);
+    if (bar->def.joint > 0.0) {
+        write_row_of_parts(bar, grid, bar_null_energy(bar, &null), row);
+        return;
+    }
+    bar->kernels->particle_sums(bar, 0, bar->places, &sums);
     bar_write_row(bar, &sums, grid, bar_null_energy(bar, &null), bar->head->cell_sum, row);
 }
 

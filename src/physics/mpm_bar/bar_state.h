@@ -88,10 +88,12 @@ struct Bar {
     int layer_left; /* particles [0, layer_left) and the last layer_right ones bear the traction */
     int layer_right;
     double layer;        /* its thickness h */
-    double dx, dt, mass; /* mass of one particle */
+    double dx, dt, mass; /* mass of one particle, of two materials of the first's */
     double mass_floor;   /* nodes not heavier than this are inactive */
     double gimp_half;    /* half-width of a uGIMP particle over dx */
     double energy_start;
+    int joint;           /* the first particle of the second material; n_particles where there is none */
+    double joint_weight; /* the mass of such a particle over that of the others */
 
     /* state: one block; what lies beyond the particle part exists only within a step */
     void *memory; /* what was allocated: the block, then scratch */
@@ -151,6 +153,22 @@ static inline void bar_lend_velocity(const Bar *bar, int cell, double *v)
         v[0] = v[1];
     else if (bar->node_inverse[cell + 1] == 0.0 && (cell + 1 == bar->n_cells || first[1] == first[2]))
         v[1] = v[0];
+}
+
+/* A particle's mass over bar->mass, its mass, and its stiffness. */
+static inline double bar_weight(const Bar *bar, int particle)
+{
+    return particle < bar->joint ? 1.0 : bar->joint_weight;
+}
+
+static inline double bar_particle_mass(const Bar *bar, int particle)
+{
+    return bar->mass * bar_weight(bar, particle);
+}
+
+static inline double bar_modulus(const Bar *bar, int particle)
+{
+    return particle < bar->joint ? bar->def.youngs_modulus : bar->def.joint_modulus;
 }
 
 /* Whether a load acts: only then are there external forces. */

@@ -159,8 +159,8 @@ static bool run_pipeline(Bar *bar, Pipeline *pipeline)
 bool bar_tiles_pay(const Bar *bar, bool with_rows)
 {
     /* a load's work is summed over all nodes step by step, and so is the energy of the affine motion over the
-     * cells: tiles would add them up in another order */
-    if (bar_is_loaded(bar) || (with_rows && bar->head->transfer == MPM_APIC))
+     * cells, and of two materials: tiles would add them up in another order */
+    if (bar_is_loaded(bar) || (with_rows && (bar->head->transfer == MPM_APIC || bar->def.joint > 0.0)))
         return false;
     return bar->n_cells >= CELLS_LEAST;
 }

@@ -52,8 +52,8 @@ KERNEL_INLINE int nodes_end(const Bar *bar, int end)
     return end == bar->n_cells ? bar->n_nodes : end;
 }
 
-/* The end of the run from c on, of cells with P particles in which the shape functions are the inner ones;
- * c itself if there is none. */
+/* The end of the run from c on, of cells with P particles of one material in which the shape functions are
+ * the inner ones; c itself if there is none. */
 KERNEL_INLINE int run_end(const Bar *bar, MpmShape shape, int c, int end)
 {
     const int ends = shape_end_cells(shape);
@@ -61,7 +61,10 @@ KERNEL_INLINE int run_end(const Bar *bar, MpmShape shape, int c, int end)
         return c;
     if (end > bar->n_cells - ends)
         end = bar->n_cells - ends;
-    return c < end ? bar_run_end(bar, c, end) : c;
+    if (c >= end)
+        return c;
+    const int stop = bar_run_end(bar, c, end), before = bar->joint - bar->first[c];
+    return before > 0 && before < (stop - c) * bar->slots ? c + before / bar->slots : stop;
 }
 
 /* What the cells gave to node i, in the order of the cells. */

@@ -25,7 +25,8 @@ KERNEL_INLINE void clear_part(Bar *bar, int which, int support, int c)
         bar->part[which][a][c] = 0.0;
 }
 
-/* Eqs. 2 and 3 over m, the cell's share: part[0][a] = sum N_a, part[1][a] = sum v N_a; with APIC v + C (x_a -
+/* Eqs. 2 and 3 over m of the first material, the cell's share: part[0][a] = sum N_a, part[1][a] = sum v N_a;
+ * particles of the second one weigh more or less; with APIC v + C (x_a -
  * x) in place of v (Jiang et al. 2015). */
 KERNEL_INLINE void map_cell(Bar *bar, MpmShape shape, bool affine, int c)
 {
@@ -44,14 +45,15 @@ KERNEL_INLINE void map_cell(Bar *bar, MpmShape shape, bool affine, int c)
         double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
         double s = bar->s[at.slot][at.k], v = bar->v[at.slot][at.k];
         shape_at(shape, bar->gimp_half, bar->n_cells, c, s, n, dn);
+        const double weight = bar_weight(bar, p);
         double spin = affine ? bar->affine[at.slot][at.k] * bar->dx : 0.0;
 #pragma GCC unroll 4
         for (int a = 0; a < support; a++) {
             double given = v;
             if (affine)
                 given += spin * (shape_node_offset(shape, bar->n_cells, c, a) - s);
-            mass[a] += n[a];
-            momentum[a] += given * n[a];
+            mass[a] += weight * n[a];
+            momentum[a] += weight * (given * n[a]);
         }
     }
 #pragma GCC unroll 4
@@ -85,7 +87,7 @@ KERNEL_INLINE void strain_velocities(const Bar *bar, MpmShape shape, int c, doub
  * somewhere (that particle is done too). */
 KERNEL_INLINE bool strain_cell(Bar *bar, MpmShape shape, int c)
 {
-    const double k = bar->dt / bar->dx, e = bar->def.youngs_modulus;
+    const double k = bar->dt / bar->dx;
     double v[BAR_SUPPORT_MAX];
     bool good = true;
     strain_velocities(bar, shape, c, v);
@@ -95,7 +97,7 @@ KERNEL_INLINE bool strain_cell(Bar *bar, MpmShape shape, int c)
         shape_at(shape, bar->gimp_half, bar->n_cells, c, bar->s[at.slot][at.k], n, dn);
         double de = k * gradient_of(shape, dn, v), stretch = 1.0 + de;
         good = good && stretch > 0.0;
-        bar->stress[at.slot][at.k] += e * de;
+        bar->stress[at.slot][at.k] += bar_modulus(bar, p) * de;
         bar->volume[at.slot][at.k] *= stretch;
     }
     return good;

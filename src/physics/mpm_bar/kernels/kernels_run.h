@@ -39,7 +39,7 @@ KERNEL_INLINE double inner_offset(MpmShape shape, int a)
 KERNEL_INLINE void map_run(Bar *bar, MpmShape shape, bool affine, int slots, int c, int stop)
 {
     const int support = shape_support(shape);
-    const double h = bar->gimp_half, dx = bar->dx;
+    const double h = bar->gimp_half, dx = bar->dx, weight = bar_weight(bar, bar->first[c]);
     double *s_of[BAR_SLOTS_MAX], *v_of[BAR_SLOTS_MAX], *affine_of[BAR_SLOTS_MAX];
     slots_of_run(bar->s, slots, bar->first[c], s_of);
     slots_of_run(bar->v, slots, bar->first[c], v_of);
@@ -63,6 +63,11 @@ KERNEL_INLINE void map_run(Bar *bar, MpmShape shape, bool affine, int slots, int
                 momentum[a] += given * n[a];
             }
         }
+        if (weight != 1.0) /* of the second material */
+            for (int a = 0; a < support; a++) {
+                mass[a] *= weight;
+                momentum[a] *= weight;
+            }
 #pragma GCC unroll 4
         for (int a = 0; a < support; a++) {
             vector_store(bar->part[0][a] + c, mass[a]);
@@ -78,7 +83,7 @@ KERNEL_INLINE void map_run(Bar *bar, MpmShape shape, bool affine, int slots, int
 KERNEL_INLINE bool strain_run(Bar *bar, MpmShape shape, int slots, int c, int stop)
 {
     const int support = shape_support(shape);
-    const double k = bar->dt / bar->dx, e = bar->def.youngs_modulus, h = bar->gimp_half;
+    const double k = bar->dt / bar->dx, e = bar_modulus(bar, bar->first[c]), h = bar->gimp_half;
     double *s_of[BAR_SLOTS_MAX], *stress_of[BAR_SLOTS_MAX], *volume_of[BAR_SLOTS_MAX];
     slots_of_run(bar->s, slots, bar->first[c], s_of);
     slots_of_run(bar->stress, slots, bar->first[c], stress_of);
