@@ -17,8 +17,9 @@
 
 bool laboratory_active(const Laboratory *lab)
 {
-    return !lab->closed && (lab->screen.playback.state == STATE_RUNNING ||
-                            lab->screen.playback.state == STATE_COMPUTING || refining_is_due(lab));
+    return !lab->closed &&
+           (lab->screen.playback.state == STATE_RUNNING || lab->screen.playback.state == STATE_COMPUTING ||
+            lab->screen.playback.slow || refining_is_due(lab));
 }
 
 /* Steps for the next piece of work: about CHUNK_SECONDS of it, judged by the last piece. */
@@ -104,11 +105,16 @@ static bool run_frame(Laboratory *lab, double deadline)
     long wanted = lab->player.in_parts ? 1 : (long)lab->player.owed, done = 0;
     if (!lab->player.in_parts)
         lab->player.owed -= (double)wanted;
-    if (lab->player.run_limit >= 0 && wanted > lab->player.run_limit - experiment_step(screen->experiment))
-        wanted = lab->player.run_limit - experiment_step(screen->experiment);
-    bool sound = true, in_time = true;
+    const long ahead = player_steps_ahead(lab);
+    wanted = wanted < ahead ? wanted : ahead;
+    bool sound = true, in_time = true, arrived = false;
+    const bool watched = lab->player.stop.kind == STOP_AT_EVENT;
+    if (!lab->player.in_parts) {
+        stop_look(&lab->player.stop, screen->experiment);
+        arrived = player_arrive(lab); /* other keys may have brought it there */
+    }
     double *rate = &lab->player.rates[RATE_RUN];
-    while (sound && in_time && done < wanted && !experiment_at_end(screen->experiment)) {
+    while (sound && in_time && !arrived && done < wanted && !experiment_at_end(screen->experiment)) {
         if (done > 0 && key_waits(&lab->host)) {
             lab->player.owed += fmin((double)(wanted - done), screen->playback.pace);
             break;
@@ -120,10 +126,11 @@ static bool run_frame(Laboratory *lab, double deadline)
             done += work_in_parts(lab, duel_advance_part, rate, deadline, &sound, &status);
             in_time = !lab->player.in_parts;
         } else {
-            long piece = chunk(*rate, wanted - done, left);
+            long piece = watched ? 1 : chunk(*rate, wanted - done, left);
             sound = work(lab, duel_advance, rate, piece, &status);
             done += piece;
         }
+        arrived = sound && !lab->player.in_parts && player_arrive(lab);
     }
     lab->player.frames_in_time = in_time ? lab->player.frames_in_time + 1 : 0;
     if (!in_time)
@@ -133,7 +140,7 @@ static bool run_frame(Laboratory *lab, double deadline)
     double took = lab->host.now(lab->host.context) - begin;
     double reached = (double)done / (took > FRAME_SECONDS ? took / FRAME_SECONDS : 1);
     screen->playback.rate = screen->playback.rate > 0 ? 0.8 * screen->playback.rate + 0.2 * reached : reached;
-    if (!lab->player.in_parts && (!sound || experiment_at_end(screen->experiment)))
+    if (!arrived && !lab->player.in_parts && (!sound || experiment_at_end(screen->experiment)))
         player_settle(lab);
     player_tell_second(lab);
     return !lab->player.in_parts || done > 0;
@@ -173,6 +180,21 @@ static bool compute_frame(Laboratory *lab, double deadline)
     return true;
 }
 
+/* Slow motion: a stage, then long enough nothing. */
+static bool slow_frame(Laboratory *lab)
+{
+    Status status = {STATUS_DONE, ""};
+    if (lab->player.slow_left-- > 0)
+        return false;
+    lab->player.slow_left = lab->player.slow_frames - 1;
+    if (experiment_stage(lab->screen.experiment) == 0)
+        stop_look(&lab->player.stop, lab->screen.experiment);
+    duel_next_stage(&lab->player.duel, &status);
+    if (experiment_stage(lab->screen.experiment) > 0 || !player_arrive(lab))
+        player_settle(lab);
+    return true;
+}
+
 static bool do_frame(Laboratory *lab, double deadline)
 {
     if (lab->screen.message.kind == MESSAGE_INFO &&
@@ -182,6 +204,8 @@ static bool do_frame(Laboratory *lab, double deadline)
         return compute_frame(lab, deadline);
     if (lab->screen.playback.state == STATE_RUNNING)
         return run_frame(lab, deadline);
+    if (lab->screen.playback.slow)
+        return slow_frame(lab);
     if (refining_is_due(lab))
         refining_work(lab);
     return true;

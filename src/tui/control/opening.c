@@ -75,6 +75,9 @@ void opening_begin(Laboratory *lab)
     lab->player.second_ended = false;
     screen->parameters.selected = first_parameter(screen);
     lab->player.resume = screen->playback.state = STATE_RUNNING;
+    player_stop_at(lab, &(Stop){.kind = STOP_NEVER});
+    player_loop(lab, &(Stretch){.on = false});
+    screen->playback.slow = false;
     laboratory_say(lab, MESSAGE_NONE, "%s", "");
     second_run_open(lab);
     const char *advice = experiment_advice(screen->experiment);

@@ -1,8 +1,10 @@
 /* The run on screen: playing and pausing it, going to another time of it. */
 #include "tui/control/laboratory.h"
 
+#include "base/text.h"
 #include "lab/answers/summary.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -48,8 +50,10 @@ void player_settle(Laboratory *lab)
         screen->playback.state = STATE_FAILED;
         lab->player.resume = STATE_PAUSED;
         laboratory_say(lab, MESSAGE_ERROR, "%s", failure.text);
+        screen->playback.slow = false;
     } else if (experiment_at_end(experiment)) {
         screen->playback.state = STATE_ENDED;
+        screen->playback.slow = false;
         lab->player.resume = STATE_PAUSED;
         summary_of(experiment, &screen->summary);
         screen->summary_known = true;
@@ -65,6 +69,7 @@ void player_settle(Laboratory *lab)
 
 void player_pause(Laboratory *lab)
 {
+    lab->screen.playback.slow = false;
     lab->player.resume = STATE_PAUSED;
     lab->player.owed = 0;
     player_settle(lab);
@@ -101,6 +106,96 @@ void player_drop_part(Player *player)
     duel_drop_part(&player->duel);
     player->in_parts = false;
     player->part_seconds = 0;
+}
+
+/* --- where it stops ----------------------------------------------------------------------------------- */
+
+void player_stop_at(Laboratory *lab, const Stop *stop)
+{
+    lab->player.stop = *stop;
+    stop_words(stop, lab->screen.playback.until);
+}
+
+void player_loop(Laboratory *lab, const Stretch *loop)
+{
+    lab->player.loop = *loop;
+    lab->screen.playback.looping = loop->on;
+}
+
+/* The last whole step of the stretch; at least one more than its first. */
+static long loop_end(const Laboratory *lab, long *first)
+{
+    const Experiment *experiment = lab->screen.experiment;
+    const double dt = experiment_simulation(experiment)->dt;
+    const long last = experiment_last_step(experiment);
+    const double from = lab->player.loop.from / dt, to = lab->player.loop.to / dt;
+    *first = from < (double)last ? lround(from) : last - 1;
+    const long end = to < (double)last ? lround(to) : last;
+    return end > *first ? end : *first + 1;
+}
+
+long player_steps_ahead(const Laboratory *lab)
+{
+    const Player *player = &lab->player;
+    const long step = experiment_step(lab->screen.experiment);
+    const long stop = stop_step(&player->stop, lab->screen.experiment);
+    long limit = player->run_limit >= 0 ? player->run_limit : LONG_MAX, first;
+    if (stop >= step && stop < limit)
+        limit = stop;
+    if (player->loop.on && loop_end(lab, &first) < limit)
+        limit = loop_end(lab, &first);
+    return limit == LONG_MAX ? limit : limit > step ? limit - step : 0;
+}
+
+/* The first thing that happened in the step that has just been done; else the time. */
+static void tell_stop(Laboratory *lab)
+{
+    const Simulation *sim = experiment_simulation(lab->screen.experiment);
+    char time[NUMBER_TEXT_MAX];
+    text_rounded(time, simulation_time(sim), 6);
+    int event = sim->n_events - 1;
+    while (event > 0 && sim->events[event - 1].step == sim->events[event].step)
+        event--;
+    if (lab->player.stop.kind == STOP_AT_EVENT && event >= 0)
+        laboratory_say(lab, MESSAGE_INFO, "stopped at t = %s: %s", time, sim->events[event].text);
+    else
+        laboratory_say(lab, MESSAGE_INFO, "stopped at t = %s, step %ld", time, sim->step);
+}
+
+bool player_arrive(Laboratory *lab)
+{
+    Player *player = &lab->player;
+    const Experiment *experiment = lab->screen.experiment;
+    const long step = experiment_step(experiment), stop = stop_step(&player->stop, experiment);
+    const Stop never = {.kind = STOP_NEVER};
+    long first;
+    if (stop_happened(&player->stop, experiment) || stop == step) {
+        player_pause(lab);
+        tell_stop(lab);
+        player_stop_at(lab, &never);
+        return true;
+    }
+    if (stop >= 0 && stop < step)
+        player_stop_at(lab, &never); /* passed by other means */
+    if (!player->loop.on || step < loop_end(lab, &first))
+        return false;
+    player->owed = 0;
+    player_seek(lab, first, 0);
+    return true;
+}
+
+/* --- slow motion --------------------------------------------------------------------------------------- */
+
+enum { SLOW_FRAMES = 20 }; /* a stage in two thirds of a second */
+
+void player_slow_motion(Laboratory *lab, bool on)
+{
+    player_pause(lab);
+    if (lab->player.slow_frames == 0)
+        lab->player.slow_frames = SLOW_FRAMES;
+    lab->player.slow_left = 0;
+    lab->screen.playback.slow =
+        on && lab->screen.playback.state != STATE_ENDED && lab->screen.playback.state != STATE_FAILED;
 }
 
 /* --- pace -------------------------------------------------------------------------------------------- */

@@ -18,6 +18,13 @@ const LineVerb line_verbs[] = {
      BY_USER},
     {LINE_GO_TO, "goto", "TIME or #STEP", ARGUMENT_OTHER, "to a time, as the number alone does, or a step",
      BY_LESSON},
+    {LINE_UNTIL, "until", "t TIME|#STEP|end|[first] crossing|break|event", ARGUMENT_STOP,
+     "run, and pause there; first: the first one of the run, back to it where it has happened; alone: never "
+     "mind",
+     BY_LESSON},
+    {LINE_EVENT, "event", "NUMBER", ARGUMENT_OTHER, "to an event of the log, counted from 1", BY_LESSON},
+    {LINE_LOOP, "loop", "TIME TIME", ARGUMENT_OTHER,
+     "run from one time to the other again and again; alone: no longer, or between the bookmarks", BY_LESSON},
     {LINE_DUEL, "duel", "KEY=VALUE ...", ARGUMENT_KEYS,
      "a second run beside that differs in these keys, in place of one that there is", BY_LESSON},
     {LINE_SHOW, "show", "VIEW [VARIANT]", ARGUMENT_VIEW,

@@ -43,7 +43,8 @@ typedef enum LineArgument {
     ARGUMENT_SERIES, /* a file, rather one of CSV */
     ARGUMENT_VIEW,
     ARGUMENT_REFERENCES,
-    ARGUMENT_LESSON
+    ARGUMENT_LESSON,
+    ARGUMENT_STOP
 } LineArgument;
 
 typedef enum LineVerbId {
@@ -53,6 +54,9 @@ typedef enum LineVerbId {
     LINE_EXPORT,
     LINE_FIGURE,
     LINE_GO_TO,
+    LINE_UNTIL,
+    LINE_EVENT,
+    LINE_LOOP,
     LINE_DUEL,
     LINE_OVERLAY,
     LINE_SHOW,

@@ -41,15 +41,19 @@ static void pace_text(double pace, char *out, size_t size)
 static void state_text(const Screen *screen, bool brief, char *out, size_t size)
 {
     char pace[24];
+    const char *running = screen->playback.looping ? "LOOP" : "RUNNING";
     long back = experiment_newest(screen->experiment) - experiment_step(screen->experiment);
     switch (screen->playback.state) {
     case STATE_RUNNING:
         pace_text(screen->playback.pace, pace, sizeof pace);
         if (screen->playback.at_limit && screen->playback.rate > 0) {
             pace_text(screen->playback.rate, pace, sizeof pace);
-            snprintf(out, size, brief ? "%s max" : "RUNNING %s max", pace);
-        } else
-            snprintf(out, size, "RUNNING %s", pace);
+            strcat(pace, " max");
+        }
+        snprintf(out, size, "%s%s%s", brief && screen->playback.at_limit ? "" : running,
+                 brief && screen->playback.at_limit ? "" : " ", pace);
+        if (screen->playback.until[0] && !brief)
+            text_append(out, size, " to %s", screen->playback.until);
         return;
     case STATE_COMPUTING:
         snprintf(out, size, "computing %3.0f %%", 100 * screen->playback.work_share);
@@ -63,7 +67,9 @@ static void state_text(const Screen *screen, bool brief, char *out, size_t size)
     case STATE_PAUSED:
         break;
     }
-    if (back > 0)
+    if (screen->playback.slow)
+        snprintf(out, size, brief ? "SLOW" : "SLOW MOTION");
+    else if (back > 0)
         snprintf(out, size, brief ? "PAUSED -%ld" : "PAUSED -%ld step%s", back, back == 1 ? "" : "s");
     else
         snprintf(out, size, "PAUSED");

@@ -8,6 +8,7 @@
 #include "lab/answers/convergence.h"
 #include "lab/export/export.h"
 #include "lab/run/overlay.h"
+#include "lab/run/stop.h"
 #include "lab/lessons/lesson.h"
 #include "lab/settings/parameters.h"
 #include "view/draw/canvas.h"
@@ -147,10 +148,13 @@ typedef struct MapEye {
 /* What the player shows of itself. */
 typedef struct Playback {
     RunState state;
-    double pace;       /* steps per frame; FRAMES_PER_SECOND frames */
-    double rate;       /* steps per frame that the engine reaches; shown where it is the limit */
-    bool at_limit;     /* the engine is slower than the pace asked for */
-    double work_share; /* STATE_COMPUTING: share done */
+    double pace;                /* steps per frame; FRAMES_PER_SECOND frames */
+    double rate;                /* steps per frame that the engine reaches; shown where it is the limit */
+    bool at_limit;              /* the engine is slower than the pace asked for */
+    bool slow;                  /* STATE_PAUSED, but stage follows stage by itself */
+    bool looping;               /* running comes back at the end of a stretch of time */
+    char until[STOP_WORDS_MAX]; /* what it stops at; "": nothing */
+    double work_share;          /* STATE_COMPUTING: share done */
 } Playback;
 
 /* What a terminal can show, and what was asked for. */

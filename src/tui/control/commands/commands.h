@@ -22,6 +22,11 @@ extern const int n_command_functions;
 /* time_commands.c */
 bool command_answer_go_to(Laboratory *, const char *text);
 
+/* until_commands.c: they answer the `:` line. */
+bool command_answer_until(Laboratory *, const char *text);
+bool command_answer_event(Laboratory *, const char *text);
+bool command_answer_loop(Laboratory *, const char *text);
+
 /* move_commands.c */
 void command_close_inspector(Screen *);
 bool command_close_top(Laboratory *); /* what lies on top; false: there is nothing */

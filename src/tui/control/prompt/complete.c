@@ -198,6 +198,13 @@ static void offer_arguments(Completion *completion, const Laboratory *lab, LineA
         for (const BuiltinLesson *lesson = builtin_lessons; lesson->name; lesson++)
             offer(completion, lesson->name, "");
         break;
+    case ARGUMENT_STOP:
+        completion->start += strncmp(words, "first ", 6) == 0 ? 6 : 0;
+        for (int i = 0; stop_event_words[i]; i++)
+            offer(completion, stop_event_words[i], "");
+        for (int i = 0; completion->start == words && i < 3; i++)
+            offer(completion, (const char *const[]){"t ", "end", "first "}[i], "");
+        break;
     case ARGUMENT_OTHER:
         break;
     }

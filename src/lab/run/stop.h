@@ -1,0 +1,43 @@
+/* What a run that goes on stops at: a step, a time, or something that happens to it.
+ *
+ * A step or time is known beforehand (stop_step()). Whether something happened is seen only while the run
+ * goes on, so whoever drives it does one step after the other and asks stop_happened() after each: then it
+ * stands at the very step and nothing beyond has been computed. */
+#ifndef LAB_STOP_H
+#define LAB_STOP_H
+
+#include "lab/run/experiment.h"
+
+enum { STOP_WORDS_MAX = 32 };
+
+typedef enum StopKind { STOP_NEVER, STOP_AT_STEP, STOP_AT_TIME, STOP_AT_EVENT } StopKind;
+
+typedef struct Stop {
+    StopKind kind;
+    long step;       /* STOP_AT_STEP: whole steps done */
+    double time;     /* STOP_AT_TIME: the first whole step that is not before it */
+    unsigned events; /* STOP_AT_EVENT: any of these, 1 << EventKind */
+    long seen;       /* events of the run that were there when it was looked at last */
+} Stop;
+
+/* The kinds of events that a run reports while it goes on, by their words; ended by NULL. */
+extern const char *const stop_event_words[];
+
+/* Reads "t 7.4e-5" or "time 7.4e-5", "step 1200" or "#1200", "end", or the word of an event with or without
+ * "next" before it. False: none of these, beyond the run's end, or nothing of the kind can happen in this
+ * run; the status says which. */
+bool stop_read(Stop *, const char *text, const Experiment *, Status *);
+
+/* What it waits for: "t = 7.4e-05", "a break"; "" for STOP_NEVER. */
+void stop_words(const Stop *, char out[STOP_WORDS_MAX]);
+
+/* The whole step at which it is reached, at most the run's last; -1: only going on will tell. */
+long stop_step(const Stop *, const Experiment *);
+
+/* The run begins to go on: what has happened so far does not count. */
+void stop_look(Stop *, const Experiment *);
+
+/* Whether one of its events has happened since stop_look() or the last call. */
+bool stop_happened(Stop *, const Experiment *);
+
+#endif
