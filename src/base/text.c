@@ -5,6 +5,7 @@
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -148,4 +149,39 @@ bool text_list_add(char *list, size_t size, const char *item)
     if (used + sizeof more <= size)
         snprintf(list + used, size - used, "%s", more + (used == 0));
     return false;
+}
+
+void text_fitted(double value, int digits, int width, char out[NUMBER_TEXT_MAX])
+{
+    do
+        text_rounded(out, value, digits);
+    while ((int)strlen(out) > width && --digits > 0);
+}
+
+void text_factor(double factor, char out[NUMBER_TEXT_MAX])
+{
+    if (factor >= 1 && factor < 1e7)
+        snprintf(out, NUMBER_TEXT_MAX, "%.0f", factor);
+    else
+        text_rounded(out, factor, 2);
+}
+
+void text_append(char *out, size_t size, const char *format, ...)
+{
+    const size_t used = strlen(out);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(out + used, size - used, format, arguments);
+    va_end(arguments);
+}
+
+bool text_next_word(const char **text, char *out, size_t size)
+{
+    *text += strspn(*text, " ");
+    size_t length = strcspn(*text, " ");
+    if (length == 0)
+        return false;
+    snprintf(out, size, "%.*s", (int)length, *text);
+    *text += length;
+    return true;
 }

@@ -43,4 +43,16 @@ size_t text_distance(const char *a, const char *b);
 /* Adds an item to a list "one, two". Where it does not fit whole " ..." is added in its place: false. */
 bool text_list_add(char *list, size_t size, const char *item);
 
+/* A number for people in at most `width` columns: as many digits as fit, at most `digits`. */
+void text_fitted(double value, int digits, int width, char out[NUMBER_TEXT_MAX]);
+
+/* A factor by which something is enlarged: "5000", not "5e3". */
+void text_factor(double factor, char out[NUMBER_TEXT_MAX]);
+
+/* Appends to a text; what does not fit is cut. */
+void text_append(char *out, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+/* Words separated by spaces, one after the other; false: there is no more. */
+bool text_next_word(const char **text, char *out, size_t size);
+
 #endif

@@ -3,6 +3,7 @@
 
 #include "base/assertion.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -153,6 +154,14 @@ int simulation_find_field(const Simulation *sim, int set, const char *name)
         if (sim->fields[i].set == set && strcmp(sim->fields[i].quantity.name, name) == 0)
             return i;
     return -1;
+}
+
+double simulation_value(const Simulation *sim, int field, size_t index)
+{
+    double value = NAN;
+    if (field >= 0)
+        sim->method->field(sim, field, index, 1, &value);
+    return value;
 }
 
 int simulation_find_series(const Simulation *sim, const char *name)

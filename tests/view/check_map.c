@@ -1,6 +1,7 @@
 /* The map of a beam, the drawing and the family inspector: what they show is where and what the simulation
  * says, read from the cells as a reader would. */
 #include "view/views/view.h"
+#include "view/inspector/inspector.h"
 #include "suite.h"
 #include "view/map/map.h"
 #include "view/scene.h"
@@ -301,7 +302,7 @@ START_TEST(the_bond_that_breaks_is_named)
     char row[256];
     Scene scene;
     open_scene(&scene, "notched-beam-coarse 80x24 732 inspect focus 5");
-    const long found = screen_broken_node(&scene.screen, FIRST);
+    const long found = inspector_broken_node(&scene.screen, FIRST);
     ck_assert_int_ge(found, 0);
     scene.screen.chosen.particle = (size_t)found;
     screen_draw(&scene.screen, &scene.canvas);
@@ -370,13 +371,13 @@ START_TEST(arrows_go_from_node_to_node)
     Scene scene;
     open_scene(&scene, "supported-beam-coarse 80x24 0 inspect focus 5 particle 1100"); /* nx 200, ny 10 */
     Screen *screen = &scene.screen;
-    ck_assert(screen_move_inspector(screen, 1, 0, 1));
+    ck_assert(inspector_move(screen, 1, 0, 1));
     ck_assert_uint_eq(screen->chosen.particle, 1101);
-    ck_assert(screen_move_inspector(screen, 0, -1, 1)); /* up */
+    ck_assert(inspector_move(screen, 0, -1, 1)); /* up */
     ck_assert_uint_eq(screen->chosen.particle, 1301);
-    ck_assert(screen_move_inspector(screen, 0, 1, 10)); /* beyond the lowest row */
+    ck_assert(inspector_move(screen, 0, 1, 10)); /* beyond the lowest row */
     ck_assert_uint_eq(screen->chosen.particle, 101);
-    ck_assert(screen_move_inspector(screen, -1, 0, 500));
+    ck_assert(inspector_move(screen, -1, 0, 500));
     ck_assert_uint_eq(screen->chosen.particle, 0);
     scene_close(&scene);
 }

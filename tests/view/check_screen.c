@@ -7,6 +7,7 @@
  *     MATVIB_REGENERATE=1 MATVIB_SRCDIR=. build/tests/view/check_screen all && git diff */
 #include "suite.h"
 #include "view/panes/panes.h"
+#include "view/inspector/inspector.h"
 #include "view/scene.h"
 #include "view/views/view.h"
 
@@ -381,7 +382,7 @@ START_TEST(any_state_can_be_drawn)
         screen->chosen.particle = (size_t)DRAW(3000);
         screen->chosen.node = (size_t)DRAW(100);
         screen->chosen.is_node = DRAW(2);
-        screen->panes.inspecting = screen_has_inspector(screen) && DRAW(3) == 0;
+        screen->panes.inspecting = inspector_find(screen) && DRAW(3) == 0;
         screen->log.event = DRAW(100) - 1;
         screen->log.first = DRAW(100);
         screen->chosen.table_column = DRAW(40);

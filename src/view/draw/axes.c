@@ -197,6 +197,15 @@ static int log_ticks(const Axis *axis, double ticks[TICKS_MAX])
     return count;
 }
 
+double axis_enlargement(double reach, double room)
+{
+    if (!(reach > 0))
+        return 1;
+    /* a coarse step: a scale that changes is worse than one that is a little small */
+    double factor = room / axis_step_up(reach);
+    return factor < 1 ? 1 : axis_step_down(factor);
+}
+
 int axis_ticks(const Axis *axis, double ticks[TICKS_MAX])
 {
     if (axis->scale == SCALE_ROOT)

@@ -47,6 +47,10 @@ double axis_round_up(double value);
 double axis_step_up(double value);
 double axis_step_down(double value);
 
+/* A factor of 1, 2 or 5 times a power of ten by which a displacement of at most `reach` becomes at most
+ * `room`. Taken from what the whole run reaches, so that it does not change while it goes on. */
+double axis_enlargement(double reach, double room);
+
 /* The values of the ticks; returns how many. */
 int axis_ticks(const Axis *, double ticks[TICKS_MAX]);
 

@@ -4,6 +4,8 @@
 #ifndef VIEW_CANVAS_H
 #define VIEW_CANVAS_H
 
+#include "view/draw/glyph.h"
+
 #include "base/status.h"
 #include "view/draw/glyph.h"
 
@@ -34,15 +36,6 @@ typedef enum Style {
 } Style;
 
 enum { RAMP_STEPS = 16 };
-
-/* What curves, frames and marks are drawn with. */
-typedef enum Glyphs {
-    GLYPHS_BRAILLE, /* 2x4 dots a cell */
-    GLYPHS_BLOCK,   /* half blocks: what the Linux console has too */
-    GLYPHS_ASCII,   /* one letter a curve; nothing else on the screen is beyond ASCII either */
-    GLYPHS_COUNT,
-    GLYPHS_NONE = GLYPHS_COUNT /* no cells: what is drawn goes into a sketch, as finely as it can be told */
-} Glyphs;
 
 enum { CELL_FOLLOWS = 0x110000 }; /* no scalar value: the second half of the character before */
 

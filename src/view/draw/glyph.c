@@ -1,7 +1,7 @@
 /* Glyphs as bytes and columns: UTF-8, and how wide a text is. */
 #include "view/draw/glyph.h"
 
-#include <stddef.h>
+#include <string.h>
 
 enum { REPLACEMENT = '?' };
 
@@ -142,4 +142,33 @@ uint32_t glyph_ascii(uint32_t glyph)
         if (glyph >= foldings[i].first && glyph <= foldings[i].last)
             return (uint32_t)foldings[i].ascii;
     return REPLACEMENT;
+}
+
+void glyphs_plain(Glyphs glyphs, const char *text, char *out, size_t size)
+{
+    static const char *const spellings[][2] = {
+        {"→", "->"},  {"←", "<-"}, {"Δ", "d"},   {"ε", "e"},    {"σ", "s"},   {"ρ", "rho"},
+        {"φ", "phi"}, {"ξ", "xi"}, {"η", "eta"}, {"μ", "mu"},   {"α", "a"},   {"Σ", "sum"},
+        {"×", "x"},   {"′", "'"},  {"↑", "Up"},  {"↓", "Down"}, {"½", "1/2"}, {"²", "^2"},
+        {"³", "^3"},  {"−", "-"},  {"≥", ">="},  {"…", "..."},
+    };
+    enum { SPELLINGS = sizeof spellings / sizeof *spellings };
+    size_t used = 0;
+    while (*text != '\0') {
+        const char *word = NULL;
+        size_t taken = 1;
+        for (int i = 0; !word && glyphs == GLYPHS_ASCII && i < SPELLINGS; i++)
+            if (strncmp(text, spellings[i][0], strlen(spellings[i][0])) == 0) {
+                word = spellings[i][1];
+                taken = strlen(spellings[i][0]);
+            }
+        const char *from = word ? word : text;
+        const size_t length = word ? strlen(word) : 1;
+        if (used + length >= size)
+            break;
+        memcpy(out + used, from, length);
+        used += length;
+        text += taken;
+    }
+    out[used] = '\0';
 }

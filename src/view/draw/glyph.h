@@ -5,6 +5,15 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* What curves, frames and marks are drawn with. */
+typedef enum Glyphs {
+    GLYPHS_BRAILLE, /* 2x4 dots a cell */
+    GLYPHS_BLOCK,   /* half blocks: what the Linux console has too */
+    GLYPHS_ASCII,   /* one letter a curve; nothing else on the screen is beyond ASCII either */
+    GLYPHS_COUNT,
+    GLYPHS_NONE = GLYPHS_COUNT /* no cells: what is drawn goes into a sketch, as finely as it can be told */
+} Glyphs;
+
 /* The next scalar value of a text, which moves on; 0 at its end, '?' for bytes that are no UTF-8. */
 uint32_t glyph_next(const char **text);
 
@@ -23,5 +32,8 @@ uint32_t glyph_ascii(uint32_t glyph);
 /* Cells that a text takes; characters that it has. */
 int glyphs_columns(const char *utf8);
 int glyphs_count(const char *utf8);
+
+/* Text as a set of glyphs has it: with ASCII "→" becomes "->", "Δε" "de", and so on. */
+void glyphs_plain(Glyphs, const char *text, char *out, size_t size);
 
 #endif

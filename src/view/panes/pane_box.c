@@ -1,6 +1,7 @@
 /* The box at the bottom. Of a duel: its readout, but within a time step. Running: a caption. At the end: the
  * summary. Paused: the stage box, pane_stage.c. */
 #include "view/panes/panes.h"
+#include "view/inspector/inspector.h"
 #include "view/views/views.h"
 #include "lab/answers/summary.h"
 #include "view/plots/runs.h"
@@ -36,7 +37,7 @@ static void hint_of(const Screen *screen, char *out, size_t size)
     for (; i < n_hints; i++) {
         const bool right = hints[i].id == COMMAND_RIGHT &&
                            (screen->lesson.open || command_set_has(&screen->used, COMMAND_LEFT));
-        const bool nothing = hints[i].id == COMMAND_INSPECT && !screen_has_inspector(screen);
+        const bool nothing = hints[i].id == COMMAND_INSPECT && !inspector_find(screen);
         if (command_find(hints[i].id) && !command_set_has(&screen->used, hints[i].id) && !right && !nothing)
             break;
     }

@@ -2,6 +2,7 @@
  * x0 + k u. The chosen particle and its nodes are marked, and in each stage who gives to whom. A beam is
  * drawn as it lies, to the scale of the strip. */
 #include "view/panes/panes.h"
+#include "view/panes/stage_flow.h"
 
 #include "lab/answers/crack.h"
 

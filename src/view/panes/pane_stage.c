@@ -2,6 +2,7 @@
  * particle or node with their numbers, and where there is room its sentence, the state of the thing, and the
  * list of all stages. */
 #include "view/panes/panes.h"
+#include "view/panes/stage_flow.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -60,7 +61,7 @@ static FieldPhrase phrase_of(const Subject *subject, int field)
     subject->sim->method->field(subject->sim, field, subject->index, 1, &value);
     snprintf(phrase.label, sizeof phrase.label, "%s ", row->quantity.label);
     screen_unit_text(subject->screen, row, phrase.unit, sizeof phrase.unit);
-    screen_plain_text(subject->screen, "→", arrow, sizeof arrow);
+    glyphs_plain(subject->screen->look.glyphs, "→", arrow, sizeof arrow);
     phrase.changed =
         subject->done &&
         experiment_field_before(subject->screen->experiment, field, subject->index, 1, &before) &&
@@ -121,7 +122,7 @@ static int fields_of(const Subject *subject, const char *words, bool all, int fi
     const bool named =
         !all || subject->set == stage_flow_target(subject->sim, &subject->sim->stages[subject->stage]);
     while (named && text_next_word(&words, word, sizeof word))
-        add_field(fields, &count, stage_flow_field(subject->sim, subject->set, word));
+        add_field(fields, &count, simulation_find_field(subject->sim, subject->set, word));
     for (int i = 0; all && i < subject->sim->n_fields; i++)
         if (subject->sim->fields[i].set == subject->set && subject->sim->fields[i].in_table)
             add_field(fields, &count, i);
@@ -183,7 +184,7 @@ static int choose_sums(const Subject *subject, int width, int rows, char sums[SU
         char text[SUMS_MAX];
         sim->method->explain(sim, subject->stage, subject->set, subject->index,
                              experiment_before(subject->screen->experiment), terms[i], text, sizeof text);
-        screen_plain_text(subject->screen, text, sums, SUMS_MAX);
+        glyphs_plain(subject->screen->look.glyphs, text, sums, SUMS_MAX);
         lines = sums_on(NULL, width, 0, sums);
         if (lines <= rows)
             break;
@@ -262,7 +263,7 @@ static void labels_of(const Simulation *sim, const char *words, char *out, size_
     while (text_next_word(&words, word, sizeof word)) {
         int field = -1;
         for (int set = 0; field < 0 && set < sim->n_sets; set++)
-            field = stage_flow_field(sim, set, word);
+            field = simulation_find_field(sim, set, word);
         text_append(out, size, "%s%s", *out ? ", " : "",
                     field >= 0 ? sim->fields[field].quantity.label : word);
     }
@@ -288,7 +289,7 @@ static void draw_heading_of(const Subject *subject, Area area)
     labels_of(sim, stage->reads, reads, sizeof reads);
     labels_of(sim, stage->writes, writes, sizeof writes);
     snprintf(flow, sizeof flow, " %s → %s ", reads, writes);
-    screen_plain_text(subject->screen, flow, plain, sizeof plain);
+    glyphs_plain(subject->screen->look.glyphs, flow, plain, sizeof plain);
     if (heading + 1 + glyphs_columns(plain) + source + 2 <= area.rect.width)
         area_text(area, heading + 1, 0, plain, STYLE_FAINT);
 }

@@ -1,5 +1,6 @@
 /* The whole screen: each pane drawn where the layout puts it, and what the mouse finds in the plot panes. */
 #include "view/panes/screen.h"
+#include "view/inspector/inspector.h"
 #include "view/panes/panes.h"
 #include "view/views/views.h"
 

@@ -169,7 +169,7 @@ typedef struct PanesShown {
     PaneId focus;
     bool zoomed;             /* the focused pane fills the screen */
     bool lecture;            /* time and state in large letters, thick curves, no parameters beside them */
-    bool inspecting;         /* the inspector is open, see screen_has_inspector() */
+    bool inspecting;         /* the inspector is open, see inspector_find() */
     PaneId before_inspector; /* the pane that had the focus before it was opened */
 } PanesShown;
 
@@ -296,20 +296,8 @@ long screen_timeline_step(const Screen *, int width, int height, int x, int y);
 /* The step of the place of the timeline that is nearest to a column, in whatever row the mouse is. */
 long screen_timeline_nearest(const Screen *, int width, int height, int x);
 
-/* The inspector, the pane that `i` opens over the plots: whether this method has one, and the arrows in it.
- * False: they do what they do in the mesh strip. */
-bool screen_has_inspector(const Screen *);
-bool screen_move_inspector(Screen *, int x, int y, int page);
-
-/* From the chosen particle to the node that it shares most with, or back: in the strip the grid lies above
- * the particles. */
-void screen_choose_across(Screen *, bool node);
-
 /* The particle that is looked at first: in the middle of a bar, of a beam's middle row. */
 size_t screen_middle_particle(const Simulation *);
-
-/* An end of the first bond, as the lattice counts them, that broke in a step; -1: none that is known. */
-long screen_broken_node(const Screen *, long step);
 
 /* The factor by which the beam's map draws displacements; 0: it is not shown. */
 double view_map_enlargement(const Screen *, int width, int height);

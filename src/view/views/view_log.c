@@ -2,6 +2,7 @@
  */
 #include "lab/run/event_log.h"
 #include "view/panes/panes.h"
+#include "view/inspector/inspector.h"
 #include "view/views/views.h"
 
 #include <math.h>
@@ -217,7 +218,7 @@ static void move(Screen *screen, Rect rect, int x, int y, int page)
 /* Where it happened is what one wants to look at. */
 static long enter(Screen *screen)
 {
-    const long step = view_log_step(screen), broken = step >= 0 ? screen_broken_node(screen, step) : -1;
+    const long step = view_log_step(screen), broken = step >= 0 ? inspector_broken_node(screen, step) : -1;
     if (broken >= 0) {
         screen->chosen.particle = (size_t)broken;
         screen->chosen.is_node = false;

@@ -100,7 +100,7 @@ static void draw_heading_of(const Screen *screen, Area area, const Table *table,
     if (table->end_column - table->first_column < table->n_columns)
         snprintf(more, sizeof more, " ← → columns %d-%d of %d ", table->first_column + 1, table->end_column,
                  table->n_columns);
-    heading_hint(screen, area, 5 + glyphs_columns(text), area.rect.width + 1 - end, more);
+    heading_hint(area, 5 + glyphs_columns(text), area.rect.width + 1 - end, more);
 }
 
 static void draw_column(const Screen *screen, Area area, const Table *table, const TableColumn *column,

@@ -1,5 +1,6 @@
 /* The commands that move: panes, rows, cursors, the inspector; Enter and Esc. */
 #include "tui/control/commands/commands.h"
+#include "view/inspector/inspector.h"
 #include "view/views/view.h"
 
 #include <math.h>
@@ -8,8 +9,7 @@ static void focus_by(Laboratory *lab, int direction)
 {
     Screen *screen = &lab->screen;
     Screen whole = *screen;
-    whole.panes.zoomed =
-        false; /* a pane that fills the screen can be left for any that the whole picture has */
+    whole.panes.zoomed = false; /* what fills the screen can be left for any pane of the whole picture */
     int focus = (int)screen->panes.focus;
     for (int i = 0; i < PANE_COUNT; i++) {
         focus = (focus + direction + PANE_COUNT) % PANE_COUNT;
@@ -58,7 +58,7 @@ static void move(Laboratory *lab, int x, int y, int page)
         command_map_pan(&lab->screen, x, y);
         return;
     }
-    if ((screen->panes.focus == PANE_INSPECTOR || map) && screen_move_inspector(screen, x, y, page))
+    if ((screen->panes.focus == PANE_INSPECTOR || map) && inspector_move(screen, x, y, page))
         return;
     if (screen->panes.focus == PANE_PARAMETERS && screen->lesson.open) {
         lesson_play_move(lab, x, y);
@@ -75,7 +75,7 @@ static void move(Laboratory *lab, int x, int y, int page)
         screen->chosen.is_node &= simulation_has(experiment_simulation(screen->experiment), HAS_MESH);
         selection_next(&screen->chosen, experiment_simulation(screen->experiment), x ? x : y, (size_t)page);
     } else {
-        screen_choose_across(screen, y < 0);
+        inspector_choose_across(screen, y < 0);
     }
 }
 
@@ -143,7 +143,7 @@ void command_inspect(Laboratory *lab)
     Screen *screen = &lab->screen;
     if (screen->panes.inspecting) {
         command_close_inspector(&lab->screen);
-    } else if (!screen_has_inspector(screen)) {
+    } else if (!inspector_find(screen)) {
         laboratory_say(lab, MESSAGE_INFO, "there is no inspector for this method");
     } else {
         screen->panes.inspecting = true;

@@ -1,6 +1,7 @@
 /* The inspector of beams: the chosen node's family, each bond with its stretch as a share of the critical
  * one, the bond that broke last, the most stretched one and why it holds, and the forces (family_forces.c).
  */
+#include "view/inspector/inspector.h"
 #include "view/views/views.h"
 #include "view/map/family.h"
 
@@ -207,12 +208,12 @@ static void draw_subject(const Family *family, Area area, bool narrow)
     const Style heading = screen_is_focused(family->screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING;
     const int end = area.rect.width - 1;
     area_rule(area, 0, text, heading);
-    if (heading_hint(family->screen, area, 5 + glyphs_columns(text), end, hint) || !narrow)
+    if (heading_hint(area, 5 + glyphs_columns(text), end, hint) || !narrow)
         return;
     snprintf(text, sizeof text, "node %zu: %d bonds", family->node, family->count);
     append_lost(family, text, sizeof text);
     area_rule(area, 0, text, heading);
-    heading_hint(family->screen, area, 5 + glyphs_columns(text), end, hint);
+    heading_hint(area, 5 + glyphs_columns(text), end, hint);
 }
 
 /* Where the node lies: the whole beam, small. */
@@ -243,7 +244,7 @@ static void draw_narrow(const Family *family, Area area, int cell)
         draw_most(family, area_part(below, 0, last, below.rect.width, below.rect.height - last));
 }
 
-void pane_family(const Screen *screen, Area area)
+static void draw(const Screen *screen, Area area)
 {
     Family family;
     if (!family_of(&family, screen)) {
@@ -271,11 +272,12 @@ void pane_family(const Screen *screen, Area area)
 }
 
 /* Bonds are asked for by the thousand: there are more of them than one would keep. */
-long screen_broken_node(const Screen *screen, long step)
+long inspector_broken_node(const Screen *screen, long step)
 {
     enum { BONDS = 1, AT_ONCE = 4096 };
     const Simulation *sim = experiment_simulation(screen->experiment);
-    const int when = stage_flow_field(sim, BONDS, "broken_at"), end = stage_flow_field(sim, BONDS, "i");
+    const int when = simulation_find_field(sim, BONDS, "broken_at"),
+              end = simulation_find_field(sim, BONDS, "i");
     Body body;
     double value[AT_ONCE];
     if (!body_of(sim, &body) || when < 0 || end < 0)
@@ -292,7 +294,7 @@ long screen_broken_node(const Screen *screen, long step)
     return -1;
 }
 
-void pane_family_move(Screen *screen, int x, int y, int page)
+static void move_on(Screen *screen, int x, int y, int page)
 {
     Body body;
     if (!body_of(experiment_simulation(screen->experiment), &body))
@@ -307,3 +309,5 @@ void pane_family_move(Screen *screen, int x, int y, int page)
     screen->eye.centre[0] = (i + 0.5) / body.nx;
     screen->eye.centre[1] = (j + 0.5) / body.ny;
 }
+
+const Inspector inspector_family = {.needs = HAS_BONDS | HAS_PLANE, .draw = draw, .move = move_on};

@@ -1,6 +1,6 @@
 /* The inspector of methods with particles and a grid: the chosen particle or node, the shape functions that
  * link it to the others, and what they give each other, stage by stage, with sums that a pencil can check. */
-#include "view/panes/panes.h"
+#include "view/inspector/inspector.h"
 #include "view/draw/sum_column.h"
 
 #include <math.h>
@@ -230,7 +230,7 @@ static bool base_of(const Screen *screen, const Subject *subject, const Block *b
         return false;
     return !exchange->adds ||
            experiment_field_before(screen->experiment,
-                                   stage_flow_field(subject->sim, exchange->to, exchange->field),
+                                   simulation_find_field(subject->sim, exchange->to, exchange->field),
                                    subject->index, 1, base);
 }
 
@@ -311,7 +311,8 @@ static void draw_head(const Subject *subject, Area area, const Block *block, con
         if (column->exchange < 0)
             continue;
         const Exchange *exchange = exchange_of(subject, column);
-        const char *label = sim->fields[stage_flow_field(sim, exchange->to, exchange->field)].quantity.label;
+        const char *label =
+            sim->fields[simulation_find_field(sim, exchange->to, exchange->field)].quantity.label;
         if (!beside_factors && glyphs_columns(label) >= PRODUCT_WIDTH)
             label = exchange->field;
         area_text_right(area, end, y + 1, label, STYLE_HEADING);
@@ -329,7 +330,7 @@ static void draw_totals(const Subject *subject, Area area, const Block *block, c
     const Exchange *exchange = exchange_of(subject, column);
     const Writing writing = plan->writings[c];
     const int end = column_end(block, c),
-              field = stage_flow_field(subject->sim, exchange->to, exchange->field);
+              field = simulation_find_field(subject->sim, exchange->to, exchange->field);
     const bool based = plan->bases[c] != 0;
     sum_column_write(area, end, y++, sum_of(column, 0, plan->all), writing,
                      based ? writing.decimals : writing.sum_decimals, STYLE_CHANGED);
@@ -389,9 +390,9 @@ static void draw_subject(const Screen *screen, const Subject *subject, Area area
 {
     const Simulation *sim = subject->sim;
     char text[128], number[NUMBER_TEXT_MAX];
-    const int x = stage_flow_field(sim, subject->set, "x"),
-              cell = stage_flow_field(sim, subject->set, "cell");
-    const int fixed = stage_flow_field(sim, subject->set, "fixed");
+    const int x = simulation_find_field(sim, subject->set, "x"),
+              cell = simulation_find_field(sim, subject->set, "cell");
+    const int fixed = simulation_find_field(sim, subject->set, "fixed");
     text_fitted(simulation_value(sim, x, subject->index), 6, 10, number);
     snprintf(text, sizeof text, "%s%s %zu at x = %s", screen_second_run(screen) ? "A: " : "",
              sim->sets[subject->set].name, subject->index, number);
@@ -401,8 +402,8 @@ static void draw_subject(const Screen *screen, const Subject *subject, Area area
         text_append(text, sizeof text, ", held by a support");
     area_rule(area, 0, text, screen_is_focused(screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING);
     const int begin = 5 + glyphs_columns(text), end = area.rect.width - 1;
-    if (!heading_hint(screen, area, begin, end, " ← → next  ↑ ↓ node or particle  i closes "))
-        heading_hint(screen, area, begin, end, " ← → next  ↑ node  i closes ");
+    if (!heading_hint(area, begin, end, " ← → next  ↑ ↓ node or particle  i closes "))
+        heading_hint(area, begin, end, " ← → next  ↑ node  i closes ");
 }
 
 /* Whether a stage passes anything between the subject and its links. */
@@ -413,7 +414,7 @@ static bool passes_on(const Subject *subject, int stage)
            make_block(&block, subject, stage, false, false, INDEX_WIDTH);
 }
 
-void pane_mesh_inspector(const Screen *screen, Area area)
+static void draw(const Screen *screen, Area area)
 {
     const Subject subject = subject_of(screen);
     const Simulation *sim = subject.sim;
@@ -448,7 +449,7 @@ void pane_mesh_inspector(const Screen *screen, Area area)
 }
 
 /* Left and right: the next thing; up: the node that the particle shares most with, down: the particle. */
-void pane_mesh_inspector_move(Screen *screen, int x, int y, int page)
+static void move_on(Screen *screen, int x, int y, int page)
 {
     const Subject subject = subject_of(screen);
     const size_t count = subject.sim->counts[subject.set];
@@ -469,3 +470,5 @@ void pane_mesh_inspector_move(Screen *screen, int x, int y, int page)
         *(subject.set ? &screen->chosen.particle : &screen->chosen.node) = subject.links[nearest].index;
     screen->chosen.is_node = y < 0;
 }
+
+const Inspector inspector_mesh = {.needs = HAS_MESH | HAS_LINE, .draw = draw, .move = move_on};

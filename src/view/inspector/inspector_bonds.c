@@ -1,6 +1,6 @@
 /* The inspector of a bar without a mesh: the chosen node, each of its bonds with what its force is made of,
  * and the forces as they add up to the node's. */
-#include "view/panes/panes.h"
+#include "view/inspector/inspector.h"
 #include "view/draw/sum_column.h"
 
 #include <math.h>
@@ -107,7 +107,7 @@ static void draw_node(const Screen *screen, const BondSum *sum, Area area)
     snprintf(text, sizeof text, "%snode %zu at X = %s: %zu bonds", screen_second_run(screen) ? "A: " : "",
              sum->node, number, sum->count);
     area_rule(area, 0, text, screen_is_focused(screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING);
-    heading_hint(screen, area, 5 + glyphs_columns(text), area.rect.width - 1, " ← → next node  i closes ");
+    heading_hint(area, 5 + glyphs_columns(text), area.rect.width - 1, " ← → next node  i closes ");
     text[0] = '\0';
     for (size_t i = 0; i < sizeof told / sizeof *told; i++) {
         if (simulation_find_field(sum->sim, 0, told[i].field) < 0)
@@ -151,7 +151,7 @@ static void draw_total(const BondSum *sum, Area area, int y, const char *name, d
                      changed ? STYLE_CHANGED : STYLE_NORMAL);
 }
 
-void pane_bonds(const Screen *screen, Area area)
+static void draw(const Screen *screen, Area area)
 {
     const bool ascii = area.glyphs == GLYPHS_ASCII;
     BondSum sum;
@@ -197,10 +197,12 @@ void pane_bonds(const Screen *screen, Area area)
                sum.force, writing->sum_decimals, !sum.is_old);
 }
 
-void pane_bonds_move(Screen *screen, int x, int y, int page)
+static void move_on(Screen *screen, int x, int y, int page)
 {
     const size_t count = experiment_simulation(screen->experiment)->counts[0];
     const long to = (long)screen->chosen.particle + (x != 0 ? x : page > 1 ? y : 0) * (long)page;
     screen->chosen.particle = to < 0 ? 0 : to < (long)count ? (size_t)to : count - 1;
     screen->chosen.is_node = false;
 }
+
+const Inspector inspector_bonds = {.needs = HAS_BONDS | HAS_LINE, .draw = draw, .move = move_on};

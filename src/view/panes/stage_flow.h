@@ -1,0 +1,15 @@
+/* Between which things a stage hands on. A name that particles and nodes share (mass, x) counts as the one
+ * that the other names of the stage tell. */
+#ifndef VIEW_STAGE_FLOW_H
+#define VIEW_STAGE_FLOW_H
+
+#include "physics/method.h"
+
+typedef enum Flow { FLOW_NONE, FLOW_TO_NODES, FLOW_TO_PARTICLES, FLOW_FORGET } Flow;
+
+Flow stage_flow(const Simulation *, const Stage *);
+
+/* The set that a stage writes to. */
+int stage_flow_target(const Simulation *, const Stage *);
+
+#endif
