@@ -547,7 +547,7 @@ END_TEST
 
 void add_cases(Suite *suite)
 {
-    TCase *tcase = tcase_create("rod");
+    TCase *tcase = tcase_create("bar");
     tcase_add_test(tcase, every_pair);
     tcase_add_test(tcase, uniform_strain);
     tcase_add_test(tcase, free_bar_keeps_momentum);

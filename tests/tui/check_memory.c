@@ -213,19 +213,19 @@ static const char *const beam_keys[] = {
     "o m o d e 1 Enter",
 };
 
-typedef struct Story {
+typedef struct Visit {
     const char *scenario;
     const char *const *keys;
     size_t n_keys;
-} Story;
+} Visit;
 
-static const Story stories[] = {
+static const Visit visits[] = {
     {"mode1", bar_keys, sizeof bar_keys / sizeof *bar_keys},
     {"notched-beam-coarse", beam_keys, sizeof beam_keys / sizeof *beam_keys},
 };
 
 /* The session from opening to closing; returns the last picture, NULL: it could not be opened. */
-static char *sit_through(const Story *story, Sitting *sitting)
+static char *sit_through(const Visit *visit, Sitting *sitting)
 {
     Status status = {STATUS_DONE, ""};
     Bench *bench = &sitting->bench;
@@ -233,12 +233,12 @@ static char *sit_through(const Story *story, Sitting *sitting)
     bench->width = 100;
     bench->height = 30;
     bench->rate = 2000;
-    bool open = bench_open(bench, story->scenario, false, &status);
+    bool open = bench_open(bench, visit->scenario, false, &status);
     sitting->told = speaks_of_memory(status.text);
-    for (size_t i = 0; open && i < story->n_keys; i++) {
+    for (size_t i = 0; open && i < visit->n_keys; i++) {
         for (int k = 0; k < 3; k++)
             go(sitting);
-        do_keys(sitting, story->keys[i]);
+        do_keys(sitting, visit->keys[i]);
     }
     char *picture = NULL;
     if (open) {
@@ -260,12 +260,12 @@ static void clear_folder(void)
 
 START_TEST(each_allocation_may_fail)
 {
-    const Story *story = &stories[_i];
+    const Visit *visit = &visits[_i];
     char folder[64];
     enter_folder(folder);
     Sitting *sitting = __real_calloc(1, sizeof *sitting);
     fails_at = n_calls = 0;
-    char *whole = sit_through(story, sitting);
+    char *whole = sit_through(visit, sitting);
     long all = n_calls, silent = 0, failed = 0;
     ck_assert_ptr_nonnull(whole);
     ck_assert(!sitting->told);
@@ -277,7 +277,7 @@ START_TEST(each_allocation_may_fail)
         long before = n_live;
         n_calls = 0;
         fails_at = n;
-        char *picture = sit_through(story, sitting);
+        char *picture = sit_through(visit, sitting);
         fails_at = 0;
         bool same = picture && strcmp(picture, whole) == 0;
         free(picture);

@@ -246,7 +246,7 @@ typedef void Draw(const Screen *, Area);
 
 START_TEST(nothing_leaves_its_pane)
 {
-    static Draw *const draws[] = {pane_title, pane_bar,  pane_parameters, pane_mesh,
+    static Draw *const draws[] = {pane_title, pane_keys, pane_parameters, pane_mesh,
                                   pane_box,   help_draw, pane_banner,     pane_chosen_parameter};
     const int panes = (int)(sizeof draws / sizeof *draws), drawings = panes + n_views;
     static const char *const words[] = {"mode5 80x24 700 stage 3", "mode5 80x24 700 running",
@@ -301,7 +301,7 @@ START_TEST(panes_do_not_overlap)
                     all[count++] = layout.panes[i];
                 for (int i = 0; i < SIDES_MAX; i++)
                     all[count++] = layout.sides[i];
-                all[count++] = layout.title, all[count++] = layout.bar;
+                all[count++] = layout.title, all[count++] = layout.keys;
                 for (int i = 0; i < count; i++)
                     for (int y = all[i].y; y < all[i].y + all[i].height; y++)
                         for (int x = all[i].x; x < all[i].x + all[i].width; x++) {
@@ -406,7 +406,7 @@ START_TEST(any_state_can_be_drawn)
         screen_draw(screen, &scene.canvas);
         expect_plain_glyphs(&scene.canvas, screen->look.glyphs, "random state");
         for (int x = -1; x <= width; x++)
-            screen_bar_command(screen, width, x);
+            screen_key_command(screen, width, x);
     }
 #undef DRAW
     scene_close(&scene);
@@ -421,10 +421,10 @@ START_TEST(the_bar_can_be_clicked)
     char *text = canvas_dump(&scene.canvas), *last = text;
     for (char *line = text; *line; line = strchr(line, '\n') + 1)
         last = line;
-    ck_assert_int_eq(screen_bar_command(&scene.screen, 80, (int)(strstr(last, "Space") - last)),
+    ck_assert_int_eq(screen_key_command(&scene.screen, 80, (int)(strstr(last, "Space") - last)),
                      COMMAND_RUN_PAUSE);
-    ck_assert_int_eq(screen_bar_command(&scene.screen, 80, (int)(strstr(last, "quit") - last)), COMMAND_QUIT);
-    ck_assert_int_eq(screen_bar_command(&scene.screen, 80, 0), COMMAND_NONE);
+    ck_assert_int_eq(screen_key_command(&scene.screen, 80, (int)(strstr(last, "quit") - last)), COMMAND_QUIT);
+    ck_assert_int_eq(screen_key_command(&scene.screen, 80, 0), COMMAND_NONE);
     free(text);
     scene_close(&scene);
 }

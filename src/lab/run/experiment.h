@@ -38,7 +38,7 @@ typedef struct Experiment Experiment;
 Experiment *experiment_create(const Settings *, size_t history, int threads, Status *);
 void experiment_destroy(Experiment *);
 
-/* The same around a simulation of any method, which it takes over (in any case), for trials of methods that
+/* The same around a simulation of any method, which it takes over (in any case), for tests of methods that
  * no problem knows: there are no references, and no edits but time.end, output.* and texts. Of the settings
  * only these are read. */
 Experiment *experiment_adopt(const Settings *, Simulation *, size_t history, Status *);

@@ -99,7 +99,7 @@ bool laboratory_frame(Laboratory *, double deadline);
 /* Draws on a canvas of this size. */
 bool laboratory_draw(Laboratory *, Canvas *, int width, int height);
 
-/* In the bottom bar, until a key is pressed or, of MESSAGE_INFO, it has been read; MESSAGE_NONE: nothing
+/* In the key line, until a key is pressed or, of MESSAGE_INFO, it has been read; MESSAGE_NONE: nothing
  * more. */
 void laboratory_say(Laboratory *, MessageKind, const char *format, ...) __attribute__((format(printf, 3, 4)));
 

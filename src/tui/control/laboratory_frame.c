@@ -9,7 +9,7 @@
 #include <math.h>
 
 #define MESSAGE_SECONDS                                                                                      \
-    4.0                     /* while a run goes on, the keys come back into the bottom bar after that long   \
+    4.0                     /* while a run goes on, the keys come back into the key line after that long     \
                              */
 #define CHUNK_SECONDS 0.004 /* the engine is let go for about that long before the clock is read again */
 #define STEP_SHARE    0.5   /* of a frame: a step that takes longer is done in parts */

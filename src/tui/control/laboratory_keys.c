@@ -67,13 +67,13 @@ static bool holds(Rect rect, int x, int y)
     return x >= rect.x && x < rect.x + rect.width && y >= rect.y && y < rect.y + rect.height;
 }
 
-/* A key in the bottom bar is pressed, a place of the timeline is gone to, a field is chosen (and, once
+/* A key in the key line is pressed, a place of the timeline is gone to, a field is chosen (and, once
  * chosen, edited), a row of a table or of the log, a particle or a node is chosen, a pane takes the focus. */
 static void click(Laboratory *lab, int x, int y)
 {
     Screen *screen = &lab->screen;
     if (y == lab->height - 1) {
-        CommandId id = screen_bar_command(screen, lab->width, x);
+        CommandId id = screen_key_command(screen, lab->width, x);
         if (screen->help.open)
             help_command(lab, id);
         else if (id != COMMAND_NONE)

@@ -1,4 +1,4 @@
-/* Messages in the bottom bar. They may hold names of files and scenarios: what would act on the terminal is
+/* Messages in the key line. They may hold names of files and scenarios: what would act on the terminal is
  * written out. */
 #include "tui/control/laboratory.h"
 

@@ -15,7 +15,7 @@
 /* What a cell means; the theme gives it a colour and attributes. Never the only carrier of meaning. */
 typedef enum Style {
     STYLE_NORMAL,
-    STYLE_TITLE, /* title line and bottom bar */
+    STYLE_TITLE, /* title line and key line */
     STYLE_FRAME, /* borders, axes */
     STYLE_FOCUS, /* border of the focused pane */
     STYLE_HEADING,
@@ -25,7 +25,7 @@ typedef enum Style {
     STYLE_CHANGED,  /* a value that the last stage changed */
     STYLE_WARNING,
     STYLE_ERROR,
-    STYLE_KEY,      /* a key's name in the bottom bar */
+    STYLE_KEY,      /* a key's name in the key line */
     STYLE_MEASURED, /* curves */
     STYLE_PREDICTED,
     STYLE_EXACT,

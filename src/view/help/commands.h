@@ -1,4 +1,4 @@
-/* The command table: one row for each thing that a user can ask for. The key map, the bottom bar, the help
+/* The command table: one row for each thing that a user can ask for. The key map, the key line, the help
  * screen, the `:` line, the script player and the manual page read it. To add a command: one row in
  * command_rows.inc and the function that it names, in src/tui/control/commands. */
 #ifndef VIEW_COMMANDS_H
@@ -28,7 +28,7 @@ typedef struct Command {
     const char *name;  /* "run-pause": for scripts and the `:` line */
     const char *keys;  /* names separated by spaces: "Space", "] s", "Home 0", "^R", "F1 ?" */
     const char *group; /* heading in the help: "Time", "Stages", "Views", ... */
-    const char *brief; /* at most 8 columns, for the bottom bar: "pause"; NULL: see command_brief() */
+    const char *brief; /* at most 8 columns, for the key line: "pause"; NULL: see command_brief() */
     const char *help;  /* one line; NULL: see command_help() */
     bool lesson; /* a lesson may ask for it: it changes the laboratory, and opens no question to write */
 } Command;

@@ -10,7 +10,7 @@
 enum { TEXT_MAX = 24000, LINES_MAX = 400 };
 
 /* Lines of text with a style each. Too many: the last ones are left out. */
-typedef struct Sheet {
+typedef struct HelpLines {
     char text[TEXT_MAX];
     size_t used;
     struct {
@@ -18,21 +18,21 @@ typedef struct Sheet {
         Style style;
     } lines[LINES_MAX];
     int count;
-} Sheet;
+} HelpLines;
 
-static void put_line(Sheet *sheet, Style style, const char *text)
+static void put_line(HelpLines *written, Style style, const char *text)
 {
     size_t length = strlen(text) + 1;
-    if (sheet->count == LINES_MAX || sheet->used + length > TEXT_MAX)
+    if (written->count == LINES_MAX || written->used + length > TEXT_MAX)
         return;
-    memcpy(sheet->text + sheet->used, text, length);
-    sheet->lines[sheet->count].at = sheet->used;
-    sheet->lines[sheet->count++].style = style;
-    sheet->used += length;
+    memcpy(written->text + written->used, text, length);
+    written->lines[written->count].at = written->used;
+    written->lines[written->count++].style = style;
+    written->used += length;
 }
 
 /* A paragraph, broken into lines of `width` columns, further ones indented like the first. */
-static void put_text(Sheet *sheet, Style style, int width, int indent, const char *text)
+static void put_text(HelpLines *written, Style style, int width, int indent, const char *text)
 {
     const int least = indent + 8;
     width = width > least ? width : least;
@@ -41,27 +41,27 @@ static void put_text(Sheet *sheet, Style style, int width, int indent, const cha
         const char *rest;
         const size_t length = area_paragraph_line(text, width - indent, &rest);
         snprintf(line, sizeof line, "%*s%.*s", indent, "", (int)length, text);
-        put_line(sheet, style, line);
+        put_line(written, style, line);
         text = rest;
     }
 }
 
 /* --- keys ----------------------------------------------------------------------------------------- */
 
-static void write_verbs(Sheet *sheet, int width)
+static void write_verbs(HelpLines *written, int width)
 {
-    put_line(sheet, STYLE_NORMAL, "");
-    put_line(sheet, STYLE_HEADING, "Behind :");
+    put_line(written, STYLE_NORMAL, "");
+    put_line(written, STYLE_HEADING, "Behind :");
     for (int i = 0; i < n_line_verbs; i++) {
         char line[256];
         snprintf(line, sizeof line, "  %s %s", line_verbs[i].name, line_verbs[i].arguments);
-        put_line(sheet, STYLE_NORMAL, line);
-        put_text(sheet, STYLE_NORMAL, width, 13 < width / 3 ? 13 : 4, line_verbs[i].help);
+        put_line(written, STYLE_NORMAL, line);
+        put_text(written, STYLE_NORMAL, width, 13 < width / 3 ? 13 : 4, line_verbs[i].help);
     }
 }
 
 /* The keys, and what they do beside them or, on a narrow screen, below. */
-static void put_key(Sheet *sheet, int width, const char *keys, const char *help)
+static void put_key(HelpLines *written, int width, const char *keys, const char *help)
 {
     enum { COLUMN = 13 };
     char line[256];
@@ -73,37 +73,38 @@ static void put_key(Sheet *sheet, int width, const char *keys, const char *help)
     } else {
         snprintf(line, sizeof line, "  %s", keys);
     }
-    put_line(sheet, STYLE_NORMAL, line);
-    put_text(sheet, STYLE_NORMAL, width, beside ? COLUMN : 4, rest);
+    put_line(written, STYLE_NORMAL, line);
+    put_text(written, STYLE_NORMAL, width, beside ? COLUMN : 4, rest);
 }
 
 /* What there is to see: the caption has room for its first sentences only. */
-static void write_about(Sheet *sheet, const Settings *settings, int width)
+static void write_about(HelpLines *written, const Settings *settings, int width)
 {
-    put_text(sheet, STYLE_HEADING, width, 0, settings->title[0] ? settings->title : settings->problem->title);
+    put_text(written, STYLE_HEADING, width, 0,
+             settings->title[0] ? settings->title : settings->problem->title);
     if (settings->about[0])
-        put_text(sheet, STYLE_NORMAL, width, 2, settings->about);
-    put_line(sheet, STYLE_NORMAL, "");
+        put_text(written, STYLE_NORMAL, width, 2, settings->about);
+    put_line(written, STYLE_NORMAL, "");
 }
 
-static void write_keys(Sheet *sheet, int width)
+static void write_keys(HelpLines *written, int width)
 {
     const char *group = "";
     for (int i = 0; i < n_commands; i++) {
         if (strcmp(commands[i].group, group) != 0) {
             if (*group)
-                put_line(sheet, STYLE_NORMAL, "");
-            put_line(sheet, STYLE_HEADING, group = commands[i].group);
+                put_line(written, STYLE_NORMAL, "");
+            put_line(written, STYLE_HEADING, group = commands[i].group);
         }
         if (command_help(&commands[i]))
-            put_key(sheet, width, commands[i].keys, command_help(&commands[i]));
+            put_key(written, width, commands[i].keys, command_help(&commands[i]));
     }
-    write_verbs(sheet, width);
+    write_verbs(written, width);
 }
 
 /* --- curves --------------------------------------------------------------------------------------- */
 
-static void write_curves(Sheet *sheet, int width, const HelpText *text)
+static void write_curves(HelpLines *written, int width, const HelpText *text)
 {
     static const struct {
         const char *word, *meaning;
@@ -129,72 +130,73 @@ static void write_curves(Sheet *sheet, int width, const HelpText *text)
          "view 6: how large each sine in the record is. A record of the length t shows no line finer than "
          "2 pi/t: a longer one is sharper."},
     };
-    put_line(sheet, STYLE_HEADING, "What the curves mean");
+    put_line(written, STYLE_HEADING, "What the curves mean");
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
-        put_line(sheet, STYLE_FOCUS, words[i].word);
-        put_text(sheet, STYLE_NORMAL, width, 4, words[i].meaning);
+        put_line(written, STYLE_FOCUS, words[i].word);
+        put_text(written, STYLE_NORMAL, width, 4, words[i].meaning);
     }
-    put_line(sheet, STYLE_NORMAL, "");
+    put_line(written, STYLE_NORMAL, "");
     for (size_t i = 0; i < text->n_words; i++) {
-        put_line(sheet, STYLE_FOCUS, text->words[i].word);
-        put_text(sheet, STYLE_NORMAL, width, 4, text->words[i].meaning);
+        put_line(written, STYLE_FOCUS, text->words[i].word);
+        put_text(written, STYLE_NORMAL, width, 4, text->words[i].meaning);
     }
-    put_line(sheet, STYLE_NORMAL, "");
+    put_line(written, STYLE_NORMAL, "");
     for (size_t i = 0; i < sizeof last_words / sizeof *last_words; i++) {
-        put_line(sheet, STYLE_FOCUS, last_words[i].word);
-        put_text(sheet, STYLE_NORMAL, width, 4, last_words[i].meaning);
+        put_line(written, STYLE_FOCUS, last_words[i].word);
+        put_text(written, STYLE_NORMAL, width, 4, last_words[i].meaning);
     }
 }
 
 /* --- what is solved ------------------------------------------------------------------------------- */
 
-static void write_passages(Sheet *sheet, int width, bool ascii, const HelpPassage *passages, size_t count)
+static void write_passages(HelpLines *written, int width, bool ascii, const HelpPassage *passages,
+                           size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         const char *text = ascii && passages[i].ascii ? passages[i].ascii : passages[i].text;
-        if (passages[i].heading && sheet->count > 0)
-            put_line(sheet, STYLE_NORMAL, "");
+        if (passages[i].heading && written->count > 0)
+            put_line(written, STYLE_NORMAL, "");
         if (passages[i].heading)
-            put_text(sheet, STYLE_HEADING, width, 0, text);
+            put_text(written, STYLE_HEADING, width, 0, text);
         else
-            put_text(sheet, STYLE_NORMAL, width, 2, text);
+            put_text(written, STYLE_NORMAL, width, 2, text);
     }
 }
 
-static void write_solved(Sheet *sheet, const Screen *screen, int width, const HelpText *text)
+static void write_solved(HelpLines *written, const Screen *screen, int width, const HelpText *text)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     const bool ascii = screen->look.glyphs == GLYPHS_ASCII;
     const HelpPassage step = {true, text->step, NULL};
-    write_passages(sheet, width, ascii, text->before, text->n_before);
-    write_passages(sheet, width, ascii, text->answers, text->n_answers);
-    write_passages(sheet, width, ascii, &step, 1);
+    write_passages(written, width, ascii, text->before, text->n_before);
+    write_passages(written, width, ascii, text->answers, text->n_answers);
+    write_passages(written, width, ascii, &step, 1);
     for (int i = 0; i < sim->n_stages; i++) {
         const Stage *stage = &sim->stages[i];
         char line[160];
         snprintf(line, sizeof line, "%d %s   (%s)", i + 1, stage->name, stage->source);
-        put_text(sheet, STYLE_FOCUS, width, 2, line);
-        put_text(sheet, STYLE_NORMAL, width, 4, ascii ? stage->ascii : stage->equation);
-        put_text(sheet, STYLE_FAINT, width, 4, stage->sentence);
+        put_text(written, STYLE_FOCUS, width, 2, line);
+        put_text(written, STYLE_NORMAL, width, 4, ascii ? stage->ascii : stage->equation);
+        put_text(written, STYLE_FAINT, width, 4, stage->sentence);
     }
-    write_passages(sheet, width, ascii, text->after, text->n_after);
+    write_passages(written, width, ascii, text->after, text->n_after);
 }
 
 /* --- where the papers are silent ------------------------------------------------------------------- */
 
-static void write_choices(Sheet *sheet, const Settings *settings, int width)
+static void write_choices(HelpLines *written, const Settings *settings, int width)
 {
-    put_text(sheet, STYLE_HEADING, width, 0,
+    put_text(written, STYLE_HEADING, width, 0,
              "Where the paper is silent or does otherwise, and what is done here");
     for (const Choice *choice = choices; choice < choices + n_choices; choice++) {
         char line[512];
         if (!choice_is_about(choice, settings->problem, settings->method))
             continue;
-        put_text(sheet, STYLE_FOCUS, width, 0, choice->what);
+        put_text(written, STYLE_FOCUS, width, 0, choice->what);
         snprintf(line, sizeof line, "paper: %s", choice->paper);
-        put_text(sheet, STYLE_FAINT, width, 4, line);
+        put_text(written, STYLE_FAINT, width, 4, line);
         snprintf(line, sizeof line, "here: %s", choice->here);
-        put_text(sheet, STYLE_NORMAL, width, 4, line);
+        put_text(written, STYLE_NORMAL, width, 4, line);
     }
 }
 
@@ -204,22 +206,22 @@ static int page_of(const Screen *screen)
 }
 
 /* The lines of the page that is open, for a screen of this width. */
-static void write_page(Sheet *sheet, const Screen *screen, int screen_width)
+static void write_page(HelpLines *written, const Screen *screen, int screen_width)
 {
     const int width = screen_width - 2 < 100 ? screen_width - 2 : 100, page = page_of(screen);
     const HelpText *text = help_text_of(experiment_simulation(screen->experiment));
-    sheet->used = 0;
-    sheet->count = 0;
+    written->used = 0;
+    written->count = 0;
     if (page == 0) {
-        write_about(sheet, experiment_settings(screen->experiment), width);
-        write_keys(sheet, width);
+        write_about(written, experiment_settings(screen->experiment), width);
+        write_keys(written, width);
     }
     if (page == 1)
-        write_curves(sheet, width, text);
+        write_curves(written, width, text);
     if (page == 2)
-        write_solved(sheet, screen, width, text);
+        write_solved(written, screen, width, text);
     if (page == 3)
-        write_choices(sheet, experiment_settings(screen->experiment), width);
+        write_choices(written, experiment_settings(screen->experiment), width);
 }
 
 int help_pages(void)
@@ -229,12 +231,12 @@ int help_pages(void)
 
 int help_most(const Screen *screen, int width, int height)
 {
-    Sheet sheet;
+    HelpLines written;
     if (layout_make(screen, width, height).kind == LAYOUT_TOO_SMALL)
         return 0; /* nothing of it is shown, and its lines need some width */
-    write_page(&sheet, screen, width);
+    write_page(&written, screen, width);
     const int room = height - 3; /* without title, heading and bar */
-    return sheet.count > room ? sheet.count - room : 0;
+    return written.count > room ? written.count - room : 0;
 }
 
 void help_draw(const Screen *screen, Area area)
@@ -242,23 +244,23 @@ void help_draw(const Screen *screen, Area area)
     static const char *const names[HELP_PAGES] = {"this scenario, the keys", "the curves", "what is solved",
                                                   "where the paper is silent"};
     const int page = page_of(screen), room = area.rect.height - 1;
-    Sheet sheet;
-    write_page(&sheet, screen, area.rect.width);
+    HelpLines written;
+    write_page(&written, screen, area.rect.width);
 
     int first = screen->help.scroll;
-    if (first > sheet.count - room)
-        first = sheet.count - room;
+    if (first > written.count - room)
+        first = written.count - room;
     if (first < 0)
         first = 0;
     char heading[96];
     snprintf(heading, sizeof heading, "Help %d of %d: %s", page + 1, HELP_PAGES, names[page]);
     area_rule(area, 0, heading, STYLE_FOCUS);
-    if (sheet.count > room) {
+    if (written.count > room) {
         snprintf(heading, sizeof heading, " lines %d-%d of %d ", first + 1,
-                 first + room < sheet.count ? first + room : sheet.count, sheet.count);
+                 first + room < written.count ? first + room : written.count, written.count);
         if (glyphs_columns(heading) + 30 < area.rect.width)
             area_text_right(area, area.rect.width - 2, 0, heading, STYLE_FAINT);
     }
-    for (int y = 0; y < room && first + y < sheet.count; y++)
-        area_text(area, 1, 1 + y, sheet.text + sheet.lines[first + y].at, sheet.lines[first + y].style);
+    for (int y = 0; y < room && first + y < written.count; y++)
+        area_text(area, 1, 1 + y, written.text + written.lines[first + y].at, written.lines[first + y].style);
 }

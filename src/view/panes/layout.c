@@ -42,7 +42,7 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     const bool side = width >= WIDE && height >= SIDE_HEIGHT && !screen_second_run(screen);
     const int side_width = side ? (width < WIDER ? 39 : width < 150 ? 45 : width * 3 / 10) : 0;
     const int left = fields + 1, plots = width - left - (side ? side_width + 1 : 0);
-    /* the map of a beam that is no rod wants height more than the curve below it */
+    /* the map of a beam that is not slender wants height more than the curve below it */
     const Settings *settings = experiment_settings(screen->experiment);
     const bool tall = drawn && screen->views.upper->is_map &&
                       settings->geometry.height > TALL_SHARE * settings->geometry.length;
@@ -110,7 +110,7 @@ Layout layout_make(const Screen *screen, int width, int height)
     if (width < LEAST_WIDTH || height < LEAST_HEIGHT)
         return layout;
     layout.title = (Rect){0, 0, width, 1};
-    layout.bar = (Rect){0, height - 1, width, 1};
+    layout.keys = (Rect){0, height - 1, width, 1};
     if (width >= FULL_WIDTH && height >= FULL_HEIGHT && !screen->panes.zoomed) {
         if (screen->panes.lecture && !screen->lesson.open)
             lay_out_lecture(screen, width, height, &layout);

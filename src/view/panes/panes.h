@@ -5,7 +5,7 @@
 #include "base/text.h"
 #include "view/draw/area.h"
 #include "view/draw/axes.h"
-#include "view/draw/legend.h"
+#include "view/draw/heading.h"
 #include "view/draw/plot.h"
 #include "view/panes/screen_runs.h"
 
@@ -20,7 +20,7 @@ enum { SIDES_MAX = 3, GUTTER = 6, SIDE_BY_SIDE = 120 /* columns from which on tw
 
 typedef struct Layout {
     LayoutKind kind;
-    Rect title, bar;
+    Rect title, keys;
     Rect banner;   /* of a lecture; width 0: there is none */
     Rect timeline; /* one row under the plots; width 0: there is none */
     Rect panes[PANE_COUNT];
@@ -35,7 +35,7 @@ void pane_title(const Screen *, Area);
 void pane_banner(const Screen *, Area);           /* of a lecture: time and state in large letters */
 void pane_chosen_parameter(const Screen *, Area); /* of a lecture: the one that the arrows change */
 int banner_rows(const Screen *, int width, int height);
-void pane_bar(const Screen *, Area);
+void pane_keys(const Screen *, Area);
 void pane_parameters(const Screen *, Area);
 void pane_lesson(const Screen *, Area);
 void pane_timeline(const Screen *, Area);
@@ -55,9 +55,6 @@ bool beam_lines(const Screen *, int width, char first[160], char second[160]);
 
 /* The scenarios to choose from, on as many rows as there are and fit, above row `bottom`. */
 void pane_scenarios(const ScenarioList *, Area, int bottom);
-
-/* The command under a column of the bottom bar; COMMAND_NONE: none. */
-CommandId bar_command_at(const Screen *, int width, int x);
 
 /* One parameter with its value, as a row of its own; `chosen`: the arrows change it. */
 void pane_parameter(const Screen *, Area, int y, const Parameter *, bool chosen);

@@ -115,7 +115,7 @@ void screen_draw(const Screen *screen, Canvas *canvas)
         }
     }
     pane_title(screen, area_of(screen, canvas, layout.title));
-    pane_bar(screen, area_of(screen, canvas, layout.bar));
+    pane_keys(screen, area_of(screen, canvas, layout.keys));
     if (screen->look.glyphs == GLYPHS_ASCII)
         canvas_to_ascii(canvas);
 }
@@ -149,9 +149,4 @@ bool screen_scroll_view(Screen *screen, int width, int height, int x, int y, int
             return true;
     }
     return false;
-}
-
-CommandId screen_bar_command(const Screen *screen, int width, int x)
-{
-    return bar_command_at(screen, width, x);
 }

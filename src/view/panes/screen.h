@@ -262,8 +262,8 @@ Rect screen_pane(const Screen *, int width, int height, PaneId);
 /* Whether all panes have room; on a smaller screen only the focused one, or the two plots, are seen. */
 bool screen_is_whole(int width, int height);
 
-/* The command under column x of the bottom bar, for the mouse; COMMAND_NONE: none. */
-CommandId screen_bar_command(const Screen *, int width, int x);
+/* The command under column x of the key line, for the mouse; COMMAND_NONE: none. */
+CommandId screen_key_command(const Screen *, int width, int x);
 
 /* The mouse in the plot panes: a click on something that a view shows, and so many lines of the wheel. False:
  * nothing of a view lies there. */

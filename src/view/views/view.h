@@ -2,7 +2,7 @@
  *
  * A view is one value of type View in one file, src/view/views/view_NAME.c, with static functions behind it;
  * view_list.c names it once. Scenario keys ([view] upper, lower), `:show`, `figure --view`, the digit keys,
- * the bottom bar, completion, the help and the manual all read that list, so no other file knows that the
+ * the key line, completion, the help and the manual all read that list, so no other file knows that the
  * view is there, and none knows the key that it usually has. A view decides by what the simulation has
  * (physics/method.h, Simulation.has) whether there is something to show. */
 #ifndef VIEW_VIEW_H
@@ -24,7 +24,7 @@ typedef enum ViewOpening { OPENS_ON_DEMAND, OPENS_ALWAYS, OPENS_IN_PLANE } ViewO
 
 struct View {
     const char *word;  /* names it wherever a view is named: small letters and '-', e.g. "energies" */
-    const char *brief; /* for the bottom bar, at most 8 columns */
+    const char *brief; /* for the key line, at most 8 columns */
     const char *help;  /* one line */
     int digit;         /* the key that shows it, 1 to 9; 0: it is shown by its word alone */
 

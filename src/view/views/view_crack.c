@@ -178,14 +178,14 @@ static CrackColumns crack_columns(const Run *run)
                           run->settings->geometry.thickness};
 }
 
-typedef struct Told {
+typedef struct CrackCurve {
     const char *name, *unit, *target_name;
     double (*value)(const double *row, const void *context);
     double target;    /* what it should be */
     const char *line; /* below, in the place of the tip; "": nothing */
-} Told;
+} CrackCurve;
 
-static void draw_over_time(const Screen *screen, Area area, Style heading, const Told *told)
+static void draw_over_time(const Screen *screen, Area area, Style heading, const CrackCurve *curve)
 {
     Run runs[RUNS_MAX];
     CrackColumns columns[RUNS_MAX];
@@ -193,34 +193,34 @@ static void draw_over_time(const Screen *screen, Area area, Style heading, const
     Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
     const int width = plot_area.rect.width - GUTTER - 1, dots = width * plot_dots_across(area.glyphs);
     const int rows = plot_area.rect.height - 1;
-    double least = 0, most = told->target;
+    double least = 0, most = curve->target;
     for (int r = 0; r < n_runs; r++) {
         columns[r] = crack_columns(&runs[r]);
         for (size_t i = 0; i < runs[r].record->count; i += time_plot_stride(runs[r].record)) {
-            const double value = told->value(record_row(runs[r].record, i), &columns[r]);
+            const double value = curve->value(record_row(runs[r].record, i), &columns[r]);
             least = value < least ? value : least;
             most = value > most ? value : most;
         }
     }
     Axis y = axis_around(least, axis_round_up(most * 1.02), rows < 5 ? 3 : 5);
     Axis x = time_plot_axis(screen, width);
-    const Legend target = {LINE_DOTTED, '.', STYLE_EXACT, told->target_name, NULL};
+    const Legend target = {LINE_DOTTED, '.', STYLE_EXACT, curve->target_name, NULL};
     char scale[TICK_TEXT_MAX], name[32];
-    axis_scale_text(&y, told->unit, scale);
-    draw_runs_heading(screen, area, heading, told->name, scale, runs, n_runs, &target);
+    axis_scale_text(&y, curve->unit, scale);
+    draw_runs_heading(screen, area, heading, curve->name, scale, runs, n_runs, &target);
     Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
     Plot plot;
     plot_open(&plot, x, y);
     if (screen_shows_exact(screen)) {
         plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
-        plot_point(&plot, x.low, told->target);
-        plot_point(&plot, x.high, told->target);
+        plot_point(&plot, x.low, curve->target);
+        plot_point(&plot, x.high, curve->target);
     }
     for (int r = 0; r < n_runs; r++) {
         if (!runs[r].shown)
             continue;
         run_begin(&plot, &runs[r]);
-        time_plot_curve(&plot, &(Curve){runs[r].record, -1, -1, -1, told->value, &columns[r]}, dots);
+        time_plot_curve(&plot, &(Curve){runs[r].record, -1, -1, -1, curve->value, &columns[r]}, dots);
     }
     time_plot_breaks(screen, inner, &x);
     time_plot_now(screen, inner, &x);
@@ -230,10 +230,10 @@ static void draw_over_time(const Screen *screen, Area area, Style heading, const
         if (!runs[r].shown || record->count == 0)
             continue;
         const double *row = record_row(record, record_find(record, x.high));
-        run_letter(&runs[r], &plot, inner, row[1], told->value(row, &columns[r]));
+        run_letter(&runs[r], &plot, inner, row[1], curve->value(row, &columns[r]));
     }
     plot_close(&plot);
-    draw_lines(screen, area, under, told->line);
+    draw_lines(screen, area, under, curve->line);
 }
 
 static const char *const pictures[] = {"path", "angle", "speed"};
@@ -250,13 +250,13 @@ const char *crack_variant_word(int variant)
 
 void crack_draw(const Screen *screen, Area area, Style heading, int variant)
 {
-    static const Told angle = {"chord to tip, deg", "", "30 deg", tip_angle, CRACK_PAPER_ANGLE, ""};
+    static const CrackCurve angle = {"chord to tip, deg", "", "30 deg", tip_angle, CRACK_PAPER_ANGLE, ""};
     const double rayleigh = crack_rayleigh_speed(experiment_settings(screen->experiment));
     char line[160] = "";
     CrackFacts facts;
     if (crack_facts(experiment_simulation(screen->experiment), &facts) && facts.measured.fastest > 0)
         beam_lines_tip_speed(&facts.measured, rayleigh, line);
-    const Told speed = {"tip's speed", "m/s", "Rayleigh's c_R", tip_speed, rayleigh, line};
+    const CrackCurve speed = {"tip's speed", "m/s", "Rayleigh's c_R", tip_speed, rayleigh, line};
     if (variant == 0)
         draw_path(screen, area, heading);
     else
@@ -342,7 +342,7 @@ static void draw_cost(const Screen *screen, Area area, Style heading)
 
 void crack_cost_draw(const Screen *screen, Area area, Style heading, int variant)
 {
-    const Told cost = {
+    const CrackCurve cost = {
         "crack's cost, J/m^2", "", "G0", energy_of_crack, screen_derived(screen, "critical_energy"), ""};
     if (variant == 0)
         draw_over_time(screen, area, heading, &cost);

@@ -1,5 +1,5 @@
 /* Legends and the heading line of a plot, which gives way by a fixed order where room is short. */
-#include "view/draw/legend.h"
+#include "view/draw/heading.h"
 
 #include "view/draw/sketch.h"
 

@@ -1,4 +1,4 @@
-/* The bottom bar: what can be done now, a message, or a question with what was typed. */
+/* The key line: what can be done now, a message, or a question with what was typed. */
 #include "view/panes/panes.h"
 
 #include <stdio.h>
@@ -153,7 +153,7 @@ static const char *word_of(const Screen *screen, const Command *command)
                : command_brief(command);
 }
 
-enum { BAR_OF_ONE_PANE = 80 };
+enum { KEYS_OF_ONE_PANE = 80 };
 
 static int find_offer(const Offer *offers, int count, CommandId id)
 {
@@ -178,7 +178,7 @@ static const Offer *offer_at(const Offer *offers, int count, int width, int plac
     enum { PANE_PLACE = 1, HELP_PLACE = 3 };
     const int pane = find_offer(offers, count, COMMAND_NEXT_PANE);
     int help = find_offer(offers, count, COMMAND_HELP);
-    if (width >= BAR_OF_ONE_PANE)
+    if (width >= KEYS_OF_ONE_PANE)
         return &offers[place];
     if (help >= PANE_PLACE && help < pane)
         help++; /* the other one has passed it */
@@ -220,7 +220,7 @@ static CommandId lay_out_bar(const Screen *screen, int width, const Area *area, 
     return found;
 }
 
-CommandId bar_command_at(const Screen *screen, int width, int x)
+CommandId screen_key_command(const Screen *screen, int width, int x)
 {
     return lay_out_bar(screen, width, NULL, x);
 }
@@ -295,7 +295,7 @@ static void draw_keys(const Screen *screen, Area area)
         draw_notice(area, -1, text, STYLE_TITLE);
 }
 
-void pane_bar(const Screen *screen, Area area)
+void pane_keys(const Screen *screen, Area area)
 {
     static const Style styles[] = {
         [MESSAGE_NONE] = STYLE_TITLE,

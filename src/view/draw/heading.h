@@ -1,6 +1,6 @@
 /* Legends and the heading line of a plot. */
-#ifndef VIEW_LEGEND_H
-#define VIEW_LEGEND_H
+#ifndef VIEW_HEADING_H
+#define VIEW_HEADING_H
 
 #include "view/draw/plot.h"
 
