@@ -1,0 +1,48 @@
+/* The numbers of a beam that follow from its definition and stay. */
+#include "physics/mpm_plane/plane_state.h"
+
+#include <math.h>
+
+/* The mean of the middle two rows: over the two columns beside mid-span, or in the last column. */
+static void set_probe(Plane *plane)
+{
+    const int columns[2] = {plane->def.leaves_channel ? plane->nxp - 1 : (plane->nxp - 1) / 2,
+                            plane->def.leaves_channel ? plane->nxp - 1 : plane->nxp / 2};
+    const int rows[2] = {(plane->nyp - 1) / 2, plane->nyp / 2};
+    for (int k = 0; k < 4; k++)
+        plane->probe[k] = rows[k / 2] * plane->nxp + columns[k % 2];
+}
+
+/* Numbers of the model that follow from the definition: the grid (padding all round, and on the right as far
+ * as a cantilever comes on a grid that stays behind), m = rho d^2, plane stress. */
+void plane_derive(Plane *plane)
+{
+    PlaneDef *def = &plane->def;
+    if (!def->leaves_channel)
+        def->speed = def->channel = def->grid_velocity = 0;
+    const double channel = def->channel;
+    const int columns = (int)lround((def->length + channel) / def->cell_size);
+    const int rows = (int)lround(def->height / def->cell_size);
+    plane->dx = def->height / rows;
+    plane->dt = plane_step(def);
+    plane->spacing = plane->dx / def->particles_per_cell;
+    plane->mass = def->density * plane->spacing * plane->spacing;
+    plane->floor = 1e-12 * def->density * plane->dx * plane->dx;
+    plane->half = 0.5 / def->particles_per_cell;
+    plane->support = def->shape == MPM_HAT ? 2 : 3;
+    plane->nxp = columns * def->particles_per_cell;
+    plane->nyp = rows * def->particles_per_cell;
+    plane->n_particles = plane->nxp * plane->nyp;
+    const double steps = ceil(def->end * (1 - 1e-9) / plane->dt);
+    const double way = (def->speed - def->grid_velocity) * steps * plane->dt / plane->dx;
+    plane->gx = columns + 2 * def->padding + (int)ceil(way) + 1;
+    plane->gy = rows + 2 * def->padding + 1;
+    plane->n_nodes = plane->gx * plane->gy;
+    plane->x_first = -channel;
+    plane->xmin = plane->x_first - def->padding * plane->dx;
+    plane->ymin = -def->height / 2 - def->padding * plane->dx;
+    plane->lambda = def->youngs_modulus / (1 - def->poisson * def->poisson);
+    plane->shear = def->youngs_modulus / (2 * (1 + def->poisson));
+    plane->speed = def->speed;
+    set_probe(plane);
+}

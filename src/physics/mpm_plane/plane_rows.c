@@ -1,0 +1,149 @@
+/* Energies of a beam and the row of its series, J:
+ *
+ *     kinetic      b sum m ((vx - v0)^2 + vy^2)/2
+ *     kinetic_grid b sum |p_i - m_i v0|^2/(2 m_i) of the particles mapped to the grid, over what nothing
+ * holds kinetic_null what the grid cannot see at all (plane_null.c) strain       b sum ((sxx^2 + syy^2 - 2 nu
+ * sxx syy)/2E + sxy^2/2G) m/rho,  G = E/(2 (1 + nu))
+ *
+ * and the probe, the mean of up to four particles beside the point. */
+#include "physics/mpm_plane/plane_state.h"
+
+double plane_particle_strain(const Plane *plane, int p)
+{
+    const PlaneDef *def = &plane->def;
+    const double xx = plane->sxx[p], yy = plane->syy[p], xy = plane->sxy[p];
+    const double direct = xx * xx + yy * yy - 2 * def->poisson * (xx * yy);
+    return (direct / (2 * def->youngs_modulus) + xy * xy / (2 * plane->shear)) * plane->volume[p] *
+           def->thickness;
+}
+
+static double strain(const Plane *plane)
+{
+    double sum = 0;
+    for (int p = 0; p < plane->n_particles; p++)
+        sum += plane_particle_strain(plane, p);
+    return sum;
+}
+
+static double kinetic(const Plane *plane)
+{
+    double sum = 0;
+    for (int p = 0; p < plane->n_particles; p++) {
+        const double vx = plane->vx[p] - plane->speed, vy = plane->vy[p];
+        sum += vx * vx + vy * vy;
+    }
+    return sum / 2 * plane->mass * plane->def.thickness;
+}
+
+double plane_energy(const Plane *plane)
+{
+    return kinetic(plane) + strain(plane);
+}
+
+static double kinetic_grid(const Plane *plane)
+{
+    double sum = 0;
+    for (int j = 0; j < plane->gy; j++)
+        for (int i = 0; i < plane->gx; i++) {
+            const int node = j * plane->gx + i;
+            const double m = plane->node_mass[node];
+            if (!(m > plane->floor))
+                continue;
+            const PlaneHeld held = plane_held(plane, plane->sim.step, i, j);
+            const double x = held.x ? 0 : plane->px[node] - m * plane->speed;
+            const double y = held.y ? 0 : plane->py[node];
+            sum += (x * x + y * y) / m;
+        }
+    return sum / 2 * plane->def.thickness;
+}
+
+static double probe(const Plane *plane, const double *values)
+{
+    double sum = 0;
+    for (int k = 0; k < 4; k++)
+        sum += values[plane->probe[k]];
+    return sum / 4;
+}
+
+/* y less what it is at rest. */
+static double u_probe(const Plane *plane)
+{
+    double sum = 0;
+    for (int k = 0; k < 4; k++) {
+        const int p = plane->probe[k];
+        sum += plane->y[p] - ((p / plane->nxp + 0.5) * plane->spacing - plane->def.height / 2);
+    }
+    return sum / 4;
+}
+
+enum Entry { U_PROBE, V_PROBE, LENGTH, KINETIC, KINETIC_GRID, KINETIC_NULL, STRAIN, WORK, TOTAL, ENTRIES };
+
+static const Quantity quantities[ENTRIES] = {
+    [U_PROBE] = {"u_probe", "u", "m", "transverse displacement at the probe"},
+    [V_PROBE] = {"v_probe", "v", "m/s", "transverse velocity at the probe"},
+    [LENGTH] = {"length", "length", "m", "length outside the channel, L0 + v0 t"},
+    [KINETIC] = {"kinetic", "kinetic", "J", "kinetic energy of the particles, without the common speed"},
+    [KINETIC_GRID] = {"kinetic_grid", "seen by grid", "J",
+                      "the part of it that the grid sees: sum p^2/(2m) of the nodes, supports applied"},
+    [KINETIC_NULL] = {"kinetic_null", "null space", "J",
+                      "the part of it that no velocities of the grid can give: the rest is seen, or lost to "
+                      "lumped masses"},
+    [STRAIN] = {"strain", "strain", "J", "strain energy of the particles"},
+    [WORK] = {"work", "work", "J", "work of the channel, which draws the beam out"},
+    [TOTAL] = {"total", "total", "J", "kinetic + strain; it ripples, as the two are half a step apart"},
+};
+
+void plane_set_series(Plane *plane)
+{
+    Simulation *sim = &plane->sim;
+    for (int k = 0; k < ENTRIES; k++)
+        if ((k != LENGTH || plane->def.leaves_channel) && (k != KINETIC_NULL || plane_null_pays(plane))) {
+            plane->series_entry[sim->n_series] = k;
+            plane->series[sim->n_series++] = quantities[k];
+        }
+    sim->series = plane->series;
+}
+
+void plane_write_row(Plane *plane, double *row)
+{
+    const double moving = kinetic(plane), strained = strain(plane);
+    for (int k = 0; k < plane->sim.n_series; k++)
+        switch ((enum Entry)plane->series_entry[k]) {
+        case U_PROBE:
+            row[k] = u_probe(plane);
+            break;
+        case V_PROBE:
+            row[k] = probe(plane, plane->vy);
+            break;
+        case LENGTH:
+            row[k] = plane->def.length + plane->def.speed * simulation_time(&plane->sim);
+            break;
+        case KINETIC:
+            row[k] = moving;
+            break;
+        case KINETIC_GRID:
+            row[k] = kinetic_grid(plane);
+            break;
+        case KINETIC_NULL:
+            row[k] = plane_null_energy(plane, moving);
+            break;
+        case STRAIN:
+            row[k] = strained;
+            break;
+        case WORK:
+            row[k] = plane->head->work;
+            break;
+        case TOTAL:
+            row[k] = moving + strained;
+            break;
+        case ENTRIES:
+            break;
+        }
+}
+
+void plane_row(Simulation *sim, double *row)
+{
+    Plane *plane = plane_of(sim);
+    plane_map_and_hold(plane, NULL); /* the grid is scratch between steps; all particles lie on it */
+    plane_write_row(plane, row);
+}

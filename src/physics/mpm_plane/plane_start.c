@@ -1,0 +1,129 @@
+/* Particles at t = 0. The deflection is w(x), the beam's sections stay plane and square to it:
+ *
+ *     supported    w = U sin(pi x/L)                                                     paper P, eq. 16
+ *     cantilever   w = U (cosh kx - cos kx - r (sinh kx - sin kx)), k = z/L, x > 0       paper P, eq. 18
+ *                  r = (sinh z - sin z)/(cosh z + cos z), 1 + cosh z cos z = 0
+ *     particles    x = X - Y w'(X),  y = Y + w(X)
+ *
+ * A method that carries stress from step to step has to be told the stress of that shape:
+ *
+ *     exact        exx = -Y w''(X), nothing else
+ *     grid         B u of the nodal displacements u = (-y w', w), as the first step would strain it
+ *     relaxed      the same of u = (-y w', w + nu w'' y^2/2): sections that widen where they are pressed, so
+ *                  that syy = 0. Without it 1 - (1 - nu^2) of the energy rings through the height.
+ *
+ * s = D e, rho = rho0/(1 + exx + eyy). `velocity` starts the straight beam with v = omega (-Y w', w), omega =
+ * (z/L)^2 h sqrt(E/(12 rho)), z = pi or that of the cantilever: the same swing a quarter of a period on. */
+#include "physics/mpm_plane/plane_state.h"
+
+#include <math.h>
+
+static const double cantilever_root = 1.8751040687119611; /* the first of 1 + cosh z cos z = 0 */
+
+/* w, w' and w''. */
+typedef struct Deflection {
+    double w, slope, curvature;
+} Deflection;
+
+static Deflection deflection(const PlaneDef *def, double x)
+{
+    const double U = def->amplitude;
+    if (!def->leaves_channel) {
+        const double k = M_PI / def->length;
+        return (Deflection){U * sin(k * x), U * k * cos(k * x), -U * k * k * sin(k * x)};
+    }
+    if (!(x > 0))
+        return (Deflection){0, 0, 0};
+    const double z = cantilever_root, k = z / def->length, a = k * x;
+    const double r = (sinh(z) - sin(z)) / (cosh(z) + cos(z));
+    return (Deflection){U * (cosh(a) - cos(a) - r * (sinh(a) - sin(a))),
+                        U * k * (sinh(a) + sin(a) - r * (cosh(a) - cos(a))),
+                        U * k * k * (cosh(a) + cos(a) - r * (sinh(a) + sin(a)))};
+}
+
+static double mode_frequency(const PlaneDef *def)
+{
+    const double z = def->leaves_channel ? cantilever_root : M_PI, k = z / def->length;
+    return k * k * def->height * sqrt(def->youngs_modulus / (12 * def->density));
+}
+
+typedef struct Strain {
+    double xx, yy, xy; /* xy: gamma */
+} Strain;
+
+/* sum B u at a place of the undeformed lattice. */
+static Strain strain_of_nodes(const Plane *plane, double X, double Y)
+{
+    const PlaneDef *def = &plane->def;
+    int32_t base;
+    double sx, sy;
+    Strain strain = {0, 0, 0};
+    if (!plane_find(plane, plane->xmin, X, Y, &base, &sx, &sy))
+        return strain;
+    const PlaneWeights w = plane_weights(plane, sx, sy);
+    const int i = base % plane->gx, j = base / plane->gx;
+    for (int a = 0; a < plane->support; a++) {
+        const double x = plane->xmin + (i + a) * plane->dx;
+        if (def->leaves_channel && x <= 1e-6 * plane->dx)
+            continue;
+        const Deflection bent = deflection(def, x);
+        for (int b = 0; b < plane->support; b++) {
+            const double y = plane->ymin + (j + b) * plane->dx;
+            const double wide = def->stress == PLANE_RELAXED ? def->poisson * bent.curvature * y * y / 2 : 0;
+            const double ux = -y * bent.slope, uy = bent.w + wide;
+            const double bx = w.dnx[a] * w.ny[b] / plane->dx, by = w.nx[a] * w.dny[b] / plane->dx;
+            strain.xx += bx * ux;
+            strain.yy += by * uy;
+            strain.xy += by * ux + bx * uy;
+        }
+    }
+    return strain;
+}
+
+static void place(Plane *plane, int p)
+{
+    const PlaneDef *def = &plane->def;
+    const double X = plane->x_first + (p % plane->nxp + 0.5) * plane->spacing;
+    const double Y = (p / plane->nxp + 0.5) * plane->spacing - def->height / 2;
+    const Deflection bent = deflection(def, X);
+    plane->x[p] = X;
+    plane->y[p] = Y;
+    plane->vx[p] = plane->speed;
+    plane->vy[p] = 0;
+    plane->volume[p] = plane->mass / def->density;
+    plane->sxx[p] = plane->syy[p] = plane->sxy[p] = 0;
+    if (def->start == PLANE_VELOCITY) {
+        const double omega = mode_frequency(def);
+        plane->vx[p] += omega * (-Y * bent.slope);
+        plane->vy[p] = omega * bent.w;
+        return;
+    }
+    plane->x[p] = X - Y * bent.slope;
+    plane->y[p] = Y + bent.w;
+    const Strain strain =
+        def->stress == PLANE_EXACT ? (Strain){-Y * bent.curvature, 0, 0} : strain_of_nodes(plane, X, Y);
+    plane->sxx[p] = plane->lambda * (strain.xx + def->poisson * strain.yy);
+    plane->syy[p] = plane->lambda * (strain.yy + def->poisson * strain.xx);
+    plane->sxy[p] = plane->shear * strain.xy;
+    plane->volume[p] *= 1 + strain.xx + strain.yy;
+}
+
+bool plane_begin(Plane *plane, Status *status)
+{
+    int32_t base;
+    double sx, sy;
+    for (int p = 0; p < plane->n_particles; p++) {
+        if (p % plane->nxp == 0 && !patience_lasts(&plane->def.patience, (double)p / plane->n_particles))
+            return status_fail(status, STATUS_FAILED, "the building of the beam was given up");
+        place(plane, p);
+        if (!plane_find(plane, plane->xmin, plane->x[p], plane->y[p], &base, &sx, &sy) ||
+            !(plane->volume[p] > 0))
+            return status_fail(status, STATUS_USAGE,
+                               "initial.amplitude: %g bends the beam out of its grid (less, or more "
+                               "mesh.padding)",
+                               plane->def.amplitude);
+    }
+    plane->energy_start = plane_energy(plane);
+    return isfinite(plane->energy_start) ||
+           status_fail(status, STATUS_USAGE, "initial.amplitude: the energy is no finite number");
+}

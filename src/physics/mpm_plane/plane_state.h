@@ -1,0 +1,169 @@
+/* The inside of a beam by the material point method: model, state, scratch. For the files of this folder.
+ *
+ * Particle p = J nxp + I stands at t = 0 in column I and row J of a square lattice of spacing d = dx/P. Node
+ * (i, j) = j gx + i lies at (xmin + i dx, ymin + j dx); y = 0 is the beam's mid-plane, x = 0 a support or the
+ * channel's mouth. A grid that rides has xmin(t) = xmin + grid_velocity t.
+ *
+ * A particle's place on the grid (the first of its nodes and where it lies beside it) is found once a step,
+ * in its first stage, and holds for all of its stages: shape functions are those of the old place throughout.
+ */
+#ifndef PHYSICS_PLANE_STATE_H
+#define PHYSICS_PLANE_STATE_H
+
+#include "physics/mpm_plane/plane.h"
+#include "physics/mpm_plane/plane_shape.h"
+
+#include <stdint.h>
+
+enum { PLANE_CHECK_EVERY = 64 }; /* the energy is looked at after each step that is a multiple of this */
+
+/* The work of a stage. Stage tables are lists of these. */
+typedef enum PlaneOp {
+    PLANE_MAP,
+    PLANE_HOLD,
+    PLANE_STRAIN,
+    PLANE_FORCE,
+    PLANE_HOLD_FORCE,
+    PLANE_INTEGRATE,
+    PLANE_UPDATE,
+    PLANE_MAP_AGAIN,
+    PLANE_HOLD_AGAIN,
+    PLANE_OPS
+} PlaneOp;
+
+/* The part of the state that is no array; live parameters belong to it. */
+typedef struct PlaneHead {
+    MpmAlgorithm algorithm;
+    double flip_fraction;
+    double work;      /* of the channel so far, J */
+    double peak_work; /* largest magnitude of it seen by the energy check */
+    int energy_level; /* how many thresholds of growth were reported */
+} PlaneHead;
+
+typedef struct Plane {
+    Simulation sim; /* first: a Plane is a Simulation */
+
+    /* model */
+    PlaneDef def;
+    double dx, dt, spacing, mass; /* d and m of a particle, per unit thickness */
+    double floor;                 /* nodes not heavier than this are inactive */
+    double half;                  /* uGIMP: l = 1/(2P) */
+    int support;                  /* nodes along each direction: 2, 3 */
+    int nxp, nyp, n_particles;
+    int gx, gy, n_nodes;
+    double x_first, xmin, ymin; /* x_first: the beam's left end at t = 0 */
+    double lambda, mu, shear;   /* plane stress: sxx = lambda (exx + nu eyy), sxy = shear gxy */
+    double speed;               /* v0; 0 for a supported beam */
+    int probe[4];               /* particles whose mean is u_probe, v_probe */
+    double energy_start;
+    Quantity series[9]; /* of this beam; and which of all it is */
+    int series_entry[9];
+
+    /* state: one block; what lies beyond the particles exists only within a step */
+    void *memory;
+    unsigned char *block;
+    size_t bytes_particles, bytes_whole;
+    PlaneHead *head;
+    double *x, *y, *vx, *vy, *sxx, *syy, *sxy, *volume; /* volume: m/rho */
+    double *sx, *sy;                                    /* beside the first node, in cells */
+    int32_t *base;                                      /* the first node */
+    double *node_mass, *px, *py, *fx, *fy;
+    double *node_vx, *node_vy; /* p/m as of the last stage that wrote p */
+    double *ax, *ay;           /* f/m */
+
+    double *null;          /* of plane_null.c */
+    unsigned char *backup; /* the particles at the beginning of a batch of steps */
+} Plane;
+
+static inline Plane *plane_of(Simulation *sim)
+{
+    return (Plane *)sim;
+}
+
+static inline const Plane *plane_of_const(const Simulation *sim)
+{
+    return (const Plane *)sim;
+}
+
+/* N and N' dx in both directions. */
+typedef struct PlaneWeights {
+    double nx[PLANE_SUPPORT_MAX], ny[PLANE_SUPPORT_MAX], dnx[PLANE_SUPPORT_MAX], dny[PLANE_SUPPORT_MAX];
+} PlaneWeights;
+
+static inline PlaneWeights plane_weights(const Plane *plane, double sx, double sy)
+{
+    PlaneWeights w;
+    if (plane->def.shape == MPM_HAT) {
+        plane_hat(sx, w.nx, w.dnx);
+        plane_hat(sy, w.ny, w.dny);
+    } else {
+        plane_gimp(plane->half, sx, w.nx, w.dnx);
+        plane_gimp(plane->half, sy, w.ny, w.dny);
+    }
+    return w;
+}
+
+/* Where the grid's left edge is after so many steps. */
+static inline double plane_xmin(const Plane *plane, long step)
+{
+    return plane->xmin + plane->def.grid_velocity * ((double)step * plane->dt);
+}
+
+/* plane_model.c: everything constant, from plane->def, which is sound. */
+void plane_derive(Plane *plane);
+
+/* What a node's support holds, decided anew each step. */
+typedef struct PlaneHeld {
+    bool x, y;
+} PlaneHeld;
+
+PlaneHeld plane_held(const Plane *, long step, int i, int j);
+
+/* plane_grid.c: where a particle is on the grid as it lies before `step`; false: outside. */
+bool plane_find(const Plane *, double xmin, double x, double y, int32_t *base, double *sx, double *sy);
+
+/* plane_do.c: the work of a stage on its items [first, end). */
+bool plane_do(Plane *, PlaneOp, int first, int end, Status *);
+bool plane_map_and_hold(Plane *, Status *);
+bool plane_fail_particle(Plane *, Status *, int particle, const char *what);
+
+/* plane_start.c: particles at t = 0. False: given up, or numbers that are none. */
+bool plane_begin(Plane *, Status *);
+
+/* plane_stages.c: the stages of an algorithm, what people read and what is done. */
+typedef struct PlaneSchedule {
+    const Stage *stages;
+    const PlaneOp *ops;
+    int count;
+    const Set *sets;
+} PlaneSchedule;
+
+enum { PLANE_PARTICLES, PLANE_NODES, PLANE_SETS };
+
+const PlaneSchedule *plane_schedule(const PlaneHead *);
+bool plane_has_done(const Plane *, PlaneOp); /* whether the stage of `op` is done in the step going on */
+
+/* plane_steps.c */
+bool plane_stage(Simulation *, int stage, size_t first, size_t end, Status *);
+bool plane_steps(Simulation *, long count, double *rows, long *done, Status *);
+
+/* plane_rows.c */
+double plane_energy(const Plane *);
+void plane_row(Simulation *, double *row);
+void plane_write_row(Plane *, double *row); /* with the grid as it stands after map and supports */
+void plane_set_series(Plane *);
+double plane_particle_strain(const Plane *, int particle); /* J */
+
+/* plane_null.c: the kinetic energy that no velocities of the grid can give (J); the grid stands as after map
+ * and supports. Its scratch, and whether it takes so long that it is left out. */
+size_t plane_null_numbers(const Plane *);
+bool plane_null_pays(const Plane *);
+double plane_null_energy(Plane *, double kinetic);
+
+/* plane_fields.c */
+void plane_set_fields(Plane *);
+void plane_field(const Simulation *, int field, size_t first, size_t count, double *out);
+size_t plane_links(const Simulation *, int set, size_t index, Link *out, size_t max);
+size_t plane_shapes(const Simulation *, const double *place, Link *out, size_t max);
+
+#endif

@@ -1,0 +1,551 @@
+/* Beams by the material point method: what their mesh predicts, conservation, symmetry, limits, bits, ends.
+ */
+#include "physics/mpm_plane/plane.h"
+#include "physics/mpm_plane/plane_modes.h"
+#include "physics/run_case.h"
+#include "suite.h"
+#include "theory/frequency.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+static Simulation *create(const PlaneDef *def)
+{
+    Status status = {0};
+    Simulation *sim = plane_create(def, &status);
+    ck_assert_msg(sim != NULL, "%s", status.text);
+    return sim;
+}
+
+/* 16 x 4 cells; a cantilever with four more in its channel, fast enough to cross some. */
+static PlaneDef small(bool leaves_channel)
+{
+    PlaneDef def = plane_default(leaves_channel);
+    def.length = 0.02;
+    def.cell_size = 0.00125;
+    def.end = 1e-4;
+    if (leaves_channel) {
+        def.channel = 0.01;
+        def.speed = 90;
+    }
+    return def;
+}
+
+/* --- what the mesh predicts ----------------------------------------------------------------------- */
+
+START_TEST(predicted_periods)
+{
+    static const struct {
+        double cell_size, nu, section, point; /* ms; 0: not given */
+        int P;
+    } known[] = {
+        {1.25e-3, 1.0 / 3, .860591, .860702, 2}, {.625e-3, 1.0 / 3, .862906, .863083, 2},
+        {.5e-3, 1.0 / 3, .863188, .863389, 2},   {.3125e-3, 1.0 / 3, .863494, .863746, 2},
+        {1.25e-3, 1.0 / 3, .855087, 0, 3},
+    };
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++)
+        for (int point = 0; point < 2; point++) {
+            PlaneDef def = plane_default(false);
+            Status status;
+            double period;
+            def.cell_size = known[k].cell_size;
+            def.particles_per_cell = known[k].P;
+            def.poisson = known[k].nu;
+            def.courant = 1;
+            def.ends = point ? PLANE_POINT : PLANE_SECTION;
+            ck_assert(plane_predicted_period(&def, &period, &status));
+            const double expected = point ? known[k].point : known[k].section;
+            if (expected > 0)
+                ck_assert_double_eq_tol(period * 1e3, expected, 6e-7);
+        }
+}
+END_TEST
+
+/* Measured over two periods by the least squares of a cosine. */
+static double measured_period(const PlaneDef *def, double expected)
+{
+    Simulation *sim = create(def);
+    const long steps = lround(2 * expected / sim->dt);
+    const int u = simulation_find_series(sim, "u_probe");
+    double *record = malloc((size_t)steps * sizeof *record), row[16];
+    FrequencyFit fit;
+    Status status = {0};
+    for (long k = 0; k < steps; k++) {
+        advance(sim, 1);
+        simulation_row(sim, row);
+        record[k] = row[u];
+    }
+    ck_assert_msg(frequency_fit(record, (size_t)steps, 0, sim->dt, 2 * M_PI / expected, &fit, &status), "%s",
+                  status.text);
+    free(record);
+    simulation_destroy(sim);
+    return 2 * M_PI / fit.frequency;
+}
+
+/* Over two periods from the relaxed start, or of what else there is from that with velocities. */
+START_TEST(the_run_swings_as_predicted)
+{
+    static const struct {
+        double length; /* m */
+        MpmShape shape;
+        MpmAlgorithm algorithm;
+        PlaneEnds ends;
+        PlaneStart start;
+        double amplitude, flip, nu, tolerance;
+    } known[] = {
+        {.1, MPM_HAT, MPM_USF, PLANE_SECTION, PLANE_DEFLECTION, 3e-6, 1, 1.0 / 3, 1e-6},
+        {.1, MPM_HAT, MPM_USF, PLANE_POINT, PLANE_DEFLECTION, 3e-6, 1, 1.0 / 3, 1e-6},
+        {.1, MPM_GIMP, MPM_USF, PLANE_SECTION, PLANE_DEFLECTION, 3e-6, 1, 1.0 / 3, 1e-4},
+        {.025, MPM_HAT, MPM_MUSL, PLANE_SECTION, PLANE_VELOCITY, 3e-7, 1, 0, 1e-6},
+        {.025, MPM_HAT, MPM_USL, PLANE_SECTION, PLANE_VELOCITY, 3e-7, 1, .45, 1e-5},
+        {.025, MPM_HAT, MPM_USF, PLANE_SECTION, PLANE_VELOCITY, 3e-7, .999, 1.0 / 3, 1e-5},
+    };
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
+        PlaneDef def = small(false);
+        Status status;
+        double period;
+        def.length = known[k].length;
+        def.shape = known[k].shape;
+        def.algorithm = known[k].algorithm;
+        def.ends = known[k].ends;
+        def.start = known[k].start;
+        def.amplitude = known[k].amplitude;
+        def.flip_fraction = known[k].flip;
+        def.poisson = known[k].nu;
+        def.courant = known[k].algorithm == MPM_USL ? 0.5 : 1;
+        ck_assert(plane_predicted_period(&def, &period, &status));
+        const double measured = measured_period(&def, period);
+        ck_assert_msg(fabs(measured / period - 1) < known[k].tolerance,
+                      "case %zu: measured %.9g, predicted %.9g, off %.3g", k, measured, period,
+                      measured / period - 1);
+    }
+}
+END_TEST
+
+/* A pseudo-random number in [0, 1). */
+static double next_share(uint32_t *seed)
+{
+    *seed = *seed * 1664525u + 1013904223u;
+    return *seed / 4294967296.0;
+}
+
+/* Just below its limit a beam keeps the energy of its start, just above it explodes. The start is so small
+ * that boxes stay where the prediction has them. */
+static void one_limit(uint32_t seed, int number)
+{
+    PlaneDef def = small(number % 3 == 2);
+    def.length = def.cell_size * (3 + floor(8 * next_share(&seed)));
+    def.height = def.cell_size * (2 + 2 * floor(2 * next_share(&seed)));
+    def.channel = def.leaves_channel ? 3 * def.cell_size : 0;
+    def.speed = 0;
+    def.end = 1e-2;
+    def.particles_per_cell = 2 + (int)(2 * next_share(&seed));
+    def.poisson = 0.45 * next_share(&seed);
+    def.algorithm = (MpmAlgorithm)(3 * next_share(&seed));
+    def.flip_fraction = number % 2 ? 1 : 0.5 + 0.5 * next_share(&seed);
+    def.shape = MPM_HAT;
+    def.ends = next_share(&seed) < 0.5 ? PLANE_SECTION : PLANE_POINT;
+    def.clamp = next_share(&seed) < 0.5 ? CLAMP_FULL : CLAMP_GUIDE;
+    def.start = PLANE_VELOCITY;
+    def.amplitude = 1e-15;
+    Status status = {0};
+    double limit;
+    ck_assert(plane_courant_limit(&def, &limit, &status));
+    for (int above = 0; above < 2; above++) {
+        def.courant = limit * (above ? 1.005 : 0.995);
+        Simulation *sim = create(&def);
+        const double start = series_now(sim, "total");
+        const bool lasts = simulation_steps(sim, def.algorithm == MPM_USL ? 8000 : 1500, NULL, NULL, &status);
+        const double grown = lasts ? series_now(sim, "total") / start : INFINITY;
+        ck_assert_msg(
+            above ? grown > 100 : grown < 10,
+            "set %d, %s the limit of %.5f (algorithm %d, flip %g, P %d, nu %.3f, %s): energy times %g",
+            number, above ? "above" : "below", limit, def.algorithm, def.flip_fraction,
+            def.particles_per_cell, def.poisson, def.leaves_channel ? "cantilever" : "supported", grown);
+        simulation_destroy(sim);
+    }
+}
+
+START_TEST(the_largest_step)
+{
+    for (int k = 0; k < 25; k++)
+        one_limit(1000u + 77u * (uint32_t)(25 * _i + k), 25 * _i + k);
+}
+END_TEST
+
+START_TEST(known_limits)
+{
+    static const struct {
+        double cell_size, limit;
+        int P;
+    } known[] = {{1.25e-3, 1.7207, 2}, {1.25e-3, 1.6687, 3}};
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
+        PlaneDef def = plane_default(false);
+        Status status;
+        double limit;
+        def.cell_size = known[k].cell_size;
+        def.particles_per_cell = known[k].P;
+        ck_assert(plane_courant_limit(&def, &limit, &status));
+        ck_assert_double_eq_tol(limit, known[k].limit, 5e-4);
+    }
+}
+END_TEST
+
+/* --- what is kept ---------------------------------------------------------------------------------- */
+
+START_TEST(a_guide_leaves_momentum_alone)
+{
+    PlaneDef def = small(true);
+    def.clamp = CLAMP_GUIDE;
+    def.grid_velocity =
+        def.speed; /* a crossing leaves a node empty, and the little that pulls at it is lost */
+    def.shape = MPM_HAT;
+    def.flip_fraction = 0.99;
+    def.algorithm = (MpmAlgorithm)_i;
+    Simulation *sim = create(&def);
+    advance(sim, 300);
+    double *v = field_now(sim, 0, "vx"), sum = 0, most = 0;
+    for (size_t p = 0; p < sim->counts[0]; p++) {
+        sum += v[p] - def.speed;
+        most = fmax(most, fabs(v[p] - def.speed));
+    }
+    ck_assert_double_gt(most, 1e-3);
+    ck_assert_double_lt(fabs(sum) / (double)sim->counts[0], 1e-13 * def.speed);
+    free(v);
+    simulation_destroy(sim);
+}
+END_TEST
+
+START_TEST(a_supported_beam_stays_symmetric)
+{
+    PlaneDef def = small(false);
+    def.amplitude = 3e-9;
+    Simulation *sim = create(&def);
+    advance(sim, 500);
+    double *uy = field_now(sim, 0, "uy"), *sxx = field_now(sim, 0, "sxx"), u = 0, s = 0, worst_u = 0,
+           worst_s = 0;
+    for (size_t row = 0; row < sim->rows; row++)
+        for (size_t i = 0; i < sim->columns; i++) {
+            const size_t p = row * sim->columns + i, mirror = (row + 1) * sim->columns - 1 - i;
+            u = fmax(u, fabs(uy[p]));
+            s = fmax(s, fabs(sxx[p]));
+            worst_u = fmax(worst_u, fabs(uy[p] - uy[mirror]));
+            worst_s = fmax(worst_s, fabs(sxx[p] - sxx[mirror]));
+        }
+    ck_assert_double_gt(u, 1e-10);
+    ck_assert_double_lt(worst_u, 1e-6 * u);
+    ck_assert_double_lt(worst_s, 1e-3 * s);
+    free(uy);
+    free(sxx);
+    simulation_destroy(sim);
+}
+END_TEST
+
+/* E* = sum m v^n v^(n+1)/2 + strain^(n+1). */
+START_TEST(the_sharp_invariant)
+{
+    PlaneDef def = small(false);
+    def.shape = MPM_HAT;
+    def.amplitude = 3e-8;
+    Simulation *sim = create(&def);
+    double least = INFINITY, most = 0;
+    for (int step = 0; step < 400; step++) {
+        double *vx = field_now(sim, 0, "vx"), *vy = field_now(sim, 0, "vy"), product = 0;
+        advance(sim, 1);
+        double *nx = field_now(sim, 0, "vx"), *ny = field_now(sim, 0, "vy"), *m = field_now(sim, 0, "mass");
+        for (size_t p = 0; p < sim->counts[0]; p++)
+            product += m[p] * (vx[p] * nx[p] + vy[p] * ny[p]) / 2;
+        const double energy = product * def.thickness + series_now(sim, "strain");
+        least = fmin(least, energy);
+        most = fmax(most, energy);
+        free(vx), free(vy), free(nx), free(ny), free(m);
+    }
+    ck_assert_double_lt(most / least - 1, 1e-8);
+    simulation_destroy(sim);
+}
+END_TEST
+
+/* kinetic_null against conjugate gradients on the velocities of free nodes, from links alone. */
+static double null_by_gradients(Simulation *sim, const PlaneDef *def)
+{
+    enum { LINKS = 9 };
+    const size_t np = sim->counts[0], nn = sim->counts[1];
+    double *v[2] = {field_now(sim, 0, "vx"), field_now(sim, 0, "vy")}, *m = field_now(sim, 0, "mass"),
+           left = 0;
+    double *held[2] = {field_now(sim, 1, "held_x"), field_now(sim, 1, "held_y")};
+    Link *links = malloc(np * LINKS * sizeof *links);
+    size_t *count = malloc(np * sizeof *count);
+    for (size_t p = 0; p < np; p++)
+        count[p] = sim->method->links(sim, 0, p, links + p * LINKS, LINKS);
+    for (int c = 0; c < 2; c++) {
+        double *rest = v[c], *direction = calloc(nn, sizeof *direction), *slope = malloc(nn * sizeof *slope);
+        double *scale = calloc(nn, sizeof *scale), *image = malloc(np * sizeof *image);
+        double before = 0, first = 0, *whole = calloc(nn, sizeof *whole);
+        if (c == 0)
+            for (size_t p = 0; p < np; p++)
+                rest[p] -= def->speed;
+        for (size_t p = 0; p < np; p++)
+            for (size_t k = 0; k < count[p]; k++) {
+                const Link *link = &links[p * LINKS + k];
+                scale[link->index] += link->weight * link->weight;
+                whole[link->index] += link->weight;
+            }
+        for (size_t i = 0; i < nn; i++) /* an inactive node */
+            if (whole[i] <= 1e-12 * def->particles_per_cell * def->particles_per_cell)
+                scale[i] = 0;
+        free(whole);
+        for (int round = 0; round < 20000; round++) {
+            double now = 0, step = 0;
+            memset(slope, 0, nn * sizeof *slope);
+            for (size_t p = 0; p < np; p++)
+                for (size_t k = 0; k < count[p]; k++)
+                    slope[links[p * LINKS + k].index] += links[p * LINKS + k].weight * rest[p];
+            for (size_t i = 0; i < nn; i++) {
+                slope[i] = held[c][i] != 0 || scale[i] == 0 ? 0 : slope[i];
+                now += scale[i] == 0 ? 0 : slope[i] * slope[i] / scale[i];
+            }
+            first = fmax(first, now);
+            if (now <= 1e-26 * first)
+                break;
+            for (size_t i = 0; i < nn; i++)
+                direction[i] = (scale[i] == 0 ? 0 : slope[i] / scale[i]) +
+                               (before > 0 ? now / before : 0) * direction[i];
+            for (size_t p = 0; p < np; p++) {
+                image[p] = 0;
+                for (size_t k = 0; k < count[p]; k++)
+                    image[p] += links[p * LINKS + k].weight * direction[links[p * LINKS + k].index];
+                step += image[p] * image[p];
+            }
+            for (size_t p = 0; p < np; p++)
+                rest[p] -= now / step * image[p];
+            before = now;
+        }
+        for (size_t p = 0; p < np; p++)
+            left += m[p] * rest[p] * rest[p] / 2;
+        free(direction), free(slope), free(scale), free(image);
+    }
+    free(v[0]), free(v[1]), free(held[0]), free(held[1]), free(m), free(links), free(count);
+    return left * def->thickness;
+}
+
+START_TEST(what_the_grid_cannot_see)
+{
+    PlaneDef def = small(_i % 2);
+    def.shape = _i / 2 ? MPM_GIMP : MPM_HAT;
+    def.flip_fraction = 1;
+    def.stress = PLANE_EXACT; /* rings */
+    Simulation *sim = create(&def);
+    for (int k = 0; k < 4; k++) {
+        advance(sim, 60);
+        const double null = series_now(sim, "kinetic_null"), kinetic = series_now(sim, "kinetic");
+        const double expected = null_by_gradients(sim, &def);
+        ck_assert_msg(fabs(null - expected) <= 1e-9 * kinetic, "step %ld: %.12g, not %.12g of %.6g",
+                      sim->step, null, expected, kinetic);
+        ck_assert_double_le(series_now(sim, "kinetic_grid") + null, kinetic * (1 + 1e-12));
+    }
+    ck_assert_double_gt(series_now(sim, "kinetic_null"), 1e-8 * series_now(sim, "kinetic"));
+    simulation_destroy(sim);
+}
+END_TEST
+
+/* A particle that lands on a node to the last bit leaves an empty node beside it, which must not strain it.
+ */
+START_TEST(an_empty_node_moves_with_the_beam)
+{
+    PlaneDef def = plane_default(true);
+    def.length = 0.01;
+    def.channel = 0.005;
+    def.cell_size = 0.5e-3;
+    def.shape = MPM_HAT;
+    def.flip_fraction = 1;
+    def.amplitude = 0;
+    def.end = 2e-5;
+    const PlaneDef plain = def;
+    for (int steps = 125; steps <= 500; steps *= 2) {
+        /* a quarter of a cell after so many steps */
+        def.courant = 1;
+        def.courant = 0.125e-3 / (def.speed * steps) / plane_step(&def);
+        Simulation *sim = create(&def);
+        advance(sim, steps + 5);
+        ck_assert_double_lt(series_now(sim, "total"), 1e-20);
+        simulation_destroy(sim);
+        def = plain;
+    }
+}
+END_TEST
+
+/* --- bits ------------------------------------------------------------------------------------------ */
+
+static PlaneDef variant(int number)
+{
+    PlaneDef def = small(number % 2);
+    def.algorithm = (MpmAlgorithm)(number / 2 % 3);
+    def.shape = number / 6 % 2 ? MPM_HAT : MPM_GIMP;
+    def.particles_per_cell = 2 + number / 12 % 2;
+    def.grid_velocity = def.leaves_channel && number % 5 == 0 ? def.speed : 0;
+    if (def.shape == MPM_HAT && def.algorithm == MPM_USL) /* it does not survive the first crossing */
+        def.speed = def.grid_velocity = 0;
+    return def;
+}
+
+enum { VARIANTS = 24 };
+
+static void expect_same_state(const Simulation *a, const Simulation *b, const char *when)
+{
+    const size_t size = simulation_snapshot_size(a);
+    ck_assert_uint_eq(size, simulation_snapshot_size(b));
+    unsigned char *of_a = snapshot_now(a), *of_b = snapshot_now(b);
+    ck_assert_msg(memcmp(of_a, of_b, size) == 0, "%s: states differ, step %ld stage %d", when, a->step,
+                  a->stage);
+    free(of_a);
+    free(of_b);
+}
+
+/* Forwards with rows, without, stage by stage in slices, and again from a snapshot in the middle of a step.
+ */
+START_TEST(one_run_one_set_of_bits)
+{
+    const PlaneDef def = variant(_i);
+    Simulation *straight = create(&def), *watched = create(&def), *sliced = create(&def);
+    double rows[40 * 16], row[16];
+    long done;
+    Status status;
+    advance(straight, 40);
+    ck_assert(simulation_steps(watched, 40, rows, &done, &status));
+    expect_same_state(straight, watched, "watched");
+    simulation_row(straight, row);
+    ck_assert_int_eq(memcmp(row, rows + 39 * straight->n_series, (size_t)straight->n_series * sizeof *row),
+                     0);
+    size_t items = 1;
+    while (sliced->step < 40) {
+        bool stage_done;
+        ck_assert(simulation_slice(sliced, items, &stage_done, &status));
+        items = items % 5 + 1;
+    }
+    expect_same_state(straight, sliced, "sliced");
+    for (int stage = 0; stage < sliced->n_stages; stage++) {
+        unsigned char *bytes = snapshot_now(sliced);
+        advance(sliced, 3);
+        simulation_restore(sliced, bytes);
+        free(bytes);
+        ck_assert_int_eq(sliced->stage, stage);
+        ck_assert(simulation_stage(sliced, &status));
+    }
+    advance(straight, 1);
+    expect_same_state(straight, sliced, "restored");
+    simulation_destroy(straight);
+    simulation_destroy(watched);
+    simulation_destroy(sliced);
+}
+END_TEST
+
+START_TEST(live_parameters)
+{
+    PlaneDef def = small(true);
+    Simulation *sim = create(&def);
+    Status status;
+    advance(sim, 10);
+    unsigned char *bytes = snapshot_now(sim);
+    ck_assert_int_eq(sim->n_stages, 7);
+    ck_assert(sim->method->change(sim, "mpm.algorithm", MPM_MUSL, &status));
+    ck_assert_int_eq(sim->n_stages, 9);
+    ck_assert(sim->method->change(sim, "mpm.flip_fraction", 0.5, &status));
+    ck_assert(!sim->method->change(sim, "mpm.flip_fraction", 1.5, &status));
+    ck_assert(!sim->method->change(sim, "mpm.shape", 1, &status));
+    advance(sim, 1);
+    simulation_restore(sim, bytes);
+    ck_assert_int_eq(sim->n_stages, 7);
+    free(bytes);
+    simulation_destroy(sim);
+}
+END_TEST
+
+/* --- ends ------------------------------------------------------------------------------------------ */
+
+/* The run stands at its last sound step, and says what happened. */
+static void expect_failure(const PlaneDef *def, long steps, const char *words)
+{
+    Simulation *sim = create(def);
+    Status status = {0};
+    long done;
+    ck_assert(!simulation_steps(sim, steps, NULL, &done, &status));
+    ck_assert_msg(strstr(status.text, words) != NULL, "%s", status.text);
+    ck_assert_int_eq(sim->stage, 0);
+    ck_assert_int_eq(sim->step, done);
+    const double energy = series_now(sim, "total");
+    ck_assert(isfinite(energy));
+    simulation_destroy(sim);
+}
+
+START_TEST(runs_that_fail)
+{
+    PlaneDef def = small(false);
+    def.courant = 1.75;
+    def.amplitude = 1e-12;
+    expect_failure(&def, 1000, "the energy has grown");
+    def.courant = 20;
+    expect_failure(&def, 1000, "step ");
+    def = small(true);
+    def.amplitude = 0;
+    def.end = 1e-6;
+    expect_failure(&def, 2000, "left the grid");
+    def = small(true); /* the first particle to enter a cell is all that its far nodes have */
+    def.shape = MPM_HAT;
+    def.algorithm = MPM_USL;
+    expect_failure(&def, 100, "crushed");
+}
+END_TEST
+
+START_TEST(definitions_that_are_refused)
+{
+    Status status;
+#define REFUSED(change, key)                                                                                 \
+    do {                                                                                                     \
+        PlaneDef def = small(true);                                                                          \
+        change;                                                                                              \
+        ck_assert(!plane_check(&def, &status));                                                              \
+        ck_assert_msg(strncmp(status.text, key ":", strlen(key) + 1) == 0, "%s", status.text);               \
+    } while (0)
+    REFUSED(def.poisson = 0.5, "beam.poisson");
+    REFUSED(def.poisson = -0.1, "beam.poisson");
+    REFUSED(def.cell_size = 1e-3, "mesh.cell_size");   /* five cells high */
+    REFUSED(def.cell_size = 1.3e-3, "mesh.cell_size"); /* no whole number */
+    REFUSED(def.channel = 0.0095, "mesh.cell_size");
+    REFUSED(def.channel = 0.005, "motion.channel");
+    REFUSED(def.grid_velocity = 91, "mesh.velocity");
+    REFUSED(def.particles_per_cell = 1, "mesh.particles_per_cell");
+    REFUSED(def.particles_per_cell = 9, "mesh.particles_per_cell");
+    REFUSED(def.padding = 0, "mesh.padding");
+    REFUSED(def.shape = MPM_BSPLINE2, "mpm.shape");
+    REFUSED(def.flip_fraction = 1.1, "mpm.flip_fraction");
+    REFUSED(def.courant = 0, "time.courant");
+    REFUSED(def.density = NAN, "beam.density");
+    REFUSED((def.length = 100, def.channel = 100), "mesh.cell_size");
+    PlaneDef bent = small(false);
+    bent.amplitude = 0.01;
+    ck_assert_ptr_null(plane_create(&bent, &status));
+    ck_assert_msg(strstr(status.text, "initial.amplitude") != NULL, "%s", status.text);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *test = tcase_create("plane");
+    tcase_set_timeout(test, 60);
+    tcase_add_test(test, predicted_periods);
+    tcase_add_test(test, the_run_swings_as_predicted);
+    tcase_add_loop_test(test, the_largest_step, 0, 4);
+    tcase_add_test(test, known_limits);
+    tcase_add_loop_test(test, a_guide_leaves_momentum_alone, 0, 3);
+    tcase_add_test(test, a_supported_beam_stays_symmetric);
+    tcase_add_test(test, the_sharp_invariant);
+    tcase_add_loop_test(test, what_the_grid_cannot_see, 0, 4);
+    tcase_add_test(test, an_empty_node_moves_with_the_beam);
+    tcase_add_loop_test(test, one_run_one_set_of_bits, 0, VARIANTS);
+    tcase_add_test(test, live_parameters);
+    tcase_add_test(test, runs_that_fail);
+    tcase_add_test(test, definitions_that_are_refused);
+    suite_add_tcase(suite, test);
+}
