@@ -48,8 +48,8 @@ static int open_laboratory(bool for_lesson, int count, char **arguments, Status 
                     options.last ? "--last" : "--replay");
         return (int)status->code;
     }
-    const char *first = "mode5", *word = options.n_words > 0 ? options.words[0] : NULL;
-    const char *scenario = word && !for_lesson ? word : first;
+    const char *word = options.n_words > 0 ? options.words[0] : NULL;
+    const char *scenario = word && !for_lesson ? word : scenario_unnamed;
     const char *lesson = !for_lesson ? NULL : word ? word : laboratory_all_lessons;
     if (is_slip(scenario, status) || !options_words(&options, 0, 1, "[SCENARIO]", status) ||
         !options_load(&options, scenario, &settings, status))

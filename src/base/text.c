@@ -185,3 +185,24 @@ bool text_next_word(const char **text, char *out, size_t size)
     *text += length;
     return true;
 }
+
+void text_put_xml(FILE *stream, const char *text)
+{
+    for (; *text; text++)
+        switch (*text) {
+        case '<':
+            fputs("&lt;", stream);
+            break;
+        case '>':
+            fputs("&gt;", stream);
+            break;
+        case '&':
+            fputs("&amp;", stream);
+            break;
+        case '"':
+            fputs("&quot;", stream);
+            break;
+        default:
+            fputc((unsigned char)*text < ' ' ? ' ' : *text, stream);
+        }
+}

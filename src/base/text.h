@@ -37,6 +37,9 @@ bool text_stream_close(FILE *stream, char *const *text);
  * fails. Otherwise the status says why, by errno. */
 bool text_at_end(FILE *stream, const char *name, Status *);
 
+/* Writes a text as XML has it, in an element or an attribute; a control character becomes a space. */
+void text_put_xml(FILE *stream, const char *text);
+
 /* The number of edits (insert, delete, replace, swap neighbours) between two words; for "did you mean". */
 size_t text_distance(const char *a, const char *b);
 

@@ -1,6 +1,8 @@
 /* SVG: words stay text, so that they can be searched, restyled and read aloud. */
 #include "figure/paper.h"
 
+#include "base/text.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -32,24 +34,6 @@ static void put_attribute(FILE *stream, const char *name, double value)
     fprintf(stream, " %s=\"", name);
     put_number(stream, value);
     fputc('"', stream);
-}
-
-static void put_text(FILE *stream, const char *text)
-{
-    for (; *text; text++)
-        switch (*text) {
-        case '<':
-            fputs("&lt;", stream);
-            break;
-        case '>':
-            fputs("&gt;", stream);
-            break;
-        case '&':
-            fputs("&amp;", stream);
-            break;
-        default:
-            fputc((unsigned char)*text < ' ' ? ' ' : *text, stream);
-        }
 }
 
 static void put_points(FILE *stream, const double *points, size_t count)
@@ -198,7 +182,7 @@ static void svg_text(Paper *paper, double x, double y, const char *text, const T
     if (type->align != ALIGN_LEFT)
         fprintf(stream, " text-anchor=\"%s\"", anchors[type->align]);
     fputc('>', stream);
-    put_text(stream, text);
+    text_put_xml(stream, text);
     fputs("</text>\n", stream);
 }
 
@@ -246,7 +230,7 @@ Paper *paper_svg(FILE *stream, double width, double height, const char *title, S
     fputc(' ', stream);
     put_number(stream, height);
     fputs("\">\n<title>", stream);
-    put_text(stream, title);
+    text_put_xml(stream, title);
     fputs("</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n", stream);
     return &svg->paper;
 }

@@ -132,16 +132,7 @@ void vtk_add_to_collection(FILE *stream, const char *frame_name, double time)
     char text[NUMBER_TEXT_MAX];
     text_shortest(text, time);
     fprintf(stream, "<DataSet timestep=\"%s\" part=\"0\" file=\"", text);
-    for (const char *c = slash ? slash + 1 : frame_name; *c; c++) {
-        if (*c == '&')
-            fputs("&amp;", stream);
-        else if (*c == '<')
-            fputs("&lt;", stream);
-        else if (*c == '"')
-            fputs("&quot;", stream);
-        else
-            fputc(*c, stream);
-    }
+    text_put_xml(stream, slash ? slash + 1 : frame_name);
     fputs("\"/>\n", stream);
 }
 

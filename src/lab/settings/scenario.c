@@ -20,6 +20,8 @@ typedef struct Source {
     int n_overrides;
 } Source;
 
+const char scenario_unnamed[] = "mode5";
+
 static void full_key(const Entry *entry, char out[80])
 {
     snprintf(out, 80, "%s.%s", entry->section, entry->name);

@@ -13,6 +13,8 @@ typedef struct BuiltinScenario {
     const char *text; /* the file's whole text */
 } BuiltinScenario;
 
+extern const char scenario_unnamed[]; /* the name of the one that is opened where none is named */
+
 extern const BuiltinScenario builtin_scenarios[]; /* generated; ended by a NULL name */
 
 /* A value that overrides the file's, as if it stood in its last line: from --set, --end, ... Nothing is

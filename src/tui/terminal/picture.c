@@ -184,9 +184,9 @@ static FILE *curses_output, *curses_input;
 
 static bool open_files(int input, Status *status)
 {
-    const int keyboard = fcntl(input, F_DUPFD_CLOEXEC, 0);
+    const int keyboard = input == PICTURE_NO_KEYS ? -1 : fcntl(input, F_DUPFD_CLOEXEC, 0);
     curses_output = open_memory();
-    curses_input = keyboard >= 0 ? fdopen(keyboard, "r") : NULL;
+    curses_input = input == PICTURE_NO_KEYS ? open_memory() : keyboard >= 0 ? fdopen(keyboard, "r") : NULL;
     return (curses_output && curses_input) ||
            status_fail(status, STATUS_FAILED, "not enough memory or files for the screen");
 }

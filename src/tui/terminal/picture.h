@@ -29,7 +29,9 @@ typedef struct Picture {
     size_t farewell_length;
 } Picture;
 
-/* Keys are read from `input`. `*stand_in`: the known terminal that an unknown TERM is treated as; NULL: it is
+enum { PICTURE_NO_KEYS = -1 };
+
+/* Keys are read from the descriptor `input`; PICTURE_NO_KEYS: there are none. `*stand_in`: the known terminal that an unknown TERM is treated as; NULL: it is
  * known itself. Nothing is to be sent yet. False: TERM cannot be drawn on; who closes then need not. */
 bool picture_open(Picture *, const char *term, int input, bool mouse, const char **stand_in, Status *);
 void picture_close(Picture *); /* sends nothing: see picture_leave() */

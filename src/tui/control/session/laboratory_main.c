@@ -53,7 +53,7 @@ static bool open_recording(const LaboratoryOptions *options, Session **recording
 static bool keep(const LaboratoryOptions *options, Session *recording, Status *status)
 {
     const bool sound = session_finish(recording, status);
-    char *last = options->script ? NULL : state_file(last_session);
+    char *last = options->script || options->camera ? NULL : state_file(last_session);
     Status ignored = {0};
     if (last) {
         output_make_own_folders(ASKER_COMMAND_LINE, last);
@@ -73,12 +73,15 @@ int laboratory_main(const LaboratoryOptions *given, Status *status)
     options.reached = reached;
     /* names, widths and the character set are the user's; numbers have a point everywhere */
     setlocale(LC_ALL, "");
+    /* a film has the characters of UTF-8, whatever the terminal has that asked for it */
+    if (options.camera && !setlocale(LC_CTYPE, "C.UTF-8"))
+        setlocale(LC_CTYPE, "en_US.UTF-8");
     setlocale(LC_NUMERIC, "C");
     if (!open_replay(&options, &replay, status) || !open_recording(&options, &recording, status)) {
         result = (int)status->code;
     } else {
-        result = options.script ? script_run(&options, replay, recording, status)
-                                : loop_run(&options, replay, recording, status);
+        result = options.script || options.camera ? script_run(&options, replay, recording, status)
+                                                  : loop_run(&options, replay, recording, status);
         if (session_has_keys(recording) && !keep(&options, recording, status) && result == STATUS_DONE)
             result = (int)status->code;
     }

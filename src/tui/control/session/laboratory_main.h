@@ -29,7 +29,8 @@ typedef struct LaboratoryOptions {
     int threads;    /* 0: one */
     /* Keys from this file ("-": standard input), screens to standard output; NULL: a terminal */
     const char *script;
-    int width, height; /* with a script; 0: 80x24 */
+    int width, height;     /* with a script; 0: 80x24 */
+    struct Camera *camera; /* films the script, the session or, without either, the run; NULL: none */
 } LaboratoryOptions;
 
 /* In place of a name: the list of lessons. */

@@ -4,15 +4,21 @@
 #include "base/input.h"
 #include "base/text.h"
 #include "tui/control/laboratory.h"
-#include "tui/terminal/picture.h"
 #include "tui/control/session/replay.h"
+#include "tui/film/camera.h"
+#include "tui/terminal/picture.h"
 #include "tui/terminal/theme.h"
 
 #include <langinfo.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+
+/* Keys of a script follow at once; who looks at a film of it wants to see each. */
+#define KEY_SECONDS    0.5
+#define LETTER_SECONDS 0.12
 
 enum { SCENE_KEYS = 4, LINE_BYTES_MAX = 4096, SCRIPT_BYTES_MAX = 100000000 };
 
@@ -24,9 +30,12 @@ struct Script {
     double rate; /* steps per second; 0: without limit */
     /* Real seconds that an instruction may take for work that is not cut into frames; 0: all. */
     double patience;
-    struct timespec begun; /* when the instruction began */
-    char scene[80];        /* of a lecture, under way; "": none */
-    int scene_keys;        /* that it has cost */
+    struct timespec begun;       /* when the instruction began */
+    char scene[80];              /* of a lecture, under way; "": none */
+    int scene_keys;              /* that it has cost */
+    Camera *camera;              /* NULL: nobody films */
+    double keys_seconds;         /* of the film: what keys have taken, which take no time here */
+    const SessionEvent *awaited; /* of the session that is filmed: the next key */
 };
 
 static double now(void *context)
@@ -45,6 +54,8 @@ static bool go_on(void *context)
 {
     const Script *script = context;
     struct timespec at;
+    if (script->camera && !camera_goes_on(script->camera))
+        return false;
     clock_gettime(CLOCK_MONOTONIC, &at);
     const double spent =
         (double)(at.tv_sec - script->begun.tv_sec) + 1e-9 * (double)(at.tv_nsec - script->begun.tv_nsec);
@@ -56,29 +67,54 @@ static void nothing(void *context)
     (void)context;
 }
 
+/* What the camera sees of the screen as it was drawn last. */
+static bool film(Script *script, bool must, Status *status)
+{
+    if (!script->camera)
+        return true;
+    const Experiment *experiment = script->lab.screen.experiment;
+    const long last = experiment_last_step(experiment);
+    return camera_look(
+        script->camera, &script->canvas,
+        &(CameraMoment){.seconds = script->time + script->keys_seconds,
+                        .time = experiment_time(experiment),
+                        .share = last > 0 ? (double)experiment_step(experiment) / (double)last : 0,
+                        .must = must},
+        status);
+}
+
 static bool draw(Script *script, Status *status)
 {
     if (!laboratory_draw(&script->lab, &script->canvas, script->width, script->height))
         return status_fail(status, STATUS_FAILED, "out of memory");
-    return true;
+    return film(script, false, status);
 }
 
-static void frame(Script *script)
+static bool frame(Script *script, Status *status)
 {
     double begin = script->time;
     laboratory_frame(&script->lab, begin + FRAME_SECONDS);
     if (script->time < begin + FRAME_SECONDS)
         script->time = begin + FRAME_SECONDS;
+    return !script->camera || draw(script, status);
 }
 
-static void frame_of_work(Script *script)
+static bool frame_of_work(Script *script, Status *status)
 {
-    if (script->lab.screen.playback.state == STATE_COMPUTING)
-        frame(script);
+    return script->lab.screen.playback.state != STATE_COMPUTING || frame(script, status);
+}
+
+/* Frame by frame to a time; half a frame of grace, so that rounding does not decide about a frame. */
+static bool frames_until(Script *script, double time, Status *status)
+{
+    while (script->time < time - FRAME_SECONDS / 2)
+        if (!frame(script, status))
+            return false;
+    return true;
 }
 
 /* As the event loop does it: work that a key asks for begins in the same frame, and the screen is drawn. */
-static bool press_at(Script *script, const char *name, int x, int y, Status *status)
+static bool press_at(Script *script, const char *name, int x, int y, double seconds, Status *status)
 {
     Key key = {.x = x, .y = y};
     if (script->lab.closed)
@@ -88,13 +124,13 @@ static bool press_at(Script *script, const char *name, int x, int y, Status *sta
                            script->scene, SCENE_KEYS);
     snprintf(key.name, sizeof key.name, "%s", name);
     laboratory_key(&script->lab, &key);
-    frame_of_work(script);
-    return draw(script, status);
+    script->keys_seconds += seconds;
+    return frame_of_work(script, status) && draw(script, status);
 }
 
-static bool press(Script *script, const char *name, Status *status)
+static bool press(Script *script, const char *name, double seconds, Status *status)
 {
-    return press_at(script, name, -1, -1, status);
+    return press_at(script, name, -1, -1, seconds, status);
 }
 
 /* --- instructions ----------------------------------------------------------------------------------- */
@@ -107,7 +143,7 @@ static bool do_key(Script *script, char *rest, Status *status)
             return status_fail(status, STATUS_USAGE,
                                "key: %.40s is no key (a character, Space, Enter, Esc, Up, F1, ^C, ...)",
                                name);
-        else if (!press(script, name, status))
+        else if (!press(script, name, KEY_SECONDS, status))
             return false;
     return true;
 }
@@ -118,7 +154,7 @@ static bool press_mouse(Script *script, const char *word, const char *name, cons
     char end;
     if (sscanf(rest, "%d %d%c", &x, &y, &end) != 2)
         return status_fail(status, STATUS_USAGE, "%s: a column and a row are wanted, not: %s", word, rest);
-    return press_at(script, name, x, y, status);
+    return press_at(script, name, x, y, KEY_SECONDS, status);
 }
 
 static bool do_click(Script *script, char *rest, Status *status)
@@ -139,7 +175,7 @@ static bool do_type(Script *script, char *rest, Status *status)
         while (((unsigned char)rest[length] & 0xc0) == 0x80 && length < 4)
             length++;
         snprintf(name, sizeof name, "%.*s", (int)length, rest);
-        if (!press(script, strcmp(name, " ") == 0 ? "Space" : name, status))
+        if (!press(script, strcmp(name, " ") == 0 ? "Space" : name, LETTER_SECONDS, status))
             return false;
         rest += length;
     }
@@ -162,10 +198,7 @@ static bool do_wait(Script *script, char *rest, Status *status)
     char end;
     if (sscanf(rest, "%lf%c", &seconds, &end) != 1 || seconds < 0 || seconds > 1e6)
         return status_fail(status, STATUS_USAGE, "wait: not a number of seconds: %s", rest);
-    /* half a frame of grace, so that rounding does not decide about a frame */
-    for (double until = script->time + seconds - FRAME_SECONDS / 2; script->time < until;)
-        frame(script);
-    return draw(script, status);
+    return frames_until(script, script->time + seconds, status) && draw(script, status);
 }
 
 static bool do_size(Script *script, char *rest, Status *status)
@@ -316,6 +349,7 @@ static bool open_script(Script *script, const LaboratoryOptions *options, Status
     if (!picture_choose_glyphs(options->glyphs, codeset, NULL, &glyphs))
         return status_fail(status, STATUS_USAGE, "--glyphs: unknown set '%s' (auto, braille, block or ascii)",
                            options->glyphs);
+    script->camera = options->camera;
     if (!laboratory_open(&script->lab, options, &host, status))
         return false;
     script->lab.screen.look.glyphs = glyphs;
@@ -325,6 +359,18 @@ static bool open_script(Script *script, const LaboratoryOptions *options, Status
     script->width = options->width > 0 ? options->width : 80;
     script->height = options->height > 0 ? options->height : 24;
     return true;
+}
+
+/* Until a key of a session is due the run goes on as it did then, but not beyond where the key came. */
+static bool play_until(Script *script, const SessionEvent *event, Status *status)
+{
+    if (event == script->awaited)
+        return true;
+    script->awaited = event;
+    script->lab.player.run_limit = event->on_the_way ? -1 : event->step;
+    const bool sound = frames_until(script, script->time + event->seconds, status);
+    script->lab.player.run_limit = -1;
+    return sound;
 }
 
 /* The session first, as fast as it can; the script goes on where it was left. */
@@ -338,13 +384,37 @@ static bool replay_all(Script *script, const Session *session, Status *status)
             script->width = event->width;
             script->height = event->height;
         }
-        sound = draw(script, status);
+        sound = draw(script, status) && (!script->camera || play_until(script, event, status));
         if (sound && replay_go_on(&replay, &script->lab, script->time + FRAME_SECONDS))
-            frame_of_work(script);
+            sound = frame_of_work(script, status);
     }
     if (session)
         replay_end(&replay, &script->lab);
     return sound && draw(script, status);
+}
+
+/* Without keys: the run itself, to its end or to where the camera is told to stop. */
+static bool film_run(Script *script, Status *status)
+{
+    Laboratory *lab = &script->lab;
+    const double dt = experiment_simulation(lab->screen.experiment)->dt;
+    if (script->camera->from > 0)
+        player_seek(lab, (long)fmin(ceil(script->camera->from / dt - 1e-9), 1e15), 0);
+    while (laboratory_active(lab) && experiment_time(lab->screen.experiment) <= script->camera->to)
+        if (!frame(script, status))
+            return false;
+    return true;
+}
+
+static bool play_all(Script *script, FILE *file, const char *name, const Session *replay, Status *status)
+{
+    if (!replay_all(script, replay, status) || (file && !play(script, file, name, status)))
+        return false;
+    if (!script->camera)
+        return true;
+    return (file || replay || film_run(script, status)) && draw(script, status) &&
+           film(script, true, status) &&
+           camera_end(script->camera, script->time + script->keys_seconds, status);
 }
 
 int script_play(FILE *file, const char *name, const LaboratoryOptions *options, const Session *replay,
@@ -357,8 +427,7 @@ int script_play(FILE *file, const char *name, const LaboratoryOptions *options, 
     else if (open_script(script, options, status)) {
         script->lab.recording = recording;
         session_note_start(recording, &script->lab);
-        sound = replay_all(script, replay, status);
-        sound = sound && play(script, file, name, status);
+        sound = play_all(script, file, name, replay, status);
         session_note_end(recording, &script->lab);
         laboratory_close(&script->lab);
         canvas_close(&script->canvas);
@@ -369,6 +438,8 @@ int script_play(FILE *file, const char *name, const LaboratoryOptions *options, 
 
 int script_run(const LaboratoryOptions *options, const Session *replay, Session *recording, Status *status)
 {
+    if (!options->script)
+        return script_play(NULL, NULL, options, replay, recording, status);
     if (strcmp(options->script, "-") == 0)
         return script_play(stdin, "standard input", options, replay, recording, status);
     FILE *file = input_open(options->script, SCRIPT_BYTES_MAX, status);

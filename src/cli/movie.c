@@ -1,0 +1,161 @@
+/* `matvib movie SCENARIO|SESSION|SCRIPT --output FILE`: the laboratory without a terminal, filmed. */
+#include "cli/cli.h"
+#include "cli/options.h"
+#include "cli/progress.h"
+
+#include "base/input.h"
+#include "base/output.h"
+#include "base/text.h"
+#include "tui/control/session/laboratory_main.h"
+#include "tui/control/session/script.h"
+#include "tui/film/camera.h"
+
+#include <errno.h>
+#include <math.h>
+#include <string.h>
+
+enum { SOURCE_BYTES_MAX = 200000000, LINE_BYTES_MAX = 4096 };
+
+typedef enum Source { SOURCE_WRONG, SOURCE_SCENARIO, SOURCE_SESSION, SOURCE_SCRIPT } Source;
+
+static bool is_instruction(const char *line)
+{
+    const size_t length = strcspn(line, " ");
+    for (const ScriptInstruction *row = script_instructions; row->name; row++)
+        if (strlen(row->name) == length && strncmp(line, row->name, length) == 0)
+            return true;
+    return false;
+}
+
+/* A file is what its first line says that is no comment: sessions begin with their scenario, scripts with an
+ * instruction. */
+static Source source_of(const char *word, Status *status)
+{
+    Status ignored = {0};
+    if (scenario_builtin(word))
+        return SOURCE_SCENARIO;
+    FILE *file = input_open(word, SOURCE_BYTES_MAX, status);
+    if (!file) /* scenarios have their own words about a name that is none */
+        return errno == ENOENT ? SOURCE_SCENARIO : SOURCE_WRONG;
+    InputLines lines = {.stream = file, .name = word};
+    char line[LINE_BYTES_MAX + 1] = "";
+    while (input_line(&lines, line, sizeof line, &ignored) == INPUT_LINE && (!*line || *line == '#'))
+        continue;
+    fclose(file);
+    return strncmp(line, "scenario ", 9) == 0 ? SOURCE_SESSION
+           : is_instruction(line)             ? SOURCE_SCRIPT
+                                              : SOURCE_SCENARIO;
+}
+
+/* A positive number of an option; where it is not given, what stands there already. */
+static bool read_number(const char *option, const char *text, double least, double most, double *value,
+                        Status *status)
+{
+    return !text || (text_to_double(text, value) && *value >= least && *value <= most) ||
+           status_fail(status, STATUS_USAGE, "%s: not a number from %g to %g: %.60s", option, least, most,
+                       text);
+}
+
+static bool set_up(Camera *camera, const Options *options, Status *status)
+{
+    camera->fps = camera->format->fps;
+    camera->speed = 1;
+    camera->idle = camera->to = INFINITY;
+    if (!read_number("--fps", options->fps, 0.1, 100, &camera->fps, status) ||
+        !read_number("--speed", options->speed, 1e-3, 1e6, &camera->speed, status) ||
+        !read_number("--idle", options->idle, 0, 1e6, &camera->idle, status) ||
+        !read_number("--from", options->from, 0, 1e300, &camera->from, status) ||
+        !read_number("--to", options->to, 0, 1e300, &camera->to, status))
+        return false;
+    return camera->from <= camera->to ||
+           status_fail(status, STATUS_USAGE, "--from: %g comes after --to: %g", camera->from, camera->to);
+}
+
+/* The screen of a session is as large as its largest. */
+static bool read_session(const char *file, int size[2], Status *status)
+{
+    Session *session = session_read(file, status);
+    if (!session)
+        return false;
+    const SessionEvent *event;
+    for (size_t i = 0; (event = session_event(session, i)); i++)
+        if (event->width <= SCRIPT_CELLS_MAX && event->height <= SCRIPT_CELLS_MAX) {
+            size[0] = event->width > size[0] ? event->width : size[0];
+            size[1] = event->height > size[1] ? event->height : size[1];
+        }
+    session_free(session);
+    return true;
+}
+
+static int film(const Options *options, LaboratoryOptions *laboratory, Camera *camera, Status *status)
+{
+    OutputFile file;
+    Progress progress;
+    if (!output_open(&file, ASKER_COMMAND_LINE, options->output, options->force, status))
+        return (int)status->code;
+    progress_begin(&progress, options->quiet);
+    camera->stream = file.stream;
+    camera->patience = (Patience){progress_show, &progress};
+    camera->look.title = laboratory->scenario;
+    camera->look.width = laboratory->width = laboratory->width > 0 ? laboratory->width : 80;
+    camera->look.height = laboratory->height = laboratory->height > 0 ? laboratory->height : 24;
+    laboratory->camera = camera;
+    int result = laboratory_main(laboratory, status);
+    progress_end(&progress);
+    if (result == STATUS_DONE &&
+        !(output_sound(&file, status) && output_finish(&file, status) && output_commit(&file, status)))
+        result = (int)status->code;
+    output_close(&file);
+    camera_close(camera);
+    return progress_signal() ? 128 + progress_signal() : result;
+}
+
+int cli_movie(int count, char **arguments, Status *status)
+{
+    Options options;
+    Settings settings;
+    Camera camera = {0};
+    if (!options_parse("movie", count, arguments, &options, status) ||
+        !options_words(&options, 1, 1, "SCENARIO, SESSION or SCRIPT", status))
+        return (int)status->code;
+    if (!options.output) {
+        status_fail(status, STATUS_USAGE, "movie: --output FILE is missing (FILE.cast, .svg or .gif)");
+        return (int)status->code;
+    }
+    const char *word = options.words[0];
+    const Source source = source_of(word, status);
+    if (source == SOURCE_WRONG || !(camera.format = film_format(options.output, status)) ||
+        !set_up(&camera, &options, status) || !output_may_begin(options.output, options.force, status))
+        return (int)status->code;
+    *status = (Status){0};
+    if (source == SOURCE_SESSION && (options.n_overrides > 0 || options.steps > 0 || options.script)) {
+        status_fail(status, STATUS_USAGE, "%.200s: a session has its own scenario and parameters", word);
+        return (int)status->code;
+    }
+    if (source == SOURCE_SCRIPT && options.script) {
+        status_fail(status, STATUS_USAGE, "--script: %.200s is a script already", word);
+        return (int)status->code;
+    }
+    if (source == SOURCE_SESSION && options.size[0] == 0 && !read_session(word, options.size, status))
+        return (int)status->code;
+    const char *scenario = source == SOURCE_SCENARIO ? word : scenario_unnamed;
+    if (!options_load(&options, scenario, &settings, status))
+        return (int)status->code;
+    LaboratoryOptions laboratory = {
+        .settings = &settings,
+        .scenario = scenario,
+        .replay = source == SOURCE_SESSION ? word : NULL,
+        .script = source == SOURCE_SCRIPT ? word : options.script,
+        .paused = options.paused,
+        .glyphs = options.glyphs ? options.glyphs : "braille",
+        .theme = options.theme,
+        .threads = progress_threads(options.threads),
+        .width = options.size[0],
+        .height = options.size[1],
+    };
+    camera.look.light = options.theme && strcmp(options.theme, "light") == 0;
+    const int result = film(&options, &laboratory, &camera, status);
+    if (result == STATUS_DONE && !options.quiet)
+        printf("wrote %s\n", options.output);
+    return result;
+}
