@@ -234,6 +234,8 @@ static bool print(Script *script, const char *name, bool styles, Status *status)
 {
     if (!draw(script, status))
         return false;
+    if (script->camera) /* it is in the film */
+        return true;
     char *text = styles ? canvas_dump_styles(&script->canvas) : canvas_dump(&script->canvas);
     if (!text)
         return status_fail(status, STATUS_FAILED, "out of memory");
