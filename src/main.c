@@ -135,6 +135,6 @@ int main(int count, char **arguments)
         result = STATUS_FAILED;
     }
     if (result != STATUS_DONE && *status.text)
-        text_print(stderr, "matvib: %s\n", status.text);
+        visible_print(stderr, "matvib: %s\n", status.text);
     return result;
 }

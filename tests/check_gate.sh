@@ -1,6 +1,6 @@
 #!/bin/sh
 # One gate for writing, one for reading, one door to the terminal: no other file opens, makes, renames or removes
-# files, and none puts text on standard error past text_print(). What is asked are the object files and, for what
+# files, and none puts text on standard error past visible_print(). What is asked are the object files and, for what
 # goes to standard error, the lines. CONTRIBUTING.md, "What may come from outside", says why.
 cd "${MATVIB_BUILDDIR:-.}" || exit 1
 source="${MATVIB_SRCDIR:-..}/src"

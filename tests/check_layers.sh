@@ -131,4 +131,45 @@ for layer in base physics theory lab view figure tui cli; do
 	found=$(find_circles $layer $libraries)
 	judge "$layer has no circle of files"
 done
+# Names: what a library exports begins with a word of its file's or folder's name, or with a type's that a header of the
+# folder declares (n_ before a table's): who reads a call knows where to look.
+find_strangers() { # LIBRARY...: "file name" of what does not
+	{
+		(cd "${MATVIB_SRCDIR:-..}/src" && find . -name '*.c' &&
+			find . -name '*.h' -exec grep -HE '^(} |typedef (struct|enum|union|unsigned|double)[^{(]*;|typedef (struct|enum|union) [A-Z])' {} +) |
+			sed 's/^\.\///'
+		nm -A --defined-only --extern-only "$@" 2>/dev/null
+	} | awk '
+		function word(w) { sub(/s$/, "", w); return tolower(w) }
+		function begins(name, w) { w = word(w); return w != "" && (name == w || name == w "s" || index(name, w "_") == 1 || index(name, w "s_") == 1) }
+		/^[^:]*\.c$/ { # where a file lies
+			path = $0; sub(/\.c$/, "", path)
+			file = path; sub(/.*\//, "", file)
+			paths[file] = paths[file] " " path
+			next
+		}
+		/^[^:]*\.h:/ { # a type
+			folder = $0; sub(/\/[^\/]*$/, "", folder); sub(/:.*/, "", folder); sub(/\/[^\/]*\.h$/, "", folder)
+			type = $0; sub(/^[^:]*:/, "", type); sub(/ \{.*/, "", type); sub(/;.*/, "", type); sub(/.*[ }*]/, "", type)
+			while (match(type, /[a-z][A-Z]/)) type = substr(type, 1, RSTART) "_" substr(type, RSTART + 1)
+			types[folder] = types[folder] " " type
+			next
+		}
+		NF > 2 {
+			file = $1; sub(/:[^:]*$/, "", file); sub(/.*:/, "", file); sub(/\.o$/, "", file); sub(/.*_a-/, "", file)
+			name = $NF; sub(/^n_/, "", name)
+			found = 0
+			n = split(paths[file], ways, " ")
+			for (i = 1; i <= n; i++) {
+				folder = ways[i]; sub(/\/[^\/]*$/, "", folder)
+				m = split(ways[i] types[folder], words, /[\/ ]/)
+				for (k = 1; k <= m; k++) if (begins(name, words[k])) found = 1
+				m = split(ways[i], words, /[\/_]/)
+				for (k = 1; k <= m; k++) if (begins(name, words[k])) found = 1
+			}
+			if (!found) print file ".c exports " $NF
+		}' | sort -u
+}
+found=$(find_strangers libbase.a libphysics.a $(ls libbar*.a libpd_*.a 2>/dev/null) libtheory.a liblab.a libview.a libfigure.a libtui.a libcli.a)
+judge "every exported name has its module's prefix"
 echo "1..$number"

@@ -120,7 +120,7 @@ bool output_may_begin(const char *name, bool force, Status *status)
     struct stat what;
     if (*name == '\0')
         return status_fail(status, STATUS_USAGE, "a file needs a name");
-    if (!text_is_clean(name))
+    if (!visible_is_clean(name))
         return status_fail(status, STATUS_USAGE,
                            "%s: is no name for a file (UTF-8 without control characters)", name);
     if (output_is_standard(name))
@@ -382,7 +382,7 @@ bool output_make_folder(Asker asker, const char *name, bool *made, Status *statu
     *made = false;
     if (!output_allowed(asker, name, status))
         return false;
-    if (!text_is_clean(name))
+    if (!visible_is_clean(name))
         return no_name(name, status);
     if (stat(name, &what) == 0)
         return S_ISDIR(what.st_mode) || status_fail(status, STATUS_USAGE, "%s: is no folder", name);

@@ -17,7 +17,7 @@ bool status_fail(Status *status, StatusCode code, const char *format, ...)
     status->code = code;
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    text_visible(status->text, sizeof status->text, text);
+    visible_text(status->text, sizeof status->text, text);
     return false;
 }
 
@@ -31,7 +31,7 @@ bool status_prefix(Status *status, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(prefix, sizeof prefix, format, arguments);
     va_end(arguments);
-    const size_t length = text_visible(status->text, sizeof status->text, prefix);
+    const size_t length = visible_text(status->text, sizeof status->text, prefix);
     snprintf(status->text + length, sizeof status->text - length, ": %s", text);
     return false;
 }

@@ -21,7 +21,7 @@ typedef struct Status {
 
 /* Fills the status (which may be NULL) and returns false, so that a caller writes
  * `return status_fail(status, STATUS_USAGE, "...")`. Longer text is cut; what it repeats from outside, such
- * as the name of a file, becomes visible as text_visible() does it. */
+ * as the name of a file, becomes visible as visible_text() does it. */
 bool status_fail(Status *status, StatusCode code, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

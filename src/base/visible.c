@@ -17,7 +17,7 @@ static const struct {
     {0xfff0, 0xfffb}, {0xfffe, 0xffff}, {0x1bca0, 0x1bca3}, {0x1d173, 0x1d17a}, {0xe0000, 0xe0fff},
 };
 
-bool text_hides(uint32_t character)
+bool visible_hides(uint32_t character)
 {
     for (size_t i = 0; i < sizeof hidden / sizeof *hidden; i++)
         if (character <= hidden[i].last)
@@ -49,19 +49,19 @@ static size_t sequence(const unsigned char *s, uint32_t *character)
     return n;
 }
 
-bool text_is_clean(const char *text)
+bool visible_is_clean(const char *text)
 {
     const unsigned char *s = (const unsigned char *)text;
     uint32_t character;
     for (size_t n; *s; s += n) {
         n = sequence(s, &character);
-        if (n == 0 || text_hides(character))
+        if (n == 0 || visible_hides(character))
             return false;
     }
     return true;
 }
 
-size_t text_visible(char *out, size_t size, const char *text)
+size_t visible_text(char *out, size_t size, const char *text)
 {
     const unsigned char *s = (const unsigned char *)text;
     size_t used = 0;
@@ -72,7 +72,7 @@ size_t text_visible(char *out, size_t size, const char *text)
         int length = n == 0 || character < 0x80 ? snprintf(shown, sizeof shown, "\\x%02x", *s)
                      : character < 0x10000      ? snprintf(shown, sizeof shown, "\\u%04x", character)
                                                 : snprintf(shown, sizeof shown, "\\U%08x", character);
-        if (n > 0 && !text_hides(character)) {
+        if (n > 0 && !visible_hides(character)) {
             memcpy(shown, s, n);
             length = (int)n;
         }
@@ -91,11 +91,11 @@ size_t text_visible(char *out, size_t size, const char *text)
 static void print_line(FILE *stream, const char *before, const char *text, const char *after)
 {
     char shown[4 * LINE_MOST];
-    text_visible(shown, sizeof shown, text);
+    visible_text(shown, sizeof shown, text);
     fprintf(stream, "%s%s%s", before, shown, after);
 }
 
-void text_print(FILE *stream, const char *format, ...)
+void visible_print(FILE *stream, const char *format, ...)
 {
     char text[LINE_MOST];
     va_list arguments;
@@ -109,7 +109,7 @@ void text_print(FILE *stream, const char *format, ...)
     print_line(stream, "", text, ends_line ? "\n" : "");
 }
 
-void text_progress(FILE *stream, const char *format, ...)
+void visible_progress(FILE *stream, const char *format, ...)
 {
     char text[LINE_MOST];
     va_list arguments;

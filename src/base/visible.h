@@ -7,7 +7,7 @@
  * (U+200B-200D, 2060, FEFF, ...) and for line ends other than a newline. The written form is for eyes: a
  * backslash stands for itself, so it does not always read back.
  *
- * status_fail(), the messages and questions of the laboratory and text_print() do it; who puts text from
+ * status_fail(), the messages and questions of the laboratory and visible_print() do it; who puts text from
  * outside elsewhere does it himself. Sources: Unicode 15, chapters 2.11, 23.2 to 23.4; UAX 9; ECMA-48, 8.3.
  */
 #ifndef BASE_VISIBLE_H
@@ -19,19 +19,19 @@
 #include <stdio.h>
 
 /* Whether a character would act or hide instead of being seen. */
-bool text_hides(uint32_t character);
+bool visible_hides(uint32_t character);
 
 /* Whether a text can be shown as it is: one line of UTF-8 in which no character hides. */
-bool text_is_clean(const char *text);
+bool visible_is_clean(const char *text);
 
 /* Copies a text as it can be shown; what does not fit is left out, never half of a character. `out` must not
  * overlap the text. Returns the length. What is clean stays the same. */
-size_t text_visible(char *out, size_t size, const char *text);
+size_t visible_text(char *out, size_t size, const char *text);
 
 /* Prints one line of at most 2000 bytes as it can be shown. A newline is kept at the end of the line only. */
-void text_print(FILE *, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void visible_print(FILE *, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Writes over the line that the terminal is in, for progress; "" only clears it. */
-void text_progress(FILE *, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void visible_progress(FILE *, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

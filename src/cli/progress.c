@@ -27,7 +27,7 @@ static void draw_bar(const Progress *progress, double share, double now)
         line[i] = i < full ? '#' : '.';
     line[WIDTH] = '\0';
     double left = share > 0 ? (now - progress->began) * (1 - share) / share : 0;
-    text_progress(stderr, "[%s] %3.0f %%  %.0f s left ", line, floor(100 * share), ceil(left));
+    visible_progress(stderr, "[%s] %3.0f %%  %.0f s left ", line, floor(100 * share), ceil(left));
 }
 
 void progress_begin(Progress *progress, bool quiet)
@@ -51,7 +51,7 @@ bool progress_show(double share, void *context)
 void progress_end(const Progress *progress)
 {
     if (progress->shown > 0)
-        text_progress(stderr, "%s", "");
+        visible_progress(stderr, "%s", "");
 }
 
 double progress_seconds(const Progress *progress)

@@ -61,16 +61,16 @@ typedef struct Dispersion {
     double filter;     /* F: what particle -> node -> particle leaves of the wave (APIC: Fa) */
 } Dispersion;
 
-Dispersion bar_dispersion(const BarTheory *bar, const BarMesh *mesh, double wave_number);
+Dispersion dispersion_of_bar(const BarTheory *bar, const BarMesh *mesh, double wave_number);
 
 /* Whether v_cm(t) is predicted whole: hat, fixed-free, flip_fraction 1, FLIP, USF or MUSL, no load. */
-bool bar_centre_velocity_is_predicted(const BarTheory *bar, const BarMesh *mesh);
+bool dispersion_predicts_centre_velocity(const BarTheory *bar, const BarMesh *mesh);
 
 /* The predicted v_cm at step k (t = k dt), summed over the modes. */
-double bar_predicted_centre_velocity(const BarTheory *bar, const BarMesh *mesh, long k);
+double dispersion_centre_velocity(const BarTheory *bar, const BarMesh *mesh, long k);
 
 /* The largest courant number dt c / dx at which no wave of the endless mesh grows: the least over the angles
  * of the mesh's dispersion relation. mesh->dt does not matter. (Of a bar with its ends: step_limit.h.) */
-double bar_endless_courant(const BarMesh *mesh);
+double dispersion_endless_courant(const BarMesh *mesh);
 
 #endif

@@ -1,5 +1,5 @@
 /* Frequency and decay of one wave in the material point method on the bar: what the mesh predicts
- * (bar_dispersion).
+ * (dispersion_of_bar).
  *
  * On a regular mesh whose particles have not moved, a wave of angle theta = beta dx per cell keeps its form
  * in a step, and only two numbers change: the amplitude of the particles' velocity and that of their stress.
@@ -82,7 +82,7 @@ static Response response_of(const BarMesh *mesh, const Rows *rows, double theta)
         .stiffness = stiffness, .moves = 1, .returns = returns, .kept = alpha + (1 - alpha) * returns};
 }
 
-Dispersion bar_dispersion(const BarTheory *bar, const BarMesh *mesh, double wave_number)
+Dispersion dispersion_of_bar(const BarTheory *bar, const BarMesh *mesh, double wave_number)
 {
     Dispersion wave = {.known = false, .space_only = NAN, .frequency = NAN, .decay = NAN, .filter = NAN};
     double theta = fabs(wave_number) * mesh->cell_size;
@@ -118,7 +118,7 @@ Dispersion bar_dispersion(const BarTheory *bar, const BarMesh *mesh, double wave
     return wave;
 }
 
-bool bar_centre_velocity_is_predicted(const BarTheory *bar, const BarMesh *mesh)
+bool dispersion_predicts_centre_velocity(const BarTheory *bar, const BarMesh *mesh)
 {
     bool supports = bar->left_fixed && !bar->right_fixed;
     bool method = mesh->shape == MESH_HAT && !mesh->apic && mesh->flip_fraction == 1 &&
@@ -126,7 +126,7 @@ bool bar_centre_velocity_is_predicted(const BarTheory *bar, const BarMesh *mesh)
     if (!supports || !method || bar->body_force != 0 || bar->traction != 0)
         return false;
     for (int i = 0; i < bar->n_modes; i++)
-        if (!bar_dispersion(bar, mesh, bar_wave_number(bar, bar->modes[i].number)).known)
+        if (!dispersion_of_bar(bar, mesh, bar_wave_number(bar, bar->modes[i].number)).known)
             return false;
     return true;
 }
@@ -142,7 +142,7 @@ static double predicted_mode(const BarTheory *bar, const BarMesh *mesh, int numb
 {
     double beta = bar_wave_number(bar, number);
     double theta = beta * mesh->cell_size;
-    Dispersion wave = bar_dispersion(bar, mesh, beta);
+    Dispersion wave = dispersion_of_bar(bar, mesh, beta);
     if (!(beta > 0))
         return 0;
 
@@ -166,7 +166,7 @@ static double predicted_mode(const BarTheory *bar, const BarMesh *mesh, int numb
     return offset + amplitude * cos(angle * ((double)k + half)) / cos(angle / 2);
 }
 
-double bar_predicted_centre_velocity(const BarTheory *bar, const BarMesh *mesh, long k)
+double dispersion_centre_velocity(const BarTheory *bar, const BarMesh *mesh, long k)
 {
     double sum = 0;
     for (int i = 0; i < bar->n_modes; i++)
@@ -210,7 +210,7 @@ static double refined_minimum(Endless *endless, const double angles[3], const do
     return least;
 }
 
-double bar_endless_courant(const BarMesh *mesh)
+double dispersion_endless_courant(const BarMesh *mesh)
 {
     /* a scan finds the worst angle, Brent's method its place */
     enum { ANGLES = 1024 };

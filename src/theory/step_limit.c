@@ -96,5 +96,5 @@ double step_limit_with_ends(const BarTheory *bar, const BarMesh *mesh)
 
 double step_limit(const BarTheory *bar, const BarMesh *mesh)
 {
-    return fmin(step_limit_with_ends(bar, mesh), bar_endless_courant(mesh));
+    return fmin(step_limit_with_ends(bar, mesh), dispersion_endless_courant(mesh));
 }

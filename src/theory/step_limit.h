@@ -8,7 +8,8 @@
  *     T = M_l^-1,   Z = T M (M_l + gamma M)^-1 M_l T / (1 + alpha),   gamma = (1 - alpha)/(1 + alpha)
  *
  * with M the consistent mass (bar_rest.h) and alpha the flip fraction (0 with APIC). A wave
- * in an endless mesh has its own limit (bar_endless_courant); the ends lower it by up to 40 % for B-splines.
+ * in an endless mesh has its own limit (dispersion_endless_courant); the ends lower it by up to 40 % for
+ * B-splines.
  *
  * It is the limit at rest: a node that has lost nearly all its mass to a crossing lowers it. */
 #ifndef THEORY_STEP_LIMIT_H

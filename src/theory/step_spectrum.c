@@ -353,7 +353,7 @@ static StepMode find_mode(Search *search, int number, double complex mu)
 StepMode step_mode(const BarTheory *bar, const BarMesh *mesh, int number)
 {
     const double wave_number = bar_wave_number(bar, number);
-    const Dispersion wave = bar_dispersion(bar, mesh, wave_number);
+    const Dispersion wave = dispersion_of_bar(bar, mesh, wave_number);
     StepMode mode = {.known = wave.known, .frequency = wave.frequency, .decay = wave.decay, .overlap = 1};
     const double cells = round(bar->length / mesh->cell_size);
     const bool held_cubic = mesh->shape == MESH_BSPLINE3 && (bar->left_fixed || bar->right_fixed);

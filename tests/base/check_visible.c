@@ -38,10 +38,10 @@ START_TEST(what_acts_or_hides_is_written_out)
 {
     char out[128];
     for (size_t i = 0; i < sizeof hiding / sizeof *hiding; i++) {
-        ck_assert_uint_eq(text_visible(out, sizeof out, hiding[i].text), strlen(hiding[i].shown));
+        ck_assert_uint_eq(visible_text(out, sizeof out, hiding[i].text), strlen(hiding[i].shown));
         ck_assert_str_eq(out, hiding[i].shown);
-        ck_assert_msg(!text_is_clean(hiding[i].text), "%s is taken for clean", hiding[i].shown);
-        ck_assert_msg(text_is_clean(out), "%s is not clean", out);
+        ck_assert_msg(!visible_is_clean(hiding[i].text), "%s is taken for clean", hiding[i].shown);
+        ck_assert_msg(visible_is_clean(out), "%s is not clean", out);
     }
 }
 END_TEST
@@ -52,8 +52,8 @@ START_TEST(what_is_text_stays)
                                         "Stäbe, ω = 5.65 · 10³, ⠿ ▒ 日本 \xf0\x9f\x8e\xb8", "e\xcc\x81"};
     char out[128];
     for (size_t i = 0; i < sizeof clean / sizeof *clean; i++) {
-        ck_assert(text_is_clean(clean[i]));
-        text_visible(out, sizeof out, clean[i]);
+        ck_assert(visible_is_clean(clean[i]));
+        visible_text(out, sizeof out, clean[i]);
         ck_assert_str_eq(out, clean[i]);
     }
 }
@@ -64,12 +64,12 @@ START_TEST(what_does_not_fit_is_left_out_whole)
     char out[8];
     for (size_t size = 1; size <= sizeof out; size++) {
         memset(out, '#', sizeof out);
-        const size_t length = text_visible(out, size, "a\x1b\xc3\xa4z");
+        const size_t length = visible_text(out, size, "a\x1b\xc3\xa4z");
         ck_assert_uint_lt(length, size);
         ck_assert_uint_eq(strlen(out), length);
         ck_assert_uint_eq(length, size < 6 ? size > 1 : size < 8 ? 5 : 7);
     }
-    ck_assert_uint_eq(text_visible(NULL, 0, "a"), 0);
+    ck_assert_uint_eq(visible_text(NULL, 0, "a"), 0);
 }
 END_TEST
 
@@ -87,8 +87,8 @@ START_TEST(a_printed_line_stays_one)
     char *text = NULL;
     size_t size = 0;
     FILE *stream = open_memstream(&text, &size);
-    text_print(stream, "matvib: %s\n", "x\nmatvib: all is well\r");
-    text_print(stream, "%s", "no end");
+    visible_print(stream, "matvib: %s\n", "x\nmatvib: all is well\r");
+    visible_print(stream, "%s", "no end");
     fclose(stream);
     ck_assert_str_eq(text, "matvib: x\\x0amatvib: all is well\\x0d\nno end");
     free(text);

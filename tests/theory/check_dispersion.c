@@ -14,7 +14,7 @@ static BarMesh paper_mesh(void)
 
 static Dispersion mode_on(const BarMesh *mesh, int number)
 {
-    return bar_dispersion(&paper, mesh, bar_wave_number(&paper, number));
+    return dispersion_of_bar(&paper, mesh, bar_wave_number(&paper, number));
 }
 
 static const int numbers[3] = {1, 5, 10};
@@ -142,7 +142,7 @@ START_TEST(unknown_is_said)
     mesh.dt = 0.3; /* beyond the limit for the short wave, not for the long one */
     ck_assert(mode_on(&mesh, 1).known);
     ck_assert(!mode_on(&mesh, 16).known);
-    ck_assert(!bar_dispersion(&paper, &mesh, 4).known); /* shorter than two cells */
+    ck_assert(!dispersion_of_bar(&paper, &mesh, 4).known); /* shorter than two cells */
     mesh.dt = 0;
     ck_assert(!mode_on(&mesh, 1).known);
 }
@@ -173,14 +173,14 @@ START_TEST(largest_courant)
         BarMesh mesh = paper_mesh();
         mesh.algorithm = rows[i].algorithm, mesh.shape = rows[i].shape;
         mesh.particles_per_cell = rows[i].per_cell, mesh.apic = rows[i].apic;
-        double limit = bar_endless_courant(&mesh);
+        double limit = dispersion_endless_courant(&mesh);
         ck_assert_double_eq_tol(limit, rows[i].limit, rows[i].tolerance);
         /* a little under it every wave is known, a little over it some wave is not */
         int unknown[2] = {0, 0};
         for (int over = 0; over < 2; over++)
             for (int k = 1; k <= 1000; k++) {
                 mesh.dt = limit * (over ? 1.001 : 0.999) / 10;
-                unknown[over] += !bar_dispersion(&paper, &mesh, M_PI * k / 1000).known;
+                unknown[over] += !dispersion_of_bar(&paper, &mesh, M_PI * k / 1000).known;
             }
         ck_assert_int_eq(unknown[0], 0);
         ck_assert_int_gt(unknown[1], 0);
@@ -196,8 +196,8 @@ START_TEST(centre_velocity_at_the_start)
     for (int i = 0; i < 3; i++) {
         BarTheory bar = paper;
         bar.modes[0].number = numbers[i];
-        ck_assert(bar_centre_velocity_is_predicted(&bar, &mesh));
-        ck_assert_double_eq_tol(bar_predicted_centre_velocity(&bar, &mesh, 0), starts[i], 2e-16);
+        ck_assert(dispersion_predicts_centre_velocity(&bar, &mesh));
+        ck_assert_double_eq_tol(dispersion_centre_velocity(&bar, &mesh, 0), starts[i], 2e-16);
     }
 }
 END_TEST
@@ -210,15 +210,14 @@ START_TEST(modes_add)
     three.modes[0].number = 3, three.modes[0].velocity = 0.03;
     both.n_modes = 2, both.modes[1] = three.modes[0];
     for (long k = 0; k < 500; k += 37)
-        ck_assert_double_eq_tol(bar_predicted_centre_velocity(&both, &mesh, k),
-                                bar_predicted_centre_velocity(&one, &mesh, k) +
-                                    bar_predicted_centre_velocity(&three, &mesh, k),
-                                1e-16);
+        ck_assert_double_eq_tol(
+            dispersion_centre_velocity(&both, &mesh, k),
+            dispersion_centre_velocity(&one, &mesh, k) + dispersion_centre_velocity(&three, &mesh, k), 1e-16);
     /* USF is half a step ahead of its middle, MUSL half a step behind: each other's mirror in time */
     for (long k = 0; k < 500; k += 37) {
-        double musl = bar_predicted_centre_velocity(&one, &mesh, k);
+        double musl = dispersion_centre_velocity(&one, &mesh, k);
         mesh.algorithm = MESH_USF;
-        ck_assert_double_eq_tol(bar_predicted_centre_velocity(&one, &mesh, -k), musl, 1e-15);
+        ck_assert_double_eq_tol(dispersion_centre_velocity(&one, &mesh, -k), musl, 1e-15);
         mesh.algorithm = MESH_MUSL;
     }
 }
@@ -228,23 +227,23 @@ START_TEST(predicted_only_where_it_holds)
 {
     BarMesh mesh = paper_mesh(), other;
     BarTheory bar = paper;
-    ck_assert(bar_centre_velocity_is_predicted(&bar, &mesh));
+    ck_assert(dispersion_predicts_centre_velocity(&bar, &mesh));
     other = mesh, other.algorithm = MESH_USL;
-    ck_assert(!bar_centre_velocity_is_predicted(&bar, &other));
+    ck_assert(!dispersion_predicts_centre_velocity(&bar, &other));
     other = mesh, other.shape = MESH_GIMP;
-    ck_assert(!bar_centre_velocity_is_predicted(&bar, &other));
+    ck_assert(!dispersion_predicts_centre_velocity(&bar, &other));
     other = mesh, other.flip_fraction = 0.99;
-    ck_assert(!bar_centre_velocity_is_predicted(&bar, &other));
+    ck_assert(!dispersion_predicts_centre_velocity(&bar, &other));
     other = mesh, other.apic = true;
-    ck_assert(!bar_centre_velocity_is_predicted(&bar, &other));
+    ck_assert(!dispersion_predicts_centre_velocity(&bar, &other));
     bar.body_force = 1e-3;
-    ck_assert(!bar_centre_velocity_is_predicted(&bar, &mesh));
+    ck_assert(!dispersion_predicts_centre_velocity(&bar, &mesh));
     bar = paper, bar.traction = 1e-3;
-    ck_assert(!bar_centre_velocity_is_predicted(&bar, &mesh));
+    ck_assert(!dispersion_predicts_centre_velocity(&bar, &mesh));
     bar = paper, bar.right_fixed = true;
-    ck_assert(!bar_centre_velocity_is_predicted(&bar, &mesh));
+    ck_assert(!dispersion_predicts_centre_velocity(&bar, &mesh));
     bar = paper, bar.modes[0].number = 30; /* shorter than two cells */
-    ck_assert(!bar_centre_velocity_is_predicted(&bar, &mesh));
+    ck_assert(!dispersion_predicts_centre_velocity(&bar, &mesh));
 }
 END_TEST
 

@@ -68,7 +68,7 @@ static void expect_predicted(BarCase which, double tolerance)
     BarTheory bar = theory_of(&which);
     BarMesh mesh = mesh_of(&which.def, sim->dt);
     int number = which.modes[0].number;
-    Dispersion wave = bar_dispersion(&bar, &mesh, bar_wave_number(&bar, number));
+    Dispersion wave = dispersion_of_bar(&bar, &mesh, bar_wave_number(&bar, number));
     ck_assert(wave.known);
     double error =
         measured_frequency(sim, bar.left_fixed != bar.right_fixed, wave.frequency) / wave.frequency - 1;
@@ -115,9 +115,9 @@ static void expect_centre(BarCase which)
     Simulation *sim = bar_case_create(&which);
     BarTheory bar = theory_of(&which);
     BarMesh mesh = mesh_of(&which.def, sim->dt);
-    ck_assert(bar_centre_velocity_is_predicted(&bar, &mesh));
+    ck_assert(dispersion_predicts_centre_velocity(&bar, &mesh));
     for (long k = 0; k <= STEPS; k++) {
-        double v = series_now(sim, "v_cm"), predicted = bar_predicted_centre_velocity(&bar, &mesh, k);
+        double v = series_now(sim, "v_cm"), predicted = dispersion_centre_velocity(&bar, &mesh, k);
         ck_assert_msg(fabs(v - predicted) <= 1e-6 * small, "step %ld: %.12g instead of %.12g", k, v,
                       predicted);
         if (k < STEPS)
@@ -148,7 +148,7 @@ static void expect_decay(BarCase which, double tolerance)
     Simulation *sim = bar_case_create(&which);
     BarTheory bar = theory_of(&which);
     BarMesh mesh = mesh_of(&which.def, sim->dt);
-    Dispersion wave = bar_dispersion(&bar, &mesh, bar_wave_number(&bar, which.modes[0].number));
+    Dispersion wave = dispersion_of_bar(&bar, &mesh, bar_wave_number(&bar, which.modes[0].number));
     ck_assert(wave.known);
     double sums[2] = {0, 0};
     long period = lround(2 * M_PI / wave.frequency / sim->dt);

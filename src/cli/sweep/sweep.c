@@ -139,7 +139,7 @@ static int next_combination(void *context)
 static void wipe_bar(const Sweep *sweep)
 {
     if (sweep->shown > 0)
-        text_progress(stderr, "%s", "");
+        visible_progress(stderr, "%s", "");
 }
 
 static void warn(const Sweep *sweep, const char *what, int combination, const char *why)
@@ -147,7 +147,7 @@ static void warn(const Sweep *sweep, const char *what, int combination, const ch
     char values[512];
     wipe_bar(sweep);
     sweep_plan_describe(&sweep->plan, combination, values, sizeof values);
-    text_print(stderr, "%s: %s: %s\n", what, values, why);
+    visible_print(stderr, "%s: %s: %s\n", what, values, why);
 }
 
 static bool take_result(void *context, int combination, const SweepResult *result, Status *status)
@@ -178,8 +178,8 @@ static void show_progress(void *context, double begun)
     for (int i = 0; i < WIDTH; i++)
         bar[i] = i < (int)(share * WIDTH) ? '#' : '.';
     bar[WIDTH] = '\0';
-    text_progress(stderr, "[%s] %3.0f %%  %d of %d runs  %.0f s left ", bar, floor(100 * share), sweep->ready,
-                  sweep->to_do, ceil(left));
+    visible_progress(stderr, "[%s] %3.0f %%  %d of %d runs  %.0f s left ", bar, floor(100 * share),
+                     sweep->ready, sweep->to_do, ceil(left));
 }
 
 static int run_all(Sweep *sweep, Status *status)
@@ -189,7 +189,7 @@ static int run_all(Sweep *sweep, Status *status)
         there += sweep->results[i].done;
     sweep->to_do = count - there;
     if (there > 0)
-        text_print(stderr, "%d of %d rows are in %s already\n", there, count, sweep->partial.name);
+        visible_print(stderr, "%d of %d rows are in %s already\n", there, count, sweep->partial.name);
     sweep->shows_progress = !sweep->options->quiet && isatty(STDERR_FILENO);
     sweep->began = seconds();
     SweepWork work = {.jobs = sweep->jobs,

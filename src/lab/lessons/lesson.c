@@ -230,7 +230,7 @@ static bool read_line(Reader *reader, char *line)
 {
     for (size_t length = strlen(line); length > 0 && strchr(" \t\r\n", line[length - 1]);)
         line[--length] = '\0';
-    if (!text_is_clean(line))
+    if (!visible_is_clean(line))
         return status_fail(reader->status, STATUS_USAGE, "is not text in UTF-8");
     if (*line == '#')
         return true;

@@ -152,7 +152,7 @@ static bool number_of(const Reader *reader, char *cell, double *value)
 /* A name as it can be shown. */
 static void keep_name(char out[OVERLAY_NAME_MAX], const char *name)
 {
-    text_visible(out, OVERLAY_NAME_MAX, name);
+    visible_text(out, OVERLAY_NAME_MAX, name);
 }
 
 static bool no_memory(const Reader *reader)

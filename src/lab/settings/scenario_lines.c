@@ -87,7 +87,7 @@ static bool clean_line(Reader *reader, char *raw)
     for (char *c = raw; *c; c++)
         if (*c == '\t')
             *c = ' ';
-    if (text_is_clean(raw))
+    if (visible_is_clean(raw))
         return true;
     return fail(reader, "bytes that are no text", "UTF-8 without control characters");
 }

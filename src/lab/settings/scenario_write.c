@@ -16,7 +16,7 @@
 static bool would_be_damaged(const char *text)
 {
     size_t n = strlen(text);
-    if (!text_is_clean(text) || (n > 0 && (text[0] == ' ' || text[n - 1] == ' ')))
+    if (!visible_is_clean(text) || (n > 0 && (text[0] == ' ' || text[n - 1] == ' ')))
         return true;
     for (size_t i = 0; i < n; i++)
         if ((text[i] == '#' || text[i] == ';') && (i == 0 || text[i - 1] == ' '))

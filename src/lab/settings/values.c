@@ -161,7 +161,7 @@ static bool put_text(Settings *settings, const char *key, size_t offset, size_t 
     if (strlen(text) >= size)
         return status_fail(status, STATUS_USAGE, "%s: is %zu bytes long (at most %zu)", key, strlen(text),
                            size - 1);
-    if (!text_is_clean(text))
+    if (!visible_is_clean(text))
         return status_fail(status, STATUS_USAGE, "%s: has characters that cannot be kept (one line of UTF-8)",
                            key);
     char *at = member(settings, offset);

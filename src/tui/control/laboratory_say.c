@@ -14,7 +14,7 @@ void laboratory_say(Laboratory *lab, MessageKind kind, const char *format, ...)
     char text[sizeof lab->screen.message.text];
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    text_visible(lab->screen.message.text, sizeof lab->screen.message.text, text);
+    visible_text(lab->screen.message.text, sizeof lab->screen.message.text, text);
     lab->screen.message.kind = lab->screen.message.text[0] ? kind : MESSAGE_NONE;
     lab->said_at = lab->host.now(lab->host.context);
 }

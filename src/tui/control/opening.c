@@ -87,7 +87,7 @@ void opening_begin(Laboratory *lab)
 
 void opening_name(Laboratory *lab, const char *name)
 {
-    text_visible(lab->scenario, sizeof lab->scenario, name ? name : "");
+    visible_text(lab->scenario, sizeof lab->scenario, name ? name : "");
     lab->screen.scenario = lab->scenario;
 }
 

@@ -76,14 +76,14 @@ static void tell_opening(Loop *loop)
     if (!isatty(STDERR_FILENO) || now(NULL) - loop->drawn_at < PROGRESS_SECONDS)
         return;
     loop->drawn_at = now(NULL);
-    text_progress(stderr, "%s", loop->lab.screen.message.text);
+    visible_progress(stderr, "%s", loop->lab.screen.message.text);
     loop->told = true;
 }
 
 static void forget_opening(Loop *loop)
 {
     if (loop->told)
-        text_progress(stderr, "%s", "");
+        visible_progress(stderr, "%s", "");
     loop->told = false;
 }
 

@@ -134,7 +134,7 @@ void runs_add_ghosts(Plot *plot, const Run *runs, int n_runs, const char *column
     }
 }
 
-void time_plot_letter(const Plot *plot, Area inner, const Run *run, int column)
+void run_letter_over_time(const Plot *plot, Area inner, const Run *run, int column)
 {
     const Record *record = run->record;
     if (record->count == 0)
@@ -147,7 +147,7 @@ void runs_draw_letters(const Plot *plot, Area inner, const Run *runs, int n_runs
 {
     for (int i = 0; i < n_runs; i++) {
         if (runs[i].shown)
-            time_plot_letter(plot, inner, &runs[i], run_column(&runs[i], column));
+            run_letter_over_time(plot, inner, &runs[i], run_column(&runs[i], column));
     }
 }
 

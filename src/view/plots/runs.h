@@ -51,7 +51,7 @@ void run_letter(const Run *, const Plot *, Area inner, double x, double y);
 void runs_add_ghosts(Plot *, const Run *, int n_runs, const char *column, int dots);
 
 /* The run's letter at the end of its curve over time. */
-void time_plot_letter(const Plot *, Area inner, const Run *, int column);
+void run_letter_over_time(const Plot *, Area inner, const Run *, int column);
 
 /* A letter at the end of the column's curve of every run that has one: a ghost is told by more than its faint
  * colour. */

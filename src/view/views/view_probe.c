@@ -388,7 +388,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     runs_draw_letters(&plot, inner, runs, n_ghosts, quantity->name); /* they come first */
     for (int i = 0; i < n_lines; i++)
         if (lines[i].own)
-            time_plot_letter(&plot, inner, lines[i].run, lines[i].column);
+            run_letter_over_time(&plot, inner, lines[i].run, lines[i].column);
     plot_close(&plot);
     if (under > 0)
         draw_readout(screen, area_part(area, 0, area.rect.height - under, area.rect.width, under), lines,

@@ -94,7 +94,7 @@ static bool predict(const Settings *settings, Prediction *out, Status *status)
 static double predicted_v_cm(References *refs, long step, double time, const double *row)
 {
     (void)time, (void)row;
-    return bar_predicted_centre_velocity(&bar_answers(refs)->theory, &bar_answers(refs)->mesh, step);
+    return dispersion_centre_velocity(&bar_answers(refs)->theory, &bar_answers(refs)->mesh, step);
 }
 
 static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
@@ -106,7 +106,7 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     if (!bar)
         return false;
     bar->mesh = bar_mesh_of(settings, sim->dt);
-    const bool whole = bar_centre_velocity_is_predicted(&theory, &bar->mesh);
+    const bool whole = dispersion_predicts_centre_velocity(&theory, &bar->mesh);
     /* what theory cannot predict is left out; for want of memory it must not be */
     errno = 0;
     if (!bar_prepare(refs, settings, sim, predicted_frequency, whole ? predicted_v_cm : NULL,
@@ -185,7 +185,7 @@ static int modes(const Settings *settings)
 static Dispersion wave_on_mesh(const Settings *settings, const BarTheory *theory, double wave_number)
 {
     const BarMesh mesh = bar_mesh_of(settings, bar_time_step(settings));
-    return bar_dispersion(theory, &mesh, wave_number);
+    return dispersion_of_bar(theory, &mesh, wave_number);
 }
 
 /* The lumped mesh alone, sqrt(K)/theta; particle -> node -> particle, sqrt(F); the time step. */

@@ -104,7 +104,7 @@ static void offer_files(Completion *completion, bool tables)
         const char *name = entries[i % count]->d_name;
         struct stat file;
         if ((name[0] == '.' && completion->start[folder] != '.') ||
-            (i < count) != (tables && is_table(name)) || !text_is_clean(name))
+            (i < count) != (tables && is_table(name)) || !visible_is_clean(name))
             continue;
         snprintf(path, sizeof path, "%.*s%s", (int)folder, completion->start, name);
         if (strlen(path) + 2 < sizeof path && stat(path, &file) == 0 && S_ISDIR(file.st_mode))

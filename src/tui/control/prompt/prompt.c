@@ -18,7 +18,7 @@ void prompt_ask(Prompting *prompting, Answer answer, bool yes_no, const char *te
     char question[sizeof prompt->question];
     vsnprintf(question, sizeof question, format, arguments);
     va_end(arguments);
-    text_visible(prompt->question, sizeof prompt->question, question);
+    visible_text(prompt->question, sizeof prompt->question, question);
     prompt_fill(prompting, text);
     prompting->answer = answer;
     prompting->typing = NULL;
@@ -51,7 +51,7 @@ void prompt_close(Prompting *prompting)
 
 bool prompt_refuse(Prompting *prompting, const char *why)
 {
-    text_visible(prompting->shown->problem, sizeof prompting->shown->problem, why);
+    visible_text(prompting->shown->problem, sizeof prompting->shown->problem, why);
     return false;
 }
 

@@ -64,8 +64,8 @@ Session *session_begin(const LaboratoryOptions *options, Status *status)
     }
     session->settings = *options->settings;
     session->paused = options->paused;
-    text_visible(session->scenario, sizeof session->scenario, options->scenario);
-    text_visible(session->lesson, sizeof session->lesson, options->lesson ? options->lesson : "");
+    visible_text(session->scenario, sizeof session->scenario, options->scenario);
+    visible_text(session->lesson, sizeof session->lesson, options->lesson ? options->lesson : "");
     if (options->reached)
         memcpy(session->reached, options->reached, sizeof session->reached);
     return session;
@@ -263,7 +263,7 @@ static bool read_event(char *line, bool is_end, SessionEvent *event)
     if (is_end)
         return true;
     long x = -1, y = -1;
-    if (strlen(words[NAME]) >= sizeof event->key.name || !text_is_clean(words[NAME]) ||
+    if (strlen(words[NAME]) >= sizeof event->key.name || !visible_is_clean(words[NAME]) ||
         (count == WORDS && (!text_to_long(words[X], &x) || !text_to_long(words[Y], &y) || x < 0 ||
                             x > SIZE_MOST || y < 0 || y > SIZE_MOST)))
         return false;
@@ -292,7 +292,7 @@ static bool read_line(Session *session, char *line, FILE *scenario, Status *stat
     SessionEvent event;
     if (!*line || *line == '#')
         return true;
-    if (!text_is_clean(line))
+    if (!visible_is_clean(line))
         return status_fail(status, STATUS_USAGE, "is not text in UTF-8");
     if (*line == '|') {
         if (ftell(scenario) > SCENARIO_BYTES_MAX)
