@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { HISTORY = 64 << 20, SLICE = 200 };
+enum { HISTORY = 64 << 20 };
 
 static bool interrupted(Status *status)
 {
@@ -24,10 +24,11 @@ static bool interrupted(Status *status)
 static bool advance_to(Experiment *experiment, long step, double behind, double part, Progress *progress,
                        Status *status)
 {
-    const long first = experiment_step(experiment);
+    const long first = experiment_step(experiment),
+               slice = simulation_steps_a_question(experiment_simulation(experiment));
     while (experiment_step(experiment) < step && !experiment_at_end(experiment)) {
         const long left = step - experiment_step(experiment);
-        if (!experiment_advance(experiment, left < SLICE ? left : SLICE, status))
+        if (!experiment_advance(experiment, left < slice ? left : slice, status))
             return false;
         const double share = (double)(experiment_step(experiment) - first) / (double)(step - first);
         if (!progress_show(behind + part * share, progress))
@@ -38,10 +39,11 @@ static bool advance_to(Experiment *experiment, long step, double behind, double 
 
 static bool work_off(Experiment *experiment, double behind, double part, Progress *progress, Status *status)
 {
+    const long slice = simulation_steps_a_question(experiment_simulation(experiment));
     long left, all = 0;
     while (experiment_pending(experiment, &left)) {
         all = left > all ? left : all;
-        if (!experiment_work(experiment, SLICE, status))
+        if (!experiment_work(experiment, slice, status))
             return false;
         if (!progress_show(behind + part * (1 - (double)left / (double)(all > 0 ? all : 1)), progress))
             return interrupted(status);
@@ -106,6 +108,7 @@ static bool draw_frames(Screen *screen, const View *view, const Frames *frames, 
     figure_open(&figure, options->size[0], options->size[1]);
     const bool sound = take_frames(&figure, screen, view, frames, progress, status) &&
                        take_alike(&figure, screen, view, frames, progress, status) &&
+                       (progress_show(1, progress) || interrupted(status)) &&
                        figure_write(&figure, ASKER_COMMAND_LINE, options->output, options->force, status);
     figure_close(&figure);
     return sound;
@@ -193,6 +196,11 @@ static bool draw(const Options *options, const Settings *settings, Screen *scree
     return sound;
 }
 
+static int failed_with(const Status *status)
+{
+    return progress_signal() ? 128 + progress_signal() : (int)status->code;
+}
+
 int cli_figure(int count, char **arguments, Status *status)
 {
     Options options;
@@ -219,24 +227,27 @@ int cli_figure(int count, char **arguments, Status *status)
     }
     if (!sound)
         return (int)status->code;
+    Progress progress;
+    progress_begin(&progress, options.quiet);
+    settings.patience = first.patience = (Patience){progress_show, &progress};
     Screen screen;
     screen_default(&screen);
     screen.scenario = options.words[0];
     screen.experiment = experiment_create(&first, HISTORY, progress_threads(options.threads), status);
-    if (!screen.experiment)
-        return (int)status->code;
+    if (!screen.experiment) {
+        progress_end(&progress);
+        return failed_with(status);
+    }
     screen.chosen.particle = screen_middle_particle(experiment_simulation(screen.experiment));
     if (options.list) {
         figure_names(&screen, stdout);
     } else {
-        Progress progress;
-        progress_begin(&progress, options.quiet);
         sound = draw(&options, &settings, &screen, &progress, status);
-        progress_end(&progress);
     }
+    progress_end(&progress);
     experiment_destroy(screen.experiment);
     if (!sound)
-        return progress_signal() ? 128 + progress_signal() : (int)status->code;
+        return failed_with(status);
     if (!options.list && !options.quiet)
         printf("wrote %s\n", options.output);
     return STATUS_DONE;

@@ -57,6 +57,16 @@ bool simulation_stage(Simulation *sim, Status *status)
     return simulation_slice(sim, 0, &stage_done, status);
 }
 
+long simulation_steps_a_question(const Simulation *sim)
+{
+    enum { ITEMS = 400000, STEPS_MAX = 4096 };
+    size_t largest = 1;
+    for (int set = 0; set < sim->n_sets; set++)
+        largest = sim->counts[set] > largest ? sim->counts[set] : largest;
+    const size_t steps = ITEMS / largest;
+    return steps < 1 ? 1 : steps > STEPS_MAX ? STEPS_MAX : (long)steps;
+}
+
 bool simulation_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
 {
     ASSERT_INT(count, >=, 0);

@@ -163,5 +163,21 @@ expect "another run that is the same" 2 mode1 --view probe --against initial.mod
 expect "another run that cannot be" 2 mode1 --view probe --against initial.mode=-1 --output x.svg
 result "names option and key" says err '^matvib: --against: initial.mode: '
 expect "more times than a page has room for" 2 mode1 --view profile --frames 60 --output x.svg
+
+# --- interrupted: the building, the run, and after it
+interrupt() { # NAME SECONDS ARGUMENTS...
+	name=$1 seconds=$2
+	shift 2
+	"$MATVIB" figure "$@" --output x.svg >out 2>err &
+	sleep "$seconds"
+	kill -TERM $!
+	wait $!
+	result "interrupted $name" test $? -eq 143
+	result "no file" test ! -e x.svg
+}
+interrupt "while it builds" 0.5 supported-beam --set beam.length=2 --view probe
+result "it says what was given up" says err '^matvib: .*given up$'
+interrupt "while it runs" 1 notched-beam --view beam
+result "it says so" says err '^matvib: interrupted$'
 result "nothing was left behind" sh -c 'test -z "$(ls x.* *.part 2>/dev/null)"'
 echo "1..$number"

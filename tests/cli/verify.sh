@@ -4,7 +4,6 @@
 . "$MATVIB_SRCDIR/tests/common.sh"
 subcommand=verify
 
-echo 1..12
 expect "figure 3 of the bar is reproduced" 0 M-fig3
 result "it names the figure" says out '^M-fig3  mode 5'
 result "it tells theory, measurement and reference" says out 'error of omega, % *-4.239 *-4.239  -4.240..-4.238  *yes$'
@@ -17,3 +16,17 @@ expect "an unknown name is bad usage" 2 M-fig1
 result "one line says what is allowed" lines err 1
 result "which line" says err '^matvib: verify: unknown name "M-fig1" (.*--list'
 expect "an unknown option is bad usage" 2 --fast
+
+# --- interrupted, in the middle of a run of some ten seconds
+"$MATVIB" verify P-fig10 --full >out 2>err &
+for try in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
+	test -s out && break
+	sleep 0.1
+done
+sleep 0.1
+kill -TERM $!
+wait $!
+result "a signal ends it with its status" test $? -eq 143
+result "and it says so" says err '^matvib: verify: interrupted after 0 rows$'
+result "without counts" sh -c '! grep -q "^ours:" out'
+echo "1..$number"

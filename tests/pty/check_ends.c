@@ -255,6 +255,55 @@ START_TEST(a_signal_during_the_reading_of_an_overlay_ends_it)
 }
 END_TEST
 
+static void ends_by_signal(Session *session, int number)
+{
+    const double begin = seconds();
+    kill(session->child, number);
+    ck_assert_int_eq(session_exit(session), 128 + number);
+    ck_assert_double_lt(seconds() - begin, 2);
+    session_check_restored(session);
+}
+
+/* A beam ten times as long takes seconds to build. */
+START_TEST(a_building_shows_how_far_it_is_and_can_be_given_up)
+{
+    static const char *const keys[] = {"\033", "\003", NULL};
+    Session session;
+    session_open(&session, 80, 24, NULL, (const char *const[]){matvib(), "supported-beam", "--paused", NULL});
+    session_idle(&session);
+    session_send(&session, ":beam.length=2\r");
+    session_wait_for(&session, "building the run: ");
+    if (!keys[_i]) {
+        ends_by_signal(&session, SIGXCPU);
+    } else {
+        session_send(&session, keys[_i]);
+        session_wait_for(&session, "given up");
+        session_idle(&session);
+        ck_assert(session_shows(&session, ": beam.length=2")); /* for another value */
+    }
+    session_close(&session);
+}
+END_TEST
+
+/* Points of a study are worked out one after another while their view is shown. */
+START_TEST(a_study_shows_how_far_it_is_and_can_be_stopped)
+{
+    static const char *const keys[] = {"\033", "\003", NULL};
+    Session session;
+    session_open(&session, 80, 24, NULL, (const char *const[]){matvib(), "supported-beam", "--paused", NULL});
+    session_idle(&session);
+    session_send(&session, ":show convergence\r");
+    session_wait_for(&session, "   Esc stops");
+    if (!keys[_i]) {
+        ends_by_signal(&session, SIGHUP);
+    } else {
+        session_send(&session, keys[_i]);
+        session_wait_for(&session, "stopped; show the view again");
+    }
+    session_close(&session);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("ends");
@@ -269,5 +318,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, a_signal_before_the_first_picture_ends_it_too);
     tcase_add_test(tcase, a_signal_during_an_export_leaves_no_file);
     tcase_add_test(tcase, a_signal_during_the_reading_of_an_overlay_ends_it);
+    tcase_add_loop_test(tcase, a_building_shows_how_far_it_is_and_can_be_given_up, 0, 3);
+    tcase_add_loop_test(tcase, a_study_shows_how_far_it_is_and_can_be_stopped, 0, 3);
     suite_add_tcase(suite, tcase);
 }

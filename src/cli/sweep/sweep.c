@@ -121,6 +121,7 @@ static void run_combination(void *context, int combination, RunProgress progress
     if (sweep->options->steps > 0 &&
         !sweep_plan_load(&sweep->plan, sweep->options, combination, true, &settings, why))
         return;
+    settings.patience = (Patience){progress, progress_context};
     double began = seconds();
     if (export_run(&settings, &(Outputs){0}, sweep->threads, progress, progress_context, &summary, why))
         sweep_result_of(&summary, &settings, seconds() - began, result);

@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "base/threads.h"
 #include "cli/options.h"
+#include "cli/progress.h"
 #include "cli/verify/verify_runner.h"
 
 #include <string.h>
@@ -66,6 +67,17 @@ static bool is_named(const Options *options, const VerifyCheck *check)
     return false;
 }
 
+/* Whether a check is to be run, and whether with the rows of --full. */
+static bool is_wanted(const Options *options, const VerifyCheck *check)
+{
+    return options->n_words ? is_named(options, check) : options->full || rows_to_run(check, false) > 0;
+}
+
+static bool is_whole(const Options *options, const VerifyCheck *check)
+{
+    return options->full || (is_named(options, check) && rows_to_run(check, false) == 0);
+}
+
 /* --- running ------------------------------------------------------------------------------------- */
 
 /* What a run without --full did not do, so that it is not taken for the whole. */
@@ -98,13 +110,16 @@ int verify_main(int count, char **arguments, FILE *out, Status *status)
         list_checks(out);
         return STATUS_DONE;
     }
-    Verify verify = {.out = out, .threads = threads_default(false)};
-    for (int i = 0; (check = check_of(i)) != NULL && !ferror(out); i++) { /* none for a pipe that is closed */
-        const bool named = is_named(&options, check), whole = rows_to_run(check, false) == 0;
-        if (options.n_words ? named : options.full || !whole)
-            verify_check_run(&verify, check, options.full || (named && whole));
-    }
-    if (!options.full)
+    Progress progress;
+    progress_begin(&progress, false);
+    Verify verify = {.out = out, .threads = threads_default(false), .progress = &progress};
+    for (int i = 0; (check = check_of(i)) != NULL; i++)
+        verify.to_do += is_wanted(&options, check) ? rows_to_run(check, is_whole(&options, check)) : 0;
+    for (int i = 0; (check = check_of(i)) != NULL && !ferror(out) && !progress_signal();
+         i++) /* none for a pipe that is closed */
+        if (is_wanted(&options, check))
+            verify_check_run(&verify, check, is_whole(&options, check));
+    if (!options.full && !progress_signal())
         print_left_out(&options, out);
     return verify_end(&verify, status);
 }

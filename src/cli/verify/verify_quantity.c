@@ -86,7 +86,7 @@ double quantity_longer_than(VerifyRun *run, const VerifyRow *row)
 {
     VerifyRun shorter;
     double percent = NAN;
-    if (verify_run_open(&shorter, row->other, run->threads))
+    if (verify_run_open(&shorter, row->other, run->threads, run->settings.patience))
         percent = 100 * (run->readout.measured / shorter.readout.measured - 1);
     verify_run_close(&shorter);
     return percent;
@@ -308,7 +308,7 @@ static bool crosses(const Settings *settings, bool *out, Status *status)
 {
     Simulation *sim = problem_simulate(settings, 1, status);
     bool sound =
-        sim && simulation_steps(sim, problem_last_step(sim->dt, settings->time.end), NULL, NULL, status);
+        sim && verify_steps(settings, sim, problem_last_step(sim->dt, settings->time.end), 1, status);
     *out = false;
     for (int i = 0; sound && i < sim->n_events; i++)
         *out = *out || sim->events[i].kind == EVENT_CROSSING;
@@ -342,7 +342,7 @@ static bool stays_bounded(const Settings *settings, bool *bounded, Status *statu
     simulation_row(sim, row);
     double start = row[total];
     Status stopped; /* a run that blows up may stop by itself: that is the answer, not a failure */
-    *bounded = simulation_steps(sim, STEPS, NULL, NULL, &stopped);
+    *bounded = verify_steps(settings, sim, STEPS, 1, &stopped);
     simulation_row(sim, row);
     *bounded = *bounded && row[total] < 100 * start;
     simulation_destroy(sim);
@@ -386,7 +386,7 @@ double quantity_energy_after_steps(VerifyRun *run, const VerifyRow *row)
         int total = simulation_find_series(sim, "total");
         simulation_row(sim, values);
         double start = values[total];
-        if (simulation_steps(sim, (long)row->to, NULL, NULL, &run->failure)) {
+        if (verify_steps(&settings, sim, (long)row->to, 1, &run->failure)) {
             simulation_row(sim, values);
             ratio = values[total] / start;
         }

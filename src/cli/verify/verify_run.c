@@ -24,6 +24,18 @@ bool verify_settings(const char *scenario, Settings *settings, Status *status)
     return scenario_load_with(name, overrides, count, settings, status);
 }
 
+bool verify_steps(const Settings *settings, Simulation *sim, long steps, double share, Status *status)
+{
+    const long block = simulation_steps_a_question(sim);
+    for (long left = steps; left > 0; left -= block) {
+        if (!patience_lasts(&settings->patience, share))
+            return status_fail(status, STATUS_FAILED, "interrupted");
+        if (!simulation_steps(sim, left < block ? left : block, NULL, NULL, status))
+            return false;
+    }
+    return true;
+}
+
 /* Steps, and after every `every`-th a row. Columns that need the past want a row of every step: those between
  * are overwritten by the next. */
 static bool fill_rows(VerifyRun *run, long every, Status *status)
@@ -35,18 +47,20 @@ static bool fill_rows(VerifyRun *run, long every, Status *status)
         double *row = run->rows + (size_t)((step + every - 1) / every) * (size_t)run->n_columns;
         simulation_row(run->sim, method_row);
         references_row(run->refs, step, (double)step * run->sim->dt, method_row, row);
-        sound = step == last || simulation_steps(run->sim, stride, NULL, NULL, status);
+        sound = step == last ||
+                verify_steps(&run->settings, run->sim, stride, (double)step / (double)last, status);
     }
     free(method_row);
     return sound;
 }
 
-bool verify_run_open(VerifyRun *run, const char *scenario, int threads)
+bool verify_run_open(VerifyRun *run, const char *scenario, int threads, Patience patience)
 {
     Status *status = &run->failure;
     *run = (VerifyRun){.scenario = scenario, .threads = threads};
     if (!verify_settings(scenario, &run->settings, status))
         return false;
+    run->settings.patience = patience;
     run->sim = problem_simulate(&run->settings, threads, status);
     run->refs = run->sim ? problem_references(&run->settings, run->sim, status) : NULL;
     if (!run->refs)

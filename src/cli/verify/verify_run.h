@@ -23,9 +23,13 @@ typedef struct VerifyRun {
     Status failure; /* why there is no run; code STATUS_DONE: there is */
 } VerifyRun;
 
+/* As simulation_steps(), asking the patience of the settings on the way; `share` of the run is done before.
+ */
+bool verify_steps(const Settings *, Simulation *, long steps, double share, Status *);
+
 /* Runs a scenario: its name and KEY=VALUE ... behind, parted by spaces; rows every output.every steps. False:
  * the run's failure says why. The run is closed in any case by verify_run_close(). */
-bool verify_run_open(VerifyRun *, const char *scenario, int threads);
+bool verify_run_open(VerifyRun *, const char *scenario, int threads, Patience);
 void verify_run_close(VerifyRun *);
 
 /* The settings alone. */

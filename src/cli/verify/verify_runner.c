@@ -73,18 +73,30 @@ static bool same_run(const VerifyRun *run, const char *scenario)
     return run->scenario && strcmp(run->scenario, scenario) == 0;
 }
 
+static bool show_progress(double share, void *context)
+{
+    const Verify *verify = context;
+    const double done = (double)(verify->reproduced + verify->missed) + share;
+    return progress_show(done / (double)verify->to_do, verify->progress);
+}
+
 static void run_row(Verify *verify, const VerifyRow *row, const char *scenario)
 {
     VerifyRun *run = &verify->run;
     if (!same_run(run, scenario)) {
         verify_run_close(run);
-        verify_run_open(run, scenario, verify->threads);
+        const Patience patience = {verify->progress ? show_progress : NULL, verify};
+        verify_run_open(run, scenario, verify->threads, patience);
     }
     double measured = NAN, theory = NAN;
     if (run->failure.code == STATUS_DONE) {
         measured = row->quantity(run, row);
         theory = row->theory ? row->theory(run, row) : NAN;
     }
+    if (progress_signal())
+        return;
+    if (verify->progress)
+        progress_end(verify->progress);
     bool reproduced = verify_reproduces(row, measured, theory);
     Agreement agreement = verify_agreement(&row->paper, measured);
     print_row(verify->out, row, measured, theory, reproduced);
@@ -102,11 +114,14 @@ void verify_check_run(Verify *verify, const VerifyCheck *check, bool full)
     const char *scenario = NULL;
     fprintf(verify->out, "%s  %s\n", check->name, check->title);
     print_head(verify->out);
-    for (int i = 0; i < check->n_rows && !ferror(verify->out); i++) {
+    fflush(verify->out);
+    for (int i = 0; i < check->n_rows && !ferror(verify->out) && !progress_signal(); i++) {
         scenario = check->rows[i].scenario ? check->rows[i].scenario : scenario;
         if (full || !check->rows[i].full)
             run_row(verify, &check->rows[i], scenario);
     }
+    if (progress_signal())
+        return;
     fprintf(verify->out, check->note ? "  %s\n\n" : "\n", check->note);
 }
 
@@ -114,6 +129,12 @@ int verify_end(Verify *verify, Status *status)
 {
     verify_run_close(&verify->run);
     long all = verify->reproduced + verify->missed;
+    if (progress_signal()) {
+        if (verify->progress)
+            progress_end(verify->progress);
+        status_fail(status, STATUS_FAILED, "verify: interrupted after %ld rows", all);
+        return 128 + progress_signal();
+    }
     if (ferror(verify->out))
         return STATUS_DONE; /* not all was run; closing the stream reports the error */
     fprintf(verify->out,

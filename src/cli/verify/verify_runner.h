@@ -3,6 +3,7 @@
 #ifndef CLI_VERIFY_RUNNER_H
 #define CLI_VERIFY_RUNNER_H
 
+#include "cli/progress.h"
 #include "cli/verify/verify_checks.h"
 
 #include <stdio.h>
@@ -11,18 +12,20 @@
 typedef struct Verify {
     FILE *out;
     int threads;
-    VerifyRun run; /* the last one, which following rows may use again */
+    Progress *progress; /* NULL: not shown, and nothing stops it */
+    long to_do;         /* rows, for the progress */
+    VerifyRun run;      /* the last one, which following rows may use again */
     long reproduced, missed;
     long papers[AGREEMENTS];
 } Verify;
 
 /* Runs the rows of a check, with --full all of them, and prints each. A run that cannot be made is a miss of
- * its rows. */
+ * its rows. After a signal nothing more is run or printed. */
 void verify_check_run(Verify *, const VerifyCheck *, bool full);
 
 /* The last line, with both counts, and the exit status: 1, with a status that says so, if anything was
  * missed; what differs from the paper is only printed. 0 where nothing can be written any more: closing
- * the stream reports that. */
+ * the stream reports that. 128 + n after signal n. */
 int verify_end(Verify *, Status *);
 
 #endif

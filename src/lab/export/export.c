@@ -44,12 +44,7 @@ static long next_stop(const Export *export, bool *every_row)
     long every = export->settings->output.every, next = changes_next(export->settings, sim->step);
     long count = export->last - sim->step;
     *every_row = every == 1 || references_memory(export->refs) > 0;
-    /* a large lattice, or a bar with much mesh around it, is left often enough to be interrupted */
-    size_t largest = 1;
-    for (int set = 0; set < sim->n_sets; set++)
-        largest = sim->counts[set] > largest ? sim->counts[set] : largest;
-    long block = 400000 / (long)largest;
-    count = least(count, block < 1 ? 1 : block > BLOCK ? BLOCK : block);
+    count = least(least(count, BLOCK), simulation_steps_a_question(sim));
     if (!*every_row)
         count = least(count, every - sim->step % every);
     if (next != LONG_MAX)

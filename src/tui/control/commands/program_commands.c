@@ -62,7 +62,7 @@ void command_interrupt(Laboratory *lab)
         laboratory_say(lab, MESSAGE_INFO, "cancelled");
     } else if (lab->screen.prompt.open && lab->prompting.answer == answer_quit)
         lab->closed = true; /* whoever presses it twice means it */
-    else if (!command_close_top(lab))
+    else if (!refining_stop(lab) && !command_close_top(lab))
         command_quit(lab);
 }
 
