@@ -80,13 +80,6 @@ static void destroy(Simulation *sim)
     free(beam);
 }
 
-bool beam_go_on(Beam *beam, double share, Status *status)
-{
-    if (!beam->given_up)
-        beam->given_up = !patience_lasts(&beam->def.patience, share);
-    return !beam->given_up || status_fail(status, STATUS_FAILED, "the building of the beam was given up");
-}
-
 /* Zeroed, aligned to a cache line. NULL: no memory, or given up on the way, for gigabytes take their time. */
 static void *zeroed(Beam *beam, size_t bytes)
 {

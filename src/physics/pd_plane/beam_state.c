@@ -95,3 +95,10 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
     return status_fail(status, STATUS_USAGE,
                        "%s: cannot change in mid-run (load.stress and pd.critical_stretch can)", key);
 }
+
+bool beam_go_on(Beam *beam, double share, Status *status)
+{
+    if (!beam->given_up)
+        beam->given_up = !patience_lasts(&beam->def.patience, share);
+    return !beam->given_up || status_fail(status, STATUS_FAILED, "the building of the beam was given up");
+}
