@@ -10,7 +10,8 @@
  *     @ask QUESTION         then two to four choices, one of them right:
  *     @choice TEXT          @right TEXT
  *     @reveal               what follows, text and @do, waits for the answer
- *     @until CONDITION      step N | time T | stage N | end | command NAME | value KEY VALUE */
+ *     @until CONDITION      step N | time T | end | crossing | break | event | stage N | command NAME
+ *                           | value KEY VALUE: the goal of the page */
 #ifndef LAB_LESSON_H
 #define LAB_LESSON_H
 
@@ -33,6 +34,7 @@ typedef enum UntilKind {
     UNTIL_TIME,    /* number */
     UNTIL_STAGE,   /* in the middle of a step, so many of its stages: number */
     UNTIL_END,     /* of the run */
+    UNTIL_EVENT,   /* something happens to it: word, of stop_event_words */
     UNTIL_COMMAND, /* a command of that name has been used: word */
     UNTIL_VALUE    /* a parameter has a value: word, value */
 } UntilKind;

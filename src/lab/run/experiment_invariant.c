@@ -42,5 +42,6 @@ bool experiment_invariant(Experiment *experiment, double *now, double *start)
     }
     *now = known->now;
     *start = known->start;
-    return known->step == sim->step && isfinite(*now) && isfinite(*start);
+    /* within a step: whether it was looked at before the step must not be seen */
+    return known->step == sim->step && sim->stage == 0 && isfinite(*now) && isfinite(*start);
 }

@@ -225,6 +225,7 @@ static void take_key(Laboratory *lab, const Key *key)
 
 void laboratory_key(Laboratory *lab, const Key *key)
 {
+    lesson_entry_note(lab, key);
     take_key(lab, key);
     lesson_play_continue(lab);
 }

@@ -226,23 +226,28 @@ static double period_seconds(const Readout *readout, double period, double end)
     return fmin(fmax(LATE_SECONDS / periods, SHORTEST_SECONDS), PERIOD_SECONDS);
 }
 
+double player_pace_for(double steps, double seconds)
+{
+    const double pace = steps / (seconds / FRAME_SECONDS);
+    /* whole steps per frame look steady; below one it is frames per step that are counted */
+    return pace >= 1 ? round(pace) : pace > 0 ? 1 / round(1 / pace) : 1;
+}
+
 void player_choose_pace(Screen *screen)
 {
     Experiment *experiment = screen->experiment;
     const Readout *readout = experiment_readout(experiment);
     double dt = experiment_simulation(experiment)->dt;
-    double frames = 1, steps = 0;
+    double seconds = 1, steps = 0;
     if (readout->moving && readout->exact_known && readout->exact > 0) {
         const double period = readout->is_period ? readout->exact : tau / readout->exact;
         const double end = dt * (double)experiment_last_step(experiment);
-        frames = period_seconds(readout, period, end) / FRAME_SECONDS;
+        seconds = period_seconds(readout, period, end);
         steps = period / dt;
     }
     if (!(steps > 0) || !isfinite(steps)) {
-        frames = RUN_SECONDS / FRAME_SECONDS;
+        seconds = RUN_SECONDS;
         steps = (double)experiment_last_step(experiment);
     }
-    double pace = steps / frames;
-    /* whole steps per frame look steady; below one it is frames per step that are counted */
-    screen->playback.pace = pace >= 1 ? round(pace) : pace > 0 ? 1 / round(1 / pace) : 1;
+    screen->playback.pace = player_pace_for(steps, seconds);
 }

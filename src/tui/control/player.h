@@ -47,6 +47,7 @@ void player_drop_part(Player *);
 /* So many steps a frame that one exact period lasts 3 s; where the run comes to be half a period late, that it
  * is so within ten seconds, as far as the eye can follow; a run without a period, 15 s as a whole. */
 void player_choose_pace(Screen *);
+double player_pace_for(double steps, double seconds); /* so many steps in so many seconds; looks steady */
 double player_next_125(double value, int direction); /* the next number of 1, 2, 5, 10, ... above or below */
 
 /* The state after a change: at the end, failed, computing, ... */

@@ -122,8 +122,9 @@ static void draw_caption(const Screen *screen, Area area)
 
     int last = rows - 1, y = 1;
     char text[256];
-    char hint[96];
-    hint_of(screen, hint, sizeof hint);
+    char hint[96] = "";
+    if (!screen->lesson.open)
+        hint_of(screen, hint, sizeof hint);
     if (hint[0] && last > y)
         area_text(area, 1, last--, hint, STYLE_FAINT);
     int count;

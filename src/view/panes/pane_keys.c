@@ -87,6 +87,12 @@ static int offers_of(const Screen *screen, const Offer **offers)
         {COMMAND_HELP, COMMAND_NONE, NULL},           {COMMAND_QUIT, COMMAND_NONE, NULL},
         {COMMAND_STEP_FORWARD, COMMAND_NONE, NULL},   {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
     };
+    static const Offer lesson_stages[] = {
+        {COMMAND_PAGE_UP, COMMAND_PAGE_DOWN, "page"}, {COMMAND_STAGE_BACK, COMMAND_STAGE_FORWARD, "stage"},
+        {COMMAND_INSPECT, COMMAND_NONE, NULL},        {COMMAND_LESSONS, COMMAND_NONE, "close"},
+        {COMMAND_HELP, COMMAND_NONE, NULL},           {COMMAND_QUIT, COMMAND_NONE, NULL},
+        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
+    };
     static const Offer lecture[] = {
         {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL}, {COMMAND_STAGE_BACK, COMMAND_STAGE_FORWARD, "stage"},
         {COMMAND_LEFT, COMMAND_RIGHT, "change"}, {COMMAND_LECTURE, COMMAND_NONE, "small"},
@@ -116,6 +122,9 @@ static int offers_of(const Screen *screen, const Offer **offers)
             GIVE(lessons);
         if (shown->lesson->pages[shown->page].n_fields > 0)
             GIVE(lesson_fields);
+        if (shown->lesson->pages[shown->page].until.kind == UNTIL_STAGE ||
+            shown->lesson->pages[shown->page].until.kind == UNTIL_STEP)
+            GIVE(lesson_stages);
         GIVE(lesson);
     }
     if (screen->playback.state == STATE_RUNNING) {
@@ -136,6 +145,8 @@ static const char *short_key(const Screen *screen, const char *key)
 {
     static const char *const shorter[][3] = {
         {"Left", "←", "<-"}, {"Right", "→", "->"}, {"Up", "↑", "Up"}, {"Down", "↓", "Down"}};
+    if (screen->lesson.open && screen->lesson.lesson && strncmp(key, "Page", 4) == 0)
+        return key[4] == 'U' ? "b" : "n"; /* not every keyboard has the other ones */
     for (size_t i = 0; i < sizeof shorter / sizeof *shorter; i++)
         if (strcmp(key, shorter[i][0]) == 0)
             return shorter[i][screen->look.glyphs == GLYPHS_ASCII ? 2 : 1];

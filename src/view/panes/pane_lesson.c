@@ -116,29 +116,33 @@ static void footer_text(const Screen *screen, char *out, size_t size)
     else if (until->kind != UNTIL_NOTHING && !shown->met)
         switch (until->kind) {
         case UNTIL_STEP:
-            snprintf(out, size, "goes on from step %.0f", until->number);
+            snprintf(out, size, "] to the end of step %.0f", until->number);
             break;
         case UNTIL_TIME:
             screen_time_text(screen, until->number, time, sizeof time);
-            snprintf(out, size, "goes on from %s", time);
+            snprintf(out, size, "Space runs to %s", time);
+            break;
+        case UNTIL_EVENT:
+            snprintf(out, size, "Space runs to a%s %s", strchr("aeiou", until->word[0]) ? "n" : "", until->word);
             break;
         case UNTIL_STAGE:
-            snprintf(out, size, "goes on after stage %.0f", until->number);
+            snprintf(out, size, "] to stage %.0f", until->number);
             break;
         case UNTIL_COMMAND:
-            snprintf(out, size, "goes on after %s", key);
+            snprintf(out, size, "press %s", key);
             break;
         case UNTIL_VALUE:
-            snprintf(out, size, "goes on with %s %s", parameter ? parameter->label : until->word,
-                     until->value);
+            snprintf(out, size, "set %s to %s", parameter ? parameter->label : until->word, until->value);
             break;
         default:
-            snprintf(out, size, "goes on at the end of the run");
+            snprintf(out, size, "Space runs to the end");
         }
     else if (shown->page + 1 == shown->lesson->n_pages)
-        snprintf(out, size, "the end   T closes the lesson");
+        snprintf(out, size, "the end   n next lesson   T closes");
+    else if (page->n_fields > 0 && until->kind == UNTIL_NOTHING)
+        snprintf(out, size, "n goes on   b back");
     else
-        snprintf(out, size, "%sPageDown goes on", until->kind != UNTIL_NOTHING ? "done   " : "");
+        snprintf(out, size, "%sEnter goes on   b back", until->kind != UNTIL_NOTHING ? "done   " : "");
 }
 
 /* Heading and footer. */

@@ -101,12 +101,14 @@ void command_right(Laboratory *lab)
 
 void command_page_up(Laboratory *lab)
 {
-    move(lab, 0, -1, 10);
+    if (!lesson_play_turn(lab, -1))
+        move(lab, 0, -1, 10);
 }
 
 void command_page_down(Laboratory *lab)
 {
-    move(lab, 0, 1, 10);
+    if (!lesson_play_turn(lab, 1))
+        move(lab, 0, 1, 10);
 }
 
 void command_enter(Laboratory *lab)
@@ -127,6 +129,8 @@ void command_enter(Laboratory *lab)
             return;
         player_pause(lab);
         player_seek(lab, step, 0);
+    } else if (lesson_entry_page(lab)) {
+        lesson_play_enter(lab);
     }
 }
 

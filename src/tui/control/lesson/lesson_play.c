@@ -7,171 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int *reached_of(Laboratory *lab)
-{
-    for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
-        if (strcmp(builtin_lessons[i].name, lab->play.name) == 0)
-            return &lab->screen.lesson.reached[i];
-    return NULL;
-}
-
-/* --- what a page does ------------------------------------------------------------------------------- */
-
-static const LessonPage *page_now(const LessonShown *shown)
-{
-    return shown->open && shown->lesson ? &shown->lesson->pages[shown->page] : NULL;
-}
-
-static void queue_part(LessonPlay *play, const LessonPart *part)
-{
-    for (int i = 0; i < part->n_actions && play->n_queue < LESSON_QUEUE_MAX; i++)
-        play->queue[play->n_queue++] = part->actions[i];
-}
-
-static void run_action(Laboratory *lab, const char *action)
-{
-    const CommandSet used = lab->play.used;
-    const bool changed = lab->editing.changed; /* quitting does not ask about what the lesson changes */
-    const bool opens = strncmp(action, "open ", 5) == 0;
-    const Asker user = lab->asker;
-    lab->asker = ASKER_LESSON;
-    const bool done = lab->run_line(lab, action);
-    lab->asker = user;
-    if (!done)
-        laboratory_say(lab, MESSAGE_ERROR, "%s: %s", action, lab->screen.prompt.problem);
-    else if (opens)
-        player_pause(lab); /* a page is read before it is run */
-    lab->play.used = used;
-    lab->editing.changed = lab->editing.changed && changed;
-}
-
-static bool has_value(const Laboratory *lab, const LessonUntil *until)
-{
-    const Settings *now = experiment_settings(lab->screen.experiment);
-    const Parameter *parameter = parameter_find(until->word);
-    Settings wanted = *now;
-    char is[LIST_MAX], should_be[LIST_MAX];
-    if (!settings_set(&wanted, until->word, until->value, NULL))
-        return false;
-    settings_get(now, parameter, is);
-    settings_get(&wanted, parameter, should_be);
-    return strcmp(is, should_be) == 0;
-}
-
-static bool is_met(const Laboratory *lab, const LessonUntil *until)
-{
-    const Experiment *experiment = lab->screen.experiment;
-    const Command *command = until->kind == UNTIL_COMMAND ? command_by_name(until->word) : NULL;
-    switch (until->kind) {
-    case UNTIL_NOTHING:
-        return true;
-    case UNTIL_STEP:
-        return (double)experiment_step(experiment) >= until->number;
-    case UNTIL_TIME:
-        return experiment_time(experiment) >= until->number;
-    case UNTIL_STAGE:
-        return (double)experiment_stage(experiment) >= until->number;
-    case UNTIL_END:
-        return experiment_at_end(experiment);
-    case UNTIL_COMMAND:
-        return !command || command_set_has(&lab->play.used, command->id);
-    case UNTIL_VALUE:
-        return has_value(lab, until);
-    }
-    return true;
-}
-
-void lesson_play_continue(Laboratory *lab)
-{
-    LessonPlay *play = &lab->play;
-    if (play->busy)
-        return;
-    play->busy = true;
-    while (play->next < play->n_queue && lab->screen.playback.state != STATE_COMPUTING)
-        run_action(lab, play->queue[play->next++]);
-    const LessonPage *page = page_now(&lab->screen.lesson);
-    if (page && play->next == play->n_queue && !lab->screen.lesson.met)
-        lab->screen.lesson.met = is_met(lab, &page->until);
-    play->busy = false;
-}
-
-/* --- pages ------------------------------------------------------------------------------------------ */
-
-static bool opens_scenario(const LessonPage *page)
-{
-    return page->first.n_actions > 0 && strncmp(page->first.actions[0], "open ", 5) == 0;
-}
-
-/* The row of the parameter pane that the arrows change, so that fields beside a text work as they do there.
- */
-static void select_field(Laboratory *lab, const char *key)
-{
-    ParameterRow rows[PARAMETER_ROWS_MAX];
-    lab->screen.parameters.filter[0] = '\0';
-    const int count = screen_parameter_rows(&lab->screen, rows);
-    for (int i = 0; i < count; i++)
-        if (rows[i].parameter && strcmp(rows[i].parameter->key, key) == 0)
-            lab->screen.parameters.selected = i;
-}
-
-/* Turns to a page. What it shows rests on what the pages before it did since the last that opened a scenario;
- * whoever does not come from the page before needs all of that. */
-static void show_page(Laboratory *lab, int page)
-{
-    LessonShown *shown = &lab->screen.lesson;
-    LessonPlay *play = &lab->play;
-    int from = page;
-    const bool goes_on = play->next == play->n_queue && page == shown->page + 1;
-    while (!goes_on && from > 0 && !opens_scenario(&shown->lesson->pages[from]))
-        from--;
-    play->n_queue = play->next = 0;
-    for (; from < page; from++) {
-        queue_part(&lab->play, &shown->lesson->pages[from].first);
-        queue_part(&lab->play, &shown->lesson->pages[from].revealed);
-    }
-    queue_part(&lab->play, &shown->lesson->pages[page].first);
-    shown->page = page;
-    shown->answer = -1;
-    shown->scroll = 0;
-    shown->met = false;
-    play->used = (CommandSet){{0}};
-    play->warned = false;
-    play->asker = lab->asker;
-    int *reached = reached_of(lab);
-    if (reached && *reached < page + 1)
-        *reached = page + 1;
-    lab->screen.panes.focus = PANE_PARAMETERS;
-    lesson_play_continue(lab);
-    const LessonPage *now = page_now(&lab->screen.lesson);
-    if (now->n_fields > 0)
-        select_field(lab, now->fields[0]);
-}
-
-static void turn_page(Laboratory *lab, int direction)
-{
-    LessonShown *shown = &lab->screen.lesson;
-    const LessonPage *page = page_now(&lab->screen.lesson);
-    const bool open_question = page->question && shown->answer < 0;
-    if (direction > 0 && (open_question || !shown->met) && !lab->play.warned) {
-        lab->play.warned = true; /* pressed again, the key leaves the page out */
-        laboratory_say(lab, MESSAGE_INFO, "%s; PageDown again leaves it out",
-                       open_question ? "the question waits for an answer" : "this page waits for something");
-    } else if (shown->page + direction >= 0 && shown->page + direction < shown->lesson->n_pages) {
-        show_page(lab, shown->page + direction);
-    } else {
-        laboratory_say(lab, MESSAGE_INFO,
-                       direction > 0 ? "that was the last page; T closes the lesson"
-                                     : "this is the first page");
-    }
-}
-
-static void take_answer(Laboratory *lab, int choice)
-{
-    lab->screen.lesson.answer = choice;
-    lab->play.warned = false;
-    queue_part(&lab->play, &page_now(&lab->screen.lesson)->revealed);
-}
-
 /* --- opening and closing ---------------------------------------------------------------------------- */
 
 static void forget_lesson(Laboratory *lab)
@@ -200,11 +35,11 @@ bool lesson_play_open(Laboratory *lab, const char *name, Status *status)
     shown->open = true;
     shown->lesson = &lab->play.lesson;
     shown->page = -1;
-    const int *reached = reached_of(lab);
+    const int *reached = lesson_entry_reached(lab);
     const int page = reached && *reached > 1 && *reached < lesson.n_pages ? *reached - 1 : 0;
-    show_page(lab, page);
+    lesson_entry_show(lab, page);
     if (page > 0)
-        laboratory_say(lab, MESSAGE_INFO, "you had come to page %d; PageUp turns back", page + 1);
+        laboratory_say(lab, MESSAGE_INFO, "you had come to page %d; b turns back", page + 1);
     return true;
 }
 
@@ -233,13 +68,6 @@ bool lesson_play_answer(Laboratory *lab, const char *text)
     return lesson_play_open(lab, text, &status) || prompt_refuse(&lab->prompting, status.text);
 }
 
-/* --- keys ------------------------------------------------------------------------------------------- */
-
-static int digit_of(const Key *key)
-{
-    return key->name[0] >= '1' && key->name[0] <= '9' && !key->name[1] ? key->name[0] - '1' : -1;
-}
-
 static void open_from_list(Laboratory *lab, int lesson)
 {
     Status status = {STATUS_DONE, ""};
@@ -250,6 +78,59 @@ static void open_from_list(Laboratory *lab, int lesson)
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
 }
 
+/* --- pages ------------------------------------------------------------------------------------------ */
+
+/* At the end of a lesson comes the next one, after the last the list; a file has none. */
+static void open_next(Laboratory *lab)
+{
+    int next = 0;
+    while (builtin_lessons[next].name && strcmp(builtin_lessons[next].name, lab->play.name) != 0)
+        next++;
+    const bool known = builtin_lessons[next].name != NULL;
+    const bool more = known && ++next < screen_lesson_count();
+    if (!known) {
+        laboratory_say(lab, MESSAGE_INFO, "that was the last page; T closes the lesson");
+        return;
+    }
+    lesson_play_close(lab);
+    lesson_play_toggle(lab);
+    if (more)
+        open_from_list(lab, next);
+}
+
+/* `unasked`: whatever the page waits for. */
+static void turn_page(Laboratory *lab, int direction, bool unasked)
+{
+    LessonShown *shown = &lab->screen.lesson;
+    const LessonPage *page = lesson_entry_page(lab);
+    const bool open_question = page->question && shown->answer < 0;
+    if (direction > 0 && !unasked && (open_question || !shown->met) && !lab->play.warned) {
+        lab->play.warned = true; /* pressed again, the key leaves the page out */
+        laboratory_say(lab, MESSAGE_INFO, "%s; n goes on without",
+                       open_question ? "the question waits for an answer" : "this page waits for something");
+    } else if (shown->page + direction < 0) {
+        laboratory_say(lab, MESSAGE_INFO, "this is the first page");
+    } else if (shown->page + direction == shown->lesson->n_pages) {
+        open_next(lab);
+    } else {
+        lesson_entry_show(lab, shown->page + direction);
+    }
+}
+
+static void take_answer(Laboratory *lab, int choice)
+{
+    lab->screen.lesson.answer = choice;
+    lab->play.warned = false;
+    lesson_entry_reveal(lab);
+}
+
+/* --- keys ------------------------------------------------------------------------------------------- */
+
+static int digit_of(const Key *key)
+{
+    return key->name[0] >= '1' && key->name[0] <= '9' && !key->name[1] ? key->name[0] - '1' : -1;
+}
+
 bool lesson_play_click(Laboratory *lab, int x, int y)
 {
     const int lesson = screen_lesson_at(&lab->screen, lab->width, lab->height, x, y);
@@ -258,23 +139,53 @@ bool lesson_play_click(Laboratory *lab, int x, int y)
     return lesson >= 0;
 }
 
+/* What the page offers comes first: its question, then its field until it has the value. */
 void lesson_play_enter(Laboratory *lab)
 {
-    const LessonPage *page = page_now(&lab->screen.lesson);
+    const LessonShown *shown = &lab->screen.lesson;
+    const LessonPage *page = lesson_entry_page(lab);
+    const bool waits = page && page->n_fields > 0 && (page->until.kind == UNTIL_NOTHING || !shown->met);
     if (!page)
-        open_from_list(lab, lab->screen.lesson.chosen);
-    else if (page->n_fields > 0)
+        open_from_list(lab, shown->chosen);
+    else if (page->question && shown->answer < 0)
+        laboratory_say(lab, MESSAGE_INFO, "a number answers the question: 1 to %d; n goes on without",
+                       page->n_choices);
+    else if (waits)
         edit_begin(lab);
-    else if (page->question && lab->screen.lesson.answer < 0)
-        laboratory_say(lab, MESSAGE_INFO, "a number answers the question: 1 to %d", page->n_choices);
     else
-        laboratory_say(lab, MESSAGE_INFO, "there is no field on this page; PageDown and PageUp turn pages");
+        turn_page(lab, 1, false);
+}
+
+/* Under a page that is read stage by stage a run would carry off what it speaks of: Space does the next
+ * stage, or says how to go on. */
+static void step_for_space(Laboratory *lab)
+{
+    const LessonPage *page = lesson_entry_page(lab);
+    if (page->question && lab->screen.lesson.answer < 0)
+        laboratory_say(lab, MESSAGE_INFO, "a number answers the question: 1 to %d", page->n_choices);
+    else if (page->until.kind == UNTIL_NOTHING || lab->screen.lesson.met)
+        laboratory_say(lab, MESSAGE_INFO, "this step is looked at: n goes on");
+    else
+        laboratory_command(lab, COMMAND_STAGE_FORWARD);
+}
+
+bool lesson_play_turn(Laboratory *lab, int direction)
+{
+    if (!lesson_entry_page(lab) || lab->screen.panes.focus != PANE_PARAMETERS)
+        return false;
+    turn_page(lab, direction, false);
+    return true;
 }
 
 bool lesson_play_key(Laboratory *lab, const Key *key)
 {
+    static const struct {
+        const char *key;
+        int direction;
+        bool unasked;
+    } turns[] = {{"n", 1, true}, {"b", -1, true}, {"PageDown", 1, false}, {"PageUp", -1, false}};
     const LessonShown *shown = &lab->screen.lesson;
-    const LessonPage *page = page_now(&lab->screen.lesson);
+    const LessonPage *page = lesson_entry_page(lab);
     const int digit = digit_of(key);
     if (!shown->open)
         return false;
@@ -282,13 +193,21 @@ bool lesson_play_key(Laboratory *lab, const Key *key)
         open_from_list(lab, digit);
         return true;
     }
-    if (page && page->question && shown->answer < 0 && digit >= 0) {
+    if (!page)
+        return false;
+    if (page->question && shown->answer < 0 && digit >= 0) {
         if (digit < page->n_choices)
             take_answer(lab, digit);
         return true;
     }
-    if (page && (strcmp(key->name, "PageDown") == 0 || strcmp(key->name, "PageUp") == 0)) {
-        turn_page(lab, key->name[4] == 'D' ? 1 : -1);
+    for (size_t i = 0; i < sizeof turns / sizeof *turns; i++)
+        if (strcmp(key->name, turns[i].key) == 0) {
+            turn_page(lab, turns[i].direction, turns[i].unasked);
+            return true;
+        }
+    const bool stops = lab->screen.playback.state != STATE_RUNNING && lesson_entry_is_stepping(lab);
+    if (stops && strcmp(key->name, "Space") == 0) {
+        step_for_space(lab);
         return true;
     }
     return false;
@@ -297,7 +216,7 @@ bool lesson_play_key(Laboratory *lab, const Key *key)
 void lesson_play_move(Laboratory *lab, int x, int y)
 {
     LessonShown *shown = &lab->screen.lesson;
-    const LessonPage *page = page_now(&lab->screen.lesson);
+    const LessonPage *page = lesson_entry_page(lab);
     if (x) {
         if (page && page->n_fields > 0)
             edit_nudge(lab, x);
@@ -316,7 +235,7 @@ void lesson_play_move(Laboratory *lab, int x, int y)
             at++;
         at += y < 0 ? -1 : 1;
         if (at >= 0 && at < page->n_fields)
-            select_field(lab, page->fields[at]);
+            lesson_entry_select(lab, page->fields[at]);
         return;
     }
     shown->scroll = to < 0 ? 0 : to > most ? most : to;

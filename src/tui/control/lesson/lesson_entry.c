@@ -1,0 +1,408 @@
+/* The state in which a page of a lesson is entered, and its goal. */
+#include "tui/control/laboratory.h"
+#include "tui/control/lesson/lesson_entry.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define GOAL_SECONDS 8.0 /* in which a page runs to its goal, to be looked at */
+#define EVENT_PACE   0.2 /* steps a frame at most, where nobody knows how far it is */
+#define HURRY_PACE   1e6 /* steps a frame, for what nobody looks at */
+
+const LessonPage *lesson_entry_page(const Laboratory *lab)
+{
+    const LessonShown *shown = &lab->screen.lesson;
+    return shown->open && shown->lesson ? &shown->lesson->pages[shown->page] : NULL;
+}
+
+/* --- goals ------------------------------------------------------------------------------------------ */
+
+/* What the run is to stop at for it. The end of a run needs no stop. */
+static Stop goal_stop(const Laboratory *lab, const LessonUntil *until)
+{
+    Stop stop = {.kind = STOP_NEVER};
+    if (until->kind == UNTIL_TIME)
+        stop = (Stop){.kind = STOP_AT_TIME, .time = until->number};
+    else if (until->kind == UNTIL_STEP)
+        stop = (Stop){.kind = STOP_AT_STEP, .step = (long)until->number};
+    else if (until->kind == UNTIL_EVENT && !stop_read(&stop, until->word, lab->screen.experiment, NULL))
+        stop.kind = STOP_NEVER;
+    return stop;
+}
+
+/* The first event of the page's kind behind the place where it was opened, as far as the run has come; -1: none. */
+static long event_step(const Laboratory *lab, const Stop *stop)
+{
+    int count;
+    const Event *events = experiment_events(lab->screen.experiment, &count);
+    for (int i = 0; i < count; i++)
+        if (events[i].step > lab->play.step && events[i].step <= experiment_step(lab->screen.experiment) &&
+            stop->events >> events[i].kind & 1)
+            return events[i].step;
+    return -1;
+}
+
+/* The whole step at which the goal is a place of the run; -1: it is none, or not known. */
+static long goal_step(const Laboratory *lab, const LessonUntil *until)
+{
+    const Stop stop = goal_stop(lab, until);
+    const long last = experiment_last_step(lab->screen.experiment);
+    const long step = until->kind == UNTIL_END     ? last
+                      : stop.kind == STOP_AT_EVENT ? event_step(lab, &stop)
+                                                   : stop_step(&stop, lab->screen.experiment);
+    return step < last ? step : last;
+}
+
+static bool has_value(const Laboratory *lab, const LessonUntil *until)
+{
+    const Settings *now = experiment_settings(lab->screen.experiment);
+    const Parameter *parameter = parameter_find(until->word);
+    Settings wanted = *now;
+    char is[LIST_MAX], should_be[LIST_MAX];
+    if (!settings_set(&wanted, until->word, until->value, NULL))
+        return false;
+    settings_get(now, parameter, is);
+    settings_get(&wanted, parameter, should_be);
+    return strcmp(is, should_be) == 0;
+}
+
+static bool is_met(const Laboratory *lab, const LessonUntil *until)
+{
+    const Experiment *experiment = lab->screen.experiment;
+    const Command *command = until->kind == UNTIL_COMMAND ? command_by_name(until->word) : NULL;
+    switch (until->kind) {
+    case UNTIL_NOTHING:
+        return true;
+    case UNTIL_STEP:
+    case UNTIL_TIME:
+    case UNTIL_END:
+    case UNTIL_EVENT:
+        return goal_step(lab, until) >= 0 && experiment_step(experiment) >= goal_step(lab, until);
+    case UNTIL_STAGE:
+        return (double)experiment_stage(experiment) >= until->number;
+    case UNTIL_COMMAND:
+        return !command || command_set_has(&lab->play.used, command->id);
+    case UNTIL_VALUE:
+        return has_value(lab, until);
+    }
+    return true;
+}
+
+/* Where a page's goal leaves the run. What was only to be looked at, a command, leaves nothing behind. */
+static void goal_place(const Laboratory *lab, const LessonUntil *until, long *step, int *stage)
+{
+    if (until->kind == UNTIL_STAGE) {
+        *stage = (int)until->number;
+    } else if (goal_step(lab, until) >= 0) {
+        *step = goal_step(lab, until);
+        *stage = 0;
+    }
+}
+
+/* --- what a page does ------------------------------------------------------------------------------- */
+
+static bool is_run(const LessonAction *action)
+{
+    return action->line && strcmp(action->line, "run-pause") == 0;
+}
+
+static void run_line(Laboratory *lab, const char *line)
+{
+    const bool changed = lab->editing.changed; /* quitting does not ask about what the lesson changes */
+    const CommandSet used = lab->play.used, hinted = lab->screen.used;
+    const Asker user = lab->asker;
+    lab->asker = ASKER_LESSON;
+    const bool done = lab->run_line(lab, line);
+    lab->asker = user;
+    if (!done)
+        laboratory_say(lab, MESSAGE_ERROR, "%s: %s", line, lab->screen.prompt.problem);
+    else if (strncmp(line, "open ", 5) == 0)
+        player_pause(lab); /* a page is read before it is run */
+    lab->play.used = used;
+    lab->screen.used = hinted;
+    lab->editing.changed = lab->editing.changed && changed;
+}
+
+static void run_action(Laboratory *lab, const LessonAction *action)
+{
+    const LessonUntil *goal = action->goal;
+    char line[KEY_MAX + VALUE_MAX + 8];
+    if (is_run(action) && lab->screen.playback.state == STATE_RUNNING)
+        return; /* it would pause */
+    if (action->line) {
+        run_line(lab, action->line);
+    } else if (goal->kind == UNTIL_VALUE) {
+        snprintf(line, sizeof line, "set %s %s", goal->word, goal->value);
+        run_line(lab, line);
+    } else if (goal->kind == UNTIL_EVENT) {
+        const Stop stop = goal_stop(lab, goal);
+        lab->play.step = experiment_step(lab->screen.experiment);
+        lab->play.hurries = true;
+        lab->screen.playback.pace = HURRY_PACE;
+        lab->player.resume = STATE_RUNNING;
+        player_stop_at(lab, &stop);
+        player_settle(lab);
+    } else {
+        long step = experiment_step(lab->screen.experiment);
+        int stage = 0;
+        goal_place(lab, goal, &step, &stage);
+        player_seek(lab, step, stage);
+    }
+}
+
+/* Where the page begins its reader's part: from here a goal is run to, so fast that one can follow. */
+static void arrive(Laboratory *lab)
+{
+    LessonPlay *play = &lab->play;
+    Screen *screen = &lab->screen;
+    const LessonUntil *until = &lesson_entry_page(lab)->until;
+    const Stop stop = goal_stop(lab, until);
+    play->arriving = false;
+    play->step = experiment_step(screen->experiment);
+    play->stage = experiment_stage(screen->experiment);
+    player_stop_at(lab, &stop);
+    if (!lab->player.pace_automatic)
+        return;
+    player_choose_pace(screen);
+    const long way = goal_step(lab, until) - play->step;
+    if (way > 0)
+        screen->playback.pace = player_pace_for((double)way, GOAL_SECONDS);
+    else if (until->kind == UNTIL_EVENT)
+        screen->playback.pace = fmin(screen->playback.pace, EVENT_PACE);
+}
+
+/* Whether the run is on its way to where it should be. */
+static bool is_on_the_way(const Laboratory *lab)
+{
+    const RunState state = lab->screen.playback.state;
+    return state == STATE_COMPUTING || (lab->play.hurries && state == STATE_RUNNING);
+}
+
+void lesson_play_continue(Laboratory *lab)
+{
+    LessonPlay *play = &lab->play;
+    const LessonPage *page = lesson_entry_page(lab);
+    LessonShown *shown = &lab->screen.lesson;
+    if (play->busy)
+        return;
+    play->busy = true;
+    while (play->next < play->n_queue && !is_on_the_way(lab)) {
+        play->hurries = false;
+        if (page && play->next == play->n_queue - 1 && is_run(&play->queue[play->next]))
+            arrive(lab); /* where it stands before it runs */
+        run_action(lab, &play->queue[play->next++]);
+    }
+    if (page && play->arriving && play->next == play->n_queue && !is_on_the_way(lab))
+        arrive(lab);
+    if (page && !play->arriving && !shown->met)
+        shown->met = is_met(lab, &page->until);
+    play->busy = false;
+}
+
+/* --- the state of a page ---------------------------------------------------------------------------- */
+
+static bool opens(const char *line)
+{
+    return strncmp(line, "open ", 5) == 0;
+}
+
+/* Only goes to a place of the run, whatever the place before it was. */
+static bool is_move(const LessonAction *action)
+{
+    if (!action->line)
+        return action->goal->kind == UNTIL_STEP || action->goal->kind == UNTIL_TIME ||
+               action->goal->kind == UNTIL_END;
+    return line_meaning(action->line).kind == LINE_PLACE || strncmp(action->line, "goto ", 5) == 0;
+}
+
+static bool is_look(const LessonAction *action)
+{
+    return action->line &&
+           (strncmp(action->line, "show ", 5) == 0 || strncmp(action->line, "particle ", 9) == 0);
+}
+
+/* A way that nobody goes any more is left out; an opening makes all before it void. */
+static void queue_action(LessonPlay *play, LessonAction action)
+{
+    const bool in_step = action.goal && action.goal->kind == UNTIL_STAGE;
+    if (action.line && opens(action.line))
+        play->n_queue = 0;
+    for (int i = play->n_queue - 1; i >= 0 && (is_move(&action) || in_step); i--) {
+        LessonAction *before = &play->queue[i];
+        const bool stage = before->goal && before->goal->kind == UNTIL_STAGE;
+        if (stage || (!in_step && is_move(before)))
+            memmove(before, before + 1, (size_t)(--play->n_queue - i) * sizeof *before);
+        else if (!is_look(before))
+            break;
+    }
+    if (play->n_queue < LESSON_QUEUE_MAX)
+        play->queue[play->n_queue++] = action;
+}
+
+static void queue_part(LessonPlay *play, const LessonPart *part, bool with_run)
+{
+    for (int i = 0; i < part->n_actions; i++) {
+        const LessonAction action = {.line = part->actions[i]};
+        if (with_run || !is_run(&action))
+            queue_action(play, action);
+    }
+}
+
+static void queue_goal(LessonPlay *play, const LessonUntil *until)
+{
+    if (until->kind != UNTIL_NOTHING && until->kind != UNTIL_COMMAND)
+        queue_action(play, (LessonAction){.goal = until});
+}
+
+static bool has_opening(const LessonPart *part)
+{
+    for (int i = 0; i < part->n_actions; i++)
+        if (opens(part->actions[i]))
+            return true;
+    return false;
+}
+
+/* The page from which on the state has to be made. */
+static int first_needed(const Lesson *lesson, int page)
+{
+    if (has_opening(&lesson->pages[page].first))
+        return page;
+    while (page > 0) {
+        const LessonPage *before = &lesson->pages[--page];
+        if (has_opening(&before->first) || has_opening(&before->revealed))
+            return page;
+    }
+    return 0;
+}
+
+static bool is_back(const Laboratory *lab, const LessonPart *part)
+{
+    for (int i = 0; i < part->n_actions; i++) {
+        const LessonAction action = {.line = part->actions[i]};
+        double time;
+        if (is_move(&action) && (sscanf(action.line, "%*[a-z] %lf", &time) != 1 ||
+                                 time < experiment_time(lab->screen.experiment)))
+            return true;
+    }
+    return false;
+}
+
+/* Whether the run is just what this page leaves to the next one. */
+static bool is_left_well(const Laboratory *lab, const LessonPage *page, const LessonPage *next)
+{
+    const Experiment *experiment = lab->screen.experiment;
+    const LessonPlay *play = &lab->play;
+    long step = play->step;
+    int stage = play->stage;
+    if (!page || play->touched || play->arriving || play->next < play->n_queue)
+        return false;
+    if (page->question && lab->screen.lesson.answer < 0 && page->revealed.n_actions > 0)
+        return false;
+    if (page->until.kind == UNTIL_VALUE || page->until.kind == UNTIL_STEP)
+        return false; /* other values before it, or its last stage, are seen still */
+    goal_place(lab, &page->until, &step, &stage);
+    return experiment_step(experiment) == step && experiment_stage(experiment) == stage &&
+           experiment_newest(experiment) == step && !experiment_failed(experiment, NULL) &&
+           !is_back(lab, &next->first);
+}
+
+int *lesson_entry_reached(Laboratory *lab)
+{
+    for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
+        if (strcmp(builtin_lessons[i].name, lab->play.name) == 0)
+            return &lab->screen.lesson.reached[i];
+    return NULL;
+}
+
+static void queue_page(Laboratory *lab, int page)
+{
+    const LessonShown *shown = &lab->screen.lesson;
+    const LessonPage *pages = shown->lesson->pages;
+    LessonPlay *play = &lab->play;
+    const bool goes_on = shown->page >= 0 && page == shown->page + 1 &&
+                         is_left_well(lab, lesson_entry_page(lab), &pages[page]);
+    play->n_queue = play->next = 0;
+    for (int i = goes_on ? page : first_needed(shown->lesson, page); i < page; i++) {
+        queue_part(play, &pages[i].first, false);
+        queue_part(play, &pages[i].revealed, false);
+        queue_goal(play, &pages[i].until);
+    }
+    queue_part(play, &pages[page].first, true);
+}
+
+/* The row of the parameter pane that the arrows change, so that fields beside a text work as they do there.
+ */
+void lesson_entry_select(Laboratory *lab, const char *key)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    lab->screen.parameters.filter[0] = '\0';
+    const int count = screen_parameter_rows(&lab->screen, rows);
+    for (int i = 0; i < count; i++)
+        if (rows[i].parameter && strcmp(rows[i].parameter->key, key) == 0)
+            lab->screen.parameters.selected = i;
+}
+
+void lesson_entry_show(Laboratory *lab, int page)
+{
+    Screen *screen = &lab->screen;
+    LessonShown *shown = &screen->lesson;
+    LessonPlay *play = &lab->play;
+    player_pause(lab);
+    queue_page(lab, page);
+    shown->page = page;
+    shown->answer = -1;
+    shown->scroll = 0;
+    shown->met = false;
+    play->arriving = true;
+    play->touched = false;
+    play->used = (CommandSet){{0}};
+    play->warned = false;
+    play->asker = lab->asker;
+    int *reached = lesson_entry_reached(lab);
+    if (reached && *reached < page + 1)
+        *reached = page + 1;
+    screen->panes.zoomed = screen->panes.inspecting = screen->playback.at_limit = false;
+    screen->panes.focus = PANE_PARAMETERS;
+    screen->playback.rate = 0;
+    lab->player.pace_automatic = true;
+    play->hurries = false;
+    lesson_play_continue(lab);
+    const LessonPage *now = lesson_entry_page(lab);
+    if (now->n_fields > 0)
+        lesson_entry_select(lab, now->fields[0]);
+}
+
+void lesson_entry_reveal(Laboratory *lab)
+{
+    LessonPlay *play = &lab->play;
+    play->n_queue -= play->next;
+    memmove(play->queue, play->queue + play->next, (size_t)play->n_queue * sizeof *play->queue);
+    play->next = 0;
+    queue_part(play, &lesson_entry_page(lab)->revealed, true);
+    play->arriving = true;
+}
+
+bool lesson_entry_is_stepping(const Laboratory *lab)
+{
+    const LessonPage *page = lesson_entry_page(lab);
+    return page && (page->until.kind == UNTIL_STAGE || page->until.kind == UNTIL_STEP || lab->play.stage > 0);
+}
+
+void lesson_entry_note(Laboratory *lab, const Key *key)
+{
+    static const CommandId harmless[] = {
+        COMMAND_RUN_PAUSE, COMMAND_STEP_FORWARD,  COMMAND_STEP_FORWARD_TEN, COMMAND_STAGE_FORWARD,
+        COMMAND_STEP_BACK, COMMAND_STEP_BACK_TEN, COMMAND_STAGE_BACK,       COMMAND_FASTER,
+        COMMAND_SLOWER,    COMMAND_ENTER,         COMMAND_PAGE_UP,          COMMAND_PAGE_DOWN,
+        COMMAND_NARROWER,  COMMAND_REDRAW};
+    const LessonPage *page = lesson_entry_page(lab);
+    const Command *command = command_by_key(key->name);
+    const bool answers = page && page->question && lab->screen.lesson.answer < 0 && key->name[0] >= '1' &&
+                         key->name[0] < '1' + page->n_choices && !key->name[1];
+    bool known = answers;
+    for (size_t i = 0; command && i < sizeof harmless / sizeof *harmless; i++)
+        known = known || command->id == harmless[i];
+    if (page && (!known || lab->screen.parameters.edit.open || lab->screen.prompt.open))
+        lab->play.touched = true;
+}

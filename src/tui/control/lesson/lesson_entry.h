@@ -1,0 +1,66 @@
+/* How a page of a lesson is entered: in one state, whichever way one came.
+ *
+ * That state is what the pages leave behind that begin with the last one that opens a scenario, as if each
+ * had been read: what it does, what follows its answer, and where its goal is. From the page before nothing
+ * needs to be done again where its reader left it just so. */
+#ifndef TUI_LESSON_ENTRY_H
+#define TUI_LESSON_ENTRY_H
+
+#include "base/output.h"
+#include "lab/lessons/lesson.h"
+#include "tui/terminal/keys.h"
+#include "view/help/commands.h"
+
+typedef struct Laboratory Laboratory;
+
+enum { LESSON_QUEUE_MAX = 256, LESSON_NAME_MAX = 256 };
+
+/* What is still to be done: a line as behind `:`, or to come where the goal of a page is. */
+typedef struct LessonAction {
+    const char *line; /* NULL: the goal */
+    const LessonUntil *goal;
+} LessonAction;
+
+/* The lesson that is open, and what is still to be done for its page. */
+typedef struct LessonPlay {
+    Lesson lesson;
+    char name[LESSON_NAME_MAX];
+    LessonAction queue[LESSON_QUEUE_MAX];
+    int n_queue, next;
+    bool arriving; /* the page's state is not reached as yet */
+    bool hurries;  /* the run goes on to what the goal of a page before waits for */
+    bool touched;  /* since then the reader did more than to run and to step */
+    long step;     /* where the page leaves the run, its goal apart */
+    int stage;
+    CommandSet used; /* since the page was opened */
+    bool warned;     /* that the page still waits */
+    Asker asker;     /* who turned to the page */
+    bool busy;
+} LessonPlay;
+
+/* The page that is open; NULL: there is none, or the list of lessons. */
+const LessonPage *lesson_entry_page(const Laboratory *);
+
+/* Turns to a page, and brings about its state. */
+void lesson_entry_show(Laboratory *, int page);
+
+/* The row of the parameter pane that the arrows change, so that fields beside a text work as they do there.
+ */
+void lesson_entry_select(Laboratory *, const char *key);
+
+/* How far one has come in the lesson that is open; NULL: nobody keeps it, it is a file. */
+int *lesson_entry_reached(Laboratory *);
+
+/* What follows the answer. */
+void lesson_entry_reveal(Laboratory *);
+
+/* Whether the page is read within a time step, or step by step: Space would run away under it. */
+bool lesson_entry_is_stepping(const Laboratory *);
+
+/* To be told of each key that the reader presses. */
+void lesson_entry_note(Laboratory *, const Key *);
+
+/* What is left to be done, once the run has come to where it should be. */
+void lesson_play_continue(Laboratory *);
+
+#endif
