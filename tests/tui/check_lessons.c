@@ -130,7 +130,7 @@ static const LessonPage *page_of(const Bench *bench)
 
 static void finish_work(Bench *bench)
 {
-    while (bench->lab.screen.playback.state == STATE_COMPUTING)
+    while (bench->lab.screen.playback.state == STATE_COMPUTING || bench->lab.play.arriving)
         frame(bench);
 }
 

@@ -123,7 +123,8 @@ static void footer_text(const Screen *screen, char *out, size_t size)
             snprintf(out, size, "Space runs to %s", time);
             break;
         case UNTIL_EVENT:
-            snprintf(out, size, "Space runs to a%s %s", strchr("aeiou", until->word[0]) ? "n" : "", until->word);
+            snprintf(out, size, "Space runs to a%s %s", strchr("aeiou", until->word[0]) ? "n" : "",
+                     until->word);
             break;
         case UNTIL_STAGE:
             snprintf(out, size, "] to stage %.0f", until->number);

@@ -31,7 +31,8 @@ static Stop goal_stop(const Laboratory *lab, const LessonUntil *until)
     return stop;
 }
 
-/* The first event of the page's kind behind the place where it was opened, as far as the run has come; -1: none. */
+/* The first event of the page's kind behind the place where it was opened, as far as the run has come; -1:
+ * none. */
 static long event_step(const Laboratory *lab, const Stop *stop)
 {
     int count;
@@ -187,8 +188,11 @@ void lesson_play_continue(Laboratory *lab)
     if (play->busy)
         return;
     play->busy = true;
-    while (play->next < play->n_queue && !is_on_the_way(lab)) {
+    if (play->hurries && !is_on_the_way(lab)) {
         play->hurries = false;
+        laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* where it stopped is no news to anybody */
+    }
+    while (play->next < play->n_queue && !is_on_the_way(lab)) {
         if (page && play->next == play->n_queue - 1 && is_run(&play->queue[play->next]))
             arrive(lab); /* where it stands before it runs */
         run_action(lab, &play->queue[play->next++]);
