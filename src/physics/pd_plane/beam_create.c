@@ -184,7 +184,7 @@ static bool set_time_step(Beam *beam, Status *status)
 /* Forces at t = 0; a bond that is stretched too far by the initial shape breaks now. */
 static bool start(Beam *beam, Status *status)
 {
-    if (!beam_ask_forces(beam, 1, status))
+    if (!beam_ask_forces(beam, BUILDING_START, status))
         return false;
     for (int band = 0; band < beam->n_bands; band++) {
         const BeamDef *def = &beam->def;

@@ -205,7 +205,7 @@ bool beam_set_motion(Beam *beam, const BeamOptions *options, Status *status)
     size_t node = 0;
     for (int j = 0; j < lattice->ny; j++)
         for (int i = 0; i < lattice->nx; i++, node++) {
-            if (node % LATTICE_NODES_A_QUESTION == 0 && !beam_go_on(beam, 1, status))
+            if (node % LATTICE_NODES_A_QUESTION == 0 && !beam_go_on(beam, BUILDING_START, status))
                 return false;
             double x = lattice_x(lattice, i), y = lattice_y(lattice, j), u[2] = {0, 0}, v[2] = {0, 0};
             if (beam->def.problem == BEAM_SIMPLY_SUPPORTED)

@@ -68,9 +68,11 @@ typedef struct Lattice {
 /* Asks BeamDef.patience; the share is that of the whole building of a beam. False: to be given up. */
 bool lattice_go_on(const BeamDef *, double share, Status *);
 
-/* The shares at which its parts begin: the bonds after the factors of the nodes, then the critical step. */
+/* The shares at which its parts begin: the bonds after the factors of the nodes, then the critical step,
+ * then the state at t = 0. */
 #define BUILDING_BONDS    0.1
 #define BUILDING_CRITICAL 0.35
+#define BUILDING_START    0.98
 
 /* The families and the numbers of rows and columns alone: no memory is taken. False: the beam is too coarse
  * to be one, or too fine for memory. */
