@@ -1,0 +1,136 @@
+/* `matvib sound SCENARIO --output FILE.wav`: a run's frequency in the left ear, the exact one (of a beam:
+ * Timoshenko's) in the right ear, so that an error of a few percent is heard as an interval. */
+#include "cli/cli.h"
+#include "cli/options.h"
+#include "cli/progress.h"
+
+#include "base/output.h"
+#include "base/text.h"
+#include "lab/answers/summary.h"
+#include "lab/export/wav.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#define SECONDS      6.0
+#define SECONDS_MOST 600.0
+#define PITCH        440.0 /* of what cannot be heard as it is, Hz */
+
+/* What is heard well by small loudspeakers and by most ears, Hz. */
+#define HEARD_LEAST 80.0
+#define HEARD_MOST  6000.0
+
+static const double tau = 6.283185307179586;
+
+/* What both ears get. */
+typedef struct Tones {
+    double measured, exact; /* of the run: in Hz where its time is in seconds, else per unit of time */
+    double times;           /* heard so many times as high */
+    bool in_hertz;
+} Tones;
+
+static bool read_seconds(const char *text, double *seconds, Status *status)
+{
+    *seconds = SECONDS;
+    return !text || (text_to_double(text, seconds) && *seconds >= 0.1 && *seconds <= SECONDS_MOST) ||
+           status_fail(status, STATUS_USAGE, "--seconds: not a number from 0.1 to %g: %.60s", SECONDS_MOST,
+                       text);
+}
+
+static bool read_pitch(const char *text, double *pitch, Status *status)
+{
+    return !text || (text_to_double(text, pitch) && *pitch >= 20 && *pitch <= 10000) ||
+           status_fail(status, STATUS_USAGE, "--pitch: not a number from 20 to 10000: %.60s", text);
+}
+
+static double frequency(const Readout *readout, double number)
+{
+    return readout->is_period ? 1 / number : number / tau;
+}
+
+static bool is_heard(double hertz)
+{
+    return hertz >= HEARD_LEAST && hertz <= HEARD_MOST;
+}
+
+/* `pitch`: what the exact tone is to have, Hz; 0: its own where that can be heard. */
+static bool tune(const Readout *readout, double pitch, Tones *tones, Status *status)
+{
+    if (!readout->measured_known || !readout->exact_known)
+        return status_fail(status, STATUS_USAGE,
+                           "there is no steady frequency beside an exact one to be heard%s%s",
+                           readout->unaccounted ? ": not known with " : "",
+                           readout->unaccounted ? readout->unaccounted : "");
+    tones->measured = frequency(readout, readout->measured);
+    tones->exact = frequency(readout, readout->exact);
+    tones->in_hertz = readout->is_period; /* a bar's time has no unit */
+    const bool as_it_is =
+        pitch <= 0 && tones->in_hertz && is_heard(tones->exact) && is_heard(tones->measured);
+    tones->times = as_it_is ? 1 : (pitch > 0 ? pitch : PITCH) / tones->exact;
+    return tones->measured * tones->times < WAV_RATE / 2.0 ||
+           status_fail(status, STATUS_USAGE,
+                       "the measured tone would be too high to be heard (a lower --pitch)");
+}
+
+static void print_tones(const Tones *tones)
+{
+    const double cents = 1200 * log2(tones->measured / tones->exact);
+    const char *unit = tones->in_hertz ? " Hz" : " per unit of time";
+    printf("left: measured %.6g%s   right: exact %.6g%s   %.0f cents %s\n", tones->measured, unit,
+           tones->exact, unit, fabs(cents), cents < 0 ? "flat" : "sharp");
+    if (tones->times == 1)
+        printf("heard at their real pitch\n");
+    else
+        printf("heard %.6g times as high: %.6g and %.6g Hz\n", tones->times, tones->measured * tones->times,
+               tones->exact * tones->times);
+}
+
+static bool write_tones(const Options *options, const Tones *tones, double seconds, Status *status)
+{
+    OutputFile file;
+    if (!output_open(&file, ASKER_COMMAND_LINE, options->output, options->force, status))
+        return false;
+    wav_write(file.stream, tones->measured * tones->times, tones->exact * tones->times, seconds);
+    const bool sound = output_finish(&file, status) && output_commit(&file, status);
+    output_close(&file);
+    return sound;
+}
+
+int cli_sound(int count, char **arguments, Status *status)
+{
+    Options options;
+    Settings settings;
+    double seconds, pitch = 0;
+    if (!options_parse("sound", count, arguments, &options, status) ||
+        !options_words(&options, 1, 1, "SCENARIO", status) ||
+        !options_load(&options, options.words[0], &settings, status) ||
+        !read_seconds(options.seconds, &seconds, status) || !read_pitch(options.pitch, &pitch, status))
+        return (int)status->code;
+    if (!options.output) {
+        status_fail(status, STATUS_USAGE, "sound: --output FILE is missing (FILE.wav)");
+        return (int)status->code;
+    }
+    if (!output_may_begin(options.output, options.force, status))
+        return (int)status->code;
+    Progress progress;
+    progress_begin(&progress, options.quiet);
+    settings.patience = (Patience){progress_show, &progress};
+    RunSummary summary;
+    Tones tones = {0};
+    bool sound = export_run(&settings, &(Outputs){0}, progress_threads(options.threads), progress_show,
+                            &progress, &summary, status);
+    progress_end(&progress);
+    if (progress_signal())
+        return 128 + progress_signal();
+    if (!sound)
+        options_blame(&options, options.words[0], status);
+    sound = sound && tune(&summary.readout, pitch, &tones, status) &&
+            write_tones(&options, &tones, seconds, status);
+    if (!sound)
+        return (int)status->code;
+    if (!options.quiet) {
+        print_tones(&tones);
+        printf("wrote %s\n", options.output);
+    }
+    return STATUS_DONE;
+}
