@@ -6,36 +6,11 @@
 #include <stddef.h>
 #include <string.h>
 
+#define LINE(id, function, ...) {LINE_##id, __VA_ARGS__},
 const LineVerb line_verbs[] = {
-    {LINE_SET, "set", "KEY VALUE", ARGUMENT_KEY, "a parameter, as KEY=VALUE does without the word set",
-     BY_LESSON},
-    {LINE_OPEN, "open", "SCENARIO", ARGUMENT_SCENARIO,
-     "open a scenario: from a list with titles, by name or path", BY_LESSON},
-    {LINE_WRITE, "write", "FILE", ARGUMENT_FILE, "write these parameters as a scenario file", BY_USER},
-    {LINE_EXPORT, "export", "NAME", ARGUMENT_OTHER, "write the run as NAME-series.csv and its tables",
-     BY_USER},
-    {LINE_FIGURE, "figure", "FILE", ARGUMENT_FILE, "draw the focused view as FILE.svg, FILE.pdf or FILE.png",
-     BY_USER},
-    {LINE_GO_TO, "goto", "TIME or #STEP", ARGUMENT_OTHER, "to a time, as the number alone does, or a step",
-     BY_LESSON},
-    {LINE_UNTIL, "until", "t TIME|#STEP|end|[first] crossing|break|event", ARGUMENT_STOP,
-     "run, and pause there; first: the first one of the run, back to it where it has happened; alone: never "
-     "mind",
-     BY_LESSON},
-    {LINE_EVENT, "event", "NUMBER", ARGUMENT_OTHER, "to an event of the log, counted from 1", BY_LESSON},
-    {LINE_LOOP, "loop", "TIME TIME", ARGUMENT_OTHER,
-     "run from one time to the other again and again; alone: no longer, or between the bookmarks", BY_LESSON},
-    {LINE_DUEL, "duel", "KEY=VALUE ...", ARGUMENT_KEYS,
-     "a second run beside that differs in these keys, in place of one that there is", BY_LESSON},
-    {LINE_SHOW, "show", "VIEW [VARIANT]", ARGUMENT_VIEW,
-     "a view by its word or digit, and which of its variants", BY_LESSON},
-    {LINE_REFERENCES, "references", "all|exact|predicted|none", ARGUMENT_REFERENCES, "which reference curves",
-     BY_LESSON},
-    {LINE_PARTICLE, "particle", "NUMBER", ARGUMENT_OTHER, "choose a particle", BY_LESSON},
-    {LINE_LESSON, "lesson", "NAME", ARGUMENT_LESSON, "open a lesson", BY_USER},
-    {LINE_OVERLAY, "overlay", "FILE.csv [X Y]", ARGUMENT_SERIES,
-     "draw a foreign series over the plots, columns by name or number; alone: take it away", BY_LESSON},
+#include "view/help/line_rows.inc"
 };
+#undef LINE
 
 const int n_line_verbs = sizeof line_verbs / sizeof *line_verbs;
 

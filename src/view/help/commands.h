@@ -1,6 +1,8 @@
 /* The command table: one row for each thing that a user can ask for. The key map, the key line, the help
  * screen, the `:` line, the script player and the manual page read it. To add a command: one row in
- * command_rows.inc and the function that it names, in src/tui/control/commands. */
+ * command_rows.inc and the function that it names, in src/tui/control/commands; a word of the `:` line that
+ * takes arguments: one row in line_rows.inc and the function that it names, in src/tui/control/prompt/line.c.
+ */
 #ifndef VIEW_COMMANDS_H
 #define VIEW_COMMANDS_H
 
@@ -47,24 +49,12 @@ typedef enum LineArgument {
     ARGUMENT_STOP
 } LineArgument;
 
+#define LINE(id, ...) LINE_##id,
 typedef enum LineVerbId {
-    LINE_SET,
-    LINE_OPEN,
-    LINE_WRITE,
-    LINE_EXPORT,
-    LINE_FIGURE,
-    LINE_GO_TO,
-    LINE_UNTIL,
-    LINE_EVENT,
-    LINE_LOOP,
-    LINE_DUEL,
-    LINE_OVERLAY,
-    LINE_SHOW,
-    LINE_REFERENCES,
-    LINE_PARTICLE,
-    LINE_LESSON,
+#include "view/help/line_rows.inc"
     LINE_COUNT
 } LineVerbId;
+#undef LINE
 
 /* A word of the `:` line that takes arguments. A command of the same name is what it is without them. */
 typedef struct LineVerb {

@@ -189,23 +189,11 @@ static bool particle(Laboratory *lab, const char *words)
     return true;
 }
 
+#define LINE(id, function, ...) [LINE_##id] = function,
 static bool (*const verbs[LINE_COUNT])(Laboratory *, const char *words) = {
-    [LINE_SET] = set,
-    [LINE_OPEN] = opening_answer,
-    [LINE_WRITE] = writing_answer,
-    [LINE_EXPORT] = export_as,
-    [LINE_GO_TO] = command_answer_go_to,
-    [LINE_UNTIL] = command_answer_until,
-    [LINE_EVENT] = command_answer_event,
-    [LINE_LOOP] = command_answer_loop,
-    [LINE_OVERLAY] = overlay,
-    [LINE_SHOW] = show,
-    [LINE_REFERENCES] = references,
-    [LINE_PARTICLE] = particle,
-    [LINE_LESSON] = lesson_play_answer,
-    [LINE_DUEL] = second_run_answer,
-    [LINE_FIGURE] = exporting_figure,
+#include "view/help/line_rows.inc"
 };
+#undef LINE
 
 /* --- the line --------------------------------------------------------------------------------------- */
 
