@@ -116,8 +116,7 @@ static bool end_early(Export *export, Status *status)
 static double invariant_of(const Export *export)
 {
     Settings then;
-    if (export->adopted || export->sim->failed || export->sim->stage != 0 ||
-        !invariant_exists(export->settings))
+    if (export->sim->failed || export->sim->stage != 0 || !invariant_exists(export->settings))
         return NAN;
     changes_in_force(export->settings, export->sim->step, &then);
     return invariant_exists(&then) ? invariant_now(export->sim, &then) : NAN;
@@ -138,8 +137,7 @@ static bool sum_up(const Export *export, RunSummary *summary, Status *status)
     summary->readout.late = readout_late(&summary->readout, summary->time);
     const double invariant[2] = {export->invariant, invariant_of(export)};
     summary_rows(summary, export->columns, export->n_columns, record->rows, record->count, invariant);
-    if (!export->adopted)
-        summary->n_derived = problem_derived(export->settings, export->sim, summary->derived);
+    summary->n_derived = problem_derived(export->settings, export->sim, summary->derived);
     summary_crack(summary, export->sim, export->settings);
     return errno != ENOMEM || status_fail(status, STATUS_FAILED, "not enough memory to sum the run up");
 }
@@ -148,19 +146,16 @@ static bool prepare(Export *export, int threads, Status *status)
 {
     const Settings *settings = export->settings;
     char advice[160];
-    if (!export->adopted) {
-        if (!settings_check(settings, status) || !changes_advice(settings, advice, sizeof advice, status))
-            return false;
-        export->sim = problem_simulate(settings, threads, status);
-        if (!export->sim)
-            return false;
-    }
+    if (!settings_check(settings, status) || !changes_advice(settings, advice, sizeof advice, status))
+        return false;
+    export->sim = problem_simulate(settings, threads, status);
+    if (!export->sim)
+        return false;
     export->last = export->planned_last = problem_last_step(export->sim->dt, settings->time.end);
     if (!frames_plan(&export->frames, settings, export->sim->dt, export->last, status) ||
         !export_check_names(export, status))
         return false;
-    export->refs = export->adopted ? problem_no_references(export->sim, status)
-                                   : problem_references(settings, export->sim, status);
+    export->refs = problem_references(settings, export->sim, status);
     if (!export->refs)
         return false;
     export->n_columns = references_columns(export->refs, export->columns);
@@ -216,9 +211,10 @@ static void close_all(Export *export)
     simulation_destroy(export->sim);
 }
 
-static bool run_and_write(Export *export, int threads, RunProgress progress, void *context,
-                          RunSummary *summary, Status *status)
+bool export_run(const Settings *settings, const Outputs *outputs, int threads, RunProgress progress,
+                void *context, RunSummary *summary, Status *status)
 {
+    Export export = {.settings = settings, .outputs = outputs};
     RunSummary own;
     Status why = {0};
     if (!summary)
@@ -226,26 +222,12 @@ static bool run_and_write(Export *export, int threads, RunProgress progress, voi
     if (!status)
         status = &why;
     *summary = (RunSummary){0};
-    const bool written = prepare(export, threads, status) &&
-                         run(export, progress, context, summary, status) &&
-                         export_finish_files(export, status) && export_commit_files(export, status) &&
-                         sum_up(export, summary, status);
-    close_all(export);
+    const bool written = prepare(&export, threads, status) &&
+                         run(&export, progress, context, summary, status) &&
+                         export_finish_files(&export, status) && export_commit_files(&export, status) &&
+                         sum_up(&export, summary, status);
+    close_all(&export);
     if (written && summary->failed)
         *status = summary->failure;
     return written && !summary->failed;
-}
-
-bool export_run(const Settings *settings, const Outputs *outputs, int threads, RunProgress progress,
-                void *context, RunSummary *summary, Status *status)
-{
-    Export export = {.settings = settings, .outputs = outputs};
-    return run_and_write(&export, threads, progress, context, summary, status);
-}
-
-bool export_simulation(const Settings *settings, Simulation *sim, const Outputs *outputs,
-                       RunProgress progress, void *context, RunSummary *summary, Status *status)
-{
-    Export export = {.settings = settings, .outputs = outputs, .sim = sim, .adopted = true};
-    return run_and_write(&export, 1, progress, context, summary, status);
 }

@@ -58,9 +58,4 @@ typedef bool (*RunProgress)(double share, void *context);
 bool export_run(const Settings *, const Outputs *, int threads, RunProgress, void *context, RunSummary *,
                 Status *);
 
-/* The same with a simulation of any method, taken over in any case, for tests of methods that no problem
- * knows. Of the settings only time.end, output.* and texts are read. */
-bool export_simulation(const Settings *, Simulation *, const Outputs *, RunProgress, void *context,
-                       RunSummary *, Status *);
-
 #endif

@@ -21,7 +21,6 @@ typedef struct Export {
     const Settings *settings;
     const Outputs *outputs;
     Simulation *sim;
-    bool adopted; /* it came from outside, and is no problem of the table */
     References *refs;
     Column columns[COLUMNS_MAX];
     int n_columns;

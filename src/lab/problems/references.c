@@ -7,41 +7,32 @@
 #include <math.h>
 #include <stdlib.h>
 
-static References *make_references(const Solver *solver, const Settings *settings, const Simulation *sim,
-                                   const char *unit_of_time, Status *status)
+References *problem_references(const Settings *settings, const Simulation *sim, Status *status)
 {
+    const Solver *solver = problem_allows(settings->problem, settings->method, status)
+                               ? problem_solver(settings->problem, settings->method)
+                               : NULL;
+    if (!solver)
+        return NULL;
     References *refs = calloc(1, sizeof *refs);
     if (!refs) {
         status_fail(status, STATUS_FAILED, "not enough memory for the reference solutions");
         return NULL;
     }
     static const Quantity step = {"step", "step", "1", "whole time steps done"};
-    Quantity time = {"time", "t", unit_of_time, "step * dt"};
+    Quantity time = {"time", "t", settings->problem->unit_of_time, "step * dt"};
     refs->solver = solver;
-    for (int i = 0; solver && i < REFERENCES; i++)
+    for (int i = 0; i < REFERENCES; i++)
         refs->unaccounted[i] = known_unaccounted(settings, (Reference)i);
     refs->dt = sim->dt;
     plan_answer(refs, &step, COLUMN_MEASURED, NULL, NULL);
     plan_answer(refs, &time, COLUMN_MEASURED, NULL, NULL);
-    if (solver && solver->prepare && !solver->prepare(refs, settings, sim, status)) {
+    if (solver->prepare && !solver->prepare(refs, settings, sim, status)) {
         references_destroy(refs);
         return NULL;
     }
     plan_rest_of_method(refs, sim);
     return refs;
-}
-
-References *problem_references(const Settings *settings, const Simulation *sim, Status *status)
-{
-    const Solver *solver = problem_allows(settings->problem, settings->method, status)
-                               ? problem_solver(settings->problem, settings->method)
-                               : NULL;
-    return solver ? make_references(solver, settings, sim, settings->problem->unit_of_time, status) : NULL;
-}
-
-References *problem_no_references(const Simulation *sim, Status *status)
-{
-    return make_references(NULL, NULL, sim, "time", status);
 }
 
 void references_destroy(References *refs)
@@ -115,23 +106,21 @@ void references_row_again(References *refs, long step, double time, const double
 double references_profile(const References *refs, const char *field, double x, double time)
 {
     const Solver *solver = refs->solver;
-    return solver && solver->profile && !refs->unaccounted[REFERENCE_EXACT]
-               ? solver->profile(refs, field, x, time)
-               : NAN;
+    return solver->profile && !refs->unaccounted[REFERENCE_EXACT] ? solver->profile(refs, field, x, time)
+                                                                  : NAN;
 }
 
 double references_envelope(const References *refs, const char *column, double time)
 {
     const Solver *solver = refs->solver;
-    return solver && solver->envelope && !refs->unaccounted[REFERENCE_EXACT]
-               ? solver->envelope(refs, column, time)
-               : NAN;
+    return solver->envelope && !refs->unaccounted[REFERENCE_EXACT] ? solver->envelope(refs, column, time)
+                                                                   : NAN;
 }
 
 double references_standing_frequency(const References *refs, double time)
 {
     const Solver *solver = refs->solver;
-    return solver && solver->standing_frequency && !refs->unaccounted[REFERENCE_FREQUENCY]
+    return solver->standing_frequency && !refs->unaccounted[REFERENCE_FREQUENCY]
                ? solver->standing_frequency(refs, time)
                : NAN;
 }
@@ -139,7 +128,7 @@ double references_standing_frequency(const References *refs, double time)
 int references_thickness_lines(const References *refs, double out[THICKNESS_LINES_MAX])
 {
     const Solver *solver = refs->solver;
-    return solver && solver->thickness_lines && !refs->unaccounted[REFERENCE_PREDICTED]
+    return solver->thickness_lines && !refs->unaccounted[REFERENCE_PREDICTED]
                ? solver->thickness_lines(refs, out)
                : 0;
 }

@@ -17,8 +17,6 @@ typedef struct Column {
 enum { COLUMNS_MAX = 32 };
 
 References *problem_references(const Settings *, const Simulation *, Status *);
-/* For a simulation that no problem knows: its own series, nothing beside. */
-References *problem_no_references(const Simulation *, Status *);
 void references_destroy(References *);
 
 /* The columns of the series in the order of the CSV contract; the first two are step and time. Which there

@@ -38,20 +38,6 @@ Experiment *experiment_create(const Settings *settings, size_t history, int thre
     return NULL;
 }
 
-Experiment *experiment_adopt(const Settings *settings, Simulation *sim, size_t history, Status *status)
-{
-    Experiment *experiment = new_experiment(settings, 1, status);
-    if (!experiment) {
-        simulation_destroy(sim);
-        return NULL;
-    }
-    experiment->adopted = true;
-    if (experiment_open_around(experiment, settings, sim, history, status))
-        return experiment;
-    experiment_destroy(experiment);
-    return NULL;
-}
-
 void experiment_destroy(Experiment *experiment)
 {
     if (!experiment)

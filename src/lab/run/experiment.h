@@ -38,11 +38,6 @@ typedef struct Experiment Experiment;
 Experiment *experiment_create(const Settings *, size_t history, int threads, Status *);
 void experiment_destroy(Experiment *);
 
-/* The same around a simulation of any method, which it takes over (in any case), for tests of methods that
- * no problem knows: there are no references, and no edits but time.end, output.* and texts. Of the settings
- * only these are read. */
-Experiment *experiment_adopt(const Settings *, Simulation *, size_t history, Status *);
-
 /* The state of affairs; read only, valid until the next call that changes the experiment. */
 const Settings *experiment_settings(const Experiment *); /* in force at the present step */
 const Settings *experiment_base(const Experiment *);     /* at t = 0, with the changes in mid-run */

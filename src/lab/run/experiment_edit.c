@@ -106,7 +106,7 @@ bool experiment_restart(Experiment *experiment, bool keep_ghost, Status *status)
     memcpy(settings.changes, experiment->given, sizeof settings.changes);
     settings.n_changes = experiment->n_given;
     begin_changed_ones(&settings, &experiment->base);
-    if (experiment->adopted || settings_same(&settings, &experiment->base))
+    if (settings_same(&settings, &experiment->base))
         rewind_run(experiment, keep_ghost);
     else if (!replace_run(experiment, &settings, keep_ghost, false, status))
         return false;
@@ -184,8 +184,6 @@ static bool edit_from_start(Experiment *experiment, const Settings *wanted, bool
 {
     Settings settings = *wanted;
     experiment_drop_part(experiment);
-    if (experiment->adopted)
-        return status_fail(status, STATUS_USAGE, "this run has no parameters");
     double dt = experiment->sim->dt, new_dt = dt;
     if (live_from_start)
         take_given_changes(experiment, &settings);
@@ -253,7 +251,7 @@ static void take_over_rest(Settings *to, const Settings *from)
 
 bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *status)
 {
-    if (!experiment->adopted && !settings_check(wanted, status))
+    if (!settings_check(wanted, status))
         return false;
     if (wanted->time.end != experiment->base.time.end &&
         !problem_check_steps(wanted->time.end, experiment->sim->dt, status))

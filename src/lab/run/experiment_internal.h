@@ -47,7 +47,6 @@ struct Experiment {
     char advice[160];
 
     /* what is kept beside it */
-    bool adopted; /* the simulation came from outside: no other can be made from the settings */
     int threads;
     Change given[CHANGES_MAX]; /* the changes that came with the settings, not made by hand */
     int n_given;
@@ -75,9 +74,6 @@ struct Experiment {
 /* At t = 0, row 0 recorded; of an experiment that is all zeros. False: refused; it is to be closed. */
 bool experiment_open(Experiment *, const Settings *, size_t history, int threads, Status *);
 void experiment_close(Experiment *);
-
-/* The same around a simulation that is there already, which it takes over in any case: without references. */
-bool experiment_open_around(Experiment *, const Settings *, Simulation *, size_t history, Status *);
 
 /* Back to t = 0, as if nothing had been computed. The record so far is handed over. */
 void experiment_rewind(Experiment *, Record *old);

@@ -27,7 +27,7 @@ bool experiment_invariant(Experiment *experiment, double *now, double *start)
 {
     Simulation *sim = experiment->sim;
     Invariant *known = &experiment->invariant;
-    if (experiment->adopted || !invariant_exists(&experiment->now) || !invariant_exists(&experiment->base))
+    if (!invariant_exists(&experiment->now) || !invariant_exists(&experiment->base))
         return false;
     if (sim->counts[0] > PAUSED_MAX)
         return false;

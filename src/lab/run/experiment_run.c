@@ -71,15 +71,6 @@ bool experiment_open(Experiment *experiment, const Settings *settings, size_t hi
     return experiment->refs && begin(experiment, history, status);
 }
 
-bool experiment_open_around(Experiment *experiment, const Settings *settings, Simulation *sim, size_t history,
-                            Status *status)
-{
-    experiment->base = *settings;
-    experiment->sim = sim;
-    experiment->refs = problem_no_references(sim, status);
-    return experiment->refs && begin(experiment, history, status);
-}
-
 void experiment_rewind(Experiment *experiment, Record *old)
 {
     Simulation *sim = experiment->sim;
