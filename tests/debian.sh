@@ -17,7 +17,7 @@ package() {
 	cd "$scratch/matvib-$version" && DEB_BUILD_OPTIONS="nocheck parallel=2" dpkg-buildpackage -us -uc -b
 }
 judged() {
-	lintian --fail-on error "$scratch"/matvib_*.changes
+	lintian -IE --pedantic --fail-on error,warning "$scratch"/matvib_*.changes
 }
 unpacked() {
 	dpkg-deb -x "$scratch"/matvib_*_*.deb "$scratch/root" && "$scratch/root/usr/bin/matvib" run mode1 --steps 10

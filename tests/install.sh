@@ -18,6 +18,7 @@ cat >"$scratch/wanted" <<'END'
 ./share/doc/matvib/README.md
 ./share/man/man1/matvib.1
 ./share/man/man5/matvib.5
+./share/metainfo/org.example.matvib.metainfo.xml
 ./share/zsh/site-functions/_matvib
 END
 find . -type f | LC_ALL=C sort >"$scratch/found"
@@ -27,6 +28,14 @@ version=$("$scratch/root/usr/bin/matvib" --version | awk '{ print $2 }')
 result "the manual is of this version" grep -q "$version" "$scratch/root/usr/share/man/man1/matvib.1"
 result "NEWS begins with it" grep -q -x "matvib $version" "$scratch/root/usr/share/doc/matvib/NEWS"
 result "so does the Debian package" grep -q "^matvib ($version-" "$MATVIB_SRCDIR/debian/changelog"
+for file in CITATION.cff codemeta.json data/org.example.matvib.metainfo.xml; do
+	result "so does $file" grep -q -F "$version" "$MATVIB_SRCDIR/$file"
+done
+if command -v appstreamcli >/dev/null 2>&1; then
+	result "software centres can read of it" appstreamcli validate --no-net "$MATVIB_SRCDIR/data/org.example.matvib.metainfo.xml"
+else
+	skip "software centres can read of it" "no appstreamcli"
+fi
 result "make uninstall" install uninstall
 result "leaves nothing" test -z "$(find "$scratch/root" -type f)"
 
