@@ -200,15 +200,15 @@ static void write_choices(HelpLines *written, const Settings *settings, int widt
     }
 }
 
-static int page_of(const Screen *screen)
+static int page_of(const HelpShown *help)
 {
-    return screen->help.page < 0 ? 0 : screen->help.page >= HELP_PAGES ? HELP_PAGES - 1 : screen->help.page;
+    return help->page < 0 ? 0 : help->page >= HELP_PAGES ? HELP_PAGES - 1 : help->page;
 }
 
 /* The lines of the page that is open, for a screen of this width. */
 static void write_page(HelpLines *written, const Screen *screen, int screen_width)
 {
-    const int width = screen_width - 2 < 100 ? screen_width - 2 : 100, page = page_of(screen);
+    const int width = screen_width - 2 < 100 ? screen_width - 2 : 100, page = page_of(&screen->help);
     const HelpText *text = help_text_of(experiment_simulation(screen->experiment));
     written->used = 0;
     written->count = 0;
@@ -243,7 +243,7 @@ void help_draw(const Screen *screen, Area area)
 {
     static const char *const names[HELP_PAGES] = {"this scenario, the keys", "the curves", "what is solved",
                                                   "where the paper is silent"};
-    const int page = page_of(screen), room = area.rect.height - 1;
+    const int page = page_of(&screen->help), room = area.rect.height - 1;
     HelpLines written;
     write_page(&written, screen, area.rect.width);
 

@@ -221,7 +221,7 @@ static bool just_done(const Subject *subject, const Block *block)
 
 /* What the field of a product column was before the stage; 0 where the products make it anew. False: not
  * known. */
-static bool base_of(const Screen *screen, const Subject *subject, const Block *block,
+static bool base_of(Experiment *experiment, const Subject *subject, const Block *block,
                     const BlockColumn *column, double *base)
 {
     const Exchange *exchange = exchange_of(subject, column);
@@ -229,7 +229,7 @@ static bool base_of(const Screen *screen, const Subject *subject, const Block *b
     if (!block->takes || !just_done(subject, block))
         return false;
     return !exchange->adds ||
-           experiment_field_before(screen->experiment,
+           experiment_field_before(experiment,
                                    simulation_find_field(subject->sim, exchange->to, exchange->field),
                                    subject->index, 1, base);
 }
@@ -255,7 +255,7 @@ static double terms_of(const BlockColumn *column, const Plan *plan, double terms
     return sum_of(column, 0, plan->all);
 }
 
-static Plan plan_of(const Screen *screen, const Subject *subject, const Block *block, int rows)
+static Plan plan_of(Experiment *experiment, const Subject *subject, const Block *block, int rows)
 {
     Plan plan = {.all = subject->n_links, .shown = subject->n_links};
     double terms[LINKS_MAX + 1];
@@ -265,7 +265,7 @@ static Plan plan_of(const Screen *screen, const Subject *subject, const Block *b
             const BlockColumn *column = &block->columns[c];
             if (column->exchange < 0)
                 continue;
-            plan.known[c] = base_of(screen, subject, block, column, &plan.bases[c]);
+            plan.known[c] = base_of(experiment, subject, block, column, &plan.bases[c]);
             plan.adds |= plan.known[c] && exchange_of(subject, column)->adds;
             const double sum = terms_of(column, &plan, terms, &count);
             plan.writings[c] = writing_of(terms, count, plan.bases[c], sum, PRODUCT_WIDTH - 1);
@@ -440,7 +440,7 @@ static void draw(const Screen *screen, Area area)
                                                         screen->look.glyphs == GLYPHS_ASCII, area.rect.width))
                     continue;
                 const int begin = y > 1 ? y + 1 : y;
-                const Plan plan = plan_of(screen, &subject, &block, area.rect.height - begin);
+                const Plan plan = plan_of(screen->experiment, &subject, &block, area.rect.height - begin);
                 if (begin > 1 && (plan.shown < plan.all || begin + block_rows(&plan) > area.rect.height))
                     continue;
                 draw_block(&subject, area, &block, &plan, begin);

@@ -13,9 +13,9 @@ static double percent(double ratio)
 }
 
 /* The periods of earlier runs, by the letters of their curves. */
-static void append_ghosts(const Screen *screen, char line[160])
+static void append_ghosts(const Experiment *experiment, char line[160])
 {
-    const Ghost *ghosts = experiment_ghosts(screen->experiment);
+    const Ghost *ghosts = experiment_ghosts(experiment);
     for (int i = 0; i < GHOSTS_MAX; i++)
         if (ghosts[i].used && ghosts[i].readout.is_period && ghosts[i].readout.measured_known)
             text_append(line, 160, "  %c: %.4f", ghosts[i].letter, ghosts[i].readout.measured / 1e-3);
@@ -46,7 +46,7 @@ static void supported_lines(const Screen *screen, int width, char first[160], ch
         snprintf(second, 160, "%s", theory);
     if (isfinite(readout->by_zeros))
         text_append(second, 160, "%sby its zeros %.4f ms", second[0] ? "  " : "", readout->by_zeros / 1e-3);
-    append_ghosts(screen, second);
+    append_ghosts(screen->experiment, second);
     if (screen_shows_predicted(screen) && readout->predicted_known)
         text_append(second, 160, "%s%s %.4f ms", second[0] ? "  " : "", "predicted",
                     readout->predicted / 1e-3);

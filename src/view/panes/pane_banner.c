@@ -38,15 +38,15 @@ typedef struct Size {
     int columns;
 } Size;
 
-static Size size_of(const Screen *screen, int width, int height)
+static Size size_of(const ScreenLook *look, int width, int height)
 {
     const bool large = width >= LECTURE_LARGE_WIDTH && height >= LECTURE_LARGE_HEIGHT;
-    return (Size){.halves = !large && screen->look.glyphs != GLYPHS_ASCII, .columns = large ? 2 : 1};
+    return (Size){.halves = !large && look->glyphs != GLYPHS_ASCII, .columns = large ? 2 : 1};
 }
 
 int banner_rows(const Screen *screen, int width, int height)
 {
-    return size_of(screen, width, height).halves ? (HIGH + 1) / 2 : HIGH;
+    return size_of(&screen->look, width, height).halves ? (HIGH + 1) / 2 : HIGH;
 }
 
 static int columns_of(const char *text, Size size)
@@ -73,23 +73,23 @@ static void draw_text(Area area, int x, const char *text, Size size, Style style
     }
 }
 
-static void state_word(const Screen *screen, char *out, size_t size)
+static void state_word(const Playback *playback, char *out, size_t size)
 {
     static const char *const words[] = {[STATE_PAUSED] = "PAUSED",
                                         [STATE_RUNNING] = "RUNNING",
                                         [STATE_ENDED] = "END",
                                         [STATE_FAILED] = "STOPPED"};
-    if (screen->playback.state == STATE_COMPUTING)
-        snprintf(out, size, "%.0f %%", 100 * screen->playback.work_share);
+    if (playback->state == STATE_COMPUTING)
+        snprintf(out, size, "%.0f %%", 100 * playback->work_share);
     else
-        snprintf(out, size, "%s", words[screen->playback.state]);
+        snprintf(out, size, "%s", words[playback->state]);
 }
 
 void pane_banner(const Screen *screen, Area area)
 {
-    const Size size = size_of(screen, area.canvas->width, area.canvas->height);
+    const Size size = size_of(&screen->look, area.canvas->width, area.canvas->height);
     char time[48], state[32];
-    state_word(screen, state, sizeof state);
+    state_word(&screen->playback, state, sizeof state);
     const int right = columns_of(state, size), width = area.rect.width - 2;
     int fewer = 0;
     do

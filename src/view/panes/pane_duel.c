@@ -61,10 +61,10 @@ static void draw_group(Area area, const Comparison *rows, int count, int heading
 }
 
 /* The scenario's title asks what the duel is to answer. */
-static const char *heading_of(const Screen *screen, int width)
+static const char *heading_of(const Experiment *experiment, int width)
 {
     enum { LETTERS = 16 }; /* of the last columns */
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = experiment_settings(experiment);
     const char *title = settings->title[0] ? settings->title : settings->problem->title;
     return 5 + glyphs_columns(title) + LETTERS < width ? title : "Duel";
 }
@@ -89,7 +89,7 @@ void pane_duel(const Screen *screen, Area area)
     Comparison rows[COMPARISONS_MAX];
     int count = rows_shown(screen, rows), label, values[2];
     const int height = area.rect.height - 1;
-    const char *heading = heading_of(screen, area.rect.width);
+    const char *heading = heading_of(screen->experiment, area.rect.width);
     measure(rows, count, &label, values);
     const int width = 1 + label + 1 + values[0] + 1 + values[1] + 1;
     int groups = area.rect.width / width;

@@ -154,14 +154,13 @@ static const char *short_key(const Screen *screen, const char *key)
 }
 
 /* What the key does now. */
-static const char *word_of(const Screen *screen, const Command *command)
+static const char *word_of(const Playback *playback, const Command *command)
 {
     if (command->id != COMMAND_RUN_PAUSE)
         return command_brief(command);
-    return screen->playback.state == STATE_RUNNING ? "pause"
-           : screen->playback.state == STATE_ENDED || screen->playback.state == STATE_FAILED
-               ? "again"
-               : command_brief(command);
+    return playback->state == STATE_RUNNING                                    ? "pause"
+           : playback->state == STATE_ENDED || playback->state == STATE_FAILED ? "again"
+                                                                               : command_brief(command);
 }
 
 enum { KEYS_OF_ONE_PANE = 80 };
@@ -212,7 +211,7 @@ static CommandId lay_out_bar(const Screen *screen, int width, const Area *area, 
         if (pair)
             command_first_key(pair, other);
         const char *first = short_key(screen, key), *second = short_key(screen, other);
-        const char *word = offer->word ? offer->word : word_of(screen, command);
+        const char *word = offer->word ? offer->word : word_of(&screen->playback, command);
         int first_columns = glyphs_columns(first),
             keys = first_columns + (pair ? 1 + glyphs_columns(second) : 0);
         int columns = keys + 1 + glyphs_columns(word);

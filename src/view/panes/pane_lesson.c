@@ -25,9 +25,9 @@ static void write_paragraphs(Pen *pen, const char *text, Style style)
     }
 }
 
-static void write_question(Pen *pen, const Screen *screen, const LessonPage *page)
+static void write_question(Pen *pen, const LessonShown *lesson, const LessonPage *page)
 {
-    const int answer = screen->lesson.answer, width = pen->area.rect.width - 2;
+    const int answer = lesson->answer, width = pen->area.rect.width - 2;
     write_paragraphs(pen, page->question, STYLE_HEADING);
     if (answer < 0)
         pen->y--; /* the choices stand close to it */
@@ -54,7 +54,7 @@ static void write_page(Pen *pen, const Screen *screen)
     write_paragraphs(pen, page->title, STYLE_HEADING);
     write_paragraphs(pen, page->first.text, STYLE_NORMAL);
     if (page->question)
-        write_question(pen, screen, page);
+        write_question(pen, &screen->lesson, page);
     if (screen->lesson.answer >= 0 || !page->question)
         write_paragraphs(pen, page->revealed.text, STYLE_NORMAL);
     ParameterRow rows[PARAMETER_ROWS_MAX];

@@ -22,9 +22,9 @@ static bool holds(const char *text, const char *part)
     return length == 0;
 }
 
-static bool passes(const Screen *screen, const char *label, const char *key)
+static bool passes(const ParametersShown *shown, const char *label, const char *key)
 {
-    return holds(label, screen->parameters.filter) || holds(key, screen->parameters.filter);
+    return holds(label, shown->filter) || holds(key, shown->filter);
 }
 
 /* Whether a derived number is one of the fields too. */
@@ -45,7 +45,8 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
     int count = 0;
     for (int i = 0; i < n_parameters && count + 2 < PARAMETER_ROWS_MAX; i++) {
         const Parameter *parameter = &parameters[i];
-        if (!settings_have(settings, parameter) || !passes(screen, parameter->label, parameter->key))
+        if (!settings_have(settings, parameter) ||
+            !passes(&screen->parameters, parameter->label, parameter->key))
             continue;
         if (strcmp(parameter->group, group) != 0)
             rows[count++] = (ParameterRow){.heading = group = parameter->group, .derived = -1};
@@ -55,7 +56,8 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
     int n_derived = experiment_derived(screen->experiment, derived);
     bool begun = false;
     for (int i = 0; i < n_derived && count + 1 < PARAMETER_ROWS_MAX; i++) {
-        if (is_field(&derived[i], settings->problem) || !passes(screen, derived[i].label, derived[i].name))
+        if (is_field(&derived[i], settings->problem) ||
+            !passes(&screen->parameters, derived[i].label, derived[i].name))
             continue;
         if (!begun)
             rows[count++] = (ParameterRow){.heading = "Follows from these", .derived = -1};
@@ -84,9 +86,9 @@ static void real_text(const Screen *screen, const Parameter *parameter, char out
 }
 
 /* The first row shown, so that the chosen one stands near the middle. */
-static int first_row(const Screen *screen, int count, int room)
+static int first_row(const ParametersShown *shown, int count, int room)
 {
-    int first = screen->parameters.selected - room / 2;
+    int first = shown->selected - room / 2;
     if (first > count - room)
         first = count - room;
     return first > 0 ? first : 0;
@@ -196,7 +198,7 @@ void pane_parameters(const Screen *screen, Area area)
     const int count = screen_parameter_rows(screen, rows);
     experiment_derived(screen->experiment, derived);
     const bool focused = screen_is_focused(screen, PANE_PARAMETERS);
-    const int room = room_of(area.rect.height), first = first_row(screen, count, room);
+    const int room = room_of(area.rect.height), first = first_row(&screen->parameters, count, room);
 
     for (int y = 0; y < room && first + y < count; y++) {
         const ParameterRow *row = &rows[first + y];
@@ -230,7 +232,7 @@ int screen_parameter_at(const Screen *screen, int width, int height, int x, int 
     const int count = screen_parameter_rows(screen, rows), room = pane.height - 1;
     if (x < pane.x || x >= pane.x + pane.width || y < pane.y || y >= pane.y + room)
         return -1;
-    const int row = first_row(screen, count, room) + y - pane.y;
+    const int row = first_row(&screen->parameters, count, room) + y - pane.y;
     return row < count && !rows[row].heading ? row : -1;
 }
 

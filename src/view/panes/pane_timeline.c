@@ -61,13 +61,13 @@ long screen_bookmark_step(const Screen *screen, int index)
 }
 
 /* What the marks are that there are. */
-static void draw_marks(const Screen *screen, Area area, int x, const bool seen[MARKS])
+static void draw_marks(const Bookmarks *bookmarks, Area area, int x, const bool seen[MARKS])
 {
     Legend legend[MARKS + 2];
     char keys[MARKS][3];
     int n = 0;
     legend[n++] = (Legend){.style = STYLE_FOCUS, .name = "here", .key = "● "};
-    if (screen->bookmarks.count > 0)
+    if (bookmarks->count > 0)
         legend[n++] = (Legend){.style = STYLE_KEY, .name = "bookmark", .key = "m "};
     for (size_t m = 0; m < MARKS; m++)
         if (seen[m]) {
@@ -105,7 +105,7 @@ void pane_timeline(const Screen *screen, Area area)
         area_put(area, cell_of(screen, &line, screen_bookmark_step(screen, i)), 0, 'm', STYLE_KEY);
     area_put(area, cell_of(screen, &line, experiment_step(screen->experiment)), 0, 0x25cf, STYLE_FOCUS);
     if (area.rect.height > 1)
-        draw_marks(screen, area, line.first, seen);
+        draw_marks(&screen->bookmarks, area, line.first, seen);
 }
 
 long screen_timeline_nearest(const Screen *screen, int width, int height, int x)

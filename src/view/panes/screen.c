@@ -36,10 +36,10 @@ void screen_read_view(Screen *screen, const ViewSettings *view)
 
 /* --- the whole ------------------------------------------------------------------------------------ */
 
-static Area area_of(const Screen *screen, Canvas *canvas, Rect rect)
+static Area area_of(const ScreenLook *look, Canvas *canvas, Rect rect)
 {
-    return area_part((Area){canvas, {0, 0, canvas->width, canvas->height}, screen->look.glyphs}, rect.x,
-                     rect.y, rect.width, rect.height);
+    return area_part((Area){canvas, {0, 0, canvas->width, canvas->height}, look->glyphs}, rect.x, rect.y,
+                     rect.width, rect.height);
 }
 
 static void draw_too_small(Canvas *canvas)
@@ -99,23 +99,24 @@ void screen_draw(const Screen *screen, Canvas *canvas)
     }
     if (screen->help.open) {
         Rect all = {0, 1, canvas->width, canvas->height - 2};
-        help_draw(screen, area_of(screen, canvas, all));
+        help_draw(screen, area_of(&screen->look, canvas, all));
     } else {
         if (layout.banner.width > 0)
-            pane_banner(screen, area_of(screen, canvas, layout.banner));
+            pane_banner(screen, area_of(&screen->look, canvas, layout.banner));
         for (int pane = 0; pane < PANE_COUNT; pane++)
-            draw_pane(screen, (PaneId)pane, area_of(screen, canvas, layout.panes[pane]));
+            draw_pane(screen, (PaneId)pane, area_of(&screen->look, canvas, layout.panes[pane]));
         if (layout.timeline.width > 0)
-            pane_timeline(screen, area_of(screen, canvas, layout.timeline));
+            pane_timeline(screen, area_of(&screen->look, canvas, layout.timeline));
         if (layout.sides[0].width > 0) {
-            view_energies.draw(screen, area_of(screen, canvas, layout.sides[0]), STYLE_HEADING, 0);
+            view_energies.draw(screen, area_of(&screen->look, canvas, layout.sides[0]), STYLE_HEADING, 0);
             for (int i = 1; i < SIDES_MAX; i++)
                 if (layout.sides[i].width > 0)
-                    view_table.draw(screen, area_of(screen, canvas, layout.sides[i]), STYLE_HEADING, i - 1);
+                    view_table.draw(screen, area_of(&screen->look, canvas, layout.sides[i]), STYLE_HEADING,
+                                    i - 1);
         }
     }
-    pane_title(screen, area_of(screen, canvas, layout.title));
-    pane_keys(screen, area_of(screen, canvas, layout.keys));
+    pane_title(screen, area_of(&screen->look, canvas, layout.title));
+    pane_keys(screen, area_of(&screen->look, canvas, layout.keys));
     if (screen->look.glyphs == GLYPHS_ASCII)
         canvas_to_ascii(canvas);
 }

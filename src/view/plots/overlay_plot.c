@@ -9,15 +9,15 @@
 
 enum { MARK_EVERY = 6 }; /* cells between the marks of a curve that is dense */
 
-static const OverlayColumn *column_of(const Screen *screen, const char *curve, bool along)
+static const OverlayColumn *column_of(const Overlay *overlay, const char *curve, bool along)
 {
-    const int column = screen->overlay ? overlay_column_for(screen->overlay, curve, along) : -1;
-    return column >= 0 ? &screen->overlay->columns[column] : NULL;
+    const int column = overlay ? overlay_column_for(overlay, curve, along) : -1;
+    return column >= 0 ? &overlay->columns[column] : NULL;
 }
 
 void overlay_widen(const Screen *screen, const char *curve, bool along, double *least, double *most)
 {
-    const OverlayColumn *column = column_of(screen, curve, along);
+    const OverlayColumn *column = column_of(screen->overlay, curve, along);
     if (!column || isnan(column->least))
         return;
     *least = fmin(*least, column->least);
@@ -56,7 +56,7 @@ static double sample(const void *context, size_t index, double *x)
 
 void overlay_stroke(const Screen *screen, Plot *plot, const char *curve, bool along, int dots)
 {
-    const OverlayColumn *column = column_of(screen, curve, along);
+    const OverlayColumn *column = column_of(screen->overlay, curve, along);
     size_t first, end;
     if (!column)
         return;
@@ -94,7 +94,7 @@ static void draw_name(Area inner, const char *name)
  * covers them. */
 void overlay_marks(const Screen *screen, Area inner, const Plot *plot, const char *curve, bool along)
 {
-    const OverlayColumn *column = column_of(screen, curve, along);
+    const OverlayColumn *column = column_of(screen->overlay, curve, along);
     const int width = inner.rect.width;
     size_t first, end;
     if (!column || width < 4)
@@ -120,7 +120,7 @@ void overlay_marks(const Screen *screen, Area inner, const Plot *plot, const cha
 
 double overlay_value(const Screen *screen, const char *curve, bool along, double x)
 {
-    const OverlayColumn *column = column_of(screen, curve, along);
+    const OverlayColumn *column = column_of(screen->overlay, curve, along);
     if (!column)
         return NAN;
     const Overlay *overlay = screen->overlay;

@@ -6,14 +6,14 @@
 
 #include <stdio.h>
 
-static bool has_any(const Screen *screen, unsigned needs)
+static bool has_any(const Experiment *experiment, unsigned needs)
 {
-    return needs == 0 || (experiment_simulation(screen->experiment)->has & needs) != 0;
+    return needs == 0 || (experiment_simulation(experiment)->has & needs) != 0;
 }
 
 const char *view_missing(const View *view, const Screen *screen)
 {
-    return has_any(screen, view->needs) ? NULL : view->lacking;
+    return has_any(screen->experiment, view->needs) ? NULL : view->lacking;
 }
 
 int view_variants(const View *view, const Screen *screen)
@@ -23,18 +23,18 @@ int view_variants(const View *view, const Screen *screen)
 }
 
 /* What was chosen, as it was counted: more than there are begins anew. */
-static const int *chosen_variant(const View *view, const Screen *screen)
+static const int *chosen_variant(const View *view, const ViewsShown *shown)
 {
     static const int first = 0;
-    for (int i = 0; i < screen->views.n_variants; i++)
-        if (screen->views.variants[i].view == view)
-            return &screen->views.variants[i].variant;
+    for (int i = 0; i < shown->n_variants; i++)
+        if (shown->variants[i].view == view)
+            return &shown->variants[i].variant;
     return &first;
 }
 
 int view_variant(const View *view, const Screen *screen)
 {
-    const int variant = *chosen_variant(view, screen);
+    const int variant = *chosen_variant(view, &screen->views);
     return variant > 0 ? variant % view_variants(view, screen) : 0;
 }
 
@@ -53,7 +53,7 @@ void view_choose_variant(const View *view, Screen *screen, int variant)
 
 bool view_is_on_paper(const View *view, const Screen *screen)
 {
-    return view->on_paper && has_any(screen, view->on_paper_with) && !view_missing(view, screen);
+    return view->on_paper && has_any(screen->experiment, view->on_paper_with) && !view_missing(view, screen);
 }
 
 const char *view_variant_word(const View *view, const Screen *screen, int variant)
@@ -86,7 +86,7 @@ static void draw_one(const View *view, const Screen *screen, Area area, Style he
 }
 
 /* Whose picture it is stands at the end of its heading, in as few words as there is room for. */
-static void name_side(const Screen *screen, DuelSide side, const char *note, Area area)
+static void name_side(const Duel *duel, DuelSide side, const char *note, Area area)
 {
     const char letter = side == SIDE_A ? 'A' : 'B';
     char names[3][DUEL_NAME_MAX + 32];
@@ -97,7 +97,7 @@ static void name_side(const Screen *screen, DuelSide side, const char *note, Are
             break;
         end--;
     }
-    snprintf(names[0], sizeof names[0], " %c %s%s ", letter, screen->duel->names[side == SIDE_B], note);
+    snprintf(names[0], sizeof names[0], " %c %s%s ", letter, duel->names[side == SIDE_B], note);
     snprintf(names[1], sizeof names[1], " %c%s ", letter, note);
     snprintf(names[2], sizeof names[2], " %c ", letter);
     int form = 0;
@@ -114,7 +114,7 @@ static void draw_side(const View *view, const Screen *screen, DuelSide side, con
     const Screen one = screen_of_side(screen, side);
     draw_one(view, &one, area, heading);
     if (view->duel != DUEL_IN_AXES || view->names_run)
-        name_side(screen, side, note, area);
+        name_side(screen->duel, side, note, area);
 }
 
 static void draw_sides(const View *view, const Screen *screen, Area area, Style heading)

@@ -9,24 +9,24 @@
 #include <stdio.h>
 #include <string.h>
 
-static bool in_plane(const Screen *screen)
+static bool in_plane(const Experiment *experiment)
 {
-    return simulation_has(experiment_simulation(screen->experiment), HAS_PLANE);
+    return simulation_has(experiment_simulation(experiment), HAS_PLANE);
 }
 
 static int variants_of(const Screen *screen)
 {
-    return in_plane(screen) ? MAP_VARIANTS : 1;
+    return in_plane(screen->experiment) ? MAP_VARIANTS : 1;
 }
 
 static const char *word_of(const Screen *screen, int variant)
 {
-    return in_plane(screen) ? parameter_colour_words[variant] : NULL;
+    return in_plane(screen->experiment) ? parameter_colour_words[variant] : NULL;
 }
 
 static bool shows_start(const Screen *screen, int variant)
 {
-    return in_plane(screen) && variant == MAP_DRAWING;
+    return in_plane(screen->experiment) && variant == MAP_DRAWING;
 }
 
 /* --- heading --------------------------------------------------------------------------------------- */
@@ -179,7 +179,7 @@ static Area map_part(Area area)
 
 static void draw(const Screen *screen, Area area, Style heading, int variant)
 {
-    if (!in_plane(screen)) {
+    if (!in_plane(screen->experiment)) {
         pane_mesh(screen, area);
         return;
     }

@@ -17,21 +17,21 @@ typedef struct Study {
     bool periods; /* of a beam, in s, and sizes in m; else frequencies, in the bar's own units */
 } Study;
 
-static int studies_of(const Screen *screen, const ConvergenceStudy *out[CONVERGENCE_STUDIES_MAX])
+static int studies_of(const Experiment *experiment, const ConvergenceStudy *out[CONVERGENCE_STUDIES_MAX])
 {
-    return convergence_studies(experiment_settings(screen->experiment), out);
+    return convergence_studies(experiment_settings(experiment), out);
 }
 
 static int variants_of(const Screen *screen)
 {
     const ConvergenceStudy *studies[CONVERGENCE_STUDIES_MAX];
-    return studies_of(screen, studies);
+    return studies_of(screen->experiment, studies);
 }
 
 static const ConvergenceStudy *study_of(const Screen *screen, int variant)
 {
     const ConvergenceStudy *studies[CONVERGENCE_STUDIES_MAX];
-    return variant < studies_of(screen, studies) ? studies[variant] : NULL;
+    return variant < studies_of(screen->experiment, studies) ? studies[variant] : NULL;
 }
 
 static const char *word_of(const Screen *screen, int variant)

@@ -144,12 +144,12 @@ static void mode_lines(const Screen *screen, bool brief, char first[160], char s
 }
 
 /* What the factors' names mean; where room is short, the last of them. */
-static void factor_line(const Screen *screen, int width, char out[160])
+static void factor_line(Experiment *experiment, int width, char out[160])
 {
     ModeOnMesh mode;
     int named = 0;
     out[0] = '\0';
-    if (!dispersion_mode(experiment_settings(screen->experiment), 1, &mode))
+    if (!dispersion_mode(experiment_settings(experiment), 1, &mode))
         return;
     for (int i = 0; i < mode.n_factors; i++) {
         if (!mode.factors[i].meaning)
@@ -184,18 +184,18 @@ static int bar_dots(const Screen *screen, Dot dots[RUNS_MAX])
 }
 
 /* The modes that are shown: all that the mesh can carry or, as a variant, those around the present one. */
-static int last_mode(const Screen *screen, int variant)
+static int last_mode(Experiment *experiment, int variant)
 {
     enum { NEAR = 12 };
-    const int all = dispersion_modes(experiment_settings(screen->experiment));
-    const int mode = experiment_readout(screen->experiment)->mode;
+    const int all = dispersion_modes(experiment_settings(experiment));
+    const int mode = experiment_readout(experiment)->mode;
     const int near = mode > NEAR / 2 ? 2 * mode : NEAR;
     return variant == 1 && near < all ? near : all;
 }
 
 static void draw_bar(const Screen *screen, Area area, Style heading, int variant)
 {
-    const int last = last_mode(screen, variant), under = lines_under(area, 3);
+    const int last = last_mode(screen->experiment, variant), under = lines_under(area, 3);
     Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
     const int width = plot_area.rect.width - GUTTER - 1, rows = plot_area.rect.height - 1;
     const int columns = width > 1 ? width * plot_dots_across(area.glyphs) : 2;
@@ -255,7 +255,7 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
         memcpy(first, brief[0], sizeof first);
     if (are_cut(area, "", second))
         memcpy(second, brief[1], sizeof second);
-    factor_line(screen, area.rect.width, factors);
+    factor_line(screen->experiment, area.rect.width, factors);
     const int at = area.rect.height - under;
     if (under > 0)
         area_text(area, 1, at, first, STYLE_NORMAL);
@@ -394,7 +394,7 @@ static void say_instead_of_period(Area area, Style heading)
 
 static int variants_of(const Screen *screen)
 {
-    return last_mode(screen, 1) < last_mode(screen, 0) ? 2 : 1;
+    return last_mode(screen->experiment, 1) < last_mode(screen->experiment, 0) ? 2 : 1;
 }
 
 static const char *word_of(const Screen *screen, int variant)

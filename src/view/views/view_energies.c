@@ -42,22 +42,22 @@ static void add_layer(Stack *stack, const char *name, int column, int minus, Sty
     }
 }
 
-static bool breaks(const Screen *screen)
+static bool breaks(const Experiment *experiment)
 {
-    return simulation_has(experiment_simulation(screen->experiment), HAS_BREAKING);
+    return simulation_has(experiment_simulation(experiment), HAS_BREAKING);
 }
 
 /* The kinetic energy of the beam moving on as a whole, 1/2 m v0^2; 0: it does not. That of the vibration is a
  * millionth of it, and the two cannot be told apart by a difference: a hundred-millionth more speed along the
  * beam, times its mass and its speed, is as much as the whole vibration. */
-static double rigid_energy(const Screen *screen)
+static double rigid_energy(const Experiment *experiment)
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = experiment_settings(experiment);
     if (!(settings->problem->concerns & CONCERN_MOTION))
         return 0;
     const double volume =
         settings->lattice.spacing * settings->lattice.spacing * settings->geometry.thickness;
-    const double nodes = (double)experiment_simulation(screen->experiment)->counts[0];
+    const double nodes = (double)experiment_simulation(experiment)->counts[0];
     return nodes * volume * settings->material.density * settings->motion.speed * settings->motion.speed / 2;
 }
 
@@ -71,7 +71,7 @@ static int null_column(const Screen *screen)
 static Stack stack_of(const Screen *screen)
 {
     Stack stack = {.record = experiment_record(screen->experiment)};
-    if (rigid_energy(screen) > 0) {
+    if (rigid_energy(screen->experiment) > 0) {
         add_layer(&stack, "strain, for travel dwarfs the rest", screen_column(screen, "strain"), -1,
                   STYLE_EXACT);
         return stack;
@@ -89,7 +89,7 @@ static Stack stack_of(const Screen *screen)
         add_layer(&stack, "kinetic", kinetic, -1, STYLE_MEASURED);
     }
     add_layer(&stack, "strain", screen_column(screen, "strain"), -1, STYLE_EXACT);
-    if (screen_column(screen, "kinetic_grid") >= 0 || breaks(screen))
+    if (screen_column(screen, "kinetic_grid") >= 0 || breaks(screen->experiment))
         add_layer(&stack, "dissipated", screen_column(screen, "dissipated"), -1, STYLE_THIRD);
     return stack;
 }
@@ -174,7 +174,7 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
     }
     double lumping, hidden;
     const bool shares = unseen_shares(screen, record, x, &lumping, &hidden);
-    const double rigid = rigid_energy(screen);
+    const double rigid = rigid_energy(screen->experiment);
     if (rigid > 0) {
         text_fitted(rigid, 4, 10, number);
         text_append(out, 320, "  kinetic %s J of travel%s: not drawn", number, wide ? " (1/2 m v0^2)" : "");
@@ -233,7 +233,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         if (work >= 0)
             most_work = fmax(most_work, fabs(record_row(record, i)[work]));
     }
-    const bool is_rigid = rigid_energy(screen) > 0;
+    const bool is_rigid = rigid_energy(screen->experiment) > 0;
     const char *line = is_rigid ? "strain" : "total"; /* of the other runs */
     Run runs[RUNS_MAX];
     const int n_runs = runs_with(runs, runs_of(screen, runs), line);

@@ -117,13 +117,13 @@ static size_t bins_within(const Picture *picture)
 }
 
 /* The same column of another run; NULL: it has too few rows. */
-static const Spectrum *spectrum_of_run(const Screen *screen, const Run *run, const char *column,
+static const Spectrum *spectrum_of_run(Experiment *experiment, const Run *run, const char *column,
                                        SpectrumSpan span)
 {
     const int at = run_column(run, column);
     return at < 0            ? NULL
            : run->experiment ? experiment_spectrum(run->experiment, at, span)
-                             : experiment_ghost_spectrum(screen->experiment, run->ghost, at, span);
+                             : experiment_ghost_spectrum(experiment, run->ghost, at, span);
 }
 
 static double largest_of(const Picture *picture)
@@ -248,10 +248,10 @@ static bool wants_time(const Screen *screen, const Spectrum *spectrum, Choice ch
 
 /* "predicted through height 1098, 2038 kHz", as many as there is room for; false: there is nothing to tell.
  */
-static bool thickness_line(const Screen *screen, int width, char out[160])
+static bool thickness_line(Experiment *experiment, int width, char out[160])
 {
     double thickness[THICKNESS_LINES_MAX];
-    int count = references_thickness_lines(experiment_references(screen->experiment), thickness);
+    int count = references_thickness_lines(experiment_references(experiment), thickness);
     for (count = count < PEAKS_MAX ? count : PEAKS_MAX; count > 0; count--) {
         snprintf(out, 160, "predicted through height");
         for (int i = 0; i < count; i++)
@@ -279,11 +279,11 @@ static void add_marks(const Screen *screen, Plot *plot, const Picture *picture, 
 }
 
 /* A run's letter stands at its highest peak. */
-static void letter_at_peak(const Screen *screen, const Plot *plot, Area inner, const Picture *picture,
+static void letter_at_peak(Experiment *experiment, const Plot *plot, Area inner, const Picture *picture,
                            const Run *run, const char *column, SpectrumSpan span)
 {
     Picture of_run = *picture;
-    of_run.spectrum = spectrum_of_run(screen, run, column, span);
+    of_run.spectrum = spectrum_of_run(experiment, run, column, span);
     if (!run->letter || !run->shown || !of_run.spectrum)
         return;
     size_t best = 0;
@@ -320,8 +320,8 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         return;
     }
 
-    const bool rings =
-        choice.fast && screen_shows_predicted(screen) && thickness_line(screen, area.rect.width, lines);
+    const bool rings = choice.fast && screen_shows_predicted(screen) &&
+                       thickness_line(screen->experiment, area.rect.width, lines);
     const int under = area.rect.height < 8             ? 0
                       : area.rect.height < 9 || !rings ? 1
                                                        : 2,
@@ -335,7 +335,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     double largest = 0;
     for (int i = 0; i < n_runs; i++) {
         Picture of_run = picture;
-        of_run.spectrum = spectrum_of_run(screen, &runs[i], quantity->name, span);
+        of_run.spectrum = spectrum_of_run(screen->experiment, &runs[i], quantity->name, span);
         if (runs[i].experiment && of_run.spectrum)
             largest = fmax(largest, largest_of(&of_run));
     }
@@ -374,7 +374,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     add_marks(screen, &plot, &picture, marks, n_marks);
     for (int i = 0; i < n_runs; i++) {
         Picture of_run = picture;
-        of_run.spectrum = spectrum_of_run(screen, &runs[i], quantity->name, span);
+        of_run.spectrum = spectrum_of_run(screen->experiment, &runs[i], quantity->name, span);
         if (!runs[i].shown || !of_run.spectrum)
             continue;
         run_begin(&plot, &runs[i]);
@@ -383,7 +383,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     }
     plot_draw(&plot, inner);
     for (int i = 0; i < n_runs; i++)
-        letter_at_peak(screen, &plot, inner, &picture, &runs[i], quantity->name, span);
+        letter_at_peak(screen->experiment, &plot, inner, &picture, &runs[i], quantity->name, span);
     plot_close(&plot);
     if (under > 0) {
         peak_line(screen, &picture, choice.fast, text);

@@ -103,15 +103,14 @@ static void draw_heading_of(const Screen *screen, Area area, const Table *table,
     heading_hint(area, 5 + glyphs_columns(text), area.rect.width + 1 - end, more);
 }
 
-static void draw_column(const Screen *screen, Area area, const Table *table, const TableColumn *column,
+static void draw_column(Experiment *experiment, Area area, const Table *table, const TableColumn *column,
                         int end)
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Simulation *sim = experiment_simulation(experiment);
     double values[ROWS_MAX], before[ROWS_MAX];
     area_text_right(area, end, 1, column->name, STYLE_HEADING);
     sim->method->field(sim, column->field, table->first, table->rows, values);
-    const bool known =
-        experiment_field_before(screen->experiment, column->field, table->first, table->rows, before);
+    const bool known = experiment_field_before(experiment, column->field, table->first, table->rows, before);
     const Format format = format_of(values, table->rows, 5, CELL_WIDTH - 1);
     for (size_t i = 0; i < table->rows; i++) {
         char text[NUMBER_TEXT_MAX];
@@ -147,7 +146,7 @@ static void draw(const Screen *screen, Area area, Style heading, int set)
     int end = INDEX_WIDTH;
     for (int c = table.first_column; c < table.end_column; c++) {
         end += table.columns[c].width;
-        draw_column(screen, area, &table, &table.columns[c], end - 1);
+        draw_column(screen->experiment, area, &table, &table.columns[c], end - 1);
     }
 }
 
