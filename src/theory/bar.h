@@ -20,6 +20,12 @@ typedef struct BarTheory {
     } modes[BAR_MODES_MAX];
     double body_force; /* b, per unit mass */
     double traction;   /* t, at each free end, outwards positive */
+    /* For bar_waves.h; what is here knows a bar of one material without a pulse. */
+    struct {
+        double centre, width, velocity; /* v = velocity exp(-((x - centre)/width)^2); of velocity 0 none */
+    } pulse;
+    double joint; /* where a second material begins; 0: the bar is of one */
+    double joint_modulus, joint_density;
 } BarTheory;
 
 double bar_wave_speed(const BarTheory *bar);              /* c = sqrt(E / rho) */

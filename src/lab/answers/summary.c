@@ -107,7 +107,10 @@ void summary_of(Experiment *experiment, RunSummary *summary)
         invariant[0] = NAN;
     summary_rows(summary, columns, n, record->rows, record->count, invariant);
     summary->n_derived = experiment_derived(experiment, summary->derived);
-    /* the crack is that of the step on screen */
+    /* the findings and the crack are those of the step on screen */
+    if (experiment_simulation(experiment)->step == summary->steps)
+        summary->n_findings = references_findings(experiment_references(experiment),
+                                                  experiment_simulation(experiment), summary->findings);
     if (experiment_simulation(experiment)->step == summary->steps)
         summary_crack(summary, experiment_simulation(experiment), experiment_settings(experiment));
 }
@@ -139,11 +142,13 @@ static void add_known(Writer *writer, const char *word, bool known, double value
     add(writer, "  %s %s", word, text);
 }
 
-static void add_readout(Writer *writer, const Readout *readout, const char *answer)
+/* Of a run without a frequency that is said only where nothing else was found. */
+static void add_readout(Writer *writer, const Readout *readout, const char *answer, bool found)
 {
     const char *what = readout->is_period ? "period" : "frequency";
     if (!readout->moving) {
-        add(writer, "nothing vibrates: no %s to measure\n", what);
+        if (!found)
+            add(writer, "nothing vibrates: no %s to measure\n", what);
         return;
     }
     add(writer, "%s", what);
@@ -246,7 +251,10 @@ void summary_text(const RunSummary *summary, const Settings *settings, char out[
     add(&writer, "%ld steps to t = %s%s%s  (dt %s)%s\n", summary->steps, time, facts->si ? " " : "",
         facts->si ? facts->unit_of_time : "", dt, summary->failed ? ", where the run failed" : "");
     if (!summary->crack_known)
-        add_readout(&writer, &summary->readout, facts->answer);
+        add_readout(&writer, &summary->readout, facts->answer, summary->n_findings > 0);
+    char found[SUMMARY_MAX];
+    findings_text(summary->findings, summary->n_findings, SUMMARY_MAX, found, sizeof found);
+    add(&writer, "%s%s", found, *found ? "\n" : "");
     char unaccounted[KNOWN_TEXT_MAX];
     if (known_text(settings, unaccounted, NULL))
         add(&writer, "%s\n", unaccounted);

@@ -31,6 +31,8 @@ typedef struct RunSummary {
     long steps;
     double time, dt;
     Readout readout;
+    Finding findings[FINDINGS_MAX]; /* of the last step */
+    int n_findings;
     EnergyMeasure energy_measure;
     bool energy_of_work;  /* the run begins at rest: the change is a share of the largest work of the load */
     double energy_change; /* from the start to the end, in percent of the start */

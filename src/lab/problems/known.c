@@ -42,7 +42,8 @@ const char *known_unaccounted_now(const Settings *settings, Reference reference)
     for (int i = 0; known && i < n_parameters; i++)
         if (!is_among(known->keys, parameters[i].key) && is_at_work(settings, &parameters[i]))
             return parameters[i].key;
-    return NULL;
+    const Solver *solver = known ? problem_solver(settings->problem, settings->method) : NULL;
+    return solver && solver->unaccounted ? solver->unaccounted(settings, reference) : NULL;
 }
 
 const char *known_unaccounted(const Settings *settings, Reference reference)

@@ -26,6 +26,7 @@ enum Concern {
     CONCERN_PRESSURE = 1 << 11, /* pressure on a stretch of the top */
     CONCERN_SUPPORTS = 1 << 12, /* supports at places of one's own */
     CONCERN_STEP = 1 << 13,     /* the time step itself is given; with a mesh it is a courant number */
+    CONCERN_WAVES = 1 << 14,    /* a pulse, and a second material that it meets */
     CONCERN_ANY = ~0            /* every problem: time.end, output */
 };
 
@@ -41,6 +42,7 @@ typedef struct ParameterUse {
 
 typedef struct References References; /* references.h */
 typedef struct Readout Readout;
+typedef struct Finding Finding;
 typedef struct Derived Derived;
 typedef struct ModeOnMesh ModeOnMesh; /* answers/dispersion.h */
 
@@ -77,6 +79,8 @@ typedef struct Prediction {
 typedef struct Solver {
     MethodKind method;
     Understanding understands[REFERENCES];
+    /* A parameter that the reference accounts for, but not together with others as they are; NULL: none. */
+    const char *(*unaccounted)(const Settings *, Reference);
 
     /* Does the whole make sense? Else the status names the key to be changed. */
     bool (*check)(const Settings *, Status *);
@@ -92,6 +96,7 @@ typedef struct Solver {
     bool (*prepare)(References *, const Settings *, const Simulation *, Status *);
     double (*profile)(const References *, const char *field, double x, double time);
     void (*readout)(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);
+    int (*findings)(const References *, const Simulation *, Finding *out);
     double (*envelope)(const References *, const char *column, double time);
     double (*standing_frequency)(const References *, double time);
     int (*thickness_lines)(const References *, double *out);

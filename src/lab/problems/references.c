@@ -1,10 +1,12 @@
 /* The references of a run (references.h): made by its solver, then read by whatever shows, writes or judges
  * the run. */
 #include "base/assertion.h"
+#include "base/text.h"
 #include "lab/problems/known.h"
 #include "lab/problems/solver.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 References *problem_references(const Settings *settings, const Simulation *sim, Status *status)
@@ -123,6 +125,34 @@ double references_standing_frequency(const References *refs, double time)
     return solver->standing_frequency && !refs->unaccounted[REFERENCE_FREQUENCY]
                ? solver->standing_frequency(refs, time)
                : NAN;
+}
+
+int references_findings(const References *refs, const Simulation *sim, Finding out[FINDINGS_MAX])
+{
+    const Solver *solver = refs->solver;
+    return solver && solver->findings && !refs->unaccounted[REFERENCE_EXACT]
+               ? solver->findings(refs, sim, out)
+               : 0;
+}
+
+int findings_text(const Finding *findings, int n_findings, int columns, char *out, size_t size)
+{
+    size_t used = 0;
+    out[0] = '\0';
+    for (int i = 0; i < n_findings; i++) {
+        char text[160], measured[NUMBER_TEXT_MAX], exact[NUMBER_TEXT_MAX];
+        const Finding *finding = &findings[i];
+        text_rounded(measured, finding->measured, 4);
+        text_rounded(exact, finding->exact, 4);
+        int n = snprintf(text, sizeof text, "%s%s %s", i ? "  " : "", finding->label,
+                         isfinite(finding->measured) ? measured : "not yet");
+        if (finding->exact != 0)
+            n += snprintf(text + n, sizeof text - (size_t)n, " (exact %s)", exact);
+        if (used + (size_t)n >= size || (int)used + n > columns)
+            return i;
+        used += (size_t)snprintf(out + used, size - used, "%s", text);
+    }
+    return n_findings;
 }
 
 int references_thickness_lines(const References *refs, double out[THICKNESS_LINES_MAX])

@@ -80,6 +80,23 @@ struct Readout {
     const char *unaccounted; /* the parameter with which no frequency is known; NULL: it is known */
 };
 
+/* A number of the run as it stands, beside the right one: what is judged besides a frequency, or where there
+ * is none. */
+typedef struct Finding {
+    const char *name;  /* ASCII: "v_error" */
+    const char *label; /* on screen: "L2 error of v" */
+    double measured;   /* NAN: there is none yet */
+    double exact;      /* an error's is 0 */
+} Finding;
+
+enum { FINDINGS_MAX = 6 };
+
+/* Returns how many there are. The simulation is that of the references, at any time. */
+int references_findings(const References *, const Simulation *, Finding out[FINDINGS_MAX]);
+
+/* "L2 error of v 0.7394  peak/start 0.6993 (exact 1)", as many as `columns` hold; returns how many. */
+int findings_text(const Finding *, int n_findings, int columns, char *out, size_t size);
+
 /* Periods behind the exact answer at another time than the readout's; NAN: not known. */
 double readout_late(const Readout *, double time);
 

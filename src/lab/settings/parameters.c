@@ -191,7 +191,9 @@ void parameter_range(const Parameter *parameter, const Problem *problem, char *o
             used += (size_t)snprintf(out + used, size - used, "%s%s", i ? " | " : "", parameter->choices[i]);
     } else if (parameter->type == PARAMETER_TEXT) {
         snprintf(out, size, "%s",
-                 strcmp(parameter->key, "initial.overtones") == 0 ? "mode:velocity,..." : "time,time,...");
+                 strcmp(parameter->key, "initial.overtones") == 0 ? "mode:velocity,..."
+                 : strcmp(parameter->key, "initial.pulse") == 0   ? "centre,width,velocity"
+                                                                  : "time,time,...");
     } else if (isinf(parameter->least)) {
         snprintf(out, size, "any number");
     } else if (isinf(parameter->most)) {

@@ -79,6 +79,26 @@ int overtones_read(const char *text, Overtone out[OVERTONES_MAX], Status *status
     return count;
 }
 
+bool pulse_read(const char *text, Pulse *out, Status *status)
+{
+    double numbers[3];
+    const char *rest = text;
+    char item[LIST_MAX];
+    int count = 0;
+    *out = (Pulse){.width = 1};
+    if (is_blank(text))
+        return true;
+    while (count < 3 && (rest = next_item(rest, item)) && text_to_double(item, &numbers[count]))
+        count++;
+    if (count < 3 || *rest || ends_in_comma(text) || !(numbers[1] > 0))
+        return status_fail(status, STATUS_USAGE,
+                           "initial.pulse: \"%s\" is no pulse (centre,width,velocity, the width above 0, "
+                           "such as 50,3,1e-4)",
+                           text);
+    *out = (Pulse){numbers[0], numbers[1], numbers[2]};
+    return true;
+}
+
 int settings_times_read(const char *text, double out[TIMES_MAX], Status *status)
 {
     static const char key[] = "output.at";

@@ -50,11 +50,18 @@ typedef struct Material {
     double youngs_modulus, density; /* E, rho > 0 */
 } Material;
 
+/* From a place on a bar is of another material. */
+typedef struct Joint {
+    double place; /* 0: it is of one */
+    Material beyond;
+} Joint;
+
 /* What moves at t = 0, and how. */
 typedef struct Start {
     int mode; /* of a bar */
     double velocity;
     char overtones[LIST_MAX]; /* "3:0.03,7:0.01" */
+    char pulse[LIST_MAX];     /* "50,3,1e-4": centre, width, velocity; "": none */
     double amplitude;         /* deflection U of a beam's mode */
 } Start;
 
@@ -136,6 +143,7 @@ typedef struct Settings {
 
     Geometry geometry;
     Material material;
+    Joint joint;
     Start start;
     Mesh mesh;
     Transfer mpm;
@@ -176,6 +184,13 @@ typedef struct Overtone {
 
 /* "3:0.03,7:0.01": how many there are, -1 if the text cannot be read (the status says why). */
 int overtones_read(const char *text, Overtone out[OVERTONES_MAX], Status *);
+
+typedef struct Pulse {
+    double centre, width, velocity;
+} Pulse;
+
+/* "50,3,1e-4", centre, width > 0 and velocity; "" is a pulse of velocity 0. False: it cannot be read. */
+bool pulse_read(const char *text, Pulse *out, Status *);
 
 /* "0,1e-4,2e-4", ascending: how many there are, or -1. */
 int settings_times_read(const char *text, double out[TIMES_MAX], Status *);

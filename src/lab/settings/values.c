@@ -205,12 +205,15 @@ static const char *const *words_of(TextRule rule)
                                    : NULL;
 }
 
-/* A view's digit, or a word such as name views; which there are the laboratory knows, not the scenario. */
+/* A view's digit, or a word such as name views, perhaps with that of a variant, "profile:v"; which there are
+ * the laboratory knows, not the scenario. */
 static bool can_be_view(const char *text)
 {
     const size_t letters = strspn(text, "abcdefghijklmnopqrstuvwxyz-");
     const bool digit = text[0] >= '1' && text[0] <= '9' && text[1] == '\0';
-    return digit || (letters > 0 && text[letters] == '\0');
+    const char *variant = text[letters] == ':' ? text + letters + 1 : "v";
+    return digit || (letters > 0 && (text[letters] == '\0' || text[letters] == ':') && *variant &&
+                     variant[strspn(variant, "abcdefghijklmnopqrstuvwxyz_-")] == '\0');
 }
 
 /* Empty is always allowed: as the laboratory likes. */

@@ -184,6 +184,11 @@ static void draw_summary(const Screen *screen, Area area)
                         readout->is_period ? readout->error_period : readout->error_frequency);
         y += area_phrases(area, 1, y, width, rows - y, text, STYLE_NORMAL);
     }
+    char found[SUMMARY_MAX] = "";
+    if (screen->summary_known)
+        findings_text(summary->findings, summary->n_findings, SUMMARY_MAX, found, sizeof found);
+    if (*found && y < rows)
+        y += area_phrases(area, 1, y, width, rows - y, found, STYLE_NORMAL);
     char crack[SUMMARY_MAX] = "", *line = crack;
     if (screen->summary_known)
         summary_crack_text(summary, "µs", crack);

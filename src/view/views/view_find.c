@@ -51,12 +51,20 @@ const View *view_of_map(void)
     return NULL;
 }
 
+/* Of "profile:v" the view; "profile" and "1" are whole. */
+static const View *view_of_name(const char *name)
+{
+    char word[VALUE_MAX];
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(name, ":"), name);
+    return view_named(word);
+}
+
 bool view_check(const ViewSettings *view, Status *status)
 {
     const char *const names[2] = {view->upper, view->lower};
     char known[160];
     for (int i = 0; i < 2; i++)
-        if (names[i][0] && !view_named(names[i])) {
+        if (names[i][0] && !view_of_name(names[i])) {
             view_names(known, sizeof known);
             return status_fail(status, STATUS_USAGE, "view.%s: %.60s is not allowed (%s)",
                                i == 0 ? "upper" : "lower", names[i], known);
@@ -64,12 +72,25 @@ bool view_check(const ViewSettings *view, Status *status)
     return true;
 }
 
+/* A view that a scenario names, with its variant; one that cannot be shown gives way. */
+static const View *open_named(Screen *screen, const char *name, PaneId home)
+{
+    const View *view = view_of_name(name);
+    const char *variant = strchr(name, ':');
+    if (!view || view_missing(view, screen))
+        return view_at_home(home, experiment_simulation(screen->experiment));
+    for (int i = 0; variant && i < view_variants(view, screen); i++) {
+        const char *word = view_variant_word(view, screen, i);
+        if (word && strcmp(word, variant + 1) == 0)
+            view_choose_variant(view, screen, i);
+    }
+    return view;
+}
+
 void views_open(Screen *screen, const ViewSettings *settings)
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
-    const View *upper = view_named(settings->upper), *lower = view_named(settings->lower);
-    screen->views.upper = upper && !view_missing(upper, screen) ? upper : view_at_home(PANE_UPPER, sim);
-    screen->views.lower = lower && !view_missing(lower, screen) ? lower : view_at_home(PANE_LOWER, sim);
+    screen->views.upper = open_named(screen, settings->upper, PANE_UPPER);
+    screen->views.lower = open_named(screen, settings->lower, PANE_LOWER);
 }
 
 /* The view whose curve is meant: that in focus, else the first of the list with such an axis. */

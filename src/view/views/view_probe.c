@@ -182,7 +182,13 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
     const bool exact = readout->exact_known && screen_shows_exact(screen);
     const bool predicted = readout->predicted_known && screen_shows_predicted(screen);
     if (!readout->moving) {
-        snprintf(first, 160, "nothing vibrates: no frequency to measure");
+        Finding findings[FINDINGS_MAX];
+        const int n = references_findings(experiment_references(screen->experiment),
+                                          experiment_simulation(screen->experiment), findings);
+        const int fitted = findings_text(findings, n, width, first, 160);
+        findings_text(findings + fitted, n - fitted, width, second, 160);
+        if (n == 0)
+            snprintf(first, 160, "nothing vibrates: no frequency to measure");
         return;
     }
     const bool narrow = width < 52;

@@ -24,7 +24,8 @@ const Problem problem_bar = {
     .word = "bar",
     .answer = "exact",
     .title = "axial vibration of a bar",
-    .concerns = CONCERN_BAR | CONCERN_MODES | CONCERN_MESH | CONCERN_METHODS | CONCERN_LATTICE | CONCERN_PULL,
+    .concerns = CONCERN_BAR | CONCERN_MODES | CONCERN_MESH | CONCERN_METHODS | CONCERN_LATTICE |
+                CONCERN_PULL | CONCERN_WAVES,
     .uses = uses,
     .n_uses = sizeof uses / sizeof *uses,
     .solvers = solvers,

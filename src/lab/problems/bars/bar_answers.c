@@ -22,6 +22,17 @@ bool bar_theory_of(const Settings *settings, BarTheory *theory, Status *status)
         .body_force = settings->loads.body_force,
         .traction = settings->loads.traction,
     };
+    if (settings->method == METHOD_MPM) { /* the others have no such parameters */
+        Pulse pulse;
+        if (!pulse_read(settings->start.pulse, &pulse, status))
+            return false;
+        theory->pulse.centre = pulse.centre;
+        theory->pulse.width = pulse.width;
+        theory->pulse.velocity = pulse.velocity;
+        theory->joint = settings->joint.place;
+        theory->joint_modulus = settings->joint.beyond.youngs_modulus;
+        theory->joint_density = settings->joint.beyond.density;
+    }
     theory->modes[0].number = settings->start.mode;
     theory->modes[0].velocity = settings->start.velocity;
     Overtone overtones[OVERTONES_MAX];
@@ -38,19 +49,26 @@ bool bar_theory_of(const Settings *settings, BarTheory *theory, Status *status)
 
 double bar_time_step(const Settings *settings)
 {
-    const Material *material = &settings->material;
-    return settings->time.courant * settings->mesh.cell_size /
-           sqrt(material->youngs_modulus / material->density);
+    const Material *material = &settings->material, *beyond = &settings->joint.beyond;
+    double speed = sqrt(material->youngs_modulus / material->density);
+    if (settings->method == METHOD_MPM && settings->joint.place > 0)
+        speed = fmax(speed, sqrt(beyond->youngs_modulus / beyond->density));
+    return settings->time.courant * settings->mesh.cell_size / speed;
 }
 
 double bar_start(double x, const void *theory)
 {
-    return bar_initial_velocity(theory, x);
+    return bar_waves_start_velocity(theory, x);
 }
 
 double bar_start_slope(double x, const void *theory)
 {
-    return bar_initial_slope(theory, x);
+    return bar_waves_start_slope(theory, x);
+}
+
+double bar_start_stress(double x, const void *theory)
+{
+    return bar_waves_start_stress(theory, x);
 }
 
 /* --- does it make sense? -------------------------------------------------------------------------- */
@@ -113,7 +131,7 @@ int bar_watched_mode(const BarTheory *theory)
 static bool moves_centre(const BarTheory *theory, int mode)
 {
     BarTheory alone = *theory;
-    alone.body_force = alone.traction = 0;
+    alone.body_force = alone.traction = alone.joint = alone.pulse.velocity = 0;
     alone.n_modes = 1;
     alone.modes[0].number = mode;
     alone.modes[0].velocity = 1;
@@ -128,6 +146,8 @@ BarWatch bar_watch(const BarTheory *theory)
     BarWatch watch = {.column = "v_cm", .times = 1, .overlap = 1};
     int mode = bar_watched_mode(theory);
     bool centre = true, by_load = mode == 0;
+    if (theory->pulse.velocity != 0)
+        return watch; /* it is of many modes, and of no one frequency */
     if (by_load) {
         if (!load_vibrates(theory, &centre))
             return watch;
@@ -225,7 +245,7 @@ BarAnswers *bar_answers_create(References *refs, Status *status)
 static double exact_v_cm(References *refs, long step, double time, const double *row)
 {
     (void)step, (void)row;
-    return bar_centre_velocity(&bar_answers(refs)->theory, time);
+    return bar_waves_centre_velocity(&bar_answers(refs)->theory, time);
 }
 
 bool bar_prepare(References *refs, const Settings *settings, const Simulation *sim, BarFrequency *frequency,
@@ -255,18 +275,19 @@ double bar_profile(const References *refs, const char *field, double x, double t
     if (!(x >= 0 && x <= theory->length))
         return NAN;
     if (strcmp(field, "u") == 0)
-        return bar_displacement(theory, x, time);
+        return bar_waves_displacement(theory, x, time);
     if (strcmp(field, "x") == 0)
-        return x + bar_displacement(theory, x, time);
+        return x + bar_waves_displacement(theory, x, time);
     if (strcmp(field, "v") == 0)
-        return bar_velocity(theory, x, time);
+        return bar_waves_velocity(theory, x, time);
     if (strcmp(field, "stress") == 0)
-        return bar_stress(theory, x, time);
-    double strain = bar_stress(theory, x, time) / theory->youngs_modulus;
+        return bar_waves_stress(theory, x, time);
+    /* a pulse's stress of the start stretches, and changes no density */
+    const double modulus = bar_waves_modulus(theory, x), strain = bar_waves_stress(theory, x, time) / modulus;
     if (strcmp(field, "strain") == 0)
         return strain;
     if (strcmp(field, "density") == 0)
-        return theory->density / (1 + strain);
+        return bar_waves_density(theory, x) / (1 + strain - bar_waves_start_stress(theory, x) / modulus);
     return NAN;
 }
 

@@ -6,6 +6,7 @@
 #include "lab/answers/dispersion.h"
 #include "lab/problems/bars/bar_theory.h"
 #include "lab/problems/solver.h"
+#include "theory/bar_waves.h"
 #include "theory/frequency.h"
 
 /* On which column the bar's frequency is measured, and what it should be. */
@@ -37,7 +38,8 @@ BarAnswers *bar_answers_create(References *, Status *);
 
 /* The velocity at t = 0; the context is a BarTheory. */
 double bar_start(double x, const void *theory);
-double bar_start_slope(double x, const void *theory); /* its slope */
+double bar_start_slope(double x, const void *theory);  /* its slope */
+double bar_start_stress(double x, const void *theory); /* the stress of a pulse */
 
 /* The mode that is watched: the first that moves and is no rigid motion; else 0. */
 int bar_watched_mode(const BarTheory *);
@@ -56,6 +58,8 @@ bool bar_prepare(References *, const Settings *, const Simulation *, BarFrequenc
 double bar_profile(const References *, const char *field, double x, double time);
 void bar_read_out(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);
 
+int bar_findings(const References *, const Simulation *, Finding out[FINDINGS_MAX]);
+
 /* The parameters that answers of the bar account for, by what they are about (Understanding). */
 #define BAR_KEYS                                                                                             \
     "bar.length", "bar.youngs_modulus", "bar.density", "bar.supports", "initial.mode", "initial.velocity",   \
@@ -65,6 +69,8 @@ void bar_read_out(const References *, const double *rows, size_t n_rows, int n_c
     "mesh.cell_size", "mesh.particles_per_cell", "mesh.padding", "time.courant", "time.unstable"
 #define BAR_TRANSFER_KEYS                                                                                    \
     "mpm.algorithm", "mpm.shape", "mpm.transfer", "mpm.flip_fraction", "mpm.affine_start"
+#define BAR_WAVE_KEYS    "initial.pulse"
+#define BAR_JOINT_KEYS   "bar2.youngs_modulus", "bar2.density" /* nothing without bar2.joint */
 #define BAR_LATTICE_KEYS "pd.spacing", "pd.horizon", "pd.surface_correction", "pd.volume_correction"
 
 /* How many modes so many cells or nodes can represent. */

@@ -1,0 +1,143 @@
+/* What a pulse on a bar is judged by (references.h, Finding): how far it is from the exact one, how high it
+ * still is and how late; where it meets a second material, what comes back and what goes on. */
+#include "lab/problems/bars/bar_answers.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { PARTICLES_READ = 4000 }; /* of a bar of more, so many, evenly */
+
+/* Where particles were at t = 0, their velocity now, and the exact one. */
+typedef struct Sample {
+    const BarTheory *theory;
+    double *x, *v, *exact;
+    size_t count;
+    double spacing, time;
+} Sample;
+
+static bool sample_take(Sample *sample, const BarTheory *theory, const Simulation *sim)
+{
+    const int x = simulation_find_field(sim, 0, "x0"), v = simulation_find_field(sim, 0, "v");
+    const size_t all = sim->counts[0], stride = (all + PARTICLES_READ - 1) / PARTICLES_READ;
+    *sample = (Sample){.theory = theory, .count = all / stride, .time = simulation_time(sim)};
+    sample->spacing = theory->length / (double)all * (double)stride;
+    sample->x = malloc(3 * sample->count * sizeof *sample->x);
+    if (!sample->x || x < 0 || v < 0) {
+        free(sample->x);
+        return false;
+    }
+    sample->v = sample->x + sample->count;
+    sample->exact = sample->v + sample->count;
+    for (size_t i = 0; i < sample->count; i++) {
+        sim->method->field(sim, x, i * stride, 1, &sample->x[i]);
+        sim->method->field(sim, v, i * stride, 1, &sample->v[i]);
+        sample->exact[i] = bar_waves_velocity(theory, sample->x[i], sample->time);
+    }
+    return true;
+}
+
+/* sqrt(sum (v - exact)^2 / sum exact^2) */
+static double relative_distance(const Sample *sample)
+{
+    double off = 0, whole = 0;
+    for (size_t i = 0; i < sample->count; i++) {
+        off += (sample->v[i] - sample->exact[i]) * (sample->v[i] - sample->exact[i]);
+        whole += sample->exact[i] * sample->exact[i];
+    }
+    return sqrt(off / whole);
+}
+
+static double largest(const double *values, size_t count)
+{
+    double most = 0;
+    for (size_t i = 0; i < count; i++)
+        most = fmax(most, fabs(values[i]));
+    return most;
+}
+
+/* sum v(x) exact(x, t - delay): how well the run goes with the exact motion of a little earlier. */
+static double likeness(const Sample *sample, double delay)
+{
+    double sum = 0;
+    for (size_t i = 0; i < sample->count; i++)
+        sum += sample->v[i] * bar_waves_velocity(sample->theory, sample->x[i], sample->time - delay);
+    return sum;
+}
+
+/* The delay of the greatest likeness, over a width of the pulse and a half to both sides; then by a parabola.
+ */
+static double delay_of(const Sample *sample)
+{
+    enum { EACH_WAY = 12 };
+    const double c = bar_wave_speed(sample->theory), step = 1.5 * sample->theory->pulse.width / c / EACH_WAY;
+    double best = 0, most = -INFINITY, beside[3];
+    for (int k = -EACH_WAY; k <= EACH_WAY; k++) {
+        const double here = k * step <= sample->time ? likeness(sample, k * step) : -INFINITY;
+        if (here > most)
+            most = here, best = k * step;
+    }
+    for (double fine = step; fine > 1e-3 * step; fine /= 4) {
+        for (int k = 0; k < 3; k++)
+            beside[k] = likeness(sample, fmin(best + (k - 1) * fine, sample->time));
+        const double bend = beside[0] - 2 * beside[1] + beside[2];
+        if (bend < 0)
+            best += fine * fmax(-1, fmin(1, 0.5 * (beside[0] - beside[2]) / bend));
+    }
+    return best;
+}
+
+/* int v dx over the bar on one side of the joint, over that of the pulse at the start. */
+static double share_of_pulse(const Sample *sample, bool beyond)
+{
+    const BarTheory *bar = sample->theory;
+    double sum = 0;
+    for (size_t i = 0; i < sample->count; i++)
+        sum += (sample->x[i] > bar->joint) == beyond ? sample->v[i] * sample->spacing : 0;
+    return sum / (bar->pulse.velocity * bar->pulse.width * sqrt(M_PI));
+}
+
+/* The pulse has gone through the joint, and has not come back to it from an end. */
+static bool has_divided(const BarTheory *bar, double time)
+{
+    const double c1 = sqrt(bar->youngs_modulus / bar->density);
+    const double c2 = sqrt(bar->joint_modulus / bar->joint_density);
+    const double met = (bar->joint - bar->pulse.centre) / c1, passing = 2.5 * bar->pulse.width / c1;
+    const double again = met + 2 * fmin(bar->joint / c1, (bar->length - bar->joint) / c2);
+    return met > passing && time >= met + passing && time <= again - passing;
+}
+
+static int joint_findings(const Sample *sample, Finding *out)
+{
+    const BarTheory *bar = sample->theory;
+    const bool divided = has_divided(bar, sample->time);
+    const double speeds =
+        sqrt(bar->joint_modulus / bar->joint_density) / sqrt(bar->youngs_modulus / bar->density);
+    int n = 0;
+    out[n++] = (Finding){"reflected", "sent back R", divided ? share_of_pulse(sample, false) : NAN,
+                         bar_waves_reflected(bar)};
+    out[n++] = (Finding){"transmitted", "let on T", divided ? share_of_pulse(sample, true) / speeds : NAN,
+                         bar_waves_transmitted(bar)};
+    return n;
+}
+
+int bar_findings(const References *refs, const Simulation *sim, Finding out[FINDINGS_MAX])
+{
+    const BarTheory *theory = &bar_answers(refs)->theory;
+    Sample sample;
+    int n = 0;
+    if (theory->pulse.velocity == 0 || !sample_take(&sample, theory, sim))
+        return 0;
+    if (theory->joint > 0)
+        n = joint_findings(&sample, out);
+    out[n++] = (Finding){"v_error", "L2 error of v", relative_distance(&sample), 0};
+    if (theory->joint == 0) {
+        out[n++] =
+            (Finding){"v_peak", "peak/start", largest(sample.v, sample.count) / fabs(theory->pulse.velocity),
+                      largest(sample.exact, sample.count) / fabs(theory->pulse.velocity)};
+        out[n++] =
+            (Finding){"lag", "late by cells",
+                      delay_of(&sample) * bar_wave_speed(theory) / bar_answers(refs)->mesh.cell_size, 0};
+    }
+    free(sample.x);
+    return n;
+}

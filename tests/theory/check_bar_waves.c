@@ -1,0 +1,174 @@
+/* The bar's motion by its waves: against its modes, against reflections written out, and, where a second
+ * material leaves neither, against the equations that it has to obey. */
+#include "theory/bar_waves.h"
+#include "suite.h"
+
+#include <math.h>
+
+enum { SUPPORTS = 4 };
+
+static BarTheory bar(int supports)
+{
+    return (BarTheory){.length = 25,
+                       .youngs_modulus = 100,
+                       .density = 1,
+                       .left_fixed = supports & 1,
+                       .right_fixed = supports & 2};
+}
+
+static BarTheory pulsed(int supports)
+{
+    BarTheory theory = bar(supports);
+    theory.pulse.centre = 10;
+    theory.pulse.width = 1.5;
+    theory.pulse.velocity = 1e-3;
+    return theory;
+}
+
+static void add_joint(BarTheory *theory, double modulus, double density)
+{
+    theory->joint = 15;
+    theory->joint_modulus = modulus;
+    theory->joint_density = density;
+}
+
+/* A joint between equals divides nothing: the modes, by their own formula. */
+START_TEST(a_joint_between_equals)
+{
+    BarTheory modes = bar(_i);
+    modes.n_modes = 2;
+    modes.modes[0].number = 2, modes.modes[0].velocity = 0.1;
+    modes.modes[1].number = _i == 0 ? 0 : 5, modes.modes[1].velocity = -0.03;
+    BarTheory joined = modes;
+    add_joint(&joined, 100, 1);
+    for (double t = 0; t < 12; t += 0.37) {
+        for (double x = 0.01; x < 25; x += 1.3) {
+            ck_assert_double_eq_tol(bar_waves_velocity(&joined, x, t), bar_velocity(&modes, x, t), 1e-14);
+            ck_assert_double_eq_tol(bar_waves_stress(&joined, x, t), bar_stress(&modes, x, t), 1e-12);
+            ck_assert_double_eq_tol(bar_waves_displacement(&joined, x, t), bar_displacement(&modes, x, t),
+                                    1e-13);
+            ck_assert_double_eq(bar_waves_velocity(&modes, x, t), bar_velocity(&modes, x, t));
+        }
+        ck_assert_double_eq_tol(bar_waves_centre_velocity(&joined, t), bar_centre_velocity(&modes, t), 1e-14);
+    }
+}
+END_TEST
+
+/* A pulse from 10 meets the right end at 1.5 and is back at 10 at t = 3: the same sign from a free end, the
+ * other from a fixed one; the stress the other way round. From the left end it is back at t = 5. */
+START_TEST(a_pulse_comes_back)
+{
+    const BarTheory theory = pulsed(_i);
+    const double right = theory.right_fixed ? -1 : 1, both = right * (theory.left_fixed ? -1 : 1);
+    for (double x = 6; x < 14; x += 0.5) {
+        const double start = 1e-3 * exp(-pow((x - 10) / 1.5, 2)), away = exp(-pow((10 + 1.5) / 1.5, 2));
+        ck_assert_double_eq_tol(bar_waves_start_velocity(&theory, x), start, 1e-17);
+        ck_assert_double_eq_tol(bar_waves_start_stress(&theory, x), -10 * start, 1e-16);
+        ck_assert_double_eq_tol(bar_waves_velocity(&theory, x, 3), right * start, 1e-3 * away);
+        ck_assert_double_eq_tol(bar_waves_stress(&theory, x, 3), right * 10 * start, 1e-2 * away);
+        /* twice the length, and so for ever */
+        for (int turn = 1; turn < 200; turn += 33) {
+            ck_assert_double_eq_tol(bar_waves_velocity(&theory, x, 5 * turn), turn % 2 ? both * start : start,
+                                    1e-15);
+            ck_assert_double_eq_tol(bar_waves_stress(&theory, x, 5 * turn),
+                                    -10 * (turn % 2 ? both * start : start), 1e-14);
+        }
+    }
+    /* what a free bar has of momentum it keeps, and so it drifts */
+    if (_i == 0) {
+        const double speed = 1e-3 * 1.5 * sqrt(acos(-1.0)) / 25;
+        ck_assert_double_eq_tol(bar_waves_centre_velocity(&theory, 77.7), speed, 1e-15);
+        ck_assert_double_eq_tol(bar_waves_displacement(&theory, 4, 1000), 1000 * speed, 1e-13);
+    }
+}
+END_TEST
+
+static double slope(double (*field)(const BarTheory *, double, double), const BarTheory *theory, double x,
+                    double t, double dx, double dt)
+{
+    return (field(theory, x + dx, t + dt) - field(theory, x - dx, t - dt)) / (2 * (dx + dt));
+}
+
+/* Newton's and Hooke's laws everywhere, the same velocity and stress on both sides of the joint, nothing lost
+ * of the energy, and v_cm as the mean of v. */
+START_TEST(two_materials_obey)
+{
+    BarTheory theory = pulsed(_i % SUPPORTS);
+    theory.n_modes = 1;
+    theory.modes[0].number = 1, theory.modes[0].velocity = 1e-3;
+    add_joint(&theory, _i < SUPPORTS ? 400 : 25, _i < SUPPORTS ? 4 : 1);
+    enum { CELLS = 5000 };
+    double first = 0;
+    for (double t = 0.3; t < 7; t += 0.9) {
+        ck_assert(bar_waves_known(&theory, t));
+        double energy = 0, momentum = 0, mass = 0;
+        for (int i = 0; i < CELLS; i++) {
+            const double x = 25 * (i + 0.5) / CELLS, v = bar_waves_velocity(&theory, x, t);
+            const double stress = bar_waves_stress(&theory, x, t), dx = 25.0 / CELLS;
+            const double e = x > 15 ? theory.joint_modulus : 100, rho = x > 15 ? theory.joint_density : 1;
+            energy += (rho * v * v + stress * stress / e) / 2 * dx;
+            momentum += rho * v * dx, mass += rho * dx;
+        }
+        first = first > 0 ? first : energy;
+        ck_assert_double_eq_tol(energy, first, 1e-4 * first);
+        ck_assert_double_eq_tol(bar_waves_centre_velocity(&theory, t), momentum / mass, 1e-8);
+        ck_assert_double_eq_tol(bar_waves_velocity(&theory, 15, t),
+                                bar_waves_velocity(&theory, 15 + 1e-12, t), 1e-12);
+        ck_assert_double_eq_tol(bar_waves_stress(&theory, 15, t), bar_waves_stress(&theory, 15 + 1e-12, t),
+                                1e-11);
+        for (double x = 0.731; x < 25; x += 1.137) {
+            const double h = 1e-5, e = x > 15 ? theory.joint_modulus : 100;
+            const double rho = x > 15 ? theory.joint_density : 1;
+            ck_assert_double_eq_tol(rho * slope(bar_waves_velocity, &theory, x, t, 0, h),
+                                    slope(bar_waves_stress, &theory, x, t, h, 0), 1e-6);
+            ck_assert_double_eq_tol(slope(bar_waves_displacement, &theory, x, t, 0, h),
+                                    bar_waves_velocity(&theory, x, t), 1e-9);
+            /* what the pulse starts with is no strain of the displacement */
+            ck_assert_double_eq_tol(e * slope(bar_waves_displacement, &theory, x, t, h, 0) +
+                                        bar_waves_start_stress(&theory, x),
+                                    bar_waves_stress(&theory, x, t), 1e-7);
+        }
+    }
+}
+END_TEST
+
+START_TEST(impedances)
+{
+    BarTheory theory = bar(0);
+    add_joint(&theory, 400, 4);
+    ck_assert_double_eq_tol(bar_waves_reflected(&theory), -0.6, 1e-15);
+    ck_assert_double_eq_tol(bar_waves_transmitted(&theory), 0.4, 1e-15);
+    /* 14 times through the shorter way, 10 long at a speed of 10, and back */
+    ck_assert(bar_waves_known(&theory, 14 * 2 - 1e-9) && !bar_waves_known(&theory, 14 * 2 + 1e-9));
+    theory.traction = 1;
+    ck_assert(!bar_waves_known(&theory, 1));
+    theory.joint = 0;
+    ck_assert(bar_waves_known(&theory, 1e9));
+}
+END_TEST
+
+START_TEST(slopes_of_the_start)
+{
+    BarTheory theory = pulsed(1);
+    theory.n_modes = 1;
+    theory.modes[0].number = 3, theory.modes[0].velocity = 1e-3;
+    for (double x = 1; x < 25; x += 1.7) {
+        const double h = 1e-5;
+        const double by_difference =
+            (bar_waves_start_velocity(&theory, x + h) - bar_waves_start_velocity(&theory, x - h)) / (2 * h);
+        ck_assert_double_eq_tol(bar_waves_start_slope(&theory, x), by_difference, 1e-11);
+    }
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *test = tcase_create("waves");
+    tcase_set_timeout(test, 60);
+    tcase_add_loop_test(test, a_joint_between_equals, 0, SUPPORTS);
+    tcase_add_loop_test(test, a_pulse_comes_back, 0, SUPPORTS);
+    tcase_add_loop_test(test, two_materials_obey, 0, 2 * SUPPORTS);
+    tcase_add_test(test, impedances);
+    tcase_add_test(test, slopes_of_the_start);
+    suite_add_tcase(suite, test);
+}
