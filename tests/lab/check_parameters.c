@@ -201,11 +201,80 @@ END_TEST
 
 static void expect_nudge(Settings *settings, const char *key, int direction, const char *value)
 {
-    ck_assert_msg(settings_nudge(settings, parameter_find(key), direction), "%s %+d: nothing", key,
+    ck_assert_msg(settings_nudge(settings, parameter_find(key), direction, false), "%s %+d: nothing", key,
                   direction);
     expect(settings, key, value);
     ck_assert(settings_check(settings, NULL));
 }
+
+static const struct {
+    const char *problem, *words, *key; /* "": several; NULL: nothing is called so */
+} meanings[] = {
+    {"bar", "mesh.cell_size", "mesh.cell_size"},
+    {"bar", "cell_size", "mesh.cell_size"},
+    {"bar", "size", "mesh.cell_size"},
+    {"bar", "Cell Size", "mesh.cell_size"},
+    {"bar", "particles/cell", "mesh.particles_per_cell"},
+    {"bar", "Young's modulus", "bar.youngs_modulus"},
+    {"bar", "length", "bar.length"},
+    {"bar", "window", "view.window"},
+    {"bar", "ize", NULL},
+    {"bar", "", NULL},
+    {"bar", "spacing", NULL}, /* of peridynamics */
+    {"simply-supported-beam", "length", "beam.length"},
+    {"simply-supported-beam", "spacing", "pd.spacing"},
+    {"notched-beam", "notch.position", "notch.position"},
+    {"notched-beam", "position", ""},
+    {"notched-beam", "load position", "load.position"},
+};
+
+START_TEST(keys_are_meant_by_end_and_label)
+{
+    Settings settings;
+    char key[KEY_MAX] = "";
+    Status status = {STATUS_DONE, ""};
+    const char *wanted = meanings[_i].key;
+    settings_default(&settings, problem_find(meanings[_i].problem));
+    const bool one = settings_meant_key(&settings, meanings[_i].words, key, &status);
+    ck_assert_int_eq(one, !wanted || *wanted);
+    if (one)
+        ck_assert_str_eq(key, wanted ? wanted : meanings[_i].words);
+    else
+        ck_assert_str_eq(status.text, "position: which one? (notch.position, load.position)");
+}
+END_TEST
+
+static void expect_fine(Settings *settings, const char *key, int direction, const char *value)
+{
+    ck_assert_msg(settings_nudge(settings, parameter_find(key), direction, true), "%s %+d: nothing", key,
+                  direction);
+    expect(settings, key, value);
+}
+
+START_TEST(fine_nudges_take_a_little_more)
+{
+    Settings bar, beam;
+    settings_default(&bar, problem_find("bar"));
+    settings_default(&beam, problem_find("notched-beam"));
+    expect_fine(&bar, "bar.youngs_modulus", -1, "99");
+    expect_fine(&bar, "bar.youngs_modulus", 1, "100");
+    expect_fine(&bar, "bar.youngs_modulus", 1, "110");
+    expect_fine(&bar, "mpm.flip_fraction", -1, "0.999");
+    expect_fine(&bar, "mpm.flip_fraction", -1, "0.998");
+    expect_fine(&bar, "initial.velocity", 1, "0.11");
+    expect_fine(&bar, "initial.mode", 1, "2");
+    expect_fine(&bar, "bar.length", 1, "26");
+    expect_fine(&bar, "mesh.cell_size", -1, "0.9629629629629629"); /* 27 cells */
+    expect_fine(&bar, "load.body_force", -1, "-0.001");
+    expect_fine(&bar, "load.body_force", -1, "-0.0011");
+    expect_fine(&bar, "load.body_force", 1, "-0.001");
+    expect_fine(&bar, "load.body_force", 1, "0");
+    expect_fine(&bar, "mpm.algorithm", 1, "usl");
+    expect_fine(&beam, "notch.position", 1, "0.06505");
+    expect_fine(&beam, "load.stress", 1, "61000000");
+    ck_assert(!settings_nudge(&bar, parameter_find("initial.overtones"), 1, true));
+}
+END_TEST
 
 START_TEST(nudges_take_the_next_value)
 {
@@ -213,7 +282,7 @@ START_TEST(nudges_take_the_next_value)
     expect_nudge(&bar, "initial.mode", 1, "2");
     expect_nudge(&bar, "mesh.cell_size", -1, "0.5");
     expect_nudge(&bar, "mesh.cell_size", 1, "1");
-    ck_assert(!settings_nudge(&bar, parameter_find("mesh.cell_size"), 1)); /* 12.5 cells */
+    ck_assert(!settings_nudge(&bar, parameter_find("mesh.cell_size"), 1, false)); /* 12.5 cells */
     expect(&bar, "mesh.cell_size", "1");
     expect_nudge(&bar, "initial.velocity", 1, "0.2");
     expect_nudge(&bar, "initial.velocity", 1, "0.5");
@@ -228,21 +297,23 @@ START_TEST(nudges_take_the_next_value)
     expect_nudge(&bar, "mpm.algorithm", 1, "usl");
     expect_nudge(&bar, "mpm.algorithm", -1, "usf");
     expect_nudge(&bar, "mpm.algorithm", -1, "musl");
-    expect_nudge(&bar, "mpm.flip_fraction", -1, "0.5");
+    expect_nudge(&bar, "mpm.flip_fraction", -1, "0.999");
     expect_nudge(&bar, "mpm.flip_fraction", 1, "1");
-    ck_assert(!settings_nudge(&bar, parameter_find("mpm.flip_fraction"), 1));
+    expect_nudge(&bar, "time.courant", -1, "0.05");
+    expect_nudge(&bar, "time.courant", -1, "0.025");
+    ck_assert(!settings_nudge(&bar, parameter_find("mpm.flip_fraction"), 1, false));
     set(&bar, "mesh.particles_per_cell", "8");
-    ck_assert(!settings_nudge(&bar, parameter_find("mesh.particles_per_cell"), 1));
+    ck_assert(!settings_nudge(&bar, parameter_find("mesh.particles_per_cell"), 1, false));
     expect_nudge(&bar, "output.every", 1, "2");
     expect_nudge(&bar, "output.frames", 1, "1");
     expect_nudge(&bar, "output.frames", -1, "");
-    ck_assert(!settings_nudge(&bar, parameter_find("initial.overtones"), 1));
+    ck_assert(!settings_nudge(&bar, parameter_find("initial.overtones"), 1, false));
     expect_nudge(&beam, "load.width", 1, "0.0035");
     expect_nudge(&beam, "notch.position", -1, "0.0645");
     expect_nudge(&beam, "supports.pinned", 1, "yes");
     expect_nudge(&beam, "load.stress", 1, "100000000");
     expect_nudge(&beam, "pd.critical_stretch", 1, "0.001");
-    ck_assert(!settings_nudge(&beam, parameter_find("mesh.cell_size"), 1));
+    ck_assert(!settings_nudge(&beam, parameter_find("mesh.cell_size"), 1, false));
 }
 END_TEST
 
@@ -311,6 +382,8 @@ void add_cases(Suite *suite)
     tcase_add_test(values, wrong_values_are_refused);
     tcase_add_test(values, the_whole_is_checked);
     tcase_add_test(values, nudges_take_the_next_value);
+    tcase_add_test(values, fine_nudges_take_a_little_more);
+    tcase_add_loop_test(values, keys_are_meant_by_end_and_label, 0, sizeof meanings / sizeof *meanings);
     tcase_add_test(values, two_handles_on_breaking);
     tcase_add_test(values, differences_are_named);
     tcase_add_test(values, lists_are_read);

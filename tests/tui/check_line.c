@@ -131,6 +131,19 @@ START_TEST(tab_completes_words_keys_values_and_files)
         {"overlay data/.", "overlay data/.", ""},
         {"nonsense", "nonsense", ""},
         {"pd.", "pd.", ""}, /* no key of a bar */
+        /* by the end of a key and by the words of its label */
+        {"cell_s", "mesh.cell_size=", ""},
+        {"cell s", "mesh.cell_size=", ""},
+        {"Young", "bar.youngs_modulus=", ""},
+        {"modulus", "bar.youngs_modulus=", ""},
+        {"number", "number", "no name begins with that"},
+        {"tra", "tra", "mpm.transfer  load.traction  load.traction_layer"},
+        {"cell_size=", "cell_size=", "> 0: size dx"},
+        {"set algorithm us", "set algorithm us", "usf  usl"},
+        {"until ", "until ", "crossing  break  event  t   end  first"},
+        {"until first c", "until first crossing", ""},
+        {"figure pro", "figure pro", "profile  probe"},
+        {"figure probe da", "figure probe data/", ""},
     };
     char folder[64];
     enter_folder(folder);

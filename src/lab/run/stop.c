@@ -1,6 +1,7 @@
 /* What a run stops at (stop.h): read from words, looked for after each step. */
 #include "lab/run/stop.h"
 
+#include "base/quantity.h"
 #include "base/text.h"
 
 #include <math.h>
@@ -66,13 +67,19 @@ static long step_of(double time, const Experiment *experiment)
     return steps < 0 ? -1 : steps > (double)last ? last + 1 : (long)steps;
 }
 
+bool stop_read_time(const char *text, const Experiment *experiment, double *time)
+{
+    char why[QUANTITY_WHY_MAX];
+    return quantity_read(text, experiment_settings(experiment)->problem->si ? "s" : "", time, why);
+}
+
 bool stop_read(Stop *stop, const char *text, const Experiment *experiment, Status *status)
 {
     const char *time = behind(text, "t", "time"), *step = behind(text, "step", "step");
     const char *next = behind(text, "next", "next");
     bool sound = false;
     *stop = (Stop){.kind = STOP_NEVER};
-    if (time && text_to_double(time, &stop->time)) {
+    if (time && stop_read_time(time, experiment, &stop->time)) {
         stop->kind = STOP_AT_TIME;
         return within(step_of(stop->time, experiment), experiment, status);
     }

@@ -28,6 +28,9 @@ extern const char *const stop_event_words[];
  * run; the status says which. */
 bool stop_read(Stop *, const char *text, const Experiment *, Status *);
 
+/* A time as it is typed, with arithmetic and, where the run counts in seconds, units: "74 us". */
+bool stop_read_time(const char *text, const Experiment *, double *time);
+
 /* What it waits for: "t = 7.4e-05", "a break"; "" for STOP_NEVER. */
 void stop_words(const Stop *, char out[STOP_WORDS_MAX]);
 

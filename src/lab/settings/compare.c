@@ -83,3 +83,21 @@ void settings_name(const Settings *a, const Settings *b, char *out, size_t size)
     if (*out == '\0')
         snprintf(out, size, "the same");
 }
+
+void settings_name_change(const Settings *from, const Settings *to, char *out, size_t size)
+{
+    *out = '\0';
+    bool room = from->problem == to->problem;
+    for (int i = 0; i < n_parameters && room; i++) {
+        char before[LIST_MAX], after[LIST_MAX], item[2 * LIST_MAX + 64];
+        if (!differ_in(from, to, &parameters[i]))
+            continue;
+        settings_spell(from, &parameters[i], before);
+        settings_spell(to, &parameters[i], after);
+        snprintf(item, sizeof item, "%s %s -> %s", parameters[i].label, *before ? before : "none",
+                 *after ? after : "none");
+        room = text_list_add(out, size, item);
+    }
+    if (*out == '\0')
+        snprintf(out, size, "a change in mid-run");
+}

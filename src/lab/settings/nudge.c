@@ -46,6 +46,56 @@ static double next_on_ladder(double value, int direction, double usual, bool who
     return copysign(rung_value(next_rung(fabs(value), outwards)), value);
 }
 
+/* What is written with twelve digits, so that 0.003 + 0.0005 is 0.0035 and nothing piles up. */
+static double as_typed(double value)
+{
+    char text[NUMBER_TEXT_MAX];
+    snprintf(text, sizeof text, "%.12g", value);
+    return strtod(text, NULL);
+}
+
+/* Up and down the shares of a whole. */
+static double next_share(double value, int direction)
+{
+    static const double shares[] = {0, .1, .2, .5, .8, .9, .95, .98, .99, .995, .998, .999, 1};
+    enum { SHARES = sizeof shares / sizeof *shares };
+    int at = direction > 0 ? 0 : SHARES - 1;
+    while (at >= 0 && at < SHARES && (shares[at] - value) * direction <= 1e-12)
+        at += direction;
+    return at >= 0 && at < SHARES ? shares[at] : value;
+}
+
+/* One more or less in the second digit: 0.025 0.026, 70 71, 100 99. */
+static double next_digit(double value, int direction, double usual)
+{
+    const double towards = value * (1 + direction * copysign(1e-9, value));
+    if (value == 0)
+        return next_on_ladder(0, direction, usual, false);
+    const double next = as_typed(value + direction * pow(10, floor(log10(fabs(towards))) - 1));
+    const double least = 1e-3 * pow(10, usual == 0 ? 0 : floor(log10(fabs(usual)) + 1e-9));
+    return fabs(next) < fabs(value) && fabs(next) < least ? 0 : next;
+}
+
+/* A cell more or less in the bar. */
+static double next_cell_size(const Settings *settings, double value, int direction)
+{
+    const double cells = round(settings->geometry.length / value) - direction;
+    return cells >= 1 ? settings->geometry.length / cells : value;
+}
+
+static double nudged_finely(const Settings *settings, const Parameter *parameter, double value, int direction)
+{
+    if (parameter->offset == offsetof(Settings, mesh.cell_size))
+        return next_cell_size(settings, value, direction);
+    if (parameter->type == PARAMETER_INTEGER || parameter->nudge == NUDGE_ONE)
+        return value + direction;
+    if (parameter->nudge == NUDGE_SHARE)
+        return as_typed(value + 0.001 * direction);
+    if (parameter->nudge == NUDGE_SPACING)
+        return as_typed(value + 0.1 * direction * lattice_spacing(settings));
+    return next_digit(value, direction, parameter_usual(parameter, settings->problem));
+}
+
 static double nudged(const Settings *settings, const Parameter *parameter, double value, int direction)
 {
     double usual = parameter_usual(parameter, settings->problem);
@@ -57,12 +107,11 @@ static double nudged(const Settings *settings, const Parameter *parameter, doubl
         return direction > 0 ? value * 2 : value / 2;
     case NUDGE_1_2_5:
         return next_on_ladder(value, direction, usual, parameter->type == PARAMETER_INTEGER);
+    case NUDGE_SHARE:
+        return next_share(value, direction);
     case NUDGE_SPACING: {
-        /* rounded to six digits of a spacing, so that 0.003 + 0.0005 is 0.0035 and nothing piles up */
-        double dx = lattice_spacing(settings);
-        char text[NUMBER_TEXT_MAX];
-        snprintf(text, sizeof text, "%.12g", (value / dx + direction) * dx);
-        return strtod(text, NULL);
+        const double dx = lattice_spacing(settings);
+        return as_typed((value / dx + direction) * dx);
     }
     case NUDGE_NEXT:
         n = parameter_choices(parameter, settings->problem);
@@ -83,14 +132,15 @@ static double nudge_start(const Settings *settings, const Parameter *parameter)
     return settings_number(settings, parameter);
 }
 
-bool settings_nudge(Settings *settings, const Parameter *parameter, int direction)
+bool settings_nudge(Settings *settings, const Parameter *parameter, int direction, bool fine)
 {
     enum { TRIES = 60 }; /* a rung that the other values do not allow is passed over */
     if (!settings_have(settings, parameter) || parameter->type == PARAMETER_TEXT)
         return false;
     double start = nudge_start(settings, parameter), value = start;
+    const bool by_digit = fine && parameter->nudge != NUDGE_NEXT;
     for (int i = 0; i < TRIES; i++) {
-        double next = nudged(settings, parameter, value, direction);
+        double next = (by_digit ? nudged_finely : nudged)(settings, parameter, value, direction);
         if (next == value || next == start || !settings_in_range(parameter, settings->problem, next))
             return false;
         Settings candidate = *settings;
@@ -99,7 +149,7 @@ bool settings_nudge(Settings *settings, const Parameter *parameter, int directio
             *settings = candidate;
             return true;
         }
-        if (parameter->nudge != NUDGE_NEXT && parameter->nudge != NUDGE_1_2_5)
+        if (!by_digit && parameter->nudge != NUDGE_NEXT && parameter->nudge != NUDGE_1_2_5)
             return false;
         value = next;
     }
@@ -121,7 +171,7 @@ static bool answer_by_size(Settings *settings, const Parameter *parameter)
 {
     const double usual = parameter_usual(parameter, settings->problem);
     if (settings_number(settings, parameter) == usual)
-        return settings_nudge(settings, parameter, -1);
+        return settings_nudge(settings, parameter, -1, false);
     Settings candidate = *settings;
     settings_put(&candidate, parameter, usual);
     if (!settings_check(&candidate, NULL))
@@ -142,5 +192,5 @@ bool settings_answer_otherwise(Settings *settings, const Parameter *parameter)
         settings_get(settings, parameter, now);
         return settings_set(settings, parameter->key, strcmp(now, "none") == 0 ? usual : "none", NULL);
     }
-    return settings_nudge(settings, parameter, 1);
+    return settings_nudge(settings, parameter, 1, false);
 }

@@ -22,6 +22,7 @@ typedef enum Nudge {
     NUDGE_ONE,     /* +1, -1 */
     NUDGE_DOUBLE,  /* x2, /2 */
     NUDGE_1_2_5,   /* 1, 2, 5, 10, ...; 0 and then negative below the least rung, where these are allowed */
+    NUDGE_SHARE,   /* 0, 0.1, 0.2, 0.5, 0.8, 0.9, ..., 0.999, 1: as fine at 1 as a share has to be */
     NUDGE_SPACING, /* one lattice spacing more or less: places and sizes of a beam */
     NUDGE_NEXT     /* next choice */
 } Nudge;
@@ -105,6 +106,11 @@ void fixed_key_text(const FixedKey *, char *out, size_t size);
 const Parameter *parameter_find(const char *key);
 const TextKey *text_key_find(const char *key);
 
+/* The key that is meant by its whole, by its end ("cell_size", "modulus") or by the words beside its field on
+ * screen ("cell size"), among those that these settings have. False: there are several such, and the status
+ * names them. What is called so nowhere is handed back as it is. */
+bool settings_meant_key(const Settings *, const char *words, char key[KEY_MAX], Status *);
+
 /* The known key of this problem nearest to a wrong one, for "did you mean"; NULL: nothing is near. */
 const char *parameter_nearest(const Problem *problem, const char *key);
 
@@ -155,8 +161,9 @@ void settings_show(const Settings *, const Parameter *, char out[LIST_MAX]);
 double settings_number(const Settings *, const Parameter *);
 
 /* The next value upwards (+1) or downwards (-1) by the parameter's nudge, kept in its range and such that
- * settings_check() allows it. False: there is none, nothing is changed. */
-bool settings_nudge(Settings *, const Parameter *, int direction);
+ * settings_check() allows it; a fine one goes by the second digit, a tenth of a spacing, a cell more or less.
+ * False: there is none, nothing is changed. */
+bool settings_nudge(Settings *, const Parameter *, int direction, bool fine);
 
 /* The word that stands for 0 in this problem; NULL: none. */
 const char *parameter_automatic(const Parameter *, const Problem *);
@@ -191,6 +198,9 @@ bool settings_same(const Settings *a, const Settings *b);
 /* What `a` is as against `b`, for a legend: "USL, cell size 1"; "the same" where nothing differs. What does
  * not fit whole is left out, and " ..." says so. */
 void settings_name(const Settings *a, const Settings *b, char *out, size_t size);
+
+/* What a change of settings did: "cell size 0.25 -> 0.5, USF -> USL". */
+void settings_name_change(const Settings *from, const Settings *to, char *out, size_t size);
 
 /* A value as a title or legend spells it: "USL", "hat", "0.5". */
 void settings_spell(const Settings *, const Parameter *, char out[LIST_MAX]);

@@ -2,6 +2,7 @@
 #include "lab/settings/parameters.h"
 
 #include "base/assertion.h"
+#include "base/quantity.h"
 #include "base/text.h"
 #include "base/visible.h"
 #include "lab/problems/problem.h"
@@ -130,8 +131,9 @@ static bool read_number(const Parameter *parameter, const Problem *problem, cons
         *value = 0;
         return true;
     }
-    if (!text_to_double(text, value))
-        return refuse(parameter, problem, text, "is not a number", status);
+    char why[QUANTITY_WHY_MAX];
+    if (!quantity_read(text, problem->si ? parameter->unit : "", value, why))
+        return refuse(parameter, problem, text, why, status);
     if (parameter->type == PARAMETER_INTEGER && *value != floor(*value))
         return refuse(parameter, problem, text, "is not a whole number", status);
     /* where nothing at all stands for 0, a 0 that was typed is a slip */

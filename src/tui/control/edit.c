@@ -153,14 +153,14 @@ bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Sta
     return true;
 }
 
-void edit_nudge(Laboratory *lab, int direction)
+void edit_nudge(Laboratory *lab, int direction, bool fine)
 {
     const Parameter *parameter = edit_selected(&lab->screen);
     if (!parameter)
         return;
     Settings settings = *experiment_settings(lab->screen.experiment);
     Status status = {STATUS_DONE, ""};
-    if (!settings_nudge(&settings, parameter, direction)) {
+    if (!settings_nudge(&settings, parameter, direction, fine)) {
         char range[96];
         parameter_range(parameter, settings.problem, range, sizeof range);
         if (parameter->nudge == NUDGE_NONE)
@@ -180,7 +180,7 @@ void edit_begin(Laboratory *lab)
     if (parameter->type == PARAMETER_CHOICE || parameter->type == PARAMETER_FLAG) {
         Settings settings = *experiment_settings(lab->screen.experiment);
         Status status = {STATUS_DONE, ""};
-        if (!settings_nudge(&settings, parameter, 1) ||
+        if (!settings_nudge(&settings, parameter, 1, false) ||
             !edit_change(lab, &settings, experiment_edit, &status))
             laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
         return;

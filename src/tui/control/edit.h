@@ -23,7 +23,7 @@ typedef struct Editing {
 const Parameter *edit_selected(const Screen *);
 void edit_move(Screen *, int rows); /* the choice */
 
-void edit_nudge(Laboratory *, int direction);
+void edit_nudge(Laboratory *, int direction, bool fine);
 void edit_begin(Laboratory *); /* opens the field; of a choice: takes the next one */
 void edit_key(Laboratory *, const Key *);
 bool edit_answer_filter(Laboratory *, const char *text);

@@ -32,6 +32,11 @@ bool second_run_answer(Laboratory *lab, const char *words)
     Assignment keys[DUEL_MAX];
     Status status = {STATUS_DONE, ""};
     const int n_keys = duel_read_keys(words, keys, &status);
+    for (int i = 0; i < n_keys; i++) {
+        const Assignment typed = keys[i];
+        if (!settings_meant_key(experiment_settings(lab->screen.experiment), typed.key, keys[i].key, &status))
+            return prompt_refuse(&lab->prompting, status.text);
+    }
     if (n_keys == 0)
         return prompt_refuse(&lab->prompting, "KEY=VALUE is wanted, as in mpm.algorithm=usl; Tab completes");
     return (n_keys > 0 && begin(lab, keys, n_keys, &status)) || prompt_refuse(&lab->prompting, status.text);

@@ -3,6 +3,7 @@
 
 #include "base/text.h"
 
+#include <ctype.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -70,7 +71,6 @@ LineMeaning line_meaning(const char *text)
     const char *words = text + length + strspn(text + length, " ");
     const LineVerb *verb = line_verb_find(text, length);
     const Command *command = command_by_name(text);
-    double time;
     LineMeaning line = {.words = words};
     if (verb && (*words || !command))
         line = (LineMeaning){.kind = LINE_VERB, .verb = verb, .words = words};
@@ -78,7 +78,7 @@ LineMeaning line_meaning(const char *text)
         line = (LineMeaning){.kind = LINE_COMMAND, .command = command, .words = words};
     else if (strchr(text, '='))
         line.kind = LINE_ASSIGNMENT;
-    else if (text[0] == '#' || text_to_double(text, &time))
+    else if (text[0] == '#' || text[0] == '.' || isdigit((unsigned char)text[0]))
         line.kind = LINE_PLACE;
     return line;
 }

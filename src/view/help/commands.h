@@ -44,6 +44,7 @@ typedef enum LineArgument {
     ARGUMENT_FILE,
     ARGUMENT_SERIES, /* a file, rather one of CSV */
     ARGUMENT_VIEW,
+    ARGUMENT_FIGURE, /* a view if one likes, then a file */
     ARGUMENT_REFERENCES,
     ARGUMENT_LESSON,
     ARGUMENT_STOP

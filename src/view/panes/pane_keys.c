@@ -295,10 +295,12 @@ static void draw_keys(const Screen *screen, Area area)
         screen->parameters.selected >= count || !rows[screen->parameters.selected].parameter)
         return;
     const Parameter *parameter = rows[screen->parameters.selected].parameter;
-    char range[96], text[256];
+    char range[96], text[320];
     const Problem *problem = experiment_settings(screen->experiment)->problem;
     parameter_range(parameter, problem, range, sizeof range);
-    snprintf(text, sizeof text, "%s: %s", range, parameter_help(parameter, problem));
+    const char *unit = problem->si ? parameter->unit : "";
+    snprintf(text, sizeof text, "%s (%s%s%s): %s", parameter->key, range, *unit ? " " : "", unit,
+             parameter_help(parameter, problem));
     if (EDIT_HINT_COLUMN + glyphs_columns(text) < area.rect.width)
         area_text(area, EDIT_HINT_COLUMN, 0, text, STYLE_TITLE);
     else

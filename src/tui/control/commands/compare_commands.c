@@ -36,7 +36,7 @@ void command_question(Laboratory *lab)
     if (!parameter || !settings_answer_otherwise(&settings, parameter))
         laboratory_say(lab, MESSAGE_INFO, "this scenario asks no question");
     else if (is_second(lab, &settings, parameter) &&
-             (!settings_nudge(&settings, parameter, 1) || settings_same(&before, &settings)))
+             (!settings_nudge(&settings, parameter, 1, false) || settings_same(&before, &settings)))
         laboratory_say(lab, MESSAGE_INFO, "both answers are on screen already; d ends the duel");
     else if (!edit_change(lab, &settings, experiment_rerun, &status))
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
@@ -66,7 +66,7 @@ void command_pin(Laboratory *lab)
 }
 
 static void swap_settings(Laboratory *lab, Settings *from, int *n_from, Settings *to, int *n_to,
-                          const char *none)
+                          const char *none, const char *done)
 {
     Status status = {STATUS_DONE, ""};
     if (*n_from == 0) {
@@ -78,20 +78,24 @@ static void swap_settings(Laboratory *lab, Settings *from, int *n_from, Settings
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
         return;
     }
+    char change[160];
+    settings_name_change(&old, experiment_settings(lab->screen.experiment), change, sizeof change);
     to[(*n_to)++] = old;
     --*n_from;
     edit_changed(lab);
     player_tell_duel_over(lab, &status);
+    if (lab->screen.message.kind == MESSAGE_NONE)
+        laboratory_say(lab, MESSAGE_INFO, "%s: %s", done, change);
 }
 
 void command_undo(Laboratory *lab)
 {
     swap_settings(lab, lab->editing.undo, &lab->editing.n_undo, lab->editing.redo, &lab->editing.n_redo,
-                  "nothing to undo");
+                  "nothing to undo", "undone");
 }
 
 void command_redo(Laboratory *lab)
 {
     swap_settings(lab, lab->editing.redo, &lab->editing.n_redo, lab->editing.undo, &lab->editing.n_undo,
-                  "nothing to redo");
+                  "nothing to redo", "done again");
 }

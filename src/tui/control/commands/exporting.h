@@ -4,6 +4,8 @@
 
 #include <stdbool.h>
 
+#include "view/panes/screen.h"
+
 typedef struct Laboratory Laboratory;
 
 enum { NAME_MAX_BYTES = 256 };
@@ -11,14 +13,15 @@ enum { NAME_MAX_BYTES = 256 };
 /* The file or files that are being asked for. */
 typedef struct Exporting {
     char name[NAME_MAX_BYTES];
-    bool newest; /* of the run: to its newest step, not to here */
+    bool newest;      /* of the run: to its newest step, not to here */
+    const View *view; /* of a figure */
 } Exporting;
 
 /* Asks how far and under which name, as far as that is not known; `name` "": it is asked for. False: refused.
  */
 bool exporting_ask(Laboratory *, const char *name);
 
-/* The focused view as a figure. False: refused, as an answer to a prompt. */
-bool exporting_figure(Laboratory *, const char *file);
+/* "[VIEW] FILE": a view, or else the focused one, as a figure. False: refused, as an answer to a prompt. */
+bool exporting_figure(Laboratory *, const char *words);
 
 #endif

@@ -64,7 +64,7 @@ static void move(Laboratory *lab, int x, int y, int page)
         lesson_play_move(lab, x, y);
     } else if (screen->panes.focus == PANE_PARAMETERS) {
         if (x)
-            edit_nudge(lab, x);
+            edit_nudge(lab, x, false);
         else
             edit_move(&lab->screen, y * page);
     } else if (view && view->move) {
@@ -97,6 +97,25 @@ void command_left(Laboratory *lab)
 void command_right(Laboratory *lab)
 {
     move(lab, 1, 0, 1);
+}
+
+/* In the fields a smaller step than the arrows'; elsewhere as these. */
+static void move_finely(Laboratory *lab, int x)
+{
+    if (lab->screen.panes.focus == PANE_PARAMETERS && edit_selected(&lab->screen))
+        edit_nudge(lab, x, true);
+    else
+        move(lab, x, 0, 1);
+}
+
+void command_left_fine(Laboratory *lab)
+{
+    move_finely(lab, -1);
+}
+
+void command_right_fine(Laboratory *lab)
+{
+    move_finely(lab, 1);
 }
 
 void command_page_up(Laboratory *lab)

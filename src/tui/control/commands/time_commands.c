@@ -209,7 +209,7 @@ bool command_answer_go_to(Laboratory *lab, const char *text)
     if (text[0] == '#') {
         if (!text_to_long(text + 1, &step))
             return prompt_refuse(&lab->prompting, "after # comes the number of a step, as in #1000");
-    } else if (text_to_double(text, &time)) {
+    } else if (stop_read_time(text, lab->screen.experiment, &time)) {
         step = time / dt > (double)last ? last + 1 : time < 0 ? -1 : lround(time / dt);
         if (time > (double)last * dt &&
             time <= experiment_settings(lab->screen.experiment)->time.end * (1 + 1e-9))

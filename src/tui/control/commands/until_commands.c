@@ -129,16 +129,18 @@ void command_previous_event(Laboratory *lab)
 /* --- a stretch of time -------------------------------------------------------------------------------------
  */
 
-/* Two times; a number that does not end in a space or at the end is none. */
-static bool read_times(const char *text, double *from, double *to)
+/* Two times parted by a space or, where they have spaces of their own, by "to". */
+static bool read_times(const char *text, const Experiment *experiment, double *from, double *to)
 {
-    char first[NUMBER_TEXT_MAX];
-    const size_t length = strcspn(text, " ");
+    char first[2 * NUMBER_TEXT_MAX];
+    const char *word = strstr(text, " to ");
+    const size_t length = word ? (size_t)(word - text) : strcspn(text, " ");
     if (length == 0 || length >= sizeof first)
         return false;
     memcpy(first, text, length);
     first[length] = '\0';
-    return text_to_double(first, from) && text_to_double(text + length, to);
+    return stop_read_time(first, experiment, from) &&
+           stop_read_time(text + length + (word ? 4 : 0), experiment, to);
 }
 
 bool command_answer_loop(Laboratory *lab, const char *text)
@@ -156,7 +158,7 @@ bool command_answer_loop(Laboratory *lab, const char *text)
     if (!*text && screen->bookmarks.count > 1) {
         loop.from = screen->bookmarks.places[0].time;
         loop.to = screen->bookmarks.places[screen->bookmarks.count - 1].time;
-    } else if (!read_times(text, &loop.from, &loop.to) || !(loop.from >= 0) ||
+    } else if (!read_times(text, screen->experiment, &loop.from, &loop.to) || !(loop.from >= 0) ||
                !(loop.to <= end * (1 + 1e-9)) || !(loop.to >= loop.from + dt * (1 - 1e-9))) {
         text_rounded(last, end, 6);
         snprintf(why, sizeof why, "two times are wanted, as in loop 0 %s, the second at most %s", last, last);

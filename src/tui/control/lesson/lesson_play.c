@@ -219,7 +219,7 @@ void lesson_play_move(Laboratory *lab, int x, int y)
     const LessonPage *page = lesson_entry_page(lab);
     if (x) {
         if (page && page->n_fields > 0)
-            edit_nudge(lab, x);
+            edit_nudge(lab, x, false);
         return;
     }
     if (!page) {

@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 
 struct Completion {
@@ -48,19 +49,52 @@ static void offer(Completion *completion, const char *candidate, const char *tai
     completion->common[same] = '\0';
 }
 
+static bool begins(const char *text, const char *start)
+{
+    return strncasecmp(text, start, strlen(start)) == 0;
+}
+
+/* Whether what was typed begins a key's name without its section, a later word of it, or its label. */
+static bool is_meant(const Parameter *parameter, const char *start)
+{
+    bool meant = begins(parameter->label, start);
+    for (const char *at = parameter->key; (at = strpbrk(at, "._")) && !meant;)
+        meant = begins(++at, start);
+    return meant;
+}
+
+/* Keys that are written out in full where something else of them was typed; several are only shown. */
+static void offer_meant(Completion *completion, const Laboratory *lab, const char *tail)
+{
+    const char *typed = completion->start;
+    for (int i = 0; *typed && i < n_parameters; i++)
+        if (settings_have(experiment_settings(lab->screen.experiment), &parameters[i]) &&
+            is_meant(&parameters[i], typed)) {
+            completion->start = "";
+            offer(completion, parameters[i].key, tail);
+        }
+    completion->start = typed;
+    if (completion->found > 1)
+        completion->common[0] = '\0';
+}
+
 static void offer_keys(Completion *completion, const Laboratory *lab, const char *tail)
 {
     for (int i = 0; i < n_parameters; i++)
         if (settings_have(experiment_settings(lab->screen.experiment), &parameters[i]))
             offer(completion, parameters[i].key, tail);
+    if (completion->found == 0)
+        offer_meant(completion, lab, tail);
 }
 
 /* The words that a parameter may be; of a number, in the hint, what is allowed. */
-static void offer_values(Completion *completion, const Problem *problem, const char *key, size_t length)
+static void offer_values(Completion *completion, const Settings *settings, const char *key, size_t length)
 {
-    char name[KEY_MAX];
+    char name[KEY_MAX], whole[KEY_MAX];
+    const Problem *problem = settings->problem;
     snprintf(name, sizeof name, "%.*s", (int)length, key);
-    const Parameter *parameter = parameter_find(name);
+    const Parameter *parameter =
+        settings_meant_key(settings, name, whole, NULL) ? parameter_find(whole) : NULL;
     if (!parameter)
         return;
     for (int i = 0; parameter->type == PARAMETER_CHOICE && i < parameter_choices(parameter, problem); i++)
@@ -160,7 +194,7 @@ void complete_assignments(Completion *completion, const Laboratory *lab)
         return;
     }
     completion->start = word + key + 1;
-    offer_values(completion, experiment_settings(lab->screen.experiment)->problem, word, key);
+    offer_values(completion, experiment_settings(lab->screen.experiment), word, key);
 }
 
 /* The words after a verb; `start` is what stands behind it. */
@@ -174,8 +208,12 @@ static void offer_arguments(Completion *completion, const Laboratory *lab, LineA
             offer_keys(completion, lab, " ");
             break;
         }
+        if (!strchr(words, '='))
+            offer_meant(completion, lab, "="); /* the words of a label */
+        if (completion->found > 0)
+            break;
         completion->start = words + key + strspn(words + key, " =");
-        offer_values(completion, experiment_settings(lab->screen.experiment)->problem, words, key);
+        offer_values(completion, experiment_settings(lab->screen.experiment), words, key);
         break;
     case ARGUMENT_KEYS:
         complete_assignments(completion, lab);
@@ -189,6 +227,13 @@ static void offer_arguments(Completion *completion, const Laboratory *lab, LineA
         break;
     case ARGUMENT_VIEW:
         offer_views(completion, &lab->screen);
+        break;
+    case ARGUMENT_FIGURE:
+        if (!strchr(words, ' '))
+            offer_views(completion, &lab->screen);
+        completion->start = strchr(words, ' ') ? strchr(words, ' ') + 1 : words;
+        if (completion->found == 0)
+            offer_files(completion, false);
         break;
     case ARGUMENT_REFERENCES:
         for (int i = 0; parameter_reference_words[i]; i++)

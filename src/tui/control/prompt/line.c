@@ -53,18 +53,47 @@ static bool assign(Laboratory *lab, const char *key, const char *value)
            prompt_refuse(&lab->prompting, status.text);
 }
 
-/* "KEY = VALUE" and, behind `set`, also "KEY VALUE". */
+/* Whether so many bytes mean a key, or several. */
+static bool means_key(const Laboratory *lab, const char *words, size_t length)
+{
+    char called[KEY_MAX], key[KEY_MAX];
+    snprintf(called, sizeof called, "%.*s", (int)length, words);
+    return length < sizeof called &&
+           (!settings_meant_key(experiment_settings(lab->screen.experiment), called, key, NULL) ||
+            parameter_find(key) || text_key_find(key));
+}
+
+/* The bytes of the key before a value: all before '=', which may be a label's words, or else as many words
+ * as are a key, or else the first. */
+static size_t key_length(const Laboratory *lab, const char *words)
+{
+    const size_t first = strcspn(words, " =");
+    size_t length = strcspn(words, "="), most = first;
+    while (length > 0 && words[length - 1] == ' ')
+        length--;
+    if (strchr(words, '=') && means_key(lab, words, length))
+        return length;
+    for (const char *space = strchr(words, ' '); space; space = strchr(space + 1, ' '))
+        if (means_key(lab, words, (size_t)(space - words)))
+            most = (size_t)(space - words);
+    return most;
+}
+
+/* "KEY = VALUE" and, behind `set`, also "KEY VALUE"; the key by its end or by its label too. */
 static bool set(Laboratory *lab, const char *words)
 {
-    char key[KEY_MAX];
-    const size_t length = strcspn(words, " =");
+    char called[KEY_MAX], key[KEY_MAX];
+    Status status = {STATUS_DONE, ""};
+    const size_t length = key_length(lab, words);
     const char *value = words + length + strspn(words + length, " ");
     if (*value == '=')
         value += 1 + strspn(value + 1, " ");
-    if (length == 0 || length >= sizeof key || !*value)
+    if (length == 0 || length >= sizeof called || !*value)
         return prompt_refuse(&lab->prompting, "a key and a value are wanted, as in set initial.mode 5");
-    snprintf(key, sizeof key, "%.*s", (int)length, words);
-    return assign(lab, key, value);
+    snprintf(called, sizeof called, "%.*s", (int)length, words);
+    return settings_meant_key(experiment_settings(lab->screen.experiment), called, key, &status)
+               ? assign(lab, key, value)
+               : prompt_refuse(&lab->prompting, status.text);
 }
 
 static bool export_as(Laboratory *lab, const char *words)
@@ -257,12 +286,15 @@ bool line_run(Laboratory *lab, const char *text)
 
 static bool line_key_of(Laboratory *lab, const char *key)
 {
-    const bool up = strcmp(key, "Up") == 0;
+    const bool up = strcmp(key, "Up") == 0, is_character = !key[1] || strcmp(key, "Space") == 0;
+    const Command *command = command_by_key(key);
     if (up || strcmp(key, "Down") == 0)
         recall(&lab->prompting, up ? -1 : 1);
-    else if (lab->screen.prompt.problem[0] && strcmp(key, ":") == 0)
-        prompt_fill(&lab->prompting, ""); /* who saw the refusal as a message begins the next line */
-    else
+    else if (lab->screen.prompt.problem[0] && is_character && command) {
+        /* who saw the refusal as a message goes on with other keys; those of an editor mend the line */
+        prompt_close(&lab->prompting);
+        lab->carry_out(lab, command->id);
+    } else
         return false;
     return true;
 }

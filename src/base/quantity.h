@@ -1,0 +1,20 @@
+/* A number as a person types it: arithmetic, SI prefixes and units, "70 GPa", "25/3", "5 mm + 2 cm", "99.9
+ * %".
+ *
+ * Plain numbers are those of text_to_double(), and what a decimal prefix shifts is the number that would have
+ * been typed without it, to the last bit: "5 mm" is 0.005. */
+#ifndef BASE_QUANTITY_H
+#define BASE_QUANTITY_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { QUANTITY_WHY_MAX = 80 };
+
+/* Reads a text as a value in `unit`, such as "Pa", "kg/m^3" or "m/s"; of another word, or "", nothing is
+ * known, and no unit may stand in the text. A text without a unit is meant in that unit. False: `why` (of
+ * QUANTITY_WHY_MAX bytes) says what is wrong, "is not a number", "divides by zero", "is not in Pa"; nothing
+ * else is written. Any bytes may stand in the text. */
+bool quantity_read(const char *text, const char *unit, double *value, char *why);
+
+#endif
