@@ -65,6 +65,9 @@ static double spline_place(const Knots *knots, int i)
     return sum / knots->degree;
 }
 
+/* What the nodes of a cell are to its particle j, at xi = (j + 1/2)/P of the cell: N_a, dx N_a' and (x_a -
+ * x_p)/dx for a = 0 .. degree. For hats x_a is the node; a B-spline stands at its Greville abscissa, where
+ * sum N_a x_a = x. Each output may be NULL. */
 void bar_rest_weights(const BarRest *rest, int cell, int j, double n[REST_SUPPORT_MAX],
                       double slope[REST_SUPPORT_MAX], double arm[REST_SUPPORT_MAX])
 {
@@ -92,8 +95,12 @@ static void add_outer(const BarRest *rest, double *band, int first, const double
                 band[(first + r) * (rest->reach + 1) + r - c] += scale * a[r] * a[c];
 }
 
-/* M_l, M and K of bar_rest.h in units of rho dx and E/dx: a particle has the mass and the volume 1/P of a
- * cell's. */
+/* The matrices of bar_rest.h in units of rho dx and E/dx: a particle has mass and volume 1/P of a cell's.
+ *
+ *     M_l,i = sum_p m N_i      M_ij = sum_p m N_i N_j      K_ij = sum_p V E N_i' N_j'
+ *
+ * APIC hands on a slope too, C_p = sum_i N_i v_i d_i / D with d_i = x_i - x_p and D = sum_i N_i d_i^2: to M
+ * is added sum_p m (N_i d_i)(N_j d_j)/D. All are bands of half-width `degree`. */
 static void assemble(BarRest *rest, bool apic)
 {
     const double part = 1.0 / rest->per_cell;
@@ -115,6 +122,8 @@ static void assemble(BarRest *rest, bool apic)
         }
 }
 
+/* Lumped mass, consistent mass and stiffness of the nodes that move. False: none does, or memory is short;
+ * nothing has to be freed then. */
 bool bar_rest_make(BarRest *rest, const BarTheory *bar, const BarMesh *mesh, int cells)
 {
     /* open knots that lie more than two cells beyond the bar's end change no function that the bar touches */

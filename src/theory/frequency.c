@@ -65,6 +65,9 @@ static void transform_amplitudes(const double *windowed, size_t n, size_t m, dou
         out[k] = hypot(signal[2 * k], signal[2 * k + 1]);
 }
 
+/* Amplitudes of the lines k = 0 .. count/2 at angular frequency 2 pi k/(count dt), under a Hann window
+ * sin^2(pi k/count) and without the mean, so that a line of amplitude A between two bins is seen in its
+ * neighbours only. `out` has count/2 + 1 places. False: not enough memory. */
 bool frequency_spectrum(const double *values, size_t count, double *out)
 {
     if (count == 0)
@@ -117,11 +120,13 @@ static size_t place_of(int line)
     return line == 0 ? 1 : 2 * (size_t)line + 2;
 }
 
+/* t from -1 at the first sample to 1 at the last. */
 static double scaled_time(const Record *record, size_t k)
 {
     return 2 * (double)k / (double)(record->count - 1) - 1;
 }
 
+/* y from -1 to 1 over the record's range. */
 static double scaled_value(const Record *record, size_t k)
 {
     return (record->values[k] - record->middle) / record->scale;
@@ -139,6 +144,7 @@ static double residual(const Record *record, const double *unknowns, size_t k)
     return sum - scaled_value(record, k);
 }
 
+/* All residuals, for GSL: `out` has a place for each sample. */
 static int residuals(const gsl_vector *unknowns, void *context, gsl_vector *out)
 {
     const Record *record = context;
@@ -172,8 +178,10 @@ static int jacobian(const gsl_vector *unknowns, void *context, gsl_matrix *out)
     return GSL_SUCCESS;
 }
 
-/* With the angle given, the other unknowns are a linear problem, of normal equations. Returns the sum of the
- * squares that are left, relative to that of the record; 1 where the equations have no answer. */
+/* With the angle given, the other unknowns x are a linear problem, y = A x with a row (cos, sin, 1, ...) for
+ * each sample. Its normal equations A^T A x = A^T y are solved by Cholesky; in the scaled time their columns
+ * are nearly orthogonal, so nothing is lost by squaring. Returns the squares that are left, y^T y - x^T A^T
+ * y, in scaled units; 1 where the equations have no answer. */
 static double linear_part(const Record *record, double angle, double unknowns[UNKNOWNS_MAX])
 {
     const size_t n = unknowns_of(record) - 1;
@@ -264,8 +272,12 @@ static bool refine(const Record *record, double unknowns[UNKNOWNS_MAX], Status *
 }
 
 /* A start for the angle. A line well inside the spectrum is taken from there, between two bins by the
- * parabola through the logarithms; with few periods the lines overlap, and a scan of the linear problem
- * finds the deepest valley. 0: not enough memory. */
+ * parabola through the logarithms l of three neighbours,
+ *
+ *     place = k + (l_{k-1} - l_{k+1})/(2 (l_{k-1} + l_{k+1} - 2 l_k))
+ *
+ * With few periods the lines overlap, and a scan of the linear problem, twelve angles for each bin, finds the
+ * deepest valley. 0: not enough memory. */
 static double find_start(const Record *record)
 {
     size_t count = record->count, peak = 1;
@@ -317,7 +329,13 @@ static bool measure_record(Record *record, Status *status)
     return true;
 }
 
-/* From the scaled unknowns to the caller's units. */
+/* From the scaled unknowns to the caller's units. The fit's phase is counted from the middle t_m of the
+ * record; from t = 0 on, with s = omega t_m,
+ *
+ *     a cos(omega (t - t_m)) + b sin(omega (t - t_m)) = (a cos s - b sin s) cos(omega t) + (a sin s + b cos
+ * s) sin(omega t)
+ *
+ * The residual is the root of the mean square over the amplitude: 0 for a pure sine. */
 static void fill_fit(const Record *record, const double unknowns[UNKNOWNS_MAX], double t0, double dt,
                      FrequencyFit *fit)
 {

@@ -15,6 +15,8 @@
 
 /* --- the endless lattice -------------------------------------------------------------------------- */
 
+/* Neighbours at one side: m h <= delta, decided with a tolerance of 1e-9 as the solver does, for delta/h is
+ * whole as a rule. */
 static int reach_of(const PdBarTheory *lattice)
 {
     return (int)floor(lattice->horizon / lattice->spacing * (1 + 1e-9));
@@ -27,13 +29,28 @@ static double weight(const PdBarTheory *lattice, int m)
     return lattice->partial_volumes && within < 1 ? within : 1;
 }
 
-/* Omega of sin(Omega dt/2) = omega dt/2; NAN beyond the stability limit. */
+/* Omega, what velocity Verlet makes of a motion u'' = -omega^2 u. Its three displacements in a row obey
+ *
+ *     u^{n+1} - 2 u^n + u^{n-1} = -(omega dt)^2 u^n
+ *
+ * and u^n = exp(i Omega n dt) gives 2 - 2 cos(Omega dt) = (omega dt)^2, that is sin(Omega dt/2) = omega dt/2.
+ * NAN beyond the stability limit omega dt = 2, where no real Omega is left. */
 static double verlet(double omega, double dt)
 {
     double half = omega * dt / 2;
     return half <= 1 ? 2 * asin(half) / dt : NAN;
 }
 
+/* A wave exp(i(beta x - omega t)) on the endless lattice, theta = beta h. The bonds to both sides at distance
+ * m h pull with k_m (2 - 2 cos(m theta)) = 4 k_m sin^2(m theta/2), and with k_m = c G w_m V/(m h), c =
+ * 2E/delta^2, V = h
+ *
+ *     omega^2 = 8 E G/(rho delta^2) sum_m w_m/m sin^2(m theta/2)
+ *     G = 1, or with the energy correction (delta/h)^2/(2 sum_m w_m m), the same for all nodes
+ *
+ * wave_number in 1/length of the caller's unit, of either sign. space_only is omega, frequency what the time
+ * step makes of it; known is false beyond theta = pi and beyond the stability limit. Waves of the lattice do
+ * not decay. */
 Dispersion pd_bar_dispersion(const BarTheory *bar, const PdBarTheory *lattice, double wave_number)
 {
     Dispersion wave = {.space_only = NAN, .frequency = NAN, .decay = 0, .filter = 1};
@@ -79,6 +96,7 @@ static double family_share(const BarTheory *bar, const PdBarTheory *lattice, int
     return sum / (ratio * ratio);
 }
 
+/* G of the bond between nodes i and j: the mean of g of its two ends, or 1 without correction. */
 static double bond_factor(const BarTheory *bar, const PdBarTheory *lattice, int n, int i, int j)
 {
     if (!lattice->energy_correction)
@@ -110,6 +128,7 @@ typedef struct BandRows {
     int width;
 } BandRows;
 
+/* The lower half of the matrix, row by row from the diagonal to the left, as band_eigenvalue() wants it. */
 static void put_in_band(void *into, int row, int column, double value)
 {
     BandRows *band = into;
@@ -117,6 +136,7 @@ static void put_in_band(void *into, int row, int column, double value)
         band->rows[row * (band->width + 1) + row - column] += value;
 }
 
+/* Nodes at (i + 1/2) h, i from 0: half a spacing within either end. */
 static int nodes_of(const BarTheory *bar, const PdBarTheory *lattice)
 {
     return (int)round(bar->length / lattice->spacing);
@@ -134,6 +154,10 @@ static bool is_resolved(const BarTheory *bar, const PdBarTheory *lattice, int nu
     return DBL_EPSILON * 2 * LARGEST_FACTOR * row <= 1e-8 * pow(bar_frequency(bar, number), 2);
 }
 
+/* Frequency of mode `number` (from 1) of the lattice with its ends, in 1/time. Between two mirrors every sine
+ * is an eigenvector and the wave's closed form is the answer; else it is the eigenvalue at its place in the
+ * spectrum, for a free end changes the bonds near it. NAN: no such mode, not enough memory, an unstable step,
+ * or a mode so slow beside the fastest that rounding would hide it. */
 double pd_bar_frequency(const BarTheory *bar, const PdBarTheory *lattice, int number)
 {
     const int n = nodes_of(bar, lattice), width = reach_of(lattice);
@@ -174,6 +198,11 @@ void pd_bar_modes_free(PdBarModes *modes)
     free(modes);
 }
 
+/* v_cm after so many steps. From u = 0 velocity Verlet makes of a mode with velocity v_0 exactly
+ *
+ *     v^n = (u^{n+1} - u^{n-1})/(2 dt) = v_0 cos(Omega n dt)
+ *
+ * so the sum over modes is the scheme's own answer, not an approximation of it. */
 double pd_bar_centre_velocity(const PdBarModes *modes, long step)
 {
     double sum = 0;
@@ -249,6 +278,8 @@ static bool take_vectors(PdBarModes *modes, const BarTheory *bar, const PdBarThe
     return sound;
 }
 
+/* The modes at t = 0 of a bar that nothing loads. NULL: it is loaded, the family is longer than the bar,
+ * there are too many nodes for all eigenvectors, a mode is unstable, or memory is short. */
 PdBarModes *pd_bar_modes_create(const BarTheory *bar, const PdBarTheory *lattice)
 {
     const int n = nodes_of(bar, lattice);

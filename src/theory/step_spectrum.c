@@ -103,6 +103,8 @@ static double symmetric(const BarRest *rest, const double *band, int i, int j)
     return i > j ? band[i * (rest->reach + 1) + i - j] : band[j * (rest->reach + 1) + j - i];
 }
 
+/* The entry (i, j) of the pencil in units of dx/c: W_ij = M_ij/(m_i m_j), K_ij, and T M - 1; what alpha, USF,
+ * USL and MUSL make of it is in write_pencil(). */
 static Coupling coupling(const Step *step, int i, int j)
 {
     const BarRest *rest = &step->rest;
@@ -166,6 +168,7 @@ static void begin(const Step *step, const double *sampled, double complex mu, do
     }
 }
 
+/* To length 1 in the plain product; the phase is left as it is. */
 static void normalise(double complex *x, int n)
 {
     double sum = 0;
@@ -214,6 +217,9 @@ static bool iterate(const Step *step, ComplexBand *band, double complex *mu, dou
     return false;
 }
 
+/* |(x, s)| / (|x| |s|) with (a, b) = sum m_i conj(a_i) b_i over the nodes' velocities: 1 where the
+ * eigenvector is the sampled mode s itself, 0 where it has nothing of it. Squared, it is the share of the
+ * sampled mode's kinetic energy if the eigenvectors were orthogonal, which they nearly are. */
 static double overlap(const BarRest *rest, const double complex *x, const double *sampled)
 {
     double complex both = 0;
@@ -262,6 +268,13 @@ typedef struct Search {
     double *sampled, *scrap; /* the sampled mode */
 } Search;
 
+/* From lambda = 1 + mu to the caller's units: a step multiplies the vector by lambda, so
+ *
+ *     Omega = |arg lambda|/dt,   decay = -log|lambda|/dt,   |lambda|^2 = 1 + 2 Re mu + |mu|^2
+ *
+ * the last with log1p, for |lambda| - 1 is often below 1e-9. Where nothing decays space_frequency() has more
+ * digits.
+ */
 static StepMode read_mode(const Search *search, double complex mu)
 {
     const Step *step = &search->step;
@@ -333,6 +346,8 @@ static bool choose_among_all(Search *search, double complex *mu)
     return good;
 }
 
+/* By inverse iteration from the wave's eigenvalue; of a short bar, where that ends in a vector that has
+ * little of the sampled mode, from the best among all. known is false where neither converges. */
 static StepMode find_mode(Search *search, int number, double complex mu)
 {
     StepMode mode = {.frequency = NAN, .decay = NAN, .overlap = NAN, .with_ends = true};

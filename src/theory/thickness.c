@@ -17,6 +17,8 @@ static bool is_even(const gsl_matrix *modes, size_t mode)
     return product > 0;
 }
 
+/* Omega of each even mode in ascending order, at most `most`; the first mode is rigid motion, and one that
+ * the step cannot follow (omega dt >= 2) is left out. Returns how many. */
 static int take_modes(const gsl_vector *squares, const gsl_matrix *modes, double density, double dt,
                       double *frequencies, int most)
 {
@@ -30,6 +32,9 @@ static int take_modes(const gsl_vector *squares, const gsl_matrix *modes, double
     return count;
 }
 
+/* stiffness: rows x rows, N/m^4 (force density over displacement); its halves are made equal first, for
+ * rounding has parted them. frequencies in 1/s. Returns how many even modes there are, 0 also where memory is
+ * short. */
 int thickness_modes(const double *stiffness, int rows, double density, double dt, double *frequencies,
                     int most)
 {

@@ -20,6 +20,7 @@ static const double table_1[][3] = {{5e-3, 1.2e-3, 0.98e-3},    {2.5e-3, 0.6e-3,
 
 #define LENGTH_OF(array) ((int)(sizeof(array) / sizeof *(array)))
 
+/* delta -> 0 with m = delta/dx kept: converges to the local theory. */
 static bool refine_horizon(const Settings *base, int k, Settings *out)
 {
     if (k >= LENGTH_OF(by_halves))
@@ -30,6 +31,7 @@ static bool refine_horizon(const Settings *base, int k, Settings *out)
     return true;
 }
 
+/* m -> infinity with delta kept: converges to peridynamics of this horizon, not to the local theory. */
 static bool refine_spacing(const Settings *base, int k, Settings *out)
 {
     if (k >= LENGTH_OF(nodes_in_horizon))
@@ -115,6 +117,9 @@ int convergence_count(const ConvergenceStudy *study, const Settings *settings)
 
 /* --- points --------------------------------------------------------------------------------------- */
 
+/* Point k, by predicted answers alone: 100 (predicted/real size - 1) in percent over the size of the lattice
+ * or the mesh, and nodes in a horizon or cells in the bar. Settings that cannot be solved give a point that
+ * is not known; false: memory was short or it was given up. */
 bool convergence_point(const ConvergenceStudy *study, const Settings *settings, int k, ConvergencePoint *out,
                        Status *status)
 {
@@ -145,13 +150,20 @@ bool convergence_point(const ConvergenceStudy *study, const Settings *settings, 
     return true;
 }
 
+/* p of error = C size^p between two points: log(e_a/e_b)/log(h_a/h_b). NAN where the error changes its sign
+ * between them, for then there is no such p. */
 double convergence_order(const ConvergencePoint *a, const ConvergencePoint *b)
 {
     const double ratio = a->error / b->error;
     return a->known && b->known && ratio > 0 ? log(ratio) / log(a->size / b->size) : NAN;
 }
 
-/* slope = sum (x - mx)(y - my) / sum (x - mx)^2 with x = log size, y = log |error|. */
+/* The slope of the straight line through the known points by least squares,
+ *
+ *     slope = (n sum xy - sum x sum y)/(n sum x^2 - (sum x)^2),   x = log size, y = log |error|
+ *
+ * NAN for fewer than three points, and where the error does not fall throughout with one sign: then the
+ * points are not yet in the range where an order means anything. */
 double convergence_fitted_order(const ConvergencePoint *points, int count)
 {
     double n = 0, sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;

@@ -48,6 +48,8 @@ static double *take(const Simulation *sim, int field, const double *y, size_t *c
     return values;
 }
 
+/* x and the wanted fields (all: `field` NULL), each of profile->count values. False: no memory, or no such
+ * field. */
 static bool take_all(Profile *profile, const Simulation *sim, const char *field, const double *y)
 {
     profile->x = take(sim, sim->position[0], y, &profile->count);
@@ -66,6 +68,7 @@ static bool take_all(Profile *profile, const Simulation *sim, const char *field,
     return profile->n_fields > 0;
 }
 
+/* Costs one read of each field: O(particles). On failure the profile is empty. */
 bool profile_take(Profile *profile, const Simulation *sim, const char *field)
 {
     *profile = (Profile){.time = simulation_time(sim)};

@@ -15,8 +15,8 @@ void spectrum_close(Spectrum *spectrum)
     *spectrum = (Spectrum){0};
 }
 
-/* All rows but the last few of a growing record, and but the last one where its distance differs from the
- * others'. */
+/* Rows in whole grains of 1/128 to 1/64 of the record: while a run goes on the spectrum is worked out anew
+ * only then, not in every frame. The last row is left out where its distance differs from the others'. */
 static size_t settled_rows(const Record *record)
 {
     size_t rows = record->count - (record->loose_last && record->count > 0 ? 1 : 0), grain = 1;
@@ -54,6 +54,9 @@ static bool transform(const Record *record, int column, size_t first, size_t cou
     return done;
 }
 
+/* SPECTRUM_SLOW: the whole record, means of `stride` rows where it has more than 8192. SPECTRUM_FAST: the
+ * last 16384 rows as they are, up to the Nyquist frequency of the record. What is known already is kept.
+ * False: too few rows, a value that is no number, or memory is short; nothing is left then. */
 bool spectrum_of(const Record *record, int column, SpectrumSpan span, Spectrum *spectrum)
 {
     const size_t rows = settled_rows(record);

@@ -28,7 +28,9 @@ static double mean_energy(const double *rows, size_t count, int n_columns, int t
     return sum / (double)count;
 }
 
-/* The time over which means are taken. */
+/* The time over which means are taken: one period, in which kinetic and strain energy change places twice, so
+ * that a scheme's oscillation of the total at twice the frequency averages out; a tenth of the run where
+ * there is none. */
 static double span_of(RunSummary *summary, double end)
 {
     const Readout *readout = &summary->readout;
@@ -39,6 +41,13 @@ static double span_of(RunSummary *summary, double end)
     return summary->energy_measure == ENERGY_PERIOD ? period : end / 10;
 }
 
+/* How much the energy has changed, in percent. E* (invariant.h) where it exists, for it does not oscillate;
+ * else
+ *
+ *     100 (mean of the last span - mean of the first)/(mean of the first)
+ *
+ * of total less work. A run that begins at rest has nothing at first: then it is a share of the largest work
+ * done. rows: count x n_columns; nothing is set where there is no energy to speak of. */
 static void take_energy(RunSummary *summary, const Column *columns, int n_columns, const double *rows,
                         size_t count, const double invariant[2])
 {

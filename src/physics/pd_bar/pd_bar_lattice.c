@@ -22,6 +22,8 @@ static bool exists(const PdBarDef *def, const PdBarLattice *lattice, int k)
     return (k >= 0 || def->left_fixed) && (k < lattice->n || def->right_fixed);
 }
 
+/* c = 2E/delta^2: with it a whole family stores E/2 at unit strain, sum c |xi|/4 over both sides (per unit
+ * section). */
 static double micromodulus(const PdBarDef *def)
 {
     return 2 * def->youngs_modulus / (def->horizon * def->horizon);
@@ -33,6 +35,7 @@ static int reach_of(const PdBarDef *def)
     return (int)floor(def->horizon / def->spacing * (1 + 1e-9));
 }
 
+/* The share of the cell at m h that lies within the horizon, 1 without volume correction. */
 static double weight(const PdBarDef *def, double h, int m)
 {
     if (def->volume_correction == VOLUME_NONE || m * h <= def->horizon - h / 2)
@@ -51,6 +54,7 @@ static double energy_factor(const PdBarDef *def, const PdBarLattice *lattice, in
     return def->youngs_modulus / 2 / held;
 }
 
+/* g of every node, and of the mirrored ones that of their originals, for they stand in a bond's mean too. */
 static void make_factors(const PdBarDef *def, PdBarLattice *lattice)
 {
     for (int i = 0; i < lattice->n; i++)
@@ -64,6 +68,8 @@ static void make_factors(const PdBarDef *def, PdBarLattice *lattice)
             lattice->factor[pd_bar_at(lattice, pd_bar_partner(lattice, k))];
 }
 
+/* k of the bonds from k to k + m for k = -m to n - 1, as force density over displacement; 0 where one end is
+ * missing. */
 static void make_stiffness(const PdBarDef *def, PdBarLattice *lattice, int m)
 {
     const double whole = micromodulus(def) * lattice->weight[m - 1] * lattice->h / (m * lattice->h);
@@ -147,6 +153,8 @@ bool pd_bar_critical(const PdBarDef *def, double *step, Status *status)
            status_fail(status, STATUS_FAILED, "not enough memory for the lattice of the bar");
 }
 
+/* What is told of the lattice: c, sizes, the modulus that a whole family has without correction,
+ * E (h/delta)^2 2 sum w_m m, g at a free end, and the critical step. */
 void pd_bar_facts(const Simulation *sim, PdBarFacts *facts)
 {
     const PdBar *bar = (const PdBar *)sim;

@@ -15,6 +15,8 @@
 #include <math.h>
 #include <string.h>
 
+/* The load on node i as a force density: rho b and, within `layer` of a free end, the traction spread over
+ * that layer, outwards positive. */
 double pd_bar_load(const PdBar *bar, int i)
 {
     const PdBarLattice *lattice = &bar->lattice;
@@ -33,6 +35,7 @@ static bool is_loaded(const PdBar *bar)
 
 /* --- what the stages do to nodes [first, end) --- */
 
+/* v += dt/(2 rho) f: eqs. 9 and 11, each half of a step. */
 static void kick(PdBar *bar, int first, int end)
 {
     const double factor = bar->sim.dt / (2 * bar->def.density);
@@ -40,7 +43,8 @@ static void kick(PdBar *bar, int first, int end)
         bar->v[i] += factor * bar->f[i];
 }
 
-/* The work of the load with the velocity at the middle of the step: sum f_load h v^{n+1/2} dt. */
+/* u += dt v, eq. 10. The load's work is sum f_load h v^{n+1/2} dt: with the velocity at the middle of the
+ * step it is of second order, as the scheme is, and energy less work keeps its value. */
 static void drift(PdBar *bar, int first, int end)
 {
     const double dt = bar->sim.dt;
@@ -51,6 +55,8 @@ static void drift(PdBar *bar, int first, int end)
         bar->head->work += pd_bar_load(bar, i) * bar->lattice.h * bar->v[i] * dt;
 }
 
+/* A support holds the point half a spacing beyond the last node. Continued as an odd function, u(-1 - i) =
+ * -u_i, the displacement is zero there and the families near it are whole. */
 static void mirror(PdBar *bar, int first, int end)
 {
     const int n = bar->lattice.n, reach = bar->lattice.reach;
@@ -61,7 +67,9 @@ static void mirror(PdBar *bar, int first, int end)
         u[2 * n - 1 - i] = -u[i];
 }
 
-/* Each node adds up its own family, so that the bits do not depend on where a stage is cut. */
+/* f_i = sum_m [k_{i,i+m} (u_{i+m} - u_i) - k_{i-m,i} (u_i - u_{i-m})], linear in u; k per bond from
+ * pd_bar_lattice.c, 0 where a free end leaves no partner. Each node adds up its own family, so the bits do
+ * not depend on where a stage is cut, and every bond is computed twice. */
 static void bonds(PdBar *bar, int first, int end)
 {
     const double *u = bar->u + bar->lattice.reach;
@@ -75,6 +83,7 @@ static void bonds(PdBar *bar, int first, int end)
     }
 }
 
+/* Behind the bonds, so that f is what the second half kick needs. */
 static void load(PdBar *bar, int first, int end)
 {
     for (int i = first; i < end && is_loaded(bar); i++)
@@ -125,6 +134,7 @@ void pd_bar_forces(PdBar *bar)
 
 /* --- whole steps --- */
 
+/* A step may fail at the bonds only, before f is written; the state before it is kept aside and put back. */
 bool pd_bar_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
 {
     PdBar *bar = (PdBar *)sim;

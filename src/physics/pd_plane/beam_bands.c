@@ -27,6 +27,7 @@ static double *halo_row(const Beam *beam, int band, int component, int row)
            LATTICE_BLOCK;
 }
 
+/* f of the band's own rows and its halo: before its first row is computed, by the thread that computes it. */
 static void clear_band(Beam *beam, int band)
 {
     int first = beam->band_first[band], rows = beam->band_first[band + 1] - first;
@@ -36,7 +37,9 @@ static void clear_band(Beam *beam, int band)
     memset(halo_row(beam, band, 0, 0) - LATTICE_BLOCK, 0, 2 * (size_t)beam->lattice.reach * bytes);
 }
 
-/* fx[q], fy[q]: where the forces on row j + q go, the row itself or the halo. */
+/* Adds to f what the bonds give that node row j owns, those to the same row rightwards and to the `reach`
+ * rows above: each bond once, its force to both ends. fx[q], fy[q]: where the forces on row j + q go, the row
+ * itself or the halo. */
 void beam_bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy)
 {
     int band = beam->band_of_row[j], end = beam->band_first[band + 1];
@@ -115,6 +118,7 @@ static void energy_chunk(void *context, int band, int worker)
         beam->row_energy[j] = beam->kernels->energy(&beam->system, j);
 }
 
+/* In the order of rows, whatever thread did which: the same bits. */
 static double sum_of_rows(const Beam *beam)
 {
     double sum = 0;
@@ -140,6 +144,7 @@ bool beam_ask_forces(Beam *beam, double share, Status *status)
     return beam_go_on(beam, share, status);
 }
 
+/* Energy of all live bonds, J: of the state as it stands, kept until it changes. */
 double beam_strain(Beam *beam)
 {
     if (!beam->strain_known) {

@@ -114,6 +114,9 @@ static void cut_into_bands(Beam *beam)
     beam->band_first[beam->n_bands] = ny;
 }
 
+/* All arrays. The state is one block, so that a snapshot is one copy: head, then ux, uy, vx, vy, fx, fy (each
+ * ny rows of `stride` doubles), then a bit for each slot of a bond, set where it is broken; the head is
+ * padded to a cache line. */
 static bool allocate(Beam *beam, Status *status)
 {
     const Lattice *lattice = &beam->lattice;
@@ -167,6 +170,8 @@ static bool allocate(Beam *beam, Status *status)
     return true;
 }
 
+/* Velocity Verlet is stable up to dt = 2/omega_max of the lattice (beam_critical.c); auto takes half of it. A
+ * step above it is refused. */
 static bool set_time_step(Beam *beam, Status *status)
 {
     double critical;
@@ -225,6 +230,8 @@ static const Method beam_method = {
     .change = beam_change,
 };
 
+/* In this order, for each part needs those before it: sizes, lattice, memory, bonds, what is held and loaded,
+ * time step, start. */
 static bool build(Beam *beam, const BeamOptions *options, Status *status)
 {
     if (!beam_check(&beam->def, status) || !lattice_init(&beam->lattice, &beam->def, status) ||

@@ -199,6 +199,8 @@ static void bend_cantilever(const Beam *beam, double x, double y, double u[2])
     u[1] = U * (cosh(k * x) - cos(k * x) - ratio * (sinh(k * x) - sin(k * x)));
 }
 
+/* u and v of every node at t = 0, then what is held. options->initial replaces both, for tests. False: given
+ * up. */
 bool beam_set_motion(Beam *beam, const BeamOptions *options, Status *status)
 {
     const Lattice *lattice = &beam->lattice;

@@ -9,6 +9,8 @@
 #include "physics/pd_plane/beam_internal.h"
 #include "physics/pd_plane/fracture/crack.h"
 
+/* The mean over the up to four nodes around the probe, which an even number of rows or columns puts between
+ * nodes; where it lies on one, the same node counts four times. */
 static double probe(const Beam *beam, const double *array)
 {
     double sum = 0;
@@ -28,6 +30,7 @@ static double v_probe(Beam *beam)
     return probe(beam, beam->nodes.vy);
 }
 
+/* sum rho |v|^2/2 V b, row by row in a fixed order: the same bits with any vector width. */
 static double kinetic(Beam *beam)
 {
     double sum = 0;
@@ -49,6 +52,8 @@ static double dissipated(Beam *beam)
     return beam->head->dissipated;
 }
 
+/* Less the work this is what the scheme keeps, to second order in dt; it oscillates at twice the frequency.
+ */
 static double total(Beam *beam)
 {
     return kinetic(beam) + beam_strain(beam) + beam->head->dissipated;
@@ -59,6 +64,7 @@ static double broken_bonds(Beam *beam)
     return (double)beam->head->broken;
 }
 
+/* L(t) = L0 + v0 t, what has left the channel. */
 static double length(Beam *beam)
 {
     return beam->def.length + beam->def.speed * simulation_time(&beam->sim);

@@ -41,6 +41,8 @@ static void set_breaking(Beam *beam)
         beam->sim.has |= HAS_BREAKING;
 }
 
+/* Puts a snapshot back: only bonds whose bit differs are touched, so a short way back is cheap; damage and
+ * crack are computed anew from the bits. */
 void beam_load(Simulation *sim, const void *bytes)
 {
     Beam *beam = (Beam *)sim;
@@ -96,6 +98,7 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
                        "%s: cannot change in mid-run (load.stress and pd.critical_stretch can)", key);
 }
 
+/* Asks whoever waits for the beam whether it is still wanted, and remembers a no for all threads. */
 bool beam_go_on(Beam *beam, double share, Status *status)
 {
     if (!beam->given_up)

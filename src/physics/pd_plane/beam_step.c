@@ -82,7 +82,7 @@ static void constrain_displacement(Beam *beam, int j, double time)
         }
 }
 
-/* v += dt/(2 rho) f: eqs. 9 and 11. */
+/* v += dt/(2 rho) f, eqs. 9 and 11: f is rho a, so the density divides here and nowhere else. */
 static void kick(Beam *beam, int j)
 {
     size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
@@ -91,6 +91,7 @@ static void kick(Beam *beam, int j)
     beam->kernels->add(beam->nodes.vy + row, beam->nodes.fy + row, factor, count);
 }
 
+/* Eq. 9; held components keep the velocity that they are given, whatever the bonds pull. */
 static void half_kick(Beam *beam, int j, long step)
 {
     kick(beam, j);
@@ -118,6 +119,8 @@ static void drift(Beam *beam, int j, long step)
     }
 }
 
+/* Eqs. 12, 13 at the end of the drift: displacements where they are given, and the velocities that belong to
+ * them. */
 static void constraints(Beam *beam, int j, long step)
 {
     double time = (double)(step + 1) * beam->sim.dt;
@@ -125,6 +128,7 @@ static void constraints(Beam *beam, int j, long step)
     constrain_velocity(beam, j, time);
 }
 
+/* b of eq. 8 at t^{n+1}, added to what the bonds have left in f. */
 static void body_force(Beam *beam, int j, long step)
 {
     if (!is_loaded_row(beam, j))
@@ -135,6 +139,7 @@ static void body_force(Beam *beam, int j, long step)
         beam->nodes.fy[row + (size_t)i] += force;
 }
 
+/* Eq. 11. */
 static void second_kick(Beam *beam, int j, long step)
 {
     kick(beam, j);
@@ -246,7 +251,10 @@ static void turn_chunk(void *context, int band, int worker)
     }
 }
 
-/* Whole steps; on failure the state is in the middle of the step that failed. */
+/* Whole steps, `done` of `count`; rows: n_series numbers for each, or NULL. The end of a step and the
+ * beginning of the next touch the same row of nodes and nothing else, so they are one pass while the row is
+ * in the cache (turn_chunk); only a row of the series in between parts them. On failure the state is in the
+ * middle of the step that failed. */
 static bool run_steps(Beam *beam, long count, double *rows, long *done, Status *status)
 {
     Simulation *sim = &beam->sim;
@@ -289,6 +297,8 @@ static void keep_rescue(Beam *beam)
     rescue->events_beyond = beam->sim.events_beyond;
 }
 
+/* From the state that was kept to the last sound step. The steps since are computed again and cannot fail,
+ * for they did not the first time; events since are cut off first, for they are told again. */
 static void go_back(Beam *beam)
 {
     Simulation *sim = &beam->sim;
@@ -303,6 +313,7 @@ static void go_back(Beam *beam)
     sim->failure = failure;
 }
 
+/* A copy of the state every 64 steps is little beside them; a failure costs up to 63 steps more. */
 bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
 {
     Beam *beam = (Beam *)sim;

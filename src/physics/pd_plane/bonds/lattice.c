@@ -26,6 +26,10 @@ static const double inverse_root_series[LATTICE_SERIES] = {0.5,
                                                            0.2460985445241859,
                                                            -0.22559118152047733};
 
+/* One direction of bonds, (p, q) spacings: length, partial area and the coefficients of the series by which
+ * the kernels get the stretch. With e = (|xi + eta|^2 - |xi|^2)/|xi|^2 the elongation over the deformed
+ * length is e times a power series in e; what is stored is in powers of the difference of squares itself and
+ * over |xi|, so that no kernel divides. */
 static void add_offset(Lattice *lattice, const BeamDef *def, int p, int q)
 {
     Offset *offset = &lattice->offsets[lattice->n_offsets++];
@@ -45,6 +49,8 @@ static void add_offset(Lattice *lattice, const BeamDef *def, int p, int q)
     }
 }
 
+/* Half of the family, each bond once: q > 0, and of q = 0 those with p > 0. By rows, since the kernels go
+ * through the rows that a node reaches. */
 static void add_offsets(Lattice *lattice, const BeamDef *def)
 {
     double dx = lattice->spacing, limit = def->horizon * (1 + 1e-9);
@@ -75,6 +81,7 @@ static void energy_factors(const Lattice *lattice, int i, int j, double *factor_
     *factor_y = 9.0 / 16 * lattice->youngs_modulus / sum_y;
 }
 
+/* V_i = sum w V over the nodes that are there: less than pi delta^2 near the surface. */
 static double family_area(const Lattice *lattice, int i, int j)
 {
     double area = 0;
@@ -113,6 +120,8 @@ static bool set_factors(Lattice *lattice, const BeamDef *def, Status *status)
     return true;
 }
 
+/* The number of the first bond that each node owns, in the order of nodes and then of offsets: what a table
+ * counts. */
 static bool number_bonds(Lattice *lattice, const BeamDef *def, Status *status)
 {
     const double nodes = (double)lattice_nodes(lattice);
@@ -131,6 +140,9 @@ static bool number_bonds(Lattice *lattice, const BeamDef *def, Status *status)
     return true;
 }
 
+/* c G w V of one bond, the factor of its stretch in eq. 8, N/m^6. With the energy correction G is the radius,
+ * in the bond's direction n, of an ellipse whose half axes are the mean factors of both ends (gbar_x,
+ * gbar_y). */
 double lattice_coefficient(const Lattice *lattice, BondPlace bond)
 {
     const Offset *offset = &lattice->offsets[bond.offset];
@@ -149,6 +161,8 @@ double lattice_coefficient(const Lattice *lattice, BondPlace bond)
     return lattice->micromodulus * factor * offset->weight * lattice->spacing * lattice->spacing;
 }
 
+/* The bond of a slot. Slots go by rows of nodes, in these by tiles of columns, in a tile by offsets and then
+ * by columns: neighbours in memory are what a vector takes at once. */
 BondPlace lattice_slot_place(const Lattice *lattice, size_t slot)
 {
     size_t n_offsets = (size_t)lattice->n_offsets, row = n_offsets * lattice->columns, within = slot % row;
