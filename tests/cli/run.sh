@@ -229,6 +229,18 @@ for signal in HUP INT QUIT TERM PIPE ALRM USR1 USR2 XCPU XFSZ VTALRM PROF SYS TR
 	result "leaves nothing" nothing_else
 done
 
+# what the run is judged by is solved before it: a motion of minutes
+env --default-signal=INT "$MATVIB" run moving-cantilever-coarse --set motion.speed=1e-6 --end 2 --series i.csv >out 2>err &
+motion=$!
+sleep 0.7
+kill -s INT $motion
+(sleep 5 && kill -s KILL $motion) 2>/dev/null & # so that a deaf one ends too
+wait $motion
+result "a motion is given up by ^C" test $? -eq 130
+kill $! 2>/dev/null
+result "it says so" says err "motion was given up$"
+result "and leaves nothing" nothing_else
+
 # a bar is for people: a log gets none, however long the run
 expect "a run of some seconds" 0 notched-beam --steps 500 --threads 1
 result "no bar where standard error is no terminal" test ! -s err

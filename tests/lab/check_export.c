@@ -1,6 +1,7 @@
 /* Runs as files: what they hold, that they repeat, that they are written whole or not at all. */
 #include "lab/export/csv.h"
 #include "lab/export/export.h"
+#include "lab/export/frames.h"
 #include "lab/lab_case.h"
 #include "lab/settings/scenario.h"
 #include "suite.h"
@@ -330,6 +331,14 @@ START_TEST(frames_are_the_nearest_steps)
     settings.output.frames = 1;
     run(&settings, &outputs, NULL);
     ck_assert_int_eq(count_lines(outputs.particles), 51);
+    /* the last step is the last, though the time lies nearer to another */
+    Frames frames = {0};
+    strcpy(settings.output.at, "0.5, 1.006");
+    ck_assert(frames_plan(&frames, &settings, 0.01, 100, NULL));
+    ck_assert_uint_eq(frames.count, 2);
+    ck_assert_int_eq(frames.steps[0], 50);
+    ck_assert_int_eq(frames.steps[1], 100);
+    frames_free(&frames);
 }
 END_TEST
 

@@ -55,6 +55,11 @@ START_TEST(rows_are_thinned_beyond_it)
     ck_assert(record.thinned);
     ck_assert_int_eq(record.spacing, 256);
     record_close(&record);
+    /* by halves, no more than need be */
+    record_open(&record, COLUMNS, 1, 64 * COLUMNS * sizeof(double));
+    fill(&record, 0, 100);
+    ck_assert_int_eq(record.spacing, 2);
+    record_close(&record);
 }
 END_TEST
 

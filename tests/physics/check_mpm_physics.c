@@ -214,6 +214,12 @@ START_TEST(crossing_heats_or_cools)
     ck_assert_msg(left > known[_i].least && left < known[_i].most, "%g of the energy is left", left);
     ck_assert_int_gt(sim->n_events, 0);
     ck_assert_int_eq(sim->events[0].kind, EVENT_CROSSING);
+    const long crossed = sim->events[0].step;
+    simulation_destroy(sim);
+    sim = bar_case_create(&bar);
+    while (sim->n_events == 0)
+        advance(sim, 1);
+    ck_assert_int_eq(sim->step, crossed); /* after which it is true */
     simulation_destroy(sim);
 }
 END_TEST

@@ -166,6 +166,25 @@ START_TEST(a_long_motion_can_be_given_up)
 }
 END_TEST
 
+static bool at_once(double share, void *context)
+{
+    (void)share, (void)context;
+    return false;
+}
+
+/* Ten million samples, sixteen in a period of the tenth mode, lambda = 9.5 pi: no more. */
+START_TEST(a_motion_has_a_bound)
+{
+    BeamTheory beam = paper;
+    beam.patience = (Patience){at_once, NULL};
+    const double fastest =
+        sqrt(beam.youngs_modulus / (12 * beam.density)) * beam.height * pow(9.5 * M_PI / beam.length, 2);
+    const double most = 1e7 * 2 * M_PI / fastest / 16;
+    expect_refused(beam, 1e-9, 0.999 * most, "given up");
+    expect_refused(beam, 1e-9, 1.001 * most, "oscillations (at most 6.25e+05)");
+}
+END_TEST
+
 START_TEST(what_cannot_be_solved)
 {
     BeamTheory thin = paper, soft = paper, odd = paper;
@@ -201,5 +220,6 @@ void add_cases(Suite *suite)
     tcase_add_test(moving, amplitude_grows_with_length);
     tcase_add_test(moving, what_cannot_be_solved);
     tcase_add_test(moving, a_long_motion_can_be_given_up);
+    tcase_add_test(moving, a_motion_has_a_bound);
     suite_add_tcase(suite, moving);
 }
