@@ -115,6 +115,11 @@ static bool no_name(const char *name, Status *status)
                        name);
 }
 
+static bool too_long(const char *name, Status *status)
+{
+    return status_fail(status, STATUS_USAGE, "%s: the name is too long (most systems allow 255 bytes)", name);
+}
+
 bool output_may_begin(const char *name, bool force, Status *status)
 {
     struct stat what;
@@ -125,6 +130,8 @@ bool output_may_begin(const char *name, bool force, Status *status)
                            "%s: is no name for a file (UTF-8 without control characters)", name);
     if (output_is_standard(name))
         return true;
+    if (stat(name, &what) != 0 && errno == ENAMETOOLONG)
+        return too_long(name, status);
     if (stat(name, &what) != 0 && lstat(name, &what) == 0 && S_ISLNK(what.st_mode))
         return status_fail(status, STATUS_USAGE, "%s: is a link that leads nowhere", name);
     if (stat(name, &what) != 0)
@@ -355,7 +362,7 @@ FILE *output_update(Asker asker, const char *name, Status *status)
     const int descriptor = open(name, O_RDWR | O_CREAT | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0666);
     FILE *stream = NULL;
     if (descriptor < 0)
-        cannot_write(name, status);
+        errno == ENAMETOOLONG ? too_long(name, status) : cannot_write(name, status);
     else if (fstat(descriptor, &what) != 0 || !S_ISREG(what.st_mode))
         status_fail(status, STATUS_USAGE, "%s: is a pipe or a device (a file is wanted)", name);
     else if (!(stream = fdopen(descriptor, "r+")))

@@ -229,6 +229,15 @@ for signal in HUP INT QUIT TERM PIPE ALRM USR1 USR2 XCPU XFSZ VTALRM PROF SYS TR
 	result "leaves nothing" nothing_else
 done
 
+# --- long names: a scenario stands beside a table, with .ini behind its name
+long=$(printf '%0247d' 0)
+expect "a name of 251 bytes" 0 mode1 --steps 5 --series "$long.csv" --quiet
+result "has its scenario beside it" test -s "$long.csv.ini"
+rm -f "$long"*
+refuse "one of 252 is refused at once" "0$long.csv.ini: the name is too long (most systems allow 255 bytes)" \
+	mode1 --end 1e9 --series "0$long.csv"
+result "and nothing is written" nothing_else
+
 # what the run is judged by is solved before it: a motion of minutes
 env --default-signal=INT "$MATVIB" run moving-cantilever-coarse --set motion.speed=1e-6 --end 2 --series i.csv >out 2>err &
 motion=$!

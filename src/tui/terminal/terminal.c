@@ -444,6 +444,6 @@ void terminal_suspend(Terminal *terminal)
     while (sigpending(&pending) == 0 && sigismember(&pending, SIGCONT) == 1 && sigwait(&woken, &number) == 0)
         continue;
     signal_continued = 0;
-    signal_resized = 1;
+    signal_resized = 1; /* meanwhile the window may have become another */
     take_screen(terminal);
 }

@@ -243,6 +243,7 @@ static void draw_load(Map *map)
     const Settings *settings = map->settings;
     const size_t nx = (size_t)map->body.nx;
     double *loaded = flags_of(map, "loaded", map->body.ny - 1), column, y;
+    const int lowest = map->area.rect.height - 1;
     int last = -1, last_row = 0;
     for (size_t i = 0; loaded && i < nx; i++) {
         if (loaded[i] <= 0)
@@ -253,9 +254,9 @@ static void draw_load(Map *map)
             continue;
         }
         last = (int)floor(column);
-        last_row = (int)fmax(floor(y - map->body.spacing * map->scale_y / 2 - 0.75), 0);
-        /* displacements drawn much too large carry the load below the picture */
-        last_row = last_row < map->area.rect.height ? last_row : map->area.rect.height - 1;
+        /* displacements drawn much too large carry the load out of the picture */
+        const double row = floor(y - map->body.spacing * map->scale_y / 2 - 0.75);
+        last_row = (int)fmin(fmax(row, 0), lowest);
         area_put(map->area, last, last_row, LOAD, STYLE_HEADING);
     }
     free(loaded);
