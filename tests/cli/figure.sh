@@ -60,7 +60,7 @@ result "every row lies where it should, to a hundredth of a point" compare
 refuse "a page that is too small" 'probe: nothing to draw: the page is too small for it (at least 30x30 mm)' \
 	mode1 --view probe --size 1x1 --end 1 --output small.svg
 expect "signs of XML" 0 mode5 --end 5 --view probe --output xml.svg --set 'scenario.title=a<b>&"c'
-result "are written as it wants them" says xml.svg '<title>.*a&lt;b&gt;&amp;"c.*</title>'
+result "are written as it wants them" says xml.svg '<title>.*a&lt;b&gt;&amp;&quot;c.*</title>'
 result "everywhere" test -z "$(grep -F -e 'a<b' xml.svg)"
 expect "it repeats" 0 mode5 --end 5 --view probe --output b.svg --quiet
 result "the same bytes" cmp -s a.svg b.svg
