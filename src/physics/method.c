@@ -27,6 +27,9 @@ static bool may_go_on(const Simulation *sim, Status *status)
     return false;
 }
 
+/* A piece of a stage, at most `items` of its things (0: all that are left). Stages are loops over ranges, so
+ * a picture can be drawn, or a key answered, within a step of a large run; the bits do not depend on the
+ * cuts. */
 bool simulation_slice(Simulation *sim, size_t items, bool *stage_done, Status *status)
 {
     *stage_done = false;
@@ -57,6 +60,8 @@ bool simulation_stage(Simulation *sim, Status *status)
     return simulation_slice(sim, 0, &stage_done, status);
 }
 
+/* As many steps as a hundredth of a second or so takes: how often a long run is asked whether it is still
+ * wanted. */
 long simulation_steps_a_question(const Simulation *sim)
 {
     enum { ITEMS = 400000, STEPS_MAX = 4096 };
@@ -67,6 +72,9 @@ long simulation_steps_a_question(const Simulation *sim)
     return steps < 1 ? 1 : steps > STEPS_MAX ? STEPS_MAX : (long)steps;
 }
 
+/* Whole steps by the method's fast path where it has one; what has been begun stage by stage is finished
+ * first. rows: the series after each step, n_series numbers apiece. On failure `done` says how many were
+ * whole. */
 bool simulation_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
 {
     ASSERT_INT(count, >=, 0);
@@ -119,6 +127,7 @@ void simulation_snapshot(const Simulation *sim, void *bytes)
     sim->method->save(sim, (char *)bytes + sizeof head);
 }
 
+/* The run stands where it stood; of its events those are left that were known then. */
 void simulation_restore(Simulation *sim, const void *bytes)
 {
     SnapshotHead head;

@@ -71,6 +71,7 @@ static const Method method = {
 
 /* --- a new one ------------------------------------------------------------------------------------ */
 
+/* The state is one block: head, u of n + 2 reach nodes (mirrored ones at both sides), v and f of n. */
 static bool lay_out(PdBar *bar)
 {
     bar->memory = pd_bar_lattice(&bar->def, &bar->lattice);
@@ -90,6 +91,7 @@ static bool lay_out(PdBar *bar)
 
 enum { NODES_A_QUESTION = 16384 };
 
+/* u = 0, v from the definition, and the force that the first half kick takes. */
 static bool begin(PdBar *bar, Status *status)
 {
     const PdBarDef *def = &bar->def;

@@ -12,6 +12,7 @@
 #include <math.h>
 #include <string.h>
 
+/* Damage of a node is worked out again at the end of the step, once however many of its bonds broke. */
 static void mark_dirty(Beam *beam, size_t node)
 {
     if (!beam->is_dirty[node]) {
@@ -40,6 +41,9 @@ static bool is_near_tip(const Beam *beam, BondPlace place)
     return x * x + y * y <= limit * limit;
 }
 
+/* The breaks of one band in the order in which the kernels met them: bands one after the other, so that
+ * dissipated is the same sum at any number of threads. Step -1 is the start: broken_at 0. False: memory was
+ * short, the log is not whole. */
 bool beam_take_log(Beam *beam, BondLog *log, long step)
 {
     bool written = !log->no_memory;

@@ -10,6 +10,8 @@
 
 #include <math.h>
 
+/* Eqs. 2, 3 for one bond as the state stands: what the inspector and the tables show. The kernels do not call
+ * it. */
 BondNow beam_bond(const Beam *beam, BondPlace place)
 {
     const Lattice *lattice = &beam->lattice;
@@ -33,6 +35,8 @@ BondNow beam_bond(const Beam *beam, BondPlace place)
     return bond;
 }
 
+/* A node owns half of its bonds; those of the other half are owned by the nodes below it and to its left,
+ * mirrored. */
 size_t beam_family(const Beam *beam, int i, int j, BondPlace *out)
 {
     const Lattice *lattice = &beam->lattice;
@@ -60,6 +64,8 @@ static Link link_from(const Beam *beam, BondPlace place, size_t end)
                   .broken_at = bond.broken ? beam->broken_at[lattice_slot(&beam->lattice, place)] : 0};
 }
 
+/* Of a bond its two ends, each as the other sees it; of a node its family. Pull in N/m: force
+ * density times V. */
 size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_t max)
 {
     const Beam *beam = (const Beam *)sim;

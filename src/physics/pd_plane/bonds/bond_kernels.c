@@ -115,11 +115,14 @@ static Bond bond_at(const Segment *segment, size_t i)
     return bond;
 }
 
+/* k s^2; times V |xi|/2 and the thickness it is the bond's energy in J. */
 static double bond_energy(const Segment *segment, size_t i, const Bond *bond)
 {
     return segment->coefficient[i] * bond->stretch * bond->stretch;
 }
 
+/* Notes a bond that broke, in the band's own list. Without memory for a longer one the step fails afterwards
+ * (no_memory). */
 static void log_break(BondLog *log, size_t slot, double energy)
 {
     if (log->n_breaks == log->capacity) {
@@ -175,6 +178,7 @@ static void by_root(const BondSystem *system, const Segment *segment, BondPlace 
     }
 }
 
+/* The sums of k s^2 of a segment that the series cannot do, into the same eight parts. */
 static void energy_by_root(const Segment *segment, double *sums)
 {
     for (int lane = 0; lane < LATTICE_BLOCK; lane++)
@@ -197,6 +201,8 @@ static double segment_energy(const BondSystem *system, const Segment *segment, c
     return sum_lanes(sums) * direction->length * system->energy_scale;
 }
 
+/* The segment of direction o that begins at column `from` of row j: the other ends lie q rows and p columns
+ * on, at one fixed distance in memory, which is why no list of indices is needed. */
 KERNEL_INLINE Segment segment_of(const BondSystem *system, int j, int o, size_t from, size_t count,
                                  double *coefficient)
 {
@@ -323,12 +329,15 @@ KERNEL_INLINE double tile(const BondSystem *system, int j, int q, size_t from, s
     return energy;
 }
 
+/* Rows that bonds of row j can reach; the topmost ones have fewer. */
 static int rows_above(const Lattice *lattice, int j)
 {
     int above = lattice->ny - 1 - j;
     return above < lattice->reach ? above : lattice->reach;
 }
 
+/* All bonds that row j owns, tile by tile, so that the rows which a tile reaches stay in the cache while all
+ * its row distances are done. energy: J, the sum of their energies; NULL: not asked for. */
 static void forces(const BondSystem *system, int j, double *const *fx, double *const *fy, BondLog *log,
                    double *energy)
 {
@@ -346,6 +355,7 @@ static void forces(const BondSystem *system, int j, double *const *fx, double *c
         *energy = sum;
 }
 
+/* The same sum in the same order without the forces: equal to the last bit to what forces() gives. */
 static double energy_of_row(const BondSystem *system, int j)
 {
     const Lattice *lattice = system->lattice;
@@ -366,6 +376,7 @@ static double energy_of_row(const BondSystem *system, int j)
     return sum;
 }
 
+/* s of `count` bonds of one direction that stand side by side, whole or broken. */
 static void stretches(const BondSystem *system, BondPlace first, size_t count, double *restrict out)
 {
     const Lattice *lattice = system->lattice;
@@ -378,12 +389,14 @@ static void stretches(const BondSystem *system, BondPlace first, size_t count, d
         out[k] = offset_stretch(offset, other_x[k] - own_x[k], other_y[k] - own_y[k]);
 }
 
+/* y += factor x; count is a multiple of a block, padding included. */
 static void add(double *y, const double *x, double factor, size_t count)
 {
     for (size_t i = 0; i < count; i += LANES)
         vector_store(y + i, vector_load(y + i) + factor * vector_load(x + i));
 }
 
+/* x . y by eight partial sums, the same bits at every vector width. */
 static double dot(const double *x, const double *y, size_t count)
 {
     Vector sum[PARTS];
