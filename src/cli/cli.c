@@ -68,7 +68,7 @@ void cli_print_help(const CliCommand *command)
     }
     printf("usage: matvib [SCENARIO] [OPTION]...\n"
            "       matvib COMMAND [ARGUMENT]... [OPTION]...\n\n"
-           "A laboratory in a terminal: the material point method on a bar, peridynamics on bar and beams.\n"
+           "A laboratory in a terminal: the material point method and peridynamics, on bar and beams.\n"
            "SCENARIO is a name from `matvib list` or the path of a file; without one it is mode5.\n\n"
            "Commands:\n");
     print_command(&(CliCommand){"[SCENARIO]", "", "opens the laboratory", NULL});

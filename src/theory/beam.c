@@ -6,6 +6,7 @@
 #include "theory/beam.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 /* r^2 */
 static double gyration(const BeamTheory *beam)
@@ -24,18 +25,51 @@ double beam_period_euler(const BeamTheory *beam)
  *
  *     (rho r^2 / (kappa G)) z^2 - (1 + r^2 k^2 (1 + E/(kappa G))) z + (E/rho) r^2 k^4 = 0,
  *
- * of which the smaller root is bending. G = E / (2 (1 + nu)), nu = 1/3, kappa = 5/6. */
+ * of which the smaller root is bending. G = E / (2 (1 + nu)), kappa = 5/6. */
 double beam_period_timoshenko(const BeamTheory *beam)
 {
-    const double poisson = 1.0 / 3, kappa = 5.0 / 6;
+    const double kappa = 5.0 / 6;
     double wave_number = M_PI / beam->length, k2 = wave_number * wave_number, r2 = gyration(beam);
-    double shear = kappa * beam->youngs_modulus / (2 * (1 + poisson));
+    double shear = kappa * beam->youngs_modulus / (2 * (1 + beam->poisson));
     double a = beam->density * r2 / shear;
     double b = 1 + r2 * k2 * (1 + beam->youngs_modulus / shear);
     double c = beam->youngs_modulus / beam->density * r2 * k2 * k2;
     /* this form of the smaller root does not subtract two like numbers */
     double z = 2 * c / (b + sqrt(b * b - 4 * a * c));
     return 2 * M_PI / sqrt(z);
+}
+
+/* The bending wave of a plate of plane stress whose half a length is the beam: uy = 0 and sxx = 0 at its ends
+ * come by themselves. With k = pi/L, a = h/2, c^2 = E/(rho (1 - nu^2)), p^2 = k^2 - omega^2/c^2, q^2 = k^2 -
+ * omega^2 rho/G it obeys Rayleigh and Lamb's equation
+ *
+ *     (k^2 + q^2)^2 tanh(p a) = 4 k^2 p q tanh(q a)
+ *
+ * whose root is bracketed from below by half of Timoshenko's frequency and halved out. */
+static double rayleigh_lamb(const BeamTheory *beam, double omega)
+{
+    const double k = M_PI / beam->length, a = beam->height / 2, nu = beam->poisson;
+    const double slow = omega * omega * beam->density / beam->youngs_modulus;
+    const double p = sqrt(k * k - slow * (1 - nu * nu)), q = sqrt(k * k - slow * 2 * (1 + nu));
+    const double sum = k * k + q * q;
+    return sum * sum * tanh(p * a) - 4 * (k * k) * (p * q) * tanh(q * a);
+}
+
+double beam_period_plane(const BeamTheory *beam)
+{
+    enum { HALVINGS = 100 };
+    const double k = M_PI / beam->length, near = 2 * M_PI / beam_period_timoshenko(beam);
+    const double shear = sqrt(beam->youngs_modulus / (2 * (1 + beam->poisson) * beam->density));
+    double low = near / 2, high = fmin(2 * near, k * shear * (1 - 1e-12));
+    const bool sign = rayleigh_lamb(beam, low) > 0;
+    for (int n = 0; n < HALVINGS; n++) {
+        const double middle = (low + high) / 2;
+        if ((rayleigh_lamb(beam, middle) > 0) == sign)
+            low = middle;
+        else
+            high = middle;
+    }
+    return 4 * M_PI / (low + high);
 }
 
 double beam_cantilever_frequency(const BeamTheory *beam, double length)

@@ -11,14 +11,17 @@
 typedef struct BeamTheory {
     double length, height; /* m */
     double youngs_modulus, density;
+    double poisson;    /* 1/3 with bonds; Euler-Bernoulli's beam knows none */
     double amplitude;  /* U */
+    double from_tip;   /* of a moving cantilever: the point that is looked at, so far before its tip, m */
     Patience patience; /* asked while a motion is being solved */
 } BeamTheory;
 
-/* First period of the simply supported beam, s. Timoshenko: kappa 5/6, Poisson's ratio 1/3, exact frequency
- * equation. */
+/* First period of the simply supported beam, s. Timoshenko: kappa 5/6, exact frequency equation. Plane: of
+ * the plane problem itself (plane stress), whose ends are held across as whole sections and free along. */
 double beam_period_euler(const BeamTheory *beam);
 double beam_period_timoshenko(const BeamTheory *beam);
+double beam_period_plane(const BeamTheory *beam);
 
 /* Mid-point displacement U cos(2 pi t / T) and its velocity for a period T. */
 double beam_midpoint(const BeamTheory *beam, double period, double t);
@@ -42,7 +45,8 @@ typedef struct MovingCantilever MovingCantilever;
 MovingCantilever *moving_cantilever_solve(const BeamTheory *beam, double speed, double end, Status *status);
 void moving_cantilever_free(MovingCantilever *solution);
 
-/* Tip displacement (m) and its material velocity (m/s) at a time in [0, end]. */
+/* Displacement (m) of the tip, or of the point `from_tip` before it, and its material velocity (m/s) at a
+ * time in [0, end]. */
 double moving_cantilever_tip(const MovingCantilever *solution, double t);
 double moving_cantilever_tip_velocity(const MovingCantilever *solution, double t);
 

@@ -7,7 +7,9 @@
  *     q(0) = (U, 0, ...),   q'(0) = -(v/L) B q(0)
  *
  * The initial rate makes the body stand still across while it moves along. The tip is always the same
- * material point, so its velocity is sum q_n' phi_n(1).
+ * material point, so its velocity is sum q_n' phi_n(1). A point at a small distance d before it moves by
+ * phi_n(1)
+ * - (d/L) phi_n'(1) in place of phi_n(1).
  *
  * The solution is kept as displacement, velocity and acceleration of the tip at equal times, close enough
  * that the quintic between two of them is as good as the solver. */
@@ -44,6 +46,8 @@ typedef struct Modes {
     double lambda[MODES];
     double b[MODES][MODES], c[MODES][MODES];
     double length, speed, stiffness; /* L0, v, E h^2 / (12 rho) */
+    double from_tip;                 /* d */
+    double slope[MODES];             /* phi_n'(1) */
 } Modes;
 
 /* --- the modes ----------------------------------------------------------------------------------- */
@@ -114,6 +118,7 @@ static bool build_modes(Modes *modes, Status *status)
     if (sound) {
         for (int n = 0; n < MODES; n++) {
             modes->lambda[n] = clamped_free_root(solver, n + 1);
+            modes->slope[n] = mode_derivative(modes->lambda[n], 1, 1);
             sound = sound && isfinite(modes->lambda[n]);
         }
         integrate_couplings(modes, table);
@@ -146,17 +151,20 @@ static int modal_equations(double t, const double y[], double rate[], void *cont
     return GSL_SUCCESS;
 }
 
-/* w at s = 1 with its first two rates: the sum over modes with phi_n(1) = 2, -2, 2, ... */
+/* w at s = 1 - r with its first two rates, r = d/L: the sum over modes with phi_n(1) = 2, -2, 2, ...; r' =
+ * -r v/L, (r v/L)' = -2 r (v/L)^2. */
 static Tip tip_of(const Modes *modes, double t, const double y[])
 {
     double rate[2 * MODES];
     modal_equations(t, y, rate, (void *)modes);
+    const double length = modes->length + modes->speed * t, r = modes->from_tip / length;
+    const double ratio = modes->speed / length, rise = r * ratio;
     Tip tip = {0};
     for (int n = 0; n < MODES; n++) {
-        double at_tip = n % 2 ? -2 : 2;
+        const double at_tip = (n % 2 ? -2 : 2) - r * modes->slope[n], turn = rise * modes->slope[n];
         tip.displacement += at_tip * y[n];
-        tip.velocity += at_tip * y[MODES + n];
-        tip.acceleration += at_tip * rate[MODES + n];
+        tip.velocity += at_tip * y[MODES + n] + turn * y[n];
+        tip.acceleration += at_tip * rate[MODES + n] + 2 * turn * y[MODES + n] - 2 * ratio * turn * y[n];
     }
     return tip;
 }
@@ -220,6 +228,7 @@ static MovingCantilever *solve(const BeamTheory *beam, double speed, double end,
 {
     Modes modes = {.length = beam->length,
                    .speed = speed,
+                   .from_tip = beam->from_tip,
                    .stiffness = beam->youngs_modulus * beam->height * beam->height / (12 * beam->density)};
     if (!build_modes(&modes, status))
         return NULL;

@@ -172,7 +172,7 @@ static const struct {
      "notched-beam)"},
     {BAR "method = fem\n", "f.ini:3: scenario.method: fem is not a choice (mpm | pd)"},
     {"[scenario]\nproblem = notched-beam\nmethod = mpm\n",
-     "f.ini:3: scenario.method: mpm cannot solve problem notched-beam (pd)"},
+     "f.ini:3: scenario.method: mpm cannot solve problem notched-beam: by it nothing breaks (pd)"},
     {BAR "method = pd\n[mpm]\nalgorithm = usl\n",
      "f.ini:5: mpm.algorithm: is no parameter of method pd (only of mpm)"},
     {BAR "[pd]\nhorizon = 2\n", "f.ini:4: pd.horizon: is no parameter of method mpm (only of pd)"},

@@ -13,7 +13,11 @@ static double follow(Clamp clamp, double tips[5], double zeros[3])
     def.clamp = clamp;
     def.threads = 2;
     Simulation *sim = beam_case_create(&def, NULL);
-    BeamTheory theory = {def.length, def.height, def.youngs_modulus, def.density, def.amplitude};
+    BeamTheory theory = {.length = def.length,
+                         .height = def.height,
+                         .youngs_modulus = def.youngs_modulus,
+                         .density = def.density,
+                         .amplitude = def.amplitude};
     Status status = {0};
     MovingCantilever *modal = moving_cantilever_solve(&theory, def.speed, 5.1e-3, &status);
     ck_assert_msg(modal != NULL, "%s", status.text);

@@ -5,8 +5,12 @@
 #include <math.h>
 #include <string.h>
 
-static const BeamTheory paper = {
-    .length = 0.1, .height = 0.005, .youngs_modulus = 71e9, .density = 2700, .amplitude = 3e-6};
+static const BeamTheory paper = {.length = 0.1,
+                                 .height = 0.005,
+                                 .youngs_modulus = 71e9,
+                                 .density = 2700,
+                                 .poisson = 1.0 / 3,
+                                 .amplitude = 3e-6};
 
 START_TEST(periods)
 {
@@ -19,6 +23,24 @@ START_TEST(periods)
     BeamTheory stubby = paper;
     stubby.length = 0.01;
     ck_assert_double_gt(beam_period_timoshenko(&stubby) / beam_period_euler(&stubby), 1.3);
+}
+END_TEST
+
+/* The plane problem itself, to the digits of an independent solution; a slender beam needs none of it. */
+START_TEST(plane_periods)
+{
+    static const double known[][2] = {{1.0 / 3, .863692}, {0, .863106}, {.45, .863897}};
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
+        BeamTheory beam = paper;
+        beam.poisson = known[k][0];
+        ck_assert_double_eq_tol(beam_period_plane(&beam) * 1e3, known[k][1], 6e-7);
+    }
+    BeamTheory slender = paper;
+    slender.length = 3;
+    ck_assert_double_eq_tol(beam_period_plane(&slender) / beam_period_euler(&slender), 1, 1e-5);
+    BeamTheory stubby = paper;
+    stubby.length = 0.01;
+    ck_assert_double_eq_tol(beam_period_plane(&stubby) / beam_period_timoshenko(&stubby), 1, 0.02);
 }
 END_TEST
 
@@ -101,6 +123,27 @@ START_TEST(tip_velocity_is_its_slope)
 END_TEST
 
 /* The same motion from another length of record: the samples lie elsewhere, the answer must not. */
+/* At t = 0 the mode itself, which is straight there; its velocity is the slope of what it does. */
+START_TEST(a_point_before_the_tip)
+{
+    BeamTheory beam = paper;
+    beam.from_tip = 1e-3;
+    MovingCantilever *moving = moving_cantilever_solve(&beam, 10, 5e-3, NULL);
+    ck_assert_ptr_nonnull(moving);
+    const double z = 1.8751040687119611, x = z * (1 - beam.from_tip / beam.length), h = 1e-9;
+    const double r = (sinh(z) - sin(z)) / (cosh(z) + cos(z));
+    const double mode = cosh(x) - cos(x) - r * (sinh(x) - sin(x));
+    ck_assert_double_eq_tol(moving_cantilever_tip(moving, 0) / (beam.amplitude * mode), 1, 1e-6);
+    for (int i = 1; i < 5; i++) {
+        const double t = i * 1e-3;
+        const double slope =
+            (moving_cantilever_tip(moving, t + h) - moving_cantilever_tip(moving, t - h)) / (2 * h);
+        ck_assert_double_eq_tol(moving_cantilever_tip_velocity(moving, t), slope, 1e-6 * 0.02);
+    }
+    moving_cantilever_free(moving);
+}
+END_TEST
+
 START_TEST(samples_do_not_matter)
 {
     MovingCantilever *one = moving_cantilever_solve(&paper, 10, 5e-3, NULL);
@@ -208,6 +251,7 @@ void add_cases(Suite *suite)
 {
     TCase *pins = tcase_create("pins");
     tcase_add_test(pins, periods);
+    tcase_add_test(pins, plane_periods);
     tcase_add_test(pins, rows_ring_through_the_height);
     tcase_add_test(pins, a_cantilever_slows_down_as_it_grows);
     tcase_add_test(pins, midpoint_swings);
@@ -215,6 +259,7 @@ void add_cases(Suite *suite)
     TCase *moving = tcase_create("moving");
     tcase_add_test(moving, moving_tip);
     tcase_add_test(moving, tip_velocity_is_its_slope);
+    tcase_add_test(moving, a_point_before_the_tip);
     tcase_add_test(moving, samples_do_not_matter);
     tcase_add_test(moving, standing_still_it_is_a_cantilever);
     tcase_add_test(moving, amplitude_grows_with_length);

@@ -27,6 +27,9 @@ enum Concern {
     CONCERN_SUPPORTS = 1 << 12, /* supports at places of one's own */
     CONCERN_STEP = 1 << 13,     /* the time step itself is given; with a mesh it is a courant number */
     CONCERN_WAVES = 1 << 14,    /* a pulse, and a second material that it meets */
+    CONCERN_PLANE = 1 << 15,    /* cells with particles in the plane */
+    CONCERN_SECTIONS = 1 << 16, /* ends held as whole sections, or at a point */
+    CONCERN_RIDING = 1 << 17,   /* a mesh that may ride along */
     CONCERN_ANY = ~0            /* every problem: time.end, output */
 };
 
@@ -38,6 +41,7 @@ typedef struct ParameterUse {
     int choices;           /* the first so many of its choices are allowed; 0: all */
     const char *others;    /* what is said of the others: "is for beams" */
     const char *help;      /* NULL: the row's */
+    int methods;           /* that read it in this problem (parameters.h); 0: the row's */
 } ParameterUse;
 
 typedef struct References References; /* references.h */
@@ -122,6 +126,7 @@ struct Problem {
     const ParameterUse *uses;
     int n_uses;
     const Solver *const *solvers; /* the usual one first; ended by NULL */
+    const char *alone;            /* why no other method does; NULL: nothing is said */
 
     bool si; /* numbers are in SI units; else in units of one's own that fit each other */
     const char *unit_of_time;

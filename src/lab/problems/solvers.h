@@ -8,6 +8,7 @@
 #define USE(name, value) .key = name, .usual = value
 
 extern const Solver bar_by_mpm, bar_by_pd;
+extern const Solver beam_by_mpm_supported, beam_by_mpm_moving;
 extern const Solver beam_by_pd_supported, beam_by_pd_moving, beam_by_pd_notched;
 
 #endif

@@ -15,6 +15,9 @@ static const char *const affine_starts[] = {"gradient", "zero", NULL};
 static const char *const surface_corrections[] = {"none", "energy", "volume", NULL};
 static const char *const volume_corrections[] = {"none", "partial", NULL};
 static const char *const clamps[] = {"full", "guide", NULL};
+static const char *const plane_ends[] = {"section", "point", NULL};
+static const char *const plane_starts[] = {"deflection", "velocity", NULL};
+static const char *const plane_stresses[] = {"relaxed", "grid", "exact", NULL};
 static const char *const flags[] = {"no", "yes", NULL};
 
 /* Enum members are read and written as int. */

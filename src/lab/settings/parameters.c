@@ -43,6 +43,7 @@ const FixedKey fixed_keys[] = {
     {"beam.poisson", CONCERN_BEAM, BY_PD, "1/3",
      "bonds pull along their own line alone; a sheet of such springs grows narrower by a third of its "
      "stretch"},
+    {"scenario.method", CONCERN_NOTCH, BY_PD, "pd", "nothing breaks by the material point method"},
     {NULL, 0, 0, NULL, NULL},
 };
 
@@ -87,10 +88,17 @@ double parameter_usual(const Parameter *parameter, const Problem *problem)
     return use ? use->usual : parameter->usual;
 }
 
+int parameter_methods(const Parameter *parameter, const Problem *problem)
+{
+    const ParameterUse *use = parameter_use(parameter, problem);
+    return use && use->methods ? use->methods : parameter->methods;
+}
+
 bool settings_have(const Settings *settings, const Parameter *parameter)
 {
+    const int methods = parameter_methods(parameter, settings->problem);
     return parameter_applies(parameter, settings->problem) &&
-           (parameter->methods == BY_EVERY_METHOD || parameter->methods & 1 << settings->method);
+           (methods == BY_EVERY_METHOD || methods & 1 << settings->method);
 }
 
 /* The distance of a wrong word from a right one; the right name in a wrong section, or in none, is one slip.

@@ -126,6 +126,9 @@ const char *parameter_nearest_word(const char *const *words, const char *wrong);
 /* Whether the problem has it, by any method. */
 bool parameter_applies(const Parameter *, const Problem *);
 
+/* The methods that read it in this problem: a mask, or BY_EVERY_METHOD. */
+int parameter_methods(const Parameter *, const Problem *);
+
 /* Its default in this problem. */
 double parameter_usual(const Parameter *, const Problem *);
 

@@ -6,6 +6,7 @@
 #include "base/patience.h"
 #include "base/status.h"
 #include "physics/mpm_bar/bar.h"
+#include "physics/mpm_plane/plane.h"
 #include "physics/pd_plane/beam.h"
 
 typedef struct Problem Problem; /* problems/problem.h */
@@ -48,6 +49,7 @@ typedef struct Geometry {
 
 typedef struct Material {
     double youngs_modulus, density; /* E, rho > 0 */
+    double poisson;                 /* of a beam in cells; with bonds it is 1/3 */
 } Material;
 
 /* From a place on a bar is of another material. */
@@ -63,13 +65,16 @@ typedef struct Start {
     char overtones[LIST_MAX]; /* "3:0.03,7:0.01" */
     char pulse[LIST_MAX];     /* "50,3,1e-4": centre, width, velocity; "": none */
     double amplitude;         /* deflection U of a beam's mode */
+    PlaneStart start;         /* of a beam in cells: what of the mode there is at t = 0 */
+    PlaneStress stress;       /* that its deflection comes with */
 } Start;
 
 /* The cells of the material point method; the bar's lattice left to itself has a node for each particle. */
 typedef struct Mesh {
     double cell_size;
     int particles_per_cell;
-    int padding; /* empty cells beyond each free end */
+    int padding;     /* empty cells beyond each free end */
+    double velocity; /* of the whole mesh, along a beam that leaves its channel */
 } Mesh;
 
 /* With what slope of velocity APIC's particles start: that of the velocity, or none. */
@@ -117,6 +122,7 @@ typedef struct Loads {
 
 typedef struct Supports {
     BarSupports ends;   /* of a bar */
+    PlaneEnds sections; /* of a beam in cells */
     double left, right; /* places under a beam */
     bool pinned;        /* the left one holds the beam lengthwise too */
 } Supports;

@@ -186,9 +186,10 @@ static bool not_of_settings(const Parameter *parameter, const Settings *settings
 {
     const Problem *problem = settings->problem;
     if (parameter_applies(parameter, problem))
-        return status_fail(status, STATUS_USAGE, "%s: is no parameter of method %s (only of %s)",
-                           parameter->key, settings_method_words[settings->method],
-                           settings_method_words[parameter->methods & BY_MPM ? METHOD_MPM : METHOD_PD]);
+        return status_fail(
+            status, STATUS_USAGE, "%s: is no parameter of method %s (only of %s)", parameter->key,
+            settings_method_words[settings->method],
+            settings_method_words[parameter_methods(parameter, problem) & BY_MPM ? METHOD_MPM : METHOD_PD]);
     char words[128];
     size_t used = 0;
     for (int p = 0; problems[p]; p++)

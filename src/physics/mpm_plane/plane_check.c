@@ -108,9 +108,10 @@ static bool check_channel(const PlaneDef *def, Status *status)
     if (!(def->speed >= 0 && isfinite(def->speed)))
         return status_fail(status, STATUS_USAGE, "motion.speed: %g is out of range (at least 0)", def->speed);
     if (!(def->channel > def->speed * def->end))
-        return status_fail(status, STATUS_USAGE,
-                           "motion.channel: %g m is left before the end (more than %g m)", def->channel,
-                           def->speed * def->end);
+        return status_fail(
+            status, STATUS_USAGE,
+            "motion.channel: %g is too short for time.end (more than motion.speed * time.end = %g)",
+            def->channel, def->speed * def->end);
     if (!(def->grid_velocity >= 0 && def->grid_velocity <= def->speed))
         return status_fail(status, STATUS_USAGE, "mesh.velocity: %g is out of range (0 to motion.speed = %g)",
                            def->grid_velocity, def->speed);

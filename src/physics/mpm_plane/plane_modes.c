@@ -242,7 +242,7 @@ bool plane_predicted_period(const PlaneDef *def, double *period, Status *status)
         if (good && sound)
             good = factor(&lattice.mass, def, &sound, status);
         if (good && sound) {
-            double omega2, lumped2;
+            double omega2, lumped2 = 1;
             good = lowest_mode(&lattice, &omega2, &lumped2, status);
             *period = good ? period_of(def, lattice.model.dt, omega2, lumped2) : NAN;
         }

@@ -2,7 +2,6 @@
  * record. */
 #include "lab/problems/beams/beam_answers.h"
 
-#include "physics/pd_plane/beam_modes.h"
 #include "theory/beam.h"
 
 #include <limits.h>
@@ -13,13 +12,10 @@
 /* What References.own is of a beam. */
 typedef struct BeamAnswers {
     BeamTheory theory;                         /* as the scenario has it */
-    BeamTheory real;                           /* as the lattice came out */
+    BeamBody body;                             /* as the method has it */
     double euler, timoshenko, timoshenko_real; /* periods of the simply supported beam */
-    double predicted;                          /* of its lattice; NAN: not known */
     MovingCantilever *moving;
-    double speed;                          /* of the same */
-    double thickness[THICKNESS_LINES_MAX]; /* frequencies of the lattice through the beam's height */
-    int n_thickness;
+    double speed; /* of the same */
 } BeamAnswers;
 
 static const BeamAnswers *own(const References *refs)
@@ -45,32 +41,8 @@ BeamTheory beam_theory_of(const Settings *settings)
                         .height = settings->geometry.height,
                         .youngs_modulus = settings->material.youngs_modulus,
                         .density = settings->material.density,
+                        .poisson = settings->method == METHOD_MPM ? settings->material.poisson : 1.0 / 3,
                         .amplitude = settings->start.amplitude};
-}
-
-BeamTheory beam_real_theory_of(const Settings *settings, const Simulation *sim)
-{
-    BeamTheory real = beam_theory_of(settings);
-    BeamFacts facts;
-    beam_facts(sim, &facts);
-    real.height = facts.real_height;
-    real.length = facts.real_span;
-    return real;
-}
-
-/* What rings through the height beside the bending; left out where the lattice is so high that it would take
- * long to find. */
-static void find_thickness_lines(BeamAnswers *beam, const Settings *settings, const Simulation *sim)
-{
-    enum { ROWS_MAX = 200 };
-    BeamFacts facts;
-    beam_facts(sim, &facts);
-    const size_t rows = (size_t)facts.ny;
-    double *stiffness = facts.ny <= ROWS_MAX ? malloc(rows * rows * sizeof *stiffness) : NULL;
-    if (stiffness && beam_row_stiffness(sim, stiffness))
-        beam->n_thickness = thickness_modes(stiffness, facts.ny, settings->material.density, sim->dt,
-                                            beam->thickness, THICKNESS_LINES_MAX);
-    free(stiffness);
 }
 
 /* The zeros of a column: how many, the first and the last two. */
@@ -121,43 +93,46 @@ static double v_timoshenko(References *refs, long step, double time, const doubl
     return beam_midpoint_velocity(&own(refs)->theory, own(refs)->timoshenko, time);
 }
 
-bool beam_predict_supported(const Settings *settings, Prediction *out, Status *status)
+static double u_plane(References *refs, long step, double time, const double *row)
 {
-    const BeamDef def = beam_definition(settings, 1);
-    BeamTheory theory = beam_theory_of(settings);
-    out->theory = beam_period_timoshenko(&theory);
-    if (!beam_predicted_period(&def, &out->predicted, &theory.length, &theory.height, status))
-        return false;
-    out->real_size = beam_period_timoshenko(&theory);
-    out->real_height = theory.height;
-    return true;
+    (void)step, (void)row;
+    return beam_midpoint(&own(refs)->theory, own(refs)->body.plane, time);
 }
 
-bool beam_prepare_supported(References *refs, const Settings *settings, const Simulation *sim, Status *status)
+static double v_plane(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)row;
+    return beam_midpoint_velocity(&own(refs)->theory, own(refs)->body.plane, time);
+}
+
+bool beam_prepare_supported(References *refs, const Settings *settings, const Simulation *sim,
+                            const BeamBody *body, Status *status)
 {
     static const Quantity u_e = {"u_euler", "Euler", "m", "mid-point displacement by Euler-Bernoulli"};
     static const Quantity v_e = {"v_euler", "Euler", "m/s", "mid-point velocity by Euler-Bernoulli"};
     static const Quantity u_t = {"u_timoshenko", "Timoshenko", "m", "mid-point displacement by Timoshenko"};
     static const Quantity v_t = {"v_timoshenko", "Timoshenko", "m/s", "mid-point velocity by Timoshenko"};
+    static const Quantity u_p = {"u_plane", "plane", "m",
+                                 "mid-point displacement by the exact plane problem"};
+    static const Quantity v_p = {"v_plane", "plane", "m/s", "mid-point velocity by the exact plane problem"};
     BeamAnswers *beam = own_create(refs, status);
     if (!beam)
         return false;
     beam->theory = beam_theory_of(settings);
-    beam->real = beam_real_theory_of(settings, sim);
-    find_thickness_lines(beam, settings, sim);
+    beam->body = *body;
     beam->euler = beam_period_euler(&beam->theory);
     beam->timoshenko = beam_period_timoshenko(&beam->theory);
-    beam->timoshenko_real = beam_period_timoshenko(&beam->real);
-    Prediction prediction;
-    if (!beam_predict_supported(settings, &prediction, status))
-        return false;
-    beam->predicted = prediction.predicted;
+    beam->timoshenko_real = beam_period_timoshenko(&body->real);
     plan_method(refs, sim, "u_probe");
     plan_method(refs, sim, "v_probe");
     plan_answer(refs, &u_e, COLUMN_EXACT, "u_probe", u_euler);
     plan_answer(refs, &v_e, COLUMN_EXACT, "v_probe", v_euler);
     plan_answer(refs, &u_t, COLUMN_EXACT, "u_probe", u_timoshenko);
     plan_answer(refs, &v_t, COLUMN_EXACT, "v_probe", v_timoshenko);
+    if (isfinite(body->plane)) {
+        plan_answer(refs, &u_p, COLUMN_EXACT, "u_probe", u_plane);
+        plan_answer(refs, &v_p, COLUMN_EXACT, "v_probe", v_plane);
+    }
     return true;
 }
 
@@ -187,7 +162,7 @@ void beam_read_supported(const References *refs, const double *rows, size_t n_ro
         return;
     out->exact_known = true;
     out->exact = own(refs)->timoshenko;
-    out->predicted = own(refs)->predicted;
+    out->predicted = own(refs)->body.predicted;
     out->predicted_known = isfinite(out->predicted);
     out->real_size = own(refs)->timoshenko_real;
     const double expected = out->predicted_known ? out->predicted : out->real_size;
@@ -238,7 +213,8 @@ static double v_filtered(References *refs, long step, double time, const double 
     return (2 * (2 * count - 1) * sum - 6 * moment) / (count * (count + 1));
 }
 
-bool beam_prepare_moving(References *refs, const Settings *settings, const Simulation *sim, Status *status)
+bool beam_prepare_moving(References *refs, const Settings *settings, const Simulation *sim,
+                         const BeamBody *body, Status *status)
 {
     static const Quantity u_m = {"u_modal", "modal", "m", "tip displacement by the modal equations"};
     static const Quantity v_m = {"v_modal", "modal", "m/s", "the tip's material velocity by the same"};
@@ -253,21 +229,23 @@ bool beam_prepare_moving(References *refs, const Settings *settings, const Simul
     /* the last step may lie beyond the end by almost a step */
     double end = (double)problem_last_step(sim->dt, settings->time.end) * sim->dt;
     BeamTheory asking = beam->theory;
+    asking.from_tip = body->from_tip;
     asking.patience = settings->patience;
     beam->moving = moving_cantilever_solve(&asking, settings->motion.speed, fmax(end, sim->dt), status);
     if (!beam->moving)
         return false;
     beam->speed = settings->motion.speed;
-    find_thickness_lines(beam, settings, sim);
+    beam->body = *body;
     const long rows = lround(window / sim->dt) + 1;
-    if (!plan_window(refs, sim, "v_probe", rows < 1000000 ? rows : 1000000))
+    if (body->rings && !plan_window(refs, sim, "v_probe", rows < 1000000 ? rows : 1000000))
         return status_fail(status, STATUS_FAILED, "not enough memory to filter the velocity");
     plan_method(refs, sim, "u_probe");
     plan_method(refs, sim, "v_probe");
     plan_method(refs, sim, "length");
     plan_answer(refs, &u_m, COLUMN_EXACT, "u_probe", u_modal);
     plan_answer(refs, &v_m, COLUMN_EXACT, "v_probe", v_modal);
-    plan_filter(refs, &v_f, "v_probe", v_filtered);
+    if (body->rings)
+        plan_filter(refs, &v_f, "v_probe", v_filtered);
     return true;
 }
 
@@ -341,6 +319,6 @@ double beam_moving_frequency(const References *refs, double time)
 
 int beam_thickness_lines(const References *refs, double out[THICKNESS_LINES_MAX])
 {
-    memcpy(out, own(refs)->thickness, sizeof own(refs)->thickness);
-    return own(refs)->n_thickness;
+    memcpy(out, own(refs)->body.thickness, sizeof own(refs)->body.thickness);
+    return own(refs)->body.n_thickness;
 }

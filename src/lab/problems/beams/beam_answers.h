@@ -9,17 +9,26 @@
 /* The beam as its engine by peridynamics wants it. */
 BeamDef beam_definition(const Settings *, int threads);
 
-/* The beam as the scenario says, and as its lattice came out. */
+/* The beam as the scenario says. */
 BeamTheory beam_theory_of(const Settings *);
-BeamTheory beam_real_theory_of(const Settings *, const Simulation *);
 
-/* For Solver. */
-bool beam_predict_supported(const Settings *, Prediction *, Status *);
-bool beam_prepare_supported(References *, const Settings *, const Simulation *, Status *);
+/* What a method makes of the beam, for the answers beside a run. */
+typedef struct BeamBody {
+    BeamTheory real;  /* as it came out on its lattice or mesh */
+    double predicted; /* period, s; NAN: not known */
+    double plane;     /* period of the plane problem itself, where its ends are those of the run; else NAN */
+    double from_tip;  /* the probe of a cantilever lies so far before its tip, m */
+    bool rings;       /* through the height, so that velocities want a filter */
+    double thickness[THICKNESS_LINES_MAX]; /* frequencies of that */
+    int n_thickness;
+} BeamBody;
+
+/* For Solver, each with the method's body. */
+bool beam_prepare_supported(References *, const Settings *, const Simulation *, const BeamBody *, Status *);
 double beam_supported_profile(const References *, const char *field, double x, double time);
 void beam_read_supported(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);
 
-bool beam_prepare_moving(References *, const Settings *, const Simulation *, Status *);
+bool beam_prepare_moving(References *, const Settings *, const Simulation *, const BeamBody *, Status *);
 void beam_read_moving(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);
 double beam_moving_envelope(const References *, const char *column, double time);
 double beam_moving_frequency(const References *, double time);

@@ -1,10 +1,12 @@
 /* Beams by peridynamics: settings to simulation, derived numbers, advice. */
 #include "lab/problems/beams/beam_answers.h"
 #include "lab/problems/solvers.h"
+#include "physics/pd_plane/beam_modes.h"
 #include "physics/pd_plane/fracture/crack_speed.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 /* --- settings to simulation ----------------------------------------------------------------------- */
 
@@ -20,6 +22,69 @@ static Simulation *simulate(const Settings *settings, int threads, Status *statu
 {
     BeamDef def = beam_definition(settings, threads);
     return beam_create(&def, status);
+}
+
+/* --- answers -------------------------------------------------------------------------------------- */
+
+static BeamTheory real_theory(const Settings *settings, const Simulation *sim)
+{
+    BeamTheory real = beam_theory_of(settings);
+    BeamFacts facts;
+    beam_facts(sim, &facts);
+    real.height = facts.real_height;
+    real.length = facts.real_span;
+    return real;
+}
+
+/* What rings through the height beside the bending; left out where the lattice is so high that it would take
+ * long to find. */
+static void find_thickness_lines(BeamBody *body, const Settings *settings, const Simulation *sim)
+{
+    enum { ROWS_MAX = 200 };
+    BeamFacts facts;
+    beam_facts(sim, &facts);
+    const size_t rows = (size_t)facts.ny;
+    double *stiffness = facts.ny <= ROWS_MAX ? malloc(rows * rows * sizeof *stiffness) : NULL;
+    if (stiffness && beam_row_stiffness(sim, stiffness))
+        body->n_thickness = thickness_modes(stiffness, facts.ny, settings->material.density, sim->dt,
+                                            body->thickness, THICKNESS_LINES_MAX);
+    free(stiffness);
+}
+
+static bool predict(const Settings *settings, Prediction *out, Status *status)
+{
+    const BeamDef def = beam_definition(settings, 1);
+    BeamTheory theory = beam_theory_of(settings);
+    out->theory = beam_period_timoshenko(&theory);
+    if (!beam_predicted_period(&def, &out->predicted, &theory.length, &theory.height, status))
+        return false;
+    out->real_size = beam_period_timoshenko(&theory);
+    out->real_height = theory.height;
+    return true;
+}
+
+static BeamBody make_body(const Settings *settings, const Simulation *sim)
+{
+    BeamBody body = {.real = real_theory(settings, sim), .predicted = NAN, .plane = NAN, .rings = true};
+    find_thickness_lines(&body, settings, sim);
+    return body;
+}
+
+static bool prepare_supported(References *refs, const Settings *settings, const Simulation *sim,
+                              Status *status)
+{
+    BeamBody body = make_body(settings, sim);
+    Prediction prediction;
+    if (!predict(settings, &prediction, status))
+        return false;
+    body.predicted = prediction.predicted;
+    return beam_prepare_supported(refs, settings, sim, &body, status);
+}
+
+static bool prepare_moving(References *refs, const Settings *settings, const Simulation *sim, Status *status)
+{
+    const BeamBody body = make_body(settings, sim);
+    return beam_prepare_moving(refs, settings, sim, &body, status);
 }
 
 /* --- derived numbers and advice ------------------------------------------------------------------- */
@@ -59,7 +124,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
         derived_add_answer(out, &n, REFERENCE_FREQUENCY, "period_timoshenko", "T Timoshenko", "s",
                            beam_period_timoshenko(&theory));
         if (sim) {
-            BeamTheory real = beam_real_theory_of(settings, sim);
+            BeamTheory real = real_theory(settings, sim);
             derived_add_answer(out, &n, REFERENCE_PREDICTED, "period_real", "T real size", "s",
                                beam_period_timoshenko(&real));
         }
@@ -77,11 +142,23 @@ static bool advice(const Settings *settings, char *text, size_t size, Status *st
 }
 
 /* Theory's beam is whole: it knows nothing of bonds that break. */
-static const char *const of_beam[] = {
-    "beam.length",          "beam.height",       "beam.thickness", "beam.youngs_modulus",
-    "beam.density",         "initial.amplitude", "motion.speed",   "motion.channel",
-    "motion.clamp",         "pd.spacing",        "pd.horizon",     "pd.surface_correction",
-    "pd.volume_correction", "time.step",         "time.end",       NULL};
+static const char *const of_beam[] = {"scenario.method",
+                                      "beam.length",
+                                      "beam.height",
+                                      "beam.thickness",
+                                      "beam.youngs_modulus",
+                                      "beam.density",
+                                      "initial.amplitude",
+                                      "motion.speed",
+                                      "motion.channel",
+                                      "motion.clamp",
+                                      "pd.spacing",
+                                      "pd.horizon",
+                                      "pd.surface_correction",
+                                      "pd.volume_correction",
+                                      "time.step",
+                                      "time.end",
+                                      NULL};
 
 #define UNDERSTAND_BEAMS                                                                                     \
     .understands = {[REFERENCE_EXACT] = {of_beam, NULL},                                                     \
@@ -94,8 +171,8 @@ static const char *const of_beam[] = {
 const Solver beam_by_pd_supported = {
     BY_PD_ALIKE,
     UNDERSTAND_BEAMS,
-    .predict = beam_predict_supported,
-    .prepare = beam_prepare_supported,
+    .predict = predict,
+    .prepare = prepare_supported,
     .profile = beam_supported_profile,
     .readout = beam_read_supported,
     .thickness_lines = beam_thickness_lines,
@@ -104,7 +181,7 @@ const Solver beam_by_pd_supported = {
 const Solver beam_by_pd_moving = {
     BY_PD_ALIKE,
     UNDERSTAND_BEAMS,
-    .prepare = beam_prepare_moving,
+    .prepare = prepare_moving,
     .readout = beam_read_moving,
     .envelope = beam_moving_envelope,
     .standing_frequency = beam_moving_frequency,

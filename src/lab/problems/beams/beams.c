@@ -1,7 +1,22 @@
 /* The beams in the plane: supported, leaving a channel, notched and bent. */
 #include "lab/problems/solvers.h"
+#include "lab/settings/parameters.h"
 
 #define BEAM_CONCERNS (CONCERN_BEAM | CONCERN_LATTICE | CONCERN_BREAKING | CONCERN_STEP)
+/* In cells: the same body solved by the material point method. */
+#define PLANE_CONCERNS (CONCERN_METHODS | CONCERN_PLANE)
+#define PLANE_USES                                                                                           \
+    {USE("scenario.method", METHOD_PD)},                                                                     \
+        {USE("mesh.cell_size", 0.5e-3), .methods = BY_MPM,                                                   \
+         .help = "size dx of a cell; whole numbers of cells in "                                             \
+                 "length and channel, an even one in height"},                                               \
+        {USE("mesh.particles_per_cell", 2), .methods = BY_MPM,                                               \
+         .help = "particles along each side of a cell at t = 0: P x P in all"},                              \
+        {USE("mesh.padding", 2), .help = "empty cells all around the beam"},                                 \
+        {USE("mpm.shape", MPM_GIMP), .choices = 2, .others = "is for bars"},                                 \
+    {                                                                                                        \
+        USE("time.courant", 0.5), .methods = BY_MPM                                                          \
+    }
 #define BEAM_COMMON                                                                                          \
     .answer = "beam theory", .si = true, .unit_of_time = "s", .shown_time = 1e-3, .shown_time_unit = " ms"
 #define USES(rows) .uses = rows, .n_uses = sizeof rows / sizeof *rows
@@ -9,17 +24,19 @@
 /* --- simply supported ----------------------------------------------------------------------------- */
 
 static const ParameterUse uses_supported[] = {
-    {USE("beam.length", 0.1)},    {USE("beam.height", 0.005)},        {USE("beam.thickness", 0.005)},
-    {USE("beam.density", 2700)},  {USE("beam.youngs_modulus", 71e9)}, {USE("initial.amplitude", 3e-6)},
-    {USE("pd.spacing", 0.25e-3)}, {USE("pd.horizon", 1e-3)},          {USE("time.end", 1.8e-3)},
+    {USE("beam.length", 0.1)},          {USE("beam.height", 0.005)},
+    {USE("beam.thickness", 0.005)},     {USE("beam.density", 2700)},
+    {USE("beam.youngs_modulus", 71e9)}, {USE("initial.amplitude", 3e-6)},
+    {USE("pd.spacing", 0.25e-3)},       {USE("pd.horizon", 1e-3)},
+    {USE("time.end", 1.8e-3)},          PLANE_USES,
 };
 
-static const Solver *const solvers_supported[] = {&beam_by_pd_supported, NULL};
+static const Solver *const solvers_supported[] = {&beam_by_pd_supported, &beam_by_mpm_supported, NULL};
 
 const Problem problem_supported_beam = {
     .word = "simply-supported-beam",
     .title = "vibration of a simply supported beam",
-    .concerns = BEAM_CONCERNS | CONCERN_DEFLECTION,
+    .concerns = BEAM_CONCERNS | CONCERN_DEFLECTION | PLANE_CONCERNS | CONCERN_SECTIONS,
     USES(uses_supported),
     .solvers = solvers_supported,
     BEAM_COMMON,
@@ -39,14 +56,16 @@ static const ParameterUse uses_moving[] = {
     {USE("pd.spacing", 0.25e-3)},
     {USE("pd.horizon", 1e-3)},
     {USE("time.end", 5e-3)},
+    {USE("mpm.flip_fraction", 0.999)},
+    PLANE_USES,
 };
 
-static const Solver *const solvers_moving[] = {&beam_by_pd_moving, NULL};
+static const Solver *const solvers_moving[] = {&beam_by_pd_moving, &beam_by_mpm_moving, NULL};
 
 const Problem problem_moving_cantilever = {
     .word = "moving-cantilever",
     .title = "vibration of an axially moving cantilever",
-    .concerns = BEAM_CONCERNS | CONCERN_DEFLECTION | CONCERN_MOTION,
+    .concerns = BEAM_CONCERNS | CONCERN_DEFLECTION | CONCERN_MOTION | PLANE_CONCERNS | CONCERN_RIDING,
     USES(uses_moving),
     .solvers = solvers_moving,
     BEAM_COMMON,
@@ -76,5 +95,6 @@ const Problem problem_notched_beam = {
     .concerns = BEAM_CONCERNS | CONCERN_NOTCH | CONCERN_PRESSURE | CONCERN_SUPPORTS,
     USES(uses_notched),
     .solvers = solvers_notched,
+    .alone = "by it nothing breaks",
     BEAM_COMMON,
 };
