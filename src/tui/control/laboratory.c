@@ -74,6 +74,7 @@ bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)
     }
     lab->width = width;
     lab->height = height;
+    lab->screen.playback.goes_on = lab->player.resume == STATE_RUNNING;
     if ((canvas->width != width || canvas->height != height) && !canvas_open(canvas, width, height, NULL))
         return false;
     screen_draw(&lab->screen, canvas);

@@ -1,6 +1,6 @@
-/* Where panes lie. The two plots keep their places whether the run goes on or not: the caption of a running
- * experiment and the stage box of a paused one are of one size. Only the timeline, where it has no row of its
- * own, takes one from the lower plot while we are back in time. */
+/* Where panes lie. While a run goes on the plots have the rows; paused, the box with what happens within a step
+ * takes some of them. The timeline, where it has no row of its own, takes one from the lower plot while we are
+ * back in time. */
 #include "view/panes/panes.h"
 #include "view/views/view.h"
 
@@ -27,9 +27,24 @@ enum {
 
 #define TALL_SHARE 0.2 /* height over length */
 
+/* A caption is short; a stage, a summary and the readout of a duel are not. */
+static bool has_caption(const Screen *screen)
+{
+    return !screen_second_run(screen) &&
+           (screen->playback.state == STATE_RUNNING ||
+            (screen->playback.state == STATE_COMPUTING && screen->playback.goes_on));
+}
+
+static int box_rows(const Screen *screen, int height)
+{
+    if (has_caption(screen))
+        return height < 27 ? 3 : height < 30 ? 4 : height < 40 ? 5 : 6;
+    return height < 22 ? 4 : height < 27 ? 5 : height < 30 ? 6 : height < 40 ? 9 : 10;
+}
+
 static void lay_out_full(const Screen *screen, int width, int height, Layout *layout)
 {
-    const int box = height < 22 ? 4 : height < 27 ? 5 : height < 30 ? 6 : height < 40 ? 9 : 10;
+    const int box = box_rows(screen, height);
     /* a beam that stands in a plot pane is not drawn twice */
     const bool drawn = simulation_has(experiment_simulation(screen->experiment), HAS_PLANE) &&
                        (screen->views.upper->is_map || screen->views.lower->is_map);
@@ -46,7 +61,7 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     const Settings *settings = experiment_settings(screen->experiment);
     const bool tall = drawn && screen->views.upper->is_map &&
                       settings->geometry.height > TALL_SHARE * settings->geometry.length;
-    const int lower = tall ? middle * 4 / 9 + 1 : (middle + 3) / 2, upper = middle - lower;
+    const int lower = tall ? middle * 4 / 9 + 1 : (middle + (has_caption(screen) ? 2 : 3)) / 2, upper = middle - lower;
     /* on a large screen with a row for what its marks are */
     const bool own = width >= TIMELINE_WIDTH && height >= TIMELINE_HEIGHT;
     const int timeline = own && height >= LEGEND_HEIGHT ? 2 : own || screen_is_rewound(screen);

@@ -13,20 +13,33 @@
 
 /* --- caption while running ------------------------------------------------------------------------ */
 
+/* "v_cm: velocity of the centre of mass": what the run is judged by, "" if nothing is. */
+static void gloss_text(const Screen *screen, char *out, size_t size)
+{
+    int n;
+    const Column *columns = experiment_columns(screen->experiment, &n);
+    const int column = screen_column(screen, experiment_readout(screen->experiment)->column);
+    out[0] = '\0';
+    if (column >= 0)
+        snprintf(out, size, "%s: %s", columns[column].quantity.label, columns[column].quantity.meaning);
+}
+
 /* A hint stands until its command was used, then the next one comes. */
 static void hint_of(const Screen *screen, char *out, size_t size)
 {
-    char pictures[96];
-    snprintf(pictures, sizeof pictures, "%d shows the energies, %d the fields along it; again: the next one.",
+    char pictures[96], gloss[160];
+    snprintf(pictures, sizeof pictures, "%d shows the energies, %d the fields; again: the next.",
              view_energies.digit, view_profile.digit);
+    gloss_text(screen, gloss, sizeof gloss);
     const struct {
         CommandId id;
         const char *text;
     } hints[] = {
-        {COMMAND_RUN_PAUSE, "Space pauses; then ] goes through the stages of one time step."},
-        {COMMAND_RIGHT, "Left and Right change the marked parameter; the old curve stays behind, faint."},
-        {COMMAND_INSPECT, "i, when paused, shows what a particle and its nodes give each other."},
-        {COMMAND_REFERENCES, "e takes the exact and the predicted curve away: let the class guess first."},
+        {gloss[0] ? COMMAND_RUN_PAUSE : COMMAND_NONE, gloss},
+        {COMMAND_STAGE_FORWARD, "Space pauses; ] goes through one time step."},
+        {COMMAND_RIGHT, "Left and Right change the marked parameter."},
+        {COMMAND_INSPECT, "i, when paused, looks inside one particle."},
+        {COMMAND_REFERENCES, "e hides the answers: let the class guess."},
         {command_of_digit(view_energies.digit), pictures},
         {COMMAND_QUESTION, "t toggles what this scenario asks about."},
         {COMMAND_EXPORT, "x writes this run as CSV."},
@@ -44,6 +57,21 @@ static void hint_of(const Screen *screen, char *out, size_t size)
     snprintf(out, size, "%s", i < n_hints ? hints[i].text : "");
 }
 
+/* What else there is, for who has not asked for it yet. */
+static void draw_offers(const Screen *screen, Area area, int y, int begin)
+{
+    static const struct {
+        CommandId id;
+        const char *text;
+    } offers[] = {{COMMAND_LESSONS, "T lessons"}, {COMMAND_OPEN, "o scenarios"}};
+    char text[64] = "";
+    for (size_t i = 0; i < sizeof offers / sizeof *offers; i++)
+        if (!command_set_has(&screen->used, offers[i].id))
+            text_append(text, sizeof text, "%s%s", text[0] ? "  " : "New here?  ", offers[i].text);
+    if (begin + 2 + glyphs_columns(text) < area.rect.width)
+        area_text_right(area, area.rect.width - 1, y, text, STYLE_NORMAL);
+}
+
 /* " (continuum)" behind the word "exact", and so on; beam theories have names of their own. */
 static const char *gloss_of(const char *label)
 {
@@ -52,46 +80,41 @@ static const char *gloss_of(const char *label)
                                              : "";
 }
 
-/* "Solid: measured.  Dotted: exact (continuum)." as the plots over time draw them. */
+/* "Solid measured, dotted exact (continuum)" as the plots over time draw them. */
 static void line_words(const Screen *screen, char *out, size_t size)
 {
     static const char *const words[] = {
-        [LINE_SOLID] = "Solid", [LINE_DOTTED] = "Dotted", [LINE_DASHED] = "Dashed"};
+        [LINE_SOLID] = "solid", [LINE_DOTTED] = "dotted", [LINE_DASHED] = "dashed"};
     const bool ascii = screen->look.glyphs == GLYPHS_ASCII;
     int n;
     const Column *columns = experiment_columns(screen->experiment, &n);
-    snprintf(out, size, "%s measured.", ascii ? "*" : "Solid:");
+    snprintf(out, size, "%s measured", ascii ? "*" : "Solid");
     for (int i = 0; i < n; i++) {
         const Legend legend = time_plot_legend(columns, i);
+        const char letter[] = {legend.letter, '\0'};
         if (columns[i].kind == COLUMN_MEASURED || columns[i].of < 0 ||
             !time_plot_shows(screen, &columns[i]) || strstr(out, legend.name))
             continue;
-        if (ascii)
-            text_append(out, size, "  %c %s%s.", legend.letter, legend.name, gloss_of(legend.name));
-        else
-            text_append(out, size, "  %s: %s%s.", words[legend.line], legend.name, gloss_of(legend.name));
+        text_append(out, size, ", %s %s%s", ascii ? letter : words[legend.line], legend.name,
+                    gloss_of(legend.name));
     }
 }
 
-/* Cuts a text to the whole sentences that fit. Where they would leave a row empty it stays as it is: as much
- * as there is room for is shown, and the help has all of it. */
+/* Cuts a text to the whole sentences that fit; the help has all of it. */
 static void keep_sentences(char *text, int width, int rows)
 {
-    char cut[ABOUT_MAX];
-    snprintf(cut, sizeof cut, "%s", text);
-    size_t end = strlen(cut);
-    while (end > 0 && area_paragraph_lines(width, cut) > rows) {
+    size_t end = strlen(text);
+    while (end > 0 && area_paragraph_lines(width, text) > rows) {
         do
             end--;
-        while (end > 0 && !(strchr(".?!", cut[end - 1]) && cut[end] == ' '));
-        cut[end] = '\0';
-    }
-    if (area_paragraph_lines(width, cut) == rows)
+        while (end > 0 && !(strchr(".?!", text[end - 1]) && text[end] == ' '));
         text[end] = '\0';
+    }
 }
 
-/* " 4200 steps/s, about 9 s left ": known after the first frames, for pace and machine as they are. */
-static void rate_text(const Screen *screen, char *out, size_t size)
+/* " 4200 steps/s, about 9 s left ": known after the first frames, for pace and machine as they are. In brief the
+ * time alone. */
+static void rate_text(const Screen *screen, bool brief, char *out, size_t size)
 {
     const Experiment *experiment = screen->experiment;
     const double rate = screen->playback.rate * FRAMES_PER_SECOND;
@@ -101,11 +124,29 @@ static void rate_text(const Screen *screen, char *out, size_t size)
         return;
     const double seconds = (double)left / rate;
     const double grain = pow(10, floor(log10(rate)) - 1); /* two digits: the third would dance */
-    snprintf(out, size, rate < 10 ? " %.1f steps/s, " : " %.0f steps/s, ", round(rate / grain) * grain);
+    snprintf(out, size, brief ? " " : rate < 10 ? " %.1f steps/s, " : " %.0f steps/s, ",
+             round(rate / grain) * grain);
     if (seconds < 100)
         text_append(out, size, "about %.0f s left ", fmax(1, seconds));
     else
         text_append(out, size, "about %.0f min left ", ceil(seconds / 60));
+}
+
+/* The heading of the box says what the run is about, where the title line has no room for that; else what the
+ * lines are. */
+static void draw_caption_heading(const Screen *screen, Area area, const char *lines, bool has_headline)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const char *text = has_headline ? lines : settings->title[0] ? settings->title : settings->problem->title;
+    area_rule(area, 0, text, STYLE_HEADING);
+    char rate[64];
+    for (int brief = 0; brief < 2; brief++) {
+        rate_text(screen, brief, rate, sizeof rate);
+        if (5 + glyphs_columns(text) + glyphs_columns(rate) + 2 <= area.rect.width) {
+            area_text_right(area, area.rect.width - 1, 0, rate, STYLE_FAINT);
+            return;
+        }
+    }
 }
 
 static void draw_caption(const Screen *screen, Area area)
@@ -113,34 +154,31 @@ static void draw_caption(const Screen *screen, Area area)
     const Settings *settings = experiment_settings(screen->experiment);
     const Simulation *sim = experiment_simulation(screen->experiment);
     const int width = area.rect.width - 2, rows = area.rect.height;
-    const char *title = settings->title[0] ? settings->title : settings->problem->title;
-    area_rule(area, 0, title, STYLE_HEADING);
-    char rate[64];
-    rate_text(screen, rate, sizeof rate);
-    if (5 + glyphs_columns(title) + glyphs_columns(rate) + 2 <= area.rect.width)
-        area_text_right(area, area.rect.width - 1, 0, rate, STYLE_FAINT);
+    const bool has_headline = title_has_headline(screen, area.canvas->width);
+    char text[256], hint[160];
+    line_words(screen, text, sizeof text);
+    draw_caption_heading(screen, area, text, has_headline);
 
     int last = rows - 1, y = 1;
-    char text[256];
-    char hint[96] = "";
-    if (!screen->lesson.open)
+    if (!screen->lesson.open && last > y) {
         hint_of(screen, hint, sizeof hint);
-    if (hint[0] && last > y)
-        area_text(area, 1, last--, hint, STYLE_FAINT);
+        const int end = 1 + area_text(area, 1, last, hint, STYLE_FAINT);
+        draw_offers(screen, area, last--, hint[0] ? end : 0);
+    }
+    if (!has_headline && last > y)
+        area_text(area, 1, y++, text, STYLE_NORMAL);
     int count;
     const Event *events = experiment_events(screen->experiment, &count);
     while (count > 0 && events[count - 1].step > experiment_step(screen->experiment))
         count--; /* what is still to come, or to come again */
-    if (count > 0 && last > y) {
+    if (count > 0 && last >= y) {
         char time[48];
         screen_time_text(screen, sim->dt * (double)events[count - 1].step, time, sizeof time);
         snprintf(text, sizeof text, "%s: %s", time, events[count - 1].text);
-        area_text(area, 1, last--, text, STYLE_NORMAL);
-    } else if (experiment_advice(screen->experiment)[0] && last > y) {
-        area_text(area, 1, last--, experiment_advice(screen->experiment), STYLE_WARNING);
+        area_phrases(area, 1, last--, width, 1, text, STYLE_NORMAL);
+    } else if (experiment_advice(screen->experiment)[0] && last >= y) {
+        area_phrases(area, 1, last--, width, 1, experiment_advice(screen->experiment), STYLE_WARNING);
     }
-    line_words(screen, text, sizeof text);
-    area_text(area, 1, y++, text, STYLE_NORMAL);
     char about[ABOUT_MAX];
     memcpy(about, settings->about, sizeof about);
     keep_sentences(about, width, last - y + 1);
@@ -197,7 +235,8 @@ static void draw_summary(const Screen *screen, Area area)
         y += area_phrases(area, 1, y, width, rows - y, line, STYLE_NORMAL);
     }
     area_paragraph(area, 1, y, width, rows - y,
-                   "Space runs it again, x writes it as CSV, ? explains what is solved.", STYLE_FAINT);
+                   "Space runs it again, x writes it as CSV.  T lessons, o other scenarios, ? what is solved.",
+                   STYLE_NORMAL);
 }
 
 /* In the longest free piece of the box's upper edge. */

@@ -91,19 +91,84 @@ void screen_shorter_time(const Screen *screen, int less, char *out, size_t size)
 
 enum { BAR_CELLS = 10 };
 
-/* What the title gives up, one after the other, where there is no room. */
+/* What the title gives up, one after the other, where there is no room. What the run is about stands first; the
+ * method's words are told by the parameters too, the scenario's name is not. */
 typedef struct TitleForm {
-    bool brand, brief, name, words; /* brief: of the state */
-    int fewer;                      /* decimals of the time that are left out */
+    bool headline, brief, name, words; /* brief: of the state */
+    int fewer;                         /* decimals of the time that are left out */
     bool close, no_stage, no_step;
 } TitleForm;
 
-void pane_title(const Screen *screen, Area area)
+typedef struct Title {
+    char text[256], state[64];
+    bool has_headline;
+    bool bar; /* of work under way, beside the state */
+    int end;  /* columns that the text may have */
+} Title;
+
+static const char *headline_of(const Screen *screen)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    return settings->title[0] ? settings->title : settings->problem->title;
+}
+
+/* False: so much has no room, or would hide where the run stands. */
+static bool fill_title(const Screen *screen, const TitleForm *form, int width, Title *title)
+{
+    char time[48], words[2 * DUEL_NAME_MAX + 8];
+    method_words_of(screen, words, sizeof words);
+    const char *name = screen->scenario ? screen->scenario : "", *slash = strrchr(name, '/');
+    name = slash && slash[1] ? slash + 1 : name;
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const int stage = experiment_stage(screen->experiment);
+    const bool running = screen->playback.state == STATE_RUNNING, duel = screen_second_run(screen) != NULL;
+    if ((!form->brief && form->fewer > 0 && !running) || (form->no_stage && stage > 0) ||
+        (form->no_step && !running))
+        return false;
+    /* which run is which is told before the scenario's name */
+    if (form->headline && form->name != form->words && duel != form->words)
+        return false;
+    const char *gap = form->close ? " " : "  ";
+    char *out = title->text;
+    const size_t size = sizeof title->text;
+    state_text(screen, form->brief, title->state, sizeof title->state);
+    title->bar = screen->playback.state == STATE_COMPUTING && !form->brief;
+    title->end = width - 1 - glyphs_columns(title->state) - 1 - (title->bar ? BAR_CELLS + 1 : 0);
+    title->has_headline = form->headline;
+    screen_shorter_time(screen, form->fewer, time, sizeof time);
+    snprintf(out, size, " %s%s", form->headline ? headline_of(screen) : "", form->headline ? gap : "");
+    if (form->headline && !form->close)
+        text_append(out, size, " ");
+    if (form->name)
+        text_append(out, size, "%s%s", name, gap);
+    if (form->words)
+        text_append(out, size, "%s%s", words, gap);
+    if (form->name && !form->close)
+        text_append(out, size, " ");
+    text_append(out, size, "%s", time);
+    if (!form->no_step)
+        text_append(out, size, "%sstep %ld", gap, experiment_step(screen->experiment));
+    if (!form->no_stage)
+        text_append(out, size, "%sstage %d/%d", gap, stage, sim->n_stages);
+    return glyphs_columns(out) <= title->end;
+}
+
+static Title title_of(const Screen *screen, int width)
 {
     static const TitleForm forms[] = {
         {true, false, true, true, 0, false, false, false},
-        {false, false, true, true, 0, false, false, false},
+        {true, false, true, true, 0, false, true, false},
+        {true, false, true, false, 0, false, false, false},
+        {true, false, true, false, 0, false, true, false},
+        {true, false, true, false, 2, false, true, false},
+        {true, false, false, true, 0, false, false, false},
+        {true, false, false, true, 0, false, true, false},
+        {true, false, false, false, 0, false, false, false},
+        {true, false, false, false, 0, false, true, false},
+        {true, false, false, false, 2, true, true, false},
+        {true, true, false, false, 2, true, false, false},
         /* the word for a run that goes on is worth more than what stands still in it */
+        {false, false, true, true, 0, false, false, false},
         {false, false, true, true, 2, false, false, false},
         {false, false, true, true, 2, true, false, false},
         {false, false, true, true, 4, true, true, false},
@@ -118,54 +183,34 @@ void pane_title(const Screen *screen, Area area)
         {false, true, false, false, 4, false, false, false},
         {false, true, false, false, 4, true, false, false},
     };
-    enum { FORMS = sizeof forms / sizeof *forms };
+    Title title = {.has_headline = false};
+    for (size_t i = 0; i < sizeof forms / sizeof *forms; i++)
+        if (fill_title(screen, &forms[i], width, &title))
+            return title;
+    char time[48];
+    screen_shorter_time(screen, 4, time, sizeof time);
+    snprintf(title.text, sizeof title.text, " %s", time);
+    return title;
+}
+
+bool title_has_headline(const Screen *screen, int width)
+{
+    return title_of(screen, width).has_headline;
+}
+
+void pane_title(const Screen *screen, Area area)
+{
     const int width = area.rect.width;
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Title title = title_of(screen, width);
     for (int x = 0; x < width; x++)
         area_put(area, x, 0, ' ', STYLE_TITLE);
-
-    char state[64], time[48], words[2 * DUEL_NAME_MAX + 8], whole[256] = "";
-    method_words_of(screen, words, sizeof words);
-    const char *name = screen->scenario ? screen->scenario : "";
-    const char *slash = strrchr(name, '/');
-    name = slash && slash[1] ? slash + 1 : name;
-
-    const int stage = experiment_stage(screen->experiment);
-    int end = width - 1;
-    bool bar = false, fits = false;
-    for (int i = 0; i < FORMS && !fits; i++) {
-        const TitleForm *form = &forms[i];
-        if (!form->brief && form->fewer > 0 && screen->playback.state != STATE_RUNNING)
-            continue;
-        const char *gap = form->close ? " " : "  ";
-        state_text(screen, form->brief, state, sizeof state);
-        bar = screen->playback.state == STATE_COMPUTING && !form->brief;
-        end = width - 1 - glyphs_columns(state) - 1 - (bar ? BAR_CELLS + 1 : 0);
-        screen_shorter_time(screen, form->fewer, time, sizeof time);
-        snprintf(whole, sizeof whole, " %s", form->brand ? "matvib  " : "");
-        if (form->name)
-            text_append(whole, sizeof whole, "%s%s", name, gap);
-        if (form->words)
-            text_append(whole, sizeof whole, "%s%s", words, gap);
-        if (form->name && !form->close)
-            text_append(whole, sizeof whole, " ");
-        text_append(whole, sizeof whole, "%s", time);
-        if (!form->no_step)
-            text_append(whole, sizeof whole, "%sstep %ld", gap, experiment_step(screen->experiment));
-        if (!form->no_stage)
-            text_append(whole, sizeof whole, "%sstage %d/%d", gap, stage, sim->n_stages);
-        fits = glyphs_columns(whole) <= end && !(form->no_stage && stage > 0) &&
-               !(form->no_step && screen->playback.state != STATE_RUNNING);
-    }
-    if (!fits)
-        snprintf(whole, sizeof whole, " %s", time);
     int right = width - 1;
-    if (bar) {
+    if (title.bar) {
         int full = (int)(screen->playback.work_share * BAR_CELLS + 0.5);
         for (int i = 0; i < BAR_CELLS; i++)
             area_put(area, right - BAR_CELLS + i, 0, i < full ? 0x2588 : 0x2591, STYLE_TITLE);
         right -= BAR_CELLS + 1;
     }
-    area_text_right(area, right, 0, state, STYLE_TITLE);
-    area_text_whole(area, 0, 0, end, whole, STYLE_TITLE);
+    area_text_right(area, right, 0, title.state, STYLE_TITLE);
+    area_text_whole(area, 0, 0, title.end, title.text, STYLE_TITLE);
 }

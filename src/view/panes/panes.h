@@ -32,6 +32,7 @@ Layout layout_make(const Screen *, int width, int height);
 /* --- the other panes --- */
 
 void pane_title(const Screen *, Area);
+bool title_has_headline(const Screen *, int width); /* what the run is about stands in it */
 void pane_banner(const Screen *, Area);           /* of a lecture: time and state in large letters */
 void pane_chosen_parameter(const Screen *, Area); /* of a lecture: the one that the arrows change */
 int banner_rows(const Screen *, int width, int height);

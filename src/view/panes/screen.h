@@ -155,6 +155,7 @@ typedef struct Playback {
     bool looping;               /* running comes back at the end of a stretch of time */
     char until[STOP_WORDS_MAX]; /* what it stops at; "": nothing */
     double work_share;          /* STATE_COMPUTING: share done */
+    bool goes_on;               /* STATE_COMPUTING: once that is done the run goes on */
 } Playback;
 
 /* What a terminal can show, and what was asked for. */
