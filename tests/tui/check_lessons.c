@@ -82,7 +82,9 @@ static const struct {
      "my.lesson:5: the question of page \"y\" wants two choices at least, one of them @right"},
     {"@title x\n@page y\n@ask a\n@choice b\n@choice c\n",
      "my.lesson: the question of page \"y\" wants two choices at least, one of them @right"},
-    {"@title x\n@page y\n@reveal\n", "my.lesson: page \"y\" reveals, but asks nothing"},
+    {"@title x\n@page y\n@reveal\n", "my.lesson: page \"y\" reveals, but neither asks (@ask) nor waits for anything (@until)"},
+    {"@title x\n@page y\n@until end\n@reveal\n@do pin\n",
+     "my.lesson: page \"y\" does something after its goal: only an answer is followed by @do"},
     {"@title x\n@page y\n@reveal now\n", "my.lesson:3: @reveal: takes nothing"},
     {"@title x\n@page y\n\xff\n", "my.lesson:3: is not text in UTF-8"},
     {"@title x\n@page \xc2\x9b 2J\n", "my.lesson:2: is not text in UTF-8"},
@@ -250,6 +252,7 @@ START_TEST(every_page_is_entered_in_one_state)
         }
         satisfy(bench, &now->until);
         ck_assert_msg(shown->met, "%s, page %d waits for ever", name, page + 1);
+        check_page(bench, name);
         if (page + 1 < count)
             press(bench, now->n_fields > 0 && now->until.kind == UNTIL_NOTHING ? "n" : "Enter");
     }

@@ -56,8 +56,14 @@ static bool end_page(Reader *reader)
         return status_fail(reader->status, STATUS_USAGE,
                            "the question of page \"%.40s\" wants two choices at least, one of them @right",
                            page->title);
-    if (page && !page->question && reader->part == &page->revealed)
-        return status_fail(reader->status, STATUS_USAGE, "page \"%.40s\" reveals, but asks nothing",
+    if (page && !page->question && reader->part == &page->revealed && page->until.kind == UNTIL_NOTHING)
+        return status_fail(reader->status, STATUS_USAGE,
+                           "page \"%.40s\" reveals, but neither asks (@ask) nor waits for anything (@until)",
+                           page->title);
+    if (page && !page->question && page->revealed.n_actions > 0)
+        return status_fail(reader->status, STATUS_USAGE,
+                           "page \"%.40s\" does something after its goal: only an "
+                           "answer is followed by @do",
                            page->title);
     return true;
 }

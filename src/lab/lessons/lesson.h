@@ -9,7 +9,8 @@
  *     @field KEY            a parameter to be changed beside the text
  *     @ask QUESTION         then two to four choices, one of them right:
  *     @choice TEXT          @right TEXT
- *     @reveal               what follows, text and @do, waits for the answer
+ *     @reveal               what follows waits: text and @do for the answer, text for the goal of a page that asks
+ *                           nothing
  *     @until CONDITION      step N | time T | end | crossing | break | event | stage N | command NAME
  *                           | value KEY VALUE: the goal of the page */
 #ifndef LAB_LESSON_H
@@ -48,7 +49,7 @@ typedef struct LessonUntil {
 
 typedef struct LessonPage {
     char *title;
-    LessonPart first, revealed; /* the second once the question is answered */
+    LessonPart first, revealed; /* the second once the question is answered or, without one, the goal met */
     char *question;             /* NULL: none */
     char *choices[LESSON_CHOICES_MAX];
     int n_choices, right;

@@ -106,8 +106,10 @@ static void strain_particle(const BarSubject *subject)
     calculation_sum(subject->calculation, &strain);
 
     const double modulus = bar_modulus(bar, subject->index);
-    calculation_change(subject->calculation, "σ = σ + E Δε = ", stress - modulus * increment, modulus,
-                       increment, stress, NULL);
+    const double was = subject->before
+                           ? calculation_before(bar->block, &bar->stress[slot][k], subject->before)
+                           : stress - modulus * increment; /* with its rounding */
+    calculation_change(subject->calculation, "σ = σ + E Δε = ", was, modulus, increment, stress, NULL);
 
     CalculationSum thin = {.label = "ρ = ρ/(1 + Δε) = ", .result = density};
     calculation_add(&thin, 1, density * (1 + increment), 0, 0)->divisor = 1 + increment;

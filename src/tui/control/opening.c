@@ -66,6 +66,7 @@ void opening_begin(Laboratory *lab)
     screen->panes.inspecting = false;
     const Simulation *simulation = experiment_simulation(screen->experiment);
     screen->chosen.particle = screen_middle_particle(simulation);
+    screen->chosen.is_node = false;
     screen->chosen.node = simulation->n_sets > 1 ? simulation->counts[1] / 2 : 0;
     player_choose_pace(&lab->screen);
     read_view(lab);

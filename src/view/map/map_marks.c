@@ -3,6 +3,7 @@
 #include "view/map/map.h"
 
 #include "lab/answers/crack.h"
+#include "view/panes/screen_runs.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -129,10 +130,11 @@ static void draw_notch(Map *map)
         draw_zone(map, settings->supports.left - depth, settings->supports.left + depth, 0, depth);
         draw_zone(map, settings->supports.right - depth, settings->supports.right + depth, 0, depth);
     }
-    /* the paper's angle, from the notch towards the load */
+    /* the paper's angle, from the notch towards the load: an answer, as the exact curves are */
     const double side = settings->loads.position < end[0] ? -1 : 1, rise = top - depth - end[1];
-    body_line(map, end, (double[]){end[0] + side * rise * tan(CRACK_PAPER_ANGLE * M_PI / 180), end[1] + rise},
-              (Pen){STYLE_FAINT, RANK_ANGLE, 4, '\''});
+    const double at[2] = {end[0] + side * rise * tan(CRACK_PAPER_ANGLE * M_PI / 180), end[1] + rise};
+    if (screen_shows_exact(map->screen))
+        body_line(map, end, at, (Pen){STYLE_FAINT, RANK_ANGLE, 4, '\''});
     body_line(map, (double[]){end[0], 0}, end, (Pen){STYLE_HEADING, RANK_NOTCH, 1, '|'});
     /* on paper the damage itself is seen well enough, and the line would hide it */
     if (!map->area.canvas->sketch || strcmp(map->colouring->field, "damage") != 0)
@@ -156,19 +158,20 @@ static void name_lines(const Map *map)
 {
     enum { LINES = 4 };
     const bool dots = map->area.glyphs == GLYPHS_BRAILLE;
-    const Legend lines[LINES] = {
-        {LINE_SOLID, 0, STYLE_CHANGED, "crack's path", dots ? "⠔⠊" : "**"},
-        {LINE_SOLID, 0, STYLE_FAINT, "30° (paper)", dots ? "⠠⠂" : "''"},
-        {LINE_SOLID, 0, STYLE_HEADING, "notch", dots ? "⢸ " : "| "},
-        {LINE_SOLID, 0, STYLE_FRAME, "protected", dots ? "⠒⠂" : "~~"},
-    };
+    Legend lines[LINES];
+    int count = 0;
+    lines[count++] = (Legend){LINE_SOLID, 0, STYLE_CHANGED, "crack's path", dots ? "⠔⠊" : "**"};
+    if (screen_shows_exact(map->screen))
+        lines[count++] = (Legend){LINE_SOLID, 0, STYLE_FAINT, "30° (paper)", dots ? "⠠⠂" : "''"};
+    lines[count++] = (Legend){LINE_SOLID, 0, STYLE_HEADING, "notch", dots ? "⢸ " : "| "};
+    lines[count++] = (Legend){LINE_SOLID, 0, STYLE_FRAME, "protected", dots ? "⠒⠂" : "~~"};
     const Area area = map->area;
     if (map->legend_at > 0)
-        for (int i = 0; i < LINES; i++)
+        for (int i = 0; i < count; i++)
             legend_draw(area_part(area, map->legend_at, area.rect.height - 5, area.rect.width, LINES), 0, i,
                         &lines[i], 1);
     else if (area.rect.height >= TALL_MAP && is_blank(area, 0, 0, area.rect.width))
-        legend_draw(area, 0, 0, lines, LINES);
+        legend_draw(area, 0, 0, lines, count);
 }
 
 /* --- the channel ---------------------------------------------------------------------------------- */

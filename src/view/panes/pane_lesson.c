@@ -55,7 +55,7 @@ static void write_page(Pen *pen, const Screen *screen)
     write_paragraphs(pen, page->first.text, STYLE_NORMAL);
     if (page->question)
         write_question(pen, &screen->lesson, page);
-    if (screen->lesson.answer >= 0 || !page->question)
+    if (page->question ? screen->lesson.answer >= 0 : screen->lesson.met)
         write_paragraphs(pen, page->revealed.text, STYLE_NORMAL);
     ParameterRow rows[PARAMETER_ROWS_MAX];
     const int count = page->n_fields ? screen_parameter_rows(screen, rows) : 0;

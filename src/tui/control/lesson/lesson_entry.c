@@ -163,6 +163,8 @@ static void arrive(Laboratory *lab)
     play->step = experiment_step(screen->experiment);
     play->stage = experiment_stage(screen->experiment);
     player_stop_at(lab, &stop);
+    if (screen->message.kind == MESSAGE_INFO)
+        laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* what the page did is told by its text */
     if (!lab->player.pace_automatic)
         return;
     player_choose_pace(screen);
@@ -223,7 +225,8 @@ static bool is_move(const LessonAction *action)
 static bool is_look(const LessonAction *action)
 {
     return action->line &&
-           (strncmp(action->line, "show ", 5) == 0 || strncmp(action->line, "particle ", 9) == 0);
+           (strncmp(action->line, "show ", 5) == 0 || strncmp(action->line, "particle ", 9) == 0 ||
+            strncmp(action->line, "node ", 5) == 0);
 }
 
 /* A way that nobody goes any more is left out; an opening makes all before it void. */

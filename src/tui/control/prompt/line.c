@@ -205,17 +205,30 @@ static bool references(Laboratory *lab, const char *words)
     return prompt_refuse(&lab->prompting, "which reference curves? (all | exact | predicted | none)");
 }
 
-static bool particle(Laboratory *lab, const char *words)
+/* Which of one of the simulation's sets: particles, nodes. */
+static bool choose(Laboratory *lab, const char *words, int set, const char *what, size_t *chosen)
 {
-    const long count = (long)experiment_simulation(lab->screen.experiment)->counts[0];
+    const Simulation *sim = experiment_simulation(lab->screen.experiment);
+    const long count = set < sim->n_sets ? (long)sim->counts[set] : 0;
     long number;
     char why[64];
-    snprintf(why, sizeof why, "which particle? (0 to %ld)", count - 1);
+    snprintf(why, sizeof why, count > 0 ? "which %s? (0 to %ld)" : "there is no %s in this run", what,
+             count - 1);
     if (!text_to_long(words, &number) || number < 0 || number >= count)
         return prompt_refuse(&lab->prompting, why);
-    lab->screen.chosen.particle = (size_t)number;
-    lab->screen.chosen.is_node = false;
+    *chosen = (size_t)number;
+    lab->screen.chosen.is_node = set > 0;
     return true;
+}
+
+static bool particle(Laboratory *lab, const char *words)
+{
+    return choose(lab, words, 0, "particle", &lab->screen.chosen.particle);
+}
+
+static bool node(Laboratory *lab, const char *words)
+{
+    return choose(lab, words, 1, "node", &lab->screen.chosen.node);
 }
 
 #define LINE(id, function, ...) [LINE_##id] = function,
