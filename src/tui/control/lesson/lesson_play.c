@@ -166,7 +166,7 @@ static void step_for_space(Laboratory *lab)
     else if (page->until.kind == UNTIL_NOTHING || lab->screen.lesson.met)
         laboratory_say(lab, MESSAGE_INFO, "this step is looked at: n goes on");
     else
-        laboratory_command(lab, COMMAND_STAGE_FORWARD);
+        lab->carry_out(lab, COMMAND_STAGE_FORWARD);
 }
 
 bool lesson_play_turn(Laboratory *lab, int direction)
