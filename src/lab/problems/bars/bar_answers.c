@@ -47,6 +47,8 @@ bool bar_theory_of(const Settings *settings, BarTheory *theory, Status *status)
     return true;
 }
 
+/* dt = courant dx/c, c = sqrt(E/rho) of the faster part where the bar has two; lattices take the same step,
+ * so that a duel compares like with like. */
 double bar_time_step(const Settings *settings)
 {
     const Material *material = &settings->material, *beyond = &settings->joint.beyond;
@@ -127,7 +129,8 @@ int bar_watched_mode(const BarTheory *theory)
     return 0;
 }
 
-/* Whether a mode moves the centre of mass, which stands still by symmetry in some. */
+/* Whether a mode moves the centre of mass: mean of its shape over the bar against rounding, of which symmetry
+ * leaves none. */
 static bool moves_centre(const BarTheory *theory, int mode)
 {
     BarTheory alone = *theory;
@@ -293,6 +296,9 @@ double bar_profile(const References *refs, const char *field, double x, double t
 
 /* --- readout -------------------------------------------------------------------------------------- */
 
+/* The frequency of the watched column by least squares (theory/frequency.h), started at what is predicted,
+ * else exact. The strain energy goes as the square of the motion: its frequency is divided by watch->times.
+ */
 void bar_read_out(const References *refs, const double *rows, size_t n_rows, int n_columns, Readout *out)
 {
     const BarWatch *watch = &bar_answers(refs)->watch;

@@ -51,6 +51,8 @@ typedef struct Zeros {
     double first, last, before;
 } Zeros;
 
+/* Changes of sign of a column, at most `most` of them, each placed by the straight line between its two rows
+ * (column 1 of a row is its time). */
 static Zeros find_zeros(const double *rows, size_t n_rows, int n_columns, int column, long most)
 {
     Zeros zeros = {0, NAN, NAN, NAN};
@@ -191,9 +193,13 @@ static double v_modal(References *refs, long step, double time, const double *ro
     return moving_cantilever_tip_velocity(own(refs)->moving, time);
 }
 
-/* The straight line through the velocities of the last 0.1 ms (least squares), read at its newest end. A
- * mean over the same window would lag by half of it; the line does not, and damps the thickness modes
- * (1 MHz and more) to a hundredth all the same. The first rows stand for themselves until two are there. */
+/* The straight line v = a + b k through the velocities of the last 0.1 ms by least squares, read at its
+ * newest end, k = 0, going back:
+ *
+ *     a = (2 (2n - 1) sum v_k - 6 sum k v_k)/(n (n + 1))
+ *
+ * A mean over the same window would lag by half of it; the line does not, and damps the thickness modes (1
+ * MHz and more) to a hundredth all the same. The first rows stand for themselves until three are there. */
 static double v_filtered(References *refs, long step, double time, const double *row)
 {
     (void)step, (void)time;

@@ -82,6 +82,8 @@ static bool find_tip(const Beam *beam, double *x, double *y)
     return false;
 }
 
+/* From the notch's end through the centres of the rows, upwards: sum hypot(dx, dy), m. Rows that did not
+ * break are bridged by a straight line. */
 static double path_length(const Beam *beam)
 {
     double x = beam->def.notch_position, y = beam->def.notch_depth, length = 0;
@@ -96,6 +98,8 @@ static double path_length(const Beam *beam)
     return length;
 }
 
+/* Length and tip only grow: where a centre moves back because its row breaks further, the crack does not
+ * shrink. */
 void crack_follow(Beam *beam)
 {
     StateHead *head = beam->head;
@@ -109,6 +113,8 @@ void crack_follow(Beam *beam)
 
 /* --- how fast ------------------------------------------------------------------------------------- */
 
+/* The tip is noted every so many steps that the ring of CRACK_TIPS places holds the window of crack_speed.h,
+ * at least two of them; the speed is then the slope of a line through n_tips places. */
 void crack_begin(Beam *beam)
 {
     const double dt = beam->sim.dt,
@@ -174,8 +180,12 @@ bool crack_measure(const Simulation *sim, Crack *crack)
     return true;
 }
 
-/* Least squares x = a + b y over the rows of the path, b = (n sum xy - sum x sum y)/(n sum y^2 - (sum
- * y)^2); the angle is atan b. */
+/* The angle of the path against the vertical, degrees, over `height` from ABOVE_NOTCH above the notch's end:
+ * the straight line x = a + b y through the rows' centres by least squares,
+ *
+ *     b = (n sum xy - sum x sum y)/(n sum y^2 - (sum y)^2),   angle = atan b
+ *
+ * NAN with fewer than two rows. */
 double crack_angle(const Simulation *sim, double height)
 {
     const Beam *beam = notched(sim);
