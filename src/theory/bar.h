@@ -55,6 +55,8 @@ typedef struct BarMesh {
     MeshShape shape;
     bool apic;
     double flip_fraction;
+    double consistent; /* share of consistent mass in M = consistent M_c + (1 - consistent) M_l: 1 - mu */
+    int fmpm_order;    /* 0: no FMPM */
     double dt;
 } BarMesh;
 
@@ -65,11 +67,13 @@ typedef struct Dispersion {
     double frequency;  /* Omega, as a run shows it */
     double decay;      /* amplitude ~ exp(-decay t) */
     double filter;     /* F: what particle -> node -> particle leaves of the wave (APIC: Fa) */
+    double moves;      /* T: nodal velocity over p/m; 1 with lumped masses */
 } Dispersion;
 
 Dispersion dispersion_of_bar(const BarTheory *bar, const BarMesh *mesh, double wave_number);
 
-/* Whether v_cm(t) is predicted whole: hat, fixed-free, flip_fraction 1, FLIP, USF or MUSL, no load. */
+/* Whether v_cm(t) is predicted whole: hat, fixed-free, flip_fraction 1, FLIP, any mass blend, USF or MUSL,
+ * no load. */
 bool dispersion_predicts_centre_velocity(const BarTheory *bar, const BarMesh *mesh);
 
 /* The predicted v_cm at step k (t = k dt), summed over the modes. */

@@ -9,7 +9,20 @@
 
 double bar_mesh_flip(const BarMesh *mesh)
 {
-    return mesh->apic ? 0 : mesh->flip_fraction;
+    return mesh->apic || mesh->fmpm_order > 0 ? 0 : mesh->flip_fraction;
+}
+
+MeshResponse bar_mesh_response(const BarMesh *mesh, double filter)
+{
+    double moves = 1, power = 1;
+    if (mesh->fmpm_order > 0)
+        for (int j = 1; j < mesh->fmpm_order; j++)
+            moves += power *= 1 - filter;
+    else
+        moves = 1 / (mesh->consistent * filter + (1 - mesh->consistent));
+    const double alpha = bar_mesh_flip(mesh);
+    return (MeshResponse){
+        .moves = moves, .returns = filter * moves * moves, .kept = alpha + (1 - alpha) * (filter * moves)};
 }
 
 int bar_rest_degree(MeshShape shape)

@@ -43,7 +43,26 @@ void bar_rest_sample(const BarRest *, const BarTheory *, int number, double *vel
 /* The degree of the splines that a shape's weights at rest are: 1, 2, 3. */
 int bar_rest_degree(MeshShape);
 
-/* How much of the particles' velocity of the last step is kept beside the grid's: alpha; 0 with APIC. */
+/* How much of the particles' velocity of the last step is kept beside the grid's: alpha; 0 with APIC and
+ * FMPM. */
 double bar_mesh_flip(const BarMesh *);
+
+/* What a step does to a motion that the filter particle -> node -> particle multiplies by F, an eigenvalue of
+ * M_l^-1 M (of a wave: F of its angle). All transfers are the same step in three numbers:
+ *
+ *     T  nodal velocity over p / m
+ *     W  nodal velocity that comes back through the particles, over p / m
+ *     g  what is left of the grid's velocity when it has gone to the particles and back without force
+ *
+ *                                                T      W        g
+ *     FLIP, PIC                                  1      F        alpha + (1 - alpha) F
+ *     mass blend mu, Mh = (1 - mu) F + mu        1/Mh   F/Mh^2   alpha + (1 - alpha) F/Mh
+ *     FMPM(k), R = 1 - (1 - F)^k                 R/F    R^2/F    R
+ *     APIC, F being Fa                           1      Fa       Fa */
+typedef struct MeshResponse {
+    double moves, returns, kept; /* T, W, g */
+} MeshResponse;
+
+MeshResponse bar_mesh_response(const BarMesh *, double filter);
 
 #endif

@@ -5,17 +5,11 @@
  * in a step, and only two numbers change: the amplitude of the particles' velocity and that of their stress.
  * They follow from four functions of the angle:
  *
- *     K  stiffness: (c/dx)^2 K is the square of the frequency of lumped finite elements
- *     T  nodal velocity that moves the particles, over p / m
- *     W  nodal velocity that comes back through the particles, over p / m
- *     g  what is left of the grid's velocity when it has gone to the particles and back without force
+ *     K        stiffness: (c/dx)^2 K is the square of the frequency of lumped finite elements
+ *     T, W, g  of the transfer: bar_mesh_response()
  *     z = (c dt/dx)^2 K
  *     USF, MUSL:  trace = g + 1 - z W,  determinant = g
  *     USL:        trace = g + 1 - z T,  determinant = g (1 - z T) + z W
- *
- *                    T    W    g
- *     FLIP, PIC      1    F    alpha + (1 - alpha) F
- *     APIC           1    Fa   Fa
  *
  * F is the filter from particle to node and back, Fa the same with the affine motion (1 for hats). Nodes take
  * only F of what particles do, which is most of paper M's 5 % and 20 %. trace and determinant are those of
@@ -30,10 +24,9 @@
 #include <math.h>
 
 typedef struct Response {
-    double stiffness; /* K */
-    double moves;     /* T */
-    double returns;   /* W */
-    double kept;      /* g */
+    double stiffness;  /* K */
+    double filter;     /* F */
+    MeshResponse step; /* T, W, g */
 } Response;
 
 /* K, F and Fa of any shape. In an endless mesh every row of the matrices of bar_rest.h is the same, b(-p) ..
@@ -71,20 +64,19 @@ static Rows rows_of(const BarMesh *mesh)
 
 static Response response_of(const BarMesh *mesh, const Rows *rows, double theta)
 {
-    const double alpha = bar_mesh_flip(mesh);
-    double returns = 1, stiffness = 0;
+    double filter = 1, stiffness = 0;
     for (int d = 1; d < REST_SUPPORT_MAX; d++) {
         const double s = sin(d * theta / 2);
-        returns -= 4 * s * s * rows->consistent[d];
+        filter -= 4 * s * s * rows->consistent[d];
         stiffness -= 4 * s * s * rows->stiffness[d];
     }
-    return (Response){
-        .stiffness = stiffness, .moves = 1, .returns = returns, .kept = alpha + (1 - alpha) * returns};
+    return (Response){.stiffness = stiffness, .filter = filter, .step = bar_mesh_response(mesh, filter)};
 }
 
 Dispersion dispersion_of_bar(const BarTheory *bar, const BarMesh *mesh, double wave_number)
 {
-    Dispersion wave = {.known = false, .space_only = NAN, .frequency = NAN, .decay = NAN, .filter = NAN};
+    Dispersion wave = {
+        .known = false, .space_only = NAN, .frequency = NAN, .decay = NAN, .filter = NAN, .moves = NAN};
     double theta = fabs(wave_number) * mesh->cell_size;
     /* a wave shorter than two cells looks to the nodes like a longer one, and does not keep its form */
     if (!(theta <= M_PI * (1 + 1e-12)))
@@ -92,13 +84,15 @@ Dispersion dispersion_of_bar(const BarTheory *bar, const BarMesh *mesh, double w
     const Rows rows = rows_of(mesh);
     const Response response = response_of(mesh, &rows, theta);
     double rate = bar_wave_speed(bar) / mesh->cell_size;
-    wave.filter = response.returns;
-    wave.space_only = rate * sqrt(fmax(0, response.returns * response.stiffness));
+    const MeshResponse step = response.step;
+    wave.filter = response.filter;
+    wave.moves = step.moves;
+    wave.space_only = rate * sqrt(fmax(0, step.returns * response.stiffness));
 
-    double z = response.stiffness * rate * rate * mesh->dt * mesh->dt, g = response.kept;
+    double z = response.stiffness * rate * rate * mesh->dt * mesh->dt, g = step.kept;
     bool last = mesh->algorithm == MESH_USL;
-    double pull = last ? response.moves * z : response.returns * z;       /* trace = g + 1 - pull */
-    double loss = last ? (g * response.moves - response.returns) * z : 0; /* determinant = g - loss */
+    double pull = last ? step.moves * z : step.returns * z;       /* trace = g + 1 - pull */
+    double loss = last ? (g * step.moves - step.returns) * z : 0; /* determinant = g - loss */
     double trace = g + 1 - pull, determinant = g - loss;
     if (!(mesh->dt > 0) || fabs(trace) > (1 + determinant) * (1 + 1e-12) || fabs(determinant) > 1 + 1e-12)
         return wave;
@@ -121,7 +115,7 @@ Dispersion dispersion_of_bar(const BarTheory *bar, const BarMesh *mesh, double w
 bool dispersion_predicts_centre_velocity(const BarTheory *bar, const BarMesh *mesh)
 {
     bool supports = bar->left_fixed && !bar->right_fixed;
-    bool method = mesh->shape == MESH_HAT && !mesh->apic && mesh->flip_fraction == 1 &&
+    bool method = mesh->shape == MESH_HAT && bar_mesh_flip(mesh) == 1 &&
                   (mesh->algorithm == MESH_USF || mesh->algorithm == MESH_MUSL);
     if (!supports || !method || bar->body_force != 0 || bar->traction != 0 || bar->pulse.velocity != 0)
         return false;
@@ -137,7 +131,9 @@ bool dispersion_predicts_centre_velocity(const BarTheory *bar, const BarMesh *me
  *     A = g0 S/F,   g0 = (2/P) sum_j (1 - xi_j) cos(theta xi_j),   S = dx/2L cot(theta/2)
  *     v_cm(0) = (d/L)/(2 sin(beta d/2)),   d = dx/P,   xi_j = (j + 1/2)/P
  *
- * g0 maps the particles' wave to a node, S is the mean of that wave over the nodes, 1/F brings it back. */
+ * g0 maps the particles' wave to a node, S is the mean of that wave over the nodes. The nodes' velocity, T
+ * g0, changes by dt W f in a step and the particles' by dt N T f, so that T^2/W = 1/F brings it back, with
+ * any mass blend. */
 static double predicted_mode(const BarTheory *bar, const BarMesh *mesh, int number, long k)
 {
     double beta = bar_wave_number(bar, number);
@@ -175,7 +171,8 @@ double dispersion_centre_velocity(const BarTheory *bar, const BarMesh *mesh, lon
 }
 
 /* The square of the courant number at which the wave of this angle begins to grow: there the trace comes to
- * -(1 + determinant), that is an eigenvalue to -1. The determinant alone never passes 1, as F <= g <= 1. */
+ * -(1 + determinant), that is an eigenvalue to -1. The determinant alone never passes 1, as W <= g T and g
+ * <= 1. */
 typedef struct Endless {
     BarMesh mesh;
     Rows rows;
@@ -186,9 +183,11 @@ static double limit_of_angle(double theta, void *context)
     const Endless *endless = context;
     const BarMesh *mesh = &endless->mesh;
     const Response r = response_of(mesh, &endless->rows, theta);
+    const MeshResponse *step = &r.step;
     const double drive =
-        r.stiffness * (mesh->algorithm == MESH_USL ? (1 + r.kept) * r.moves - r.returns : r.returns);
-    return drive > 0 ? 2 * (1 + r.kept) / drive : INFINITY;
+        r.stiffness *
+        (mesh->algorithm == MESH_USL ? (1 + step->kept) * step->moves - step->returns : step->returns);
+    return drive > 0 ? 2 * (1 + step->kept) / drive : INFINITY;
 }
 
 /* Brent's method from three angles of which the middle one is the lowest; that one where memory is short. */

@@ -4,7 +4,7 @@
  * scaled stiffness, and
  *
  *     lambda_max = that of diag(z)^(1/2) Q^T M_l^(-1/2) K M_l^(-1/2) Q diag(z)^(1/2)
- *     z = d / ((1 + alpha)(1 + gamma d)) for USF and MUSL, 1 less it for USL
+ *     z = W/(1 + g) for USF and MUSL, T - W/(1 + g) for USL, T, W, g being those of F = d
  *
  * so two symmetric eigenproblems over the nodes suffice. They are dense because an iteration would hardly
  * converge: the gaps at the top of this spectrum fall as 1/n^2. CELLS_MOST bounds their size: its limit is at
@@ -58,13 +58,13 @@ static void release(Workspace *work)
 /* lambda_max as above; NAN: GSL found no eigenvalues. */
 static double largest_eigenvalue(const BarRest *rest, const BarMesh *mesh, Workspace *work)
 {
-    const double alpha = bar_mesh_flip(mesh), gamma = (1 - alpha) / (1 + alpha);
     scaled(rest, rest->consistent, work->matrix);
     if (gsl_eigen_symmv(work->matrix, work->values, work->basis, work->with_vectors))
         return NAN;
     for (size_t k = 0; k < (size_t)rest->nodes; k++) {
-        const double d = gsl_vector_get(work->values, k), first = d / ((1 + alpha) * (1 + gamma * d));
-        const double z = mesh->algorithm == MESH_USL ? 1 - first : first;
+        const MeshResponse step = bar_mesh_response(mesh, gsl_vector_get(work->values, k));
+        const double first = step.returns / (1 + step.kept);
+        const double z = mesh->algorithm == MESH_USL ? step.moves - first : first;
         gsl_vector_view column = gsl_matrix_column(work->basis, k);
         gsl_vector_scale(&column.vector, sqrt(fmax(0, z)));
     }

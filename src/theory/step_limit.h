@@ -5,9 +5,10 @@
  *
  *     courant^2 = 2 / lambda_max(Z K)       USF, MUSL
  *     courant^2 = 2 / lambda_max((T - Z) K) USL
- *     T = M_l^-1,   Z = T M (M_l + gamma M)^-1 M_l T / (1 + alpha),   gamma = (1 - alpha)/(1 + alpha)
+ *     Z = (1 + G)^-1 W,   W = T M_c T,   G = alpha + (1 - alpha) T M_c
  *
- * with M the consistent mass (bar_rest.h) and alpha the flip fraction (0 with APIC). A wave
+ * T gives nodal velocities from momenta: M_l^-1, the inverse of a mass blend, or FMPM's series; M_c is the
+ * consistent mass (bar_rest.h), alpha the flip fraction (0 with APIC and FMPM). A wave
  * in an endless mesh has its own limit (dispersion_endless_courant); the ends lower it by up to 40 % for
  * B-splines.
  *

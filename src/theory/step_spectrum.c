@@ -1,30 +1,43 @@
 /* The mode of a step that a sampled mode belongs to (step_spectrum.h).
  *
- * The step on (v, f), nodal velocities before it and nodal forces -sum N' stress V, as a pencil
- * (C - mu B) x = 0 of its eigenvalues lambda = 1 + mu:
+ * The step as a pencil (C - mu B) x = 0 of its eigenvalues lambda = 1 + mu. With nodal velocities v before it
+ * and the accelerations a of the nodal forces before it, M a = f,
  *
- *     USF   mu (v - dt W f) = G v + dt W f     mu f = -dt K v
- *     USL   mu v            = G v + dt W f     mu f = -dt K v - dt^2 K T f
- *     MUSL  mu v            = G v + dt W f     mu (f + dt K v) = -dt K v
- *     T = M_l^-1,  W = T M T,  G = (1 - alpha)(T M - 1),  M: the consistent mass
+ *     USF   mu (M v - dt M_c a) = (1 - alpha)(M_c - M) v + dt M_c a     mu M a = -dt K v
+ *     USL   mu M v              = (1 - alpha)(M_c - M) v + dt M_c a     mu M a = -dt K v - dt^2 K a
+ *     MUSL  mu M v              = (1 - alpha)(M_c - M) v + dt M_c a     mu (M a + dt K v) = -dt K v
  *
- * In USF the new force acts, in MUSL the new velocity strains: written so, nothing is wider than the band of
- * M and K. With v and f of a node side by side it is a band of half-width 2 reach + 1 and is solved as such:
- * inverse iteration (C - sigma B) y = B x from the endless mesh's eigenvalue and the sampled mode, each time
- * with a better sigma. Where this ends in a vector that is but a part of the sampled mode, all of them are
- * looked at if the bar is short. lambda - 1 is what is looked for because small steps have lambda near 1. */
+ * In USF the new force acts, in MUSL the new velocity strains: written so, no inverse is in it, and nothing
+ * is wider than the band of M_c and K. FMPM's nodal velocities are T p with T = M_l^-1 sum E^j, j = 0 .. k -
+ * 1, E = 1 - M_c M_l^-1. With p and f instead of v and a its step is the same, for
+ *
+ *     1 in place of M      M_c T = 1 - E^k in place of M_c      K T in place of K      alpha = 0
+ *
+ * and the bands are k times as wide. With both numbers of a node side by side the pencil is a band of
+ * half-width 2 reach + 1 and is solved as such: inverse iteration (C - sigma B) y = B x from the endless
+ * mesh's eigenvalue and the sampled mode, each time with a better sigma. Where this ends in a vector that is
+ * but a part of the sampled mode, all of them are looked at if the bar is short. lambda - 1 is what is looked
+ * for because small steps have lambda near 1. */
 #include "theory/step_spectrum.h"
+#include "base/linear/cholesky.h"
 #include "theory/bar_rest.h"
 #include "theory/quiet.h"
 
 #include <complex.h>
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_errno.h>
+#include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { CELLS_MOST = 2000, CELLS_MOST_HELD_CUBIC = 20000, CELLS_MOST_DENSE = 64, SOLVES_MOST = 40 };
+enum {
+    CELLS_MOST = 2000,
+    CELLS_MOST_HELD_CUBIC = 20000,
+    CELLS_MOST_DENSE = 64,
+    SOLVES_MOST = 40,
+    WORK_MOST = 1000000
+};
 
 /* With this overlap no other eigenvector can be closer to the sampled mode. */
 static const double nearly_pure = 0.99;
@@ -85,86 +98,190 @@ static void solve(ComplexBand *band, double complex *x)
     }
 }
 
+/* --- bands of real numbers -------------------------------------------------------------------------- */
+
+/* Row i holds columns i - reach to i + reach; those that there are not are 0. */
+typedef struct RealBand {
+    int size, reach;
+    double *at;
+} RealBand;
+
+static bool make_band(RealBand *band, int size, int reach)
+{
+    *band = (RealBand){size, reach, calloc((size_t)size * (size_t)(2 * reach + 1), sizeof(double))};
+    return band->at != NULL;
+}
+
+static double *in_band(const RealBand *band, int i, int j)
+{
+    return &band->at[(size_t)i * (size_t)(2 * band->reach + 1) + (size_t)(j - i + band->reach)];
+}
+
+static double value(const RealBand *band, int i, int j)
+{
+    return abs(i - j) <= band->reach ? *in_band(band, i, j) : 0;
+}
+
+/* The columns in row i: first_of to before end_of. */
+static int first_of(const RealBand *band, int i)
+{
+    return i < band->reach ? 0 : i - band->reach;
+}
+
+static int end_of(const RealBand *band, int i)
+{
+    return least(band->size, i + band->reach + 1);
+}
+
+/* out = a b; out reaches as far as both together. */
+static void multiply(const RealBand *a, const RealBand *b, RealBand *out)
+{
+    memset(out->at, 0, (size_t)out->size * (size_t)(2 * out->reach + 1) * sizeof *out->at);
+    for (int i = 0; i < a->size; i++)
+        for (int k = first_of(a, i); k < end_of(a, i); k++)
+            for (int j = first_of(b, k); j < end_of(b, k); j++)
+                if (abs(i - j) <= out->reach)
+                    *in_band(out, i, j) += *in_band(a, i, k) * *in_band(b, k, j);
+}
+
 /* --- the step ------------------------------------------------------------------------------------- */
 
+/* `mass`, `consistent` and `stiffness` are M, M_c and K, or what stands in their places. */
 typedef struct Step {
     BarRest rest;
+    RealBand mass, consistent, stiffness;
     double courant, alpha;
     double usf, usl, musl; /* 1 for the algorithm at hand */
+    bool of_momenta;       /* unknowns are p and f, not v and a */
 } Step;
-
-/* What node j has to do with node i, dt included: dt W, dt K, and G without alpha. */
-typedef struct Coupling {
-    double w, k, g;
-} Coupling;
 
 static double symmetric(const BarRest *rest, const double *band, int i, int j)
 {
     return i > j ? band[i * (rest->reach + 1) + i - j] : band[j * (rest->reach + 1) + j - i];
 }
 
-/* The entry (i, j) of the pencil in units of dx/c: W_ij = M_ij/(m_i m_j), K_ij, and T M - 1; what alpha, USF,
- * USL and MUSL make of it is in write_pencil(). */
-static Coupling coupling(const Step *step, int i, int j)
+/* The matrices of a mass blend (lumped masses: a share of 0). False: not enough memory. */
+static bool make_blended(Step *step, double share)
 {
     const BarRest *rest = &step->rest;
-    const double back = symmetric(rest, rest->consistent, i, j) / rest->mass[i];
-    return (Coupling){.w = step->courant * back / rest->mass[j],
-                      .k = step->courant * symmetric(rest, rest->stiffness, i, j),
-                      .g = back - (i == j ? 1 : 0)};
+    const int n = rest->nodes, reach = rest->reach;
+    if (!make_band(&step->mass, n, reach) || !make_band(&step->consistent, n, reach) ||
+        !make_band(&step->stiffness, n, reach))
+        return false;
+    for (int i = 0; i < n; i++)
+        for (int j = first_of(&step->mass, i); j < end_of(&step->mass, i); j++) {
+            const double consistent = symmetric(rest, rest->consistent, i, j);
+            *in_band(&step->consistent, i, j) = consistent;
+            *in_band(&step->stiffness, i, j) = symmetric(rest, rest->stiffness, i, j);
+            *in_band(&step->mass, i, j) = share * consistent + (i == j ? (1 - share) * rest->mass[i] : 0);
+        }
+    return true;
 }
 
-/* The nodes in node i's band: first_of to before end_of. */
-static int first_of(const BarRest *rest, int i)
+/* 1, 1 - E^k and K M_l^-1 sum E^j in the places of the matrices of lumped masses. */
+static bool make_series(Step *step, int order)
 {
-    return i < rest->reach ? 0 : i - rest->reach;
+    const BarRest *rest = &step->rest;
+    const int n = rest->nodes, reach = rest->reach, wide = order * reach;
+    RealBand error = {0}, power = {0}, next = {0}, sum = {0}, whole = {0}, one = {0};
+    bool good = make_band(&error, n, reach) && make_band(&power, n, wide) && make_band(&next, n, wide) &&
+                make_band(&sum, n, wide) && make_band(&whole, n, wide) && make_band(&one, n, wide);
+    for (int i = 0; good && i < n; i++) {
+        for (int j = first_of(&error, i); j < end_of(&error, i); j++)
+            *in_band(&error, i, j) =
+                (i == j ? 1 : 0) - symmetric(rest, rest->consistent, i, j) / rest->mass[j];
+        *in_band(&power, i, i) = *in_band(&one, i, i) = 1;
+    }
+    for (int k = 0; good && k < order; k++) {
+        for (size_t at = 0; at < (size_t)n * (size_t)(2 * wide + 1); at++)
+            sum.at[at] += power.at[at];
+        multiply(&power, &error, &next);
+        const RealBand kept = power;
+        power = next, next = kept;
+    }
+    for (int i = 0; good && i < n; i++)
+        for (int j = first_of(&sum, i); j < end_of(&sum, i); j++) {
+            *in_band(&sum, i, j) /= rest->mass[i];
+            *in_band(&power, i, j) = (i == j ? 1 : 0) - *in_band(&power, i, j);
+        }
+    if (good)
+        multiply(&step->stiffness, &sum, &whole);
+    free(error.at);
+    free(next.at);
+    free(sum.at);
+    free(step->mass.at);
+    free(step->consistent.at);
+    free(step->stiffness.at);
+    step->mass = one, step->consistent = power, step->stiffness = whole;
+    return good;
 }
 
-static int end_of(const BarRest *rest, int i)
+static bool make_step(Step *step, const BarTheory *bar, const BarMesh *mesh, int cells)
 {
-    return least(rest->nodes, i + rest->reach + 1);
+    return bar_rest_make(&step->rest, bar, mesh, cells) && make_blended(step, mesh->consistent) &&
+           (mesh->fmpm_order == 0 || make_series(step, mesh->fmpm_order));
+}
+
+static void free_step(Step *step)
+{
+    bar_rest_free(&step->rest);
+    free(step->mass.at);
+    free(step->consistent.at);
+    free(step->stiffness.at);
+}
+
+/* What node j has to do with node i in C and in B: rows of both numbers of i, columns of both of j. */
+typedef struct Coupling {
+    double c[2][2], b[2][2];
+} Coupling;
+
+static Coupling coupling(const Step *step, int i, int j)
+{
+    const double dt = step->courant, mass = value(&step->mass, i, j);
+    const double back = dt * value(&step->consistent, i, j), pull = dt * value(&step->stiffness, i, j);
+    const double kept = value(&step->consistent, i, j) - mass;
+    return (Coupling){.c = {{(1 - step->alpha) * kept, back}, {-pull, -step->usl * dt * pull}},
+                      .b = {{mass, -step->usf * back}, {step->musl * pull, mass}}};
 }
 
 /* C - mu B */
 static void write_pencil(const Step *step, double complex mu, ComplexBand *band)
 {
-    const BarRest *rest = &step->rest;
     memset(band->rows, 0, (size_t)band->size * (size_t)(3 * band->width + 1) * sizeof *band->rows);
-    for (int i = 0; i < rest->nodes; i++)
-        for (int j = first_of(rest, i); j < end_of(rest, i); j++) {
-            const Coupling c = coupling(step, i, j);
-            const double complex own = i == j ? mu : 0;
-            *entry(band, 2 * i, 2 * j) = (1 - step->alpha) * c.g - own;
-            *entry(band, 2 * i, 2 * j + 1) = c.w * (1 + mu * step->usf);
-            *entry(band, 2 * i + 1, 2 * j) = -c.k * (1 + mu * step->musl);
-            *entry(band, 2 * i + 1, 2 * j + 1) = -c.k * step->courant / rest->mass[j] * step->usl - own;
+    for (int i = 0; i < step->rest.nodes; i++)
+        for (int j = first_of(&step->stiffness, i); j < end_of(&step->stiffness, i); j++) {
+            const Coupling of = coupling(step, i, j);
+            for (int row = 0; row < 2; row++)
+                for (int column = 0; column < 2; column++)
+                    *entry(band, 2 * i + row, 2 * j + column) = of.c[row][column] - mu * of.b[row][column];
         }
 }
 
 /* B x */
 static void weigh(const Step *step, const double complex *x, double complex *out)
 {
-    const BarRest *rest = &step->rest;
-    for (int i = 0; i < rest->nodes; i++) {
-        out[2 * i] = x[2 * i], out[2 * i + 1] = x[2 * i + 1];
-        for (int j = first_of(rest, i); j < end_of(rest, i); j++) {
-            const Coupling c = coupling(step, i, j);
-            out[2 * i] -= step->usf * c.w * x[2 * j + 1];
-            out[2 * i + 1] += step->musl * c.k * x[2 * j];
+    for (int i = 0; i < step->rest.nodes; i++) {
+        out[2 * i] = out[2 * i + 1] = 0;
+        for (int j = first_of(&step->stiffness, i); j < end_of(&step->stiffness, i); j++) {
+            const Coupling of = coupling(step, i, j);
+            for (int row = 0; row < 2; row++)
+                out[2 * i + row] += of.b[row][0] * x[2 * j] + of.b[row][1] * x[2 * j + 1];
         }
     }
 }
 
-/* The sampled mode with the forces that an eigenvector with this velocity would have: mu f = -dt K v. */
+/* The sampled mode with the accelerations that an eigenvector with this velocity would have, more or less:
+ * mu M a = -dt K v with the sum of M's row for it. */
 static void begin(const Step *step, const double *sampled, double complex mu, double complex *x)
 {
-    const BarRest *rest = &step->rest;
-    for (int i = 0; i < rest->nodes; i++) {
-        double pull = 0;
-        for (int j = first_of(rest, i); j < end_of(rest, i); j++)
-            pull += coupling(step, i, j).k * sampled[j];
+    for (int i = 0; i < step->rest.nodes; i++) {
+        double pull = 0, mass = 0;
+        for (int j = first_of(&step->stiffness, i); j < end_of(&step->stiffness, i); j++) {
+            pull += step->courant * value(&step->stiffness, i, j) * sampled[j];
+            mass += value(&step->mass, i, j);
+        }
         x[2 * i] = sampled[i];
-        x[2 * i + 1] = -pull / mu;
+        x[2 * i + 1] = -pull / (mu * mass);
     }
 }
 
@@ -217,43 +334,71 @@ static bool iterate(const Step *step, ComplexBand *band, double complex *mu, dou
     return false;
 }
 
-/* |(x, s)| / (|x| |s|) with (a, b) = sum m_i conj(a_i) b_i over the nodes' velocities: 1 where the
- * eigenvector is the sampled mode s itself, 0 where it has nothing of it. Squared, it is the share of the
- * sampled mode's kinetic energy if the eigenvectors were orthogonal, which they nearly are. */
-static double overlap(const BarRest *rest, const double complex *x, const double *sampled)
+/* |(x, s)| / (|x| |s|) with (a, b) = sum m_i conj(a_i) b_i over the nodes' velocities (of momenta 1/m_i): 1
+ * where the eigenvector is the sampled mode s itself, 0 where it has nothing of it. Squared, it is the share
+ * of the sampled mode's kinetic energy if the eigenvectors were orthogonal, which they nearly are. */
+static double overlap(const Step *step, const double complex *x, const double *sampled)
 {
     double complex both = 0;
     double own = 0, of_sample = 0;
-    for (int i = 0; i < rest->nodes; i++) {
-        both += rest->mass[i] * conj(x[2 * i]) * sampled[i];
-        own += rest->mass[i] * creal(x[2 * i] * conj(x[2 * i]));
-        of_sample += rest->mass[i] * sampled[i] * sampled[i];
+    for (int i = 0; i < step->rest.nodes; i++) {
+        const double weight = step->of_momenta ? 1 / step->rest.mass[i] : step->rest.mass[i];
+        both += weight * conj(x[2 * i]) * sampled[i];
+        own += weight * creal(x[2 * i] * conj(x[2 * i]));
+        of_sample += weight * sampled[i] * sampled[i];
     }
     return cabs(both) / sqrt(own * of_sample);
 }
 
-/* With FLIP, USF and MUSL, v is a real shape u times a number, and with r = K u, a = T r
+/* x <- M^-1 x with the mass blend. False: not enough memory. */
+static bool solve_mass(const Step *step, double share, double *x)
+{
+    const BarRest *rest = &step->rest;
+    const size_t width = (size_t)rest->reach;
+    CholeskyBand band = {(size_t)rest->nodes, width,
+                         malloc((size_t)rest->nodes * (width + 1) * sizeof(double))};
+    if (!band.rows)
+        return false;
+    for (size_t i = 0; i < band.size; i++)
+        for (size_t d = 0; d <= width; d++)
+            band.rows[i * (width + 1) + d] =
+                share * rest->consistent[i * (width + 1) + d] + (d == 0 ? (1 - share) * rest->mass[i] : 0);
+    const bool good = cholesky_factor(&band, &(Patience){0}) == CHOLESKY_DONE;
+    if (good)
+        cholesky_solve(&band, x, &(Patience){0});
+    free(band.rows);
+    return good;
+}
+
+/* With FLIP, USF and MUSL, v is a real shape u times a number, and with r = K u, a = M^-1 r
  *
  *     omega^2 = sum m (N a)^2 / sum V (N' u)^2 = (a, M_c a) / (u, K u)
  *
- * keeps more digits: its error is the square of the shape's. */
-static double space_frequency(const BarRest *rest, const double complex *x, double *a)
+ * keeps more digits: its error is the square of the shape's. NAN: not enough memory. */
+static double space_frequency(const Step *step, double share, const double complex *x, double *a)
 {
+    const int n = step->rest.nodes;
     double complex largest = 0;
-    for (int i = 0; i < rest->nodes; i++)
+    for (int i = 0; i < n; i++)
         if (cabs(x[2 * i]) > cabs(largest))
             largest = x[2 * i];
     double above = 0, below = 0;
-    for (int i = 0; i < rest->nodes; i++) {
-        double pull = 0;
-        for (int j = first_of(rest, i); j < end_of(rest, i); j++)
-            pull += symmetric(rest, rest->stiffness, i, j) * creal(x[2 * j] / largest);
-        a[i] = pull / rest->mass[i];
-        below += pull * creal(x[2 * i] / largest);
+    for (int i = 0; i < n; i++) {
+        a[i] = 0;
+        for (int j = first_of(&step->stiffness, i); j < end_of(&step->stiffness, i); j++)
+            a[i] += *in_band(&step->stiffness, i, j) * creal(x[2 * j] / largest);
+        below += a[i] * creal(x[2 * i] / largest);
     }
-    for (int i = 0; i < rest->nodes; i++)
-        for (int j = first_of(rest, i); j < end_of(rest, i); j++)
-            above += a[i] * symmetric(rest, rest->consistent, i, j) * a[j];
+    if (share > 0) {
+        if (!solve_mass(step, share, a))
+            return NAN;
+    } else {
+        for (int i = 0; i < n; i++)
+            a[i] /= step->rest.mass[i];
+    }
+    for (int i = 0; i < n; i++)
+        for (int j = first_of(&step->consistent, i); j < end_of(&step->consistent, i); j++)
+            above += a[i] * *in_band(&step->consistent, i, j) * a[j];
     return sqrt(above / below);
 }
 
@@ -279,11 +424,11 @@ static StepMode read_mode(const Search *search, double complex mu)
 {
     const Step *step = &search->step;
     StepMode mode = {.known = true, .with_ends = true};
-    mode.overlap = overlap(&step->rest, search->x, search->sampled);
+    mode.overlap = overlap(step, search->x, search->sampled);
     mode.frequency = fabs(carg(1 + mu)) / step->courant * search->rate;
     mode.decay = -log1p(2 * creal(mu) + creal(mu * conj(mu))) / (2 * step->courant) * search->rate;
     if (step->alpha == 1 && step->usl == 0) {
-        const double omega = space_frequency(&step->rest, search->x, search->scrap);
+        const double omega = space_frequency(step, search->mesh->consistent, search->x, search->scrap);
         const double half = omega * step->courant / 2;
         if (half <= 1) {
             mode.frequency = 2 * asin(half) / step->courant * search->rate;
@@ -293,36 +438,45 @@ static StepMode read_mode(const Search *search, double complex mu)
     return mode;
 }
 
+/* B^-1 C, dense. False: not enough memory, or B is singular. */
+static bool write_map(const Step *step, gsl_matrix *map)
+{
+    const size_t n = map->size1;
+    gsl_matrix *weights = gsl_matrix_calloc(n, n);
+    gsl_permutation *order = gsl_permutation_alloc(n);
+    int sign;
+    bool good = weights && order;
+    for (int i = 0; good && i < step->rest.nodes; i++)
+        for (int j = first_of(&step->stiffness, i); j < end_of(&step->stiffness, i); j++) {
+            const Coupling of = coupling(step, i, j);
+            for (int row = 0; row < 2; row++)
+                for (int column = 0; column < 2; column++) {
+                    const size_t at = (size_t)(2 * i + row), to = (size_t)(2 * j + column);
+                    gsl_matrix_set(map, at, to, of.c[row][column]);
+                    gsl_matrix_set(weights, at, to, of.b[row][column]);
+                }
+        }
+    good = good && gsl_linalg_LU_decomp(weights, order, &sign) == GSL_SUCCESS;
+    for (size_t k = 0; good && k < n; k++) {
+        gsl_vector_view column = gsl_matrix_column(map, k);
+        good = gsl_linalg_LU_svx(weights, order, &column.vector) == GSL_SUCCESS;
+    }
+    gsl_permutation_free(order);
+    gsl_matrix_free(weights);
+    return good;
+}
+
 /* Of a short bar all eigenvectors of the map 1 + B^-1 C at once, to see which one the sampled mode overlaps
  * most: leaves it and its eigenvalue in x and mu. False: not enough memory. */
 static bool choose_among_all(Search *search, double complex *mu)
 {
-    const BarRest *rest = &search->step.rest;
     const size_t n = (size_t)search->band.size;
     gsl_matrix *map = gsl_matrix_calloc(n, n);
     gsl_matrix_complex *vectors = gsl_matrix_complex_alloc(n, n);
     gsl_vector_complex *values = gsl_vector_complex_alloc(n);
     gsl_eigen_nonsymmv_workspace *work = gsl_eigen_nonsymmv_alloc(n);
-    bool good = map && vectors && values && work;
-    if (good) {
-        write_pencil(&search->step, 0, &search->band);
-        for (int i = 0; i < search->band.size; i++)
-            for (int j = 0; j < search->band.size; j++)
-                if (abs(i - j) <= search->band.width)
-                    gsl_matrix_set(map, (size_t)i, (size_t)j, creal(*entry(&search->band, i, j)));
-        /* B differs from 1 in the rows of v, or of f, alone: so B^-1 adds rows of the others to them */
-        for (int i = 0; i < rest->nodes; i++)
-            for (int j = first_of(rest, i); j < end_of(rest, i); j++) {
-                const Coupling c = coupling(&search->step, i, j);
-                for (size_t k = 0; k < n; k++) {
-                    double *v = gsl_matrix_ptr(map, 2 * (size_t)i, k),
-                           *f = gsl_matrix_ptr(map, 2 * (size_t)i + 1, k);
-                    *v += search->step.usf * c.w * gsl_matrix_get(map, 2 * (size_t)j + 1, k);
-                    *f -= search->step.musl * c.k * gsl_matrix_get(map, 2 * (size_t)j, k);
-                }
-            }
-        good = gsl_eigen_nonsymmv(map, values, vectors, work) == GSL_SUCCESS;
-    }
+    const bool good = map && vectors && values && work && write_map(&search->step, map) &&
+                      gsl_eigen_nonsymmv(map, values, vectors, work) == GSL_SUCCESS;
     double best = 0;
     for (size_t k = 0; good && k < n; k++) {
         const gsl_complex value = gsl_vector_complex_get(values, k);
@@ -332,7 +486,7 @@ static bool choose_among_all(Search *search, double complex *mu)
             const gsl_complex number = gsl_matrix_complex_get(vectors, i, k);
             search->y[i] = GSL_REAL(number) + I * GSL_IMAG(number);
         }
-        const double now = overlap(rest, search->y, search->sampled);
+        const double now = overlap(&search->step, search->y, search->sampled);
         if (now > best) {
             best = now;
             *mu = GSL_REAL(value) + I * GSL_IMAG(value);
@@ -346,12 +500,26 @@ static bool choose_among_all(Search *search, double complex *mu)
     return good;
 }
 
+/* The mode as the step's unknowns: nodal velocities of M v = p, or momenta. False: not enough memory. */
+static bool sample(Search *search, int number)
+{
+    const BarRest *rest = &search->step.rest;
+    const double share = search->mesh->consistent;
+    bar_rest_sample(rest, search->bar, number, search->sampled);
+    if (!search->step.of_momenta && share == 0)
+        return true;
+    for (int i = 0; i < rest->nodes; i++)
+        search->sampled[i] *= rest->mass[i];
+    return search->step.of_momenta || solve_mass(&search->step, share, search->sampled);
+}
+
 /* By inverse iteration from the wave's eigenvalue; of a short bar, where that ends in a vector that has
  * little of the sampled mode, from the best among all. known is false where neither converges. */
 static StepMode find_mode(Search *search, int number, double complex mu)
 {
     StepMode mode = {.frequency = NAN, .decay = NAN, .overlap = NAN, .with_ends = true};
-    bar_rest_sample(&search->step.rest, search->bar, number, search->sampled);
+    if (!sample(search, number))
+        return mode;
     begin(&search->step, search->sampled, mu, search->x);
     if (iterate(&search->step, &search->band, &mu, search->x, search->y))
         mode = read_mode(search, mu);
@@ -365,14 +533,21 @@ static StepMode find_mode(Search *search, int number, double complex mu)
     return mode;
 }
 
+/* Of longer bars the endless mesh's answer will do (step_spectrum.h); of wide bands it has to, sooner. */
+static double cells_most(const BarTheory *bar, const BarMesh *mesh)
+{
+    const bool held_cubic = mesh->shape == MESH_BSPLINE3 && (bar->left_fixed || bar->right_fixed);
+    const double width = 2 * bar_rest_degree(mesh->shape) * fmax(1, mesh->fmpm_order) + 1;
+    return fmin(held_cubic ? CELLS_MOST_HELD_CUBIC : CELLS_MOST, WORK_MOST / (width * width));
+}
+
 StepMode step_mode(const BarTheory *bar, const BarMesh *mesh, int number)
 {
     const double wave_number = bar_wave_number(bar, number);
     const Dispersion wave = dispersion_of_bar(bar, mesh, wave_number);
     StepMode mode = {.known = wave.known, .frequency = wave.frequency, .decay = wave.decay, .overlap = 1};
     const double cells = round(bar->length / mesh->cell_size);
-    const bool held_cubic = mesh->shape == MESH_BSPLINE3 && (bar->left_fixed || bar->right_fixed);
-    if (!wave.known || wave_number == 0 || cells > (held_cubic ? CELLS_MOST_HELD_CUBIC : CELLS_MOST))
+    if (!wave.known || wave_number == 0 || cells > cells_most(bar, mesh))
         return mode;
 
     mode.known = false;
@@ -381,12 +556,12 @@ StepMode step_mode(const BarTheory *bar, const BarMesh *mesh, int number)
                          .alpha = bar_mesh_flip(mesh),
                          .usf = mesh->algorithm == MESH_USF,
                          .usl = mesh->algorithm == MESH_USL,
-                         .musl = mesh->algorithm == MESH_MUSL};
-    BarRest *rest = &search.step.rest;
-    if (bar_rest_make(rest, bar, mesh, (int)cells)) {
-        const size_t n = 2 * (size_t)rest->nodes;
+                         .musl = mesh->algorithm == MESH_MUSL,
+                         .of_momenta = mesh->fmpm_order > 0};
+    if (make_step(&search.step, bar, mesh, (int)cells)) {
+        const size_t n = 2 * (size_t)search.step.rest.nodes;
         ComplexBand *band = &search.band;
-        *band = (ComplexBand){.size = (int)n, .width = 2 * rest->reach + 1};
+        *band = (ComplexBand){.size = (int)n, .width = 2 * search.step.stiffness.reach + 1};
         band->rows = malloc(n * (size_t)(3 * band->width + 1) * sizeof *band->rows);
         search.x = malloc(2 * n * sizeof *search.x);
         search.sampled = malloc(n * sizeof *search.sampled);
@@ -399,6 +574,6 @@ StepMode step_mode(const BarTheory *bar, const BarMesh *mesh, int number)
         free(search.x);
         free(band->rows);
     }
-    bar_rest_free(rest);
+    free_step(&search.step);
     return mode;
 }

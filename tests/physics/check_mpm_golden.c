@@ -15,8 +15,8 @@ enum { SAMPLES_MAX = 16, PARTICLES_MAX = 512, SPOTS_MAX = 64 };
 static const struct {
     const char *path;
     int count;
-} files[] = {{"tests/golden/mpm.txt", 13}, {"tests/golden/cures.txt", 3}};
-enum { CASES = 16 };
+} files[] = {{"tests/golden/mpm.txt", 13}, {"tests/golden/cures.txt", 7}};
+enum { CASES = 20 };
 
 typedef struct Golden {
     char name[40];
@@ -62,7 +62,7 @@ static void set(Golden *golden, const char *key, const char *value)
         {"bar.length", &def->length},        {"bar.youngs_modulus", &def->youngs_modulus},
         {"bar.density", &def->density},      {"initial.velocity", &golden->bar.modes[0].velocity},
         {"mesh.cell_size", &def->cell_size}, {"mpm.flip_fraction", &def->flip_fraction},
-        {"time.courant", &def->courant},
+        {"time.courant", &def->courant},     {"mpm.mass_blend", &def->mass_blend},
     };
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
         if (strcmp(key, numbers[i].key) == 0) {

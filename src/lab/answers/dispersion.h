@@ -9,7 +9,7 @@
 
 #include "lab/problems/problem.h"
 
-enum { MODE_FACTORS_MAX = 3 };
+enum { MODE_FACTORS_MAX = 4 };
 
 /* One of the reasons for which predicted/exact is not 1. */
 typedef struct ModeFactor {

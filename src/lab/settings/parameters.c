@@ -208,8 +208,9 @@ void parameter_range(const Parameter *parameter, const Problem *problem, char *o
         const char *sign = parameter->above_least || automatic ? ">" : ">=";
         snprintf(out, size, "%s%s%s %s", or_word, or_bar, sign, least);
     } else {
-        snprintf(out, size, "%s%s%s to %s", or_word, or_bar, automatic && parameter->least == 0 ? "1" : least,
-                 most);
+        const char *above = parameter->type == PARAMETER_INTEGER ? "1" : "above 0";
+        snprintf(out, size, "%s%s%s to %s", or_word, or_bar,
+                 automatic && parameter->least == 0 ? above : least, most);
     }
 }
 

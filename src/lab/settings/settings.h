@@ -86,6 +86,7 @@ typedef struct Transfer {
     MpmShape shape;
     MpmTransfer transfer;
     double flip_fraction;
+    double mass_blend; /* 0: the best one */
     AffineStart affine_start;
 } Transfer;
 

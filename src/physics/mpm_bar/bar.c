@@ -65,10 +65,15 @@ static void lay_out(Bar *bar, unsigned char *block)
     bar->bytes_apic = layout.size;
     for (int j = 0; j < bar->slots; j++)
         ARRAY(bar->moved[j], places);
-    double **node_arrays[] = {&bar->node_mass,  &bar->node_inverse, &bar->node_momentum, &bar->node_f_int,
-                              &bar->node_f_ext, &bar->node_kick,    &bar->node_drift};
+    double **node_arrays[] = {&bar->node_mass,  &bar->node_inverse, &bar->node_momentum,
+                              &bar->node_f_int, &bar->node_f_ext,   &bar->node_velocity,
+                              &bar->node_kick,  &bar->node_drift,   &bar->node_pivot};
     for (size_t i = 0; i < sizeof node_arrays / sizeof node_arrays[0]; i++)
         ARRAY(*node_arrays[i], nodes);
+    for (int d = 1; d <= bar->reach; d++) {
+        ARRAY(bar->node_couple[d], nodes);
+        ARRAY(bar->node_lower[d], nodes);
+    }
     bar->bytes_whole = layout.size;
     /* scratch stands behind, in the same block of memory */
     const size_t cells = ((size_t)bar->n_cells + 8) * sizeof(double);
@@ -77,6 +82,12 @@ static void lay_out(Bar *bar, unsigned char *block)
             ARRAY(bar->part[q][a], cells);
             if (block)
                 bar->part[q][a] += 4;
+        }
+    for (int d = 1; d <= bar->reach; d++)
+        for (int a = 0; a + d < bar->support; a++) {
+            ARRAY(bar->pair[d][a], cells);
+            if (block)
+                bar->pair[d][a] += 4;
         }
     ARRAY(bar->odd, ((size_t)bar->n_cells / BAR_CELL_BLOCK + 1) * sizeof(int16_t));
     ARRAY(bar->old_first, ((size_t)bar->n_cells + 1) * sizeof(int32_t));
@@ -96,11 +107,8 @@ static void destroy(Simulation *sim)
 
 static void take_schedule(Bar *bar)
 {
-    const BarSchedule *schedule = bar_schedule(bar->head, bar->def.shape);
-    bar->sim.stages = schedule->stages;
-    bar->sim.n_stages = schedule->count;
-    bar->sim.sets = schedule->sets;
-    bar->sim.fields = bar->head->transfer == MPM_APIC ? bar_fields_apic : bar_fields;
+    bar_list_stages(bar);
+    bar_list_fields(bar);
     bar->sim.exchanges = bar_exchanges(bar->head, &bar->sim.n_exchanges);
 }
 
@@ -136,34 +144,57 @@ static void load(Simulation *sim, const void *bytes)
     take_schedule(bar);
 }
 
+/* mu, with what 0 stands for. */
+static double blend_of(const BarDef *def, double mass_blend)
+{
+    return mass_blend == 0.0 ? bar_mass_blend_auto(def->shape, def->particles_per_cell) : mass_blend;
+}
+
+/* How momentum is transferred: the values that the run would have then, if they fit each other. */
+static bool change_method(Bar *bar, const char *key, double value, Status *status)
+{
+    BarDef def = bar->def;
+    BarHead *head = bar->head;
+    def.algorithm = head->algorithm;
+    def.transfer = head->transfer;
+    def.flip_fraction = head->flip_fraction;
+    def.mass_blend = head->mass_blend;
+    bool algorithm = strcmp(key, "mpm.algorithm") == 0, transfer = strcmp(key, "mpm.transfer") == 0;
+    if (algorithm || transfer) {
+        int last = algorithm ? MPM_MUSL : MPM_APIC;
+        if (!(value >= 0 && value <= last && value == floor(value)))
+            return status_fail(status, STATUS_USAGE, "%s: %g is no choice (0 to %d)", key, value, last);
+        if (algorithm)
+            def.algorithm = (MpmAlgorithm)value;
+        else
+            def.transfer = (MpmTransfer)value;
+    } else if (strcmp(key, "mpm.flip_fraction") == 0)
+        def.flip_fraction = value;
+    else if (strcmp(key, "mpm.mass_blend") == 0)
+        def.mass_blend = value;
+    else
+        return status_fail(status, STATUS_USAGE, "%s: cannot be changed in mid-run", key);
+    if (!bar_check(&def, status))
+        return false;
+    if (def.transfer != head->transfer)
+        for (int j = 0; j < bar->slots; j++)
+            memset(bar->affine[j], 0, (size_t)bar->places * sizeof(double));
+    head->algorithm = def.algorithm;
+    head->transfer = def.transfer;
+    head->flip_fraction = def.flip_fraction;
+    head->mass_blend = blend_of(&def, def.mass_blend);
+    take_schedule(bar);
+    return true;
+}
+
 static bool change(Simulation *sim, const char *key, double value, Status *status)
 {
     Bar *bar = bar_of(sim);
     BarHead *head = bar->head;
     if (sim->stage != 0 || sim->item != 0)
         return status_fail(status, STATUS_USAGE, "%s: can be changed between steps only", key);
-    if (strcmp(key, "mpm.algorithm") == 0 || strcmp(key, "mpm.transfer") == 0) {
-        bool algorithm = strcmp(key, "mpm.algorithm") == 0;
-        int last = algorithm ? MPM_MUSL : MPM_APIC;
-        if (!(value >= 0 && value <= last && value == floor(value)))
-            return status_fail(status, STATUS_USAGE, "%s: %g is no choice (0 to %d)", key, value, last);
-        if (algorithm)
-            head->algorithm = (MpmAlgorithm)value;
-        else if (head->transfer != (MpmTransfer)value) {
-            head->transfer = (MpmTransfer)value;
-            for (int j = 0; j < bar->slots; j++)
-                memset(bar->affine[j], 0, (size_t)bar->places * sizeof(double));
-        }
-        take_schedule(bar);
-        return true;
-    }
-    if (strcmp(key, "mpm.flip_fraction") == 0) {
-        if (!(value >= 0.0 && value <= 1.0))
-            return status_fail(status, STATUS_USAGE, "%s: %g is out of range (0 to 1)", key, value);
-        head->flip_fraction = value;
-        take_schedule(bar);
-        return true;
-    }
+    if (strncmp(key, "mpm.", 4) == 0)
+        return change_method(bar, key, value, status);
     double *load = strcmp(key, "load.body_force") == 0 ? &head->body_force
                    : strcmp(key, "load.traction") == 0 ? &head->traction
                                                        : NULL;
@@ -206,6 +237,7 @@ static void derive(Bar *bar)
     bar->origin = left ? 0 : def->padding;
     bar->n_cells = bar->places + bar->origin + (right ? 0 : def->padding);
     bar->support = shape_support(def->shape);
+    bar->reach = shape_reach(def->shape);
     bar->n_nodes = bar->n_cells + bar->support - 1;
     /* uGIMP: the ghost node beyond the support is held as well */
     int held = def->shape == MPM_GIMP ? 2 : 1;
@@ -261,7 +293,8 @@ static bool begin(Bar *bar, Status *status)
                            .transfer = def->transfer,
                            .flip_fraction = def->flip_fraction,
                            .body_force = def->body_force,
-                           .traction = def->traction};
+                           .traction = def->traction,
+                           .mass_blend = blend_of(def, def->mass_blend)};
     for (int c = 0; c <= bar->n_cells; c++) {
         int place = c - bar->origin;
         place = place < 0 ? 0 : place > bar->places ? bar->places : place;
@@ -322,7 +355,6 @@ Simulation *bar_create(const BarDef *definition, Status *status)
     sim->n_sets = BAR_SETS;
     sim->counts[BAR_PARTICLES] = (size_t)bar->n_particles;
     sim->counts[BAR_NODES] = (size_t)bar->n_nodes;
-    sim->n_fields = BAR_FIELDS;
     sim->series = bar_series;
     sim->n_series = BAR_SERIES;
     axial_set_motion(sim, HAS_MESH, bar->def.cell_size / bar->def.particles_per_cell);

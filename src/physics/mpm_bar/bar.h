@@ -43,6 +43,7 @@ typedef struct BarDef {
     MpmShape shape;
     MpmTransfer transfer;
     double flip_fraction; /* alpha: 1 is FLIP, 0 is PIC; FLIP transfer only */
+    double mass_blend;    /* mu: 1 lumped masses, less: M = (1 - mu) M_c + mu M_l; 0: bar_mass_blend_auto() */
 
     double courant; /* dt = courant * dx / c, c = sqrt(E / rho) (eq. 21), of two materials the larger c */
 
@@ -61,6 +62,19 @@ typedef struct BarDef {
 /* Paper M's first mode, at rest: L 25, E 100, rho 1, dx 1, two particles per cell, USF, hat, courant 0.1. */
 BarDef bar_default(void);
 
+/* The mass blend mu* that takes the error of order (dx/wavelength)^2 out of the frequency, in the range that
+ * is allowed:
+ *
+ *     (P^2 + 1)/(4 P^2 + 2)   hat, uGIMP
+ *     none above 0 for B-splines, whose consistent mass is best: the least that is allowed
+ *
+ * "Mass blend" and mu* are words of our own; blends of lumped and consistent mass are as old as finite
+ * elements. */
+double bar_mass_blend_auto(MpmShape shape, int particles_per_cell);
+
+/* Below this the matrix may be nearly singular where particles are few: see bar_check(). */
+#define BAR_MASS_BLEND_LEAST 0.05
+
 /* Is the definition sound? Else the status names the key as in a scenario file, what is wrong, what is
  * allowed. bar_create() asks first; a front end asks before it takes a value over. */
 bool bar_check(const BarDef *definition, Status *status);
@@ -76,9 +90,9 @@ bool bar_check(const BarDef *definition, Status *status);
  * load have put in: looked at after each step that is a multiple of 64, where growth by 10 %, to twice, 10,
  * 100 and 1000 times is reported too. Heating by cell crossing stays far below.
  *
- * Live parameters: mpm.algorithm, mpm.transfer, mpm.flip_fraction, load.body_force, load.traction. They
- * belong to the state: a snapshot that is put back brings those of its time, and the stages that go with
- * them. */
+ * Live parameters: mpm.algorithm, mpm.transfer, mpm.flip_fraction, mpm.mass_blend, load.body_force,
+ * load.traction. They belong to the state: a snapshot that is put back brings those of its time, and the
+ * stages that go with them. */
 Simulation *bar_create(const BarDef *definition, Status *status);
 
 #endif

@@ -19,6 +19,7 @@ BarDef bar_default(void)
         .shape = MPM_HAT,
         .transfer = MPM_FLIP,
         .flip_fraction = 1.0,
+        .mass_blend = 1.0,
         .courant = 0.1,
     };
 }
@@ -59,6 +60,33 @@ static bool check_joint(const BarDef *def, Status *status)
            positive(def->joint_density, "bar2.density", status);
 }
 
+double bar_mass_blend_auto(MpmShape shape, int particles_per_cell)
+{
+    if (shape == MPM_BSPLINE2 || shape == MPM_BSPLINE3)
+        return BAR_MASS_BLEND_LEAST;
+    const double square = (double)particles_per_cell * particles_per_cell;
+    return (square + 1.0) / (4.0 * square + 2.0);
+}
+
+/* M_c alone is singular where there are fewer particles than nodes, and nearly so where a cell at the end of
+ * the bar is nearly empty: the largest stable step then falls with what is left in it. With mu > 0 it has a
+ * floor that does not depend on how particles lie (USF and MUSL, hats: .24 at mu .05, .049 at .01). */
+static bool check_mass_blend(const BarDef *def, Status *status)
+{
+    const double mu = def->mass_blend;
+    if (mu != 0.0 && !(mu >= BAR_MASS_BLEND_LEAST && mu <= 1.0))
+        return status_fail(status, STATUS_USAGE,
+                           mu >= 0.0 && mu <= 1.0
+                               ? "mpm.mass_blend: with %g the largest stable step nearly vanishes where a "
+                                 "cell is nearly empty (%g to 1, or auto)"
+                               : "mpm.mass_blend: %g is out of range (%g to 1, or auto)",
+                           mu, BAR_MASS_BLEND_LEAST);
+    if (mu != 1.0 && def->transfer != MPM_FLIP)
+        return status_fail(status, STATUS_USAGE,
+                           "mpm.mass_blend: less than 1 is for mpm.transfer = flip (1, or that transfer)");
+    return true;
+}
+
 /* A particle takes some 150 bytes, and a step of so many a tenth of a second: more would not answer. */
 enum { CELLS_MAX = 2000000, PARTICLES_MAX = 2000000 };
 
@@ -83,6 +111,8 @@ bool bar_check(const BarDef *def, Status *status)
     if (!(def->flip_fraction >= 0.0 && def->flip_fraction <= 1.0))
         return status_fail(status, STATUS_USAGE, "mpm.flip_fraction: %g is out of range (0 to 1)",
                            def->flip_fraction);
+    if (!check_mass_blend(def, status))
+        return false;
     const double speed = sqrt(def->youngs_modulus / def->density), dt = def->courant * def->cell_size / speed;
     if (!(dt > 0.0 && isfinite(dt) && speed > 0.0))
         return status_fail(status, STATUS_USAGE,

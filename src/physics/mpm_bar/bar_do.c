@@ -3,6 +3,8 @@
 #include "physics/mpm_bar/bar_state.h"
 #include "physics/mpm_bar/kernels/kernels.h"
 
+#include <string.h>
+
 /* Step 2 of paper M: p_i = 0 at nodes held by a support, among those that come with these cells; their mass
  * stays, so that eqs. 4 and 15 divide by it as everywhere. */
 static void fix(Bar *bar, int first, int end)
@@ -14,6 +16,46 @@ static void fix(Bar *bar, int first, int end)
         bar->node_momentum[i] = 0.0;
 }
 
+/* Eq. 4 in three forms: p/m with lumped masses, M v = p with blended ones. A solution takes all nodes, so it
+ * is done with the last cell. */
+static void find_velocities(Bar *bar, int first, int end, bool factor)
+{
+    if (bar_is_lumped(bar)) {
+        bar->kernels->velocities(bar, first, end);
+        return;
+    }
+    if (end < bar->n_cells)
+        return;
+    if (factor)
+        bar->kernels->factor(bar);
+    memcpy(bar->node_velocity, bar->node_momentum, (size_t)bar->n_nodes * sizeof(double));
+    bar->kernels->solve(bar, bar->node_velocity);
+}
+
+/* dt a with M a = f, where masses are not lumped. */
+static void find_kicks(Bar *bar, int end)
+{
+    if (bar_is_lumped(bar) || end < bar->n_cells)
+        return;
+    const bool loaded = bar_is_loaded(bar);
+    for (int i = 0; i < bar->n_nodes; i++)
+        bar->node_kick[i] = bar->dt * (loaded ? bar->node_f_int[i] + bar->node_f_ext[i] : bar->node_f_int[i]);
+    bar->kernels->solve(bar, bar->node_kick);
+}
+
+static void map(Bar *bar, int first, int end)
+{
+    bar->kernels->map(bar, first, end);
+    if (!bar_is_lumped(bar))
+        bar->kernels->couple(bar, first, end);
+}
+
+static void fix_and_divide(Bar *bar, int first, int end, bool factor)
+{
+    fix(bar, first, end);
+    find_velocities(bar, first, end, factor);
+}
+
 /* False: the run fails. A particle with 1 + de <= 0 (eq. 8 would turn its density negative) stops it; so
  * do those of bar_settle(). */
 bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status)
@@ -21,10 +63,10 @@ bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status)
     const BarKernels *kernels = bar->kernels;
     switch (op) {
     case OP_MAP:
-        kernels->map(bar, first, end);
+        map(bar, first, end);
         return true;
     case OP_FIX:
-        fix(bar, first, end);
+        fix_and_divide(bar, first, end, true);
         return true;
     case OP_STRAIN: {
         int bad = kernels->strain(bar, first, end);
@@ -32,6 +74,7 @@ bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status)
     }
     case OP_FORCE:
         kernels->force(bar, first, end);
+        find_kicks(bar, end);
         return true;
     case OP_INTEGRATE:
         kernels->integrate(bar, first, end);
@@ -40,8 +83,8 @@ bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status)
         kernels->update(bar, first, end);
         return true;
     case OP_MAP_AGAIN:
-        kernels->map(bar, first, end);
-        fix(bar, first, end);
+        kernels->map(bar, first, end); /* the masses are as they were */
+        fix_and_divide(bar, first, end, false);
         return true;
     case OP_FORGET:
         return bar_settle(bar, first, end, status);
@@ -53,6 +96,6 @@ bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status)
 
 void bar_map_and_fix(Bar *bar)
 {
-    bar->kernels->map(bar, 0, bar->n_cells);
-    fix(bar, 0, bar->n_cells);
+    map(bar, 0, bar->n_cells);
+    fix_and_divide(bar, 0, bar->n_cells, true);
 }

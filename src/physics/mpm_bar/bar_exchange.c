@@ -36,6 +36,10 @@ static const Exchange flip_exchanges[BAR_EXCHANGES] =
     TABLE("m v N", "m v N", NULL, "Δt N a", "dt N a", "a = f/m", true);
 static const Exchange blend_exchanges[BAR_EXCHANGES] =
     TABLE("m v N", "m v N", NULL, "N gain", "N gain", "gain = alpha dt f/m + (1 - alpha)(v_i - v_p)", true);
+static const Exchange mass_exchanges[BAR_EXCHANGES] =
+    TABLE("m v N", "m v N", NULL, "Δt N a", "dt N a", "a of M a = f", true);
+static const Exchange mass_blend_exchanges[BAR_EXCHANGES] =
+    TABLE("m v N", "m v N", NULL, "N gain", "N gain", "gain = alpha dt a + (1 - alpha)(v_i - v_p)", true);
 static const Exchange pic_exchanges[BAR_EXCHANGES] = TABLE("m v N", "m v N", NULL, "N v", "N v", NULL, false);
 static const Exchange apic_exchanges[BAR_EXCHANGES] =
     TABLE("m w N", "m w N", "w = v + C (x_i - x_p)", "N v", "N v", NULL, false);
@@ -43,9 +47,11 @@ static const Exchange apic_exchanges[BAR_EXCHANGES] =
 const Exchange *bar_exchanges(const BarHead *head, int *count)
 {
     *count = BAR_EXCHANGES;
+    const bool blended = head->mass_blend < 1.0;
     return head->transfer == MPM_APIC   ? apic_exchanges
-           : head->flip_fraction == 1.0 ? flip_exchanges
+           : head->flip_fraction == 1.0 ? (blended ? mass_exchanges : flip_exchanges)
            : head->flip_fraction == 0.0 ? pic_exchanges
+           : blended                    ? mass_blend_exchanges
                                         : blend_exchanges;
 }
 

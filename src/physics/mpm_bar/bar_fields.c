@@ -6,7 +6,7 @@
 #include "physics/mpm_bar/bar_state.h"
 #include "physics/mpm_bar/kernels/shape.h"
 
-/* One list for the table of fields and for the functions that fill them; it begins with those of axial.h. */
+/* One list for the rows below and for the functions that fill them; it begins with those of axial.h. */
 enum FieldIndex {
     P_CELL = AXIAL_FIELDS,
     P_NATURAL,
@@ -21,44 +21,65 @@ enum FieldIndex {
     N_F_EXT,
     N_F,
     N_ACCELERATION,
+    N_MASS_0,
+    N_MASS_1,
+    N_MASS_2,
+    N_MASS_3,
     N_ACTIVE,
-    N_FIXED
+    N_FIXED,
+    FIELDS
 };
+_Static_assert((int)FIELDS == (int)BAR_FIELDS, "a bar has room for its fields");
 
 #define SHOWN(name, label, unit, meaning) FIELD_ROW(BAR_PARTICLES, false, false, name, label, unit, meaning)
 #define NODE(name, label, unit, meaning)  FIELD_ROW(BAR_NODES, true, false, name, label, unit, meaning)
+#define ROW_OF_MASSES(name, label, which) NODE(name, label, "mass/length^2", "mass matrix: " which)
 
-/* The slope C is a column of the table where it exists: with APIC. */
-#define ROWS(affine_in_table)                                                                                \
-    {                                                                                                        \
-        AXIAL_FIELD_ROWS("axial stress, tension positive", "sum of the strain increments"),                  \
-            [P_CELL] = FIELD_ROW(BAR_PARTICLES, false, true, "cell", "cell", "1",                            \
-                                 "cell of the mesh that the particle is in"),                                \
-            [P_NATURAL] =                                                                                    \
-                SHOWN("natural", "place in cell", "1", "0 at the left edge of its cell, 1 at the right"),    \
-            [P_STRAIN_INCREMENT] = SHOWN("strain_increment", "strain increment", "1",                        \
-                                         "strain of this time step; 0 before its stage"),                    \
-            [P_MOMENTUM] = SHOWN("momentum", "momentum", "mass/(length*time)", "mass times velocity"),       \
-            [P_AFFINE] = FIELD_ROW(BAR_PARTICLES, affine_in_table, false, "affine", "slope C", "1/time",     \
-                                   "slope of the velocity that APIC carries"),                               \
-            [N_X] = NODE("x", "x", "length", "position of the node (Greville abscissa of a B-spline)"),      \
-            [N_MASS] = NODE("mass", "mass", "mass/length^2", "mass mapped from the particles"),              \
-            [N_MOMENTUM] = NODE("momentum", "momentum", "mass/(length*time)", "momentum"),                   \
-            [N_VELOCITY] = NODE("velocity", "velocity", "length/time",                                       \
-                                "momentum over mass; 0 where the node is inactive"),                         \
-            [N_F_INT] = NODE("f_int", "internal force", "force/length^2", "force of the particles' stress"), \
-            [N_F_EXT] =                                                                                      \
-                NODE("f_ext", "external force", "force/length^2", "force of body force and traction"),       \
-            [N_F] = NODE("f", "force", "force/length^2", "whole force; 0 at fixed nodes"),                   \
-            [N_ACCELERATION] = FIELD_ROW(BAR_NODES, false, false, "acceleration", "acceleration",            \
-                                         "length/time^2", "force over mass"),                                \
-            [N_ACTIVE] = FIELD_ROW(BAR_NODES, false, true, "active", "active", "1", "1: the node has mass"), \
-            [N_FIXED] =                                                                                      \
-                FIELD_ROW(BAR_NODES, false, true, "fixed", "fixed", "1", "1: a support holds the node")      \
+static const Field fields[FIELDS] = {
+    AXIAL_FIELD_ROWS("axial stress, tension positive", "sum of the strain increments"),
+    [P_CELL] = FIELD_ROW(BAR_PARTICLES, false, true, "cell", "cell", "1",
+                         "cell of the mesh that the particle is in"),
+    [P_NATURAL] = SHOWN("natural", "place in cell", "1", "0 at the left edge of its cell, 1 at the right"),
+    [P_STRAIN_INCREMENT] =
+        SHOWN("strain_increment", "strain increment", "1", "strain of this time step; 0 before its stage"),
+    [P_MOMENTUM] = SHOWN("momentum", "momentum", "mass/(length*time)", "mass times velocity"),
+    [P_AFFINE] = SHOWN("affine", "slope C", "1/time", "slope of the velocity that APIC carries"),
+    [N_X] = NODE("x", "x", "length", "position of the node (Greville abscissa of a B-spline)"),
+    [N_MASS] = NODE("mass", "mass", "mass/length^2", "mass mapped from the particles"),
+    [N_MOMENTUM] = NODE("momentum", "momentum", "mass/(length*time)", "momentum"),
+    [N_VELOCITY] =
+        NODE("velocity", "velocity", "length/time", "momentum over mass; 0 where the node is inactive"),
+    [N_F_INT] = NODE("f_int", "internal force", "force/length^2", "force of the particles' stress"),
+    [N_F_EXT] = NODE("f_ext", "external force", "force/length^2", "force of body force and traction"),
+    [N_F] = NODE("f", "force", "force/length^2", "whole force; 0 at fixed nodes"),
+    [N_ACCELERATION] = FIELD_ROW(BAR_NODES, false, false, "acceleration", "acceleration", "length/time^2",
+                                 "force over mass"),
+    [N_MASS_0] = ROW_OF_MASSES("mass_0", "M(i,i)", "the node's own"),
+    [N_MASS_1] = ROW_OF_MASSES("mass_1", "M(i,i+1)", "shared with the next node"),
+    [N_MASS_2] = ROW_OF_MASSES("mass_2", "M(i,i+2)", "shared with the next node but one"),
+    [N_MASS_3] = ROW_OF_MASSES("mass_3", "M(i,i+3)", "shared with the next node but two"),
+    [N_ACTIVE] = FIELD_ROW(BAR_NODES, false, true, "active", "active", "1", "1: the node has mass"),
+    [N_FIXED] = FIELD_ROW(BAR_NODES, false, true, "fixed", "fixed", "1", "1: a support holds the node"),
+};
+
+/* The slope C is a column of the table with APIC, the acceleration where masses are not lumped; their matrix
+ * is there only then, as far as it reaches. */
+void bar_list_fields(Bar *bar)
+{
+    const bool lumped = bar_is_lumped(bar);
+    int count = 0;
+    for (int kind = 0; kind < FIELDS; kind++) {
+        if (kind >= N_MASS_0 && kind <= N_MASS_3 && (lumped || kind - N_MASS_0 > bar->reach))
+            continue;
+        Field *field = &bar->fields[count];
+        *field = fields[kind];
+        if ((kind == P_AFFINE && bar->head->transfer == MPM_APIC) || (kind == N_ACCELERATION && !lumped))
+            field->in_table = true;
+        bar->field_kinds[count++] = kind;
     }
-
-const Field bar_fields[BAR_FIELDS] = ROWS(false);
-const Field bar_fields_apic[BAR_FIELDS] = ROWS(true);
+    bar->sim.fields = bar->fields;
+    bar->sim.n_fields = count;
+}
 
 const Quantity bar_series[BAR_SERIES] = {
     AXIAL_SERIES_BEGIN,
@@ -143,7 +164,6 @@ static void node_field(const Bar *bar, int field, int first, int count, double *
     const bool forced = bar_has_done(bar, OP_FORCE);
     for (int n = 0; n < count; n++) {
         int i = first + n;
-        double force = forced ? bar_node_force(bar, i) : 0.0;
         switch (field) {
         case N_X:
             out[n] = bar_node_position(bar, i);
@@ -164,10 +184,16 @@ static void node_field(const Bar *bar, int field, int first, int count, double *
             out[n] = forced && bar_is_loaded(bar) ? bar->node_f_ext[i] : 0.0;
             break;
         case N_F:
-            out[n] = force;
+            out[n] = forced ? bar_node_force(bar, i) : 0.0;
             break;
         case N_ACCELERATION:
-            out[n] = mapped ? force * bar->node_inverse[i] : 0.0;
+            out[n] = mapped ? bar_node_acceleration(bar, i) : 0.0;
+            break;
+        case N_MASS_0:
+        case N_MASS_1:
+        case N_MASS_2:
+        case N_MASS_3:
+            out[n] = mapped ? bar_mass_between(bar, i, i + field - N_MASS_0) : 0.0;
             break;
         case N_ACTIVE:
             out[n] = mapped && bar->node_inverse[i] > 0.0;
@@ -185,13 +211,13 @@ void bar_field(const Simulation *sim, int field, size_t first, size_t count, dou
 {
     const Bar *bar = bar_of_const(sim);
     ASSERT_INT(field, <, sim->n_fields);
-    ASSERT_INT(first + count, <=, sim->counts[bar_fields[field].set]);
+    ASSERT_INT(first + count, <=, sim->counts[sim->fields[field].set]);
     if (count == 0)
         return;
-    if (bar_fields[field].set == BAR_PARTICLES)
-        particle_field(bar, field, (int)first, (int)count, out);
+    if (sim->fields[field].set == BAR_PARTICLES)
+        particle_field(bar, bar->field_kinds[field], (int)first, (int)count, out);
     else
-        node_field(bar, field, (int)first, (int)count, out);
+        node_field(bar, bar->field_kinds[field], (int)first, (int)count, out);
 }
 
 static Link link_of(const Bar *bar, int set, int index, int particle, int cell, int node)

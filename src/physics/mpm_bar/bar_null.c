@@ -73,7 +73,7 @@ static inline void add_cells(const Bar *bar, BarNull *null, const MpmShape shape
     for (int c = null->next; c < end; c++) {
         double free[BAR_SUPPORT_MAX];
         for (int a = 0; a < support; a++)
-            free[a] = bar_null_sees(bar, c + a) ? 1.0 : 0.0;
+            free[a] = bar_node_moves(bar, c + a) ? 1.0 : 0.0;
         const int count = bar->first[c + 1] - bar->first[c];
         int j = bar->first[c] % bar->slots, k = bar->first[c] / bar->slots;
         for (int i = 0; i < count; i++) {
@@ -171,7 +171,7 @@ static void add_near(BarTriangle *to, double x, double y, double v)
 BarTriangle bar_null_cell(const Bar *bar, int cell, bool left)
 {
     BarTriangle triangle = {{0}};
-    const double free_left = bar_null_sees(bar, cell), free_right = bar_null_sees(bar, cell + 1);
+    const double free_left = bar_node_moves(bar, cell), free_right = bar_node_moves(bar, cell + 1);
     for (int p = bar->first[cell]; p < bar->first[cell + 1]; p++) {
         const double s = bar->s[p % bar->slots][p / bar->slots], v = bar->v[p % bar->slots][p / bar->slots];
         const double of_left = free_left * (1.0 - s), of_right = free_right * s;

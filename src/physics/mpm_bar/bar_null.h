@@ -61,10 +61,4 @@ double bar_null_energy(const Bar *bar, const BarNull *null);
 BarTriangle bar_null_cell(const Bar *bar, int cell, bool left);
 BarTriangle bar_null_join(const BarTriangle *first, const BarTriangle *second);
 
-/* Whether the node is one of the minimum's unknowns. */
-static inline bool bar_null_sees(const Bar *bar, int node)
-{
-    return bar->node_inverse[node] > 0.0 && node >= bar->fixed_left && node < bar->n_nodes - bar->fixed_right;
-}
-
 #endif

@@ -6,7 +6,7 @@
 
 bool bar_has_done(const Bar *bar, BarOp op)
 {
-    const BarSchedule *schedule = bar_schedule(bar->head, bar->def.shape);
+    const BarSchedule *schedule = bar_schedule(bar);
     for (int i = 0; i < bar->sim.stage; i++)
         if (schedule->ops[i] == op)
             return true;
@@ -41,7 +41,11 @@ int bar_cell_of(const Bar *bar, int particle)
 
 double bar_node_velocity(const Bar *bar, int node)
 {
-    return bar->node_momentum[node] * bar->node_inverse[node];
+    if (bar_is_lumped(bar))
+        return bar->node_momentum[node] * bar->node_inverse[node];
+    /* USF keeps the velocity that strained */
+    const bool integrated = bar->head->algorithm == MPM_USF && bar_has_done(bar, OP_INTEGRATE);
+    return integrated ? bar_integrated_velocity(bar, node) : bar->node_velocity[node];
 }
 
 double bar_integrated_velocity(const Bar *bar, int node)
@@ -56,13 +60,37 @@ double bar_node_force(const Bar *bar, int node)
     return bar_is_loaded(bar) ? bar->node_f_int[node] + bar->node_f_ext[node] : bar->node_f_int[node];
 }
 
+double bar_node_acceleration(const Bar *bar, int node)
+{
+    if (!bar_has_done(bar, OP_FORCE))
+        return 0.0;
+    return bar_is_lumped(bar) ? bar_node_force(bar, node) * bar->node_inverse[node]
+                              : bar->node_kick[node] / bar->dt;
+}
+
 void bar_strain_velocities(const Bar *bar, int cell, double *v)
 {
-    /* update stress first: those of before the momentum was integrated */
-    const bool integrated = bar->head->algorithm == MPM_USF && bar_has_done(bar, OP_INTEGRATE);
-    for (int a = 0, node = cell; a < bar->support; a++, node++)
-        v[a] = integrated ? bar_integrated_velocity(bar, node) - bar->node_kick[node]
-                          : bar_node_velocity(bar, node);
+    for (int a = 0; a < bar->support; a++)
+        v[a] = bar->node_velocity[cell + a];
     if (bar->def.shape == MPM_HAT)
         bar_lend_velocity(bar, cell, v);
+}
+
+/* --- the matrix of the masses --------------------------------------------------------------------- */
+
+double bar_consistent_mass(const Bar *bar, int i, int j)
+{
+    const int d = i < j ? j - i : i - j;
+    if (d > 0)
+        return d <= bar->reach ? bar->node_couple[d][i < j ? i : j] : 0.0;
+    double mass = bar->node_mass[i];
+    for (int k = 1; k <= bar->reach; k++)
+        mass -= bar->node_couple[k][i] + (i >= k ? bar->node_couple[k][i - k] : 0.0);
+    return mass;
+}
+
+double bar_mass_between(const Bar *bar, int i, int j)
+{
+    const double mu = bar->head->mass_blend;
+    return (1.0 - mu) * bar_consistent_mass(bar, i, j) + (i == j ? mu * bar->node_mass[i] : 0.0);
 }

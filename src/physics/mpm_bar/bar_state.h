@@ -22,10 +22,15 @@
 enum {
     BAR_SLOTS_MAX = 8,   /* particles per cell */
     BAR_SUPPORT_MAX = 4, /* nodes that a cell touches */
+    BAR_REACH_MAX = 3,   /* nodes to each side that share a particle with a node */
     BAR_LANES = 8,       /* partial sums of a sum over all: place k counts in lane k % BAR_LANES */
     BAR_CELL_BLOCK = 64, /* cells of a block of which it is known whether all hold P particles */
+    BAR_FIELDS = 27,
+    BAR_SERIES = 8,
     BAR_CHECK_EVERY = 64 /* the energy is looked at after each step that is a multiple of this */
 };
+
+enum { BAR_PARTICLES, BAR_NODES, BAR_SETS };
 
 /* The work of a stage. Stage tables are lists of these. */
 typedef enum BarOp {
@@ -40,16 +45,23 @@ typedef enum BarOp {
     OP_COUNT
 } BarOp;
 
+/* The stages of an algorithm. */
+typedef struct BarSchedule {
+    BarOp ops[OP_COUNT];
+    int count, nodes_ready; /* nodes_ready: Set.ready_after of the nodes */
+} BarSchedule;
+
 /* The part of the state that is no array. Live parameters belong to it, so that a restored snapshot goes on
  * with the parameters of its own time. */
 typedef struct BarHead {
     MpmAlgorithm algorithm;
     MpmTransfer transfer;
     double flip_fraction, body_force, traction;
-    double work;      /* of the external force so far */
-    double peak_work; /* largest magnitude of it seen by the energy check */
-    int energy_level; /* how many thresholds of growth were reported */
-    int64_t cell_sum; /* sum of the particles' cells: exact, for x_cm */
+    double mass_blend; /* mu, never 0 */
+    double work;       /* of the external force so far */
+    double peak_work;  /* largest magnitude of it seen by the energy check */
+    int energy_level;  /* how many thresholds of growth were reported */
+    int64_t cell_sum;  /* sum of the particles' cells: exact, for x_cm */
 } BarHead;
 
 /* Sums over all particles. Their order is that of the lanes, whatever the width of the machine's vectors. */
@@ -73,6 +85,10 @@ typedef struct BarNull BarNull;
 struct Bar {
     Simulation sim; /* first: a Bar is a Simulation */
     const BarKernels *kernels;
+    Stage stages[OP_COUNT];
+    Set sets[BAR_SETS];
+    Field fields[BAR_FIELDS]; /* those that there are at present, and which each of them is */
+    int field_kinds[BAR_FIELDS];
 
     /* model: constant */
     BarDef def;
@@ -82,6 +98,7 @@ struct Bar {
     int n_nodes; /* n_cells + support - 1 */
     int origin;  /* the cell that begins at x = 0 */
     int support;
+    int reach;      /* nodes to each side of a node that share a particle with it */
     int places;     /* length of a slot's array: cells of the bar */
     int fixed_left; /* nodes [0, fixed_left) and the last fixed_right ones are held */
     int fixed_right;
@@ -110,8 +127,13 @@ struct Bar {
     double *moved[BAR_SLOTS_MAX];     /* s after the step, still counted from the old cell */
     double *node_mass, *node_inverse; /* the inverse is 0 where the node is inactive */
     double *node_momentum, *node_f_int, *node_f_ext;
-    double *node_kick;  /* dt f / m */
-    double *node_drift; /* dt p / (m dx) with the integrated momentum */
+    double *node_velocity; /* that strains the particles; before the momentum is integrated that of p */
+    double *node_kick;     /* dt times the acceleration, dt f / m */
+    double *node_drift;    /* dt/dx times the integrated velocity, dt p / (m dx) */
+    /* of masses that are not lumped (bar_mass.h): M_c(i, i + d) by d = 1 .. reach, and the factors of M */
+    double *node_couple[BAR_REACH_MAX + 1];
+    double *node_lower[BAR_REACH_MAX + 1]; /* L(i, i - d) */
+    double *node_pivot;                    /* 1/D(i); 0 where the node is held or inactive */
 
     /* follows from `first`: how many cells of each block of cells have not P particles */
     int16_t *odd;
@@ -119,6 +141,7 @@ struct Bar {
     /* scratch of one stage */
     double *part[2][BAR_SUPPORT_MAX]; /* what cells give to their nodes; 0 from -4 to -1, n_cells to n_cells +
                                          3 */
+    double *pair[BAR_REACH_MAX + 1][BAR_SUPPORT_MAX]; /* likewise to pairs of them, nodes a and a + d */
     int32_t *old_first;
     unsigned char *backup; /* the particle part at the beginning of a batch of steps */
     bool jumped;           /* a particle jumped over a whole cell in this step */
@@ -177,6 +200,18 @@ static inline bool bar_is_loaded(const Bar *bar)
     return bar->head->body_force != 0.0 || bar->head->traction != 0.0;
 }
 
+/* Whether a node's velocity is its own momentum over its own mass. */
+static inline bool bar_is_lumped(const Bar *bar)
+{
+    return bar->head->mass_blend == 1.0;
+}
+
+/* Neither held by a support nor inactive. */
+static inline bool bar_node_moves(const Bar *bar, int node)
+{
+    return bar->node_inverse[node] > 0.0 && node >= bar->fixed_left && node < bar->n_nodes - bar->fixed_right;
+}
+
 /* The end of the run of cells from c on, before `end`, that hold P particles each. */
 static inline int bar_run_end(const Bar *bar, int c, int end)
 {
@@ -195,16 +230,8 @@ static inline int bar_run_end(const Bar *bar, int c, int end)
 /* Counts the odd cells anew, after `first` was put back. */
 void bar_count_odd_cells(Bar *bar);
 
-/* The stages of an algorithm: tables of equal length, what people read and what is done. */
-typedef struct BarSchedule {
-    const Stage *stages;
-    const BarOp *ops;
-    int count;
-    const Set *sets;
-} BarSchedule;
-
-const BarSchedule *bar_schedule(const BarHead *head, MpmShape shape);
-enum { BAR_PARTICLES, BAR_NODES, BAR_SETS };
+const BarSchedule *bar_schedule(const Bar *bar);
+void bar_list_stages(Bar *bar); /* for front ends, as live parameters are */
 
 /* Whether the stage that does `op` is done in the step that is going on. */
 bool bar_has_done(const Bar *bar, BarOp op);
@@ -214,21 +241,29 @@ bool bar_has_done(const Bar *bar, BarOp op);
 bool bar_node_is_fixed(const Bar *bar, int node);
 double bar_node_position(const Bar *bar, int node);
 
-/* Of a node while the stage functions' numbers stand: p/m at present (0 before the map); p/m of the
- * integrated momentum, with which particles move; the whole force, eq. 12, none at a support. */
+/* Of a node while the stage functions' numbers stand: its velocity at present (0 before the map); that of
+ * the integrated momentum, with which particles move; the whole force, eq. 12, none at a support; its
+ * acceleration (0 as long as it is not known). */
 double bar_node_velocity(const Bar *bar, int node);
 double bar_integrated_velocity(const Bar *bar, int node);
 double bar_node_force(const Bar *bar, int node);
+double bar_node_acceleration(const Bar *bar, int node);
 
-/* p/m of a cell's nodes that the strain of this step was (or is going to be) made of, `support` of them. */
+/* Velocities of a cell's nodes that the strain of this step was (or is going to be) made of, `support` of
+ * them. */
 void bar_strain_velocities(const Bar *bar, int cell, double *v);
+
+/* M_c(i, j) = sum m N_i N_j of two nodes; M(i, j) = (1 - mu) M_c(i, j) + mu M_l(i, j). Where masses are not
+ * lumped, from the map on. */
+double bar_consistent_mass(const Bar *bar, int i, int j);
+double bar_mass_between(const Bar *bar, int i, int j);
 
 /* The cell in which a particle is (during a step: in which it began it). */
 int bar_cell_of(const Bar *bar, int particle);
 
-/* bar_fields.c, bar_exchange.c, bar_explain.c: what front ends read. */
-enum { BAR_FIELDS = 23, BAR_SERIES = 8 };
-extern const Field bar_fields[BAR_FIELDS], bar_fields_apic[BAR_FIELDS];
+/* bar_fields.c, bar_exchange.c, bar_explain.c: what front ends read. The fields there are depend on live
+ * parameters. */
+void bar_list_fields(Bar *bar);
 extern const Quantity bar_series[BAR_SERIES];
 void bar_field(const Simulation *sim, int field, size_t first, size_t count, double *out);
 size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t max);

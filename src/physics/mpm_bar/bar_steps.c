@@ -55,7 +55,7 @@ static bool check_energy(Bar *bar, Status *status)
 bool bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status)
 {
     Bar *bar = bar_of(sim);
-    const BarSchedule *schedule = bar_schedule(bar->head, bar->def.shape);
+    const BarSchedule *schedule = bar_schedule(bar);
     /* what a step that can be looked at has not written yet is 0, so that its snapshots are the same bytes
      * whatever ran before */
     if (stage == 0 && first == 0)
@@ -99,7 +99,7 @@ static void go_back(Bar *bar, Mark mark)
  * which are also the first two stages of the next step: they are done once for both. */
 static bool whole_steps(Bar *bar, long count, double *rows, Status *status)
 {
-    const BarSchedule *schedule = bar_schedule(bar->head, bar->def.shape);
+    const BarSchedule *schedule = bar_schedule(bar);
     if (count > 0)
         bar_map_and_fix(bar);
     for (long n = 0; n < count; n++) {

@@ -79,7 +79,7 @@ static void add_task(Pipeline *pipeline, int what, int step)
  * particles follow the step's last stage, its sums over nodes the next step's boundary conditions. */
 static void plan(Pipeline *pipeline, const Bar *bar, int steps, bool with_rows)
 {
-    const BarSchedule *schedule = bar_schedule(bar->head, bar->def.shape);
+    const BarSchedule *schedule = bar_schedule(bar);
     pipeline->n_tasks = 0;
     for (int step = 0; step < steps; step++) {
         for (int stage = 0; stage < schedule->count; stage++) {
@@ -159,8 +159,10 @@ static bool run_pipeline(Bar *bar, Pipeline *pipeline)
 bool bar_tiles_pay(const Bar *bar, bool with_rows)
 {
     /* a load's work is summed over all nodes step by step, and so is the energy of the affine motion over the
-     * cells, and of two materials: tiles would add them up in another order */
-    if (bar_is_loaded(bar) || (with_rows && (bar->head->transfer == MPM_APIC || bar->def.joint > 0.0)))
+     * cells, and of two materials: tiles would add them up in another order. One solution for all nodes needs
+     * all of them. */
+    if (!bar_is_lumped(bar) || bar_is_loaded(bar) ||
+        (with_rows && (bar->head->transfer == MPM_APIC || bar->def.joint > 0.0)))
         return false;
     return bar->n_cells >= CELLS_LEAST;
 }

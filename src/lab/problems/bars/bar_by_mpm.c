@@ -8,6 +8,12 @@
 #include <math.h>
 #include <stdio.h>
 
+double bar_mass_blend_of(const Settings *settings)
+{
+    const double given = settings->mpm.mass_blend;
+    return given > 0 ? given : bar_mass_blend_auto(settings->mpm.shape, settings->mesh.particles_per_cell);
+}
+
 BarMesh bar_mesh_of(const Settings *settings, double dt)
 {
     static const MeshAlgorithm algorithms[] = {
@@ -24,6 +30,7 @@ BarMesh bar_mesh_of(const Settings *settings, double dt)
                      .shape = shapes[mpm->shape],
                      .apic = mpm->transfer == MPM_APIC,
                      .flip_fraction = mpm->flip_fraction,
+                     .consistent = 1 - bar_mass_blend_of(settings),
                      .dt = dt};
 }
 
@@ -47,6 +54,7 @@ BarDef bar_mpm_definition(const Settings *settings)
         .shape = settings->mpm.shape,
         .transfer = settings->mpm.transfer,
         .flip_fraction = settings->mpm.flip_fraction,
+        .mass_blend = settings->mpm.mass_blend,
         .courant = settings->time.courant,
         .patience = settings->patience,
     };
@@ -149,6 +157,8 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     const StepMode found = step_mode(&theory, &mesh, mode);
     if (mode > 0 && found.known && found.overlap < READOUT_PURE)
         derived_add_answer(out, &n, REFERENCE_PREDICTED, "mode_overlap", "mode overlap", "1", found.overlap);
+    if (settings->mpm.mass_blend == 0)
+        derived_add(out, &n, "mass_blend", "mass blend mu*", "1", bar_mass_blend_of(settings), false);
     derived_add(out, &n, "cells", "cells", "1", cells, true);
     derived_add(out, &n, "particles", "particles", "1", cells * settings->mesh.particles_per_cell, true);
     double largest = step_limit(&theory, &mesh);
@@ -194,15 +204,19 @@ static Dispersion wave_on_mesh(const Settings *settings, const BarTheory *theory
     return dispersion_of_bar(theory, &mesh, wave_number);
 }
 
-/* The lumped mesh alone, sqrt(K)/theta; particle -> node -> particle, sqrt(F); the time step. */
+/* The lumped mesh alone, sqrt(K)/theta; particle -> node -> particle, sqrt(F); masses that are not lumped, T;
+ * the time step. */
 static void mesh_factors(const Dispersion *wave, ModeOnMesh *mode)
 {
     const double filter = sqrt(wave->filter);
-    mode->factors[0] =
-        (ModeFactor){"mesh K", "lumped masses on linear springs", wave->space_only / (filter * mode->exact)};
-    mode->factors[1] = (ModeFactor){"filter F", "what particle to node to particle leaves", filter};
-    mode->factors[2] = (ModeFactor){"dt", NULL, wave->frequency / wave->space_only};
-    mode->n_factors = 3;
+    int n = 0;
+    mode->factors[n++] = (ModeFactor){"mesh K", "lumped masses on linear springs",
+                                      wave->space_only / (filter * wave->moves * mode->exact)};
+    mode->factors[n++] = (ModeFactor){"filter F", "what particle to node to particle leaves", filter};
+    if (wave->moves != 1)
+        mode->factors[n++] = (ModeFactor){"masses T", "nodal velocity over p/m", wave->moves};
+    mode->factors[n++] = (ModeFactor){"dt", NULL, wave->frequency / wave->space_only};
+    mode->n_factors = n;
 }
 
 static bool mode(const Settings *settings, int number, ModeOnMesh *out)
@@ -245,9 +259,15 @@ static const char *const of_frequency[] = {BAR_KEYS,      BAR_MESH_KEYS,  BAR_TR
 static const char *const of_energy[] = {
     BAR_KEYS, BAR_MESH_KEYS, BAR_TRANSFER_KEYS, BAR_WAVE_KEYS, "bar2.joint", BAR_JOINT_KEYS, NULL};
 /* The continuum does not know by what it is computed; its frequencies do not depend on the loads. */
-static const char *const method_changes[] = {"mpm.algorithm", "mpm.transfer", "mpm.flip_fraction", NULL};
-static const char *const all_changes[] = {"mpm.algorithm",   "mpm.transfer",  "mpm.flip_fraction",
-                                          "load.body_force", "load.traction", NULL};
+static const char *const method_changes[] = {"mpm.algorithm", "mpm.transfer", "mpm.flip_fraction",
+                                             "mpm.mass_blend", NULL};
+static const char *const all_changes[] = {"mpm.algorithm",
+                                          "mpm.transfer",
+                                          "mpm.flip_fraction",
+                                          "mpm.mass_blend",
+                                          "load.body_force",
+                                          "load.traction",
+                                          NULL};
 
 const Solver bar_by_mpm = {
     .method = METHOD_MPM,

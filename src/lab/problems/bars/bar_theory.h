@@ -14,6 +14,9 @@ bool bar_theory_of(const Settings *, BarTheory *, Status *);
 /* The mesh on which it is predicted; `dt` as the simulation has it. */
 BarMesh bar_mesh_of(const Settings *, double dt);
 
+/* mu, with what stands for "auto". */
+double bar_mass_blend_of(const Settings *);
+
 /* The bar as its engine by the material point method wants it, at rest. */
 BarDef bar_mpm_definition(const Settings *);
 

@@ -133,6 +133,17 @@ static void map(Bar *bar, int first, int end)
     }
 }
 
+/* Eq. 4, v_i = p_i / m_i, of the nodes that come with these cells. */
+static void velocities(Bar *bar, int first, int end)
+{
+    const int last = nodes_end(bar, end);
+    const double *const momentum = bar->node_momentum, *const inverse = bar->node_inverse;
+    double *const velocity = bar->node_velocity;
+#pragma omp simd
+    for (int i = first; i < last; i++)
+        velocity[i] = momentum[i] * inverse[i];
+}
+
 /* --- strain and stress ---------------------------------------------------------------------------- */
 
 /* Eqs. 4, 5, 7, 8, 9 by runs of cells; cells at the ends of a hat's bar one by one. Returns the first
@@ -240,20 +251,37 @@ static void force(Bar *bar, int first, int end)
 /* --- integrate momentum --------------------------------------------------------------------------- */
 
 /* Eqs. 12 and 13 on free nodes: p_i += dt f_i with f_i = f_int + f_ext; then what eqs. 14 and 15 need of a
- * node: kick = dt f_i / m_i and drift = dt p_i / (m_i dx). */
-KERNEL_INLINE void integrate_nodes(Bar *bar, bool loaded, int first, int end)
+ * node: kick = dt f_i / m_i and drift = dt p_i / (m_i dx). Where masses are not lumped, kick is there already
+ * and the integrated velocity is the one before plus it. USF: the velocity that strained stays as it is. */
+KERNEL_INLINE void integrate_nodes(Bar *bar, bool loaded, bool lumped, bool usf, int first, int end)
 {
     const double dt = bar->dt, drift_scale = bar->dt / bar->dx;
     double *const f_int = bar->node_f_int, *const f_ext = bar->node_f_ext, *const inverse = bar->node_inverse;
     double *const momentum = bar->node_momentum, *const kick = bar->node_kick, *const drift = bar->node_drift;
+    double *const velocity = bar->node_velocity;
 #pragma omp simd
     for (int i = first; i < end; i++) {
         const double impulse = dt * (loaded ? f_int[i] + f_ext[i] : f_int[i]);
         const double after = momentum[i] + impulse;
         momentum[i] = after;
-        kick[i] = impulse * inverse[i];
-        drift[i] = drift_scale * (after * inverse[i]);
+        if (lumped)
+            kick[i] = impulse * inverse[i];
+        const double integrated = lumped ? after * inverse[i] : velocity[i] + kick[i];
+        drift[i] = drift_scale * integrated;
+        if (!usf)
+            velocity[i] = integrated;
     }
+}
+
+KERNEL_INLINE void integrate_as(Bar *bar, bool loaded, int first, int end)
+{
+    const bool lumped = bar_is_lumped(bar), usf = bar->head->algorithm == MPM_USF;
+    if (lumped && usf)
+        integrate_nodes(bar, loaded, true, true, first, end);
+    else if (lumped)
+        integrate_nodes(bar, loaded, true, false, first, end);
+    else
+        integrate_nodes(bar, loaded, false, usf, first, end);
 }
 
 /* Eqs. 12, 13: held nodes take neither force nor displacement; the work of the load is sum f_ext dt
@@ -268,10 +296,10 @@ static void integrate(Bar *bar, int first, int end)
     for (int i = first > fixed_right ? first : fixed_right; i < last; i++)
         bar->node_kick[i] = bar->node_drift[i] = 0.0;
     if (!bar_is_loaded(bar)) {
-        integrate_nodes(bar, false, free_first, free_end);
+        integrate_as(bar, false, free_first, free_end);
         return;
     }
-    integrate_nodes(bar, true, free_first, free_end);
+    integrate_as(bar, true, free_first, free_end);
     /* the load's work: sum f_ext dx_i over the nodes */
     for (int i = free_first; i < free_end; i++)
         bar->head->work += bar->node_f_ext[i] * (bar->node_drift[i] * bar->dx);
@@ -443,10 +471,16 @@ static void node_sums(const Bar *bar, int first, int end, double *lanes)
         lanes[lane] += momentum[i + lane] * momentum[i + lane] * inverse[i + lane];
 }
 
+#include "physics/mpm_bar/kernels/kernels_mass.h"
+
 #include "physics/mpm_bar/kernels/kernels_null.h"
 
 const BarKernels BAR_KERNELS = {
     .map = map,
+    .couple = couple,
+    .velocities = velocities,
+    .factor = factor,
+    .solve = solve,
     .strain = strain,
     .force = force,
     .integrate = integrate,

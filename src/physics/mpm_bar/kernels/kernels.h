@@ -13,7 +13,17 @@ struct BarKernels {
     /* eqs. 2, 3: mass and momentum of the nodes from the particles */
     void (*map)(Bar *bar, int first, int end);
 
-    /* eqs. 4, 5, 7, 8, 9. Returns a particle for which 1 + de <= 0 (all others are done), or -1 */
+    /* The consistent mass matrix's couplings of different nodes; after map */
+    void (*couple)(Bar *bar, int first, int end);
+
+    /* eq. 4 with lumped masses */
+    void (*velocities)(Bar *bar, int first, int end);
+
+    /* The factors of the blended mass matrix, of all nodes; after couple. x <- M^-1 x, over n_nodes */
+    void (*factor)(Bar *bar);
+    void (*solve)(const Bar *bar, double *x);
+
+    /* eqs. 5, 7, 8, 9. Returns a particle for which 1 + de <= 0 (all others are done), or -1 */
     int (*strain)(Bar *bar, int first, int end);
 
     /* eqs. 10, 11 */

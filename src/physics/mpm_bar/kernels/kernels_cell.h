@@ -73,12 +73,12 @@ KERNEL_INLINE double gradient_of(MpmShape shape, const double *dn, const double 
     return gradient;
 }
 
-/* Eq. 4, v = p / m, for the nodes of a cell. */
+/* Velocities of the nodes of a cell. */
 KERNEL_INLINE void strain_velocities(const Bar *bar, MpmShape shape, int c, double *v)
 {
 #pragma GCC unroll 4
     for (int a = 0; a < shape_support(shape); a++)
-        v[a] = bar->node_momentum[c + a] * bar->node_inverse[c + a];
+        v[a] = bar->node_velocity[c + a];
     if (shape == MPM_HAT)
         bar_lend_velocity(bar, c, v);
 }

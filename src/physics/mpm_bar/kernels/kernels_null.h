@@ -113,8 +113,8 @@ KERNEL_INLINE VectorMask gather_cells(const Bar *bar, int slots, int c, int end,
     for (int j = 0; j < slots; j++)
         s[j] = v[j] = (Vector){0};
     for (int lane = 0; lane < VECTOR_WIDTH; lane++, c += 8) {
-        if (c >= end || bar->first[c + 1] - bar->first[c] != slots || !bar_null_sees(bar, c) ||
-            !bar_null_sees(bar, c + 1)) {
+        if (c >= end || bar->first[c + 1] - bar->first[c] != slots || !bar_node_moves(bar, c) ||
+            !bar_node_moves(bar, c + 1)) {
             other[lane] = -1;
             continue;
         }

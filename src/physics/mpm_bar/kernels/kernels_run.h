@@ -78,7 +78,7 @@ KERNEL_INLINE void map_run(Bar *bar, MpmShape shape, bool affine, int slots, int
         map_cell(bar, shape, affine, c);
 }
 
-/* Eqs. 4, 5, 7, 8, 9: v_a = p_a / m_a, de = dt sum N'_a v_a, stress += E de, volume *= 1 + de. False: 1 + de
+/* Eqs. 5, 7, 8, 9: de = dt sum N'_a v_a, stress += E de, volume *= 1 + de. False: 1 + de
  * <= 0 somewhere. */
 KERNEL_INLINE bool strain_run(Bar *bar, MpmShape shape, int slots, int c, int stop)
 {
@@ -93,7 +93,7 @@ KERNEL_INLINE bool strain_run(Bar *bar, MpmShape shape, int slots, int c, int st
         Vector v[BAR_SUPPORT_MAX];
 #pragma GCC unroll 4
         for (int a = 0; a < support; a++)
-            v[a] = vector_load(bar->node_momentum + c + a) * vector_load(bar->node_inverse + c + a);
+            v[a] = vector_load(bar->node_velocity + c + a);
 #pragma GCC unroll 2
         for (int j = 0; j < slots; j++) {
             const Vector s = vector_load(s_of[j] + i);

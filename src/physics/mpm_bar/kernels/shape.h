@@ -15,6 +15,13 @@ static inline int shape_support(MpmShape shape)
     return shape == MPM_HAT ? 2 : shape == MPM_BSPLINE2 ? 3 : 4;
 }
 
+/* Nodes to each side with which a node shares a particle: one less, but a uGIMP particle touches three at
+ * most. */
+static inline int shape_reach(MpmShape shape)
+{
+    return shape == MPM_HAT ? 1 : shape == MPM_BSPLINE3 ? 3 : 2;
+}
+
 /* Cells at each end of the mesh whose B-splines differ from the inner ones (open knots). */
 static inline int shape_end_cells(MpmShape shape)
 {

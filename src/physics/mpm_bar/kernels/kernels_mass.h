@@ -1,0 +1,180 @@
+/* Part of kernels.c: nodal velocities where masses are not lumped.
+ *
+ * The consistent mass matrix is M_c(i, j) = sum m N_i N_j. Its couplings of different nodes alone are kept,
+ * node_couple[d][i] = M_c(i, i + d): as the N of a particle add up to 1, a row of M_c adds up to m_i, so that
+ *
+ *     M_c(i, i) = m_i - sum over j != i of M_c(i, j)
+ *
+ * Held and inactive nodes take no part: their velocity is 0. */
+
+/* --- couplings ------------------------------------------------------------------------------------ */
+
+/* A cell's share over m of the first material: pair[d][a] = sum N_a N_a+d. */
+KERNEL_INLINE void couple_cell(Bar *bar, MpmShape shape, int c)
+{
+    const int support = shape_support(shape), reach = shape_reach(shape);
+    double pair[BAR_REACH_MAX + 1][BAR_SUPPORT_MAX] = {{0}};
+    Place at = place_of(bar, bar->first[c]);
+    for (int p = bar->first[c]; p < bar->first[c + 1]; p++, at = next_place(bar, at)) {
+        double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
+        shape_at(shape, bar->gimp_half, bar->n_cells, c, bar->s[at.slot][at.k], n, dn);
+        for (int d = 1; d <= reach; d++)
+            for (int a = 0; a + d < support; a++)
+                pair[d][a] += bar_weight(bar, p) * (n[a] * n[a + d]);
+    }
+    for (int d = 1; d <= reach; d++)
+        for (int a = 0; a + d < support; a++)
+            bar->pair[d][a][c] = pair[d][a];
+}
+
+KERNEL_INLINE void couple_run(Bar *bar, MpmShape shape, int slots, int c, int stop)
+{
+    const int support = shape_support(shape), reach = shape_reach(shape);
+    const double h = bar->gimp_half, weight = bar_weight(bar, bar->first[c]);
+    double *s_of[BAR_SLOTS_MAX];
+    slots_of_run(bar->s, slots, bar->first[c], s_of);
+    for (int i = 0; c + VECTOR_WIDTH <= stop; c += VECTOR_WIDTH, i += VECTOR_WIDTH) {
+        Vector pair[BAR_REACH_MAX + 1][BAR_SUPPORT_MAX] = {{{0}}};
+#pragma GCC unroll 2
+        for (int j = 0; j < slots; j++) {
+            const Vector s = vector_load(s_of[j] + i);
+            Vector n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
+            shape_inner_vector(shape, h, &s, n, dn);
+#pragma GCC unroll 4
+            for (int d = 1; d <= reach; d++)
+#pragma GCC unroll 4
+                for (int a = 0; a + d < support; a++)
+                    pair[d][a] += weight * (n[a] * n[a + d]);
+        }
+#pragma GCC unroll 4
+        for (int d = 1; d <= reach; d++)
+#pragma GCC unroll 4
+            for (int a = 0; a + d < support; a++)
+                vector_store(bar->pair[d][a] + c, pair[d][a]);
+    }
+    for (; c < stop; c++)
+        couple_cell(bar, shape, c);
+}
+
+/* M_c(i, i + d) from the cells' shares, in the order of the cells. */
+KERNEL_INLINE void couple_shape(Bar *bar, MpmShape shape, int slots, int first, int end)
+{
+    for (int c = first; c < end;) {
+        const int stop = run_end(bar, shape, c, end);
+        if (stop == c)
+            couple_cell(bar, shape, c++);
+        else
+            couple_run(bar, shape, slots, c, stop), c = stop;
+    }
+    const int support = shape_support(shape), reach = shape_reach(shape), last = nodes_end(bar, end);
+    const double unit = bar->mass;
+    for (int d = 1; d <= reach; d++) {
+        double *const couple = bar->node_couple[d], *const *const pair = bar->pair[d];
+#pragma omp simd
+        for (int i = first; i < last; i++) {
+            double sum = pair[support - 1 - d][i - (support - 1 - d)];
+#pragma GCC unroll 4
+            for (int a = support - 2 - d; a >= 0; a--)
+                sum += pair[a][i - a];
+            couple[i] = unit * sum;
+        }
+    }
+}
+
+static void couple(Bar *bar, int first, int end)
+{
+    switch (bar->def.shape) {
+    case MPM_HAT:
+        if (bar->slots == 2)
+            couple_shape(bar, MPM_HAT, 2, first, end);
+        else
+            couple_shape(bar, MPM_HAT, bar->slots, first, end);
+        return;
+    case MPM_GIMP:
+        couple_shape(bar, MPM_GIMP, bar->slots, first, end);
+        return;
+    case MPM_BSPLINE2:
+        couple_shape(bar, MPM_BSPLINE2, bar->slots, first, end);
+        return;
+    case MPM_BSPLINE3:
+        couple_shape(bar, MPM_BSPLINE3, bar->slots, first, end);
+        return;
+    }
+}
+
+/* --- mass blend ----------------------------------------------------------------------------------- */
+
+/* M = (1 - mu) M_c + mu M_l = L D L^T without pivoting: M >= mu M_l, so that D > 0. Row i, from the left,
+ * with e(d) = L(i, i - d) D(i - d):
+ *
+ *     e(d) = M(i, i - d) - sum over k > d of e(k) L(i - d, i - k)
+ *     L(i, i - d) = e(d)/D(i - d)      D(i) = M(i, i) - sum e(d) L(i, i - d)
+ *
+ * (Golub and Van Loan, Matrix Computations, section 4.3.5.) A node that takes no part has an empty row with
+ * 1/D = 0, so that it neither gets nor gives anything. */
+KERNEL_INLINE void factor_reach(Bar *bar, const int reach)
+{
+    const double share = 1.0 - bar->head->mass_blend;
+    double *const pivot = bar->node_pivot;
+    for (int i = 0; i < bar->n_nodes; i++) {
+        double whole = bar->node_mass[i], e[BAR_REACH_MAX + 1] = {0};
+        const bool free = bar_node_moves(bar, i);
+        for (int d = reach; d >= 1; d--) {
+            const double before = i >= d ? share * bar->node_couple[d][i - d] : 0.0;
+            whole -= before + share * bar->node_couple[d][i];
+            e[d] = free && i >= d && pivot[i - d] > 0.0 ? before : 0.0;
+            for (int k = d + 1; k <= reach && k <= i; k++)
+                e[d] -= e[k] * bar->node_lower[k - d][i - d];
+        }
+        for (int d = 1; d <= reach; d++) {
+            const double lower = i >= d ? e[d] * pivot[i - d] : 0.0;
+            bar->node_lower[d][i] = lower;
+            whole -= e[d] * lower;
+        }
+        pivot[i] = free ? 1.0 / whole : 0.0;
+    }
+}
+
+/* x <- M^-1 x: L y = x from the left, then L^T x = D^-1 y from the right. */
+KERNEL_INLINE void solve_reach(const Bar *bar, const int reach, double *x)
+{
+    const int n = bar->n_nodes;
+    for (int i = 0; i < n; i++)
+        for (int d = 1; d <= reach && d <= i; d++)
+            x[i] -= bar->node_lower[d][i] * x[i - d];
+    for (int i = n - 1; i >= 0; i--) {
+        x[i] *= bar->node_pivot[i];
+        for (int d = 1; d <= reach && i + d < n; d++)
+            x[i] -= bar->node_lower[d][i + d] * x[i + d];
+    }
+}
+
+static void factor(Bar *bar)
+{
+    switch (bar->reach) {
+    case 1:
+        factor_reach(bar, 1);
+        return;
+    case 2:
+        factor_reach(bar, 2);
+        return;
+    default:
+        factor_reach(bar, 3);
+        return;
+    }
+}
+
+static void solve(const Bar *bar, double *x)
+{
+    switch (bar->reach) {
+    case 1:
+        solve_reach(bar, 1, x);
+        return;
+    case 2:
+        solve_reach(bar, 2, x);
+        return;
+    default:
+        solve_reach(bar, 3, x);
+        return;
+    }
+}
