@@ -250,10 +250,12 @@ START_TEST(only_what_the_dead_left_is_removed)
     snprintf(mine, sizeof mine, "t.%ld-0.part", (long)getpid());
     snprintf(of_longest, sizeof of_longest, "%.223s.%d-0.part", longest, NOBODY);
     leave_part("t", getpid(), 3600);
+    leave_part("t", 1, 3600); /* another's, that always lives */
     leave_part("t", NOBODY, 3600);
     leave_part("u", NOBODY, 3600);
     output_remove_remains(in_folder("t"));
     ck_assert_msg(access(in_folder(mine), F_OK) == 0, "that of a living process is removed");
+    ck_assert_msg(access(in_folder("t.1-0.part"), F_OK) == 0, "that of another living process is removed");
     ck_assert_int_ne(access(in_folder("t.99999999-0.part"), F_OK), 0);
     ck_assert_int_eq(access(in_folder("u.99999999-0.part"), F_OK), 0);
     leave_part("t", NOBODY, 0);
