@@ -134,21 +134,6 @@ START_TEST(advice_changes_and_failure_are_told)
     ck_assert_int_eq(first_of(experiment, EVENT_CHANGE)->step, 100);
     experiment_destroy(experiment);
 
-    /* nor did what the method told since */
-    experiment = run("mode1", (const char *const[]){"initial.velocity", "0.5", NULL}, 0);
-    while (!first_of(experiment, EVENT_CROSSING))
-        ck_assert(experiment_advance(experiment, 50, NULL));
-    const long crossed = first_of(experiment, EVENT_CROSSING)->step;
-    ck_assert_int_gt(crossed, 20);
-    experiment_seek(experiment, crossed - 10, 0);
-    while (experiment_pending(experiment, NULL))
-        ck_assert(experiment_work(experiment, 1000, NULL));
-    settings = *experiment_settings(experiment);
-    ck_assert(settings_set(&settings, "load.body_force", "-0.01", NULL));
-    ck_assert(experiment_edit(experiment, &settings, NULL));
-    ck_assert_ptr_null(first_of(experiment, EVENT_CROSSING));
-    experiment_destroy(experiment);
-
     /* particles leave the mesh */
     experiment = run("mode1", (const char *const[]){"initial.velocity", "8", NULL}, 10000);
     event = first_of(experiment, EVENT_FAILURE);
