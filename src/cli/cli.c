@@ -19,6 +19,7 @@ const CliCommand cli_commands[] = {
     {"sweep", "SCENARIO", "many runs that differ in some parameters, a row for each", cli_sweep},
     {"figure", "SCENARIO", "runs a scenario and draws a view of it for paper: SVG, PDF, PNG", cli_figure},
     {"movie", "SCENARIO|SESSION|SCRIPT", "films the laboratory: .cast, animated .svg, .gif", cli_movie},
+    {"fit", "SCENARIO", "the parameters with which a run agrees best with a measured series", cli_fit},
     {"sound", "SCENARIO", "a run's frequency in the left ear, the exact one in the right: .wav", cli_sound},
     {"verify", "[NAME]...", "the papers' numbers measured anew: reproduced, and agreeing?", verify},
     {"lesson", "[NAME]", "a lesson beside the live laboratory; without a name: all of them", NULL},

@@ -68,6 +68,7 @@ typedef struct Options {
     const char *output;
     const char *view, *against;
     bool plan;
+    const char *data, *sought, *column, *figure; /* of a fit */
     const char *seconds, *pitch; /* of a sound */
     const char *fps, *speed, *idle, *from, *to; /* of a film */
 

@@ -33,7 +33,7 @@ short() {
 	*" figure supported-beam"* | *" figure moving-cantilever"*) echo "$1 --end 1e-4" ;;
 	*" run supported-beam"* | *" run notched-beam"*) echo "$1 --steps 10" ;;
 	*" verify") echo "$1 M-fig3" ;;
-	"matvib run"* | "matvib movie"* | "matvib sound"* | "matvib figure"* | "matvib verify"* | "matvib sweep"* | "matvib export-lammps"*) echo "$1" ;;
+	"matvib run"* | "matvib movie"* | "matvib sound"* | "matvib fit"* | "matvib figure"* | "matvib verify"* | "matvib sweep"* | "matvib export-lammps"*) echo "$1" ;;
 	"matvib list"* | "matvib params"* | "matvib show"*) echo "$1" ;;
 	*" --last") echo "mkdir -p ../state/matvib && cp a.session ../state/matvib/last.session && $1 --script - </dev/null" ;;
 	*) echo "$1 --script - </dev/null" ;;

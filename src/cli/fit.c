@@ -1,0 +1,245 @@
+/* `matvib fit SCENARIO --data FILE --vary KEY,...`: the parameters with which a run agrees best with a
+ * measured series, how well they are known, and a picture of both. */
+#include "cli/cli.h"
+#include "cli/options.h"
+#include "cli/progress.h"
+
+#include "base/output.h"
+#include "base/text.h"
+#include "figure/figure.h"
+#include "lab/answers/fit.h"
+#include "lab/run/overlay.h"
+#include "lab/settings/parameters.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { HISTORY = 64 << 20, SLICE = 200 };
+
+/* The data that are there, in order. */
+typedef struct Data {
+    Overlay table;
+    double *times, *values;
+    size_t count;
+    const char *column; /* of the series */
+} Data;
+
+static void close_data(Data *data)
+{
+    overlay_close(&data->table);
+    free(data->times);
+    free(data->values);
+}
+
+/* The column of the series: as asked for, or the first that the table has too. */
+static bool choose_column(Data *data, const Options *options, const Settings *settings, Status *status)
+{
+    Simulation *simulation = problem_simulate(settings, 1, status);
+    if (!simulation)
+        return false;
+    char known[160] = "";
+    for (int i = 0; i < simulation->n_series; i++) {
+        const char *name = simulation->series[i].name;
+        text_list_add(known, sizeof known, name);
+        for (int c = 0; c < data->table.n_columns && !options->column && !data->column; c++)
+            if (strcmp(data->table.columns[c].name, name) == 0)
+                data->column = name;
+        if (options->column && strcmp(options->column, name) == 0)
+            data->column = name;
+    }
+    simulation_destroy(simulation);
+    if (!data->column)
+        return status_fail(status, STATUS_USAGE, "--column: %.60s is no column of the series (%s)",
+                           options->column ? options->column : "(none of the table)", known);
+    return true;
+}
+
+/* Values that are missing are left out. */
+static bool take_values(Data *data, Status *status)
+{
+    const OverlayColumn *x = &data->table.columns[data->table.x], *y = &data->table.columns[data->table.y];
+    data->times = malloc((data->table.count + 1) * sizeof *data->times);
+    data->values = malloc((data->table.count + 1) * sizeof *data->values);
+    if (!data->times || !data->values)
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    for (size_t k = 0; k < data->table.count; k++)
+        if (isfinite(x->values[k]) && isfinite(y->values[k])) {
+            if (x->values[k] < 0)
+                return status_fail(status, STATUS_USAGE, "%s: a time below 0: %g (a run begins at 0)",
+                                   data->table.file, x->values[k]);
+            data->times[data->count] = x->values[k];
+            data->values[data->count++] = y->values[k];
+        }
+    return true;
+}
+
+static bool read_data(Data *data, const Options *options, const Settings *settings, Progress *progress,
+                      Status *status)
+{
+    if (!overlay_load(&data->table, options->data, progress_show, progress, status) ||
+        !choose_column(data, options, settings, status))
+        return false;
+    if (!overlay_choose(&data->table, NULL, NULL, data->column, "", status))
+        return false;
+    if (data->table.along || data->table.y < 0)
+        data->table.y = overlay_column_for(&data->table, data->column, false);
+    if (data->table.along || data->table.y < 0)
+        return status_fail(status, STATUS_USAGE, "%s: no column of times with one of %s beside it",
+                           data->table.file, data->column);
+    return take_values(data, status);
+}
+
+/* "bar.density,bar.length" into the task. */
+static bool read_keys(char *list, FitTask *task, Status *status)
+{
+    char *place;
+    for (char *key = strtok_r(list, ",", &place); key; key = strtok_r(NULL, ",", &place)) {
+        if (task->n_keys == FIT_KEYS_MAX)
+            return status_fail(status, STATUS_USAGE, "--vary: at most %d parameters", FIT_KEYS_MAX);
+        task->keys[task->n_keys++] = key;
+    }
+    return task->n_keys > 0 || status_fail(status, STATUS_USAGE, "--vary: no parameter is named (KEY,KEY)");
+}
+
+static void print_result(const FitTask *task, const FitResult *result)
+{
+    printf("%s, %zu data, %ld runs in %d iterations\n", task->column, task->count, result->runs,
+           result->iterations);
+    printf("%-24s %14s %14s %14s\n", "", "fitted", "+- (95 %)", "began at");
+    for (int i = 0; i < task->n_keys; i++)
+        printf("%-24s %14.8g %14.3g %14.8g\n", task->keys[i], result->values[i], result->half_widths[i],
+               settings_number(task->settings, parameter_find(task->keys[i])));
+    for (int i = 0; i < task->n_keys; i++)
+        for (int j = 0; j < i; j++)
+            printf("correlation of %s and %s: %.3f\n", task->keys[j], task->keys[i],
+                   result->correlation[i][j]);
+    printf("residuals, root mean square: %.4g (began at %.4g)\n", result->rms, result->rms_before);
+}
+
+static bool write_table(const Options *options, const FitTask *task, const FitResult *result, Status *status)
+{
+    OutputFile file;
+    if (!output_open(&file, ASKER_COMMAND_LINE, options->output, options->force, status))
+        return false;
+    fprintf(file.stream, "time,%s,fitted,residual\n", task->column);
+    for (size_t k = 0; k < task->count; k++) {
+        const double numbers[] = {task->times[k], task->values[k], result->model[k],
+                                  task->values[k] - result->model[k]};
+        for (int i = 0; i < 4; i++) {
+            char text[NUMBER_TEXT_MAX];
+            text_shortest(text, numbers[i]);
+            fprintf(file.stream, "%s%c", text, i < 3 ? ',' : '\n');
+        }
+    }
+    const bool sound = output_finish(&file, status) && output_commit(&file, status);
+    output_close(&file);
+    return sound;
+}
+
+static bool run_fitted(Experiment *experiment, Progress *progress, Status *status)
+{
+    while (!experiment_at_end(experiment)) {
+        if (!experiment_advance(experiment, SLICE, status))
+            return false;
+        if (!progress_show(1, progress))
+            return status_fail(status, STATUS_FAILED, "interrupted");
+    }
+    return true;
+}
+
+/* The data over the curve of the run with the parameters that were found. */
+static bool draw(const Options *options, Data *data, const FitResult *result, Progress *progress,
+                 Status *status)
+{
+    Screen screen;
+    Figure figure;
+    const View *view = NULL;
+    char name[64];
+    screen_default(&screen);
+    screen.scenario = options->words[0];
+    screen.overlay = &data->table;
+    screen.experiment =
+        experiment_create(&result->settings, HISTORY, progress_threads(options->threads), status);
+    if (!screen.experiment)
+        return false;
+    screen.time.window = data->times[data->count - 1];
+    snprintf(name, sizeof name, "probe:%s", data->column);
+    figure_open(&figure, options->size[0], options->size[1]);
+    const bool sound =
+        run_fitted(screen.experiment, progress, status) &&
+        (figure_view(&screen, name, &view, NULL) || figure_view(&screen, "probe", &view, status)) &&
+        figure_add(&figure, &screen, view, 1, status) &&
+        figure_write(&figure, ASKER_COMMAND_LINE, options->figure, options->force, status);
+    figure_close(&figure);
+    experiment_destroy(screen.experiment);
+    return sound;
+}
+
+static bool may_write(const Options *options, Status *status)
+{
+    return (!options->output || output_may_begin(options->output, options->force, status)) &&
+           (!options->figure || (figure_allowed(options->figure, status) &&
+                                 output_may_begin(options->figure, options->force, status)));
+}
+
+/* The run goes as far as the data do. */
+static bool solve(const Options *options, Settings *settings, Data *data, FitTask *task, FitResult *result,
+                  Progress *progress, Status *status)
+{
+    char end[NUMBER_TEXT_MAX];
+    if (!read_data(data, options, settings, progress, status))
+        return false;
+    text_shortest(end, data->count > 0 ? data->times[data->count - 1] : 0);
+    if (data->count > 0 && data->times[data->count - 1] > 0 &&
+        !settings_set(settings, "time.end", end, status))
+        return false;
+    task->column = data->column;
+    task->times = data->times;
+    task->values = data->values;
+    task->count = data->count;
+    task->threads = progress_threads(options->threads);
+    task->patience = (Patience){progress_show, progress};
+    return fit_solve(task, result, status);
+}
+
+int cli_fit(int count, char **arguments, Status *status)
+{
+    Options options;
+    Settings settings;
+    if (!options_parse("fit", count, arguments, &options, status) ||
+        !options_words(&options, 1, 1, "SCENARIO", status) ||
+        !options_load(&options, options.words[0], &settings, status) || !may_write(&options, status))
+        return (int)status->code;
+    if (!options.data || !options.sought) {
+        status_fail(status, STATUS_USAGE, "fit: %s is missing",
+                    options.data ? "--vary KEY,..." : "--data FILE");
+        return (int)status->code;
+    }
+    char *keys = strdup(options.sought);
+    FitTask task = {.settings = &settings};
+    FitResult result = {0};
+    Data data = {.table = {.y = -1}};
+    Progress progress;
+    progress_begin(&progress, options.quiet);
+    bool sound = (keys || status_fail(status, STATUS_FAILED, "out of memory")) &&
+                 read_keys(keys, &task, status) &&
+                 solve(&options, &settings, &data, &task, &result, &progress, status) &&
+                 (!options.output || write_table(&options, &task, &result, status)) &&
+                 (!options.figure || draw(&options, &data, &result, &progress, status));
+    progress_end(&progress);
+    if (sound) {
+        print_result(&task, &result);
+        if (options.output)
+            printf("wrote %s\n", options.output);
+        if (options.figure)
+            printf("wrote %s\n", options.figure);
+    }
+    fit_free(&result);
+    close_data(&data);
+    free(keys);
+    if (!sound && progress_signal())
+        return 128 + progress_signal();
+    return sound ? STATUS_DONE : (int)status->code;
+}

@@ -1,0 +1,255 @@
+#include "lab/answers/fit.h"
+
+#include "lab/settings/parameters.h"
+#include "theory/quiet.h"
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_multifit_nlinear.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { BLOCK = 256, ITERATIONS_MAX = 60 };
+
+#define DIFFERENCE 1e-4 /* of a parameter, relative, for its derivative */
+#define TOLERANCE  1e-8 /* relative change of the parameters at which the search has settled */
+
+typedef struct Search {
+    const FitTask *task;
+    FitResult *result;
+    const Parameter *parameters[FIT_KEYS_MAX];
+    double starts[FIT_KEYS_MAX];
+    double *rows;  /* BLOCK of the series */
+    double *model; /* of the run that is made */
+    bool began;    /* a run has been made: what fails from here on is a step too far */
+    bool interrupted;
+    Status why; /* the last run could not be made */
+} Search;
+
+/* --- a run --------------------------------------------------------------------------------------- */
+
+/* Fills in the model between one row and the next: times of data up to `time`. Returns the data behind. */
+static size_t take(const Search *search, size_t done, double before, double before_value, double time,
+                   double value)
+{
+    const FitTask *task = search->task;
+    for (; done < task->count && task->times[done] <= time; done++) {
+        const double share = time > before ? (task->times[done] - before) / (time - before) : 1;
+        search->model[done] = before_value + share * (value - before_value);
+    }
+    return done;
+}
+
+static bool follow(Search *search, Simulation *simulation, int column)
+{
+    const FitTask *task = search->task;
+    const double margin = 1e-9 * simulation->dt; /* the last time may be rounded up */
+    simulation_row(simulation, search->rows);
+    double before = 0, value = search->rows[column];
+    size_t done = take(search, 0, 0, value, 0, value);
+    while (done < task->count) {
+        long count = simulation_steps_a_question(simulation), got = 0;
+        count = count < BLOCK ? count : BLOCK;
+        if (!simulation_steps(simulation, count, search->rows, &got, &search->why))
+            return false;
+        for (long k = 0; k < got; k++) {
+            const double time = (double)(simulation->step - got + k + 1) * simulation->dt;
+            const double next = search->rows[k * simulation->n_series + column];
+            done = take(search, done, before, value, time + margin, next);
+            before = time;
+            value = next;
+        }
+        if (!patience_lasts(&task->patience, 0)) {
+            search->interrupted = true;
+            return status_fail(&search->why, STATUS_FAILED, "interrupted");
+        }
+    }
+    return true;
+}
+
+/* s(t_k; p) into search->model. */
+static bool run(Search *search, const Settings *settings)
+{
+    search->why = (Status){0};
+    search->result->runs++;
+    if (!settings_check(settings, &search->why))
+        return false;
+    Simulation *simulation = problem_simulate(settings, search->task->threads, &search->why);
+    if (!simulation)
+        return false;
+    const int column = simulation_find_series(simulation, search->task->column);
+    double *rows = column >= 0 ? malloc(BLOCK * (size_t)simulation->n_series * sizeof *rows) : NULL;
+    search->rows = rows;
+    bool sound = rows != NULL;
+    if (column < 0)
+        status_fail(&search->why, STATUS_USAGE, "%s: the method's series has no such column",
+                    search->task->column);
+    else if (!rows)
+        status_fail(&search->why, STATUS_FAILED, "out of memory");
+    sound = sound && follow(search, simulation, column);
+    free(rows);
+    simulation_destroy(simulation);
+    return sound;
+}
+
+/* Parameters are sought as multiples of what they are to begin with. */
+static bool place(const Search *search, const gsl_vector *scaled, Settings *settings)
+{
+    *settings = *search->task->settings;
+    for (int i = 0; i < search->task->n_keys; i++) {
+        const double value = search->starts[i] * gsl_vector_get(scaled, (size_t)i);
+        if (!settings_in_range(search->parameters[i], settings->problem, value))
+            return false;
+        settings_put(settings, search->parameters[i], value);
+    }
+    return true;
+}
+
+/* f_k = s(t_k; p) - y_k. Where no run can be made the residuals are huge, so that the search turns back. */
+static int residuals(const gsl_vector *scaled, void *context, gsl_vector *out)
+{
+    Search *search = context;
+    const FitTask *task = search->task;
+    Settings settings;
+    const bool sound = place(search, scaled, &settings) && run(search, &settings);
+    if (search->interrupted || (!sound && !search->began))
+        return GSL_EFAILED;
+    search->began = true;
+    for (size_t k = 0; k < task->count; k++)
+        gsl_vector_set(out, k,
+                       sound ? search->model[k] - task->values[k] : 1e3 * (1 + fabs(task->values[k])));
+    return GSL_SUCCESS;
+}
+
+/* --- the search ---------------------------------------------------------------------------------- */
+
+static bool find_parameters(Search *search, Status *status)
+{
+    const FitTask *task = search->task;
+    if (task->count <= (size_t)task->n_keys)
+        return status_fail(status, STATUS_USAGE, "%zu data are too few for %d parameters", task->count,
+                           task->n_keys);
+    for (int i = 0; i < task->n_keys; i++) {
+        const char *key = task->keys[i];
+        const Parameter *parameter = parameter_find(key);
+        if (!parameter || !settings_have(task->settings, parameter))
+            return status_fail(status, STATUS_USAGE, "%.80s: this run has no such parameter", key);
+        if (parameter->type != PARAMETER_REAL)
+            return status_fail(status, STATUS_USAGE, "%s: is no real number and cannot be fitted", key);
+        for (int j = 0; j < i; j++)
+            if (search->parameters[j] == parameter)
+                return status_fail(status, STATUS_USAGE, "%s: is named twice", key);
+        search->parameters[i] = parameter;
+        search->starts[i] = settings_number(task->settings, parameter);
+        if (search->starts[i] == 0)
+            return status_fail(status, STATUS_USAGE,
+                               "%s: begins at 0, from where nothing can be told (give it a value)", key);
+    }
+    return true;
+}
+
+static double rms(const gsl_vector *f)
+{
+    double sum = 0;
+    for (size_t k = 0; k < f->size; k++)
+        sum += gsl_vector_get(f, k) * gsl_vector_get(f, k);
+    return sqrt(sum / (double)f->size);
+}
+
+/* cov(p) = s^2 (J^T J)^-1 with s^2 = chi^2/(n - m); the interval is p +- t(.975, n - m) sqrt(cov_ii). */
+static void judge(const Search *search, gsl_multifit_nlinear_workspace *work, gsl_matrix *covariance)
+{
+    FitResult *result = search->result;
+    const int m = search->task->n_keys;
+    const double freedom = (double)search->task->count - m;
+    const gsl_vector *f = gsl_multifit_nlinear_residual(work);
+    result->rms = rms(f);
+    const double variance = result->rms * result->rms * (double)f->size / freedom;
+    gsl_multifit_nlinear_covar(gsl_multifit_nlinear_jac(work), 0, covariance);
+    const double t = gsl_cdf_tdist_Pinv(0.975, freedom);
+    for (int i = 0; i < m; i++) {
+        const double own = gsl_matrix_get(covariance, (size_t)i, (size_t)i);
+        result->values[i] =
+            search->starts[i] * gsl_vector_get(gsl_multifit_nlinear_position(work), (size_t)i);
+        result->half_widths[i] = fabs(search->starts[i]) * t * sqrt(variance * own);
+        for (int j = 0; j < m; j++) {
+            const double other = gsl_matrix_get(covariance, (size_t)j, (size_t)j);
+            result->correlation[i][j] = gsl_matrix_get(covariance, (size_t)i, (size_t)j) / sqrt(own * other);
+        }
+    }
+}
+
+static bool search_best(Search *search, gsl_multifit_nlinear_workspace *work, gsl_vector *start,
+                        gsl_matrix *covariance, Status *status)
+{
+    const FitTask *task = search->task;
+    FitResult *result = search->result;
+    gsl_multifit_nlinear_fdf functions = {
+        .f = residuals, .n = task->count, .p = (size_t)task->n_keys, .params = search};
+    int info = 0;
+    gsl_vector_set_all(start, 1);
+    if (gsl_multifit_nlinear_init(start, &functions, work) != GSL_SUCCESS) {
+        if (status)
+            *status = search->why;
+        return false;
+    }
+    result->rms_before = rms(gsl_multifit_nlinear_residual(work));
+    const int outcome = gsl_multifit_nlinear_driver(ITERATIONS_MAX, TOLERANCE, 0, 0, NULL, NULL, &info, work);
+    result->iterations = (int)gsl_multifit_nlinear_niter(work);
+    if (search->interrupted) {
+        if (status)
+            *status = search->why;
+        return false;
+    }
+    /* no step downhill is left to the last digit: that is a minimum too */
+    if (outcome != GSL_SUCCESS && outcome != GSL_ENOPROG)
+        return status_fail(status, STATUS_FAILED, "the fit does not settle after %d iterations (%s)",
+                           result->iterations, gsl_strerror(outcome));
+    judge(search, work, covariance);
+    const Settings *begun = task->settings;
+    result->settings = *begun;
+    for (int i = 0; i < task->n_keys; i++)
+        settings_put(&result->settings, search->parameters[i], result->values[i]);
+    if (run(search, &result->settings))
+        return true;
+    if (status)
+        *status = search->why;
+    return false;
+}
+
+bool fit_solve(const FitTask *task, FitResult *result, Status *status)
+{
+    *result = (FitResult){0};
+    Search search = {.task = task, .result = result};
+    if (!find_parameters(&search, status))
+        return false;
+    result->model = search.model = calloc(task->count, sizeof *search.model);
+    gsl_multifit_nlinear_parameters options = gsl_multifit_nlinear_default_parameters();
+    options.fdtype = GSL_MULTIFIT_NLINEAR_CTRDIFF;
+    options.h_df = DIFFERENCE;
+    quiet_begin();
+    const size_t m = (size_t)task->n_keys;
+    gsl_multifit_nlinear_workspace *work =
+        gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &options, task->count, m);
+    gsl_vector *start = gsl_vector_alloc(m);
+    gsl_matrix *covariance = gsl_matrix_alloc(m, m);
+    bool sound = search.model && work && start && covariance;
+    if (!sound)
+        status_fail(status, STATUS_FAILED, "not enough memory for a fit");
+    sound = sound && search_best(&search, work, start, covariance, status);
+    if (work)
+        gsl_multifit_nlinear_free(work);
+    if (start)
+        gsl_vector_free(start);
+    if (covariance)
+        gsl_matrix_free(covariance);
+    quiet_end();
+    return sound;
+}
+
+void fit_free(FitResult *result)
+{
+    free(result->model);
+    result->model = NULL;
+}

@@ -1,0 +1,41 @@
+#!/bin/sh
+# matvib fit as people type it: what it says and writes, and what it refuses. What it finds is measured by
+# check_fit.
+# shellcheck source=tests/common.sh
+. "$MATVIB_SRCDIR/tests/common.sh"
+subcommand=fit
+# the libraries below cairo keep what they know of fonts to the end
+printf 'leak:libfontconfig\nleak:libcairo\n' >"$scratch/.leaks"
+LSAN_OPTIONS="suppressions=$scratch/.leaks:print_suppressions=0${LSAN_OPTIONS:+:$LSAN_OPTIONS}"
+export LSAN_OPTIONS
+
+"$MATVIB" run mode5 --end 5 --set bar.youngs_modulus=93 --every 10 --series d.csv --quiet
+expect "a series of a softer bar" 0 mode5 --data d.csv --vary bar.youngs_modulus --output f.csv --figure f.svg
+result "says which column" says out '^v_cm, 5[0-9] data, [0-9]* runs in [0-9]* iterations$'
+result "finds what it was made with" says out '^bar.youngs_modulus  *93  '
+result "says where it began" says out ' 100$'
+result "and what it wrote" says out '^wrote f.svg$'
+result "a table" test "$(head -n 1 f.csv)" = time,v_cm,fitted,residual
+result "with a line for each datum" lines f.csv "$(wc -l <d.csv)"
+result "a picture" grep -q '<svg' f.svg
+result "with the data's name" grep -q 'd.csv' f.svg
+expect "two parameters that only their ratio tells" 0 mode5 --data d.csv --vary bar.youngs_modulus,bar.density
+result "are told by their correlation" says out '^correlation of bar.youngs_modulus and bar.density: 1.000$'
+printf 't;u\n0;0,0071\n0,1;0,0061\n0,2;0,0035\n0,3;0,0002\n' >own.csv
+expect "a table with names of its own" 0 mode5 --data own.csv --vary initial.velocity --column v_cm
+result "is fitted too" says out '^v_cm, 4 data'
+
+refuse "no data" "fit: --data FILE is missing" mode5 --vary bar.density
+refuse "no parameters" "fit: --vary KEY,... is missing" mode5 --data d.csv
+refuse "a parameter that it has not" "beam.length: this run has no such parameter" mode5 --data d.csv --vary beam.length
+refuse "one that is no number" "mpm.shape: is no real number and cannot be fitted" mode5 --data d.csv --vary mpm.shape
+refuse "a column that it has not" "--column: u_probe is no column of the series ($("$MATVIB" run mode5 --steps 1 --series - --quiet | head -n 1 | tr ',' '\n' | grep -v -x -e step -e time -e 'v_cm_.*' | paste -sd , | sed 's/,/, /g'))" mode5 --data d.csv --vary bar.density --column u_probe
+refuse "a file that exists" "f.csv: exists (--force replaces it)" mode5 --data d.csv --vary bar.density --output f.csv
+printf 'time,v_cm\n-1,0\n0,1\n1,2\n' >early.csv
+refuse "times before the run" "early.csv: a time below 0: -1 (a run begins at 0)" mode5 --data early.csv --vary bar.density
+printf 'time,v_cm\n1,0\n' >few.csv
+refuse "too few" "1 data are too few for 1 parameters" mode5 --data few.csv --vary bar.density
+"$MATVIB" fit mode5 --data /dev/zero --vary bar.density >out 2>err
+result "a device is no file" test $? -eq 2
+
+echo "1..$number"
