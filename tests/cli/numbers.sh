@@ -104,7 +104,7 @@ claim $scenario/mode5-peridynamics.ini "The frequency is " 1.2 " % too low" pred
 run mode5 --set mpm.algorithm=usl
 claim $lesson/energy.lesson "It loses " 82 " %" lost
 run mode5 --set mpm.algorithm=usl --set time.courant=0.05
-claim $lesson/energy.lesson "half the size: " 59 " %" lost
+claim $lesson/energy.lesson "Half the size: " 59 " %" lost
 run mode5 --set mpm.algorithm=usl --set time.courant=0.025
 claim $lesson/energy.lesson "(0.025): " 36 " %" lost
 run mode1 --set mpm.algorithm=usl

@@ -175,7 +175,7 @@ static void satisfy(Bench *bench, const LessonUntil *until)
     lesson_play_continue(lab);
 }
 
-/* On a screen of 80x24 nothing has to be scrolled, and nothing that a page did was refused. */
+/* On no usual screen anything has to be scrolled or, within a step, read without the box, and nothing that a page did was refused. */
 static void check_page(Bench *bench, const char *name)
 {
     const LessonShown *shown = &bench->lab.screen.lesson;
@@ -184,9 +184,19 @@ static void check_page(Bench *bench, const char *name)
     ck_assert_msg(bench->lab.screen.message.kind != MESSAGE_ERROR, "%s, page %d: %s", name, shown->page + 1,
                   text_of(bench));
     ck_assert_int_eq(bench->lab.play.next, bench->lab.play.n_queue);
-    const int most = screen_lesson_most(&bench->lab.screen, 80, 24);
-    ck_assert_msg(most == 0, "%s, page %d (%s) is %d rows too long", name, shown->page + 1,
-                  page_of(bench)->title, most);
+    static const int sizes[][2] = {{60, 18}, {80, 24}, {132, 43}};
+    const bool in_step = experiment_stage(bench->lab.screen.experiment) > 0;
+    if (bench->lab.screen.panes.focus != PANE_PARAMETERS)
+        return; /* the inspector was asked for, and lies over the text */
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        const int width = sizes[i][0], height = sizes[i][1];
+        const int most = screen_lesson_most(&bench->lab.screen, width, height);
+        ck_assert_msg(most == 0, "%s, page %d (%s) is %d rows too long at %dx%d", name, shown->page + 1,
+                      page_of(bench)->title, most, width, height);
+        ck_assert_msg(!in_step || screen_pane(&bench->lab.screen, width, height, PANE_BOX).width > 0,
+                      "%s, page %d (%s) has no box at %dx%d", name, shown->page + 1, page_of(bench)->title,
+                      width, height);
+    }
 }
 
 /* The whole screen, once the page's state is reached. */

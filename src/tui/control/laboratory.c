@@ -62,7 +62,7 @@ bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)
     /* a screen without room for all panes begins with the plot; Tab reaches the others */
     const bool was_whole = lab->width == 0 || screen_is_whole(lab->width, lab->height);
     const bool is_whole = screen_is_whole(width, height);
-    if (was_whole && !is_whole && lab->screen.panes.focus == PANE_PARAMETERS &&
+    if (was_whole && !is_whole && lab->screen.panes.focus == PANE_PARAMETERS && !lab->screen.lesson.open &&
         !lab->screen.parameters.edit.open && !lab->screen.prompt.open) {
         lab->screen.panes.focus = PANE_LOWER;
         lab->focus_lent = true;

@@ -1,6 +1,6 @@
-/* Where panes lie. While a run goes on the plots have the rows; paused, the box with what happens within a step
- * takes some of them. The timeline, where it has no row of its own, takes one from the lower plot while we are
- * back in time. */
+/* Where panes lie. While a run goes on the plots have the rows; paused, the box with what happens within a
+ * step takes some of them. The timeline, where it has no row of its own, takes one from the lower plot while
+ * we are back in time. */
 #include "view/panes/panes.h"
 #include "view/views/view.h"
 
@@ -9,8 +9,6 @@ enum {
     LEAST_HEIGHT = 12,
     FULL_WIDTH = 80,
     FULL_HEIGHT = 20,
-    PAIR_WIDTH = 60, /* from here on both plots are seen, without parameters */
-    PAIR_HEIGHT = 20,
     WIDE = 120, /* from here on there is a column at the right */
     WIDER = 130,
     PARAMETERS_WIDTH = 25,
@@ -61,7 +59,8 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     const Settings *settings = experiment_settings(screen->experiment);
     const bool tall = drawn && screen->views.upper->is_map &&
                       settings->geometry.height > TALL_SHARE * settings->geometry.length;
-    const int lower = tall ? middle * 4 / 9 + 1 : (middle + (has_caption(screen) ? 2 : 3)) / 2, upper = middle - lower;
+    const int lower = tall ? middle * 4 / 9 + 1 : (middle + (has_caption(screen) ? 2 : 3)) / 2,
+              upper = middle - lower;
     /* on a large screen with a row for what its marks are */
     const bool own = width >= TIMELINE_WIDTH && height >= TIMELINE_HEIGHT;
     const int timeline = own && height >= LEGEND_HEIGHT ? 2 : own || screen_is_rewound(screen);
@@ -133,15 +132,7 @@ Layout layout_make(const Screen *screen, int width, int height)
             lay_out_full(screen, width, height, &layout);
         return layout;
     }
-    layout.kind = LAYOUT_ONE_PANE;
-    PaneId focus = screen->panes.focus < PANE_COUNT ? screen->panes.focus : PANE_PARAMETERS;
-    layout.panes[focus] = (Rect){0, 1, width, height - 2};
-    if (!screen->panes.zoomed && width >= PAIR_WIDTH && height >= PAIR_HEIGHT &&
-        (focus == PANE_UPPER || focus == PANE_LOWER)) {
-        const int upper = (height - 2) / 2;
-        layout.panes[PANE_UPPER] = (Rect){0, 1, width, upper};
-        layout.panes[PANE_LOWER] = (Rect){0, 1 + upper, width, height - 2 - upper};
-    }
+    layout_small(screen, width, height, &layout);
     return layout;
 }
 

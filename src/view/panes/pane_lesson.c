@@ -190,6 +190,12 @@ void pane_lesson(const Screen *screen, Area area)
         }
 }
 
+int pane_lesson_rows(const Screen *screen, int width)
+{
+    Canvas none = {.width = width};
+    return lines_of(screen, (Area){&none, {0, 0, width, 0}, screen->look.glyphs}) - 1 + MARGIN_ROWS;
+}
+
 int screen_lesson_count(void)
 {
     int count = 0;

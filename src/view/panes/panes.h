@@ -28,6 +28,7 @@ typedef struct Layout {
 } Layout;
 
 Layout layout_make(const Screen *, int width, int height);
+void layout_small(const Screen *, int width, int height, Layout *); /* without room for all panes */
 
 /* --- the other panes --- */
 
@@ -39,6 +40,7 @@ int banner_rows(const Screen *, int width, int height);
 void pane_keys(const Screen *, Area);
 void pane_parameters(const Screen *, Area);
 void pane_lesson(const Screen *, Area);
+int pane_lesson_rows(const Screen *, int width); /* that all of it needs */
 void pane_timeline(const Screen *, Area);
 char pane_timeline_letter(EventKind); /* its mark in the timeline; ' ': it has none */
 void pane_mesh(const Screen *, Area);
