@@ -65,6 +65,17 @@ static bool refine_cells(const Settings *base, int k, Settings *out)
     return true;
 }
 
+/* An even number of cells in the height: a row of nodes lies in the middle. */
+static bool refine_plane_cells(const Settings *base, int k, Settings *out)
+{
+    static const int cells_in_height[] = {2, 4, 8, 16};
+    if (k >= LENGTH_OF(cells_in_height))
+        return false;
+    *out = *base;
+    out->mesh.cell_size = base->geometry.height / cells_in_height[k];
+    return true;
+}
+
 static double horizon_of(const Settings *settings)
 {
     return settings->lattice.horizon;
@@ -85,6 +96,8 @@ enum { VIBRATING_LATTICE = CONCERN_LATTICE | CONCERN_DEFLECTION | CONCERN_BEAM }
 static const ConvergenceStudy studies[] = {
     {"cells", "cells smaller", "cell size", CONCERN_BAR | CONCERN_MESH, METHOD_MPM, refine_cells, NULL,
      cell_size_of},
+    {"cells", "cells smaller", "cell size", CONCERN_BEAM | CONCERN_SECTIONS, METHOD_MPM, refine_plane_cells,
+     NULL, cell_size_of},
     {"delta", "horizon smaller, m kept", "horizon", VIBRATING_LATTICE, METHOD_PD, refine_horizon, NULL,
      horizon_of},
     {"m", "m larger, horizon kept", "spacing", VIBRATING_LATTICE, METHOD_PD, refine_spacing, NULL,

@@ -11,7 +11,8 @@
 const char *const parameter_method_titles[] = {"MPM", "PD"};
 const char *const parameter_reference_words[] = {"all", "exact", "predicted", "none", NULL};
 const char *const parameter_colour_words[] = {
-    "uy", "ux", "velocity", "energy", "damage", "family", "surface_factor", "drawing", NULL};
+    "uy",        "ux",        "velocity",  "energy", "damage",  "family",  "surface_factor",
+    "stress_xx", "stress_yy", "stress_xy", "mises",  "kinetic", "drawing", NULL};
 
 #define TEXT(member) offsetof(Settings, member), sizeof(((Settings *)NULL)->member)
 

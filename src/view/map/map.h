@@ -87,10 +87,19 @@ typedef enum MapVariant {
     MAP_DAMAGE,
     MAP_FAMILY,
     MAP_SURFACE,
+    MAP_SXX,
+    MAP_SYY,
+    MAP_SXY,
+    MAP_MISES,
+    MAP_KINETIC,
     MAP_COLOURINGS,
     MAP_DRAWING = MAP_COLOURINGS,
     MAP_VARIANTS
 } MapVariant;
+
+/* Of these a simulation has those whose field it has, and the drawing: how many, and which. */
+int map_variants(const Simulation *);
+MapVariant map_variant(const Simulation *, int number);
 
 /* Fills values and range of the ramp, whose ends are round. False: the nodes have no such field. */
 bool map_colour(Map *, MapVariant);

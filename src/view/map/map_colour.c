@@ -12,7 +12,34 @@ static const Colouring colourings[MAP_COLOURINGS] = {
     [MAP_FAMILY] = {"family", "family", "share of a whole family that is left", "", false},
     [MAP_SURFACE] = {"surface_factor", "surface factor", "surface factor: the soft skin stiffened", "",
                      false},
+    [MAP_SXX] = {"sxx", "stress xx", "stress along the beam", "Pa", true},
+    [MAP_SYY] = {"syy", "stress yy", "stress across the beam", "Pa", true},
+    [MAP_SXY] = {"sxy", "stress xy", "shear stress", "Pa", true},
+    [MAP_MISES] = {"mises", "von Mises", "von Mises' stress", "Pa", false},
+    [MAP_KINETIC] = {"kinetic_energy", "kinetic density", "kinetic energy density", "J/m³", false},
 };
+
+static bool is_there(const Simulation *sim, int variant)
+{
+    return variant == MAP_DRAWING || simulation_find_field(sim, 0, colourings[variant].field) >= 0;
+}
+
+int map_variants(const Simulation *sim)
+{
+    int count = 0;
+    for (int variant = 0; variant < MAP_VARIANTS; variant++)
+        count += is_there(sim, variant);
+    return count;
+}
+
+MapVariant map_variant(const Simulation *sim, int number)
+{
+    int variant = 0;
+    for (; variant < MAP_DRAWING; variant++)
+        if (is_there(sim, variant) && number-- == 0)
+            break;
+    return (MapVariant)variant;
+}
 
 /* The range that values have, with round ends. */
 static void round_range(Map *map, double least, double most)
@@ -85,12 +112,13 @@ bool map_colour(Map *map, MapVariant variant)
         map->high = 0.5;
         map->open_ended = most > map->high;
     } else {
+        const bool density = variant == MAP_ENERGY || variant == MAP_KINETIC;
         double reach = map_reach(map, field, map->value), scale = 1;
-        if (variant == MAP_ENERGY)
+        if (density)
             scale = 1 / (map->body.spacing * map->body.spacing * map->settings->geometry.thickness);
-        for (size_t i = 0; i < count && variant == MAP_ENERGY; i++)
+        for (size_t i = 0; i < count && density; i++)
             map->value[i] *= scale;
-        if (variant == MAP_ENERGY)
+        if (density)
             reach = most_values(map, scale * most);
         map->high = reach > 0 ? axis_round_up(reach) : 1;
         map->low = colouring->is_signed ? -map->high : 0;

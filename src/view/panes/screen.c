@@ -29,9 +29,12 @@ void screen_read_view(Screen *screen, const ViewSettings *view)
     for (int i = 0; i < SHOW_COUNT; i++)
         if (strcmp(view->references, parameter_reference_words[i]) == 0)
             screen->views.references = (ReferencesShown)i;
-    for (int i = 0; parameter_colour_words[i]; i++)
-        if (strcmp(view->colour, parameter_colour_words[i]) == 0)
-            view_choose_variant(view_of_map(), screen, i);
+    const View *map = view_of_map();
+    for (int i = 0; i < view_variants(map, screen); i++) {
+        const char *word = view_variant_word(map, screen, i);
+        if (word && strcmp(view->colour, word) == 0)
+            view_choose_variant(map, screen, i);
+    }
 }
 
 /* --- the whole ------------------------------------------------------------------------------------ */

@@ -16,17 +16,22 @@ static bool in_plane(const Experiment *experiment)
 
 static int variants_of(const Screen *screen)
 {
-    return in_plane(screen->experiment) ? MAP_VARIANTS : 1;
+    return in_plane(screen->experiment) ? map_variants(experiment_simulation(screen->experiment)) : 1;
+}
+
+static MapVariant shown(const Screen *screen, int variant)
+{
+    return map_variant(experiment_simulation(screen->experiment), variant);
 }
 
 static const char *word_of(const Screen *screen, int variant)
 {
-    return in_plane(screen->experiment) ? parameter_colour_words[variant] : NULL;
+    return in_plane(screen->experiment) ? parameter_colour_words[shown(screen, variant)] : NULL;
 }
 
 static bool shows_start(const Screen *screen, int variant)
 {
-    return in_plane(screen->experiment) && variant == MAP_DRAWING;
+    return in_plane(screen->experiment) && shown(screen, variant) == MAP_DRAWING;
 }
 
 /* --- heading --------------------------------------------------------------------------------------- */
@@ -183,12 +188,12 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         pane_mesh(screen, area);
         return;
     }
-    if (variant == MAP_DRAWING) {
+    if (shown(screen, variant) == MAP_DRAWING) {
         map_drawing(screen, area, heading);
         return;
     }
     Map map;
-    if (!map_open(&map, screen, map_part(area)) || !map_colour(&map, (MapVariant)variant)) {
+    if (!map_open(&map, screen, map_part(area)) || !map_colour(&map, shown(screen, variant))) {
         area_rule(area, 0, "the beam", heading);
         map_close(&map);
         return;

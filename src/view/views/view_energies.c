@@ -53,7 +53,9 @@ static bool breaks(const Experiment *experiment)
 static double rigid_energy(const Experiment *experiment)
 {
     const Settings *settings = experiment_settings(experiment);
-    if (!(settings->problem->concerns & CONCERN_MOTION))
+    /* what is mapped to a grid counts without its common speed */
+    if (!(settings->problem->concerns & CONCERN_MOTION) ||
+        simulation_has(experiment_simulation(experiment), HAS_MESH))
         return 0;
     const double volume =
         settings->lattice.spacing * settings->lattice.spacing * settings->geometry.thickness;
