@@ -9,10 +9,27 @@
  *     @field KEY            a parameter to be changed beside the text
  *     @ask QUESTION         then two to four choices, one of them right:
  *     @choice TEXT          @right TEXT
- *     @reveal               what follows waits: text and @do for the answer, text for the goal of a page that asks
- *                           nothing
- *     @until CONDITION      step N | time T | end | crossing | break | event | stage N | command NAME
- *                           | value KEY VALUE: the goal of the page */
+ *     @reveal               what follows waits: text and @do for the answer, text for the goal of a page that
+ * asks nothing
+ *     @until CONDITION      the goal: step N | time T | end | crossing | break | event | stage N | command
+ * NAME | value KEY VALUE
+ *
+ * State: a page is entered as the pages before it leave the laboratory that begin with the last that did
+ * `open`, each one read, answered rightly and brought to its goal - forwards, backwards, skipping or coming
+ * back to the lesson later. So the first page opens a scenario, and one that shows another run, or the same
+ * from its start, opens it anew: that costs least and keeps no ghost. `run-pause` stands last, starts the run
+ * and counts on its own page only; the goal of a command leaves nothing behind.
+ *
+ * Goals: to a time, a step, the end or an event the run stops by itself, seconds after Space; pages of stages
+ * and steps go on by ] or Space, which never runs away under them. What must not be known beforehand stands
+ * behind
+ * @reveal, and no picture may show it either (`show`, `references none`, not quite the end of a run).
+ *
+ * Keys: Enter serves a question or a field first, then goes on; n always goes on, b back; digits answer.
+ *
+ * Size: all of a page is seen at 80x24 (some ten lines of 35 characters), 132x43 and 60x18, within a step
+ * with the box below it; tests/tui/check_lessons holds this and the states, tests/cli/numbers.sh the numbers.
+ */
 #ifndef LAB_LESSON_H
 #define LAB_LESSON_H
 
