@@ -15,8 +15,8 @@ enum { SAMPLES_MAX = 16, PARTICLES_MAX = 512, SPOTS_MAX = 64 };
 static const struct {
     const char *path;
     int count;
-} files[] = {{"tests/golden/mpm.txt", 13}, {"tests/golden/cures.txt", 7}};
-enum { CASES = 20 };
+} files[] = {{"tests/golden/mpm.txt", 13}, {"tests/golden/cures.txt", 9}};
+enum { CASES = 22 };
 
 typedef struct Golden {
     char name[40];
@@ -52,7 +52,7 @@ static void set(Golden *golden, const char *key, const char *value)
     static const char *const supports[] = {"fixed-free", "free-fixed", "fixed-fixed", "free-free", NULL};
     static const char *const algorithms[] = {"usf", "usl", "musl", NULL};
     static const char *const shapes[] = {"hat", "gimp", "bspline2", "bspline3", NULL};
-    static const char *const transfers[] = {"flip", "apic", NULL};
+    static const char *const transfers[] = {"flip", "apic", "fmpm", NULL};
     static const char *const affine_starts[] = {"gradient", "zero", NULL};
     BarDef *def = &golden->bar.def;
     const struct {
@@ -83,6 +83,8 @@ static void set(Golden *golden, const char *key, const char *value)
         golden->bar.modes[0].number = atoi(value);
     else if (strcmp(key, "mesh.particles_per_cell") == 0)
         def->particles_per_cell = atoi(value);
+    else if (strcmp(key, "mpm.fmpm_order") == 0)
+        def->fmpm_order = atoi(value);
     else if (strcmp(key, "mesh.padding") == 0)
         def->padding = atoi(value);
     else if (strcmp(key, "initial.overtones") == 0) {

@@ -87,6 +87,7 @@ typedef struct Transfer {
     MpmTransfer transfer;
     double flip_fraction;
     double mass_blend; /* 0: the best one */
+    int fmpm_order;
     AffineStart affine_start;
 } Transfer;
 

@@ -159,9 +159,10 @@ static bool change_method(Bar *bar, const char *key, double value, Status *statu
     def.transfer = head->transfer;
     def.flip_fraction = head->flip_fraction;
     def.mass_blend = head->mass_blend;
+    def.fmpm_order = head->fmpm_order;
     bool algorithm = strcmp(key, "mpm.algorithm") == 0, transfer = strcmp(key, "mpm.transfer") == 0;
     if (algorithm || transfer) {
-        int last = algorithm ? MPM_MUSL : MPM_APIC;
+        int last = algorithm ? MPM_MUSL : MPM_FMPM;
         if (!(value >= 0 && value <= last && value == floor(value)))
             return status_fail(status, STATUS_USAGE, "%s: %g is no choice (0 to %d)", key, value, last);
         if (algorithm)
@@ -172,6 +173,12 @@ static bool change_method(Bar *bar, const char *key, double value, Status *statu
         def.flip_fraction = value;
     else if (strcmp(key, "mpm.mass_blend") == 0)
         def.mass_blend = value;
+    else if (strcmp(key, "mpm.fmpm_order") == 0 && value >= 1 && value <= FMPM_ORDER_MAX &&
+             value == floor(value))
+        def.fmpm_order = (int)value;
+    else if (strcmp(key, "mpm.fmpm_order") == 0)
+        return status_fail(status, STATUS_USAGE, "%s: %g is out of range (1 to %d)", key, value,
+                           FMPM_ORDER_MAX);
     else
         return status_fail(status, STATUS_USAGE, "%s: cannot be changed in mid-run", key);
     if (!bar_check(&def, status))
@@ -183,6 +190,7 @@ static bool change_method(Bar *bar, const char *key, double value, Status *statu
     head->transfer = def.transfer;
     head->flip_fraction = def.flip_fraction;
     head->mass_blend = blend_of(&def, def.mass_blend);
+    head->fmpm_order = def.fmpm_order;
     take_schedule(bar);
     return true;
 }
@@ -294,7 +302,8 @@ static bool begin(Bar *bar, Status *status)
                            .flip_fraction = def->flip_fraction,
                            .body_force = def->body_force,
                            .traction = def->traction,
-                           .mass_blend = blend_of(def, def->mass_blend)};
+                           .mass_blend = blend_of(def, def->mass_blend),
+                           .fmpm_order = def->fmpm_order};
     for (int c = 0; c <= bar->n_cells; c++) {
         int place = c - bar->origin;
         place = place < 0 ? 0 : place > bar->places ? bar->places : place;

@@ -18,7 +18,9 @@ typedef enum MpmAlgorithm {
 
 typedef enum MpmShape { MPM_HAT, MPM_GIMP, MPM_BSPLINE2, MPM_BSPLINE3 } MpmShape;
 
-typedef enum MpmTransfer { MPM_FLIP, MPM_APIC } MpmTransfer;
+typedef enum MpmTransfer { MPM_FLIP, MPM_APIC, MPM_FMPM } MpmTransfer;
+
+enum { FMPM_ORDER_MAX = 8 };
 
 /* What a bar is made of and how it is discretised. Take bar_default() and change what differs. */
 typedef struct BarDef {
@@ -43,6 +45,7 @@ typedef struct BarDef {
     MpmShape shape;
     MpmTransfer transfer;
     double flip_fraction; /* alpha: 1 is FLIP, 0 is PIC; FLIP transfer only */
+    int fmpm_order;       /* k of FMPM(k), 1 to FMPM_ORDER_MAX; 1 is PIC */
     double mass_blend;    /* mu: 1 lumped masses, less: M = (1 - mu) M_c + mu M_l; 0: bar_mass_blend_auto() */
 
     double courant; /* dt = courant * dx / c, c = sqrt(E / rho) (eq. 21), of two materials the larger c */
@@ -90,9 +93,9 @@ bool bar_check(const BarDef *definition, Status *status);
  * load have put in: looked at after each step that is a multiple of 64, where growth by 10 %, to twice, 10,
  * 100 and 1000 times is reported too. Heating by cell crossing stays far below.
  *
- * Live parameters: mpm.algorithm, mpm.transfer, mpm.flip_fraction, mpm.mass_blend, load.body_force,
- * load.traction. They belong to the state: a snapshot that is put back brings those of its time, and the
- * stages that go with them. */
+ * Live parameters: mpm.algorithm, mpm.transfer, mpm.flip_fraction, mpm.fmpm_order,
+ * mpm.mass_blend, load.body_force, load.traction. They belong to the state: a snapshot that is put back
+ * brings those of its time, and the stages that go with them. */
 Simulation *bar_create(const BarDef *definition, Status *status);
 
 #endif

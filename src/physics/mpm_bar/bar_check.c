@@ -19,6 +19,7 @@ BarDef bar_default(void)
         .shape = MPM_HAT,
         .transfer = MPM_FLIP,
         .flip_fraction = 1.0,
+        .fmpm_order = 2,
         .mass_blend = 1.0,
         .courant = 0.1,
     };
@@ -102,7 +103,8 @@ bool bar_check(const BarDef *def, Status *status)
                 whole((int)def->supports, BAR_FIXED_FREE, BAR_FREE_FREE, "bar.supports", status) &&
                 whole((int)def->algorithm, MPM_USF, MPM_MUSL, "mpm.algorithm", status) &&
                 whole((int)def->shape, MPM_HAT, MPM_BSPLINE3, "mpm.shape", status) &&
-                whole((int)def->transfer, MPM_FLIP, MPM_APIC, "mpm.transfer", status) &&
+                whole((int)def->transfer, MPM_FLIP, MPM_FMPM, "mpm.transfer", status) &&
+                whole(def->fmpm_order, 1, FMPM_ORDER_MAX, "mpm.fmpm_order", status) &&
                 finite_number(def->body_force, "load.body_force", status) &&
                 finite_number(def->traction, "load.traction", status) &&
                 finite_number(def->traction_layer, "load.traction_layer", status);

@@ -16,8 +16,17 @@ static void fix(Bar *bar, int first, int end)
         bar->node_momentum[i] = 0.0;
 }
 
-/* Eq. 4 in three forms: p/m with lumped masses, M v = p with blended ones. A solution takes all nodes, so it
- * is done with the last cell. */
+/* x <- M^-1 x, or FMPM's series: of all nodes. */
+static void solve(Bar *bar, double *x)
+{
+    if (bar->head->transfer == MPM_FMPM)
+        bar->kernels->series(bar, x);
+    else
+        bar->kernels->solve(bar, x);
+}
+
+/* Eq. 4 in three forms: p/m with lumped masses, M v = p with blended ones, FMPM's series. The latter two take
+ * all nodes, so they are done with the last cell. */
 static void find_velocities(Bar *bar, int first, int end, bool factor)
 {
     if (bar_is_lumped(bar)) {
@@ -26,13 +35,13 @@ static void find_velocities(Bar *bar, int first, int end, bool factor)
     }
     if (end < bar->n_cells)
         return;
-    if (factor)
+    if (factor && bar->head->transfer != MPM_FMPM)
         bar->kernels->factor(bar);
     memcpy(bar->node_velocity, bar->node_momentum, (size_t)bar->n_nodes * sizeof(double));
-    bar->kernels->solve(bar, bar->node_velocity);
+    solve(bar, bar->node_velocity);
 }
 
-/* dt a with M a = f, where masses are not lumped. */
+/* dt a with M a = f, or FMPM's series of dt f: it is linear, so that v(k) of p + dt f is the sum of both. */
 static void find_kicks(Bar *bar, int end)
 {
     if (bar_is_lumped(bar) || end < bar->n_cells)
@@ -40,7 +49,7 @@ static void find_kicks(Bar *bar, int end)
     const bool loaded = bar_is_loaded(bar);
     for (int i = 0; i < bar->n_nodes; i++)
         bar->node_kick[i] = bar->dt * (loaded ? bar->node_f_int[i] + bar->node_f_ext[i] : bar->node_f_int[i]);
-    bar->kernels->solve(bar, bar->node_kick);
+    solve(bar, bar->node_kick);
 }
 
 static void map(Bar *bar, int first, int end)

@@ -14,7 +14,8 @@
 #include "physics/mpm_bar/bar_state.h"
 #include "physics/mpm_bar/kernels/shape.h"
 
-#define TABLE(momentum, momentum_ascii, momentum_note, taken, taken_ascii, taken_note, taken_adds)           \
+#define TABLE_TO(momentum, momentum_ascii, momentum_note, taken, taken_ascii, taken_note, taken_adds, place, \
+                 place_ascii, place_note)                                                                    \
     {                                                                                                        \
         [GIVE_MASS] = {"map", BAR_PARTICLES, BAR_NODES, "mass", false, "m N", "m N", NULL},                  \
         [GIVE_MOMENTUM] = {"map", BAR_PARTICLES, BAR_NODES,      "momentum",                                 \
@@ -29,8 +30,9 @@
                          false,    "Δt N′ v", "dt N' v",     NULL},                                          \
         [TAKE_VELOCITY] = {"update",   BAR_NODES, BAR_PARTICLES, "v",                                        \
                            taken_adds, taken,     taken_ascii,   taken_note},                                \
-        [TAKE_PLACE] = {"update", BAR_NODES, BAR_PARTICLES, "x", true, "Δt N v", "dt N v", NULL},            \
+        [TAKE_PLACE] = {"update", BAR_NODES, BAR_PARTICLES, "x", true, place, place_ascii, place_note},      \
     }
+#define TABLE(...) TABLE_TO(__VA_ARGS__, "Δt N v", "dt N v", NULL)
 
 static const Exchange flip_exchanges[BAR_EXCHANGES] =
     TABLE("m v N", "m v N", NULL, "Δt N a", "dt N a", "a = f/m", true);
@@ -44,11 +46,15 @@ static const Exchange pic_exchanges[BAR_EXCHANGES] = TABLE("m v N", "m v N", NUL
 static const Exchange apic_exchanges[BAR_EXCHANGES] =
     TABLE("m w N", "m w N", "w = v + C (x_i - x_p)", "N v", "N v", NULL, false);
 
+static const Exchange series_exchanges[BAR_EXCHANGES] = TABLE_TO(
+    "m v N", "m v N", NULL, "N v", "N v", NULL, false, "Δt N w", "dt N w", "w = (v_p before + v_i)/2");
+
 const Exchange *bar_exchanges(const BarHead *head, int *count)
 {
     *count = BAR_EXCHANGES;
     const bool blended = head->mass_blend < 1.0;
     return head->transfer == MPM_APIC   ? apic_exchanges
+           : head->transfer == MPM_FMPM ? series_exchanges
            : head->flip_fraction == 1.0 ? (blended ? mass_exchanges : flip_exchanges)
            : head->flip_fraction == 0.0 ? pic_exchanges
            : blended                    ? mass_blend_exchanges
@@ -156,12 +162,18 @@ int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
         bar_strain_velocities(bar, cell, v);
         FACTORS(3, bar->dt, dn[a] / bar->dx, v[a]);
     case TAKE_VELOCITY:
-        if (bar->head->transfer == MPM_APIC || bar->head->flip_fraction == 0.0)
+        if (bar->head->transfer != MPM_FLIP || bar->head->flip_fraction == 0.0)
             FACTORS(2, n[a], bar_integrated_velocity(bar, node));
         if (bar->head->flip_fraction != 1.0)
             FACTORS(2, n[a], blended_gain(bar, n, cell, particle, a));
         FACTORS(3, bar->dt, n[a], bar->node_kick[node] / bar->dt);
     case TAKE_PLACE:
+        if (bar->head->transfer == MPM_FMPM) {
+            /* the velocity before is no longer stored: it is solved for */
+            const double now = bar->v[slot][k];
+            const double before = 2.0 * (bar->moved[slot][k] - s) * (bar->dx / bar->dt) - now;
+            FACTORS(3, bar->dt, n[a], 0.5 * (before + bar_integrated_velocity(bar, node)));
+        }
         FACTORS(3, bar->dt, n[a], bar_integrated_velocity(bar, node));
     case BAR_EXCHANGES:
         break;

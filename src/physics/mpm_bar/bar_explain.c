@@ -4,6 +4,8 @@
 #include "physics/mpm_bar/bar_sums.h"
 #include "physics/mpm_bar/kernels/shape.h"
 
+#include <string.h>
+
 static double *velocity_of_particle(const Bar *bar, int particle)
 {
     return &bar->v[particle % bar->slots][particle / bar->slots];
@@ -69,16 +71,51 @@ static void write_pivot(const BarSubject *subject, RowOf of, int node)
     calculation_sum(subject->calculation, &value);
 }
 
+enum { WINDOW_MAX = 2 * (FMPM_ORDER_MAX - 1) * BAR_REACH_MAX + 1 };
+
+/* FMPM's terms at a node: "v8 = d_1 + d_2 = 0.1 - 0.02 = 0.08". A term needs the one before of the nodes
+ * `reach` away: all are made on a stretch of the bar that gets shorter. */
+static void write_series(const BarSubject *subject, RowOf of, int node)
+{
+    const Bar *bar = subject->bar;
+    const int order = bar->head->fmpm_order, half = (order - 1) * bar->reach;
+    double term[WINDOW_MAX] = {0}, next[WINDOW_MAX];
+    for (int w = 0, i = node - half; i <= node + half; w++, i++)
+        if (i >= 0 && i < bar->n_nodes && bar_node_moves(bar, i))
+            term[w] = (of == ROW_OF_ACCELERATION ? bar_node_force(bar, i) : bar->node_momentum[i]) *
+                      bar->node_inverse[i];
+    const BarLabel label = bar_label(of == ROW_OF_ACCELERATION ? "a" : "v", node,
+                                     order > 1 ? " = d_1 + d_2 ... = " : " = d_1 = ");
+    CalculationSum sum = {.label = label.text, .result = solved(bar, of, node)};
+    for (int j = 1;; j++) {
+        calculation_add(&sum, 1, term[half], 0, 0);
+        if (j == order)
+            break;
+        for (int w = 0, i = node - half; i <= node + half; w++, i++) {
+            next[w] = 0.0;
+            for (int d = -bar->reach; d <= bar->reach; d++)
+                if (i >= 0 && i < bar->n_nodes && bar_node_moves(bar, i) && w + d >= 0 && w + d <= 2 * half &&
+                    i + d >= 0 && i + d < bar->n_nodes)
+                    next[w] += bar_consistent_mass(bar, i, i + d) * (term[w] - term[w + d]);
+            next[w] *= i >= 0 && i < bar->n_nodes ? bar->node_inverse[i] : 0.0;
+        }
+        memcpy(term, next, sizeof term);
+    }
+    calculation_sum(subject->calculation, &sum);
+}
+
 static void write_system(const BarSubject *subject, RowOf of)
 {
+    const bool series = subject->bar->head->transfer == MPM_FMPM;
     if (subject->set == BAR_NODES) {
-        write_row(subject, of, subject->index);
-        write_pivot(subject, of, subject->index);
+        (series ? write_series : write_row)(subject, of, subject->index);
+        if (!series)
+            write_pivot(subject, of, subject->index);
         return;
     }
     for (size_t i = 0; i < subject->n_links; i++)
         if (subject->links[i].weight != 0.0)
-            write_row(subject, of, (int)subject->links[i].index);
+            (series ? write_series : write_row)(subject, of, (int)subject->links[i].index);
 }
 
 /* --- map ------------------------------------------------------------------------------------------ */
@@ -327,7 +364,7 @@ static void write_velocity(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
     const double alpha = bar->head->flip_fraction, now = *velocity_of_particle(bar, subject->index);
-    if (bar->head->transfer == MPM_APIC || alpha == 0.0) {
+    if (bar->head->transfer != MPM_FLIP || alpha == 0.0) {
         CalculationSum mean = {.label = "v = Σ N v_i = ", .result = now};
         bar_add_terms(subject, TAKE_VELOCITY, &mean);
         calculation_sum(subject->calculation, &mean);

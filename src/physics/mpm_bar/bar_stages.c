@@ -255,10 +255,88 @@ static const Stage map_again_mass = {
     .writes = "momentum velocity",
 };
 
+/* --- and with FMPM -------------------------------------------------------------------------------- */
+
+static const Stage fix_series = {
+    .id = "fix",
+    .name = "boundary conditions",
+    .equation = "p_i = 0 at fixed nodes      v = d_1 + ... + d_k,  d_1 = p/m\n"
+                "d_j+1 = d_j - Σ m_p N_i (Σ N_n d_j)/m_i,   0 at fixed nodes",
+    .ascii = "p_i = 0 at fixed nodes      v = d_1 + ... + d_k,  d_1 = p/m\n"
+             "d_j+1 = d_j - sum m_p N_i (sum N_n d_j)/m_i,   0 at fixed nodes",
+    .source = "paper M, step 2, with FMPM(k)",
+    .sentence = "A node at a support cannot move; each term of the series puts right what the particles "
+                "would not give back of the terms before.",
+    .reads = "momentum mass",
+    .writes = "momentum velocity",
+};
+
+static const Stage strain_series = {
+    .id = "strain",
+    .name = "strain and stress",
+    .equation = "v of FMPM(k)    Δε = Δt Σ N_i′ v_i    σ ← σ + E Δε    ρ ← ρ/(1 + Δε)",
+    .ascii = "v of FMPM(k)   de = dt sum N_i' v_i   s <- s + E de   rho <- rho/(1 + de)",
+    .source = "eqs. 5, 7, 8, 9",
+    .sentence = "Where neighbouring nodes move apart the bar is stretched: "
+                "the stress of the particles there grows, their density falls.",
+    .reads = "velocity stress density",
+    .writes = "strain_increment stress strain density",
+};
+
+static const Stage force_series = {
+    .id = "force",
+    .name = "nodal forces",
+    .equation = "f_int = -Σ N_i′ σ_p m_p/ρ_p    f_ext = Σ N_i m_p b + Σ N_i t m_p/(ρ_p h)\n"
+                "a: the series of f_i = f_int + f_ext,   no a_i at fixed nodes",
+    .ascii = "f_int = -sum N_i' s m/rho    f_ext = sum N_i m b + sum N_i t m/(rho h)\n"
+             "a: the series of f_i = f_int + f_ext,   no a_i at fixed nodes",
+    .source = "eqs. 10, 11, 12",
+    .sentence = "The stress of the particles pulls at their nodes; "
+                "their accelerations follow from the forces as velocities do from momenta.",
+    .reads = "stress density mass",
+    .writes = "f_int f_ext f acceleration",
+};
+
+static const Stage integrate_series = {
+    .id = "integrate",
+    .name = "integrate momentum",
+    .equation = "p_i ← p_i + Δt f_i      v_i ← v_i + Δt a_i: the series of the new p",
+    .ascii = "p_i <- p_i + dt f_i      v_i <- v_i + dt a_i: the series of the new p",
+    .source = "eq. 13",
+    .sentence = "Newton's law on the grid: in one time step the force changes the momentum of a node, "
+                "the acceleration its velocity.",
+    .reads = "momentum f acceleration",
+    .writes = "momentum velocity",
+};
+
+static const Stage update_series = {
+    .id = "update",
+    .name = "update particles",
+    .equation = "v_p = Σ N_i v_i      x_p ← x_p + Δt (v_p before + v_p)/2",
+    .ascii = "v_p = sum N_i v_i      x_p <- x_p + dt (v_p before + v_p)/2",
+    .source = "FMPM",
+    .sentence = "A particle takes its velocity anew from its nodes, nothing that they cannot see stays, "
+                "and moves with the mean of both.",
+    .reads = "velocity v",
+    .writes = "v x u",
+};
+
+static const Stage map_again_series = {
+    .id = "map_again",
+    .name = "map again",
+    .equation = "p_i = Σ m_p v_p N_i,   p_i = 0 at fixed nodes      v of FMPM(k)",
+    .ascii = "p_i = sum m_p v_p N_i,   p_i = 0 at fixed nodes      v of FMPM(k)",
+    .source = "eq. 3 with the new v_p",
+    .sentence = "The nodes take their momentum from the particles' new velocities, "
+                "so that the strain is made of what the particles now do.",
+    .reads = "mass v",
+    .writes = "momentum velocity",
+};
+
 /* --- which of them, in which order ------------------------------------------------------------------- */
 
 /* What a transfer changes. */
-enum { FLIP, BLEND, APIC_HAT, APIC, MASS, MASS_BLEND, TRANSFERS };
+enum { FLIP, BLEND, APIC_HAT, APIC, MASS, MASS_BLEND, SERIES, TRANSFERS };
 
 #define WITH_LUMPED_MASS(map_, update_, again_)                                                              \
     {                                                                                                        \
@@ -280,6 +358,14 @@ static const Stage *const rows[TRANSFERS][OP_COUNT] = {
     [APIC] = WITH_LUMPED_MASS(map_affine, update_apic, map_again_affine),
     [MASS] = WITH_MASS_BLEND(update_mass),
     [MASS_BLEND] = WITH_MASS_BLEND(update_mass_blend),
+    [SERIES] = {[OP_MAP] = &map,
+                [OP_FIX] = &fix_series,
+                [OP_STRAIN] = &strain_series,
+                [OP_FORCE] = &force_series,
+                [OP_INTEGRATE] = &integrate_series,
+                [OP_UPDATE] = &update_series,
+                [OP_MAP_AGAIN] = &map_again_series,
+                [OP_FORGET] = &forget},
 };
 
 static int transfer_of(const Bar *bar)
@@ -287,6 +373,8 @@ static int transfer_of(const Bar *bar)
     const BarHead *head = bar->head;
     if (head->transfer == MPM_APIC)
         return bar->def.shape == MPM_HAT ? APIC_HAT : APIC;
+    if (head->transfer == MPM_FMPM)
+        return SERIES;
     if (!bar_is_lumped(bar))
         return head->flip_fraction == 1.0 ? MASS : MASS_BLEND;
     return head->flip_fraction == 1.0 ? FLIP : BLEND;

@@ -91,6 +91,8 @@ double bar_consistent_mass(const Bar *bar, int i, int j)
 
 double bar_mass_between(const Bar *bar, int i, int j)
 {
+    if (bar->head->transfer == MPM_FMPM)
+        return bar_consistent_mass(bar, i, j);
     const double mu = bar->head->mass_blend;
     return (1.0 - mu) * bar_consistent_mass(bar, i, j) + (i == j ? mu * bar->node_mass[i] : 0.0);
 }

@@ -58,10 +58,11 @@ typedef struct BarHead {
     MpmTransfer transfer;
     double flip_fraction, body_force, traction;
     double mass_blend; /* mu, never 0 */
-    double work;       /* of the external force so far */
-    double peak_work;  /* largest magnitude of it seen by the energy check */
-    int energy_level;  /* how many thresholds of growth were reported */
-    int64_t cell_sum;  /* sum of the particles' cells: exact, for x_cm */
+    int fmpm_order;
+    double work;      /* of the external force so far */
+    double peak_work; /* largest magnitude of it seen by the energy check */
+    int energy_level; /* how many thresholds of growth were reported */
+    int64_t cell_sum; /* sum of the particles' cells: exact, for x_cm */
 } BarHead;
 
 /* Sums over all particles. Their order is that of the lanes, whatever the width of the machine's vectors. */
@@ -200,10 +201,10 @@ static inline bool bar_is_loaded(const Bar *bar)
     return bar->head->body_force != 0.0 || bar->head->traction != 0.0;
 }
 
-/* Whether a node's velocity is its own momentum over its own mass. */
+/* Whether a node's velocity is its own momentum over its own mass; else it is one of M v = p, or FMPM's. */
 static inline bool bar_is_lumped(const Bar *bar)
 {
-    return bar->head->mass_blend == 1.0;
+    return bar->head->mass_blend == 1.0 && bar->head->transfer != MPM_FMPM;
 }
 
 /* Neither held by a support nor inactive. */
@@ -253,8 +254,8 @@ double bar_node_acceleration(const Bar *bar, int node);
  * them. */
 void bar_strain_velocities(const Bar *bar, int cell, double *v);
 
-/* M_c(i, j) = sum m N_i N_j of two nodes; M(i, j) = (1 - mu) M_c(i, j) + mu M_l(i, j). Where masses are not
- * lumped, from the map on. */
+/* M_c(i, j) = sum m N_i N_j of two nodes; M(i, j) = (1 - mu) M_c(i, j) + mu M_l(i, j), with FMPM M_c(i, j).
+ * Where masses are not lumped, from the map on. */
 double bar_consistent_mass(const Bar *bar, int i, int j);
 double bar_mass_between(const Bar *bar, int i, int j);
 

@@ -68,7 +68,8 @@ int bar_findings(const References *, const Simulation *, Finding out[FINDINGS_MA
 #define BAR_MESH_KEYS                                                                                        \
     "mesh.cell_size", "mesh.particles_per_cell", "mesh.padding", "time.courant", "time.unstable"
 #define BAR_TRANSFER_KEYS                                                                                    \
-    "mpm.algorithm", "mpm.shape", "mpm.transfer", "mpm.flip_fraction", "mpm.mass_blend", "mpm.affine_start"
+    "mpm.algorithm", "mpm.shape", "mpm.transfer", "mpm.flip_fraction", "mpm.mass_blend", "mpm.fmpm_order",   \
+        "mpm.affine_start"
 #define BAR_WAVE_KEYS    "initial.pulse"
 #define BAR_JOINT_KEYS   "bar2.youngs_modulus", "bar2.density" /* nothing without bar2.joint */
 #define BAR_LATTICE_KEYS "pd.spacing", "pd.horizon", "pd.surface_correction", "pd.volume_correction"

@@ -31,6 +31,7 @@ BarMesh bar_mesh_of(const Settings *settings, double dt)
                      .apic = mpm->transfer == MPM_APIC,
                      .flip_fraction = mpm->flip_fraction,
                      .consistent = 1 - bar_mass_blend_of(settings),
+                     .fmpm_order = mpm->transfer == MPM_FMPM ? mpm->fmpm_order : 0,
                      .dt = dt};
 }
 
@@ -55,6 +56,7 @@ BarDef bar_mpm_definition(const Settings *settings)
         .transfer = settings->mpm.transfer,
         .flip_fraction = settings->mpm.flip_fraction,
         .mass_blend = settings->mpm.mass_blend,
+        .fmpm_order = settings->mpm.fmpm_order,
         .courant = settings->time.courant,
         .patience = settings->patience,
     };
@@ -234,6 +236,8 @@ static const char *damping(const Settings *settings)
     const Transfer *mpm = &settings->mpm;
     if (mpm->transfer == MPM_FLIP && mpm->flip_fraction < 1)
         return "PIC damping";
+    if (mpm->transfer == MPM_FMPM)
+        return "FMPM filters velocities";
     if (mpm->transfer == MPM_APIC)
         return "APIC filters velocities";
     return mpm->algorithm == MPM_USL ? "USL damping" : NULL;
@@ -259,15 +263,11 @@ static const char *const of_frequency[] = {BAR_KEYS,      BAR_MESH_KEYS,  BAR_TR
 static const char *const of_energy[] = {
     BAR_KEYS, BAR_MESH_KEYS, BAR_TRANSFER_KEYS, BAR_WAVE_KEYS, "bar2.joint", BAR_JOINT_KEYS, NULL};
 /* The continuum does not know by what it is computed; its frequencies do not depend on the loads. */
-static const char *const method_changes[] = {"mpm.algorithm", "mpm.transfer", "mpm.flip_fraction",
-                                             "mpm.mass_blend", NULL};
-static const char *const all_changes[] = {"mpm.algorithm",
-                                          "mpm.transfer",
-                                          "mpm.flip_fraction",
-                                          "mpm.mass_blend",
-                                          "load.body_force",
-                                          "load.traction",
-                                          NULL};
+static const char *const method_changes[] = {"mpm.algorithm",  "mpm.transfer",   "mpm.flip_fraction",
+                                             "mpm.mass_blend", "mpm.fmpm_order", NULL};
+static const char *const all_changes[] = {
+    "mpm.algorithm",  "mpm.transfer",    "mpm.flip_fraction", "mpm.mass_blend",
+    "mpm.fmpm_order", "load.body_force", "load.traction",     NULL};
 
 const Solver bar_by_mpm = {
     .method = METHOD_MPM,

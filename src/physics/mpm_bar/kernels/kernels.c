@@ -35,11 +35,14 @@ extern const BarKernels BAR_KERNELS;
 #define EMPTY_SUM (-0.0)
 
 /* What becomes of a particle's velocity. */
-typedef enum Transfer { TO_FLIP, TO_BLEND, TO_APIC } Transfer;
+typedef enum Transfer { TO_FLIP, TO_BLEND, TO_APIC, TO_FMPM } Transfer;
 
 KERNEL_INLINE Transfer transfer_of(const Bar *bar)
 {
-    return bar->head->transfer == MPM_APIC ? TO_APIC : bar->head->flip_fraction == 1.0 ? TO_FLIP : TO_BLEND;
+    return bar->head->transfer == MPM_APIC   ? TO_APIC
+           : bar->head->transfer == MPM_FMPM ? TO_FMPM
+           : bar->head->flip_fraction == 1.0 ? TO_FLIP
+                                             : TO_BLEND;
 }
 
 #include "physics/mpm_bar/kernels/kernels_cell.h"
@@ -334,6 +337,9 @@ KERNEL_INLINE void update_shape(Bar *bar, MpmShape shape, int first, int end)
     case TO_APIC:
         update_as(bar, shape, TO_APIC, bar->slots, first, end);
         return;
+    case TO_FMPM:
+        update_as(bar, shape, TO_FMPM, bar->slots, first, end);
+        return;
     }
 }
 
@@ -481,6 +487,7 @@ const BarKernels BAR_KERNELS = {
     .velocities = velocities,
     .factor = factor,
     .solve = solve,
+    .series = series,
     .strain = strain,
     .force = force,
     .integrate = integrate,

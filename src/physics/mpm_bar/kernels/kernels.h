@@ -23,6 +23,9 @@ struct BarKernels {
     void (*factor)(Bar *bar);
     void (*solve)(const Bar *bar, double *x);
 
+    /* FMPM's nodal velocities of momenta x, in their place; after couple */
+    void (*series)(Bar *bar, double *x);
+
     /* eqs. 5, 7, 8, 9. Returns a particle for which 1 + de <= 0 (all others are done), or -1 */
     int (*strain)(Bar *bar, int first, int end);
 

@@ -167,14 +167,17 @@ KERNEL_INLINE void traction_cell(Bar *bar, MpmShape shape, int c)
     }
 }
 
-/* Eqs. 14 and 15, kick and drift being dt f / m and dt p / (m dx) of the nodes:
- *     FLIP   v += sum N_a kick_a                       every transfer   moved = s + sum N_a drift_a
+/* Eqs. 14 and 15, kick and drift being dt f / m and dt p / (m dx) of the nodes, or what stands for them where
+ * masses are not lumped:
+ *     FLIP   v += sum N_a kick_a                       every transfer   moved = s + sum N_a drift_a,
+ *     FMPM   v = sum N_a v_a                           but FMPM         moved = s + (dt/dx)(v before + v)/2
  *     blend  v = alpha (v + sum N_a kick_a) + (1 - alpha) sum N_a v_a
  *     APIC   v = sum N_a v_a,   C = sum N_a v_a (x_a - x) / sum N_a (x_a - x)^2; hats: C = sum N'_a v_a */
 KERNEL_INLINE void update_cell(Bar *bar, MpmShape shape, Transfer transfer, int c)
 {
     const int support = shape_support(shape);
     const double alpha = bar->head->flip_fraction, speed = bar->dx / bar->dt, rate = 1.0 / bar->dt;
+    const double rate_of_places = bar->dt / bar->dx;
     const double *kick = bar->node_kick + c, *drift = bar->node_drift + c;
     Place at = place_of(bar, bar->first[c]);
     for (int p = bar->first[c]; p < bar->first[c + 1]; p++, at = next_place(bar, at)) {
@@ -187,9 +190,11 @@ KERNEL_INLINE void update_cell(Bar *bar, MpmShape shape, Transfer transfer, int 
             dv += n[a] * kick[a];
             ds += n[a] * drift[a];
         }
-        bar->moved[at.slot][at.k] = s + ds;
+        bar->moved[at.slot][at.k] = transfer == TO_FMPM ? s + 0.5 * (rate_of_places * v + ds) : s + ds;
         if (transfer == TO_FLIP)
             bar->v[at.slot][at.k] = v + dv;
+        else if (transfer == TO_FMPM)
+            bar->v[at.slot][at.k] = speed * ds;
         else if (transfer == TO_BLEND)
             bar->v[at.slot][at.k] = alpha * (v + dv) + (1.0 - alpha) * (speed * ds);
         else {

@@ -178,3 +178,60 @@ static void solve(const Bar *bar, double *x)
         return;
     }
 }
+
+/* --- FMPM ----------------------------------------------------------------------------------------- */
+
+/* v = d_1 + .. + d_k, where d_1 = p/m and each further term puts right what the terms before give back
+ * wrongly through the particles (Nairn and Hammerquist, CMAME 377, 2021, 113667):
+ *
+ *     d_j+1 = d_j - (1/m) sum m N (sum N d_j) = (1/m_i) sum over n of M_c(i, n) (d_j(i) - d_j(n))
+ *
+ * as a row of M_c adds up to m_i. Each term is 0 at held nodes. x: p, then v; term and next are d_j and
+ * d_j+1, in arrays that a mass blend would need for its factors. */
+KERNEL_INLINE void series_reach(Bar *bar, const int reach, double *x)
+{
+    const int n = bar->n_nodes;
+    double *term = bar->node_pivot, *next = bar->node_lower[1];
+    for (int i = 0; i < n; i++)
+        x[i] = term[i] = bar_node_moves(bar, i) ? x[i] * bar->node_inverse[i] : 0.0;
+    for (int j = 1; j < bar->head->fmpm_order; j++) {
+        memset(next, 0, (size_t)n * sizeof *next);
+        for (int d = 1; d <= reach; d++) {
+            const double *const couple = bar->node_couple[d];
+#pragma omp simd
+            for (int i = 0; i < n - d; i++)
+                next[i] += couple[i] * (term[i] - term[i + d]);
+#pragma omp simd
+            for (int i = d; i < n; i++)
+                next[i] += couple[i - d] * (term[i] - term[i - d]);
+        }
+#pragma omp simd
+        for (int i = 0; i < n; i++)
+            next[i] *= bar->node_inverse[i];
+        for (int i = 0; i < bar->fixed_left; i++)
+            next[i] = 0.0;
+        for (int i = n - bar->fixed_right; i < n; i++)
+            next[i] = 0.0;
+#pragma omp simd
+        for (int i = 0; i < n; i++)
+            x[i] += next[i];
+        double *const kept = term;
+        term = next;
+        next = kept;
+    }
+}
+
+static void series(Bar *bar, double *x)
+{
+    switch (bar->reach) {
+    case 1:
+        series_reach(bar, 1, x);
+        return;
+    case 2:
+        series_reach(bar, 2, x);
+        return;
+    default:
+        series_reach(bar, 3, x);
+        return;
+    }
+}

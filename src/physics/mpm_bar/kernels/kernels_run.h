@@ -153,7 +153,7 @@ KERNEL_INLINE void update_run(Bar *bar, MpmShape shape, Transfer transfer, int s
 {
     const int support = shape_support(shape);
     const double h = bar->gimp_half, alpha = bar->head->flip_fraction;
-    const double speed = bar->dx / bar->dt, rate = 1.0 / bar->dt;
+    const double speed = bar->dx / bar->dt, rate = 1.0 / bar->dt, rate_of_places = bar->dt / bar->dx;
     double *s_of[BAR_SLOTS_MAX], *v_of[BAR_SLOTS_MAX], *moved_of[BAR_SLOTS_MAX], *affine_of[BAR_SLOTS_MAX];
     slots_of_run(bar->s, slots, bar->first[c], s_of);
     slots_of_run(bar->v, slots, bar->first[c], v_of);
@@ -177,9 +177,11 @@ KERNEL_INLINE void update_run(Bar *bar, MpmShape shape, Transfer transfer, int s
                 dv += n[a] * kick[a];
                 ds += n[a] * drift[a];
             }
-            vector_store(moved_of[j] + i, s + ds);
+            vector_store(moved_of[j] + i, transfer == TO_FMPM ? s + 0.5 * (rate_of_places * v + ds) : s + ds);
             if (transfer == TO_FLIP)
                 vector_store(v_of[j] + i, v + dv);
+            else if (transfer == TO_FMPM)
+                vector_store(v_of[j] + i, speed * ds);
             else if (transfer == TO_BLEND)
                 vector_store(v_of[j] + i, alpha * (v + dv) + (1.0 - alpha) * (speed * ds));
             else {
