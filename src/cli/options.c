@@ -17,6 +17,7 @@
 #include <string.h>
 
 static const char *const dialects[] = {"comma", "semicolon", NULL};
+static const char *const vtk_data[] = {"text", "raw", NULL};
 static const char *const glyph_sets[] = {"auto", "braille", "block", "ascii", NULL};
 static const char *const themes[] = {"auto", "light", "dark", NULL};
 
@@ -75,6 +76,8 @@ const Option options_table[] = {
      AT(outputs.nodes)},
     {"--bonds", "FILE", " run ", "writes the table of bonds (beams)", OPTION_TEXT, AT(outputs.bonds)},
     {"--vtk", "FILE", " run ", "writes points for ParaView", OPTION_TEXT, AT(outputs.vtk)},
+    {"--vtk-data", "D", " run ", "numbers of --vtk as text, or raw: a third of the size, and read faster",
+     AT(vtk_data), ONE_OF(vtk_data)},
     {"--frames", "N", " run ", "tables at N times from 0 to the end, not at the last step alone",
      OPTION_OVERRIDE, AT(overrides), .key = "output.frames", .clears = "output.at"},
     {"--at", "T,T,...", " run ", "tables at these times", OPTION_OVERRIDE, AT(overrides), .key = "output.at",
@@ -311,6 +314,8 @@ bool options_parse(const char *command, int count, char **arguments, Options *op
     }
     options->outputs.force = options->force;
     options->outputs.asker = ASKER_COMMAND_LINE;
+    options->outputs.vtk_data =
+        options->vtk_data && strcmp(options->vtk_data, "raw") == 0 ? VTK_RAW : VTK_TEXT;
     options->outputs.dialect =
         options->dialect && strcmp(options->dialect, "semicolon") == 0 ? DIALECT_SEMICOLON : DIALECT_COMMA;
     return true;

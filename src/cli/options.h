@@ -59,7 +59,7 @@ typedef struct Options {
     long threads;
 
     Outputs outputs; /* its dialect and force are filled in by options_parse() */
-    const char *dialect;
+    const char *dialect, *vtk_data;
     bool force, quiet;
 
     SweepAxis axes[AXES_MAX]; /* --vary and --with, in their order */

@@ -469,6 +469,76 @@ START_TEST(paraview_gets_a_collection)
 }
 END_TEST
 
+/* The file whole, with its length: raw data hold zero bytes. */
+static char *all_bytes(const char *name, size_t *length)
+{
+    FILE *file = fopen(name, "rb");
+    ck_assert_ptr_nonnull(file);
+    ck_assert_int_eq(fseek(file, 0, SEEK_END), 0);
+    *length = (size_t)ftell(file);
+    rewind(file);
+    char *bytes = calloc(1, *length + 1);
+    ck_assert_uint_eq(fread(bytes, 1, *length, file), *length);
+    fclose(file);
+    return bytes;
+}
+
+/* The number k of an array of numbers in text. */
+static double number_in_text(const char *frame, const char *name, size_t k)
+{
+    char head[80], *at;
+    snprintf(head, sizeof head, "Name=\"%s\"", name);
+    ck_assert_ptr_nonnull(at = strstr(frame, head));
+    at = strchr(at, '>') + 1;
+    for (; k > 0; k--)
+        strtod(at, &at);
+    return strtod(at, NULL);
+}
+
+/* The same of raw data: each array has its size in bytes before its numbers. */
+static double raw_number(const char *frame, const char *name, size_t k, uint64_t wanted_bytes)
+{
+    char head[80], *at;
+    uint64_t offset, bytes;
+    double number;
+    snprintf(head, sizeof head, "Name=\"%s\"", name);
+    ck_assert_ptr_nonnull(at = strstr(frame, head));
+    ck_assert_ptr_nonnull(at = strstr(at, "offset=\""));
+    offset = strtoull(at + 8, NULL, 10);
+    ck_assert_ptr_nonnull(at = strstr(frame, "<AppendedData encoding=\"raw\">"));
+    at = strchr(at, '_') + 1 + offset;
+    memcpy(&bytes, at, sizeof bytes);
+    ck_assert_uint_eq(bytes, wanted_bytes);
+    memcpy(&number, at + sizeof bytes + k * sizeof number, sizeof number);
+    return number;
+}
+
+START_TEST(raw_data_are_those_of_the_text)
+{
+    Settings settings = beam_settings(&problem_supported_beam, 2e-6);
+    Outputs outputs = {.asker = ASKER_COMMAND_LINE, .vtk = in_folder("text.vtu")};
+    size_t length;
+    run(&settings, &outputs, NULL);
+    char *text = contents(outputs.vtk);
+    outputs.vtk = in_folder("raw.vtu");
+    outputs.vtk_data = VTK_RAW;
+    run(&settings, &outputs, NULL);
+    char *raw = all_bytes(outputs.vtk, &length), *at;
+    ck_assert_ptr_nonnull(at = strstr(text, "NumberOfPoints=\""));
+    const size_t count = strtoul(at + 16, NULL, 10);
+    for (size_t k = 0; k < 3 * count; k++) {
+        ck_assert_double_eq(raw_number(raw, "position", k, 24 * count), number_in_text(text, "position", k));
+        ck_assert_double_eq(raw_number(raw, "velocity", k, 24 * count), number_in_text(text, "velocity", k));
+    }
+    for (size_t k = 0; k < count; k++)
+        ck_assert_double_eq(raw_number(raw, "strain_energy", k, 8 * count),
+                            number_in_text(text, "strain_energy", k));
+    ck_assert_str_eq(raw + length - 27, "</AppendedData>\n</VTKFile>\n");
+    free(raw);
+    free(text);
+}
+END_TEST
+
 /* Whatever the time step and wherever the run ends, what loses nothing is told to lose nothing. */
 START_TEST(the_ripple_is_no_loss)
 {
@@ -551,6 +621,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, files_are_written_whole_or_not_at_all);
     tcase_add_test(tcase, an_interrupted_run_leaves_nothing);
     tcase_add_test(tcase, paraview_gets_a_collection);
+    tcase_add_test(tcase, raw_data_are_those_of_the_text);
     tcase_add_test(tcase, a_summary_tells_what_a_run_came_to);
     tcase_add_test(tcase, the_ripple_is_no_loss);
     tcase_add_test(tcase, what_has_decayed_is_told_so);

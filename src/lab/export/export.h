@@ -4,6 +4,7 @@
 #ifndef LAB_EXPORT_H
 #define LAB_EXPORT_H
 
+#include "lab/export/vtk.h"
 #include "base/output.h"
 #include "base/status.h"
 #include "lab/answers/crack.h"
@@ -16,6 +17,7 @@ typedef enum Dialect { DIALECT_COMMA, DIALECT_SEMICOLON } Dialect;
 typedef struct Outputs {
     const char *series, *particles, *nodes, *bonds, *vtk;
     Dialect dialect;
+    VtkData vtk_data;
     Asker asker; /* on whose behalf */
     bool force;  /* existing files are replaced; else they are refused before the run starts */
 } Outputs;

@@ -258,7 +258,7 @@ static bool write_vtk(Export *export, Status *status)
     OutputFile *file = &export->vtk[export->next_frame];
     char *name = vtk_frame_name(export->outputs->vtk, export->next_frame, export->frames.count);
     bool written = name && output_open(file, export->outputs->asker, name, export->outputs->force, status);
-    if (!name || (written && !vtk_write_frame(file->stream, export->sim)))
+    if (!name || (written && !vtk_write_frame(file->stream, export->sim, export->outputs->vtk_data)))
         written = status_fail(status, STATUS_FAILED, "not enough memory to write %s", export->outputs->vtk);
     free(name);
     return written && output_finish(file, status);

@@ -234,8 +234,11 @@ static void write_head(FILE *file, const Nodes *nodes)
           "# - nodes without a bond push each other away when they come very close (short-range forces)\n",
           file);
     if (settings->bonds.protected_depth > 0 && (settings->problem->concerns & CONCERN_NOTCH))
-        fputs("# - a node breaks its bonds by the largest critical stretch among them: the zone that never\n"
-              "#   breaks reaches up to one horizon further\n",
+        fputs("# - LAMMPS of May 2026 and before breaks the bonds of a node by the largest critical stretch "
+              "among\n"
+              "#   them, so that the zone that never breaks reaches up to one horizon further; since June "
+              "2026\n"
+              "#   each bond breaks by its own, as here\n",
               file);
     fputs("# - the volume of a node is dx^3 where matvib has dx^2 and unit thickness; the micromodulus is "
           "that\n"

@@ -12,8 +12,12 @@
 char *vtk_frame_name(const char *name, size_t i, size_t count);
 char *vtk_collection_name(const char *name);
 
+/* How the numbers of a frame are written: as text, or behind the XML as they are in memory (raw appended data
+ * of 64 bits), which is a third of the size and read much faster. */
+typedef enum VtkData { VTK_TEXT, VTK_RAW } VtkData;
+
 /* False: not enough memory. */
-bool vtk_write_frame(FILE *, const Simulation *);
+bool vtk_write_frame(FILE *, const Simulation *, VtkData);
 
 void vtk_begin_collection(FILE *);
 void vtk_add_to_collection(FILE *, const char *frame_name, double time);
