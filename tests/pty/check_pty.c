@@ -202,6 +202,41 @@ START_TEST(a_recorded_session_is_the_last_one_too)
 }
 END_TEST
 
+/* Who has no state yet is offered the first lesson, in a line of its own; one key takes it, any other does what
+ * it always does. Once left, the program knows its user; and the session that was the first can be done again. */
+START_TEST(a_first_start_offers_the_first_lesson)
+{
+    char folder[] = "/tmp/matvib-XXXXXX", state[64], file[64], command[64];
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+    snprintf(state, sizeof state, "XDG_STATE_HOME=%s", folder);
+    snprintf(file, sizeof file, "%s/mine.session", folder);
+    const char *const environment[] = {state, NULL};
+    for (int start = 0; start < 4; start++) {
+        static const char *const key[] = {"\r", ".", "", "."};
+        const char *const fresh[] = {matvib(), "mode1", "--paused", "--record", file, NULL};
+        const char *const again[] = {matvib(), "--replay", file, "--fast", NULL};
+        const char *const known[] = {matvib(), "mode1", "--paused", NULL};
+        if (start == 1) { /* no state again, and another key */
+            snprintf(command, sizeof command, "rm -r %s/matvib", folder);
+            ck_assert_int_eq(system(command), 0);
+        }
+        Session session;
+        session_open(&session, 80, 24, environment, start == 0 ? fresh : start == 2 ? again : known);
+        session_idle(&session);
+        ck_assert(session_shows(&session, "First time here?") == (start < 2));
+        session_keys(&session, key[start]);
+        ck_assert(!session_shows(&session, "First time here?"));
+        ck_assert(session_shows(&session, "One step of MPM") == (start == 0 || start == 2));
+        ck_assert(session_shows(&session, "step 1 ") == (start == 1 || start == 3));
+        session_send(&session, "\003");
+        session_exit(&session);
+        session_close(&session);
+    }
+    snprintf(command, sizeof command, "rm -r %s", folder);
+    ck_assert_int_eq(system(command), 0);
+}
+END_TEST
+
 START_TEST(control_c_leaves)
 {
     Session session;
@@ -475,6 +510,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, resizes);
     tcase_add_test(tcase, resizes_while_running);
     tcase_add_test(tcase, a_recorded_session_is_the_last_one_too);
+    tcase_add_test(tcase, a_first_start_offers_the_first_lesson);
     tcase_add_test(tcase, control_c_leaves);
     tcase_add_test(tcase, escape_is_told_from_a_sequence);
     tcase_add_test(tcase, takes_the_size_that_it_finds_after_a_stop);

@@ -37,6 +37,7 @@ bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Ho
         lab->player.resume = lab->screen.playback.state = STATE_PAUSED;
     if (options->reached)
         memcpy(lab->screen.lesson.reached, options->reached, sizeof lab->screen.lesson.reached);
+    lab->screen.offers_lesson = options->first_start && !options->lesson;
     if (options->lesson && !lesson_play_open(lab, options->lesson, status)) {
         laboratory_close(lab);
         return false;
@@ -74,6 +75,8 @@ bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)
     }
     lab->width = width;
     lab->height = height;
+    if (screen_view_in(&lab->screen, lab->screen.panes.focus))
+        lab->screen.panes.last_plot = lab->screen.panes.focus;
     lab->screen.playback.goes_on = lab->player.resume == STATE_RUNNING;
     if ((canvas->width != width || canvas->height != height) && !canvas_open(canvas, width, height, NULL))
         return false;

@@ -93,6 +93,7 @@ static void click(Laboratory *lab, int x, int y)
         if (holds(screen_pane(screen, lab->width, lab->height, (PaneId)pane), x, y) &&
             screen->panes.focus != (PaneId)pane) {
             screen->panes.focus = (PaneId)pane;
+            screen->panes.followed = false;
             screen->time.cursor = NAN;
         }
     if (lesson_play_click(lab, x, y) || screen_click_view(screen, lab->width, lab->height, x, y) ||
@@ -190,6 +191,17 @@ static void take_pasted(Laboratory *lab, const char *what)
     lab->held.pasted_line = ends_line;
 }
 
+/* Who is here for the first time begins with the first lesson by one key; any other does what it always does. */
+static bool take_offer(Laboratory *lab, const Key *key)
+{
+    Status status = {STATUS_DONE, ""};
+    const bool taken = lab->screen.offers_lesson && strcmp(key->name, "Enter") == 0;
+    lab->screen.offers_lesson = false;
+    if (taken && !lesson_play_open(lab, builtin_lessons[0].name, &status))
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
+    return taken;
+}
+
 static void take_key(Laboratory *lab, const Key *key)
 {
     const Command *command = command_by_key(key->name);
@@ -203,6 +215,8 @@ static void take_key(Laboratory *lab, const Key *key)
         return;
     }
     lab->held.pasted_line = false;
+    if (take_offer(lab, key))
+        return;
     if (command && is_for_everywhere(command->id))
         laboratory_command(lab, command->id);
     else if (mouse_key(lab, key))

@@ -77,6 +77,24 @@ static void put_key(HelpLines *written, int width, const char *keys, const char 
     put_text(written, STYLE_NORMAL, width, beside ? COLUMN : 4, rest);
 }
 
+/* The five keys that matter. */
+static void write_first_keys(HelpLines *written, int width)
+{
+    static const struct {
+        const char *keys, *help;
+    } first[] = {
+        {"Space", "runs and pauses"},
+        {"]", "goes on by one stage of a time step, with its equation and numbers; [ goes back"},
+        {"Left Right", "change the marked parameter; Up and Down mark another one"},
+        {"T", "lessons, from the first time step on"},
+        {"o", "other scenarios"},
+    };
+    put_line(written, STYLE_HEADING, "Five keys to begin with");
+    for (size_t i = 0; i < sizeof first / sizeof *first; i++)
+        put_key(written, width, first[i].keys, first[i].help);
+    put_line(written, STYLE_NORMAL, "");
+}
+
 /* What there is to see: the caption has room for its first sentences only. */
 static void write_about(HelpLines *written, const Settings *settings, int width)
 {
@@ -213,6 +231,7 @@ static void write_page(HelpLines *written, const Screen *screen, int screen_widt
     written->used = 0;
     written->count = 0;
     if (page == 0) {
+        write_first_keys(written, width);
         write_about(written, experiment_settings(screen->experiment), width);
         write_keys(written, width);
     }

@@ -325,4 +325,7 @@ void pane_keys(const Screen *screen, Area area)
         draw_notice(area, 0, screen->message.text, styles[screen->message.kind]);
     else
         draw_keys(screen, area);
+    if (screen->offers_lesson)
+        draw_notice(area, -1, "First time here?  Enter begins the first lesson.  Any other key goes on.",
+                    STYLE_SELECTED);
 }

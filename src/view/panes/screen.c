@@ -13,7 +13,7 @@ void screen_default(Screen *screen)
     *screen = (Screen){
         .look = {.glyphs = GLYPHS_BRAILLE, .colours = 256},
         .playback = {.state = STATE_PAUSED, .pace = 1},
-        .panes = {.focus = PANE_PARAMETERS},
+        .panes = {.focus = PANE_PARAMETERS, .last_plot = PANE_LOWER},
         .views = {.upper = view_at_home(PANE_UPPER, NULL), .lower = view_at_home(PANE_LOWER, NULL)},
         .time = {.cursor = NAN},
         .eye = {.magnified = 1, .centre = {0.5, 0.5}},

@@ -172,6 +172,9 @@ typedef struct PanesShown {
     bool lecture;            /* time and state in large letters, thick curves, no parameters beside them */
     bool inspecting;         /* the inspector is open, see inspector_find() */
     PaneId before_inspector; /* the pane that had the focus before it was opened */
+    PaneId last_plot;        /* the plot that was looked at last: what z magnifies */
+    PaneId before_zoom;      /* the pane that had the focus before that */
+    bool followed;           /* the focus came to a plot with a view that was asked for */
 } PanesShown;
 
 /* What stands in the two plot panes. */
@@ -225,6 +228,7 @@ typedef struct Screen {
     const Overlay *overlay;         /* a foreign series over the plots; NULL: none */
 
     LessonShown lesson;
+    bool offers_lesson; /* to who is here for the first time, until a key is pressed */
     Prompt prompt;
     Message message;
     HelpShown help;

@@ -29,6 +29,7 @@ bool command_answer_loop(Laboratory *, const char *text);
 
 /* move_commands.c */
 void command_close_inspector(Screen *);
+void command_zoom_out(Screen *);
 bool command_close_top(Laboratory *); /* what lies on top; false: there is nothing */
 
 /* view_commands.c */

@@ -18,6 +18,7 @@ static void focus_by(Laboratory *lab, int direction)
             break;
     }
     screen->panes.focus = (PaneId)focus;
+    screen->panes.followed = false;
     screen->time.cursor = NAN;
 }
 
@@ -191,7 +192,7 @@ bool command_close_top(Laboratory *lab)
     else if (screen->eye.open)
         command_map_whole(&lab->screen);
     else if (screen->panes.zoomed)
-        screen->panes.zoomed = false;
+        command_zoom_out(screen);
     else if (screen->panes.inspecting)
         command_close_inspector(&lab->screen);
     else if (screen->parameters.filter[0])

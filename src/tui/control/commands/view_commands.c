@@ -4,13 +4,32 @@
 
 #include <math.h>
 
+/* The keys go where the view is: Enter and the arrows do what its help says. Beside a lesson they stay with its
+ * page. */
+static void follow_view(Screen *screen, const View *view)
+{
+    PanesShown *panes = &screen->panes;
+    const PaneId at = screen_view_in(screen, panes->focus) == view ? panes->focus
+                      : screen->views.upper == view                ? PANE_UPPER
+                                                                   : PANE_LOWER;
+    if (screen_view_in(screen, at) != view)
+        return; /* there is nothing for it to show */
+    panes->last_plot = at;
+    if (screen->lesson.open || panes->focus == at)
+        return;
+    panes->followed = true;
+    panes->focus = at;
+}
+
 void command_show_digit(Laboratory *lab, int digit)
 {
     const View *view = view_of_digit(digit);
-    if (view)
+    if (view) {
         command_show_view(lab, view);
-    else
+        follow_view(&lab->screen, view);
+    } else {
         laboratory_say(lab, MESSAGE_INFO, "no view has the key %d", digit);
+    }
 }
 
 void command_show_view(Laboratory *lab, const View *view)
@@ -26,7 +45,7 @@ void command_show_view(Laboratory *lab, const View *view)
     lab->refining.stopped = NULL;
     if (screen->panes.inspecting) /* it lies over the plots: who asks for one wants to see it */
         command_close_inspector(&lab->screen);
-    bool in_plot = screen->panes.focus == PANE_UPPER || screen->panes.focus == PANE_LOWER;
+    const bool in_plot = !screen->panes.followed && screen_view_in(screen, screen->panes.focus) != NULL;
     if (screen->views.upper == view || screen->views.lower == view) {
         PaneId at = in_plot && screen_view_in(screen, screen->panes.focus) == view ? screen->panes.focus
                     : screen->views.upper == view                                  ? PANE_UPPER
@@ -44,13 +63,31 @@ void command_show_view(Laboratory *lab, const View *view)
         screen->views.lower = view;
     if (alone)
         screen->panes.focus = pane;
+    screen->panes.last_plot = pane;
     screen->chosen.table_column = 0;
     screen->time.cursor = NAN;
 }
 
 void command_zoom(Laboratory *lab)
 {
-    lab->screen.panes.zoomed = !lab->screen.panes.zoomed;
+    PanesShown *panes = &lab->screen.panes;
+    if (panes->zoomed) {
+        command_zoom_out(&lab->screen);
+        return;
+    }
+    panes->before_zoom = panes->focus;
+    if (panes->focus == PANE_PARAMETERS)
+        panes->focus = panes->last_plot;
+    panes->zoomed = true;
+}
+
+/* Whoever magnified a plot from the parameters is back there. */
+void command_zoom_out(Screen *screen)
+{
+    PanesShown *panes = &screen->panes;
+    if (panes->zoomed && panes->before_zoom == PANE_PARAMETERS && panes->focus == panes->last_plot)
+        panes->focus = PANE_PARAMETERS;
+    panes->zoomed = false;
 }
 
 void command_lecture(Laboratory *lab)

@@ -64,6 +64,15 @@ static bool keep(const LaboratoryOptions *options, Session *recording, Status *s
     return sound;
 }
 
+/* Nothing has been kept of an earlier session. A script is nobody's first. */
+static bool is_first_start(const LaboratoryOptions *options)
+{
+    char *last = options->script ? NULL : state_file(last_session);
+    const bool first = last && access(last, F_OK) != 0;
+    free(last);
+    return first;
+}
+
 int laboratory_main(const LaboratoryOptions *given, Status *status)
 {
     LaboratoryOptions options = *given;
@@ -71,6 +80,7 @@ int laboratory_main(const LaboratoryOptions *given, Status *status)
     int result = STATUS_DONE, reached[LESSONS_MAX] = {0};
     lesson_progress_read(reached);
     options.reached = reached;
+    options.first_start = is_first_start(&options);
     /* names, widths and the character set are the user's; numbers have a point everywhere */
     setlocale(LC_ALL, "");
     /* a film has the characters of UTF-8, whatever the terminal has that asked for it */

@@ -27,7 +27,7 @@ struct Session {
     Settings settings;
     char scenario[SESSION_NAME_MAX], lesson[SESSION_NAME_MAX];
     int reached[LESSONS_MAX];
-    bool paused;
+    bool paused, first;
     SessionEvent *events;
     size_t count, room;
     bool full;
@@ -64,6 +64,7 @@ Session *session_begin(const LaboratoryOptions *options, Status *status)
     }
     session->settings = *options->settings;
     session->paused = options->paused;
+    session->first = options->first_start;
     visible_text(session->scenario, sizeof session->scenario, options->scenario);
     visible_text(session->lesson, sizeof session->lesson, options->lesson ? options->lesson : "");
     if (options->reached)
@@ -199,6 +200,8 @@ static bool write_head(FILE *file, const Session *session, Status *status)
 {
     fprintf(file, "# matvib session: matvib --replay FILE does it again\nscenario %s\n%s", session->scenario,
             session->paused ? "paused\n" : "");
+    if (session->first)
+        fputs("first\n", file);
     if (*session->lesson)
         fprintf(file, "lesson %s\n", session->lesson);
     for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
@@ -228,7 +231,7 @@ bool session_has_keys(const Session *session)
 /* --- reading ---------------------------------------------------------------------------------------- */
 
 static const char *const allowed =
-    "scenario NAME | paused | lesson NAME | reached NAME PAGE | \"| ...\" | at ... | end ...";
+    "scenario NAME | paused | first | lesson NAME | reached NAME PAGE | \"| ...\" | at ... | end ...";
 
 static bool read_place(char *word, SessionEvent *event)
 {
@@ -308,6 +311,8 @@ static bool read_line(Session *session, char *line, FILE *scenario, Status *stat
         return read_reached(session, line + 8, status);
     if (strcmp(line, "paused") == 0)
         return session->paused = true;
+    if (strcmp(line, "first") == 0)
+        return session->first = true;
     bool is_end = strncmp(line, "end ", 4) == 0;
     if (!is_end && strncmp(line, "at ", 3) != 0)
         return status_fail(status, STATUS_USAGE, "unknown line: %.40s (%s)", line, allowed);
@@ -382,6 +387,7 @@ void session_options(const Session *session, LaboratoryOptions *options)
     options->settings = &session->settings;
     options->scenario = session->scenario;
     options->paused = session->paused;
+    options->first_start = session->first;
     options->lesson = *session->lesson ? session->lesson : NULL;
     options->reached = session->reached;
 }
