@@ -148,7 +148,7 @@ expect "one thread" 0 supported-beam-coarse --steps 20 --threads 1 --series - --
 result "gives the same bytes" cmp -s s.csv out
 expect "it repeats" 0 s.csv.ini --threads 3 --series - --quiet
 result "with the time step that was found" cmp -s s.csv out
-rm -f ./*.csv ./*.ini v*
+rm -f ./*.csv ./*.ini v* r.vtu read.py
 expect "a beam that cracks" 0 notched-beam-coarse --series n.csv
 first=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "broken_bonds") c = i; next } $c > 0 { print $2; exit }' n.csv)
 seen=$(sed -n 's/^crack  first break \([0-9.]*\) us  twentieth [0-9.]* us  protected zone [0-9.]* us$/\1/p' out)
