@@ -16,6 +16,7 @@ typedef struct VerifyCheck {
 
 /* Each ends with a NULL name. */
 extern const VerifyCheck verify_bar_checks[];   /* the bar: verify_bar.c */
+extern const VerifyCheck verify_field_checks[]; /* tests of the field on the bar: verify_field.c */
 extern const VerifyCheck verify_beam_checks[];  /* beams that vibrate: verify_beam.c */
 extern const VerifyCheck verify_plane_checks[]; /* the same by cells: verify_plane.c */
 extern const VerifyCheck verify_crack_checks[]; /* the notched beam: verify_crack.c */

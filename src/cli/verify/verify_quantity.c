@@ -30,6 +30,11 @@ double quantity_measured(VerifyRun *run, const VerifyRow *row)
     return run->readout.measured_known ? scaled(row, run->readout.measured) : NAN;
 }
 
+double quantity_exact(VerifyRun *run, const VerifyRow *row)
+{
+    return run->readout.exact_known ? scaled(row, run->readout.exact) : NAN;
+}
+
 double quantity_predicted(VerifyRun *run, const VerifyRow *row)
 {
     return run->readout.predicted_known ? scaled(row, run->readout.predicted) : NAN;
@@ -70,6 +75,26 @@ static double derived_of(const VerifyRun *run, const char *name)
         if (strcmp(run->derived[i].name, name) == 0)
             return run->derived[i].value;
     return NAN;
+}
+
+static Finding finding_of(VerifyRun *run, const VerifyRow *row)
+{
+    Finding findings[FINDINGS_MAX];
+    const int count = references_findings(run->refs, run->sim, findings);
+    for (int i = 0; i < count; i++)
+        if (strcmp(findings[i].name, row->column) == 0)
+            return findings[i];
+    return (Finding){.measured = NAN, .exact = NAN};
+}
+
+double quantity_finding(VerifyRun *run, const VerifyRow *row)
+{
+    return scaled(row, finding_of(run, row).measured);
+}
+
+double quantity_exact_finding(VerifyRun *run, const VerifyRow *row)
+{
+    return scaled(row, finding_of(run, row).exact);
 }
 
 double quantity_derived_number(VerifyRun *run, const VerifyRow *row)

@@ -8,6 +8,7 @@
 /* The readout, as `matvib run` prints it. */
 double quantity_measured(VerifyRun *, const VerifyRow *);                /* frequency or period; scale */
 double quantity_predicted(VerifyRun *, const VerifyRow *);               /* likewise */
+double quantity_exact(VerifyRun *, const VerifyRow *);                   /* likewise */
 double quantity_measured_over_predicted(VerifyRun *, const VerifyRow *); /* less 1; scale */
 double quantity_measured_over(VerifyRun *, const VerifyRow *);   /* a derived number; column: its name */
 double quantity_frequency_error(VerifyRun *, const VerifyRow *); /* against exact, percent */
@@ -17,6 +18,10 @@ double quantity_predicted_period_error(VerifyRun *, const VerifyRow *);
 double quantity_derived_number(VerifyRun *, const VerifyRow *); /* column: its name; scale */
 double quantity_longer_than(VerifyRun *,
                             const VerifyRow *); /* period, percent; other: the scenario of the shorter */
+
+/* A finding at the end of the run, and the right one beside it; column: its name, scale. */
+double quantity_finding(VerifyRun *, const VerifyRow *);
+double quantity_exact_finding(VerifyRun *, const VerifyRow *);
 
 /* A column of the series. */
 double quantity_value_at(VerifyRun *, const VerifyRow *);   /* column, from: the time, scale */

@@ -30,6 +30,8 @@ enum Concern {
     CONCERN_PLANE = 1 << 15,    /* cells with particles in the plane */
     CONCERN_SECTIONS = 1 << 16, /* ends held as whole sections, or at a point */
     CONCERN_RIDING = 1 << 17,   /* a mesh that may ride along */
+    CONCERN_POINT = 1 << 18,    /* one particle */
+    CONCERN_WEIGHT = 1 << 19,   /* a body force alone */
     CONCERN_ANY = ~0            /* every problem: time.end, output */
 };
 
@@ -136,7 +138,7 @@ struct Problem {
     bool end_matters;            /* another time.end is another run from the start on */
 };
 
-extern const Problem problem_bar, problem_supported_beam, problem_moving_cantilever, problem_notched_beam;
+extern const Problem problem_bar, problem_one_particle, problem_hanging_column, problem_supported_beam, problem_moving_cantilever, problem_notched_beam;
 
 enum { PROBLEMS_MAX = 32 };
 extern const Problem *const problems[]; /* ended by NULL */

@@ -2,5 +2,11 @@
 #include "lab/problems/problem.h"
 
 const Problem *const problems[] = {
-    &problem_bar, &problem_supported_beam, &problem_moving_cantilever, &problem_notched_beam, NULL,
+    &problem_bar,
+    &problem_one_particle,
+    &problem_hanging_column,
+    &problem_supported_beam,
+    &problem_moving_cantilever,
+    &problem_notched_beam,
+    NULL,
 };

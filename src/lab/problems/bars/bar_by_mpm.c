@@ -169,7 +169,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     return n;
 }
 
-static bool limit(const Settings *settings, char *text, size_t size, Status *status)
+bool bar_limit(const Settings *settings, char *text, size_t size, Status *status)
 {
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, status))
@@ -278,7 +278,7 @@ const Solver bar_by_mpm = {
     .unaccounted = unaccounted,
     .check = check,
     .simulate = simulate,
-    .limit = limit,
+    .limit = bar_limit,
     .derived = derived,
     .predict = predict,
     .prepare = prepare,

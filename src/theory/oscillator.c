@@ -1,0 +1,106 @@
+/* The motion of one particle in one cell, by its invariant.
+ *
+ * v^2/2 + c^2 ((w - 1) e^w + 1) = v0^2/2 is a circle: with the root h of 2 ((w - 1) e^w + 1) that has the
+ * sign of w,
+ *
+ *     c h = v0 sin(phi)     v = v0 cos(phi)     h h' = w e^w w'     so  dt = (dx/c) h/(w e^w) dphi
+ *
+ * and the period is the integral over a whole turn of a smooth function that comes back to itself: the sum of
+ * equal parts converges faster than any power of their number. Between, the equations of motion are
+ * integrated in equal steps of the period (Runge and Kutta's fourth order; a 4096th of a turn leaves 1e-12 at
+ * the fastest, and far less else).
+ */
+#include "theory/oscillator.h"
+
+#include <math.h>
+
+/* 2 ((w - 1) e^w + 1) = sum over k >= 2 of 2 (k - 1) w^k / k!, whose first terms cancel in the closed form.
+ */
+static double twice_potential(double w)
+{
+    if (fabs(w) > 0.5)
+        return 2 * ((w - 1) * exp(w) + 1);
+    double sum = 0, term = w;
+    for (int k = 2; k < 24; k++) {
+        term *= w / k;
+        sum += 2 * (k - 1) * term;
+    }
+    return sum;
+}
+
+/* The strain whose h is given, by Newton's rule: h' = w e^w / h. */
+static double strain_of_root(double h)
+{
+    double w = h;
+    if (h == 0)
+        return 0;
+    for (int i = 0; i < 60; i++) {
+        const double root = copysign(sqrt(twice_potential(w)), w), step = (root - h) * root / (w * exp(w));
+        w -= step;
+        if (fabs(step) <= 1e-16 * fabs(w))
+            break;
+    }
+    return w;
+}
+
+static double period_of(const Oscillator *oscillator)
+{
+    enum { PARTS = 512 };
+    double sum = 0;
+    for (int i = 0; i < PARTS; i++) {
+        const double phi = 2 * M_PI * (i + 0.5) / PARTS;
+        const double h = oscillator->velocity / oscillator->speed * sin(phi), w = strain_of_root(h);
+        sum += h / (w * exp(w));
+    }
+    return oscillator->cell / oscillator->speed * 2 * M_PI * sum / PARTS;
+}
+
+static double acceleration(const Oscillator *oscillator, double w)
+{
+    return -oscillator->speed * oscillator->speed / oscillator->cell * w * exp(w);
+}
+
+static void advance(const Oscillator *oscillator, double time, double *w, double *v)
+{
+    const double dx = oscillator->cell;
+    const double w1 = *v / dx, v1 = acceleration(oscillator, *w);
+    const double w2 = (*v + time / 2 * v1) / dx, v2 = acceleration(oscillator, *w + time / 2 * w1);
+    const double w3 = (*v + time / 2 * v2) / dx, v3 = acceleration(oscillator, *w + time / 2 * w2);
+    const double w4 = (*v + time * v3) / dx, v4 = acceleration(oscillator, *w + time * w3);
+    *w += time / 6 * (w1 + 2 * w2 + 2 * w3 + w4);
+    *v += time / 6 * (v1 + 2 * v2 + 2 * v3 + v4);
+}
+
+bool oscillator_make(Oscillator *oscillator, double cell, double speed, double velocity)
+{
+    oscillator->cell = cell;
+    oscillator->speed = speed;
+    oscillator->velocity = velocity;
+    oscillator->period = 2 * M_PI * cell / speed;
+    if (!(fabs(velocity) <= speed))
+        return false;
+    if (velocity != 0)
+        oscillator->period = period_of(oscillator);
+    double w = 0, v = velocity;
+    for (int i = 0; i < OSCILLATOR_TABLE; i++) {
+        oscillator->table[i].strain = w;
+        oscillator->table[i].velocity = v;
+        advance(oscillator, oscillator->period / OSCILLATOR_TABLE, &w, &v);
+    }
+    return true;
+}
+
+void oscillator_at(const Oscillator *oscillator, double time, double *strain, double *velocity)
+{
+    const double part = oscillator->period / OSCILLATOR_TABLE, rest = fmod(time, oscillator->period);
+    int i = (int)(rest / part);
+    i = i < OSCILLATOR_TABLE ? i : OSCILLATOR_TABLE - 1;
+    *strain = oscillator->table[i].strain;
+    *velocity = oscillator->table[i].velocity;
+    advance(oscillator, rest - i * part, strain, velocity);
+}
+
+double oscillator_energy(const Oscillator *oscillator, double strain, double velocity)
+{
+    return (velocity * velocity + oscillator->speed * oscillator->speed * twice_potential(strain)) / 2;
+}
