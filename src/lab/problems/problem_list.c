@@ -3,10 +3,10 @@
 
 const Problem *const problems[] = {
     &problem_bar,
-    &problem_one_particle,
-    &problem_hanging_column,
     &problem_supported_beam,
     &problem_moving_cantilever,
     &problem_notched_beam,
+    &problem_one_particle,
+    &problem_hanging_column,
     NULL,
 };
