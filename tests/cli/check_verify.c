@@ -176,8 +176,8 @@ static void expect_sound(const VerifyCheck *check)
 START_TEST(every_row_can_be_run_and_can_miss)
 {
     const VerifyCheck *const subjects[] = {verify_bar_checks, verify_field_checks, verify_beam_checks,
-                                           verify_crack_checks};
-    for (int s = 0; s < 3; s++)
+                                           verify_plane_checks, verify_crack_checks};
+    for (size_t s = 0; s < sizeof subjects / sizeof *subjects; s++)
         for (const VerifyCheck *check = subjects[s]; check->name; check++)
             expect_sound(check);
 }
