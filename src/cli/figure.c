@@ -51,12 +51,18 @@ static bool work_off(Experiment *experiment, double behind, double part, Progres
     return true;
 }
 
-/* The other run first; its curves stay behind those of the run itself. */
-static bool run_against(Experiment *experiment, const Settings *settings, long step, Progress *progress,
-                        Status *status)
+/* The other runs first, of which the experiment is the first one; their curves stay behind those of the run
+ * itself, where there are several as pinned ones. */
+static bool run_against(Experiment *experiment, const Settings *others, int n_others,
+                        const Settings *settings, long step, Progress *progress, Status *status)
 {
-    return advance_to(experiment, step, 0, 0.5, progress, status) &&
-           experiment_rerun(experiment, settings, status) && work_off(experiment, 0.5, 0.5, progress, status);
+    const double part = 1.0 / (n_others + 1);
+    bool sound = advance_to(experiment, step, 0, part, progress, status);
+    for (int i = 0; i < n_others && sound; i++)
+        sound = (n_others == 1 || experiment_pin(experiment, status)) &&
+                experiment_rerun(experiment, i + 1 < n_others ? &others[i + 1] : settings, status) &&
+                work_off(experiment, (i + 1) * part, part, progress, status);
+    return sound;
 }
 
 /* Goes from one time to the next and takes each down. */
@@ -114,22 +120,34 @@ static bool draw_frames(Screen *screen, const View *view, const Frames *frames, 
     return sound;
 }
 
-/* The settings of the run behind; false: nothing differs. */
-static bool other_settings(const Options *options, const Settings *settings, Settings *other, Status *status)
+/* The settings of a run behind; false: nothing differs. */
+static bool other_settings(const char *against, const Settings *settings, Settings *other, Status *status)
 {
     char key[KEY_MAX];
     *other = *settings;
-    const char *equals = strchr(options->against, '=');
-    if (!equals || equals == options->against || equals - options->against >= KEY_MAX)
-        return status_fail(status, STATUS_USAGE, "--against: \"%.80s\" sets nothing (KEY=VALUE)",
-                           options->against);
-    snprintf(key, sizeof key, "%.*s", (int)(equals - options->against), options->against);
+    const char *equals = strchr(against, '=');
+    if (!equals || equals == against || equals - against >= KEY_MAX)
+        return status_fail(status, STATUS_USAGE, "--against: \"%.80s\" sets nothing (KEY=VALUE)", against);
+    snprintf(key, sizeof key, "%.*s", (int)(equals - against), against);
     Status why = {STATUS_DONE, ""};
     if (!settings_set(other, key, equals + 1, &why) || !settings_check(other, &why))
         return status_fail(status, STATUS_USAGE, "--against: %s", why.text);
     return !settings_same(settings, other) ||
-           status_fail(status, STATUS_USAGE, "--against: %.80s is what the run has already",
-                       options->against);
+           status_fail(status, STATUS_USAGE, "--against: %.80s is what the run has already", against);
+}
+
+/* Those of all, each another run. */
+static bool all_others(const OptionList *against, const Settings *settings, Settings *others, Status *status)
+{
+    for (int i = 0; i < against->count; i++) {
+        if (!other_settings(against->texts[i], settings, &others[i], status))
+            return false;
+        for (int k = 0; k < i; k++)
+            if (settings_same(&others[k], &others[i]))
+                return status_fail(status, STATUS_USAGE, "--against: %.80s is given twice (once)",
+                                   against->texts[i]);
+    }
+    return true;
 }
 
 /* The steps of the pictures; their number depends on the time step, so those of another run are others. What
@@ -165,8 +183,8 @@ static bool refine(Convergence *convergence, const Screen *screen, const View *v
     return true;
 }
 
-static bool draw(const Options *options, const Settings *settings, Screen *screen, Progress *progress,
-                 Status *status)
+static bool draw(const Options *options, const Settings *settings, const Settings *others, Screen *screen,
+                 Progress *progress, Status *status)
 {
     Frames frames = {0};
     const View *view = NULL;
@@ -177,10 +195,11 @@ static bool draw(const Options *options, const Settings *settings, Screen *scree
     if (sound && frames.count > FIGURE_PANELS_MAX)
         sound = status_fail(status, STATUS_USAGE, "a page has room for %d pictures, not %zu",
                             FIGURE_PANELS_MAX, frames.count);
-    if (sound && options->against && frames.count > 1)
+    if (sound && options->against.count > 0 && frames.count > 1)
         sound = status_fail(status, STATUS_USAGE, "--against: is for one picture, not for several times");
-    if (sound && options->against)
-        sound = run_against(screen->experiment, settings, frames.steps[0], progress, status) &&
+    if (sound && options->against.count > 0)
+        sound = run_against(screen->experiment, others, options->against.count, settings, frames.steps[0],
+                            progress, status) &&
                 plan(&frames, screen, view, settings, status);
     if (sound) {
         if (!settings->view.window[0])
@@ -204,7 +223,7 @@ static int failed_with(const Status *status)
 int cli_figure(int count, char **arguments, Status *status)
 {
     Options options;
-    Settings settings, first;
+    Settings settings, others[OPTION_LIST_MAX];
     if (!options_parse("figure", count, arguments, &options, status) ||
         !options_words(&options, 1, 1, "SCENARIO", status) ||
         !options_load(&options, options.words[0], &settings, status))
@@ -212,7 +231,7 @@ int cli_figure(int count, char **arguments, Status *status)
     /* pictures of a crack are compared with each other, so displacements are not enlarged unless asked for */
     if (settings.problem->concerns & CONCERN_NOTCH && !settings.view.exaggeration[0])
         strcpy(settings.view.exaggeration, "1");
-    first = settings;
+    others[0] = settings;
     bool sound = true;
     if (!options.list) {
         if (!options.view)
@@ -223,17 +242,19 @@ int cli_figure(int count, char **arguments, Status *status)
                                 "figure: --output FILE is missing (FILE.svg, .pdf or .png)");
         sound = sound && figure_allowed(options.output, status) &&
                 output_may_begin(options.output, options.force, status) &&
-                (!options.against || other_settings(&options, &settings, &first, status));
+                all_others(&options.against, &settings, others, status);
     }
     if (!sound)
         return (int)status->code;
     Progress progress;
     progress_begin(&progress, options.quiet);
-    settings.patience = first.patience = (Patience){progress_show, &progress};
+    settings.patience = (Patience){progress_show, &progress};
+    for (int i = 0; i < OPTION_LIST_MAX; i++)
+        others[i].patience = settings.patience;
     Screen screen;
     screen_default(&screen);
     screen.scenario = options.words[0];
-    screen.experiment = experiment_create(&first, HISTORY, progress_threads(options.threads), status);
+    screen.experiment = experiment_create(&others[0], HISTORY, progress_threads(options.threads), status);
     if (!screen.experiment) {
         progress_end(&progress);
         return failed_with(status);
@@ -242,7 +263,7 @@ int cli_figure(int count, char **arguments, Status *status)
     if (options.list) {
         figure_names(&screen, stdout);
     } else {
-        sound = draw(&options, &settings, &screen, &progress, status);
+        sound = draw(&options, &settings, others, &screen, &progress, status);
     }
     progress_end(&progress);
     experiment_destroy(screen.experiment);

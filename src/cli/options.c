@@ -38,7 +38,8 @@ const Option options_table[] = {
     {"--jobs", "N", " sweep ", "runs at the same time (1)", OPTION_COUNT, AT(jobs)},
     {"--view", "NAME", " figure ", "what is drawn, as in profile or profile:stress; --list prints the names",
      OPTION_TEXT, AT(view)},
-    {"--against", "KEY=VALUE", " figure ", "draws the run with this value behind, to compare", OPTION_TEXT,
+    {"--against", "KEY=VALUE", " figure ",
+     "draws the run with this value behind, to compare; may be repeated, a run each", OPTION_LIST,
      AT(against)},
     {"--output", "FILE", " figure ", "the figure: FILE.svg, FILE.pdf or FILE.png", OPTION_TEXT, AT(output)},
     {"--output", "DIR", " export-lammps ", "the folder that the files go to; it is made if missing",
@@ -232,6 +233,14 @@ static bool take(const Option *option, const char *value, Options *options, Stat
                            allowed);
     case OPTION_OVERRIDE:
         return take_override(option, value, options, status);
+    case OPTION_LIST: {
+        OptionList *list = member;
+        if (list->count == OPTION_LIST_MAX)
+            return status_fail(status, STATUS_USAGE, "%s: too many (at most %d)", option->name,
+                               OPTION_LIST_MAX);
+        list->texts[list->count++] = value;
+        return true;
+    }
     case OPTION_AXIS:
         if (options->n_axes == AXES_MAX)
             return status_fail(status, STATUS_USAGE, "%s: too many keys to vary (at most %d)", option->name,

@@ -18,6 +18,7 @@ typedef enum OptionKind {
     OPTION_SIZE,     /* int[2]: 80x24 */
     OPTION_WORD,     /* const char *, one of some words */
     OPTION_OVERRIDE, /* sets a key of the scenario: KEY=VALUE, or the value of a key */
+    OPTION_LIST,     /* appends to an OptionList */
     OPTION_AXIS,     /* appends to the axes of a sweep */
 } OptionKind;
 
@@ -37,13 +38,19 @@ typedef struct Option {
 extern const Option options_table[];
 extern const int n_options;
 
-enum { WORDS_MAX = 64, OVERRIDES_MAX = 128, AXES_MAX = 16 };
+enum { WORDS_MAX = 64, OVERRIDES_MAX = 128, AXES_MAX = 16, OPTION_LIST_MAX = 4 };
 
 /* What a sweep varies, as given. */
 typedef struct SweepAxis {
     const char *origin; /* "--vary" or "--with" */
     const char *text;   /* KEY=A,B,C or KEY=LO:HI:N */
 } SweepAxis;
+
+/* What an option was given, each time. */
+typedef struct OptionList {
+    const char *texts[OPTION_LIST_MAX];
+    int count;
+} OptionList;
 
 /* What a command line came to; what was not given is 0. */
 typedef struct Options {
@@ -66,11 +73,12 @@ typedef struct Options {
     int n_axes;
     long jobs;
     const char *output;
-    const char *view, *against;
+    const char *view;
+    OptionList against;
     bool plan;
     const char *data, *sought, *column, *figure; /* of a fit */
-    const char *seconds, *pitch; /* of a sound */
-    const char *fps, *speed, *idle, *from, *to; /* of a film */
+    const char *seconds, *pitch;                 /* of a sound */
+    const char *fps, *speed, *idle, *from, *to;  /* of a film */
 
     bool paused, no_mouse, last, fast;
     const char *record, *replay;

@@ -157,9 +157,9 @@ static char letter_of(const Sketch *sketch, int stroke)
 {
     int earlier = 0;
     for (int i = 0; i < stroke; i++)
-        earlier += sketch->plot.strokes[i].rank == RANK_GHOST && sketch->plot.strokes[i].style == STYLE_FAINT;
+        earlier += sketch->plot.strokes[i].rank == RANK_GHOST && ink_is_ghost(sketch->plot.strokes[i].style);
     for (int i = 0; i < sketch->n_keys; i++)
-        if (sketch->keys[i].letter && sketch->keys[i].style == STYLE_FAINT && earlier-- == 0)
+        if (sketch->keys[i].letter && ink_is_ghost(sketch->keys[i].style) && earlier-- == 0)
             return sketch->keys[i].letter;
     return 0;
 }

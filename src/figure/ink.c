@@ -10,7 +10,8 @@ static const Colour colours[STYLE_RAMP_0] = {
     [STYLE_NORMAL] = BLACK,       [STYLE_FOCUS] = 0x56b4e9,   [STYLE_FAINT] = 0x6e6e6e,
     [STYLE_SELECTED] = 0x8c8c8c,  [STYLE_CHANGED] = 0xd55e00, [STYLE_MEASURED] = 0x3d9ad6,
     [STYLE_PREDICTED] = 0xa84300, [STYLE_EXACT] = 0x5b1a6b,   [STYLE_SECOND] = 0x00704f,
-    [STYLE_THIRD] = 0x5c4000,
+    [STYLE_THIRD] = 0x5c4000,     [STYLE_GHOST_A] = 0xc9366f, [STYLE_GHOST_B] = 0x7a7a00,
+    [STYLE_GHOST_C] = 0x3f7f86,   [STYLE_GHOST_D] = 0x8a6d3b, [STYLE_GHOST_E] = 0x505050,
 };
 
 Colour ink_of(Style style)
@@ -18,11 +19,16 @@ Colour ink_of(Style style)
     return style < STYLE_RAMP_0 ? colours[style] : BLACK;
 }
 
+bool ink_is_ghost(Style style)
+{
+    return style == STYLE_FAINT || (style >= STYLE_GHOST_A && style <= STYLE_GHOST_E);
+}
+
 Pencil ink_pencil(Style style, LineStyle line, char letter)
 {
     static const double earlier[][4] = {{6, 2, 1.2, 2}, {3, 1.5, 3, 1.5}, {8, 2, 8, 2}, {1.2, 1.5, 1.2, 1.5}};
     Pencil pencil = {.colour = ink_of(style), .width = style == STYLE_MEASURED ? 1.8 : 1.1};
-    if (style == STYLE_FAINT && letter >= 'a' && letter <= 'z') {
+    if (ink_is_ghost(style) && letter >= 'a' && letter <= 'z') {
         memcpy(pencil.dashes, earlier[(letter - 'a') % 4], sizeof pencil.dashes);
         return pencil;
     }

@@ -2,6 +2,8 @@
 #ifndef FIGURE_INK_H
 #define FIGURE_INK_H
 
+#include <stdbool.h>
+
 #include "figure/paper.h"
 #include "view/draw/sketch.h"
 
@@ -11,6 +13,9 @@
 #define GRID  0xe4e4e4u
 
 Colour ink_of(Style);
+
+/* Whether it is that of an earlier run behind. */
+bool ink_is_ghost(Style);
 
 /* The line of a stroke or of a legend's entry. Earlier runs have dashes of their own, by their letter. */
 Pencil ink_pencil(Style, LineStyle, char letter);

@@ -74,6 +74,13 @@ done
 result "with one legend" test "$(words four.svg | grep -c -x measured)" -eq 1
 expect "a run behind" 0 mode5 --end 3 --view probe --against mesh.cell_size=0.5 --output behind.svg
 result "is named by what it was" has_word behind.svg "a: cell size 0.5"
+expect "two runs behind" 0 mode5 --end 3 --view energies --against mesh.cell_size=1/2 --against mesh.cell_size=0.25 \
+	--output three.svg
+result "the first is named" has_word three.svg "a: cell size 0.5"
+result "the second is named" has_word three.svg "b: cell size 0.25"
+expect "the same run twice behind" 2 mode5 --view probe --against mesh.cell_size=0.5 --against mesh.cell_size=1/2 --output x.svg
+expect "five runs behind" 2 mode5 --view probe --against initial.mode=1 --against initial.mode=2 --against initial.mode=3 \
+	--against initial.mode=4 --against initial.mode=6 --output x.svg
 expect "a size in millimetres" 0 mode1 --end 5 --view energies --size 100x70 --output small.svg
 result "is kept" says small.svg '<svg.* width="100mm" height="70mm"'
 

@@ -134,8 +134,8 @@ START_TEST(tab_completes_words_keys_values_and_files)
         /* by the end of a key and by the words of its label */
         {"cell_s", "mesh.cell_size=", ""},
         {"cell s", "mesh.cell_size=", ""},
-        {"Young", "bar.youngs_modulus=", ""},
-        {"modulus", "bar.youngs_modulus=", ""},
+        {"Courant n", "time.courant=", ""},
+        {"traction_", "load.traction_layer=", ""},
         {"number", "number", "no name begins with that"},
         {"tra", "tra", "mpm.transfer  load.traction  load.traction_layer"},
         {"cell_size=", "cell_size=", "> 0: size dx"},

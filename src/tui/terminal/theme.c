@@ -32,6 +32,11 @@ static const Row rows[STYLE_RAMP_0] = {
     [STYLE_EXACT] = {183, 90, 5, 5, D, D, D, 0, 0},
     [STYLE_SECOND] = {79, 29, 2, 2, D, D, D, 0, 0},
     [STYLE_THIRD] = {229, 94, 7, 0, D, D, D, 0, 0},
+    [STYLE_GHOST_A] = {168, 125, 1, 1, D, D, D, 0, 0},
+    [STYLE_GHOST_B] = {143, 100, 2, 2, D, D, D, 0, 0},
+    [STYLE_GHOST_C] = {109, 66, 6, 4, D, D, D, 0, 0},
+    [STYLE_GHOST_D] = {180, 94, 5, 5, D, D, D, 0, 0},
+    [STYLE_GHOST_E] = {250, 240, 7, 0, D, D, D, 0, 0},
 };
 
 /* From dark purple over green to yellow, brightness rising all the way, so that it reads in grey too. On a

@@ -134,7 +134,8 @@ char *canvas_dump_styles(const Canvas *canvas)
         [STYLE_HEADING] = 'H',  [STYLE_FAINT] = 'f',     [STYLE_SELECTED] = 'S', [STYLE_EDIT] = 'E',
         [STYLE_CHANGED] = 'C',  [STYLE_WARNING] = 'W',   [STYLE_ERROR] = '!',    [STYLE_KEY] = 'K',
         [STYLE_MEASURED] = 'm', [STYLE_PREDICTED] = 'p', [STYLE_EXACT] = 'e',    [STYLE_SECOND] = '2',
-        [STYLE_THIRD] = '3',
+        [STYLE_THIRD] = '3',    [STYLE_GHOST_A] = 'u',   [STYLE_GHOST_B] = 'v',  [STYLE_GHOST_C] = 'w',
+        [STYLE_GHOST_D] = 'x',  [STYLE_GHOST_E] = 'y',
     };
     char *out = malloc((size_t)canvas->height * ((size_t)canvas->width + 1) + 1);
     if (!out)

@@ -31,6 +31,11 @@ typedef enum Style {
     STYLE_EXACT,
     STYLE_SECOND, /* the second run of a duel, a second curve */
     STYLE_THIRD,
+    STYLE_GHOST_A, /* earlier runs that are kept, by their letters */
+    STYLE_GHOST_B,
+    STYLE_GHOST_C,
+    STYLE_GHOST_D,
+    STYLE_GHOST_E,
     STYLE_RAMP_0, /* heat maps: STYLE_RAMP_0 + 0..RAMP_STEPS-1 */
     STYLE_COUNT = STYLE_RAMP_0 + 16
 } Style;

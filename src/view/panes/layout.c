@@ -25,10 +25,10 @@ enum {
 
 #define TALL_SHARE 0.2 /* height over length */
 
-/* A caption is short; a stage, a summary and the readout of a duel are not. */
+/* A caption is short; a stage, a summary and a table of runs are not. */
 static bool has_caption(const Screen *screen)
 {
-    return !screen_second_run(screen) &&
+    return !screen_second_run(screen) && pane_runs_rows(screen) == 0 &&
            (screen->playback.state == STATE_RUNNING ||
             (screen->playback.state == STATE_COMPUTING && screen->playback.goes_on));
 }

@@ -112,8 +112,8 @@ static void keep_sentences(char *text, int width, int rows)
     }
 }
 
-/* " 4200 steps/s, about 9 s left ": known after the first frames, for pace and machine as they are. In brief the
- * time alone. */
+/* " 4200 steps/s, about 9 s left ": known after the first frames, for pace and machine as they are. In brief
+ * the time alone. */
 static void rate_text(const Screen *screen, bool brief, char *out, size_t size)
 {
     const Experiment *experiment = screen->experiment;
@@ -124,7 +124,10 @@ static void rate_text(const Screen *screen, bool brief, char *out, size_t size)
         return;
     const double seconds = (double)left / rate;
     const double grain = pow(10, floor(log10(rate)) - 1); /* two digits: the third would dance */
-    snprintf(out, size, brief ? " " : rate < 10 ? " %.1f steps/s, " : " %.0f steps/s, ",
+    snprintf(out, size,
+             brief       ? " "
+             : rate < 10 ? " %.1f steps/s, "
+                         : " %.0f steps/s, ",
              round(rate / grain) * grain);
     if (seconds < 100)
         text_append(out, size, "about %.0f s left ", fmax(1, seconds));
@@ -234,9 +237,10 @@ static void draw_summary(const Screen *screen, Area area)
         *end = '\0';
         y += area_phrases(area, 1, y, width, rows - y, line, STYLE_NORMAL);
     }
-    area_paragraph(area, 1, y, width, rows - y,
-                   "Space runs it again, x writes it as CSV.  T lessons, o other scenarios, ? what is solved.",
-                   STYLE_NORMAL);
+    area_paragraph(
+        area, 1, y, width, rows - y,
+        "Space runs it again, x writes it as CSV.  T lessons, o other scenarios, ? what is solved.",
+        STYLE_NORMAL);
 }
 
 /* In the longest free piece of the box's upper edge. */
@@ -261,9 +265,15 @@ static void draw_ghost_names(const Screen *screen, Area area)
     area_text_right(area, end - 1 - width, 0, " ", STYLE_FRAME);
 }
 
-static void draw_box(const Screen *screen, Area area)
+/* True: the ghosts are named in it. */
+static bool draw_box(const Screen *screen, Area area)
 {
+    enum { LEAST = 4 }; /* rows in which there is more to be said than a heading */
     const bool between = experiment_stage(screen->experiment) == 0 && !experiment_before(screen->experiment);
+    const int table = between ? pane_runs(screen, area) : 0;
+    area = area_part(area, 0, table, area.rect.width, area.rect.height - table);
+    if (table > 0 && area.rect.height < LEAST)
+        return true;
     if (screen_second_run(screen) && between)
         pane_duel(screen, area);
     else if (screen->playback.state == STATE_RUNNING || screen->playback.state == STATE_COMPUTING)
@@ -273,11 +283,11 @@ static void draw_box(const Screen *screen, Area area)
         draw_summary(screen, area);
     else
         pane_stage(screen, area);
+    return table > 0;
 }
 
 void pane_box(const Screen *screen, Area area)
 {
-    draw_box(screen, area);
-    if (area.rect.height > 0)
+    if (!draw_box(screen, area) && area.rect.height > 0)
         draw_ghost_names(screen, area);
 }

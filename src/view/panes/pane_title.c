@@ -91,8 +91,8 @@ void screen_shorter_time(const Screen *screen, int less, char *out, size_t size)
 
 enum { BAR_CELLS = 10 };
 
-/* What the title gives up, one after the other, where there is no room. What the run is about stands first; the
- * method's words are told by the parameters too, the scenario's name is not. */
+/* What the title gives up, one after the other, where there is no room. What the run is about stands first;
+ * the method's words are told by the parameters too, the scenario's name is not. */
 typedef struct TitleForm {
     bool headline, brief, name, words; /* brief: of the state */
     int fewer;                         /* decimals of the time that are left out */

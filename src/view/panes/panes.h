@@ -49,6 +49,10 @@ bool pane_lattice_choose(Screen *, Rect, int x, int y); /* the node near a place
 void pane_box(const Screen *, Area);
 void pane_stage(const Screen *, Area);
 void pane_duel(const Screen *, Area); /* the readout of a duel, in place of the box */
+/* A table of the runs in one picture, on top of the box. Returns its rows; 0: there are too few runs, or it
+ * has no room. */
+int pane_runs(const Screen *, Area);
+int pane_runs_rows(const Screen *); /* how many it would like */
 void help_draw(const Screen *, Area);
 /* "640 m/s = 0.30 c_R, fastest 904 = 0.42": how fast a crack's tip is now. */
 void beam_lines_tip_speed(const Crack *, double rayleigh, char out[160]);

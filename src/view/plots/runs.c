@@ -3,6 +3,7 @@
 
 #include "view/plots/time_plot.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -11,7 +12,7 @@ static Run run_of_ghost(const Ghost *ghost, int index)
     Run run = {
         .letter = ghost->letter,
         .line = LINE_SOLID,
-        .style = STYLE_FAINT,
+        .style = ghost->pinned ? (Style)(STYLE_GHOST_A + index) : STYLE_FAINT,
         .rank = RANK_GHOST,
         .mark = ':',
         .shown = true,
@@ -120,6 +121,15 @@ void run_letter(const Run *run, const Plot *plot, Area inner, double x, double y
         axes_mark(inner, &plot->x, &plot->y, x, y, (uint32_t)(unsigned char)run->letter, run->style);
 }
 
+double run_mark(const Run *run, const Plot *plot, Area inner, int k)
+{
+    enum { CELLS = 40 }; /* in less the letter at the end suffices; on paper a ghost has dashes of its own */
+    if (run->ghost < 0 || run->style == STYLE_FAINT || inner.canvas->sketch || inner.rect.width < CELLS)
+        return NAN;
+    const double share = (k + (run->ghost + 0.5) / GHOSTS_MAX) / RUN_MARKS;
+    return plot->x.low + share * (plot->x.high - plot->x.low);
+}
+
 void runs_add_ghosts(Plot *plot, const Run *runs, int n_runs, const char *column, int dots)
 {
     for (int i = 0; i < n_runs; i++) {
@@ -141,6 +151,12 @@ void run_letter_over_time(const Plot *plot, Area inner, const Run *run, int colu
         return;
     const double *row = record_row(record, record_find(record, plot->x.high));
     run_letter(run, plot, inner, row[1], row[column]);
+    for (int k = 0; k < RUN_MARKS; k++) {
+        const double time = run_mark(run, plot, inner, k);
+        const double *here = record_row(record, record_find(record, time));
+        if (time < row[1])
+            run_letter(run, plot, inner, here[1], here[column]);
+    }
 }
 
 void runs_draw_letters(const Plot *plot, Area inner, const Run *runs, int n_runs, const char *column)

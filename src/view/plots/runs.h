@@ -6,7 +6,7 @@
 
 #include "view/panes/panes.h"
 
-enum { RUNS_MAX = GHOSTS_MAX + 2, RUN_WORD_MAX = LEGEND_MAX + 56 };
+enum { RUNS_MAX = GHOSTS_MAX + 2, RUN_WORD_MAX = LEGEND_MAX + 56, RUN_MARKS = 4 };
 
 typedef struct Run {
     char letter;             /* 'a' to 'e' a ghost, 'A' and 'B' in a duel; 0: the only run */
@@ -43,6 +43,10 @@ void run_begin(Plot *, const Run *);
 
 /* The run's entry in a legend. */
 Legend run_legend(const Run *);
+
+/* Where along an axis the curve of a ghost that is kept has its letter once more, the k-th of RUN_MARKS
+ * times: each ghost elsewhere, so that curves that lie on each other all have names. NAN: nowhere. */
+double run_mark(const Run *, const Plot *, Area inner, int k);
 
 /* Puts the run's letter at a place of the plot, usually the end of its curve. */
 void run_letter(const Run *, const Plot *, Area inner, double x, double y);

@@ -251,7 +251,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         [GLYPHS_BLOCK] = {"▓▓", "▒▒", "░░", "··"},
         [GLYPHS_ASCII] = {"##", "++", "..", "::"},
     };
-    Legend legend[8];
+    Legend legend[8 + RUNS_MAX];
     int n_legend = 0;
     if (second) {
         legend[n_legend++] = (Legend){LINE_SOLID, '#', STYLE_MEASURED, "A", NULL};
@@ -262,6 +262,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
                                       keys[area.glyphs][stack.layers[i].fill & 3]};
     if (most_work > 0)
         legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "work", NULL};
+    n_legend += runs_ghost_legends(runs, n_runs, legend + n_legend);
     const int height = area.rect.height;
     Axis y = axis_make(0, axis_round_up(fmax(most, most_work) * 1.02), height < 7 ? 2 : height < 15 ? 4 : 6);
     char scale[TICK_TEXT_MAX], name[32], phrases[320];

@@ -274,6 +274,14 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         draw_particles(&plot, inner, &curves[k]);
         run_letter(curves[k].run, &plot, inner, profile->x[profile->count - 1],
                    curves[k].values[profile->count - 1]);
+        for (int m = 0; m < RUN_MARKS; m++) {
+            const double place = run_mark(curves[k].run, &plot, inner, m);
+            size_t i = 0;
+            while (i < profile->count && profile->x[i] < place)
+                i++;
+            if (i > 0 && i < profile->count)
+                run_letter(curves[k].run, &plot, inner, profile->x[i], curves[k].values[i]);
+        }
     }
     overlay_marks(screen, inner, &plot, name, true);
     plot_close(&plot);
