@@ -223,8 +223,9 @@ START_TEST(a_first_start_offers_the_first_lesson)
         Session session;
         session_open(&session, 80, 24, environment, start == 0 ? fresh : start == 2 ? again : known);
         session_idle(&session);
-        ck_assert(session_shows(&session, "First time here?") == (start < 2));
-        session_keys(&session, key[start]);
+        ck_assert(start == 2 || session_shows(&session, "First time here?") == (start < 2));
+        if (*key[start])
+            session_keys(&session, key[start]);
         ck_assert(!session_shows(&session, "First time here?"));
         ck_assert(session_shows(&session, "One step of MPM") == (start == 0 || start == 2));
         ck_assert(session_shows(&session, "step 1 ") == (start == 1 || start == 3));
