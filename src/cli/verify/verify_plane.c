@@ -51,7 +51,7 @@ static const VerifyRow periods[] = {
     }
 #define ENERGY_ROW(label, number, slack)                                                                     \
     {                                                                                                        \
-        .what = label, .quantity = quantity_energy_left, .from = 0, .to = 5e-3, .decimals = 3,               \
+        .what = label, .quantity = quantity_energy_left, .from = 1e-9, .to = 4.999e-3, .decimals = 3,        \
         .reference = WITHIN(number, slack), .full = true                                                     \
     }
 #define TIP_ROW(label, time, number)                                                                         \

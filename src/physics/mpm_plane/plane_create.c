@@ -53,6 +53,8 @@ static void take_schedule(Plane *plane)
     plane->sim.stages = schedule->stages;
     plane->sim.n_stages = schedule->count;
     plane->sim.sets = schedule->sets;
+    plane->sim.exchanges = plane_exchanges(plane->head);
+    plane->sim.n_exchanges = PLANE_EXCHANGES;
 }
 
 static size_t state_size(const Simulation *sim)
@@ -102,6 +104,8 @@ static const Method method = {
     .field = plane_field,
     .links = plane_links,
     .shapes = plane_shapes,
+    .exchange = plane_exchange,
+    .explain = plane_explain,
     .state_size = state_size,
     .save = save,
     .load = load,

@@ -40,6 +40,7 @@ enum FieldIndex {
     N_AX,
     N_AY,
     N_ACTIVE,
+    N_FIXED,
     N_HELD_X,
     N_HELD_Y,
     FIELDS
@@ -91,6 +92,8 @@ static const Field fields[FIELDS] = {
     [N_AX] = NODE_SHOWN(false, "ax", "acceleration x", "m/s^2", "force over mass"),
     [N_AY] = NODE_SHOWN(false, "ay", "acceleration y", "m/s^2", "force over mass"),
     [N_ACTIVE] = NODE_SHOWN(true, "active", "active", "1", "1: the node has mass"),
+    [N_FIXED] =
+        NODE_SHOWN(true, "fixed", "fixed", "1", "1: a support or the channel holds it, one way or both"),
     [N_HELD_X] =
         NODE_SHOWN(true, "held_x", "held x", "1", "1: a support or the channel holds it along the beam"),
     [N_HELD_Y] = NODE_SHOWN(true, "held_y", "held y", "1", "1: a support or the channel holds it across"),
@@ -124,24 +127,21 @@ static double rest_y(const Plane *plane, int p)
     return (p / plane->nxp + 0.5) * plane->spacing - plane->def.height / 2;
 }
 
-/* The strain of this step from the velocities that made it: with USF those before the momentum was
- * integrated, p/m - dt f/m. */
 static double strain_step(const Plane *plane, int field, int p)
 {
     if (!plane_has_done(plane, PLANE_STRAIN))
         return 0;
-    const bool integrated = plane->head->algorithm == MPM_USF && plane_has_done(plane, PLANE_INTEGRATE);
     const PlaneWeights w = plane_weights(plane, plane->sx[p], plane->sy[p]);
     double xx = 0, yy = 0, xy = 0;
     for (int b = 0; b < plane->support; b++)
         for (int a = 0; a < plane->support; a++) {
             const int node = plane->base[p] + b * plane->gx + a;
             const double bx = w.dnx[a] * w.ny[b], by = w.nx[a] * w.dny[b];
-            const double vx = plane->node_vx[node] - (integrated ? plane->dt * plane->ax[node] : 0);
-            const double vy = plane->node_vy[node] - (integrated ? plane->dt * plane->ay[node] : 0);
-            xx += bx * vx;
-            yy += by * vy;
-            xy += by * vx + bx * vy;
+            double v[2];
+            plane_strain_velocity(plane, node, v);
+            xx += bx * v[0];
+            yy += by * v[1];
+            xy += by * v[0] + bx * v[1];
         }
     return plane->dt / plane->dx * (field == P_EXX ? xx : field == P_EYY ? yy : xy);
 }
@@ -205,6 +205,10 @@ static double node_field(const Plane *plane, int field, int node)
         return plane_xmin(plane, plane->sim.step) + i * plane->dx;
     case N_Y:
         return plane->ymin + j * plane->dx;
+    case N_FIXED: {
+        const PlaneHeld held = plane_held(plane, plane->sim.step, i, j);
+        return held.x || held.y;
+    }
     case N_HELD_X:
         return plane_held(plane, plane->sim.step, i, j).x;
     case N_HELD_Y:
@@ -238,8 +242,7 @@ void plane_field(const Simulation *sim, int field, size_t first, size_t count, d
 
 /* --- who exchanges with whom ---------------------------------------------------------------------- */
 
-/* Where a particle is on the grid: as found by the step that goes on, else as it would be found. */
-static bool place_of(const Plane *plane, int p, int32_t *base, double *sx, double *sy)
+bool plane_place_of(const Plane *plane, int p, int32_t *base, double *sx, double *sy)
 {
     if (plane->sim.stage == 0)
         return plane_find(plane, plane_xmin(plane, plane->sim.step), plane->x[p], plane->y[p], base, sx, sy);
@@ -273,11 +276,12 @@ size_t plane_links(const Simulation *sim, int set, size_t index, Link *out, size
     double sx, sy;
     ASSERT_INT(index, <, sim->counts[set]);
     if (set == PLANE_PARTICLES)
-        return place_of(plane, (int)index, &base, &sx, &sy) ? links_at(plane, base, sx, sy, out, max) : 0;
+        return plane_place_of(plane, (int)index, &base, &sx, &sy) ? links_at(plane, base, sx, sy, out, max)
+                                                                  : 0;
     size_t count = 0;
     for (int p = 0; p < plane->n_particles && count < max; p++) {
         Link of_particle[PLANE_SUPPORT_MAX * PLANE_SUPPORT_MAX];
-        if (!place_of(plane, p, &base, &sx, &sy))
+        if (!plane_place_of(plane, p, &base, &sx, &sy))
             continue;
         const int column = (int)index % plane->gx - base % plane->gx,
                   row = (int)index / plane->gx - base / plane->gx;

@@ -165,5 +165,34 @@ void plane_set_fields(Plane *);
 void plane_field(const Simulation *, int field, size_t first, size_t count, double *out);
 size_t plane_links(const Simulation *, int set, size_t index, Link *out, size_t max);
 size_t plane_shapes(const Simulation *, const double *place, Link *out, size_t max);
+/* Where a particle is on the grid: as found by the step that goes on, else as it would be found. */
+bool plane_place_of(const Plane *, int particle, int32_t *base, double *sx, double *sy);
+
+/* plane_exchange.c, plane_explain.c: the terms of the sums, and the sums as lines. */
+typedef enum PlaneExchange {
+    GIVE_MASS,
+    GIVE_PX,
+    GIVE_PY,
+    GIVE_FX,
+    GIVE_FY,
+    GIVE_PX_AGAIN,
+    GIVE_PY_AGAIN,
+    TAKE_EXX,
+    TAKE_EYY,
+    TAKE_GXY,
+    TAKE_VX,
+    TAKE_VY,
+    TAKE_X,
+    TAKE_Y,
+    PLANE_EXCHANGES
+} PlaneExchange;
+
+const Exchange *plane_exchanges(const PlaneHead *);
+int plane_exchange(const Simulation *, int exchange, size_t from, size_t to,
+                   double factors[EXCHANGE_FACTORS_MAX]);
+/* v of a node as the strain of this step is made of it. */
+void plane_strain_velocity(const Plane *, int node, double v[2]);
+void plane_explain(const Simulation *, int stage, int set, size_t index, const void *before, int terms,
+                   char *out, size_t size);
 
 #endif

@@ -25,6 +25,7 @@ typedef struct Subject {
     size_t index;
     Link links[LINKS_MAX];
     size_t n_links;
+    int shapes; /* columns of shape functions: N and its slope, or its two slopes in the plane */
 } Subject;
 
 /* One column of a block: a factor, or the product of an exchange. */
@@ -50,6 +51,7 @@ static Subject subject_of(const Screen *screen)
     const size_t chosen = subject.set ? screen->chosen.node : screen->chosen.particle;
     const size_t count = subject.sim->counts[subject.set];
     subject.index = chosen < count ? chosen : count - 1;
+    subject.shapes = simulation_has(subject.sim, HAS_PLANE) ? 3 : 2;
     subject.n_links =
         subject.sim->method->links(subject.sim, subject.set, subject.index, subject.links, LINKS_MAX);
     return subject;
@@ -100,7 +102,7 @@ static void add_exchange(Block *block, const Subject *subject, int exchange, con
         for (int f = 0; f < n_factors && text_next_word(&rest, word, sizeof word); f++) {
             value *= factors[f];
             const int at = product ? -1 : column_named(block, word);
-            if (at >= 2) /* the first two are the shape functions */
+            if (at >= subject->shapes) /* the first ones are the shape functions */
                 block->columns[at].values[i] = factors[f];
         }
         if (column >= 0)
@@ -113,10 +115,13 @@ static bool fill_block(Block *block, const Subject *subject, int stage, bool tak
 {
     const Simulation *sim = subject->sim;
     *block = (Block){.stage = stage, .takes = takes};
-    const int n = column_named(block, "N"), slope = column_named(block, ascii ? "N'" : "N′");
-    for (size_t i = 0; i < subject->n_links; i++) {
-        block->columns[n].values[i] = subject->links[i].weight;
-        block->columns[slope].values[i] = subject->links[i].gradient[0];
+    static const char *const in_plane[] = {"N", "N,x", "N,y"};
+    const char *const on_line[] = {"N", ascii ? "N'" : "N′"};
+    for (int s = 0; s < subject->shapes; s++) {
+        BlockColumn *column =
+            &block->columns[column_named(block, subject->shapes == 3 ? in_plane[s] : on_line[s])];
+        for (size_t i = 0; i < subject->n_links; i++)
+            column->values[i] = s == 0 ? subject->links[i].weight : subject->links[i].gradient[s - 1];
     }
     bool any = false;
     for (int pass = 0; pass < 2; pass++)
@@ -150,11 +155,11 @@ static void share_width(Block *block, int width)
 }
 
 /* Shape functions that the products do not hold. */
-static void drop_unused(Block *block)
+static void drop_unused(Block *block, int shapes)
 {
-    for (int i = 1; i >= 0; i--) {
+    for (int i = shapes - 1; i >= 0; i--) {
         bool used = false;
-        for (int c = 2; c < block->n_columns; c++) {
+        for (int c = shapes; c < block->n_columns; c++) {
             const char *words = block->columns[c].exchange >= 0 ? block->columns[c].name : "";
             char word[32];
             while (text_next_word(&words, word, sizeof word))
@@ -166,6 +171,16 @@ static void drop_unused(Block *block)
     }
 }
 
+/* All columns but N and the products. */
+static void drop_factors(Block *block)
+{
+    int kept = 1;
+    for (int c = 1; c < block->n_columns; c++)
+        if (block->columns[c].exchange >= 0)
+            block->columns[kept++] = block->columns[c];
+    block->n_columns = kept;
+}
+
 /* Fills what a stage passes on in one direction; false: nothing. Where there is no room for all the products,
  * the one with most factors stands alone. */
 static bool make_block(Block *block, const Subject *subject, int stage, bool takes, bool ascii, int width)
@@ -175,6 +190,13 @@ static bool make_block(Block *block, const Subject *subject, int stage, bool tak
     share_width(block, width);
     if (block->factor_width >= FACTOR_WIDTH_LEAST)
         return true;
+    /* in the plane all directions come before the factors */
+    if (subject->shapes == 3) {
+        drop_factors(block);
+        share_width(block, width);
+        if (block->factor_width >= FACTOR_WIDTH_LEAST)
+            return true;
+    }
     const BlockColumn *longest = NULL;
     for (int c = 0; c < block->n_columns; c++)
         if (block->columns[c].exchange >= 0 &&
@@ -185,7 +207,7 @@ static bool make_block(Block *block, const Subject *subject, int stage, bool tak
     fill_block(block, subject, stage, takes, ascii, longest->exchange);
     share_width(block, width);
     if (block->factor_width < FACTOR_WIDTH_LEAST)
-        drop_unused(block);
+        drop_unused(block, subject->shapes);
     share_width(block, width);
     return true;
 }
@@ -396,6 +418,11 @@ static void draw_subject(const Screen *screen, const Subject *subject, Area area
     text_fitted(simulation_value(sim, x, subject->index), 6, 10, number);
     snprintf(text, sizeof text, "%s%s %zu at x = %s", screen_second_run(screen) ? "A: " : "",
              sim->sets[subject->set].name, subject->index, number);
+    if (subject->shapes == 3) {
+        text_fitted(simulation_value(sim, simulation_find_field(sim, subject->set, "y"), subject->index), 6,
+                    10, number);
+        text_append(text, sizeof text, ", y = %s", number);
+    }
     if (cell >= 0 && area.rect.width >= LEAST_FOR_CELL)
         text_append(text, sizeof text, ", in cell %.0f", simulation_value(sim, cell, subject->index));
     if (fixed >= 0 && simulation_value(sim, fixed, subject->index) > 0)
@@ -471,4 +498,4 @@ static void move_on(Screen *screen, int x, int y, int page)
     screen->chosen.is_node = y < 0;
 }
 
-const Inspector inspector_mesh = {.needs = HAS_MESH | HAS_LINE, .draw = draw, .move = move_on};
+const Inspector inspector_mesh = {.needs = HAS_MESH, .draw = draw, .move = move_on};
