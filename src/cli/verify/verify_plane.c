@@ -39,8 +39,8 @@ static const VerifyRow periods[] = {
 /* --- the cantilever
  * ---------------------------------------------------------------------------------------------- */
 
-#define MOVING   "moving-cantilever-mpm-coarse output.every=16 "
-#define FINE     "moving-cantilever-mpm output.every=32 "
+#define MOVING   "moving-cantilever-mpm-coarse time.end=5.01e-3 output.every=16 "
+#define FINE     "moving-cantilever-mpm time.end=5.01e-3 output.every=32 "
 #define ALL_FLIP "mpm.flip_fraction=1 "
 #define RIDING   "mpm.shape=hat mesh.velocity=10 initial.stress=grid "
 
