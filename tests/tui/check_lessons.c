@@ -301,6 +301,20 @@ START_TEST(a_page_can_be_left_out)
     for (int i = 0; i < 2 * pages && bench->lab.screen.lesson.page < pages - 1; i++)
         press(bench, "PageDown");
     ck_assert_int_eq(bench->lab.screen.lesson.page, pages - 1);
+    /* the next lesson by one key, after the last one the list */
+    press(bench, "n");
+    ck_assert_str_eq(bench->lab.play.name, builtin_lessons[1].name);
+    ck_assert_int_eq(bench->lab.screen.lesson.page, 0);
+    press(bench, "T");
+    ck_assert(!bench->lab.screen.lesson.open);
+    const char *last = builtin_lessons[screen_lesson_count() - 1].name;
+    ck_assert(lesson_play_open(&bench->lab, last, &status));
+    while (bench->lab.screen.lesson.lesson &&
+           bench->lab.screen.lesson.page + 1 < bench->lab.screen.lesson.lesson->n_pages)
+        press(bench, "n");
+    press(bench, "n");
+    ck_assert(bench->lab.screen.lesson.open);
+    ck_assert_ptr_null(bench->lab.screen.lesson.lesson);
     press(bench, "T");
     ck_assert(!bench->lab.screen.lesson.open);
     close_bench(bench);

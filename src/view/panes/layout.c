@@ -52,7 +52,9 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
                        : width < WIDER     ? PARAMETERS_WIDTH
                                            : WIDE_PARAMETERS_WIDTH;
     /* two runs side by side take what else joins at the right */
-    const bool side = width >= WIDE && height >= SIDE_HEIGHT && !screen_second_run(screen);
+    const bool tables =
+        !screen->lesson.open || simulation_has(experiment_simulation(screen->experiment), HAS_MESH);
+    const bool side = width >= WIDE && height >= SIDE_HEIGHT && !screen_second_run(screen) && tables;
     const int side_width = side ? (width < WIDER ? 39 : width < 150 ? 45 : width * 3 / 10) : 0;
     const int left = fields + 1, plots = width - left - (side ? side_width + 1 : 0);
     /* the map of a beam that is not slender wants height more than the curve below it */
@@ -89,9 +91,10 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     if (side) {
         const int x = width - side_width, third = middle / 3;
         const int sets = experiment_simulation(screen->experiment)->n_sets > 1 ? 2 : 1;
-        const int energies = sets == 2 ? middle - 2 * third : middle / 2;
+        /* beside a lesson they would answer what is still to be asked: its pages show them */
+        const int energies = screen->lesson.open ? 0 : sets == 2 ? middle - 2 * third : middle / 2;
         const int rest = middle - energies;
-        layout->sides[0] = (Rect){x, top, side_width, energies};
+        layout->sides[0] = (Rect){x, top, energies ? side_width : 0, energies};
         layout->sides[1] = (Rect){x, top + energies, side_width, sets == 2 ? rest / 2 : rest};
         if (sets == 2)
             layout->sides[2] = (Rect){x, top + energies + rest / 2, side_width, rest - rest / 2};

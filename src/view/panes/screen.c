@@ -110,13 +110,12 @@ void screen_draw(const Screen *screen, Canvas *canvas)
             draw_pane(screen, (PaneId)pane, area_of(&screen->look, canvas, layout.panes[pane]));
         if (layout.timeline.width > 0)
             pane_timeline(screen, area_of(&screen->look, canvas, layout.timeline));
-        if (layout.sides[0].width > 0) {
+        if (layout.sides[0].width > 0)
             view_energies.draw(screen, area_of(&screen->look, canvas, layout.sides[0]), STYLE_HEADING, 0);
-            for (int i = 1; i < SIDES_MAX; i++)
-                if (layout.sides[i].width > 0)
-                    view_table.draw(screen, area_of(&screen->look, canvas, layout.sides[i]), STYLE_HEADING,
-                                    i - 1);
-        }
+        for (int i = 1; i < SIDES_MAX; i++)
+            if (layout.sides[i].width > 0)
+                view_table.draw(screen, area_of(&screen->look, canvas, layout.sides[i]), STYLE_HEADING,
+                                i - 1);
     }
     pane_title(screen, area_of(&screen->look, canvas, layout.title));
     pane_keys(screen, area_of(&screen->look, canvas, layout.keys));

@@ -152,6 +152,9 @@ static bool unseen_shares(const Screen *screen, const Record *record, const Axis
     return all > 0;
 }
 
+/* Where more than that is lost or gained it is not the ripple that is to be explained. */
+#define KEPT_SHARE 0.05
+
 /* Phrases parted by two spaces: total, E*, what the grid has not, and what the ripple is. */
 static void energy_phrases(const Screen *screen, const Stack *stack, const Axis *x, bool wide, char out[320])
 {
@@ -186,7 +189,8 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
                     wide ? " of kinetic in this window" : "");
     if (shares)
         text_append(out, 320, "  lumping %.2f %%", 100 * lumping);
-    if (shares)
+    const double kept = known ? sharp / first : start[total] != 0 ? now[total] / start[total] : 1;
+    if (shares && fabs(1 - kept) < KEPT_SHARE)
         text_append(out, 320,
                     wide ? "  the ripple is staggering (v and stress half a step apart), not loss"
                          : "  the ripple is staggering, not loss");
