@@ -68,7 +68,7 @@ Simulation *beam_create(const BeamDef *definition, Status *status);
 
 /* What the lattice came to; for the read-only rows and the tables. */
 typedef struct BeamFacts {
-    double micromodulus;  /* c of eq. 4, N/m^6 */
+    double micromodulus;  /* c of eq. 4, N/m^5: of a plane, so per unit thickness */
     int nx, ny;           /* columns and rows of nodes */
     double real_height;   /* ny dx */
     double real_span;     /* distance of the supports as the nodes lie */

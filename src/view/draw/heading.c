@@ -52,7 +52,7 @@ const char *legend_short_name(const char *name)
         {"displacement", "displ."},
         {"measured, middle row", "meas"},
         {"% error, sqrt scale", "error of w, %"},
-        {"force, N/m^6", "f, N/m^6"},
+        {"force, N/m^5", "f, N/m^5"},
     };
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (strcmp(name, words[i][0]) == 0)

@@ -135,7 +135,7 @@ static void draw_law_heading(const Screen *screen, Area area, Style heading, con
     legend[n++] = (Legend){LINE_SOLID, '+', STYLE_SECOND, nodes, band[area.glyphs]};
     if (paper)
         legend[n++] = (Legend){LINE_SOLID, 'O', STYLE_CHANGED, "largest s of all", NULL};
-    heading_draw(area, heading, !screen_problem(screen)->si ? "force of a bond" : "force, N/m^6", scale,
+    heading_draw(area, heading, !screen_problem(screen)->si ? "force of a bond" : "force, N/m^5", scale,
                  legend, n);
 }
 

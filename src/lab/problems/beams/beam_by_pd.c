@@ -106,7 +106,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
         beam_facts(sim, &facts);
         derived_add(out, &n, "dt", "time step dt", "s", sim->dt, false);
         derived_add(out, &n, "dt_crit", "critical dt", "s", facts.critical_step, false);
-        derived_add(out, &n, "micromodulus", "micromodulus c", "N/m^6", facts.micromodulus, false);
+        derived_add(out, &n, "micromodulus", "micromodulus c", "N/m^5", facts.micromodulus, false);
         derived_add(out, &n, "particles", "particles", "1", (double)facts.nx * facts.ny, true);
         derived_add(out, &n, "columns", "columns", "1", facts.nx, true);
         derived_add(out, &n, "rows", "rows", "1", facts.ny, true);

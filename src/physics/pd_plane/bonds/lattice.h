@@ -48,7 +48,7 @@ static inline double offset_stretch(const Offset *offset, double eta_x, double e
 typedef struct Lattice {
     int nx, ny, reach; /* reach: the largest offset in either direction */
     double spacing, x0, y0;
-    double micromodulus; /* c, eq. 4 */
+    double micromodulus; /* c, eq. 4, N/m^5 */
     double horizon, youngs_modulus;
 
     size_t columns;      /* nx padded to whole blocks */
@@ -146,7 +146,7 @@ static inline size_t lattice_bonds(const Lattice *lattice)
     return lattice->first_bond[lattice_nodes(lattice)];
 }
 
-/* c G w V of a whole bond, N/m^5 per unit stretch: its force density is that times stretch. */
+/* c G w V of a whole bond, N/m^3: its force density per unit stretch. */
 double lattice_coefficient(const Lattice *lattice, BondPlace bond);
 
 #endif
