@@ -35,6 +35,8 @@ static BondAt bond_at(const PdBar *bar, int i, int m)
     return (BondAt){k, distance, pd_bar_elongation(bar, k, distance), pd_bar_stiffness(bar, k, distance)};
 }
 
+/* sum_j k e^2 h/4: half of the energy k e^2 h/2 of each of its bonds; of a bond to a mirrored node too, whose
+ * other half belongs to the image. */
 static double strain_energy(const PdBar *bar, int i)
 {
     double sum = 0;
@@ -46,6 +48,8 @@ static double strain_energy(const PdBar *bar, int i)
     return sum * bar->lattice.h / 4;
 }
 
+/* Mean stretch, weighted with |xi| and volume: sum w e / sum w |xi|. For a uniform strain it is that strain,
+ * also at a free end where half of the family is missing. */
 static double strain(const PdBar *bar, int i)
 {
     double stretched = 0, length = 0;
@@ -60,7 +64,8 @@ static double strain(const PdBar *bar, int i)
     return length > 0 ? stretched / (length * bar->lattice.h) : 0;
 }
 
-/* The force of all bonds through the section between nodes i - 1 and i. */
+/* The force of all bonds through the section between nodes i - 1 and i, per unit area: each carries k e on a
+ * volume h. */
 static double section_force(const PdBar *bar, int i)
 {
     double sum = 0;
@@ -70,6 +75,7 @@ static double section_force(const PdBar *bar, int i)
     return sum * bar->lattice.h;
 }
 
+/* max s over the node's bonds; 0 where it has none. */
 static double largest_stretch(const PdBar *bar, int i)
 {
     double most = -HUGE_VAL;
@@ -103,6 +109,7 @@ static size_t bonds_before(const PdBarLattice *lattice, int i)
     return (size_t)whole * reach + beyond * reach - beyond * (beyond + 1) / 2;
 }
 
+/* The bond of a number: its left end is at number/reach or, where families are cut, a little further. */
 static BondAt bond_number(const PdBar *bar, size_t number)
 {
     const PdBarLattice *lattice = &bar->lattice;
@@ -289,6 +296,8 @@ void pd_bar_field(const Simulation *sim, int field, size_t first, size_t count, 
     }
 }
 
+/* Of a bond its two ends, of a node its family, mirrored partners by the node whose image they are. Pull is
+ * the force density times the other end's volume h. */
 size_t pd_bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t max)
 {
     const PdBar *bar = (const PdBar *)sim;
@@ -329,6 +338,9 @@ static const Quantity series[PD_BAR_SERIES] = {
     AXIAL_SERIES_END,
 };
 
+/* The row of a step, between steps: v_cm = sum v/n, x_cm = L/2 + sum u/n, kinetic = rho h sum v^2/2, strain =
+ * sum over nodes as above, the load's work so far, and kinetic + strain. All nodes have the same mass rho h.
+ */
 void pd_bar_row(Simulation *sim, double *row)
 {
     const PdBar *bar = (const PdBar *)sim;

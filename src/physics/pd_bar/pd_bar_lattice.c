@@ -5,7 +5,9 @@
  *     k_m = c G w_m V/|xi|,  c = 2E/delta^2,  V = h,  |xi| = m h          stiffness of a bond
  *     dt_crit = 2/omega_max                                               critical step of velocity Verlet
  *
- * All per unit cross-section. */
+ * All per unit cross-section: c in force/length^4, k in force/length^4 too (force density over displacement).
+ * With partial volumes the family's sum gives E back exactly where delta is a whole number of spacings, so
+ * far from the ends g = 1; on the plane it does not, and g mends the quadrature as well. */
 #include "physics/axial.h"
 #include "physics/pd_bar/pd_bar_internal.h"
 
@@ -43,7 +45,8 @@ static double weight(const PdBarDef *def, double h, int m)
     return (def->horizon + h / 2 - m * h) / h;
 }
 
-/* g_i: the energy of a unit strain, E/2, over what the family of node i holds. */
+/* g_i, 1: the energy density of a unit strain, E/2, over what the family of node i stores, sum c w V |xi|/4.
+ * At the last node of a free end half of the family is missing: g = 2 with partial volumes. */
 static double energy_factor(const PdBarDef *def, const PdBarLattice *lattice, int i)
 {
     double held = 0;
@@ -69,7 +72,7 @@ static void make_factors(const PdBarDef *def, PdBarLattice *lattice)
 }
 
 /* k of the bonds from k to k + m for k = -m to n - 1, as force density over displacement; 0 where one end is
- * missing. */
+ * missing. V is that of the other end, and all are alike, so one number serves both ends. */
 static void make_stiffness(const PdBarDef *def, PdBarLattice *lattice, int m)
 {
     const double whole = micromodulus(def) * lattice->weight[m - 1] * lattice->h / (m * lattice->h);
@@ -104,9 +107,9 @@ void *pd_bar_lattice(const PdBarDef *def, PdBarLattice *lattice)
     return memory;
 }
 
-/* omega_max^2 is the largest eigenvalue of K/rho, K the band matrix of f = -K u: K_ii = sum k, K_ij = -k. A
- * bond to a mirrored node, u = -u_j, adds +k to K_ij instead; its partner j lies nearer to the end than the
- * horizon, so the matrix stays a band of half-width `reach`. NAN: not enough memory. */
+/* 2/omega_max. omega_max^2 is the largest eigenvalue of K/rho, K the band matrix of f = -K u: K_ii = sum k,
+ * K_ij = -k. A bond to a mirrored node, u = -u_j, adds +k to K_ij instead; its partner j lies nearer to the
+ * end than the horizon, so the matrix stays a band of half-width `reach`. NAN: not enough memory. */
 static double critical_step(const PdBarDef *def, const PdBarLattice *lattice)
 {
     const size_t n = (size_t)lattice->n, width = (size_t)lattice->reach;

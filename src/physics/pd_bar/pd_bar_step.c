@@ -16,7 +16,8 @@
 #include <string.h>
 
 /* The load on node i as a force density: rho b and, within `layer` of a free end, the traction spread over
- * that layer, outwards positive. */
+ * that layer, t/layer, outwards positive: to the left at the left end. A short bar's node may lie in both
+ * layers. */
 double pd_bar_load(const PdBar *bar, int i)
 {
     const PdBarLattice *lattice = &bar->lattice;
@@ -35,7 +36,7 @@ static bool is_loaded(const PdBar *bar)
 
 /* --- what the stages do to nodes [first, end) --- */
 
-/* v += dt/(2 rho) f: eqs. 9 and 11, each half of a step. */
+/* v += dt/(2 rho) f of nodes [first, end): eqs. 9 and 11, each half of a step. */
 static void kick(PdBar *bar, int first, int end)
 {
     const double factor = bar->sim.dt / (2 * bar->def.density);
@@ -97,9 +98,9 @@ static RangeStage *const range_stages[PD_BAR_STAGES] = {
     [PD_BAR_BONDS] = bonds,    [PD_BAR_LOAD] = load,   [PD_BAR_SECOND_KICK] = kick,
 };
 
-/* Fails unless |u_{i+1} - u_i| < h for all neighbours: a spacing nearer, two nodes have met, and the
- * stretch is no longer linear in u. At a fixed end the neighbour is the node's own mirror image, which it
- * meets at the support. */
+/* Fails unless |u_{i+1} - u_i| < h for all neighbours: a spacing nearer, two nodes have met, and the stretch
+ * is no longer linear in u. At a fixed end the neighbour is the node's own mirror image, which it meets at
+ * the support. Beyond the critical step this is where a run ends. Written so that a NaN fails too. */
 static bool check_gaps(PdBar *bar, int first, int end, Status *status)
 {
     const double *u = bar->u + bar->lattice.reach, h = bar->lattice.h;
@@ -117,6 +118,8 @@ static bool check_gaps(PdBar *bar, int first, int end, Status *status)
                            wrong, step, (double)step * bar->sim.dt);
 }
 
+/* One stage on nodes [first, end); the bonds look for trouble first, so that a failing stage has written
+ * nothing. */
 bool pd_bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status)
 {
     PdBar *bar = (PdBar *)sim;
@@ -126,6 +129,8 @@ bool pd_bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *
     return true;
 }
 
+/* f of the displacements as they are: at t = 0, and when a load is changed between steps, since the half kick
+ * that comes takes it. */
 void pd_bar_forces(PdBar *bar)
 {
     for (int stage = PD_BAR_MIRROR; stage <= PD_BAR_LOAD; stage++)

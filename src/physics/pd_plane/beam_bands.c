@@ -10,6 +10,7 @@
 
 #include <string.h>
 
+/* Does `work` for chunks 0 .. chunks - 1, on all threads if there are several. */
 void beam_run(Beam *beam, PoolWork *work, int chunks)
 {
     if (beam->pool)
@@ -70,6 +71,7 @@ void beam_add_halos(Beam *beam, int j)
     }
 }
 
+/* All bonds that the rows of a band own; its breaks go to the band's own log. */
 static void bonds_of_band(Beam *beam, int band, int worker, bool with_energy)
 {
     BondLog *log = &beam->band_logs[band];
@@ -94,6 +96,8 @@ static bool is_wanted(Beam *beam, int worker)
     return worker == 0 ? beam_go_on(beam, beam->built, NULL) : !beam->given_up;
 }
 
+/* As bonds_chunk, but asking row by row whether the beam is still wanted: on a large lattice one evaluation
+ * takes seconds. */
 static void asking_bonds_chunk(void *context, int band, int worker)
 {
     Beam *beam = context;
@@ -110,6 +114,7 @@ static void asking_halos_chunk(void *context, int band, int worker)
         beam_add_halos(beam, j);
 }
 
+/* The energies of the bonds of each row, J, without forces. */
 static void energy_chunk(void *context, int band, int worker)
 {
     (void)worker;
@@ -127,6 +132,8 @@ static double sum_of_rows(const Beam *beam)
     return sum;
 }
 
+/* Eq. 8 without the load: f of all rows but for the halos, N/m^3. With the energy, also that of all
+ * bonds that are left, J, kept until the state changes. */
 void beam_bond_forces(Beam *beam, bool with_energy)
 {
     beam_run(beam, with_energy ? bonds_and_energy_chunk : bonds_chunk, beam->n_bands);

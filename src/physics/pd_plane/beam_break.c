@@ -4,8 +4,10 @@
  *     phi_i = 1 - sum_j mu w V_j / sum_j w V_j                                                         (5)
  *
  * A bond stretched to s0 is broken by the kernels (bond_kernels.c) and carries no force in that same
- * evaluation. Here its energy goes to "dissipated" and its ends are marked; only marked nodes compute their
- * damage again. On the notched beam the stage also follows the crack (crack.c). */
+ * evaluation. Here the energy that it held, c G w s^2 |xi| V^2/2 times the thickness (J, s at that step, so a
+ * little past s0), goes to "dissipated" and its ends are marked; only marked nodes compute their damage
+ * again. The notch's bonds count in phi but in neither sum. On the notched beam the stage also follows the
+ * crack (crack.c). */
 #include "physics/pd_plane/beam_internal.h"
 #include "physics/pd_plane/fracture/crack.h"
 
@@ -60,8 +62,8 @@ bool beam_take_log(Beam *beam, BondLog *log, long step)
     return written;
 }
 
-/* Eq. 5, the volumes being equal: broken w / all w over the family, counting bonds that broke in steps up to
- * `step`. */
+/* Eq. 5, the volumes being equal: sum w of broken bonds over sum w of the family, counting bonds that broke
+ * in steps up to `step`. 0 whole, 1 alone; a node beside a crack that has passed has 0.4 to 0.5. */
 static double node_damage(const Beam *beam, size_t node, long step)
 {
     const Lattice *lattice = &beam->lattice;
@@ -88,6 +90,9 @@ static void report_break(Beam *beam, long step, const char *text)
         sim->events[before].step = step;
 }
 
+/* What paper P tells of its crack: when it began (first and twentieth bond with the middle within two
+ * horizons of the notch's end), and when it came to the load: within half a horizon of the protected zone,
+ * which bonds cannot pass. */
 static void report_crack(Beam *beam, long step)
 {
     StateHead *head = beam->head;
@@ -108,6 +113,7 @@ static void report_crack(Beam *beam, long step)
     }
 }
 
+/* The damage of marked nodes, and what follows from it; by the damage stage alone. */
 static void update_dirty(Beam *beam, long step)
 {
     for (size_t k = 0; k < beam->n_dirty; k++) {
@@ -125,6 +131,8 @@ static void update_dirty(Beam *beam, long step)
     }
 }
 
+/* The damage stage of a step; `step` counts the one that ends. The tip is noted every few steps whether or
+ * not anything broke, for its speed is a slope over time. */
 void beam_update_damage(Beam *beam, long step)
 {
     if (beam->n_dirty > 0)

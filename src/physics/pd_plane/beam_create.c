@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* The three problems of paper P as it gives them; what it leaves open (size of the notched beam, width of its
+ * load, protected zones) is chosen so that its results come out. */
 BeamDef beam_default(BeamProblem problem)
 {
     BeamDef def = {
@@ -170,8 +172,8 @@ static bool allocate(Beam *beam, Status *status)
     return true;
 }
 
-/* Velocity Verlet is stable up to dt = 2/omega_max of the lattice (beam_critical.c); auto takes half of it. A
- * step above it is refused. */
+/* Velocity Verlet is stable for dt < 2/omega_max of the lattice (beam_critical.c); auto takes half of it. A
+ * step above it is refused. (Paper P takes 1e-8 s, far below; periods do not depend on it.) */
 static bool set_time_step(Beam *beam, Status *status)
 {
     double critical;
@@ -186,7 +188,8 @@ static bool set_time_step(Beam *beam, Status *status)
     return true;
 }
 
-/* Forces at t = 0; a bond that is stretched too far by the initial shape breaks now. */
+/* Forces at t = 0, which the first half kick needs: eq. 8 with the load at t = 0. A bond that is stretched
+ * too far by the initial shape breaks now and counts as broken before the first step. */
 static bool start(Beam *beam, Status *status)
 {
     if (!beam_ask_forces(beam, BUILDING_START, status))

@@ -39,14 +39,16 @@ static void fill(const Beam *beam, double *x, double *y)
         }
 }
 
+/* a . b over both components of all nodes; paddings are 0. */
 static double dot(const Beam *beam, const double *a, const double *b)
 {
     /* both components stand one after the other, padded to whole blocks */
     return beam->kernels->dot(a, b, 2 * beam->array);
 }
 
-/* The largest eigenvalue of the symmetric tridiagonal matrix by bisection: the number of its eigenvalues
- * above a value is the number of positive pivots of (T - value). */
+/* The largest eigenvalue of the symmetric tridiagonal matrix T by bisection between 0 and Gershgorin's bound:
+ * T - value has a positive pivot, p_k = a_k - value - b_{k-1}^2/p_{k-1}, if and only if an eigenvalue lies
+ * above (Sylvester). */
 static double largest(const double *diagonal, const double *beside, int n)
 {
     double high = 0;
@@ -67,8 +69,10 @@ static double largest(const double *diagonal, const double *beside, int n)
     return high;
 }
 
-/* omega_max^2 in 1/s^2; -1: interrupted by BeamDef.patience. A displacement tiny q gives the force -tiny rho
- * A q. */
+/* omega_max^2 in 1/s^2; -1: interrupted by BeamDef.patience. A = K/rho: a displacement tiny q gives the force
+ * density -tiny rho A q. v is q_k, previous q_{k-1}, each of 2 `array` doubles; f becomes A q_k less its
+ * parts along both, so that its length is beta_k. The Lanczos vectors are not made orthogonal again: that
+ * only repeats eigenvalues that have converged, and the largest stays right. */
 static double iterate(Beam *beam, double *v, double *previous, Status *status)
 {
     const size_t count = 2 * beam->array;
@@ -119,6 +123,9 @@ static double iterate(Beam *beam, double *v, double *previous, Status *status)
     return value;
 }
 
+/* *step = 2/omega_max, s. The iteration comes from below, so the step may be too large by some 1e-7.
+ * The row-sum estimate sqrt(2 rho/sum c G w V/|xi|) would be up to 1.8 times too small. False: no
+ * memory, or given up. */
 bool beam_critical_step(Beam *beam, double *step, Status *status)
 {
     size_t bytes = (2 * beam->array * sizeof(double) + 63) / 64 * 64;

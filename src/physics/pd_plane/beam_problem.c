@@ -6,8 +6,13 @@
 
 #include <math.h>
 
-/* A bond between the two sides of the notch is cut if it passes at or below the notch's end. Decided once for
- * each bond: many pass exactly through the end. */
+/* A bond between the two sides of the notch is cut if it crosses the notch's line x = a at or below its end,
+ *
+ *     y_i + (a - x_i)/(x_j - x_i) (y_j - y_i) <= depth + 1e-6 dx
+ *
+ * Nodes with x - a < -1e-6 dx are on the left, all others on the right, those on the line too. Decided once
+ * for each bond, never from both of its ends: many bonds pass exactly through the notch's end, and one that
+ * only one end takes for cut would pull on one side alone. */
 static bool is_cut(const Beam *beam, BondPlace place)
 {
     const Lattice *lattice = &beam->lattice;
@@ -23,7 +28,8 @@ static bool is_cut(const Beam *beam, BondPlace place)
     return height <= beam->def.notch_depth + tolerance;
 }
 
-/* Every bond of the lattice gets its coefficient c G w V (eq. 8), a cut one 0 and its bit. False:
+/* Every bond of the lattice gets its coefficient c G w V (eq. 8), N/m^3 per unit stretch, a cut one 0 and its
+ * bit: the notch's bonds are broken from the start, and told apart from those that break in the run. False:
  * interrupted. */
 bool beam_set_bonds(Beam *beam, Status *status)
 {
@@ -68,6 +74,9 @@ static bool support(Beam *beam, int i, int j, bool x, bool y, Status *status)
     return true;
 }
 
+/* Simply supported, eqs. 12, 13: one node at mid-height of each end, ux held at the left one only. To hold ux
+ * in two rows of the left end would clamp its rotation (at dx = 1.2 mm the period falls from .993 to .787
+ * ms). With an even number of rows mid-height lies between two; the lower one is taken. */
 void beam_simple_supports(const Lattice *lattice, Support supports[2])
 {
     const int j = (lattice->ny - 1) / 2;
@@ -75,6 +84,7 @@ void beam_simple_supports(const Lattice *lattice, Support supports[2])
     supports[1] = (Support){lattice->nx - 1, j, false, true};
 }
 
+/* The span between the supports is (nx - 1) dx, not the beam's length: the period goes as its square. */
 static void set_simple_supports(Beam *beam)
 {
     beam_simple_supports(&beam->lattice, beam->supports);
@@ -125,8 +135,9 @@ static bool set_load(Beam *beam, Status *status)
     return true;
 }
 
-/* Nodes nearer than pd.protected to the load or a support: none of their bonds ever breaks. False:
- * interrupted. */
+/* Nodes nearer than pd.protected to the load or a support: none of their bonds ever breaks. The load is a
+ * stress on few nodes and a support holds two; without protection these tear off before a crack begins at the
+ * notch. False: interrupted. */
 static bool protect(Beam *beam, Status *status)
 {
     const Lattice *lattice = &beam->lattice;
@@ -149,6 +160,9 @@ static bool protect(Beam *beam, Status *status)
     return true;
 }
 
+/* Probe, supports and load of the problem. The probe of a beam that vibrates is the mean over the one or two
+ * middle rows (moving cantilever: of the last column; simply supported: of the one or two middle columns);
+ * that of the notched beam the node on top at mid-length. */
 bool beam_set_problem(Beam *beam, Status *status)
 {
     const Lattice *lattice = &beam->lattice;
@@ -173,7 +187,9 @@ bool beam_set_problem(Beam *beam, Status *status)
     return protect(beam, status) && set_bottom_supports(beam, status) && set_load(beam, status);
 }
 
-/* Eqs. 15, 16: u_y = U sin(k x), u_x = -y du_y/dx, k = pi/L. */
+/* Eqs. 15, 16, m: u_y = U sin(k x), u_x = -y du_y/dx, k = pi/L; x from the beam's left end, y from its
+ * mid-plane. Plane sections of Euler and Bernoulli: the shear of a beam of finite height is not in it, so
+ * thickness modes ring along. */
 static void bend_supported(const Beam *beam, double x, double y, double u[2])
 {
     double k = M_PI / beam->def.length, U = beam->def.amplitude;

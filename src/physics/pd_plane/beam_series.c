@@ -2,10 +2,12 @@
  *
  *     probe      mean over up to four nodes beside the point (beam_set_problem)
  *     kinetic    sum rho (vx^2 + vy^2)/2 V b            strain   sum of bonds c G w s^2 |xi| V^2/2 b
- *     total      kinetic + strain + dissipated; less the work it keeps its value
+ *     total      kinetic + strain + dissipated; less the work it keeps its value to O(dt^2); to O(dt) where
+ *                bonds break
  *
  * V = dx^2, b the thickness; SI units. Each column is a function and a row of the table below, which says
- * which problems have it. */
+ * which problems have it. Called between steps only, when u, v and the broken bonds belong to the same time.
+ */
 #include "physics/pd_plane/beam_internal.h"
 #include "physics/pd_plane/fracture/crack.h"
 
@@ -70,6 +72,7 @@ static double length(Beam *beam)
     return beam->def.length + beam->def.speed * simulation_time(&beam->sim);
 }
 
+/* The tip as the damage shows it, looked for once however many columns ask for it. */
 static const CrackCache *crack(Beam *beam)
 {
     Crack measured;

@@ -20,6 +20,7 @@ typedef struct RowSlice {
     double *out; /* of column `from`; NULL: none is wanted */
 } RowSlice;
 
+/* The part of row j that lies in [first, first + count). */
 static RowSlice row_slice(const Beam *beam, int j, size_t first, size_t count, double *out)
 {
     size_t nx = (size_t)beam->lattice.nx, start = (size_t)j * nx, stop = start + nx;

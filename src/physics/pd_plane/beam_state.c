@@ -12,6 +12,7 @@ size_t beam_state_size(const Simulation *sim)
     return ((const Beam *)sim)->state_size;
 }
 
+/* One copy: the state is one block (beam_create.c). */
 void beam_save(const Simulation *sim, void *bytes)
 {
     const Beam *beam = (const Beam *)sim;
@@ -55,6 +56,8 @@ void beam_load(Simulation *sim, const void *bytes)
     beam->rescue.valid = false;
 }
 
+/* Parameters that a run may change between steps: they stand in the state's head, so a snapshot brings back
+ * its own. */
 typedef struct LiveParameter {
     const char *key;
     size_t offset; /* in the state's head */

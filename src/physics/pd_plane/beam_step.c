@@ -7,6 +7,11 @@
  *     v^{n+1} = v^{n+1/2} + dt/2 a^{n+1}                       second half kick      (11)
  *     phi of nodes whose bonds broke                           damage                (5, 6)
  *
+ * (Paper P says "Eq. (5)" above eq. 9 where it means eq. 8.) The scheme is of second order and stable up to
+ * dt = 2/omega_max (beam_critical.c). It keeps linear momentum to round-off; the energy ripples by O(dt^2)
+ * about a constant value while no bond breaks. Where bonds break the balance is of first order in dt: a bond
+ * breaks at the first step past s0 and takes the overshoot with it. That is no error of the sums.
+ *
  * Arrays over nodes are padded rows (lattice.h): u m, v m/s, f = rho a N/m^3. Each stage is a function of one
  * row of the lattice; whole steps call the same functions for bands of rows, several threads at once, and
  * join the end of one step to the start of the next. A step fails when a bond doubles its length or
@@ -15,8 +20,9 @@
 
 #include <math.h>
 
-/* Columns with X + v0 t < -1e-6 dx are inside the channel at time t and held; the tolerance decides in which
- * step a column on the edge is released. By bisection: X grows with the column. */
+/* Columns with X + v0 t < -1e-6 dx are inside the channel at time t and held. A column often comes to the
+ * channel's end exactly at a step; the tolerance then says that it is free, where rounding would decide
+ * otherwise. By bisection: X grows with the column. */
 int beam_held_columns(const Beam *beam, double time)
 {
     if (beam->def.problem != BEAM_MOVING_CANTILEVER || beam->free_body)
@@ -33,7 +39,8 @@ int beam_held_columns(const Beam *beam, double time)
     return low;
 }
 
-/* b = -p min(1, t/t0)/dx: the stress p on the top row, spread over the depth dx of its nodes. */
+/* b = -p min(1, t/t0)/dx, N/m^3: the stress p (Pa) on the top edge becomes a body force in the one layer of
+ * nodes along it, which stands for the depth dx. The minus sign: p > 0 presses downwards. */
 double beam_body_force(const Beam *beam, double time)
 {
     double ramp = beam->def.load_ramp > 0 ? fmin(1, time / beam->def.load_ramp) : 1;
@@ -42,8 +49,10 @@ double beam_body_force(const Beam *beam, double time)
 
 /* --- what the stages do to one row; `step` is the number of whole steps before this one --- */
 
-/* At held columns (clamp = full: vx = v0 too) and at supports. Called after each half kick and after the
- * drift; which columns are held is asked for the time reached. */
+/* At held columns (clamp = full: vx = v0 too, clamp = guide: vx free) and at supports. Called after each half
+ * kick and after the drift with the time that this part of the step has reached: after the first half kick a
+ * column counts as held if it was at t^n, from the drift on if it is at t^{n+1}. Taking one time for all
+ * would shift each release by a step. */
 static void constrain_velocity(Beam *beam, int j, double time)
 {
     const NodeArrays *nodes = &beam->nodes;
@@ -63,6 +72,7 @@ static void constrain_velocity(Beam *beam, int j, double time)
         }
 }
 
+/* u of the same components: 0 at supports, (v0 t, 0) in the channel, in the laboratory's frame. */
 static void constrain_displacement(Beam *beam, int j, double time)
 {
     const NodeArrays *nodes = &beam->nodes;
@@ -91,20 +101,22 @@ static void kick(Beam *beam, int j)
     beam->kernels->add(beam->nodes.vy + row, beam->nodes.fy + row, factor, count);
 }
 
-/* Eq. 9; held components keep the velocity that they are given, whatever the bonds pull. */
+/* Eq. 9 of row j; held components keep the velocity that they are given, whatever the bonds pull. */
 static void half_kick(Beam *beam, int j, long step)
 {
     kick(beam, j);
     constrain_velocity(beam, j, (double)step * beam->sim.dt);
 }
 
+/* The load rests on the top row alone. */
 static bool is_loaded_row(const Beam *beam, int j)
 {
     return j == beam->lattice.ny - 1 && beam->load_end > beam->load_first;
 }
 
-/* Eq. 10. The work of the load belongs to the same half step: b(t^{n+1/2}) v^{n+1/2} dt, summed over the
- * loaded nodes, is second order like the scheme. */
+/* Eq. 10 of row j. The work of the load belongs to the same half step: b(t^{n+1/2}) v^{n+1/2} V dt times the
+ * thickness, summed over the loaded nodes, J. With both factors at the middle of the step it is of second
+ * order like the scheme. */
 static void drift(Beam *beam, int j, long step)
 {
     size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
@@ -177,6 +189,8 @@ static RowStage *const row_stages[N_STAGES] = {
     [STAGE_SECOND_KICK] = second_kick,
 };
 
+/* The bonds that rows [first, end) own, eqs. 2, 3, 6 and 8. Forces that cross from one band of rows to the
+ * next wait in the halos until the last slice, so that f is whole only when the stage is. */
 static bool bonds_stage(Beam *beam, int first, int end, Status *status)
 {
     BondLog *log = &beam->band_logs[0];
@@ -191,6 +205,7 @@ static bool bonds_stage(Beam *beam, int first, int end, Status *status)
     return true;
 }
 
+/* One stage on rows [first, end), for whoever looks at a step from inside; called in order, in any slices. */
 bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status)
 {
     Beam *beam = (Beam *)sim;
@@ -210,6 +225,7 @@ bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *st
 
 /* --- whole steps --- */
 
+/* What a step does before its bond forces, on one row: nothing here looks at another row. */
 static void begin_row(Beam *beam, int j, long step)
 {
     half_kick(beam, j, step);
@@ -217,6 +233,7 @@ static void begin_row(Beam *beam, int j, long step)
     constraints(beam, j, step);
 }
 
+/* And behind them: the row first receives what the bands below have for it. */
 static void end_row(Beam *beam, int j, long step)
 {
     beam_add_halos(beam, j);

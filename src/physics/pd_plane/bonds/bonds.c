@@ -20,6 +20,8 @@ const BondKernels *bond_kernels(CpuLevel level)
     return &bond_kernels_plain;
 }
 
+/* Per direction: d at which a bond breaks, (1 + s0)^2 |xi|^2 - |xi|^2; and |d| up to which the series may be
+ * used, e = 2^-8 or the former if that comes first, since only the root's form asks whether a bond breaks. */
 void bonds_set_limits(BondSystem *system, double critical_stretch)
 {
     for (int o = 0; o < system->lattice->n_offsets; o++) {

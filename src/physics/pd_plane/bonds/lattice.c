@@ -28,8 +28,8 @@ static const double inverse_root_series[LATTICE_SERIES] = {0.5,
 
 /* One direction of bonds, (p, q) spacings: length, partial area and the coefficients of the series by which
  * the kernels get the stretch. With e = (|xi + eta|^2 - |xi|^2)/|xi|^2 the elongation over the deformed
- * length is e times a power series in e; what is stored is in powers of the difference of squares itself and
- * over |xi|, so that no kernel divides. */
+ * length is e times a power series in e; what is stored is in powers of d = e |xi|^2 itself and over |xi|,
+ * C_k = a_k/|xi|^(2k+3) with the a_k above, so that no kernel divides. */
 static void add_offset(Lattice *lattice, const BeamDef *def, int p, int q)
 {
     Offset *offset = &lattice->offsets[lattice->n_offsets++];
@@ -64,7 +64,11 @@ static void add_offsets(Lattice *lattice, const BeamDef *def)
     lattice->first[lattice->reach + 1] = lattice->n_offsets;
 }
 
-/* g_x and g_y of node (i, j); `ends`: how many of its two bonds in directions xi and -xi exist. */
+/* g_x and g_y of node (i, j), 1: (9/16) E over the energy density that its family stores at a unit strain
+ * along x, or y, where a bond is stretched by s = n_x^2 (n_y^2) and half of its energy c s^2 |xi| w V/2 is
+ * the node's. `ends`: how many of its two bonds in directions xi and -xi exist. The notch is ignored: the
+ * correction is that of the body without it. In the bulk g is not 1 either (1.1398 at delta = 4 dx, partial
+ * areas): it repairs the sum over nodes too, which is less than the integral. */
 static void energy_factors(const Lattice *lattice, int i, int j, double *factor_x, double *factor_y)
 {
     double volume = lattice->spacing * lattice->spacing, sum_x = 0, sum_y = 0;
@@ -81,7 +85,7 @@ static void energy_factors(const Lattice *lattice, int i, int j, double *factor_
     *factor_y = 9.0 / 16 * lattice->youngs_modulus / sum_y;
 }
 
-/* V_i = sum w V over the nodes that are there: less than pi delta^2 near the surface. */
+/* V_i = sum w V over the nodes that are there, m^2: less than pi delta^2 near the surface. */
 static double family_area(const Lattice *lattice, int i, int j)
 {
     double area = 0;
@@ -100,6 +104,7 @@ bool lattice_go_on(const BeamDef *def, double share, Status *status)
            status_fail(status, STATUS_FAILED, "the building of the beam was given up");
 }
 
+/* The factors of all nodes, before the coefficients of bonds are made of them. False: interrupted. */
 static bool set_factors(Lattice *lattice, const BeamDef *def, Status *status)
 {
     const double nodes = (double)lattice_nodes(lattice);
@@ -140,9 +145,10 @@ static bool number_bonds(Lattice *lattice, const BeamDef *def, Status *status)
     return true;
 }
 
-/* c G w V of one bond, the factor of its stretch in eq. 8, N/m^6. With the energy correction G is the radius,
- * in the bond's direction n, of an ellipse whose half axes are the mean factors of both ends (gbar_x,
- * gbar_y). */
+/* c G w V of one bond, the factor of its stretch in eq. 8: force density per unit stretch, N/m^3. With the
+ * energy correction G is the radius, in the bond's direction n, of an ellipse whose half axes are the mean
+ * factors of both ends (gbar_x, gbar_y): gbar_x along x, gbar_y along y, in between what an ellipse has, as
+ * Madenci and Oterkus do it. */
 double lattice_coefficient(const Lattice *lattice, BondPlace bond)
 {
     const Offset *offset = &lattice->offsets[bond.offset];
@@ -192,6 +198,7 @@ BondPlace lattice_next_bond(const Lattice *lattice, BondPlace bond)
     return bond;
 }
 
+/* The bond of a number, by bisection over the nodes' first bonds: what a table's row shows. */
 BondPlace lattice_bond_place(const Lattice *lattice, size_t number)
 {
     /* the last node whose first bond is not beyond the number; nodes that own nothing are skipped */
@@ -209,6 +216,9 @@ BondPlace lattice_bond_place(const Lattice *lattice, size_t number)
     return bond;
 }
 
+/* Columns and rows: nx = round(L/dx) (moving cantilever: of L and the channel), ny = floor(h/dx + 1e-9), of
+ * the notched beam round(h/dx). So a beam is up to a spacing lower than its h, and its period longer: T goes
+ * as 1/height. y = 0 is the mid-plane, on the notched beam the bottom. */
 static bool count_nodes(Lattice *lattice, const BeamDef *def, Status *status)
 {
     double dx = def->spacing, length = def->length;
@@ -247,6 +257,9 @@ static bool count_nodes(Lattice *lattice, const BeamDef *def, Status *status)
     return true;
 }
 
+/* c = 6 E/(pi delta^3 (1 - nu)), eq. 4: such that a plane under a uniform strain stores what elasticity says.
+ * One constant for each bond leaves room for one elastic constant only, so nu = 1/3 in plane stress, always.
+ */
 bool lattice_measure(Lattice *lattice, const BeamDef *def, Status *status)
 {
     *lattice = (Lattice){.spacing = def->spacing,
@@ -259,6 +272,8 @@ bool lattice_measure(Lattice *lattice, const BeamDef *def, Status *status)
     return count_nodes(lattice, def, status);
 }
 
+/* Sizes and padding, then the arrays. Rows are padded to whole blocks of the widest vector, whatever the
+ * machine has. */
 bool lattice_init(Lattice *lattice, const BeamDef *def, Status *status)
 {
     if (!lattice_measure(lattice, def, status))

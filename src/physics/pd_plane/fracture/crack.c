@@ -10,6 +10,7 @@
 #define BEFORE_NOTCH 0.01  /* m; the crack is looked for from here */
 #define ABOVE_NOTCH  0.002 /* m; the angle is measured from here */
 
+/* NULL: the simulation is no beam with a notch. */
 static const Beam *notched(const Simulation *sim)
 {
     const Beam *beam = sim->method->links == beam_links ? (const Beam *)sim : NULL;
@@ -22,7 +23,8 @@ static bool is_above_notch(const Beam *beam, int j)
     return lattice_y(&beam->lattice, j) > beam->def.notch_depth + 1e-6 * beam->lattice.spacing;
 }
 
-/* A cracked node of the region where the crack is looked for. */
+/* A cracked node of the region where the crack is looked for: from the load to 10 mm beyond the notch,
+ * outside the protected zones. Farther out single nodes beside supports and load may be damaged too. */
 static bool is_cracked(const Beam *beam, int i, int j)
 {
     size_t node = (size_t)j * (size_t)beam->lattice.nx + (size_t)i;

@@ -18,7 +18,10 @@ double crack_speed_window(double horizon, double youngs_modulus, double density)
     return 4 * horizon / crack_speed_rayleigh(youngs_modulus, density);
 }
 
-/* slope = sum (k - m) a_k / sum (k - m)^2, m = (n - 1)/2, and the latter sum is n (n^2 - 1)/12. */
+/* The slope of the least-squares line through a_k over k, times 1/dt, of x and of y; then the length of both
+ * together:
+ *
+ *     slope = sum (k - m) a_k / sum (k - m)^2,   m = (n - 1)/2,   sum (k - m)^2 = n (n^2 - 1)/12 */
 double crack_speed(const double *x, const double *y, size_t n, double dt)
 {
     double sum_x = 0, sum_y = 0;
