@@ -105,6 +105,7 @@ static void destroy(Simulation *sim)
     free(bar);
 }
 
+/* What front ends read depends on algorithm and transfer, which may change between steps. */
 static void take_schedule(Bar *bar)
 {
     bar_list_stages(bar);
@@ -112,6 +113,7 @@ static void take_schedule(Bar *bar)
     bar->sim.exchanges = bar_exchanges(bar->head, &bar->sim.n_exchanges);
 }
 
+/* Between steps the grid is forgotten and is not saved. */
 static size_t saved_bytes(const Bar *bar, const BarHead *head)
 {
     if (bar->sim.stage != 0)
@@ -150,7 +152,8 @@ static double blend_of(const BarDef *def, double mass_blend)
     return mass_blend == 0.0 ? bar_mass_blend_auto(def->shape, def->particles_per_cell) : mass_blend;
 }
 
-/* How momentum is transferred: the values that the run would have then, if they fit each other. */
+/* How momentum is transferred: the values that the run would have then, if they fit each other. C of APIC
+ * begins at 0 where the transfer is changed: there is no slope to begin with. */
 static bool change_method(Bar *bar, const char *key, double value, Status *status)
 {
     BarDef def = bar->def;
@@ -232,8 +235,10 @@ static const Method method = {
     .change = change,
 };
 
-/* Numbers of the model that follow from the definition: counts, m = rho dx/P, dt = courant dx/c (eq. 21),
- * supports and the particles under traction (eq. 11). */
+/* Numbers of the model that follow from the definition: counts, m = rho dx/P, dt = courant dx/c with c =
+ * sqrt(E/rho) (eq. 21; of two materials the faster), supports and the particles under traction (eq. 11). The
+ * mesh has `padding` cells beyond each free end. A node that is not heavier than 1e-12 of a full cell is
+ * inactive; a larger threshold would be seen in the results (1e-3 changes them visibly). */
 static void derive(Bar *bar)
 {
     const BarDef *def = &bar->def;
@@ -274,7 +279,8 @@ static void derive(Bar *bar)
     bar->layer_right = right ? 0 : in_layer;
 }
 
-/* Each cell's particles take the mean of the stress where they lie. */
+/* Each cell's particles take the mean of the stress where they lie: what differs within a cell no velocity of
+ * the grid can change, and it would stay there for ever. */
 static bool begin_stress(Bar *bar, Status *status)
 {
     const BarDef *def = &bar->def;
@@ -293,7 +299,9 @@ static bool begin_stress(Bar *bar, Status *status)
 
 enum { PLACES_A_QUESTION = 16384 }; /* a millisecond or less, as each takes a sine for every mode */
 
-/* The state at t = 0. */
+/* The state at t = 0: places s = (j + 1/2)/P, v by eq. 19, volume m/rho, stress 0 or that of a pulse; APIC's
+ * slopes C = dv0/dx, since from C = 0 it loses energy in the first step (a quarter of it for the paper's mode
+ * 10). */
 static bool begin(Bar *bar, Status *status)
 {
     const BarDef *def = &bar->def;

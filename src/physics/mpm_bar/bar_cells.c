@@ -70,7 +70,7 @@ void bar_report_crossings(Bar *bar)
     bar->n_crossings = 0;
 }
 
-/* Only the first crossing of each particle is reported. */
+/* Only the first crossing of each particle is reported. False: the tiles must give up. */
 static bool note_crossing(Bar *bar, int particle, int cell)
 {
     uint64_t bit = (uint64_t)1 << (particle % 64);
@@ -99,6 +99,7 @@ void bar_count_odd_cells(Bar *bar)
             bar->odd[c / BAR_CELL_BLOCK]++;
 }
 
+/* Whether a cell does not hold P particles: then it cannot be part of a run. */
 static bool is_odd(const Bar *bar, int c)
 {
     return bar->first[c + 1] - bar->first[c] != bar->slots;
@@ -214,6 +215,8 @@ static bool settle_all(Bar *bar, Status *status)
     return true;
 }
 
+/* Cells [first, end): whole runs by a kernel where no particle leaves its cell, which is nearly always, else
+ * cell by cell. */
 bool bar_settle(Bar *bar, int first, int end, Status *status)
 {
     if (first == 0)

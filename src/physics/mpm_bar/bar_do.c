@@ -41,7 +41,8 @@ static void find_velocities(Bar *bar, int first, int end, bool factor)
     solve(bar, bar->node_velocity);
 }
 
-/* dt a with M a = f, or FMPM's series of dt f: it is linear, so that v(k) of p + dt f is the sum of both. */
+/* dt a with M a = f, eqs. 12, 13, or FMPM's series of dt f: it is linear, so that v(k) of p + dt f is the sum
+ * of both. With lumped masses integrate() does it node by node. Units of a velocity. */
 static void find_kicks(Bar *bar, int end)
 {
     if (bar_is_lumped(bar) || end < bar->n_cells)
@@ -52,6 +53,8 @@ static void find_kicks(Bar *bar, int end)
     solve(bar, bar->node_kick);
 }
 
+/* Eqs. 2 and 3, per unit cross-section; with blended masses or FMPM also
+ * the couplings M_c(i, j) of different nodes. */
 static void map(Bar *bar, int first, int end)
 {
     bar->kernels->map(bar, first, end);
@@ -59,6 +62,7 @@ static void map(Bar *bar, int first, int end)
         bar->kernels->couple(bar, first, end);
 }
 
+/* The supports, then eq. 4. `factor`: the matrix of the masses is new; MUSL's second map has the same one. */
 static void fix_and_divide(Bar *bar, int first, int end, bool factor)
 {
     fix(bar, first, end);

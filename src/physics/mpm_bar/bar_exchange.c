@@ -49,6 +49,7 @@ static const Exchange apic_exchanges[BAR_EXCHANGES] =
 static const Exchange series_exchanges[BAR_EXCHANGES] = TABLE_TO(
     "m v N", "m v N", NULL, "N v", "N v", NULL, false, "Δt N w", "dt N w", "w = (v_p before + v_i)/2");
 
+/* Which table: what a transfer and the masses make of eqs. 3, 14 and 15. */
 const Exchange *bar_exchanges(const BarHead *head, int *count)
 {
     *count = BAR_EXCHANGES;
@@ -126,6 +127,8 @@ static double blended_gain(const Bar *bar, const double n[], int cell, int parti
     return alpha * bar->node_kick[cell + a] + (1 - alpha) * (bar->node_drift[cell + a] * speed - old);
 }
 
+/* The factors of one term, in the order of the exchange's words. 0: not at hand, or the node is none of the
+ * particle's cell. */
 int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
                  double factors[EXCHANGE_FACTORS_MAX])
 {

@@ -65,6 +65,8 @@ static inline void shift(BarNullBand *null, const int support)
     null->weight[support - 1] = null->value[support - 1] = 0.0;
 }
 
+/* Cells up to `end`, for any shape: each particle's row is N at its nodes, 0 at those that are held or
+ * inactive. */
 static inline void add_cells(const Bar *bar, BarNull *null, const MpmShape shape, int end)
 {
     const int support = shape_support(shape);
@@ -102,6 +104,8 @@ static bool goes_in_pairs(const Bar *bar)
     return bar->def.shape == MPM_HAT && bar->slots > 1 && bar->n_cells > SHORT && bar->def.joint == 0.0;
 }
 
+/* On to cell `end` as far as nodes are mapped: a node's activity is known only when all its cells have been.
+ */
 void bar_null_add(const Bar *bar, BarNull *null, int end)
 {
     const int mapped = end == bar->n_cells ? end : end - bar->support + 1;
@@ -151,7 +155,7 @@ static void turn(Rotation by, double *a, double *b)
     *b = by.c * *b - by.s * before;
 }
 
-/* A row of the far node alone. */
+/* A row t u_far = u of the far node alone. */
 static void add_far(BarTriangle *to, double t, double u)
 {
     double *part = to->part;
@@ -159,6 +163,7 @@ static void add_far(BarTriangle *to, double t, double u)
     part[NULL_SUM] += u * u;
 }
 
+/* A row x u_near + y u_far = v. */
 static void add_near(BarTriangle *to, double x, double y, double v)
 {
     double *part = to->part;
@@ -200,7 +205,7 @@ BarTriangle bar_null_join(const BarTriangle *first, const BarTriangle *second)
     return all;
 }
 
-/* The last two nodes go too. */
+/* The squares that are left when the last two nodes go too. */
 static double sum_of_tree(const BarNullTree *tree)
 {
     BarTriangle all = tree->before;
@@ -212,6 +217,7 @@ static double sum_of_tree(const BarNullTree *tree)
     return part[NULL_SUM];
 }
 
+/* K_0 = m/2 times the sum of squares, in units of energy per cross-section. */
 double bar_null_energy(const Bar *bar, const BarNull *null)
 {
     const double sum = goes_in_pairs(bar) ? sum_of_tree(&null->tree) : null->band.sum;

@@ -5,7 +5,12 @@
  *     kinetic_null what the grid cannot see at all (bar_null.h)
  *     strain       sum stress^2 volume / (2 E)
  *
- * Each is kept in BAR_LANES partial sums, so that neither vectors nor tiles leave a trace. */
+ * A row is taken between steps, when velocities and stresses of USF are half a step apart: kinetic + strain
+ * ripples by about omega dt/2 of itself though nothing is lost (E* of lab/problems is the sum without
+ * ripple). stress^2/2E is the energy of small strains; where particles cross cells, strains are large enough
+ * to tell it from E (e exp(e) - exp(e) + 1), e = stress/E, which is what the updates of stress and density
+ * really store. Each sum is kept in BAR_LANES partial sums, so that neither vectors nor tiles leave a trace.
+ */
 #include "physics/mpm_bar/bar_null.h"
 #include "physics/mpm_bar/bar_state.h"
 #include "physics/mpm_bar/kernels/kernels.h"

@@ -1,6 +1,14 @@
 /* The stages of a step as shown to the user (name, equation, sentence, the fields read and written), and the
- * order in which each algorithm does them: USF, USL and MUSL are rows of the same stages. The work of a stage
- * is bar_do.c. */
+ * order in which each algorithm does them:
+ *
+ *     USF    map  fix  strain  force  integrate  update                     forget
+ *     USL    map  fix          force  integrate  update             strain  forget
+ *     MUSL   map  fix          force  integrate  update  map again  strain  forget
+ *
+ * USF strains with the velocities that particles begin the step with, USL with those that it has made, MUSL
+ * with the latter mapped anew from the particles; gradients are those of the old places in all three. The
+ * transfer (FLIP, PIC blend, APIC, FMPM) and the masses (lumped, blended) change what some stages say, so
+ * each stage has a row for each. The work of a stage is bar_do.c. */
 #include "physics/mpm_bar/bar_state.h"
 
 static const Stage map = {
@@ -368,6 +376,7 @@ static const Stage *const rows[TRANSFERS][OP_COUNT] = {
                 [OP_FORGET] = &forget},
 };
 
+/* Which of the columns of `rows` the run is in at present. */
 static int transfer_of(const Bar *bar)
 {
     const BarHead *head = bar->head;

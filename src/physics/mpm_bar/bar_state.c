@@ -39,6 +39,8 @@ int bar_cell_of(const Bar *bar, int particle)
     return low;
 }
 
+/* p/m with lumped masses, or the solution of M v = p; at present, so behind `integrate` with the force in it.
+ */
 double bar_node_velocity(const Bar *bar, int node)
 {
     if (bar_is_lumped(bar))
@@ -48,6 +50,7 @@ double bar_node_velocity(const Bar *bar, int node)
     return integrated ? bar_integrated_velocity(bar, node) : bar->node_velocity[node];
 }
 
+/* (p + dt f)/m: with it particles move (eq. 15). */
 double bar_integrated_velocity(const Bar *bar, int node)
 {
     return bar->node_drift[node] * (bar->dx / bar->dt);
@@ -78,6 +81,8 @@ void bar_strain_velocities(const Bar *bar, int cell, double *v)
 
 /* --- the matrix of the masses --------------------------------------------------------------------- */
 
+/* Only couplings of different nodes are stored. As the N of a particle add up to 1, a row of M_c adds up to
+ * m_i: its diagonal is what the others leave of that. */
 double bar_consistent_mass(const Bar *bar, int i, int j)
 {
     const int d = i < j ? j - i : i - j;

@@ -52,6 +52,8 @@ static bool check_energy(Bar *bar, Status *status)
 
 /* --- stages --------------------------------------------------------------------------------------- */
 
+/* One stage on cells [first, end), for whoever looks at a step from inside (method.h). The energy is checked
+ * behind the last stage. */
 bool bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status)
 {
     Bar *bar = bar_of(sim);
@@ -74,6 +76,7 @@ typedef struct Mark {
     long events_beyond;
 } Mark;
 
+/* The part of the state that lasts from step to step; with APIC the slopes C are in it. */
 static size_t particle_bytes(const Bar *bar)
 {
     return bar->head->transfer == MPM_APIC ? bar->bytes_apic : bar->bytes_flip;
@@ -85,6 +88,7 @@ static Mark set_mark(Bar *bar)
     return (Mark){bar->sim.step, bar->sim.n_events, bar->sim.events_beyond};
 }
 
+/* Undoes everything since the mark. */
 static void go_back(Bar *bar, Mark mark)
 {
     memcpy(bar->block, bar->backup, particle_bytes(bar));
@@ -117,6 +121,9 @@ static bool whole_steps(Bar *bar, long count, double *rows, Status *status)
     return true;
 }
 
+/* `count` whole steps in batches that end where the energy is looked at. Three ways to the same bits: in
+ * tiles where that pays, else stage by stage over the whole bar, and one step at a time once a batch has
+ * failed, to find the step at which the run ends. */
 bool bar_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
 {
     Bar *bar = bar_of(sim);

@@ -106,6 +106,7 @@ static int places_before(const Bar *bar, int cell)
     return bar->first[cell] / bar->slots / BAR_LANES * BAR_LANES;
 }
 
+/* Advances one task to cell `end`. False: its work failed, or must be seen in order. */
 static bool do_task(Bar *bar, Pipeline *pipeline, Task *task, int end)
 {
     Status unused;
@@ -156,6 +157,7 @@ static bool run_pipeline(Bar *bar, Pipeline *pipeline)
     return true;
 }
 
+/* Whether whole steps go in tiles. Not where something is summed in an order that tiles would change. */
 bool bar_tiles_pay(const Bar *bar, bool with_rows)
 {
     /* a load's work is summed over all nodes step by step, and so is the energy of the affine motion over the
@@ -167,6 +169,7 @@ bool bar_tiles_pay(const Bar *bar, bool with_rows)
     return bar->n_cells >= CELLS_LEAST;
 }
 
+/* `count` whole steps, STEPS_TOGETHER at a time, with the rows of their series if they are asked for. */
 bool bar_tiled_steps(Bar *bar, long count, double *rows)
 {
     bool good = true;

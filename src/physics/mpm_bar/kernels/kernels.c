@@ -70,7 +70,7 @@ KERNEL_INLINE int run_end(const Bar *bar, MpmShape shape, int c, int end)
     return before > 0 && before < (stop - c) * bar->slots ? c + before / bar->slots : stop;
 }
 
-/* What the cells gave to node i, in the order of the cells. */
+/* What the cells gave to node i, in the order of the cells: node i is the a-th node of cell i - a. */
 KERNEL_INLINE double gather(double *const *part, int support, int i)
 {
     switch (support) {
@@ -85,7 +85,12 @@ KERNEL_INLINE double gather(double *const *part, int support, int i)
 
 /* --- map ------------------------------------------------------------------------------------------ */
 
-/* Eqs. 2, 3: the cells' shares by runs, then m_i and p_i by nodes. m, p, 1/m: n_nodes entries each. */
+/* Eqs. 2, 3: the cells' shares by runs, then
+ *
+ *     m_i = (rho dx/P) sum over cells of part[0][a][i - a]        p_i likewise from part[1]
+ *
+ * and 1/m_i. m, p, 1/m: n_nodes entries each. A node with m_i <= mass_floor is inactive, 1/m_i = 0: no
+ * velocity and no acceleration follow for it, where p/m would be rounding over rounding. */
 KERNEL_INLINE void map_shape(Bar *bar, MpmShape shape, int slots, int first, int end)
 {
     const bool affine = bar->head->transfer == MPM_APIC;
@@ -136,7 +141,7 @@ static void map(Bar *bar, int first, int end)
     }
 }
 
-/* Eq. 4, v_i = p_i / m_i, of the nodes that come with these cells. */
+/* Eq. 4, v_i = p_i / m_i, of the nodes that come with these cells; 0 where inactive or held (p = 0 there). */
 static void velocities(Bar *bar, int first, int end)
 {
     const int last = nodes_end(bar, end);
@@ -150,7 +155,7 @@ static void velocities(Bar *bar, int first, int end)
 /* --- strain and stress ---------------------------------------------------------------------------- */
 
 /* Eqs. 4, 5, 7, 8, 9 by runs of cells; cells at the ends of a hat's bar one by one. Returns the first
- * crushed particle, or -1. */
+ * particle with 1 + de <= 0, or -1: its density would turn negative (eq. 8). */
 KERNEL_INLINE int strain_shape(Bar *bar, MpmShape shape, int slots, int first, int end)
 {
     int crushed = -1;
@@ -192,7 +197,8 @@ static int strain(Bar *bar, int first, int end)
 
 /* --- nodal forces --------------------------------------------------------------------------------- */
 
-/* Eq. 11: f_ext = m_i b of the nodes, and the traction of the particles at the free ends. */
+/* Eq. 11, f_ext = sum m N_i b + sum N_i t m/(rho h): the first sum is m_i b, the second goes over the
+ * particles of the layer at a free end. Per unit cross-section, so a force is a stress. */
 KERNEL_INLINE void external_force(Bar *bar, MpmShape shape, int first, int end)
 {
     const int last = nodes_end(bar, end);
@@ -208,7 +214,9 @@ KERNEL_INLINE void external_force(Bar *bar, MpmShape shape, int first, int end)
         bar->node_f_ext[i] = bar->node_mass[i] * gravity + gather(bar->part[1], shape_support(shape), i);
 }
 
-/* Eqs. 10, 11: the cells' shares by runs, then f_int by nodes; f_ext only where a load acts. */
+/* Eqs. 10, 11: the cells' shares by runs, then f_int = -(1/dx) sum over cells of part[0][a][i - a]; f_ext
+ * only where a load acts. USF comes here with the new stress and the new volume, USL and MUSL with the old
+ * ones. (The old volume in USF would be wrong by 3e-5, which no look at a frequency would find.) */
 KERNEL_INLINE void force_shape(Bar *bar, MpmShape shape, int slots, int first, int end)
 {
     for (int c = first; c < end;) {
@@ -254,8 +262,9 @@ static void force(Bar *bar, int first, int end)
 /* --- integrate momentum --------------------------------------------------------------------------- */
 
 /* Eqs. 12 and 13 on free nodes: p_i += dt f_i with f_i = f_int + f_ext; then what eqs. 14 and 15 need of a
- * node: kick = dt f_i / m_i and drift = dt p_i / (m_i dx). Where masses are not lumped, kick is there already
- * and the integrated velocity is the one before plus it. USF: the velocity that strained stays as it is. */
+ * node: kick = dt f_i / m_i (a velocity) and drift = dt p_i / (m_i dx) (in cells). Where masses are not
+ * lumped, kick is there already and the integrated velocity is the one before plus it. USF: the velocity that
+ * strained stays as it is. */
 KERNEL_INLINE void integrate_nodes(Bar *bar, bool loaded, bool lumped, bool usf, int first, int end)
 {
     const double dt = bar->dt, drift_scale = bar->dt / bar->dx;
@@ -287,8 +296,8 @@ KERNEL_INLINE void integrate_as(Bar *bar, bool loaded, int first, int end)
         integrate_nodes(bar, loaded, false, usf, first, end);
 }
 
-/* Eqs. 12, 13: held nodes take neither force nor displacement; the work of the load is sum f_ext dt
- * p_i/m_i. */
+/* Eqs. 12, 13: held nodes take neither force nor displacement; the work of the load is sum f_ext dt p_i/m_i
+ * with the momentum of after the step, as particles move by that. */
 static void integrate(Bar *bar, int first, int end)
 {
     const int last = nodes_end(bar, end), fixed_right = bar->n_nodes - bar->fixed_right;
@@ -310,7 +319,9 @@ static void integrate(Bar *bar, int first, int end)
 
 /* --- update particles ----------------------------------------------------------------------------- */
 
-/* Eqs. 14, 15 by runs of cells; positions go to moved[], the cells are found in the last stage (settle). */
+/* Eqs. 14, 15 by runs of cells; positions go to moved[], the cells are found in the last stage (settle).
+ * Shape functions are those of the old places for v and x alike. x moves with the nodes' velocity (eq. 15),
+ * not with the particle's own: that is another method, off by 4e-6 in one step of the paper's first mode. */
 KERNEL_INLINE void update_as(Bar *bar, MpmShape shape, Transfer transfer, int slots, int first, int end)
 {
     for (int c = first; c < end;) {
@@ -420,6 +431,7 @@ static void add_place(const Bar *bar, int slot, int k, BarSums *sums)
 
 enum { PIECES = BAR_LANES / VECTOR_WIDTH };
 
+/* sum v, sum s, sum v^2 and sum stress^2 volume of the places [first, end), for the row of a step. */
 static void particle_sums(const Bar *bar, int first, int end, BarSums *sums)
 {
     /* sum v, sum s, sum v^2 and sum stress^2 volume, BAR_LANES places at a time */
@@ -455,6 +467,7 @@ static void particle_sums(const Bar *bar, int first, int end, BarSums *sums)
             add_place(bar, j, rest, sums);
 }
 
+/* sum p^2/m over nodes [first, end): twice the energy that the grid sees. */
 static void node_sums(const Bar *bar, int first, int end, double *lanes)
 {
     /* sum p^2 / m; node first + k goes to lane k % BAR_LANES */

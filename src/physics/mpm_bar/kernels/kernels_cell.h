@@ -25,9 +25,12 @@ KERNEL_INLINE void clear_part(Bar *bar, int which, int support, int c)
         bar->part[which][a][c] = 0.0;
 }
 
-/* Eqs. 2 and 3 over m of the first material, the cell's share: part[0][a] = sum N_a, part[1][a] = sum v N_a;
- * particles of the second one weigh more or less; with APIC v + C (x_a -
- * x) in place of v (Jiang et al. 2015). */
+/* Eqs. 2 and 3 over m of the first material, the cell's share:
+ *
+ *     part[0][a] = sum N_a,   part[1][a] = sum v N_a         each term times bar_weight() of its particle
+ *
+ * with APIC v + C (x_a - x) in place of v (Jiang et al. 2015). Reads s, v, affine; s in cells, C dx a
+ * velocity per cell. */
 KERNEL_INLINE void map_cell(Bar *bar, MpmShape shape, bool affine, int c)
 {
     const int support = shape_support(shape);
@@ -73,7 +76,7 @@ KERNEL_INLINE double gradient_of(MpmShape shape, const double *dn, const double 
     return gradient;
 }
 
-/* Velocities of the nodes of a cell. */
+/* Velocities of the nodes of a cell, as its particles are strained by them. */
 KERNEL_INLINE void strain_velocities(const Bar *bar, MpmShape shape, int c, double *v)
 {
 #pragma GCC unroll 4
@@ -83,8 +86,9 @@ KERNEL_INLINE void strain_velocities(const Bar *bar, MpmShape shape, int c, doub
         bar_lend_velocity(bar, c, v);
 }
 
-/* Eqs. 5, 7, 8, 9: stress += E de, volume *= 1 + de, the density being mass / volume. False: 1 + de <= 0
- * somewhere (that particle is done too). */
+/* Eqs. 5, 7, 8, 9: de = dt sum N'_a v_a, stress += E de, volume *= 1 + de, the density being mass / volume.
+ * Stress in the unit of E; on a line eq. 5's symmetric part is the gradient itself, and there is no spin to
+ * turn the stress by. False: 1 + de <= 0 somewhere (that particle is done too). */
 KERNEL_INLINE bool strain_cell(Bar *bar, MpmShape shape, int c)
 {
     const double k = bar->dt / bar->dx;
@@ -120,7 +124,8 @@ static int find_crushed(const Bar *bar, MpmShape shape, int c, int stop)
     return -1;
 }
 
-/* Eq. 10 over -1, the cell's share: part[0][a] = sum N'_a stress volume, N' by s. */
+/* Eq. 10 over -1, the cell's share: part[0][a] = sum N'_a stress volume, N' by s, so times dx of the force.
+ */
 KERNEL_INLINE void force_cell(Bar *bar, MpmShape shape, int c)
 {
     const int support = shape_support(shape);
@@ -169,10 +174,14 @@ KERNEL_INLINE void traction_cell(Bar *bar, MpmShape shape, int c)
 
 /* Eqs. 14 and 15, kick and drift being dt f / m and dt p / (m dx) of the nodes, or what stands for them where
  * masses are not lumped:
+ *
  *     FLIP   v += sum N_a kick_a                       every transfer   moved = s + sum N_a drift_a,
  *     FMPM   v = sum N_a v_a                           but FMPM         moved = s + (dt/dx)(v before + v)/2
  *     blend  v = alpha (v + sum N_a kick_a) + (1 - alpha) sum N_a v_a
- *     APIC   v = sum N_a v_a,   C = sum N_a v_a (x_a - x) / sum N_a (x_a - x)^2; hats: C = sum N'_a v_a */
+ *     APIC   v = sum N_a v_a,   C = sum N_a v_a (x_a - x) / sum N_a (x_a - x)^2; hats: C = sum N'_a v_a
+ *
+ * FLIP leaves in v whatever the grid cannot see, PIC's share and FMPM take it away. They do
+ * so in each step, so half the step damps twice as much in a time. Writes moved, v, affine; cannot fail. */
 KERNEL_INLINE void update_cell(Bar *bar, MpmShape shape, Transfer transfer, int c)
 {
     const int support = shape_support(shape);

@@ -27,6 +27,8 @@ KERNEL_INLINE void couple_cell(Bar *bar, MpmShape shape, int c)
             bar->pair[d][a][c] = pair[d][a];
 }
 
+/* The same for a run of cells with P particles of one material each: VECTOR_WIDTH cells at once, in the same
+ * order. */
 KERNEL_INLINE void couple_run(Bar *bar, MpmShape shape, int slots, int c, int stop)
 {
     const int support = shape_support(shape), reach = shape_reach(shape);
@@ -56,7 +58,8 @@ KERNEL_INLINE void couple_run(Bar *bar, MpmShape shape, int slots, int c, int st
         couple_cell(bar, shape, c);
 }
 
-/* M_c(i, i + d) from the cells' shares, in the order of the cells. */
+/* M_c(i, i + d), d = 1 .. reach, from the cells' shares, in the order of the cells; mass per unit
+ * cross-section, n_nodes entries each. */
 KERNEL_INLINE void couple_shape(Bar *bar, MpmShape shape, int slots, int first, int end)
 {
     for (int c = first; c < end;) {
@@ -135,7 +138,8 @@ KERNEL_INLINE void factor_reach(Bar *bar, const int reach)
     }
 }
 
-/* x <- M^-1 x: L y = x from the left, then L^T x = D^-1 y from the right. */
+/* x <- M^-1 x in place, n_nodes entries: L y = x from the left, then L^T x = D^-1 y from the right. At held
+ * and inactive nodes x becomes 0. */
 KERNEL_INLINE void solve_reach(const Bar *bar, const int reach, double *x)
 {
     const int n = bar->n_nodes;

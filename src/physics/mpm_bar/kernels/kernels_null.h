@@ -127,6 +127,7 @@ KERNEL_INLINE VectorMask gather_cells(const Bar *bar, int slots, int c, int end,
     return other;
 }
 
+/* The lanes that are not like most, by plain rotations; cells behind the end are empty. */
 static __attribute__((noinline)) void mend_cells(const Bar *bar, int c, int end, VectorMask bad,
                                                  Triangles *triangles)
 {
@@ -169,6 +170,7 @@ KERNEL_INLINE void triangles_of_cells(const Bar *bar, int slots, int c, int lane
 
 /* --- two triangles into one ----------------------------------------------------------------------- */
 
+/* Likewise where a pair's merged rotations would lose digits. */
 static __attribute__((noinline)) void mend(Triangles *joined, const Vector *a, const Vector *b,
                                            VectorMask bad)
 {
@@ -264,6 +266,8 @@ static void fold_waiting(BarNullTree *tree, int count)
     tree->before = bar_null_join(&all, &tree->before);
 }
 
+/* On from the cell where it stands to `end`: eights of cells into one triangle each, and these in groups of
+ * NULL_WAITING into the one of all cells before. */
 KERNEL_INLINE void null_of_cells(const Bar *bar, int slots, BarNull *null, int end)
 {
     BarNullTree *tree = &null->tree;

@@ -115,7 +115,7 @@ KERNEL_INLINE bool strain_run(Bar *bar, MpmShape shape, int slots, int c, int st
     return sound;
 }
 
-/* Eq. 10 over -1, a cell's share: part[0][a] = sum N'_a stress m / rho, times dx. */
+/* Eq. 10 over -1, a cell's share: part[0][a] = sum N'_a stress m / rho, N' by s, so times dx of the force. */
 KERNEL_INLINE void force_run(Bar *bar, MpmShape shape, int slots, int c, int stop)
 {
     const int support = shape_support(shape);
