@@ -32,7 +32,9 @@ bool plane_fail_particle(Plane *plane, Status *status, int particle, const char 
 
 /* --- rows of particles ---------------------------------------------------------------------------- */
 
-/* The places of particles [first, end) on the grid; they were found to lie on it when they went there. */
+/* Where particles [first, end) lie on the grid: the first of their nodes, and s beside it in cells. It holds
+ * for all stages of the step, so shape functions are those of the old place throughout. They were found to
+ * lie on the grid when they went there. */
 static bool find(Plane *plane, int first, int end, Status *status)
 {
     const double xmin = plane_xmin(plane, plane->sim.step);
@@ -42,7 +44,8 @@ static bool find(Plane *plane, int first, int end, Status *status)
     return true;
 }
 
-/* Momentum of particles [first, end) to the nodes, and mass where it is asked for. */
+/* Eqs. 2, 3 of paper M with N = N_x N_y: m_i = sum m N, kg/m, and p_i = sum m v N, kg/s, from particles
+ * [first, end). The mass where it is asked for: MUSL's second map has the same. */
 static void map(Plane *plane, int first, int end, bool with_mass)
 {
     const double m = plane->mass;
@@ -60,6 +63,14 @@ static void map(Plane *plane, int first, int end, bool with_mass)
     }
 }
 
+/* Eqs. 4 to 9 of paper M in the plane, D that of plane stress:
+ *
+ *     e = dt sum sym(grad N v_i),   g_xy the whole shear angle
+ *     sxx += lambda (exx + nu eyy)    syy += lambda (eyy + nu exx)    sxy += G gxy,   lambda = E/(1 - nu^2)
+ *
+ * Stress in Pa. It is not turned with the material: the beam's sections turn by 1e-4, and with Jaumann's rate
+ * no printed digit changes. dt/dx stands once for all terms, as N' is in cells. Fails where 1 + exx + eyy <=
+ * 0 (eq. 8 would turn the density negative) or is no number. */
 static bool strain(Plane *plane, int first, int end, Status *status)
 {
     const double rate = plane->dt / plane->dx, nu = plane->def.poisson;
@@ -87,6 +98,8 @@ static bool strain(Plane *plane, int first, int end, Status *status)
     return true;
 }
 
+/* Eq. 10: f_i = -sum (N,x sxx + N,y sxy, N,x sxy + N,y syy) V, V = m/rho in m^2, so f is in N/m. With USF
+ * stress and V are those of this step, with USL and MUSL the old ones. */
 static void force(Plane *plane, int first, int end)
 {
     const double inverse = 1 / plane->dx;
@@ -104,7 +117,13 @@ static void force(Plane *plane, int first, int end)
     }
 }
 
-/* The new place is looked at on the grid as it will lie in the next step. */
+/* Eqs. 14, 15 with flip fraction alpha:
+ *
+ *     v = alpha (v + dt sum N f_i/m_i) + (1 - alpha) sum N p_i/m_i        x += dt sum N p_i/m_i
+ *
+ * Below 1 each step loses a share of what the grid cannot see: .999 keeps a cantilever that leaves its
+ * channel from heating. The new place is looked at on the grid as it will lie in the next step; a particle
+ * that leaves it ends the run. */
 static bool update(Plane *plane, int first, int end, Status *status)
 {
     const double dt = plane->dt, alpha = plane->head->flip_fraction;
@@ -135,7 +154,7 @@ static bool update(Plane *plane, int first, int end, Status *status)
 
 /* --- rows of nodes -------------------------------------------------------------------------------- */
 
-/* v = p/m of nodes [first, end). */
+/* v = p/m of nodes [first, end), eq. 4; that of the beam where there is hardly any mass. */
 static void set_velocities(Plane *plane, int first, int end)
 {
     for (int i = first; i < end; i++) {
@@ -145,6 +164,8 @@ static void set_velocities(Plane *plane, int first, int end)
     }
 }
 
+/* Supports, paper M's step 2 and paper P's eqs. 12, 13: p = m v0 along where x is held, 0 across where y is.
+ * The mass stays. */
 static void hold(Plane *plane, int first_row, int end_row)
 {
     for (int j = first_row; j < end_row; j++)
@@ -159,6 +180,9 @@ static void hold(Plane *plane, int first_row, int end_row)
     set_velocities(plane, first_row * plane->gx, end_row * plane->gx);
 }
 
+/* Supports take the force of the nodes that they hold. The one along a channel that moves with v0 does work
+ * on the beam, -f_x v0 dt times the thickness, J: f_x is the beam's force on the node. Then a = f/m, 0 where
+ * inactive. */
 static void hold_force(Plane *plane, int first_row, int end_row)
 {
     for (int j = first_row; j < end_row; j++) {
@@ -180,6 +204,7 @@ static void hold_force(Plane *plane, int first_row, int end_row)
     }
 }
 
+/* Eq. 13, p_i += dt f_i; then v_i anew, with which particles move. */
 static void integrate(Plane *plane, int first, int end)
 {
     const double dt = plane->dt;
@@ -247,6 +272,7 @@ bool plane_do(Plane *plane, PlaneOp op, int first, int end, Status *status)
     return true;
 }
 
+/* The first two stages whole: what a row of the series needs of the grid. */
 bool plane_map_and_hold(Plane *plane, Status *status)
 {
     const int rows = (int)plane->sim.stage_items;

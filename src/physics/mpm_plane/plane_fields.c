@@ -127,6 +127,7 @@ static double rest_y(const Plane *plane, int p)
     return (p / plane->nxp + 0.5) * plane->spacing - plane->def.height / 2;
 }
 
+/* dt sum of N' v_i: the strain of this step, from the velocities that made it. */
 static double strain_step(const Plane *plane, int field, int p)
 {
     if (!plane_has_done(plane, PLANE_STRAIN))
@@ -146,6 +147,7 @@ static double strain_step(const Plane *plane, int field, int p)
     return plane->dt / plane->dx * (field == P_EXX ? xx : field == P_EYY ? yy : xy);
 }
 
+/* The value of one particle's field; m, m/s, Pa, J. */
 static double particle_field(const Plane *plane, int field, int p)
 {
     const double xx = plane->sxx[p], yy = plane->syy[p], xy = plane->sxy[p];
@@ -196,6 +198,7 @@ static double particle_field(const Plane *plane, int field, int p)
     }
 }
 
+/* The value of one node's field: 0 between steps, and before the stage that makes it. */
 static double node_field(const Plane *plane, int field, int node)
 {
     const int i = node % plane->gx, j = node / plane->gx;

@@ -4,8 +4,9 @@
 
 #include <math.h>
 
-/* The particle's hat, or its box, must lie on the grid whole. The first node is floor(r - l); a box that
- * begins in the last cell ends there, and its third weight, which would belong to a node beyond, is 0. */
+/* The particle's hat, or its box of half-width l, must lie on the grid whole; false: it does not. With r = (x
+ * - xmin)/dx the first node is floor(r - l) and s = r - l - floor(r - l), each way; a box that begins in the
+ * last cell ends there, and its third weight, which would belong to a node beyond, is 0. */
 bool plane_find(const Plane *plane, double xmin, double x, double y, int32_t *base, double *sx, double *sy)
 {
     const double inverse = 1 / plane->dx, l = plane->def.shape == MPM_HAT ? 0 : plane->half;

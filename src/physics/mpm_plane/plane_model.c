@@ -1,4 +1,5 @@
-/* The numbers of a beam that follow from its definition and stay. */
+/* The numbers of a beam that follow from its definition and stay: sizes of body and grid, m = rho d^2 with d
+ * = dx/P, dt, the constants of plane stress, the probe. */
 #include "physics/mpm_plane/plane_state.h"
 
 #include <math.h>
@@ -13,8 +14,10 @@ static void set_probe(Plane *plane)
         plane->probe[k] = rows[k / 2] * plane->nxp + columns[k % 2];
 }
 
-/* Numbers of the model that follow from the definition: the grid (padding all round, and on the right as far
- * as a cantilever comes on a grid that stays behind), m = rho d^2, plane stress. */
+/* Everything constant, from a definition that is sound. The grid has `padding` cells all round, and on the
+ * right as many more as a cantilever gets ahead of it, ceil((v0 - v_grid) t_end/dx). lambda = E/(1 - nu^2)
+ * and G = E/(2 (1 + nu)), Pa; a node is inactive up to 1e-12 of a full cell's mass (anything from 1e-14 to
+ * 1e-8 gives the same). */
 void plane_derive(Plane *plane)
 {
     PlaneDef *def = &plane->def;

@@ -60,7 +60,8 @@ static double *entry(CholeskyBand *band, size_t row, size_t column)
     return &band->rows[row * (band->width + 1) + (row - column)];
 }
 
-/* One particle's share of K and M_C, at s in the cell whose first node is (i, j). */
+/* One particle's share of K = sum V B'D B and of M_C, at s in the cell whose first node is (i, j): per unit
+ * thickness, N/m^2 and kg/m. Hats only: on the undeformed lattice boxes are the same numbers. */
 static void add_particle(Lattice2 *lattice, int i, int j, double sx, double sy)
 {
     const Plane *model = &lattice->model;
@@ -93,6 +94,8 @@ static void add_particle(Lattice2 *lattice, int i, int j, double sx, double sy)
         }
 }
 
+/* K, M_C and M_L of the undeformed lattice; a held unknown gets 1 on its diagonals and is coupled to nothing.
+ * Of a displaced body of boxes this would not do: its feather-light nodes give K spurious zeros. */
 static void assemble(Lattice2 *lattice)
 {
     const Plane *model = &lattice->model;
@@ -184,7 +187,9 @@ static bool factor(CholeskyBand *band, const PlaneDef *def, bool *sound, Status 
 
 /* --- the period ----------------------------------------------------------------------------------- */
 
-/* The mode of the lowest vibration, from half a wave: omega^2 and w^2. Both matrices are factors. */
+/* The mode of the lowest vibration by x <- K^-1 M_L M_C^-1 M_L x, from half a wave: omega^2 of S K and w^2 =
+ * x'Kx/x'M_L x, both 1/s^2, by Rayleigh quotients of the last vector. Both matrices are factors. False: given
+ * up. */
 static bool lowest_mode(Lattice2 *lattice, double *omega2, double *lumped2, Status *status)
 {
     const Patience *patience = &lattice->model.def.patience;
@@ -218,6 +223,8 @@ static bool lowest_mode(Lattice2 *lattice, double *omega2, double *lumped2, Stat
     return true;
 }
 
+/* T = 2 pi/Omega, s, from omega^2 and w^2 by the formulas above; with alpha = 1 and USF or MUSL Omega =
+ * (2/dt) asin(omega dt/2), which keeps all digits of a small omega dt. */
 static double period_of(const PlaneDef *def, double dt, double omega2, double lumped2)
 {
     const double F = omega2 / lumped2, g = def->flip_fraction + (1 - def->flip_fraction) * F;
@@ -229,6 +236,8 @@ static double period_of(const PlaneDef *def, double dt, double omega2, double lu
     return 2 * M_PI * dt / acos(trace / (2 * sqrt(det)));
 }
 
+/* *period in s; NAN where the band would take more than NUMBERS_MAX numbers, and for the cantilever, which
+ * has none. */
 bool plane_predicted_period(const PlaneDef *def, double *period, Status *status)
 {
     Lattice2 lattice;
@@ -338,6 +347,8 @@ static bool largest_eigenvalue(Lattice2 *lattice, const CholeskyBand *blend, dou
     return true;
 }
 
+/* The largest stable courant number of the undeformed beam, by its own matrices where they fit, else of an
+ * endless mesh, less one per cent. Particles that have moved can lower it: hats down to 1.39 of 1.72. */
 bool plane_courant_limit(const PlaneDef *def, double *courant, Status *status)
 {
     Lattice2 lattice;

@@ -25,6 +25,7 @@ typedef struct Deflection {
     double w, slope, curvature;
 } Deflection;
 
+/* w, w' and w'' at x (m, 1, 1/m) by eqs. 16 and 18; 0 in the channel. */
 static Deflection deflection(const PlaneDef *def, double x)
 {
     const double U = def->amplitude;
@@ -41,6 +42,7 @@ static Deflection deflection(const PlaneDef *def, double x)
                         U * k * k * (cosh(a) + cos(a) - r * (sinh(a) + sin(a)))};
 }
 
+/* omega = (z/L)^2 h sqrt(E/(12 rho)), 1/s: Euler and Bernoulli's, of a beam without shear. */
 static double mode_frequency(const PlaneDef *def)
 {
     const double z = def->leaves_channel ? cantilever_root : M_PI, k = z / def->length;
@@ -51,7 +53,9 @@ typedef struct Strain {
     double xx, yy, xy; /* xy: gamma */
 } Strain;
 
-/* sum B u at a place of the undeformed lattice. */
+/* sum B u at a place of the undeformed lattice, what the first step would find had the nodes moved there: the
+ * stress that belongs to it is that of the mesh, not of the beam. Nodes at and behind the channel's end do
+ * not move. */
 static Strain strain_of_nodes(const Plane *plane, double X, double Y)
 {
     const PlaneDef *def = &plane->def;
@@ -80,6 +84,7 @@ static Strain strain_of_nodes(const Plane *plane, double X, double Y)
     return strain;
 }
 
+/* One particle at t = 0: place, velocity, stress, volume. */
 static void place(Plane *plane, int p)
 {
     const PlaneDef *def = &plane->def;
@@ -108,6 +113,7 @@ static void place(Plane *plane, int p)
     plane->volume[p] *= 1 + strain.xx + strain.yy;
 }
 
+/* All particles, row by row. False: given up, or the shape leaves the grid. */
 bool plane_begin(Plane *plane, Status *status)
 {
     int32_t base;

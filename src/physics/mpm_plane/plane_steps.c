@@ -28,7 +28,9 @@ static void report(Plane *plane, EventKind kind, const char *text)
         plane->sim.events[before].step = plane->sim.step + 1;
 }
 
-/* A NaN fails too: the comparison is written so. */
+/* Fails where energy > energy_bound (E_0 + max |work|), looked at only behind steps that are multiples of
+ * PLANE_CHECK_EVERY, so that the outcome does not depend on how a run is cut into batches. A NaN fails too:
+ * the comparison is written so. */
 static bool check_energy(Plane *plane, Status *status)
 {
     if ((plane->sim.step + 1) % PLANE_CHECK_EVERY != 0)
@@ -52,6 +54,7 @@ static bool check_energy(Plane *plane, Status *status)
     return true;
 }
 
+/* One stage on its items [first, end), for whoever looks at a step from inside (method.h). */
 bool plane_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status)
 {
     Plane *plane = plane_of(sim);
@@ -111,6 +114,8 @@ static bool whole_steps(Plane *plane, long count, double *rows, Status *status)
     return true;
 }
 
+/* `count` whole steps in batches that end where the energy is looked at; one step at a time once a batch has
+ * failed. */
 bool plane_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
 {
     Plane *plane = plane_of(sim);
