@@ -206,3 +206,18 @@ void text_put_xml(FILE *stream, const char *text)
             fputc((unsigned char)*text < ' ' ? ' ' : *text, stream);
         }
 }
+
+void text_put_json(FILE *stream, const char *bytes, size_t count)
+{
+    fputc('"', stream);
+    for (size_t i = 0; i < count; i++) {
+        const unsigned char byte = (unsigned char)bytes[i];
+        if (byte == '"' || byte == '\\')
+            fprintf(stream, "\\%c", byte);
+        else if (byte < ' ' || byte == 0x7f)
+            fprintf(stream, "\\u%04x", byte);
+        else
+            fputc(byte, stream);
+    }
+    fputc('"', stream);
+}

@@ -67,7 +67,7 @@ typedef struct Options {
 
     Outputs outputs; /* its dialect and force are filled in by options_parse() */
     const char *dialect, *vtk_data;
-    bool force, quiet;
+    bool force, quiet, crate;
 
     SweepAxis axes[AXES_MAX]; /* --vary and --with, in their order */
     int n_axes;

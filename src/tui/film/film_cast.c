@@ -2,6 +2,7 @@
  * [seconds, "o", "bytes for the terminal"]. The bytes are those that ncurses would send to an xterm. */
 #include "tui/film/film.h"
 
+#include "base/text.h"
 #include "tui/terminal/picture.h"
 
 #include <stdlib.h>
@@ -15,27 +16,12 @@ struct Film {
     int width, height; /* of the picture before */
 };
 
-static void put_json(FILE *stream, const char *bytes, size_t count)
-{
-    fputc('"', stream);
-    for (size_t i = 0; i < count; i++) {
-        const unsigned char byte = (unsigned char)bytes[i];
-        if (byte == '"' || byte == '\\')
-            fprintf(stream, "\\%c", byte);
-        else if (byte < ' ' || byte == 0x7f)
-            fprintf(stream, "\\u%04x", byte);
-        else
-            fputc(byte, stream);
-    }
-    fputc('"', stream);
-}
-
 static void put_event(Film *film, double seconds)
 {
     size_t count;
     const char *bytes = picture_bytes(&film->picture, &count);
     fprintf(film->stream, "[%.3f, \"o\", ", seconds);
-    put_json(film->stream, bytes, count);
+    text_put_json(film->stream, bytes, count);
     fputs("]\n", film->stream);
     picture_sent(&film->picture, count);
 }
@@ -55,7 +41,7 @@ static Film *open_cast(FILE *stream, const FilmLook *look, Status *status)
     film->picture.light = look->light;
     film->picture.utf8 = true;
     fprintf(stream, "{\"version\": 2, \"width\": %d, \"height\": %d, \"title\": ", look->width, look->height);
-    put_json(stream, look->title, strlen(look->title));
+    text_put_json(stream, look->title, strlen(look->title));
     fprintf(stream, ", \"env\": {\"TERM\": \"%s\"}}\n", term);
     return film;
 }
