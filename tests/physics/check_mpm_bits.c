@@ -13,7 +13,8 @@ static const uint64_t PINNED = 0x9941b19d6ce98de1u;
 
 /* PINNED is of the first so many, as they were when it was taken. */
 enum { ALGORITHMS = 3, SHAPES = 4, TRANSFERS = 5, PINNED_TRANSFERS = 3 };
-enum { VARIANTS = ALGORITHMS * SHAPES * TRANSFERS, PINNED_VARIANTS = ALGORITHMS * SHAPES * PINNED_TRANSFERS };
+enum { ALL_SHAPES = ALGORITHMS * SHAPES * TRANSFERS, VARIANTS = ALL_SHAPES + ALGORITHMS * 3 };
+enum { PINNED_VARIANTS = ALGORITHMS * SHAPES * PINNED_TRANSFERS };
 
 /* Every algorithm, shape and transfer in turn: FLIP, some PIC, APIC, a mass blend, FMPM. Fast enough that
  * particles cross cells, with loads. */
@@ -23,6 +24,11 @@ static BarCase variant(int number)
     bar.def.algorithm = (MpmAlgorithm)(number % ALGORITHMS);
     bar.def.shape = (MpmShape)(number / ALGORITHMS % SHAPES);
     int transfer = number / (ALGORITHMS * SHAPES);
+    if (number >= ALL_SHAPES) { /* CPDI with FLIP, a mass blend, FMPM */
+        static const int transfers[] = {0, 3, 4};
+        bar.def.shape = MPM_CPDI;
+        transfer = transfers[(number - ALL_SHAPES) / ALGORITHMS];
+    }
     bar.def.transfer = transfer == 2 ? MPM_APIC : transfer == 4 ? MPM_FMPM : MPM_FLIP;
     bar.def.mass_blend = transfer == 3 ? 0.4 : 1.0;
     bar.def.fmpm_order = 3;

@@ -19,7 +19,7 @@ static double reference(const Bar *bar)
         for (int p = bar->first[c]; p < bar->first[c + 1]; p++) {
             double row[BAR_SUPPORT_MAX + 1] = {0}, slope[BAR_SUPPORT_MAX];
             const int j = p % bar->slots, k = p / bar->slots;
-            shape_at(bar->def.shape, bar->gimp_half, bar->n_cells, c, bar->s[j][k], row, slope);
+            shape_at(bar->def.shape, bar_half(bar, p), bar->n_cells, c, bar->s[j][k], row, slope);
             for (int a = 0; a < support; a++)
                 if (bar->node_inverse[c + a] == 0.0 || bar_node_is_fixed(bar, c + a))
                     row[a] = 0;

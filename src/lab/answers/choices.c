@@ -33,6 +33,15 @@ const Choice choices[] = {
      "open knots at the ends of the mesh, knots on the edges of cells; the first (last) function is held at "
      "a "
      "fixed end."},
+    {CONCERN_BAR, METHOD_MPM, "CPDI", "not in the paper.",
+     "hat functions at both ends of a particle's domain, which follows its stretch (Sadeghirad, Brannon, "
+     "Burghardt 2011); held and ghost nodes as of uGIMP."},
+    {CONCERN_BAR, METHOD_MPM, "mass blend, mu*", "not in the paper; both words are ours.",
+     "M = (1 - mu) consistent + mu lumped, which finite elements have long known; mu* is the share without a "
+     "second-order error of the frequency. From 0.05 on: else a nearly empty cell leaves no stable step."},
+    {CONCERN_BAR, METHOD_MPM, "FMPM(k), and no XPIC", "not in the paper; words of the literature.",
+     "Nairn, Hammerquist 2021; a particle moves with the mean of its old and new velocity. XPIC is left out: "
+     "it damps as FMPM does and keeps the lag of lumped masses."},
     {CONCERN_BAR, METHOD_MPM, "APIC", "not in the paper.",
      "the affine velocity starts as the slope of the initial velocity (mpm.affine_start)."},
 

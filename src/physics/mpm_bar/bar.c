@@ -63,6 +63,8 @@ static void lay_out(Bar *bar, unsigned char *block)
     for (int j = 0; j < bar->slots; j++)
         ARRAY(bar->affine[j], places);
     bar->bytes_apic = layout.size;
+    for (int j = 0; j < bar->slots && bar->def.shape == MPM_CPDI; j++)
+        ARRAY(bar->half[j], places);
     for (int j = 0; j < bar->slots; j++)
         ARRAY(bar->moved[j], places);
     double **node_arrays[] = {&bar->node_mass,  &bar->node_inverse, &bar->node_momentum,
@@ -252,8 +254,8 @@ static void derive(Bar *bar)
     bar->support = shape_support(def->shape);
     bar->reach = shape_reach(def->shape);
     bar->n_nodes = bar->n_cells + bar->support - 1;
-    /* uGIMP: the ghost node beyond the support is held as well */
-    int held = def->shape == MPM_GIMP ? 2 : 1;
+    /* uGIMP, CPDI: the ghost node beyond the support is held as well */
+    int held = def->shape == MPM_GIMP || def->shape == MPM_CPDI ? 2 : 1;
     bar->fixed_left = left ? held : 0;
     bar->fixed_right = right ? held : 0;
 

@@ -16,7 +16,7 @@ typedef enum MpmAlgorithm {
     MPM_MUSL /* modified USL: the nodal velocity for the strain is mapped again */
 } MpmAlgorithm;
 
-typedef enum MpmShape { MPM_HAT, MPM_GIMP, MPM_BSPLINE2, MPM_BSPLINE3 } MpmShape;
+typedef enum MpmShape { MPM_HAT, MPM_GIMP, MPM_BSPLINE2, MPM_BSPLINE3, MPM_CPDI } MpmShape;
 
 typedef enum MpmTransfer { MPM_FLIP, MPM_APIC, MPM_FMPM } MpmTransfer;
 
@@ -68,7 +68,7 @@ BarDef bar_default(void);
 /* The mass blend mu* that takes the error of order (dx/wavelength)^2 out of the frequency, in the range that
  * is allowed:
  *
- *     (P^2 + 1)/(4 P^2 + 2)   hat, uGIMP
+ *     (P^2 + 1)/(4 P^2 + 2)   hat, uGIMP, CPDI
  *     none above 0 for B-splines, whose consistent mass is best: the least that is allowed
  *
  * "Mass blend" and mu* are words of our own; blends of lumped and consistent mass are as old as finite

@@ -102,7 +102,7 @@ bool bar_check(const BarDef *def, Status *status)
                 whole(def->padding, 0, CELLS_MAX, "mesh.padding", status) &&
                 whole((int)def->supports, BAR_FIXED_FREE, BAR_FREE_FREE, "bar.supports", status) &&
                 whole((int)def->algorithm, MPM_USF, MPM_MUSL, "mpm.algorithm", status) &&
-                whole((int)def->shape, MPM_HAT, MPM_BSPLINE3, "mpm.shape", status) &&
+                whole((int)def->shape, MPM_HAT, MPM_CPDI, "mpm.shape", status) &&
                 whole((int)def->transfer, MPM_FLIP, MPM_FMPM, "mpm.transfer", status) &&
                 whole(def->fmpm_order, 1, FMPM_ORDER_MAX, "mpm.fmpm_order", status) &&
                 finite_number(def->body_force, "load.body_force", status) &&

@@ -57,6 +57,8 @@ static void find_kicks(Bar *bar, int end)
  * the couplings M_c(i, j) of different nodes. */
 static void map(Bar *bar, int first, int end)
 {
+    if (bar->def.shape == MPM_CPDI)
+        bar->kernels->halve_domains(bar, first, end);
     bar->kernels->map(bar, first, end);
     if (!bar_is_lumped(bar))
         bar->kernels->couple(bar, first, end);
@@ -67,6 +69,15 @@ static void fix_and_divide(Bar *bar, int first, int end, bool factor)
 {
     fix(bar, first, end);
     find_velocities(bar, first, end, factor);
+}
+
+/* A CPDI particle of these cells that would touch more nodes than a cell has; -1: none. */
+static int find_too_long(const Bar *bar, int first, int end)
+{
+    for (int p = bar->first[first]; bar->def.shape == MPM_CPDI && p < bar->first[end]; p++)
+        if (!(bar->volume[p % bar->slots][p / bar->slots] < 2.0 * bar->dx))
+            return p;
+    return -1;
 }
 
 /* False: the run fails. A particle with 1 + de <= 0 (eq. 8 would turn its density negative) stops it; so
@@ -83,7 +94,10 @@ bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status)
         return true;
     case OP_STRAIN: {
         int bad = kernels->strain(bar, first, end);
-        return bad < 0 || bar_fail_particle(bar, status, bad, "was crushed (1 + de <= 0)");
+        if (bad >= 0)
+            return bar_fail_particle(bar, status, bad, "was crushed (1 + de <= 0)");
+        const int long_one = find_too_long(bar, first, end);
+        return long_one < 0 || bar_fail_particle(bar, status, long_one, "was stretched over two cells");
     }
     case OP_FORCE:
         kernels->force(bar, first, end);

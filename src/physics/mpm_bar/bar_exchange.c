@@ -143,7 +143,7 @@ int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
     const int slot = particle % bar->slots, k = particle / bar->slots;
     const double s = bar->s[slot][k], volume = bar->volume[slot][k];
     double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX], v[BAR_SUPPORT_MAX];
-    shape_at(bar->def.shape, bar->gimp_half, bar->n_cells, cell, s, n, dn);
+    shape_at(bar->def.shape, bar_half(bar, particle), bar->n_cells, cell, s, n, dn);
 #define FACTORS(count, ...)                                                                                  \
     do {                                                                                                     \
         const double list[] = {__VA_ARGS__};                                                                 \

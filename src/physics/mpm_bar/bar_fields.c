@@ -13,6 +13,7 @@ enum FieldIndex {
     P_STRAIN_INCREMENT,
     P_MOMENTUM,
     P_AFFINE,
+    P_STRETCH,
     N_X,
     N_MASS,
     N_MOMENTUM,
@@ -44,6 +45,8 @@ static const Field fields[FIELDS] = {
         SHOWN("strain_increment", "strain increment", "1", "strain of this time step; 0 before its stage"),
     [P_MOMENTUM] = SHOWN("momentum", "momentum", "mass/(length*time)", "mass times velocity"),
     [P_AFFINE] = SHOWN("affine", "slope C", "1/time", "slope of the velocity that APIC carries"),
+    [P_STRETCH] = FIELD_ROW(BAR_PARTICLES, true, false, "stretch", "stretch", "1",
+                            "length of the particle's domain over that at rest"),
     [N_X] = NODE("x", "x", "length", "position of the node (Greville abscissa of a B-spline)"),
     [N_MASS] = NODE("mass", "mass", "mass/length^2", "mass mapped from the particles"),
     [N_MOMENTUM] = NODE("momentum", "momentum", "mass/(length*time)", "momentum"),
@@ -71,6 +74,8 @@ void bar_list_fields(Bar *bar)
     for (int kind = 0; kind < FIELDS; kind++) {
         if (kind >= N_MASS_0 && kind <= N_MASS_3 && (lumped || kind - N_MASS_0 > bar->reach))
             continue;
+        if (kind == P_STRETCH && bar->def.shape != MPM_CPDI)
+            continue;
         Field *field = &bar->fields[count];
         *field = fields[kind];
         if ((kind == P_AFFINE && bar->head->transfer == MPM_APIC) || (kind == N_ACCELERATION && !lumped))
@@ -92,10 +97,10 @@ const Quantity bar_series[BAR_SERIES] = {
 };
 
 /* Eq. 5: de = dt sum N'_i v_i / dx, N' by s. */
-static double strain_increment(const Bar *bar, int cell, double s)
+static double strain_increment(const Bar *bar, int particle, int cell, double s)
 {
     double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX], v[BAR_SUPPORT_MAX], gradient = 0.0;
-    shape_at(bar->def.shape, bar->gimp_half, bar->n_cells, cell, s, n, dn);
+    shape_at(bar->def.shape, bar_half(bar, particle), bar->n_cells, cell, s, n, dn);
     bar_strain_velocities(bar, cell, v);
     for (int a = 0; a < bar->support; a++)
         gradient += dn[a] * v[a];
@@ -143,13 +148,16 @@ static void particle_field(const Bar *bar, int field, int first, int count, doub
             out[i] = place;
             break;
         case P_STRAIN_INCREMENT:
-            out[i] = strained ? strain_increment(bar, cell, s) : 0.0;
+            out[i] = strained ? strain_increment(bar, p, cell, s) : 0.0;
             break;
         case P_MOMENTUM:
             out[i] = bar_particle_mass(bar, p) * bar->v[j][k];
             break;
         case P_AFFINE:
             out[i] = bar->affine[j][k];
+            break;
+        case P_STRETCH:
+            out[i] = bar->volume[j][k] * bar->slots / bar->dx;
             break;
         default:
             out[i] = 0.0;
@@ -224,7 +232,7 @@ static Link link_of(const Bar *bar, int set, int index, int particle, int cell, 
 {
     double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
     double s = bar->s[particle % bar->slots][particle / bar->slots];
-    shape_at(bar->def.shape, bar->gimp_half, bar->n_cells, cell, s, n, dn);
+    shape_at(bar->def.shape, bar_half(bar, particle), bar->n_cells, cell, s, n, dn);
     return (Link){.set = set,
                   .index = (size_t)index,
                   .weight = n[node - cell],
@@ -259,6 +267,20 @@ size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t
     return count;
 }
 
+/* CPDI's functions differ from particle to particle: those of the one that is nearest in the cell. */
+static double half_near(const Bar *bar, int cell, double s)
+{
+    double half = bar->gimp_half, nearest = INFINITY;
+    for (int p = bar->first[cell]; p < bar->first[cell + 1]; p++) {
+        const double distance = fabs(bar->s[p % bar->slots][p / bar->slots] - s);
+        if (distance < nearest) {
+            nearest = distance;
+            half = bar_half(bar, p);
+        }
+    }
+    return half;
+}
+
 size_t bar_shapes(const Simulation *sim, const double *at, Link *out, size_t max)
 {
     const Bar *bar = bar_of_const(sim);
@@ -267,7 +289,7 @@ size_t bar_shapes(const Simulation *sim, const double *at, Link *out, size_t max
         return 0;
     int cell = (int)place < bar->n_cells ? (int)place : bar->n_cells - 1;
     double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
-    shape_at(bar->def.shape, bar->gimp_half, bar->n_cells, cell, place - cell, n, dn);
+    shape_at(bar->def.shape, half_near(bar, cell, place - cell), bar->n_cells, cell, place - cell, n, dn);
     size_t count = 0;
     for (int a = 0; a < bar->support && count < max; a++)
         if (n[a] != 0.0 || dn[a] != 0.0)

@@ -80,7 +80,8 @@ static inline void add_cells(const Bar *bar, BarNull *null, const MpmShape shape
         int j = bar->first[c] % bar->slots, k = bar->first[c] / bar->slots;
         for (int i = 0; i < count; i++) {
             double n[BAR_SUPPORT_MAX], slope[BAR_SUPPORT_MAX];
-            shape_at(shape, bar->gimp_half, bar->n_cells, c, bar->s[j][k], n, slope);
+            const double half = shape == MPM_CPDI ? bar->half[j][k] : bar->gimp_half;
+            shape_at(shape, half, bar->n_cells, c, bar->s[j][k], n, slope);
             /* the rows of the second material weigh more or less in the sum of squares */
             const double root = bar->first[c] + i < bar->joint ? 1.0 : root_of_second;
             for (int a = 0; a < support; a++)
@@ -119,6 +120,9 @@ void bar_null_add(const Bar *bar, BarNull *null, int end)
         return;
     case MPM_GIMP:
         add_cells(bar, null, MPM_GIMP, mapped);
+        return;
+    case MPM_CPDI:
+        add_cells(bar, null, MPM_CPDI, mapped);
         return;
     case MPM_BSPLINE2:
         add_cells(bar, null, MPM_BSPLINE2, mapped);

@@ -31,7 +31,7 @@ static double affine_energy(const Bar *bar)
         for (int p = bar->first[c]; p < bar->first[c + 1]; p++) {
             int j = p % bar->slots, k = p / bar->slots;
             double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX], spread = 0.0, s = bar->s[j][k];
-            shape_at(bar->def.shape, bar->gimp_half, bar->n_cells, c, s, n, dn);
+            shape_at(bar->def.shape, bar_half(bar, p), bar->n_cells, c, s, n, dn);
             for (int a = 0; a < bar->support; a++) {
                 double arm = shape_node_offset(bar->def.shape, bar->n_cells, c, a) - s;
                 spread += n[a] * (arm * arm);

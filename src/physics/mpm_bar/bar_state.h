@@ -25,7 +25,7 @@ enum {
     BAR_REACH_MAX = 3,   /* nodes to each side that share a particle with a node */
     BAR_LANES = 8,       /* partial sums of a sum over all: place k counts in lane k % BAR_LANES */
     BAR_CELL_BLOCK = 64, /* cells of a block of which it is known whether all hold P particles */
-    BAR_FIELDS = 27,
+    BAR_FIELDS = 28,
     BAR_SERIES = 8,
     BAR_CHECK_EVERY = 64 /* the energy is looked at after each step that is a multiple of this */
 };
@@ -125,6 +125,7 @@ struct Bar {
     double *stress[BAR_SLOTS_MAX];
     double *volume[BAR_SLOTS_MAX];    /* m / rho: needs no division to be updated */
     double *affine[BAR_SLOTS_MAX];    /* C of APIC */
+    double *half[BAR_SLOTS_MAX];      /* half a CPDI particle's length over dx, when the step began */
     double *moved[BAR_SLOTS_MAX];     /* s after the step, still counted from the old cell */
     double *node_mass, *node_inverse; /* the inverse is 0 where the node is inactive */
     double *node_momentum, *node_f_int, *node_f_ext;
@@ -193,6 +194,15 @@ static inline double bar_particle_mass(const Bar *bar, int particle)
 static inline double bar_modulus(const Bar *bar, int particle)
 {
     return particle < bar->joint ? bar->def.youngs_modulus : bar->def.joint_modulus;
+}
+
+/* A particle's half-width over dx in this step. Between steps CPDI's has yet to be made. */
+static inline double bar_half(const Bar *bar, int particle)
+{
+    const int j = particle % bar->slots, k = particle / bar->slots;
+    if (bar->def.shape != MPM_CPDI)
+        return bar->gimp_half;
+    return bar->sim.stage == 0 ? 0.5 * bar->volume[j][k] / bar->dx : bar->half[j][k];
 }
 
 /* Whether a load acts: only then are there external forces. */

@@ -21,7 +21,8 @@ BarMesh bar_mesh_of(const Settings *settings, double dt)
     static const MeshShape shapes[] = {[MPM_HAT] = MESH_HAT,
                                        [MPM_GIMP] = MESH_GIMP,
                                        [MPM_BSPLINE2] = MESH_BSPLINE2,
-                                       [MPM_BSPLINE3] = MESH_BSPLINE3};
+                                       [MPM_BSPLINE3] = MESH_BSPLINE3,
+                                       [MPM_CPDI] = MESH_GIMP}; /* at rest they are the same */
     const Transfer *mpm = &settings->mpm;
     return (BarMesh){.cell_size = settings->mesh.cell_size,
                      .particles_per_cell = settings->mesh.particles_per_cell,

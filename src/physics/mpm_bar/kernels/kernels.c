@@ -120,6 +120,22 @@ KERNEL_INLINE void map_shape(Bar *bar, MpmShape shape, int slots, int first, int
         momentum[i] = unit * gather(bar->part[1], support, i);
 }
 
+/* CPDI's domains of these cells' particles as they are at the beginning of the step: as long as the particle,
+ * whose volume of a unit of cross-section is its length. half: over dx, by slot and place. */
+static void halve_domains(Bar *bar, int first, int end)
+{
+    const double scale = 0.5 / bar->dx;
+    const int from = bar->first[first], to = bar->first[end];
+    for (int j = 0; j < bar->slots; j++) {
+        const double *const volume = bar->volume[j];
+        double *const half = bar->half[j];
+        const int stop = (to - j + bar->slots - 1) / bar->slots;
+#pragma omp simd
+        for (int k = (from - j + bar->slots - 1) / bar->slots; k < stop; k++)
+            half[k] = scale * volume[k];
+    }
+}
+
 static void map(Bar *bar, int first, int end)
 {
     switch (bar->def.shape) {
@@ -131,6 +147,9 @@ static void map(Bar *bar, int first, int end)
         return;
     case MPM_GIMP:
         map_shape(bar, MPM_GIMP, bar->slots, first, end);
+        return;
+    case MPM_CPDI:
+        map_shape(bar, MPM_CPDI, bar->slots, first, end);
         return;
     case MPM_BSPLINE2:
         map_shape(bar, MPM_BSPLINE2, bar->slots, first, end);
@@ -187,6 +206,8 @@ static int strain(Bar *bar, int first, int end)
         return strain_shape(bar, MPM_HAT, bar->slots, first, end);
     case MPM_GIMP:
         return strain_shape(bar, MPM_GIMP, bar->slots, first, end);
+    case MPM_CPDI:
+        return strain_shape(bar, MPM_CPDI, bar->slots, first, end);
     case MPM_BSPLINE2:
         return strain_shape(bar, MPM_BSPLINE2, bar->slots, first, end);
     case MPM_BSPLINE3:
@@ -249,6 +270,9 @@ static void force(Bar *bar, int first, int end)
         return;
     case MPM_GIMP:
         force_shape(bar, MPM_GIMP, bar->slots, first, end);
+        return;
+    case MPM_CPDI:
+        force_shape(bar, MPM_CPDI, bar->slots, first, end);
         return;
     case MPM_BSPLINE2:
         force_shape(bar, MPM_BSPLINE2, bar->slots, first, end);
@@ -362,6 +386,9 @@ static void update(Bar *bar, int first, int end)
         return;
     case MPM_GIMP:
         update_shape(bar, MPM_GIMP, first, end);
+        return;
+    case MPM_CPDI:
+        update_shape(bar, MPM_CPDI, first, end);
         return;
     case MPM_BSPLINE2:
         update_shape(bar, MPM_BSPLINE2, first, end);
@@ -495,6 +522,7 @@ static void node_sums(const Bar *bar, int first, int end, double *lanes)
 #include "physics/mpm_bar/kernels/kernels_null.h"
 
 const BarKernels BAR_KERNELS = {
+    .halve_domains = halve_domains,
     .map = map,
     .couple = couple,
     .velocities = velocities,

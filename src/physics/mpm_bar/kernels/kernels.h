@@ -10,6 +10,9 @@
 #include "physics/mpm_bar/bar_state.h"
 
 struct BarKernels {
+    /* CPDI: the particles' domains for this step, before map */
+    void (*halve_domains)(Bar *bar, int first, int end);
+
     /* eqs. 2, 3: mass and momentum of the nodes from the particles */
     void (*map)(Bar *bar, int first, int end);
 

@@ -17,6 +17,12 @@ KERNEL_INLINE Place next_place(const Bar *bar, Place at)
     return at.slot + 1 < bar->slots ? (Place){at.slot + 1, at.k} : (Place){0, at.k + 1};
 }
 
+/* A particle's half-width over dx. */
+KERNEL_INLINE double half_of(const Bar *bar, MpmShape shape, Place at)
+{
+    return shape == MPM_CPDI ? bar->half[at.slot][at.k] : bar->gimp_half;
+}
+
 /* What has no terms is 0. */
 KERNEL_INLINE void clear_part(Bar *bar, int which, int support, int c)
 {
@@ -47,7 +53,7 @@ KERNEL_INLINE void map_cell(Bar *bar, MpmShape shape, bool affine, int c)
     for (int p = bar->first[c]; p < bar->first[c + 1]; p++, at = next_place(bar, at)) {
         double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
         double s = bar->s[at.slot][at.k], v = bar->v[at.slot][at.k];
-        shape_at(shape, bar->gimp_half, bar->n_cells, c, s, n, dn);
+        shape_at(shape, half_of(bar, shape, at), bar->n_cells, c, s, n, dn);
         const double weight = bar_weight(bar, p);
         double spin = affine ? bar->affine[at.slot][at.k] * bar->dx : 0.0;
 #pragma GCC unroll 4
@@ -98,7 +104,7 @@ KERNEL_INLINE bool strain_cell(Bar *bar, MpmShape shape, int c)
     Place at = place_of(bar, bar->first[c]);
     for (int p = bar->first[c]; p < bar->first[c + 1]; p++, at = next_place(bar, at)) {
         double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
-        shape_at(shape, bar->gimp_half, bar->n_cells, c, bar->s[at.slot][at.k], n, dn);
+        shape_at(shape, half_of(bar, shape, at), bar->n_cells, c, bar->s[at.slot][at.k], n, dn);
         double de = k * gradient_of(shape, dn, v), stretch = 1.0 + de;
         good = good && stretch > 0.0;
         bar->stress[at.slot][at.k] += bar_modulus(bar, p) * de;
@@ -116,7 +122,7 @@ static int find_crushed(const Bar *bar, MpmShape shape, int c, int stop)
         for (int p = bar->first[c]; p < bar->first[c + 1]; p++) {
             double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
             Place at = place_of(bar, p);
-            shape_at(shape, bar->gimp_half, bar->n_cells, c, bar->s[at.slot][at.k], n, dn);
+            shape_at(shape, half_of(bar, shape, at), bar->n_cells, c, bar->s[at.slot][at.k], n, dn);
             if (!(1.0 + bar->dt / bar->dx * gradient_of(shape, dn, v) > 0.0))
                 return p;
         }
@@ -140,7 +146,7 @@ KERNEL_INLINE void force_cell(Bar *bar, MpmShape shape, int c)
     Place at = place_of(bar, bar->first[c]);
     for (int p = bar->first[c]; p < bar->first[c + 1]; p++, at = next_place(bar, at)) {
         double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
-        shape_at(shape, bar->gimp_half, bar->n_cells, c, bar->s[at.slot][at.k], n, dn);
+        shape_at(shape, half_of(bar, shape, at), bar->n_cells, c, bar->s[at.slot][at.k], n, dn);
         double pull = bar->stress[at.slot][at.k] * bar->volume[at.slot][at.k];
 #pragma GCC unroll 4
         for (int a = 0; a < support; a++)
@@ -164,7 +170,7 @@ KERNEL_INLINE void traction_cell(Bar *bar, MpmShape shape, int c)
             continue;
         double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
         Place at = place_of(bar, p);
-        shape_at(shape, bar->gimp_half, bar->n_cells, c, bar->s[at.slot][at.k], n, dn);
+        shape_at(shape, half_of(bar, shape, at), bar->n_cells, c, bar->s[at.slot][at.k], n, dn);
         double pull = side * pressure * bar->volume[at.slot][at.k];
 #pragma GCC unroll 4
         for (int a = 0; a < support; a++)
@@ -192,7 +198,7 @@ KERNEL_INLINE void update_cell(Bar *bar, MpmShape shape, Transfer transfer, int 
     for (int p = bar->first[c]; p < bar->first[c + 1]; p++, at = next_place(bar, at)) {
         double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
         double s = bar->s[at.slot][at.k], v = bar->v[at.slot][at.k];
-        shape_at(shape, bar->gimp_half, bar->n_cells, c, s, n, dn);
+        shape_at(shape, half_of(bar, shape, at), bar->n_cells, c, s, n, dn);
         double dv = n[0] * kick[0], ds = n[0] * drift[0];
 #pragma GCC unroll 4
         for (int a = 1; a < support; a++) {

@@ -17,7 +17,7 @@ KERNEL_INLINE void couple_cell(Bar *bar, MpmShape shape, int c)
     Place at = place_of(bar, bar->first[c]);
     for (int p = bar->first[c]; p < bar->first[c + 1]; p++, at = next_place(bar, at)) {
         double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
-        shape_at(shape, bar->gimp_half, bar->n_cells, c, bar->s[at.slot][at.k], n, dn);
+        shape_at(shape, half_of(bar, shape, at), bar->n_cells, c, bar->s[at.slot][at.k], n, dn);
         for (int d = 1; d <= reach; d++)
             for (int a = 0; a + d < support; a++)
                 pair[d][a] += bar_weight(bar, p) * (n[a] * n[a + d]);
@@ -32,16 +32,18 @@ KERNEL_INLINE void couple_cell(Bar *bar, MpmShape shape, int c)
 KERNEL_INLINE void couple_run(Bar *bar, MpmShape shape, int slots, int c, int stop)
 {
     const int support = shape_support(shape), reach = shape_reach(shape);
-    const double h = bar->gimp_half, weight = bar_weight(bar, bar->first[c]);
-    double *s_of[BAR_SLOTS_MAX];
+    const double weight = bar_weight(bar, bar->first[c]);
+    double *h_of[BAR_SLOTS_MAX], *s_of[BAR_SLOTS_MAX];
     slots_of_run(bar->s, slots, bar->first[c], s_of);
+    halves_of_run(bar, shape, slots, bar->first[c], h_of);
     for (int i = 0; c + VECTOR_WIDTH <= stop; c += VECTOR_WIDTH, i += VECTOR_WIDTH) {
         Vector pair[BAR_REACH_MAX + 1][BAR_SUPPORT_MAX] = {{{0}}};
 #pragma GCC unroll 2
         for (int j = 0; j < slots; j++) {
+            const Vector h = vector_half(shape, h_of[j], i, bar->gimp_half);
             const Vector s = vector_load(s_of[j] + i);
             Vector n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
-            shape_inner_vector(shape, h, &s, n, dn);
+            shape_inner_vector(shape, &h, &s, n, dn);
 #pragma GCC unroll 4
             for (int d = 1; d <= reach; d++)
 #pragma GCC unroll 4
@@ -95,6 +97,9 @@ static void couple(Bar *bar, int first, int end)
         return;
     case MPM_GIMP:
         couple_shape(bar, MPM_GIMP, bar->slots, first, end);
+        return;
+    case MPM_CPDI:
+        couple_shape(bar, MPM_CPDI, bar->slots, first, end);
         return;
     case MPM_BSPLINE2:
         couple_shape(bar, MPM_BSPLINE2, bar->slots, first, end);

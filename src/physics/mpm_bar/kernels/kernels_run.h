@@ -28,6 +28,21 @@ KERNEL_INLINE void slots_of_run(double *const *arrays, int slots, int particle, 
     }
 }
 
+/* The same of half-widths; only CPDI's particles have their own. */
+KERNEL_INLINE void halves_of_run(const Bar *bar, MpmShape shape, int slots, int particle, double **out)
+{
+    if (shape == MPM_CPDI)
+        slots_of_run(bar->half, slots, particle, out);
+    else
+        for (int j = 0; j < slots; j++)
+            out[j] = NULL;
+}
+
+KERNEL_INLINE Vector vector_half(MpmShape shape, const double *own, int i, double of_all)
+{
+    return shape == MPM_CPDI ? vector_load(own + i) : (Vector){0} + of_all;
+}
+
 /* Where node a of an inner cell lies, from the cell's left edge in units of dx. */
 KERNEL_INLINE double inner_offset(MpmShape shape, int a)
 {
@@ -39,9 +54,10 @@ KERNEL_INLINE double inner_offset(MpmShape shape, int a)
 KERNEL_INLINE void map_run(Bar *bar, MpmShape shape, bool affine, int slots, int c, int stop)
 {
     const int support = shape_support(shape);
-    const double h = bar->gimp_half, dx = bar->dx, weight = bar_weight(bar, bar->first[c]);
-    double *s_of[BAR_SLOTS_MAX], *v_of[BAR_SLOTS_MAX], *affine_of[BAR_SLOTS_MAX];
+    const double dx = bar->dx, weight = bar_weight(bar, bar->first[c]);
+    double *h_of[BAR_SLOTS_MAX], *s_of[BAR_SLOTS_MAX], *v_of[BAR_SLOTS_MAX], *affine_of[BAR_SLOTS_MAX];
     slots_of_run(bar->s, slots, bar->first[c], s_of);
+    halves_of_run(bar, shape, slots, bar->first[c], h_of);
     slots_of_run(bar->v, slots, bar->first[c], v_of);
     slots_of_run(bar->affine, slots, bar->first[c], affine_of);
     for (int i = 0; c + VECTOR_WIDTH <= stop; c += VECTOR_WIDTH, i += VECTOR_WIDTH) {
@@ -51,9 +67,10 @@ KERNEL_INLINE void map_run(Bar *bar, MpmShape shape, bool affine, int slots, int
             mass[a] = momentum[a] = -(Vector){0};
 #pragma GCC unroll 2
         for (int j = 0; j < slots; j++) {
+            const Vector h = vector_half(shape, h_of[j], i, bar->gimp_half);
             const Vector s = vector_load(s_of[j] + i), v = vector_load(v_of[j] + i);
             Vector n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
-            shape_inner_vector(shape, h, &s, n, dn);
+            shape_inner_vector(shape, &h, &s, n, dn);
 #pragma GCC unroll 4
             for (int a = 0; a < support; a++) {
                 Vector given = v;
@@ -83,9 +100,10 @@ KERNEL_INLINE void map_run(Bar *bar, MpmShape shape, bool affine, int slots, int
 KERNEL_INLINE bool strain_run(Bar *bar, MpmShape shape, int slots, int c, int stop)
 {
     const int support = shape_support(shape);
-    const double k = bar->dt / bar->dx, e = bar_modulus(bar, bar->first[c]), h = bar->gimp_half;
-    double *s_of[BAR_SLOTS_MAX], *stress_of[BAR_SLOTS_MAX], *volume_of[BAR_SLOTS_MAX];
+    const double k = bar->dt / bar->dx, e = bar_modulus(bar, bar->first[c]);
+    double *h_of[BAR_SLOTS_MAX], *s_of[BAR_SLOTS_MAX], *stress_of[BAR_SLOTS_MAX], *volume_of[BAR_SLOTS_MAX];
     slots_of_run(bar->s, slots, bar->first[c], s_of);
+    halves_of_run(bar, shape, slots, bar->first[c], h_of);
     slots_of_run(bar->stress, slots, bar->first[c], stress_of);
     slots_of_run(bar->volume, slots, bar->first[c], volume_of);
     VectorMask crushed = {0}; /* minus how many */
@@ -96,9 +114,10 @@ KERNEL_INLINE bool strain_run(Bar *bar, MpmShape shape, int slots, int c, int st
             v[a] = vector_load(bar->node_velocity + c + a);
 #pragma GCC unroll 2
         for (int j = 0; j < slots; j++) {
+            const Vector h = vector_half(shape, h_of[j], i, bar->gimp_half);
             const Vector s = vector_load(s_of[j] + i);
             Vector n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
-            shape_inner_vector(shape, h, &s, n, dn);
+            shape_inner_vector(shape, &h, &s, n, dn);
             Vector gradient = dn[0] * v[0];
 #pragma GCC unroll 4
             for (int a = 1; a < support; a++)
@@ -119,9 +138,9 @@ KERNEL_INLINE bool strain_run(Bar *bar, MpmShape shape, int slots, int c, int st
 KERNEL_INLINE void force_run(Bar *bar, MpmShape shape, int slots, int c, int stop)
 {
     const int support = shape_support(shape);
-    const double h = bar->gimp_half;
-    double *s_of[BAR_SLOTS_MAX], *stress_of[BAR_SLOTS_MAX], *volume_of[BAR_SLOTS_MAX];
+    double *h_of[BAR_SLOTS_MAX], *s_of[BAR_SLOTS_MAX], *stress_of[BAR_SLOTS_MAX], *volume_of[BAR_SLOTS_MAX];
     slots_of_run(bar->s, slots, bar->first[c], s_of);
+    halves_of_run(bar, shape, slots, bar->first[c], h_of);
     slots_of_run(bar->stress, slots, bar->first[c], stress_of);
     slots_of_run(bar->volume, slots, bar->first[c], volume_of);
     for (int i = 0; c + VECTOR_WIDTH <= stop; c += VECTOR_WIDTH, i += VECTOR_WIDTH) {
@@ -131,10 +150,11 @@ KERNEL_INLINE void force_run(Bar *bar, MpmShape shape, int slots, int c, int sto
             force[a] = -(Vector){0};
 #pragma GCC unroll 2
         for (int j = 0; j < slots; j++) {
+            const Vector h = vector_half(shape, h_of[j], i, bar->gimp_half);
             const Vector s = vector_load(s_of[j] + i);
             const Vector pull = vector_load(stress_of[j] + i) * vector_load(volume_of[j] + i);
             Vector n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
-            shape_inner_vector(shape, h, &s, n, dn);
+            shape_inner_vector(shape, &h, &s, n, dn);
 #pragma GCC unroll 4
             for (int a = 0; a < support; a++)
                 force[a] += dn[a] * pull;
@@ -152,10 +172,12 @@ KERNEL_INLINE void force_run(Bar *bar, MpmShape shape, int slots, int c, int sto
 KERNEL_INLINE void update_run(Bar *bar, MpmShape shape, Transfer transfer, int slots, int c, int stop)
 {
     const int support = shape_support(shape);
-    const double h = bar->gimp_half, alpha = bar->head->flip_fraction;
+    const double alpha = bar->head->flip_fraction;
     const double speed = bar->dx / bar->dt, rate = 1.0 / bar->dt, rate_of_places = bar->dt / bar->dx;
-    double *s_of[BAR_SLOTS_MAX], *v_of[BAR_SLOTS_MAX], *moved_of[BAR_SLOTS_MAX], *affine_of[BAR_SLOTS_MAX];
+    double *h_of[BAR_SLOTS_MAX], *s_of[BAR_SLOTS_MAX], *v_of[BAR_SLOTS_MAX], *moved_of[BAR_SLOTS_MAX],
+        *affine_of[BAR_SLOTS_MAX];
     slots_of_run(bar->s, slots, bar->first[c], s_of);
+    halves_of_run(bar, shape, slots, bar->first[c], h_of);
     slots_of_run(bar->v, slots, bar->first[c], v_of);
     slots_of_run(bar->moved, slots, bar->first[c], moved_of);
     slots_of_run(bar->affine, slots, bar->first[c], affine_of);
@@ -168,9 +190,10 @@ KERNEL_INLINE void update_run(Bar *bar, MpmShape shape, Transfer transfer, int s
         }
 #pragma GCC unroll 2
         for (int j = 0; j < slots; j++) {
+            const Vector h = vector_half(shape, h_of[j], i, bar->gimp_half);
             const Vector s = vector_load(s_of[j] + i), v = vector_load(v_of[j] + i);
             Vector n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
-            shape_inner_vector(shape, h, &s, n, dn);
+            shape_inner_vector(shape, &h, &s, n, dn);
             Vector dv = n[0] * kick[0], ds = n[0] * drift[0];
 #pragma GCC unroll 4
             for (int a = 1; a < support; a++) {

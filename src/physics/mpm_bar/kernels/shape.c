@@ -58,7 +58,7 @@ double shape_node_offset(MpmShape shape, int n_cells, int cell, int a)
 {
     if (shape == MPM_HAT)
         return a;
-    if (shape == MPM_GIMP)
+    if (shape == MPM_GIMP || shape == MPM_CPDI)
         return a - 1;
     int degree = shape == MPM_BSPLINE2 ? 2 : 3;
     double sum = 0.0;

@@ -9,7 +9,7 @@
 
 enum { SHAPE_SUPPORT_MAX = 4 };
 
-/* Nodes that a cell touches: hat 2, bspline2 3, uGIMP and bspline3 4. */
+/* Nodes that a cell touches: hat 2, bspline2 3, uGIMP, CPDI and bspline3 4. */
 static inline int shape_support(MpmShape shape)
 {
     return shape == MPM_HAT ? 2 : shape == MPM_BSPLINE2 ? 3 : 4;
@@ -19,7 +19,7 @@ static inline int shape_support(MpmShape shape)
  * most. */
 static inline int shape_reach(MpmShape shape)
 {
-    return shape == MPM_HAT ? 1 : shape == MPM_BSPLINE3 ? 3 : 2;
+    return shape == MPM_HAT ? 1 : shape == MPM_BSPLINE3 || shape == MPM_CPDI ? 3 : 2;
 }
 
 /* Cells at each end of the mesh whose B-splines differ from the inner ones (open knots). */
@@ -35,8 +35,8 @@ void shape_open_spline(int degree, int n_cells, int cell, double s, double *n, d
  * Greville abscissa (mean of the inner knots) of a B-spline. */
 double shape_node_offset(MpmShape shape, int n_cells, int cell, int a);
 
-/* Inner cells, where the functions are the same in each: shape_inner(shape, h, &s, n, dn); h is the
- * half-width of a uGIMP particle over dx. */
+/* Inner cells, where the functions are the same in each: shape_inner(shape, &h, &s, n, dn); h is the
+ * half-width of a uGIMP or CPDI particle over dx. */
 #define REAL        double
 #define SHAPE_INNER shape_inner
 #define ABSOLUTE(x) fabs(x)
@@ -52,7 +52,7 @@ static inline void shape_at(MpmShape shape, double h, int n_cells, int cell, dou
     if (cell < ends || cell >= n_cells - ends)
         shape_open_spline(shape == MPM_BSPLINE2 ? 2 : 3, n_cells, cell, s, n, dn);
     else
-        shape_inner(shape, h, &s, n, dn);
+        shape_inner(shape, &h, &s, n, dn);
 }
 
 #endif
