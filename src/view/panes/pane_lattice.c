@@ -159,6 +159,28 @@ bool pane_lattice_choose(Screen *screen, Rect rect, int x, int y)
     return nearest >= 0;
 }
 
+/* Once the bonds have pulled, where each node is drawn to: an arrow for what is at least a third of the largest
+ * force, a smaller one for less, a dot for next to nothing. */
+static void draw_forces(Area part, const NodeRow *row, int y, const Simulation *sim, const double *u, double moved)
+{
+    const int field = simulation_find_field(sim, 0, "force");
+    double *force = field >= 0 ? malloc((sim->counts[0] + 1) * sizeof *force) : NULL, most = 0;
+    if (!force)
+        return;
+    sim->method->field(sim, field, 0, sim->counts[0], force);
+    for (size_t i = 0; i < sim->counts[0]; i++)
+        most = fmax(most, fabs(force[i]));
+    for (int k = row->first > 0 ? row->first : 0; k < row->end && k < row->nodes; k++) {
+        const double share = most > 0 ? force[k] / most : 0, place = k + moved * u[k];
+        const bool large = fabs(share) >= 1.0 / 3;
+        if (fabs(share) < 0.02 || !in_sight(row, place))
+            continue;
+        const uint32_t glyph = share > 0 ? (large ? 0x2192 : 0x203a) : large ? 0x2190 : 0x2039;
+        area_put(part, column_at(row, place), y, glyph, STYLE_CHANGED);
+    }
+    free(force);
+}
+
 void pane_lattice(const Screen *screen, Area area)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
@@ -174,6 +196,7 @@ void pane_lattice(const Screen *screen, Area area)
     bool done;
     const char *stage = sim->stages[screen_box_stage(screen, &done)].id;
     const bool pulls = paused && done && strcmp(stage, "bonds") == 0;
+    const bool loads = paused && done && strcmp(stage, "load") == 0;
     const bool mirrors = paused && done && strcmp(stage, "mirror") == 0;
 
     if (rows >= 4)
@@ -181,6 +204,8 @@ void pane_lattice(const Screen *screen, Area area)
                   screen_is_focused(screen, PANE_MESH) ? STYLE_FOCUS : STYLE_HEADING);
     Area part = area_part(area, MARGIN, 0, columns_of(&row), rows);
     draw_nodes(part, &row, nodes_row, u, k / spacing);
+    if (pulls || loads)
+        draw_forces(part, &row, nodes_row, sim, u, k / spacing);
     if (paused) {
         const double place = chosen + k / spacing * u[chosen];
         draw_bonds(part, &row, bonds_row, chosen, pulls ? STYLE_CHANGED : STYLE_SECOND);
@@ -194,7 +219,8 @@ void pane_lattice(const Screen *screen, Area area)
     char number[NUMBER_TEXT_MAX];
     text_rounded(number, k, 3);
     if (pulls || mirrors)
-        area_text(words, 0, bonds_row, pulls ? "every bond pulls" : "mirror images follow", STYLE_CHANGED);
+        area_text(words, 0, bonds_row, pulls ? "arrows: bond forces" : "mirror images follow",
+                  STYLE_CHANGED);
     else if (row.end - row.first < row.nodes)
         area_print(words, 0, bonds_row, STYLE_FAINT, "nodes %d-%d of %d", row.first < 0 ? 0 : row.first,
                    (row.end < row.nodes ? row.end : row.nodes) - 1, row.nodes);

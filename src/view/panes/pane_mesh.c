@@ -159,6 +159,53 @@ static bool choose_in_bar(Screen *screen, Rect rect, int x, int y)
     return isfinite(least);
 }
 
+/* How much a node has, as a bar that stands in its cell; what was there before the grid was put back, as low as a
+ * bar can be. */
+static uint32_t bar_glyph(Glyphs glyphs, double share)
+{
+    enum { LEVELS = 8, LOWEST = 0x2581, HALF = 0x2584, FULL = 0x2588 };
+    const int level = share >= 1 ? LEVELS : 1 + (int)(share * LEVELS);
+    if (glyphs == GLYPHS_ASCII)
+        return (uint32_t)"..::-=+*#"[level];
+    if (glyphs == GLYPHS_BLOCK) /* a console has no other ones */
+        return level <= 1 ? '_' : level <= LEVELS / 2 ? HALF : FULL;
+    return (uint32_t)(LOWEST + (level < LEVELS ? level : LEVELS) - 1);
+}
+
+/* One quantity of the nodes, so many columns to the right of each: it grows where particles give to a node, and
+ * is gone when the grid is put back. */
+static void draw_amounts(const Screen *screen, Area part, const BarPicture *bar, const char *name, int right,
+                         bool put_back, Style style)
+{
+    const Simulation *sim = bar->sim;
+    const int field = simulation_find_field(sim, 1, name);
+    double *values = field >= 0 ? malloc((bar->nodes + 1) * sizeof *values) : NULL, most = 0;
+    if (!values)
+        return;
+    if (!put_back || !experiment_field_before(screen->experiment, field, 0, bar->nodes, values))
+        sim->method->field(sim, field, 0, bar->nodes, values);
+    for (size_t i = 0; i < bar->nodes; i++)
+        most = fmax(most, fabs(values[i]));
+    for (size_t i = 0; i < bar->nodes; i++) {
+        const int column = strip_column(&bar->strip, simulation_value(sim, bar->node_x, i));
+        const double share = most > 0 ? fabs(values[i]) / most : 0;
+        if (column >= 0 && share > 1e-6)
+            area_put(part, column + right, bar->grid_row, bar_glyph(part.glyphs, put_back ? 0 : share),
+                     put_back ? STYLE_FAINT : style);
+    }
+    free(values);
+}
+
+/* "# mass  # |momentum|": what the bars are. */
+static void name_amounts(Area words, int y)
+{
+    int x = 0;
+    area_put(words, x++, y, bar_glyph(words.glyphs, 1), STYLE_SECOND);
+    x += 1 + area_text(words, x + 1, y, "mass", STYLE_NORMAL) + 2;
+    area_put(words, x++, y, bar_glyph(words.glyphs, 1), STYLE_PREDICTED);
+    area_text(words, x + 1, y, "|momentum|", STYLE_NORMAL);
+}
+
 static void draw_bar(const Screen *screen, Area area)
 {
     BarPicture bar;
@@ -195,6 +242,12 @@ static void draw_bar(const Screen *screen, Area area)
             for (int y = grid_row; y <= particle_row; y++)
                 area_put(area, MARGIN + column + (left ? -1 : 1), y, 0x2592, STYLE_FRAME);
         }
+    }
+    const bool put_back = flow == FLOW_FORGET && !grid_there;
+    const bool amounts = screen->playback.state != STATE_RUNNING && (grid_there || put_back);
+    if (amounts) {
+        draw_amounts(screen, part, &bar, "mass", 0, put_back, STYLE_SECOND);
+        draw_amounts(screen, part, &bar, "momentum", 1, put_back, STYLE_PREDICTED);
     }
     /* particles: a dot each; where they are denser than the columns, braille dots show how they lie */
     for (size_t i = 0; i < particles; i++) {
@@ -252,7 +305,10 @@ static void draw_bar(const Screen *screen, Area area)
     text_rounded(number, k, 3);
     snprintf(text, sizeof text, "%sparticles at x0 + %s%su", screen_second_run(screen) ? "A: " : "",
              k == 1 ? "" : number, k == 1 ? "" : " ");
-    area_text(words, 0, particle_row, text, STYLE_FAINT);
+    if (amounts && !put_back)
+        name_amounts(words, particle_row);
+    else
+        area_text(words, 0, particle_row, text, STYLE_FAINT);
     if (rows > particle_row + 2)
         list_links(area_part(area, 1, particle_row + 2, area.rect.width - 2, rows - particle_row - 2), sim,
                    chosen, links, n_links);

@@ -98,9 +98,53 @@ static Stack stack_of(const Screen *screen)
 
 enum { PAPER_DOTS = 500 }; /* no screen is as fine */
 
+/* How long one swing takes, as well as it is known; 0: nothing swings steadily. */
+static double swing_of(const Screen *screen)
+{
+    const Readout *readout = experiment_readout(screen->experiment);
+    const double known = readout->measured_known    ? readout->measured
+                         : readout->predicted_known ? readout->predicted
+                         : readout->exact_known     ? readout->exact
+                                                    : 0;
+    if (!readout->moving || readout->drifting || !(known > 0))
+        return 0;
+    return readout->is_period ? known : 2 * M_PI / known;
+}
+
+/* The mean height of the first `upto` layers over a whole swing around a time: kinetic and strain energy change
+ * places twice in a swing, and what stays, grows or goes is read where they do not. Near the ends of the record
+ * it is the first or the last whole swing. */
+static double mean_height(const Stack *stack, double time, double swing, int upto)
+{
+    enum { SAMPLES = 64 };
+    const Record *record = stack->record;
+    const double end = record_row(record, record->count - 1)[1];
+    double from = fmin(fmax(time - swing / 2, 0), fmax(end - swing, 0)), sum = 0;
+    const double length = fmin(swing, end - from);
+    for (int i = 0; i < SAMPLES; i++)
+        sum += stack_height(stack, record_find(record, from + length * (i + 0.5) / SAMPLES), upto);
+    return sum / SAMPLES;
+}
+
+static void add_means(Plot *plot, const Stack *stack, double swing, int dots, bool solid)
+{
+    const Record *record = stack->record;
+    const double step = (plot->x.high - plot->x.low) / dots;
+    const double newest = record->count ? record_row(record, record->count - 1)[1] : -INFINITY;
+    for (int layer = 0; layer < stack->count; layer++) {
+        plot_begin(plot, STROKE_BAND, LINE_SOLID, stack->layers[layer].style, RANK_BAND, "#+.:"[layer & 3]);
+        plot->strokes[plot->n_strokes - 1].fill = solid ? 0 : stack->layers[layer].fill;
+        for (int i = 0; i < dots && plot->x.low + i * step <= newest; i++) {
+            const double time = plot->x.low + (i + 0.5) * step;
+            plot_point(plot, time, mean_height(stack, time, swing, layer));
+            plot_point(plot, time, mean_height(stack, time, swing, layer + 1));
+        }
+    }
+}
+
 /* One point a column of dots: the row at its middle. Bands need no extremes: their edges are sums that hardly
  * change within a column when the curve's swing is wider than one; where it is narrower, the mean is told. */
-static void add_stack(Plot *plot, const Stack *stack, int dots)
+static void add_stack(Plot *plot, const Stack *stack, int dots, bool solid)
 {
     const Record *record = stack->record;
     const double step = (plot->x.high - plot->x.low) / dots;
@@ -108,7 +152,7 @@ static void add_stack(Plot *plot, const Stack *stack, int dots)
     const bool every_row = last - begin < (size_t)dots && dots >= PAPER_DOTS;
     for (int layer = 0; layer < stack->count; layer++) {
         plot_begin(plot, STROKE_BAND, LINE_SOLID, stack->layers[layer].style, RANK_BAND, "#+.:"[layer & 3]);
-        plot->strokes[plot->n_strokes - 1].fill = stack->layers[layer].fill;
+        plot->strokes[plot->n_strokes - 1].fill = solid ? 0 : stack->layers[layer].fill;
         for (size_t k = begin; every_row && k <= last && k < record->count; k++) {
             plot_point(plot, record_row(record, k)[1], stack_height(stack, k, layer));
             plot_point(plot, record_row(record, k)[1], stack_height(stack, k, layer + 1));
@@ -128,6 +172,22 @@ static void add_stack(Plot *plot, const Stack *stack, int dots)
             plot_point(plot, from + step / 2, low / count);
             plot_point(plot, from + step / 2, high / count);
         }
+    }
+}
+
+/* Each band that is high enough has its name in it, at the left: colours alone would not tell them apart. */
+static void name_bands(const Stack *stack, Area inner, const Axis *x, const Axis *y, double swing)
+{
+    if (stack->record->count == 0)
+        return;
+    const double time = x->low + (x->high - x->low) / 16, row = (y->high - y->low) / inner.rect.height;
+    int last = inner.rect.height;
+    for (int layer = 0; layer < stack->count; layer++) {
+        const double low = swing > 0 ? mean_height(stack, time, swing, layer) : 0;
+        const double high = swing > 0 ? mean_height(stack, time, swing, layer + 1) : 0;
+        const int at = axis_row(y, (low + high) / 2, inner.rect.height);
+        if (high - low > 0.9 * row && at >= 0 && at < last)
+            area_print(inner, 1, last = at, STYLE_NORMAL, " %s ", stack->layers[layer].name);
     }
 }
 
@@ -249,7 +309,10 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         if (runs[i].experiment)
             most = fmax(most, time_plot_reach(runs[i].record, run_column(&runs[i], line)));
     overlay_widen(screen, line, false, &(double){0}, &most);
-    /* bands are told apart by how densely they are filled: the legend shows a piece of each */
+    /* bands are told apart by colour or, without colours, by how densely they are filled: the legend shows a piece
+     * of each */
+    const bool solid = screen->look.colours > 0 && area.glyphs != GLYPHS_NONE && !area.canvas->sketch;
+    const double swing = swing_of(screen);
     static const char *const keys[GLYPHS_NONE + 1][4] = {
         [GLYPHS_BRAILLE] = {"⣿⣿", "⢕⢕", "⠅⠅", "⠁⠁"},
         [GLYPHS_BLOCK] = {"▓▓", "▒▒", "░░", "··"},
@@ -263,7 +326,9 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     }
     for (int i = 0; i < stack.count; i++)
         legend[n_legend++] = (Legend){LINE_SOLID, '#', stack.layers[i].style, stack.layers[i].name,
-                                      keys[area.glyphs][stack.layers[i].fill & 3]};
+                                      keys[area.glyphs][solid && area.glyphs != GLYPHS_ASCII
+                                                            ? 0
+                                                            : stack.layers[i].fill & 3]};
     if (most_work > 0)
         legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "work", NULL};
     n_legend += runs_ghost_legends(runs, n_runs, legend + n_legend);
@@ -286,7 +351,10 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
     Plot plot;
     plot_open(&plot, x, y);
-    add_stack(&plot, &stack, dots);
+    if (swing > 0 && !area.canvas->sketch)
+        add_means(&plot, &stack, swing, dots, solid);
+    else
+        add_stack(&plot, &stack, dots, solid);
     if (most_work > 0) {
         plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-');
         time_plot_curve(&plot, &(Curve){.record = record, .column = work, .minus = -1, .plus = -1}, dots);
@@ -303,6 +371,8 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     time_plot_breaks(screen, inner, &x);
     time_plot_now(screen, inner, &x);
     plot_draw(&plot, inner);
+    if (swing > 0 && solid)
+        name_bands(&stack, inner, &x, &y, swing);
     overlay_marks(screen, inner, &plot, line, false);
     runs_draw_letters(&plot, inner, runs, n_runs, line);
     plot_close(&plot);
