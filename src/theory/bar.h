@@ -5,6 +5,8 @@
 #ifndef THEORY_BAR_H
 #define THEORY_BAR_H
 
+#include "base/patience.h"
+
 #include <stdbool.h>
 
 enum { BAR_MODES_MAX = 16 };
@@ -58,6 +60,7 @@ typedef struct BarMesh {
     double consistent; /* share of consistent mass in M = consistent M_c + (1 - consistent) M_l: 1 - mu */
     int fmpm_order;    /* 0: no FMPM */
     double dt;
+    Patience patience; /* asked while the mode of a step is looked for */
 } BarMesh;
 
 /* Discrete frequency and decay of one wave number in an endless mesh. */

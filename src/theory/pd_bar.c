@@ -96,31 +96,37 @@ static double family_share(const BarTheory *bar, const PdBarTheory *lattice, int
     return sum / (ratio * ratio);
 }
 
-/* G of the bond between nodes i and j: the mean of g of its two ends, or 1 without correction. */
-static double bond_factor(const BarTheory *bar, const PdBarTheory *lattice, int n, int i, int j)
+/* g of each node: 1 without correction. NULL: no memory. */
+static double *node_factors(const BarTheory *bar, const PdBarTheory *lattice, int n)
 {
-    if (!lattice->energy_correction)
-        return 1;
-    return (1 / family_share(bar, lattice, n, i) + 1 / family_share(bar, lattice, n, j)) / 2;
+    double *g = malloc((size_t)n * sizeof *g);
+    for (int i = 0; g && i < n; i++)
+        g[i] = lattice->energy_correction ? 1 / family_share(bar, lattice, n, i) : 1;
+    return g;
 }
 
 typedef void PutEntry(void *into, int row, int column, double value);
 
 /* A(i, j) of u_i'' = -sum A(i, j) u_j, A(i, i) = sum k, A(i, j) = -+k with k = 2E/(rho delta^2) G w_m/m; +
- * for a mirrored node, u = -u_j. Handed over entry by entry; entries of the same place are to be added. */
-static void write_matrix(const BarTheory *bar, const PdBarTheory *lattice, int n, PutEntry *put, void *into)
+ * for a mirrored node, u = -u_j. Handed over entry by entry; entries of the same place are to be added. G of
+ * a bond is the mean of g of its two ends. False: no memory. */
+static bool write_matrix(const BarTheory *bar, const PdBarTheory *lattice, int n, PutEntry *put, void *into)
 {
     const double scale = 2 * bar->youngs_modulus / (bar->density * lattice->horizon * lattice->horizon);
-    for (int i = 0; i < n; i++)
+    double *g = node_factors(bar, lattice, n);
+    for (int i = 0; g && i < n; i++)
         for (int m = 1; m <= reach_of(lattice); m++)
             for (int side = -1; side <= 1; side += 2) {
                 int sign, j = node_at(bar, n, i + side * m, &sign);
                 if (j < 0)
                     continue;
-                double k = scale * bond_factor(bar, lattice, n, i, j) * weight(lattice, m) / m;
+                double k = scale * (g[i] + g[j]) / 2 * weight(lattice, m) / m;
                 put(into, i, i, k);
                 put(into, i, j, -sign * k);
             }
+    const bool written = g != NULL;
+    free(g);
+    return written;
 }
 
 typedef struct BandRows {
@@ -156,8 +162,8 @@ static bool is_resolved(const BarTheory *bar, const PdBarTheory *lattice, int nu
 
 /* Frequency of mode `number` (from 1) of the lattice with its ends, in 1/time. Between two mirrors every sine
  * is an eigenvector and the wave's closed form is the answer; else it is the eigenvalue at its place in the
- * spectrum, for a free end changes the bonds near it. NAN: no such mode, not enough memory, an unstable step,
- * or a mode so slow beside the fastest that rounding would hide it. */
+ * spectrum, for a free end changes the bonds near it. NAN: no such mode, not enough memory, given up, an
+ * unstable step, or a mode so slow beside the fastest that rounding would hide it. */
 double pd_bar_frequency(const BarTheory *bar, const PdBarTheory *lattice, int number)
 {
     const int n = nodes_of(bar, lattice), width = reach_of(lattice);
@@ -170,15 +176,14 @@ double pd_bar_frequency(const BarTheory *bar, const PdBarTheory *lattice, int nu
     /* the free-free bar has its rigid motion first */
     const int place = bar->left_fixed || bar->right_fixed ? number - 1 : number;
     BandRows band = {calloc((size_t)n * (size_t)(width + 1), sizeof(double)), width};
-    if (!band.rows || place >= n) {
+    if (!band.rows || place >= n || !write_matrix(bar, lattice, n, put_in_band, &band)) {
         free(band.rows);
         return NAN;
     }
-    write_matrix(bar, lattice, n, put_in_band, &band);
     const Band matrix = {(size_t)n, width, band.rows};
-    double square = band_eigenvalue(&matrix, (size_t)place);
+    const double square = band_eigenvalue(&matrix, (size_t)place, &lattice->patience);
     free(band.rows);
-    return verlet(sqrt(fmax(0, square)), lattice->dt);
+    return isnan(square) ? NAN : verlet(sqrt(fmax(0, square)), lattice->dt);
 }
 
 /* --- v_cm(t) -------------------------------------------------------------------------------------- */
@@ -255,10 +260,9 @@ static bool take_vectors(PdBarModes *modes, const BarTheory *bar, const PdBarThe
     gsl_matrix *matrix = gsl_matrix_calloc(size, size), *vectors = gsl_matrix_alloc(size, size);
     gsl_vector *squares = gsl_vector_alloc(size);
     gsl_eigen_symmv_workspace *work = gsl_eigen_symmv_alloc(size);
-    if (matrix && vectors && squares && work) {
-        write_matrix(bar, lattice, n, put_in_matrix, matrix);
-        sound = gsl_eigen_symmv(matrix, squares, vectors, work) == GSL_SUCCESS;
-    }
+    if (matrix && vectors && squares && work)
+        sound = write_matrix(bar, lattice, n, put_in_matrix, matrix) &&
+                gsl_eigen_symmv(matrix, squares, vectors, work) == GSL_SUCCESS;
     for (int k = 0; sound && k < n; k++) {
         double along = 0, mean = 0;
         for (int i = 0; i < n; i++) {

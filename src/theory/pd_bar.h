@@ -30,6 +30,7 @@
 #ifndef THEORY_PD_BAR_H
 #define THEORY_PD_BAR_H
 
+#include "base/patience.h"
 #include "theory/bar.h"
 
 typedef struct PdBarTheory {
@@ -37,13 +38,15 @@ typedef struct PdBarTheory {
     bool partial_volumes;    /* w_m; false: 1 */
     bool energy_correction;  /* bonds near a free end are scaled by the energy of their families */
     double dt;
+    Patience patience; /* asked while an eigenvalue is found */
 } PdBarTheory;
 
 /* A wave far from the ends. known: the step is within the stability limit of this wave; decay 0, filter 1. */
 Dispersion pd_bar_dispersion(const BarTheory *bar, const PdBarTheory *lattice, double wave_number);
 
-/* Omega of mode `number` (1, 2, ...) with the ends as they are; NAN: no such mode, unstable, no memory, or
- * with a free end a mode so low on a lattice so fine (n = 1 from some 7,000 nodes on) that rounding hides it.
+/* Omega of mode `number` (1, 2, ...) with the ends as they are; NAN: no such mode, unstable, no memory (errno
+ * ENOMEM), given up (ECANCELED), or with a free end a mode so low on a lattice so fine (n = 1 from some 7,000
+ * nodes on) that rounding hides it.
  */
 double pd_bar_frequency(const BarTheory *bar, const PdBarTheory *lattice, int number);
 

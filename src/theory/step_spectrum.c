@@ -24,6 +24,7 @@
 #include "theory/quiet.h"
 
 #include <complex.h>
+#include <errno.h>
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
@@ -153,6 +154,7 @@ typedef struct Step {
     double courant, alpha;
     double usf, usl, musl; /* 1 for the algorithm at hand */
     bool of_momenta;       /* unknowns are p and f, not v and a */
+    Patience patience;
 } Step;
 
 static double symmetric(const BarRest *rest, const double *band, int i, int j)
@@ -295,6 +297,14 @@ static void normalise(double complex *x, int n)
         x[i] /= sqrt(sum);
 }
 
+static bool go_on(const Step *step, double share)
+{
+    if (patience_lasts(&step->patience, share))
+        return true;
+    errno = ECANCELED;
+    return false;
+}
+
 /* From near mu and x to the eigenvalue and its vector. False: it does not converge. */
 static bool iterate(const Step *step, ComplexBand *band, double complex *mu, double complex *x,
                     double complex *y)
@@ -305,6 +315,8 @@ static bool iterate(const Step *step, ComplexBand *band, double complex *mu, dou
     *mu *= 1 + 1e-4;
     normalise(x, n);
     for (int turn = 0; turn < SOLVES_MOST; turn++) {
+        if (!go_on(step, (turn + 1.0) / SOLVES_MOST))
+            return false;
         write_pencil(step, *mu, band);
         weigh(step, x, y);
         solve(band, y);
@@ -329,7 +341,7 @@ static bool iterate(const Step *step, ComplexBand *band, double complex *mu, dou
         if (turn > 0 || settled)
             *mu += change;
         if (settled)
-            return true;
+            return go_on(step, 1);
     }
     return false;
 }
@@ -518,7 +530,7 @@ static bool sample(Search *search, int number)
 static StepMode find_mode(Search *search, int number, double complex mu)
 {
     StepMode mode = {.frequency = NAN, .decay = NAN, .overlap = NAN, .with_ends = true};
-    if (!sample(search, number))
+    if (!sample(search, number) || !go_on(&search->step, 0.5 / SOLVES_MOST))
         return mode;
     begin(&search->step, search->sampled, mu, search->x);
     if (iterate(&search->step, &search->band, &mu, search->x, search->y))
@@ -557,7 +569,8 @@ StepMode step_mode(const BarTheory *bar, const BarMesh *mesh, int number)
                          .usf = mesh->algorithm == MESH_USF,
                          .usl = mesh->algorithm == MESH_USL,
                          .musl = mesh->algorithm == MESH_MUSL,
-                         .of_momenta = mesh->fmpm_order > 0};
+                         .of_momenta = mesh->fmpm_order > 0,
+                         .patience = mesh->patience};
     if (make_step(&search.step, bar, mesh, (int)cells)) {
         const size_t n = 2 * (size_t)search.step.rest.nodes;
         ComplexBand *band = &search.band;

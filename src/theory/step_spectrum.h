@@ -13,7 +13,8 @@
 #include "theory/bar.h"
 
 typedef struct StepMode {
-    bool known; /* false: shorter than two cells, beyond the stability limit, or not enough memory */
+    bool known; /* false: shorter than two cells, beyond the stability limit, not enough memory (errno
+                   ENOMEM), or given up (ECANCELED) */
     double frequency;
     double decay;   /* amplitude ~ exp(-decay t) */
     double overlap; /* 1: the sampled mode is this one; much less: a mixture of several, see the spectrum */

@@ -7,6 +7,7 @@
  * rows of L are kept. Used for the critical step and the predicted frequencies of the bar by peridynamics. */
 #include "base/linear/band.h"
 
+#include <errno.h>
 #include <float.h>
 #include <math.h>
 
@@ -28,49 +29,68 @@ static double reach_of(const Band *band)
     return most;
 }
 
+/* How far a search has come, for its patience. */
+typedef struct Search {
+    const Patience *patience;
+    double share;
+    bool given_up;
+} Search;
+
 /* A pivot smaller than `least` is replaced by it, which changes the matrix by no more than its rounding. */
-static size_t count_below(const Band *band, double x, double least)
+static size_t count_below(const Band *band, double x, double least, Search *search)
 {
-    enum { ROWS = BAND_WIDTH_MAX + 1 };
+    enum { ROWS = BAND_WIDTH_MAX + 1, PRODUCTS_BETWEEN_QUESTIONS = 2000000 }; /* a few milliseconds */
     double lower[ROWS][ROWS]; /* the last rows of L, each with the entries left of its diagonal: [d] is column
                                  i - d */
     double pivots[ROWS];
+    double scaled[ROWS]; /* L_ij D_j of the row at hand */
     const size_t width = (size_t)band->width, kept = width + 1;
-    size_t count = 0;
+    const size_t rows_a_question = PRODUCTS_BETWEEN_QUESTIONS / (kept * kept);
+    size_t count = 0, place = 0; /* i % kept */
     for (size_t i = 0; i < band->size; i++) {
-        double *row = lower[i % kept], pivot = entry(band, i, 0) - x;
+        double *row = lower[place], pivot = entry(band, i, 0) - x;
         const size_t left = i < width ? i : width;
+        if (i % rows_a_question == 0 && !patience_lasts(search->patience, search->share)) {
+            search->given_up = true;
+            return 0;
+        }
         for (size_t d = left; d >= 1; d--) {
-            const double *other = lower[(i - d) % kept];
+            const size_t there = place >= d ? place - d : place + kept - d;
+            const double *other = lower[there];
             double product = entry(band, i, d);
             for (size_t e = d + 1; e <= left; e++)
-                product -= row[e] * pivots[(i - e) % kept] * other[e - d];
-            row[d] = product / pivots[(i - d) % kept];
+                product -= scaled[e] * other[e - d];
+            row[d] = product / pivots[there];
+            scaled[d] = row[d] * pivots[there];
             pivot -= row[d] * product;
         }
         if (fabs(pivot) < least)
             pivot = least;
-        pivots[i % kept] = pivot;
+        pivots[place] = pivot;
         count += pivot < 0;
+        place = place + 1 < kept ? place + 1 : 0;
     }
     return count;
 }
 
-size_t band_count_below(const Band *band, double x)
-{
-    return count_below(band, x, DBL_EPSILON * reach_of(band));
-}
-
 /* Bisection between the bounds; ends at a quarter of their rounding, or where no double lies between. */
-double band_eigenvalue(const Band *band, size_t number)
+double band_eigenvalue(const Band *band, size_t number, const Patience *patience)
 {
+    enum { HALVINGS = 56 }; /* of 2 to eps/4, about */
     double high = reach_of(band), low = -high;
     const double rounding = DBL_EPSILON * high;
-    while (high - low > rounding / 4) {
+    Search search = {.patience = patience};
+    for (int k = 0; high - low > rounding / 4; k++) {
         double middle = low + (high - low) / 2;
         if (!(middle > low && middle < high))
             break;
-        *(count_below(band, middle, rounding) > number ? &high : &low) = middle;
+        search.share = fmin((k + 1.0) / HALVINGS, 1);
+        const size_t below = count_below(band, middle, rounding, &search);
+        if (search.given_up) {
+            errno = ECANCELED;
+            return NAN;
+        }
+        *(below > number ? &high : &low) = middle;
     }
     return low + (high - low) / 2;
 }

@@ -7,6 +7,8 @@
 #ifndef BASE_BAND_H
 #define BASE_BAND_H
 
+#include "base/patience.h"
+
 #include <stddef.h>
 
 enum { BAND_WIDTH_MAX = 32 };
@@ -18,10 +20,8 @@ typedef struct Band {
     const double *rows;
 } Band;
 
-/* How many eigenvalues are below x. */
-size_t band_count_below(const Band *band, double x);
-
-/* Eigenvalue number 0 (the least) to size - 1, to the rounding of the largest one's size. */
-double band_eigenvalue(const Band *band, size_t number);
+/* Eigenvalue number 0 (the least) to size - 1, to the rounding of the largest one's size. `patience` is asked
+ * every few milliseconds, with shares above 0. NAN: given up, errno is ECANCELED. */
+double band_eigenvalue(const Band *band, size_t number, const Patience *patience);
 
 #endif

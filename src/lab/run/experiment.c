@@ -3,7 +3,6 @@
  * experiment_edit.c. */
 #include "lab/run/experiment_internal.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -107,22 +106,11 @@ const Event *experiment_events(Experiment *experiment, int *count)
     return experiment->log.events;
 }
 
-/* They do not depend on the state, and the largest stable courant number takes a search: once for all
- * pictures that have the same settings. */
 int experiment_derived(Experiment *experiment, Derived out[DERIVED_MAX])
 {
     if (experiment->n_derived == 0 ||
-        memcmp(&experiment->derived_for, &experiment->now, sizeof experiment->now) != 0) {
-        const int before = errno; /* of whoever draws, and asks for memory too */
-        errno = 0;
-        experiment->n_derived = problem_derived(&experiment->now, experiment->sim, experiment->derived);
-        if (errno == ENOMEM) /* what is missing is asked for again */
-            memset(&experiment->derived_for, 0, sizeof experiment->derived_for);
-        else {
-            experiment->derived_for = experiment->now;
-            errno = before;
-        }
-    }
+        memcmp(&experiment->derived_for, &experiment->now, sizeof experiment->now) != 0)
+        experiment_derive(experiment, (Patience){0}); /* a picture is not interrupted */
     memcpy(out, experiment->derived, (size_t)experiment->n_derived * sizeof *out);
     return experiment->n_derived;
 }

@@ -75,6 +75,9 @@ struct Experiment {
 bool experiment_open(Experiment *, const Settings *, size_t history, int threads, Status *);
 void experiment_close(Experiment *);
 
+/* Works out the derived numbers of the settings as they are now; what is given up is asked for again. */
+void experiment_derive(Experiment *, Patience);
+
 /* Back to t = 0, as if nothing had been computed. The record so far is handed over. */
 void experiment_rewind(Experiment *, Record *old);
 

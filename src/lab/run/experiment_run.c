@@ -4,6 +4,7 @@
 #include "lab/settings/changes.h"
 #include "lab/settings/parameters.h"
 
+#include <errno.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
@@ -31,6 +32,23 @@ static void note_now(Experiment *experiment)
 {
     if (experiment->base.n_changes > 0)
         changes_in_force(&experiment->base, experiment->sim->step, &experiment->now);
+}
+
+/* They do not depend on the state, and take searches for eigenvalues: once for all pictures that have the
+ * same settings. */
+void experiment_derive(Experiment *experiment, Patience patience)
+{
+    Settings settings = experiment->now;
+    settings.patience = patience;
+    const int before = errno; /* of whoever draws, and asks for memory too */
+    errno = 0;
+    experiment->n_derived = problem_derived(&settings, experiment->sim, experiment->derived);
+    if (errno == ENOMEM || errno == ECANCELED) /* what is missing is asked for again */
+        memset(&experiment->derived_for, 0, sizeof experiment->derived_for);
+    else {
+        experiment->derived_for = experiment->now;
+        errno = before;
+    }
 }
 
 static bool out_of_memory(Status *status)
@@ -62,13 +80,18 @@ bool experiment_open(Experiment *experiment, const Settings *settings, size_t hi
                      Status *status)
 {
     experiment->base = *settings;
+    if (!patience_lasts(&settings->patience, 0))
+        return status_fail(status, STATUS_FAILED, "the building of the run was given up");
     if (!settings_check(settings, status) ||
         !changes_advice(settings, experiment->advice, sizeof experiment->advice, status))
         return false;
     experiment->sim = problem_simulate(settings, threads, status);
     if (experiment->sim)
         experiment->refs = problem_references(settings, experiment->sim, status);
-    return experiment->refs && begin(experiment, history, status);
+    if (!experiment->refs || !begin(experiment, history, status))
+        return false;
+    experiment_derive(experiment, settings->patience);
+    return true;
 }
 
 void experiment_rewind(Experiment *experiment, Record *old)
@@ -337,6 +360,8 @@ static bool write_rows_again(const Experiment *experiment, References *refs, con
  * those that a run from t = 0 would have. */
 static bool renew_references(Experiment *experiment, long step, Status *status)
 {
+    if (!patience_lasts(&experiment->base.patience, 0))
+        return status_fail(status, STATUS_FAILED, "the change was given up");
     References *refs = problem_references(&experiment->base, experiment->sim, status);
     if (!refs)
         return false;
@@ -385,6 +410,7 @@ bool experiment_change(Experiment *experiment, long step, const char *key, const
     }
     cut(experiment, step);
     note_now(experiment);
+    experiment_derive(experiment, experiment->base.patience);
     experiment->failed = false; /* what stopped the run may not stop the changed one */
     Simulation *sim = experiment->sim;
     if (sim->stage != 0 || sim->step != step)

@@ -94,9 +94,15 @@ static void add_particle(Lattice2 *lattice, int i, int j, double sx, double sy)
         }
 }
 
+static bool given_up(Status *status)
+{
+    return status_fail(status, STATUS_FAILED, "what the mesh predicts was given up");
+}
+
 /* K, M_C and M_L of the undeformed lattice; a held unknown gets 1 on its diagonals and is coupled to nothing.
- * Of a displaced body of boxes this would not do: its feather-light nodes give K spurious zeros. */
-static void assemble(Lattice2 *lattice)
+ * Of a displaced body of boxes this would not do: its feather-light nodes give K spurious zeros. False: given
+ * up. */
+static bool assemble(Lattice2 *lattice)
 {
     const Plane *model = &lattice->model;
     const int P = model->def.particles_per_cell, padding = model->def.padding;
@@ -107,13 +113,17 @@ static void assemble(Lattice2 *lattice)
             lattice->held[at] = held.x;
             lattice->held[at + 1] = held.y;
         }
-    for (int i = 0; i + 1 < lattice->columns; i++)
+    for (int i = 0; i + 1 < lattice->columns; i++) {
+        if (!patience_lasts(&model->def.patience, (double)i / lattice->columns))
+            return false;
         for (int j = 0; j + 1 < lattice->rows; j++)
             for (int k = 0; k < P * P; k++)
                 add_particle(lattice, i, j, (k % P + 0.5) / P, (k / P + 0.5) / P);
+    }
     for (size_t u = 0; u < lattice->size; u++)
         if (lattice->held[u])
             *entry(&lattice->stiffness, u, u) = *entry(&lattice->mass, u, u) = 1;
+    return true;
 }
 
 /* False: the status says why. *fits: the matrices are there. */
@@ -139,8 +149,7 @@ static bool build(Lattice2 *lattice, const PlaneDef *def, bool *fits, Status *st
     if (!lattice->stiffness.rows || !lattice->mass.rows || !lattice->held || !lattice->lumped ||
         !lattice->work)
         return status_fail(status, STATUS_FAILED, "not enough memory for what the mesh predicts");
-    assemble(lattice);
-    return true;
+    return assemble(lattice) || given_up(status);
 }
 
 static double dot(const double *a, const double *b, size_t count)
@@ -171,11 +180,6 @@ static void clear_held(const Lattice2 *lattice, double *x)
     for (size_t u = 0; u < lattice->size; u++)
         if (lattice->held[u])
             x[u] = 0;
-}
-
-static bool given_up(Status *status)
-{
-    return status_fail(status, STATUS_FAILED, "what the mesh predicts was given up");
 }
 
 static bool factor(CholeskyBand *band, const PlaneDef *def, bool *sound, Status *status)
@@ -298,7 +302,7 @@ static bool apply(const Lattice2 *lattice, const CholeskyBand *blend, double *x,
 static double largest(const double *rows, size_t size)
 {
     const Band band = {size, 1, rows};
-    return band_eigenvalue(&band, size - 1);
+    return band_eigenvalue(&band, size - 1, &(Patience){0}); /* small */
 }
 
 /* Lanczos' method with products x'K y: v of length 1, u = K v, w the next. False: given up. */

@@ -118,8 +118,10 @@ bool plane_begin(Plane *plane, Status *status)
 {
     int32_t base;
     double sx, sy;
+    enum { PARTICLES_A_QUESTION = 4096 };
     for (int p = 0; p < plane->n_particles; p++) {
-        if (p % plane->nxp == 0 && !patience_lasts(&plane->def.patience, (double)p / plane->n_particles))
+        if (p % PARTICLES_A_QUESTION == 0 &&
+            !patience_lasts(&plane->def.patience, (double)p / plane->n_particles))
             return status_fail(status, STATUS_FAILED, "the building of the beam was given up");
         place(plane, p);
         if (!plane_find(plane, plane->xmin, plane->x[p], plane->y[p], &base, &sx, &sy) ||

@@ -107,15 +107,20 @@ void *pd_bar_lattice(const PdBarDef *def, PdBarLattice *lattice)
     return memory;
 }
 
+static const char no_memory[] = "not enough memory for the lattice of the bar";
+
 /* 2/omega_max. omega_max^2 is the largest eigenvalue of K/rho, K the band matrix of f = -K u: K_ii = sum k,
  * K_ij = -k. A bond to a mirrored node, u = -u_j, adds +k to K_ij instead; its partner j lies nearer to the
- * end than the horizon, so the matrix stays a band of half-width `reach`. NAN: not enough memory. */
-static double critical_step(const PdBarDef *def, const PdBarLattice *lattice)
+ * end than the horizon, so the matrix stays a band of half-width `reach`. NAN: not enough memory, or given
+ * up; the status says which. */
+static double critical_step(const PdBarDef *def, const PdBarLattice *lattice, Status *status)
 {
     const size_t n = (size_t)lattice->n, width = (size_t)lattice->reach;
     double *rows = calloc(n * (width + 1), sizeof *rows);
-    if (!rows)
+    if (!rows) {
+        status_fail(status, STATUS_FAILED, no_memory);
         return NAN;
+    }
     for (int i = 0; i < lattice->n; i++)
         for (int m = -lattice->reach; m <= lattice->reach; m++) {
             if (m == 0)
@@ -128,8 +133,10 @@ static double critical_step(const PdBarDef *def, const PdBarLattice *lattice)
                 row[i - j] += j == i + m ? -k : k;
         }
     const Band band = {n, lattice->reach, rows};
-    double largest = band_eigenvalue(&band, n - 1);
+    double largest = band_eigenvalue(&band, n - 1, &def->patience);
     free(rows);
+    if (isnan(largest))
+        status_fail(status, STATUS_FAILED, "the building of the bar was given up");
     return 2 / sqrt(largest);
 }
 
@@ -150,10 +157,11 @@ bool pd_bar_critical(const PdBarDef *def, double *step, Status *status)
         return false;
     const PdBarDef part = shorter(def);
     void *memory = pd_bar_lattice(&part, &lattice);
-    *step = memory ? critical_step(&part, &lattice) : NAN;
+    if (!memory)
+        return status_fail(status, STATUS_FAILED, no_memory);
+    *step = critical_step(&part, &lattice, status);
     free(memory);
-    return isfinite(*step) ||
-           status_fail(status, STATUS_FAILED, "not enough memory for the lattice of the bar");
+    return isfinite(*step);
 }
 
 /* What is told of the lattice: c, sizes, the modulus that a whole family has without correction,

@@ -33,7 +33,8 @@ BarMesh bar_mesh_of(const Settings *settings, double dt)
                      .flip_fraction = mpm->flip_fraction,
                      .consistent = 1 - bar_mass_blend_of(settings),
                      .fmpm_order = mpm->transfer == MPM_FMPM ? mpm->fmpm_order : 0,
-                     .dt = dt};
+                     .dt = dt,
+                     .patience = settings->patience};
 }
 
 BarDef bar_mpm_definition(const Settings *settings)
@@ -132,6 +133,8 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     const StepMode found = step_mode(&theory, &bar->mesh, bar->watch.mode);
     if (bar->watch.mode > 0 && found.known)
         bar->watch.overlap = found.overlap;
+    if (errno == ECANCELED)
+        return status_fail(status, STATUS_FAILED, "the prediction for the bar was given up");
     return errno != ENOMEM ||
            status_fail(status, STATUS_FAILED, "not enough memory to predict the motion of %g cells",
                        round(settings->geometry.length / settings->mesh.cell_size));

@@ -35,7 +35,8 @@ PdBarTheory bar_lattice_of(const Settings *settings)
                          .horizon = lattice_horizon(settings),
                          .partial_volumes = settings->lattice.volume_correction == VOLUME_PARTIAL,
                          .energy_correction = settings->lattice.surface_correction == SURFACE_ENERGY,
-                         .dt = bar_time_step(settings)};
+                         .dt = bar_time_step(settings),
+                         .patience = settings->patience};
 }
 
 static bool check(const Settings *settings, Status *status)
@@ -89,6 +90,8 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     const bool prepared =
         bar_prepare(refs, settings, sim, predicted_frequency, bar->modes ? predicted_v_cm : NULL,
                     "velocity of the centre of mass predicted for this lattice", status);
+    if (errno == ECANCELED)
+        return status_fail(status, STATUS_FAILED, "the prediction for the bar was given up");
     if (errno == ENOMEM)
         return status_fail(status, STATUS_FAILED, "not enough memory to predict the motion of %g nodes",
                            round(settings->geometry.length / lattice.spacing));
