@@ -119,94 +119,7 @@ static BondAt bond_number(const PdBar *bar, size_t number)
     return bond_at(bar, i, (int)(number - bonds_before(lattice, i)) + 1);
 }
 
-/* --- fields: one row each; the value of one thing ------------------------------------------------- */
-
-static double p_x0(const PdBar *bar, int i)
-{
-    return pd_bar_position(&bar->lattice, i);
-}
-
-static double p_x(const PdBar *bar, int i)
-{
-    return p_x0(bar, i) + displacement(bar, i);
-}
-
-static double p_v(const PdBar *bar, int i)
-{
-    return bar->v[i];
-}
-
-static double p_stress(const PdBar *bar, int i)
-{
-    return (section_force(bar, i) + section_force(bar, i + 1)) / 2;
-}
-
-static double p_density(const PdBar *bar, int i)
-{
-    return bar->def.density / (1 + strain(bar, i));
-}
-
-static double p_mass(const PdBar *bar, int i)
-{
-    (void)i;
-    return bar->def.density * bar->lattice.h;
-}
-
-static double p_factor(const PdBar *bar, int i)
-{
-    return bar->lattice.factor[pd_bar_at(&bar->lattice, i)];
-}
-
-static double p_force(const PdBar *bar, int i)
-{
-    return bar->f[i];
-}
-
-static double p_acceleration(const PdBar *bar, int i)
-{
-    return bar->f[i] / bar->def.density;
-}
-
-static double b_i(const PdBar *bar, const BondAt *bond)
-{
-    (void)bar;
-    return bond->k;
-}
-
-static double b_j(const PdBar *bar, const BondAt *bond)
-{
-    (void)bar;
-    return bond->k + bond->m;
-}
-
-static double b_x_i(const PdBar *bar, const BondAt *bond)
-{
-    return p_x0(bar, bond->k);
-}
-
-static double b_x_j(const PdBar *bar, const BondAt *bond)
-{
-    return p_x0(bar, bond->k + bond->m);
-}
-
-static double b_stretch(const PdBar *bar, const BondAt *bond)
-{
-    return bond->elongation / (bond->m * bar->lattice.h);
-}
-
-static double b_pull(const PdBar *bar, const BondAt *bond)
-{
-    (void)bar;
-    return bond->stiffness * bond->elongation;
-}
-
-static double b_energy(const PdBar *bar, const BondAt *bond)
-{
-    return bond->stiffness * bond->elongation * bond->elongation * bar->lattice.h / 2;
-}
-
-typedef double NodeValue(const PdBar *bar, int i);
-typedef double BondValue(const PdBar *bar, const BondAt *bond);
+/* --- fields: one row each, and what fills them ----------------------------------------------------- */
 
 /* Those of axial.h come first. */
 enum FieldIndex {
@@ -258,42 +171,81 @@ static const Field fields[N_FIELDS] = {
     [B_ENERGY] = BOND("energy", "energy", "force/length", "strain energy of the bond", false, false),
 };
 
-static NodeValue *const node_values[N_FIELDS] = {
-    [AXIAL_X0] = p_x0,
-    [AXIAL_X] = p_x,
-    [AXIAL_U] = displacement,
-    [AXIAL_V] = p_v,
-    [AXIAL_STRESS] = p_stress,
-    [AXIAL_STRAIN] = strain,
-    [AXIAL_DENSITY] = p_density,
-    [AXIAL_MASS] = p_mass,
-    [P_FACTOR] = p_factor,
-    [P_FORCE] = p_force,
-    [P_LOAD] = pd_bar_load,
-    [P_STRETCH] = largest_stretch,
-    [P_FAMILY] = family_size,
-    [P_STRAIN_ENERGY] = strain_energy,
-    [P_ACCELERATION] = p_acceleration,
-};
+static double bond_stretch(const PdBar *bar, const BondAt *bond)
+{
+    return bond->elongation / (bond->m * bar->lattice.h);
+}
 
-static BondValue *const bond_values[N_FIELDS] = {
-    [B_I] = b_i,       [B_J] = b_j,           [B_X_I] = b_x_i, [B_X_J] = b_x_j, [B_STRETCH] = b_stretch,
-    [B_PULL] = b_pull, [B_ENERGY] = b_energy,
-};
+/* The value of one node's field. */
+static double node_field(const PdBar *bar, int field, int i)
+{
+    switch (field) {
+    case AXIAL_X0:
+        return pd_bar_position(&bar->lattice, i);
+    case AXIAL_X:
+        return pd_bar_position(&bar->lattice, i) + displacement(bar, i);
+    case AXIAL_U:
+        return displacement(bar, i);
+    case AXIAL_V:
+        return bar->v[i];
+    case AXIAL_STRESS:
+        return (section_force(bar, i) + section_force(bar, i + 1)) / 2;
+    case AXIAL_STRAIN:
+        return strain(bar, i);
+    case AXIAL_DENSITY:
+        return bar->def.density / (1 + strain(bar, i));
+    case AXIAL_MASS:
+        return bar->def.density * bar->lattice.h;
+    case P_STRAIN_ENERGY:
+        return strain_energy(bar, i);
+    case P_FACTOR:
+        return bar->lattice.factor[pd_bar_at(&bar->lattice, i)];
+    case P_FORCE:
+        return bar->f[i];
+    case P_LOAD:
+        return pd_bar_load(bar, i);
+    case P_STRETCH:
+        return largest_stretch(bar, i);
+    case P_FAMILY:
+        return family_size(bar, i);
+    case P_ACCELERATION:
+        return bar->f[i] / bar->def.density;
+    default:
+        return 0;
+    }
+}
+
+/* The value of one bond's field. */
+static double bond_field(const PdBar *bar, int field, BondAt bond)
+{
+    switch (field) {
+    case B_I:
+        return bond.k;
+    case B_J:
+        return bond.k + bond.m;
+    case B_X_I:
+        return pd_bar_position(&bar->lattice, bond.k);
+    case B_X_J:
+        return pd_bar_position(&bar->lattice, bond.k + bond.m);
+    case B_STRETCH:
+        return bond_stretch(bar, &bond);
+    case B_PULL:
+        return bond.stiffness * bond.elongation;
+    case B_ENERGY:
+        return bond.stiffness * bond.elongation * bond.elongation * bar->lattice.h / 2;
+    default:
+        return 0;
+    }
+}
 
 void pd_bar_field(const Simulation *sim, int field, size_t first, size_t count, double *out)
 {
     const PdBar *bar = (const PdBar *)sim;
     ASSERT_INT(field, <, sim->n_fields);
     ASSERT_INT(first + count, <=, sim->counts[fields[field].set]);
-    for (size_t k = 0; k < count; k++) {
-        if (fields[field].set == PD_BAR_PARTICLE) {
-            out[k] = node_values[field](bar, (int)(first + k));
-            continue;
-        }
-        BondAt bond = bond_number(bar, first + k);
-        out[k] = bond_values[field](bar, &bond);
-    }
+    for (size_t k = 0; k < count; k++)
+        out[k] = fields[field].set == PD_BAR_PARTICLE ? node_field(bar, field, (int)(first + k))
+                                                      : bond_field(bar, field, bond_number(bar, first + k));
 }
 
 /* Of a bond its two ends, of a node its family, mirrored partners by the node whose image they are. Pull is
@@ -306,7 +258,7 @@ size_t pd_bar_links(const Simulation *sim, int set, size_t index, Link *out, siz
     size_t count = 0;
     if (set == PD_BAR_BOND) {
         BondAt bond = bond_number(bar, index);
-        double stretch = b_stretch(bar, &bond), pull = b_pull(bar, &bond) * h;
+        double stretch = bond_stretch(bar, &bond), pull = bond.stiffness * bond.elongation * h;
         const int ends[2] = {bond.k, bond.k + bond.m};
         for (; count < 2 && count < max; count++)
             out[count] = (Link){
@@ -322,8 +274,8 @@ size_t pd_bar_links(const Simulation *sim, int set, size_t index, Link *out, siz
             continue;
         out[count++] = (Link){.set = PD_BAR_PARTICLE,
                               .index = (size_t)pd_bar_partner(&bar->lattice, i + m),
-                              .stretch = b_stretch(bar, &bond),
-                              .pull = b_pull(bar, &bond) * h,
+                              .stretch = bond_stretch(bar, &bond),
+                              .pull = bond.stiffness * bond.elongation * h,
                               .length = m * h,
                               .stiffness = bond.stiffness * bond.m * h};
     }

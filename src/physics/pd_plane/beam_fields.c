@@ -1,213 +1,18 @@
-/* The fields of a beam that front ends read (Simulation.fields): a function for the value of one node or one
- * bond, and a row for each with name, unit and meaning. Everything is computed when it is read, from the
- * state as it stands, in mid-step too; nothing here is part of a step. Strain energy and largest stretch of
- * nodes, which need all bonds, go through the vector loops of beam_shares.c. SI units. */
+/* The fields of a beam that front ends read (Simulation.fields): for each its
+ * index, a row with name, unit and meaning, and the case that fills it. Everything is computed when it is
+ * read, from the state as it stands, in mid-step too; nothing here is part of a step. Strain energy and
+ * largest stretch of nodes, which need all bonds, go through the vector loops of beam_shares.c. SI units. */
 #include "base/assertion.h"
 #include "physics/pd_plane/beam_internal.h"
 
 #include <math.h>
-#include <string.h>
 
 static const Set sets[N_SETS] = {
     [SET_PARTICLE] = {"particle", "particles", 0},
     [SET_BOND] = {"bond", "bonds", 0},
 };
 
-/* --- fields: one row each; the value of one thing --- */
-
-typedef double FieldValue(const Beam *beam, size_t index);
-
-static int column(const Beam *beam, size_t node)
-{
-    return (int)(node % (size_t)beam->lattice.nx);
-}
-
-static int row(const Beam *beam, size_t node)
-{
-    return (int)(node / (size_t)beam->lattice.nx);
-}
-
-static size_t at(const Beam *beam, size_t node)
-{
-    return lattice_at(&beam->lattice, column(beam, node), row(beam, node));
-}
-
-static double rest_x(const Beam *beam, size_t node)
-{
-    return lattice_x(&beam->lattice, column(beam, node));
-}
-
-static double rest_y(const Beam *beam, size_t node)
-{
-    return lattice_y(&beam->lattice, row(beam, node));
-}
-
-static double ux(const Beam *beam, size_t node)
-{
-    return beam->nodes.ux[at(beam, node)];
-}
-
-static double uy(const Beam *beam, size_t node)
-{
-    return beam->nodes.uy[at(beam, node)];
-}
-
-static double vx(const Beam *beam, size_t node)
-{
-    return beam->nodes.vx[at(beam, node)];
-}
-
-static double vy(const Beam *beam, size_t node)
-{
-    return beam->nodes.vy[at(beam, node)];
-}
-
-static double fx(const Beam *beam, size_t node)
-{
-    return beam->nodes.fx[at(beam, node)];
-}
-
-static double fy(const Beam *beam, size_t node)
-{
-    return beam->nodes.fy[at(beam, node)];
-}
-
-static double damage(const Beam *beam, size_t node)
-{
-    return beam->damage[node];
-}
-
-static double surface_x(const Beam *beam, size_t node)
-{
-    return beam->lattice.factor_x[node];
-}
-
-static double surface_y(const Beam *beam, size_t node)
-{
-    return beam->lattice.factor_y[node];
-}
-
-static double surface_factor(const Beam *beam, size_t node)
-{
-    return (surface_x(beam, node) + surface_y(beam, node)) / 2;
-}
-
-static double family_size(const Beam *beam, size_t node)
-{
-    const Lattice *lattice = &beam->lattice;
-    const int i = column(beam, node), j = row(beam, node), reach = lattice->reach;
-    /* far from the surface every family is whole: no need to count, as views read this in every frame */
-    if (i >= reach && j >= reach && i < lattice->nx - reach && j < lattice->ny - reach)
-        return 2 * lattice->n_offsets;
-    BondPlace family[FAMILY_MAX];
-    return (double)beam_family(beam, i, j, family);
-}
-
-static double speed(const Beam *beam, size_t node)
-{
-    return hypot(vx(beam, node), vy(beam, node));
-}
-
-static double held(const Beam *beam, size_t node)
-{
-    int i = column(beam, node), j = row(beam, node);
-    double flags = i < beam_held_columns(beam, simulation_time(&beam->sim)) ? 1 : 0;
-    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
-        if (s->i == i && s->j == j)
-            flags = 1;
-    return flags;
-}
-
-static double loaded(const Beam *beam, size_t node)
-{
-    int i = column(beam, node);
-    return row(beam, node) == beam->lattice.ny - 1 && i >= beam->load_first && i < beam->load_end;
-}
-
-static double probe(const Beam *beam, size_t node)
-{
-    int i = column(beam, node), j = row(beam, node);
-    return (i == beam->probe_i[0] || i == beam->probe_i[1]) &&
-           (j == beam->probe_j[0] || j == beam->probe_j[1]);
-}
-
-static double protected_node(const Beam *beam, size_t node)
-{
-    return beam->unbreakable[node];
-}
-
-typedef double BondValue(const Beam *beam, BondPlace place, const BondNow *bond);
-
-static double end_i(const Beam *beam, BondPlace place, const BondNow *bond)
-{
-    (void)beam, (void)place;
-    return (double)bond->a;
-}
-
-static double end_j(const Beam *beam, BondPlace place, const BondNow *bond)
-{
-    (void)beam, (void)place;
-    return (double)bond->b;
-}
-
-static double x_i(const Beam *beam, BondPlace place, const BondNow *bond)
-{
-    (void)place;
-    return rest_x(beam, bond->a);
-}
-
-static double y_i(const Beam *beam, BondPlace place, const BondNow *bond)
-{
-    (void)place;
-    return rest_y(beam, bond->a);
-}
-
-static double x_j(const Beam *beam, BondPlace place, const BondNow *bond)
-{
-    (void)place;
-    return rest_x(beam, bond->b);
-}
-
-static double y_j(const Beam *beam, BondPlace place, const BondNow *bond)
-{
-    (void)place;
-    return rest_y(beam, bond->b);
-}
-
-static double stretch(const Beam *beam, BondPlace place, const BondNow *bond)
-{
-    (void)beam, (void)place;
-    return bond->stretch;
-}
-
-static double broken(const Beam *beam, BondPlace place, const BondNow *bond)
-{
-    (void)beam, (void)place;
-    return bond->broken;
-}
-
-static double broken_at(const Beam *beam, BondPlace place, const BondNow *bond)
-{
-    return bond->broken ? (double)beam->broken_at[lattice_slot(&beam->lattice, place)] : -1;
-}
-
-static double is_notch(const Beam *beam, BondPlace place, const BondNow *bond)
-{
-    (void)beam, (void)place;
-    return bond->notch;
-}
-
-static double pull(const Beam *beam, BondPlace place, const BondNow *bond)
-{
-    (void)beam, (void)place;
-    return bond->pull;
-}
-
-static double energy(const Beam *beam, BondPlace place, const BondNow *bond)
-{
-    (void)beam, (void)place;
-    return bond->energy;
-}
+/* --- one row each --------------------------------------------------------------------------------- */
 
 typedef enum FieldIndex {
     F_X0,
@@ -291,41 +96,119 @@ static const Field fields[N_FIELDS] = {
     [F_BOND_ENERGY] = BOND("energy", "energy", "J", "strain energy of the bond", false, false),
 };
 
-static FieldValue *const particle_values[N_FIELDS] = {
-    [F_X0] = rest_x,
-    [F_Y0] = rest_y,
-    [F_UX] = ux,
-    [F_UY] = uy,
-    [F_VX] = vx,
-    [F_VY] = vy,
-    [F_DAMAGE] = damage,
-    [F_SURFACE] = surface_factor,
-    [F_FX] = fx,
-    [F_FY] = fy,
-    [F_SPEED] = speed,
-    [F_FAMILY] = family_size,
-    [F_SURFACE_X] = surface_x,
-    [F_SURFACE_Y] = surface_y,
-    [F_HELD] = held,
-    [F_LOADED] = loaded,
-    [F_PROBE] = probe,
-    [F_PROTECTED] = protected_node,
-};
+/* --- what fills them ------------------------------------------------------------------------------ */
 
-static BondValue *const bond_values[N_FIELDS] = {
-    [F_I] = end_i,
-    [F_J] = end_j,
-    [F_XI] = x_i,
-    [F_YI] = y_i,
-    [F_XJ] = x_j,
-    [F_YJ] = y_j,
-    [F_BOND_STRETCH] = stretch,
-    [F_BROKEN] = broken,
-    [F_BROKEN_AT] = broken_at,
-    [F_NOTCH] = is_notch,
-    [F_PULL] = pull,
-    [F_BOND_ENERGY] = energy,
-};
+/* Bonds of a node at rest, broken ones included. */
+static double family_size(const Beam *beam, int i, int j)
+{
+    const Lattice *lattice = &beam->lattice;
+    const int reach = lattice->reach;
+    /* far from the surface every family is whole: no need to count, as views read this in every frame */
+    if (i >= reach && j >= reach && i < lattice->nx - reach && j < lattice->ny - reach)
+        return 2 * lattice->n_offsets;
+    BondPlace family[FAMILY_MAX];
+    return (double)beam_family(beam, i, j, family);
+}
+
+/* At present: a column leaves the channel as time goes on. */
+static bool is_held(const Beam *beam, int i, int j)
+{
+    bool held = i < beam_held_columns(beam, simulation_time(&beam->sim));
+    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
+        held = held || (s->i == i && s->j == j);
+    return held;
+}
+
+static bool is_at_probe(const Beam *beam, int i, int j)
+{
+    return (i == beam->probe_i[0] || i == beam->probe_i[1]) &&
+           (j == beam->probe_j[0] || j == beam->probe_j[1]);
+}
+
+/* The value of one node's field; strain energy and stretch go over bonds (beam_shares.c). */
+static double node_field(const Beam *beam, int field, size_t node)
+{
+    const Lattice *lattice = &beam->lattice;
+    const NodeArrays *nodes = &beam->nodes;
+    const int i = (int)(node % (size_t)lattice->nx), j = (int)(node / (size_t)lattice->nx);
+    const size_t at = lattice_at(lattice, i, j);
+    switch (field) {
+    case F_X0:
+        return lattice_x(lattice, i);
+    case F_Y0:
+        return lattice_y(lattice, j);
+    case F_UX:
+        return nodes->ux[at];
+    case F_UY:
+        return nodes->uy[at];
+    case F_VX:
+        return nodes->vx[at];
+    case F_VY:
+        return nodes->vy[at];
+    case F_DAMAGE:
+        return beam->damage[node];
+    case F_SURFACE:
+        return (lattice->factor_x[node] + lattice->factor_y[node]) / 2;
+    case F_FX:
+        return nodes->fx[at];
+    case F_FY:
+        return nodes->fy[at];
+    case F_SPEED:
+        return hypot(nodes->vx[at], nodes->vy[at]);
+    case F_FAMILY:
+        return family_size(beam, i, j);
+    case F_SURFACE_X:
+        return lattice->factor_x[node];
+    case F_SURFACE_Y:
+        return lattice->factor_y[node];
+    case F_HELD:
+        return is_held(beam, i, j);
+    case F_LOADED:
+        return j == lattice->ny - 1 && i >= beam->load_first && i < beam->load_end;
+    case F_PROBE:
+        return is_at_probe(beam, i, j);
+    case F_PROTECTED:
+        return beam->unbreakable[node];
+    default:
+        return 0;
+    }
+}
+
+/* The value of one bond's field; its ends are its owner i and j = i + offset. */
+static double bond_field(const Beam *beam, int field, BondPlace place)
+{
+    const Lattice *lattice = &beam->lattice;
+    const Offset *offset = &lattice->offsets[place.offset];
+    const BondNow bond = beam_bond(beam, place);
+    switch (field) {
+    case F_I:
+        return (double)bond.a;
+    case F_J:
+        return (double)bond.b;
+    case F_XI:
+        return lattice_x(lattice, place.i);
+    case F_YI:
+        return lattice_y(lattice, place.j);
+    case F_XJ:
+        return lattice_x(lattice, place.i + offset->p);
+    case F_YJ:
+        return lattice_y(lattice, place.j + offset->q);
+    case F_BOND_STRETCH:
+        return bond.stretch;
+    case F_BROKEN:
+        return bond.broken;
+    case F_BROKEN_AT:
+        return bond.broken ? (double)beam->broken_at[lattice_slot(lattice, place)] : -1;
+    case F_NOTCH:
+        return bond.notch;
+    case F_PULL:
+        return bond.pull;
+    case F_BOND_ENERGY:
+        return bond.energy;
+    default:
+        return 0;
+    }
+}
 
 void beam_field(const Simulation *sim, int field, size_t first, size_t count, double *out)
 {
@@ -344,13 +227,12 @@ void beam_field(const Simulation *sim, int field, size_t first, size_t count, do
     }
     if (fields[field].set == SET_PARTICLE) {
         for (size_t k = 0; k < count; k++)
-            out[k] = particle_values[field](beam, first + k);
+            out[k] = node_field(beam, field, first + k);
         return;
     }
     BondPlace place = lattice_bond_place(&beam->lattice, first);
     for (size_t k = 0; k < count; k++) {
-        BondNow bond = beam_bond(beam, place);
-        out[k] = bond_values[field](beam, place, &bond);
+        out[k] = bond_field(beam, field, place);
         place = lattice_next_bond(&beam->lattice, place);
     }
 }
