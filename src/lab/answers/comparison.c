@@ -21,6 +21,7 @@ typedef struct Standing {
 /* A row: its label for this run and, if there is one, its value. False: the run has no such number. */
 typedef bool Fill(const Standing *, char *label, char *value);
 
+/* A number into a value's text. */
 static bool put(char *value, const char *format, double number)
 {
     snprintf(value, COMPARISON_TEXT_MAX, format, number);
@@ -39,6 +40,7 @@ static bool fill_answer(const Standing *run, const char *word, const char *forma
     return known && put(value, format, readout->is_period ? answer / 1e-3 : answer);
 }
 
+/* The measured frequency (or period, ms) by least squares over the record; while there is none, why. */
 static bool fill_measured(const Standing *run, char *label, char *value)
 {
     const Readout *readout = run->readout;
@@ -65,6 +67,7 @@ static bool fill_exact(const Standing *run, char *label, char *value)
                        run->readout->exact_known, run->readout->exact, label, value);
 }
 
+/* Relative error against the exact answer: 100 (measured/exact - 1) %, of a period the reciprocal's. */
 static bool fill_error(const Standing *run, char *label, char *value)
 {
     const Readout *readout = run->readout;
@@ -74,6 +77,7 @@ static bool fill_error(const Standing *run, char *label, char *value)
                readout->is_period ? readout->error_period : readout->error_frequency);
 }
 
+/* By how many periods of the exact answer the run is behind at its present time. */
 static bool fill_late(const Standing *run, char *label, char *value)
 {
     const Readout *readout = run->readout;
@@ -84,6 +88,7 @@ static bool fill_late(const Standing *run, char *label, char *value)
 
 /* --- energy ---------------------------------------------------------------------------------------- */
 
+/* The column of a run's series by its name; -1: it has none. */
 static int column_of(const Standing *run, const char *name)
 {
     int n;
@@ -94,7 +99,8 @@ static int column_of(const Standing *run, const char *name)
     return -1;
 }
 
-/* Without the ripple of staggered velocities and stresses where E* gives the loss alone. */
+/* 100 (E* now over E* at the start, - 1) %: the loss without the ripple of staggered velocities and stresses,
+ * where E* is kept (invariant.h). */
 static bool fill_loss(const Standing *run, char *label, char *value)
 {
     double now, start;
@@ -103,6 +109,7 @@ static bool fill_loss(const Standing *run, char *label, char *value)
            put(value, "%+.3f %%", 100 * (now / start - 1));
 }
 
+/* kinetic + strain over their sum at the start, where there is no E* to tell more. */
 static bool fill_total(const Standing *run, char *label, char *value)
 {
     const int total = column_of(run, "total");
@@ -263,6 +270,7 @@ enum { QUANTITIES = sizeof quantities / sizeof *quantities };
 
 /* --- the table ------------------------------------------------------------------------------------- */
 
+/* What several rows need of a run, asked once. */
 static Standing standing_of(Experiment *experiment)
 {
     Standing run = {.experiment = experiment, .readout = experiment_readout(experiment)};
@@ -270,6 +278,7 @@ static Standing standing_of(Experiment *experiment)
     return run;
 }
 
+/* The keys in which the two differ, as they stand in a scenario file. */
 static int add_keys(const Duel *duel, Comparison *rows)
 {
     const Settings *settings[2] = {experiment_settings(duel->a), experiment_settings(duel->b)};
@@ -290,6 +299,7 @@ static int add_keys(const Duel *duel, Comparison *rows)
     return count;
 }
 
+/* The keys first, then each quantity that either run has. */
 int comparison_of_duel(const Duel *duel, Comparison rows[COMPARISONS_MAX])
 {
     if (!duel->b)

@@ -41,6 +41,8 @@ static bool refine_spacing(const Settings *base, int k, Settings *out)
     return true;
 }
 
+/* Paper P's Table 1: horizon and spacing fall together, but not in one proportion, and floor(h/dx) rows make
+ * some of the beams thinner; so its periods are not monotone. */
 static bool take_from_table(const Settings *base, int k, Settings *out)
 {
     if (k >= LENGTH_OF(table_1))
@@ -56,6 +58,7 @@ static double printed_in_table(int k)
     return table_1[k][2];
 }
 
+/* The bar's cells halved again and again; courant is kept, so the step is halved too. */
 static bool refine_cells(const Settings *base, int k, Settings *out)
 {
     if (k >= LENGTH_OF(cells_by_halves))
@@ -106,6 +109,7 @@ static const ConvergenceStudy studies[] = {
      printed_in_table, horizon_of},
 };
 
+/* A study needs a predicted answer that knows all parameters at work (known.h). */
 int convergence_studies(const Settings *settings, const ConvergenceStudy *out[CONVERGENCE_STUDIES_MAX])
 {
     const Problem *problem = settings->problem;
@@ -243,6 +247,7 @@ bool convergence_lacks(const Convergence *convergence, const Settings *settings,
     return convergence_known(convergence, settings, study, &points) < convergence_count(study, settings);
 }
 
+/* The point behind those that are known, by convergence_point(). */
 bool convergence_next(Convergence *convergence, const ConvergenceStudy *study, Patience patience,
                       Status *status)
 {

@@ -8,6 +8,7 @@
 
 const double crack_heights[CRACK_ANGLES] = {0.010, 0.020, 0.038};
 
+/* Angles over the heights of paper P's fig. 10, NAN until the tip is as far above the path's first row. */
 bool crack_facts(const Simulation *sim, CrackFacts *facts)
 {
     if (!crack_measure(sim, &facts->measured))
@@ -23,6 +24,7 @@ bool crack_facts(const Simulation *sim, CrackFacts *facts)
     return true;
 }
 
+/* What the crack has cost beside G0, J/m^2; false: no crack yet, or s0 was changed on the way. */
 bool crack_price(const Simulation *sim, const Settings *settings, CrackPrice *price)
 {
     price->critical_energy = settings->bonds.critical_energy;

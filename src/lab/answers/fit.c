@@ -1,3 +1,13 @@
+/* The search of fit.h: runs of a simulation as the model of a least-squares fit by GSL.
+ *
+ *     chi^2(p) = sum_k f_k^2,  f_k(p) = s(t_k; p) - y_k              residuals, one run for each p
+ *     d f_k/d p_i by central differences, two runs each
+ *     cov(p) = chi^2/(n - m) (J^T J)^-1                              n data, m parameters
+ *
+ * The parameters are sought as multiples of their values at the start, so that a modulus of 1e11 and a
+ * fraction of 1 weigh alike. A run must be smooth in them: a change of dt in mid-series, or a particle that
+ * crosses a cell in one run and not in the other, leaves a step in chi^2 that the search may stop at. Runs go
+ * one after the other; it is asked between blocks of steps whether to go on. */
 #include "lab/answers/fit.h"
 
 #include "lab/settings/parameters.h"
@@ -41,6 +51,8 @@ static size_t take(const Search *search, size_t done, double before, double befo
     return done;
 }
 
+/* Runs the simulation over all times of the data, block by block; s(t_k) linearly between two steps. False:
+ * it failed on the way, or was given up. */
 static bool follow(Search *search, Simulation *simulation, int column)
 {
     const FitTask *task = search->task;
@@ -68,7 +80,8 @@ static bool follow(Search *search, Simulation *simulation, int column)
     return true;
 }
 
-/* s(t_k; p) into search->model. */
+/* s(t_k; p) into search->model, `count` numbers. False: the settings are unsound, the run failed or was given
+ * up. */
 static bool run(Search *search, const Settings *settings)
 {
     search->why = (Status){0};
@@ -124,6 +137,8 @@ static int residuals(const gsl_vector *scaled, void *context, gsl_vector *out)
 
 /* --- the search ---------------------------------------------------------------------------------- */
 
+/* What is sought must be there, real, not 0 and named once, and there must be more data than parameters: else
+ * s^2 = chi^2/(n - m) has no meaning. */
 static bool find_parameters(Search *search, Status *status)
 {
     const FitTask *task = search->task;
@@ -149,6 +164,7 @@ static bool find_parameters(Search *search, Status *status)
     return true;
 }
 
+/* sqrt(chi^2/n), in the unit of the data. */
 static double rms(const gsl_vector *f)
 {
     double sum = 0;
@@ -157,7 +173,10 @@ static double rms(const gsl_vector *f)
     return sqrt(sum / (double)f->size);
 }
 
-/* cov(p) = s^2 (J^T J)^-1 with s^2 = chi^2/(n - m); the interval is p +- t(.975, n - m) sqrt(cov_ii). */
+/* cov(p) = s^2 (J^T J)^-1 with s^2 = chi^2/(n - m), s^2 standing for the unknown error of the data; the
+ * interval is p +- t(.975, n - m) sqrt(cov_ii), Student's t. It is right as far as residuals are independent
+ * and the model linear over the interval: where the model itself is wrong (a mesh too coarse) it is too
+ * narrow. */
 static void judge(const Search *search, gsl_multifit_nlinear_workspace *work, gsl_matrix *covariance)
 {
     FitResult *result = search->result;
@@ -180,6 +199,8 @@ static void judge(const Search *search, gsl_multifit_nlinear_workspace *work, gs
     }
 }
 
+/* Levenberg and Marquardt by trust regions until p changes by less than TOLERANCE, then one more run at the
+ * best p. */
 static bool search_best(Search *search, gsl_multifit_nlinear_workspace *work, gsl_vector *start,
                         gsl_matrix *covariance, Status *status)
 {
@@ -218,6 +239,7 @@ static bool search_best(Search *search, gsl_multifit_nlinear_workspace *work, gs
     return false;
 }
 
+/* Takes some 2 m + 1 runs in each iteration. */
 bool fit_solve(const FitTask *task, FitResult *result, Status *status)
 {
     *result = (FitResult){0};

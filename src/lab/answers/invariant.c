@@ -1,4 +1,6 @@
-/* Hands the questions of invariant.h on to the solver; the sums of E* are in problems/bar_invariant.c. */
+/* E*, the energy that a scheme keeps to round-off while kinetic + strain ripples (invariant.h): hands the
+ * questions on to the solver; the sums are in problems/bars/bar_invariant.c. With USF E* = sum m v^n
+ * v^{n+1}/2 + strain(stress^{n+1}). */
 #include "lab/answers/invariant.h"
 #include "lab/problems/known.h"
 

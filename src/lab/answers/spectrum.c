@@ -26,7 +26,8 @@ static size_t settled_rows(const Record *record)
 }
 
 /* The gain of a mean over `stride` samples for a sine that advances by `angle` over them:
- * sin(angle/2)/(stride sin(angle/(2 stride))). */
+ * sin(angle/2)/(stride sin(angle/(2 stride))), 1 at 0 and about 2/pi at the Nyquist frequency of the means.
+ * What lies above that is folded back, as always, but weaker. */
 static double gain_of_means(size_t stride, double angle)
 {
     const double across = (double)stride * sin(angle / (2 * (double)stride));

@@ -17,7 +17,7 @@ static int find(const Column *columns, int n_columns, const char *name)
     return -1;
 }
 
-/* The mean over `count` rows of what is there without the work of loads. */
+/* The mean over `count` rows of total less work: what a scheme without loss keeps. */
 static double mean_energy(const double *rows, size_t count, int n_columns, int total, int work)
 {
     double sum = 0;
@@ -78,6 +78,7 @@ static void take_energy(RunSummary *summary, const Column *columns, int n_column
     summary->energy_change = 100 * (after - before) / (summary->energy_of_work ? largest : before);
 }
 
+/* What a run's rows give: the energy's change, and the last row. */
 void summary_rows(RunSummary *summary, const Column *columns, int n_columns, const double *rows, size_t count,
                   const double invariant[2])
 {
@@ -96,6 +97,7 @@ void summary_crack(RunSummary *summary, const Simulation *sim, const Settings *s
         summary->rayleigh_speed = crack_rayleigh_speed(settings);
 }
 
+/* All of it from a live run, at the step on screen; what follows from rows is that of the newest step. */
 void summary_of(Experiment *experiment, RunSummary *summary)
 {
     const Record *record = experiment_record(experiment);
@@ -184,6 +186,7 @@ static void add_readout(Writer *writer, const Readout *readout, const char *answ
         strcmp(readout->column, "strain") == 0 ? " (measured on the strain energy)" : "");
 }
 
+/* A time in microseconds, or that it has not come. */
 static void add_time(Writer *writer, const char *word, double seconds, const char *never, const char *unit)
 {
     if (isnan(seconds))
@@ -202,6 +205,7 @@ static void add_cost(Writer *writer, const CrackPrice *price)
     add(writer, "G0  %.1f J/m^2, on this lattice %.1f\n", price->critical_energy, cost->plane);
 }
 
+/* First break, angles, tip, speed against Rayleigh's, and where the energy went. */
 void summary_crack_text(const RunSummary *summary, const char *microseconds, char out[SUMMARY_MAX])
 {
     Writer writer = {out, 0};
@@ -234,6 +238,7 @@ void summary_crack_text(const RunSummary *summary, const char *microseconds, cha
         add_cost(&writer, &summary->price);
 }
 
+/* The energy's change in per cent; less than 5e-4 % is written as 0. */
 void summary_energy_text(const RunSummary *summary, char out[SUMMARY_MAX])
 {
     static const char *const names[] = {[ENERGY_INVARIANT] = "energy E*",
