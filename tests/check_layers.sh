@@ -71,7 +71,7 @@ done
 # dimensions it has. verify alone speaks of named problems: it is about them.
 for folder in view figure tui cli; do
 	found=$(cd "${MATVIB_SRCDIR:-..}/src/$folder" && grep -rnE --include='*.[ch]' \
-		'\<(PROBLEM|METHOD)_[A-Z]|\<problem_[a-z_]+\>[^(]|(->|\.)dimensions\>' . | grep -v '^\./verify/')
+		'\<(PROBLEM|METHOD)_[A-Z]|\<problem_[a-z0-9_]+\>([^(]|$)|(->|\.)dimensions\>|(problem|method)->(word|name), "' . | grep -v '^\./verify/')
 	judge "src/$folder asks for no problem, method or number of dimensions"
 done
 # The product includes nothing of the tests, whose folder is on the path of includes too.
