@@ -33,7 +33,7 @@ static long chunk(double rate, long wanted, double time_left)
 /* How fast the engine is: a running mean over pieces, so that one hiccup does not count. */
 static void learn_rate(double *known, long steps, double seconds)
 {
-    /* a piece too short for the clock says no more than "more than that" */
+    /* of a piece too short for the clock only a bound is known */
     double rate = seconds > 0 ? (double)steps / seconds : 8 * (double)steps / CHUNK_SECONDS;
     if (*known <= 0 || seconds <= 0)
         *known = rate > *known ? rate : *known;
@@ -180,7 +180,7 @@ static bool compute_frame(Laboratory *lab, double deadline)
     return true;
 }
 
-/* Slow motion: a stage, then long enough nothing. */
+/* Slow motion: a stage, then a pause. */
 static bool slow_frame(Laboratory *lab)
 {
     Status status = {STATUS_DONE, ""};

@@ -191,7 +191,7 @@ static void take_pasted(Laboratory *lab, const char *what)
     lab->held.pasted_line = ends_line;
 }
 
-/* Who is here for the first time begins with the first lesson by one key; any other does what it always does. */
+/* At a first start one key begins the first lesson; any other key does what it always does. */
 static bool take_offer(Laboratory *lab, const Key *key)
 {
     Status status = {STATUS_DONE, ""};

@@ -342,7 +342,7 @@ static bool take_byte(KeyReader *reader, int byte, Key *key)
     }
 }
 
-/* What was cut short ends some time. */
+/* A sequence that was cut short is given up after a while. */
 static void expire(KeyReader *reader, double now)
 {
     if (now - reader->fed > SEQUENCE_SECONDS)

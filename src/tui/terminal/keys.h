@@ -28,7 +28,7 @@ typedef enum KeyState {
     KEYS_CSI,      /* after Esc [ */
     KEYS_SS3,      /* after Esc O */
     KEYS_STRING,   /* in a control string, up to BEL or Esc \ */
-    KEYS_MOUSE,    /* bytes of a mouse report that nobody asked for are to come */
+    KEYS_MOUSE,    /* bytes of an unrequested mouse report are to come */
     KEYS_CHARACTER /* bytes of a UTF-8 character are to come */
 } KeyState;
 

@@ -26,7 +26,7 @@ typedef struct Loop {
     bool fast;          /* replay as fast as it can */
     double replayed_at; /* when its last key was done again */
     bool told;          /* something stands on the shell's last line that tell how far the opening has come */
-    bool stale;         /* what is shown is not what is */
+    bool stale;         /* the picture shown is out of date */
     bool unannounced;   /* a picture is not yet announced, for the terminal has not taken all of it */
 } Loop;
 
@@ -70,7 +70,7 @@ static void draw(Loop *loop)
     loop->draw_time = 0.8 * loop->draw_time + 0.2 * (loop->drawn_at - begin);
 }
 
-/* Before the screen is taken over the shell's last line tells, and ^C is the shell's. */
+/* Before the screen is taken over, progress stands on the shell's last line, and ^C ends the program. */
 static void tell_opening(Loop *loop)
 {
     if (!isatty(STDERR_FILENO) || now(NULL) - loop->drawn_at < PROGRESS_SECONDS)

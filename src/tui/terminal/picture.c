@@ -278,7 +278,7 @@ void picture_enter(Picture *picture)
         put(picture, mouse_on, sizeof mouse_on - 1);
     if (!picture->synchronised)
         put(picture, hold_query, sizeof hold_query - 1);
-    clearok(curscr, TRUE); /* who does not know the question may show a letter of it */
+    clearok(curscr, TRUE); /* a terminal that does not know the query may show a letter of it */
 }
 
 /* The same bytes as after a crash: so they are tried each time. */

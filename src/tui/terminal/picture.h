@@ -2,7 +2,7 @@
  *
  * ncurses writes without asking whether the terminal takes anything, and tries again for ever when it does
  * not. So here it writes into a file in memory; the bytes are taken from there and sent by somebody who can
- * wait for a signal meanwhile (terminal.c). Modes of the line are his, too. One picture can be open at a
+ * wait for a signal meanwhile (terminal.c), who sets the modes of the line too. One picture can be open at a
  * time. */
 #ifndef TUI_PICTURE_H
 #define TUI_PICTURE_H
@@ -31,8 +31,9 @@ typedef struct Picture {
 
 enum { PICTURE_NO_KEYS = -1 };
 
-/* Keys are read from the descriptor `input`; PICTURE_NO_KEYS: there are none. `*stand_in`: the known terminal that an unknown TERM is treated as; NULL: it is
- * known itself. Nothing is to be sent yet. False: TERM cannot be drawn on; who closes then need not. */
+/* Keys are read from the descriptor `input`; PICTURE_NO_KEYS: there are none. `*stand_in`: the known
+ * terminal that an unknown TERM is treated as; NULL: it is known itself. Nothing is to be sent yet. False:
+ * TERM cannot be drawn on; there is nothing to close then. */
 bool picture_open(Picture *, const char *term, int input, bool mouse, const char **stand_in, Status *);
 void picture_close(Picture *); /* sends nothing: see picture_leave() */
 

@@ -62,7 +62,7 @@ static void send_some(Terminal *terminal)
             continue;
         if (written < 0 && (errno == EAGAIN || errno == EWOULDBLOCK))
             return;
-        /* of a terminal that is gone reading will tell */
+        /* that the terminal is gone will be noticed when reading */
         picture_sent(&terminal->picture, written > 0 ? (size_t)written : left);
     }
 }
@@ -174,8 +174,8 @@ static bool read_size(Terminal *terminal)
     return changed;
 }
 
-/* The terminal once more, in a way that does not block: on the descriptor that the shell has too, that would
- * be its business. */
+/* Opens the terminal again, not blocking: set on the descriptor that is shared with the shell, the flag
+ * would change the shell's too. */
 static int open_again(int descriptor, int how)
 {
     const char *name = ttyname(descriptor);
@@ -269,7 +269,7 @@ Terminal *terminal_open(const TerminalOptions *options, Status *status)
     terminal->input = STDIN_FILENO;
     terminal->output = STDOUT_FILENO;
     in_use = true;
-    /* before curses, which takes what nobody has taken */
+    /* before curses, which installs handlers for signals that have none */
     catch_signals(terminal);
     if (!open_picture(terminal, options, status)) {
         release_signals(terminal);
@@ -361,7 +361,7 @@ static void answer_signals(Terminal *terminal)
         signal_stop = 0;
         terminal_suspend(terminal);
     }
-    if (signal_continued) { /* after SIGSTOP, which nobody sees coming: the shell has used the screen */
+    if (signal_continued) { /* after SIGSTOP, which cannot be caught: the shell has used the screen */
         signal_continued = 0;
         signal_resized = 1;
         picture_leave(&terminal->picture);

@@ -44,8 +44,8 @@ bool terminal_is_behind(const Terminal *);
 /* The next show draws everything anew. */
 void terminal_redraw(Terminal *);
 
-/* Sleeps until a key, a signal, room at a terminal that was behind, or the time is there; seconds < 0:
- * without an end, 0: only looks. Once a signal asked for an end it does not sleep. */
+/* Sleeps until a key or a signal comes, the terminal takes output again, or the time is over; seconds < 0:
+ * without limit, 0: not at all. Once a signal asked for an end it does not sleep. */
 void terminal_wait(Terminal *, double seconds);
 
 /* Whether there is something to read at once. */

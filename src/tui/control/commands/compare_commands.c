@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-/* In a duel the other answer is on screen already: on to one that is not. */
+/* In a duel the other answer is on screen already: skips to one that is not. */
 static bool is_second(const Laboratory *lab, const Settings *settings, const Parameter *parameter)
 {
     const Experiment *second = lab->player.duel.b;

@@ -1,4 +1,4 @@
-/* The map of a beam under the user's hands: magnified and moved, displacements drawn larger or smaller. */
+/* The commands of the map of a beam: magnify, move, draw displacements larger or smaller. */
 #include "tui/control/laboratory.h"
 #include "tui/control/commands/commands.h"
 

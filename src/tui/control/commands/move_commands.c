@@ -9,11 +9,11 @@ static void focus_by(Laboratory *lab, int direction)
 {
     Screen *screen = &lab->screen;
     Screen whole = *screen;
-    whole.panes.zoomed = false; /* what fills the screen can be left for any pane of the whole picture */
+    whole.panes.zoomed = false; /* from a zoomed pane all panes can be reached */
     int focus = (int)screen->panes.focus;
     for (int i = 0; i < PANE_COUNT; i++) {
         focus = (focus + direction + PANE_COUNT) % PANE_COUNT;
-        whole.panes.focus = (PaneId)focus; /* a small screen has the one that is asked for */
+        whole.panes.focus = (PaneId)focus; /* a small screen shows the pane that has the focus */
         if (screen_pane(&whole, lab->width, lab->height, (PaneId)focus).width > 0)
             break;
     }
@@ -100,7 +100,7 @@ void command_right(Laboratory *lab)
     move(lab, 1, 0, 1);
 }
 
-/* In the fields a smaller step than the arrows'; elsewhere as these. */
+/* In the fields a smaller step than with the arrows; elsewhere the same. */
 static void move_finely(Laboratory *lab, int x)
 {
     if (lab->screen.panes.focus == PANE_PARAMETERS && edit_selected(&lab->screen))

@@ -34,8 +34,8 @@ static bool quit_key(Laboratory *lab, const char *key)
 {
     if (strcmp(key, "q") != 0 && strcmp(key, "F10") != 0)
         return false;
-    prompt_refuse(&lab->prompting,
-                  "y leaves, n stays"); /* neither is certain, and what follows should be no commands */
+    prompt_refuse(&lab->prompting, "y leaves, n stays"); /* Enter or Esc is no clear answer, and the keys
+                                                            behind it must not become commands */
     return true;
 }
 
@@ -61,7 +61,7 @@ void command_interrupt(Laboratory *lab)
         player_pause(lab);
         laboratory_say(lab, MESSAGE_INFO, "cancelled");
     } else if (lab->screen.prompt.open && lab->prompting.answer == answer_quit)
-        lab->closed = true; /* whoever presses it twice means it */
+        lab->closed = true; /* pressed twice it needs no answer */
     else if (!refining_stop(lab) && !command_close_top(lab))
         command_quit(lab);
 }
@@ -73,6 +73,6 @@ void command_redraw(Laboratory *lab)
 
 void command_suspend(Laboratory *lab)
 {
-    if (lab->asker != ASKER_REPLAY) /* it is no part of what is shown again */
+    if (lab->asker != ASKER_REPLAY) /* a replay does not suspend the program */
         lab->host.suspend(lab->host.context);
 }

@@ -4,8 +4,8 @@
 
 #include <math.h>
 
-/* The keys go where the view is: Enter and the arrows do what its help says. Beside a lesson they stay with its
- * page. */
+/* The keys go where the view is: Enter and the arrows do what its help says. Beside a lesson they stay with
+ * its page. */
 static void follow_view(Screen *screen, const View *view)
 {
     PanesShown *panes = &screen->panes;
@@ -35,7 +35,7 @@ void command_show_digit(Laboratory *lab, int digit)
 void command_show_view(Laboratory *lab, const View *view)
 {
     Screen *screen = &lab->screen;
-    /* where panes are seen one at a time, who asks for a view wants to see it */
+    /* where panes are seen one at a time, the view that is asked for comes to the front */
     const bool alone = screen->panes.zoomed || (lab->width > 0 && !screen_is_whole(lab->width, lab->height));
     const char *missing = view_missing(view, screen);
     if (missing) {
@@ -43,7 +43,7 @@ void command_show_view(Laboratory *lab, const View *view)
         return;
     }
     lab->refining.stopped = NULL;
-    if (screen->panes.inspecting) /* it lies over the plots: who asks for one wants to see it */
+    if (screen->panes.inspecting) /* it lies over the plots and would hide the one that is asked for */
         command_close_inspector(&lab->screen);
     const bool in_plot = !screen->panes.followed && screen_view_in(screen, screen->panes.focus) != NULL;
     if (screen->views.upper == view || screen->views.lower == view) {

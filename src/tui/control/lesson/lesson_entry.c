@@ -6,9 +6,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#define GOAL_SECONDS 8.0 /* in which a page runs to its goal, to be looked at */
-#define EVENT_PACE   0.2 /* steps a frame at most, where nobody knows how far it is */
-#define HURRY_PACE   1e6 /* steps a frame, for what nobody looks at */
+#define GOAL_SECONDS 8.0 /* within which a page's run comes to its goal, slowly enough to be watched */
+#define EVENT_PACE   0.2 /* steps a frame at most, where the distance is not known */
+#define HURRY_PACE   1e6 /* steps a frame, for what is not to be watched */
 
 const LessonPage *lesson_entry_page(const Laboratory *lab)
 {
@@ -192,7 +192,7 @@ void lesson_play_continue(Laboratory *lab)
     play->busy = true;
     if (play->hurries && !is_on_the_way(lab)) {
         play->hurries = false;
-        laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* where it stopped is no news to anybody */
+        laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* the reader need not be told where it stopped */
     }
     while (play->next < play->n_queue && !is_on_the_way(lab)) {
         if (page && play->next == play->n_queue - 1 && is_run(&play->queue[play->next]))
@@ -229,7 +229,7 @@ static bool is_look(const LessonAction *action)
             strncmp(action->line, "node ", 5) == 0);
 }
 
-/* A way that nobody goes any more is left out; an opening makes all before it void. */
+/* A goal that a later one overtakes is left out; opening a scenario makes all before it void. */
 static void queue_action(LessonPlay *play, LessonAction action)
 {
     const bool in_step = action.goal && action.goal->kind == UNTIL_STAGE;

@@ -48,7 +48,7 @@ void lesson_entry_show(Laboratory *, int page);
  */
 void lesson_entry_select(Laboratory *, const char *key);
 
-/* How far one has come in the lesson that is open; NULL: nobody keeps it, it is a file. */
+/* How far one has come in the lesson that is open; NULL: it is a file, whose progress is not kept. */
 int *lesson_entry_reached(Laboratory *);
 
 /* What follows the answer. */

@@ -304,7 +304,7 @@ static bool line_key_of(Laboratory *lab, const char *key)
     if (up || strcmp(key, "Down") == 0)
         recall(&lab->prompting, up ? -1 : 1);
     else if (lab->screen.prompt.problem[0] && is_character && command) {
-        /* who saw the refusal as a message goes on with other keys; those of an editor mend the line */
+        /* a refusal shown as a message: other keys go on, those of an editor mend the line */
         prompt_close(&lab->prompting);
         lab->carry_out(lab, command->id);
     } else

@@ -64,7 +64,7 @@ static bool keep(const LaboratoryOptions *options, Session *recording, Status *s
     return sound;
 }
 
-/* Nothing has been kept of an earlier session. A script is nobody's first. */
+/* Nothing has been kept of an earlier session. A script never counts as a first start. */
 static bool is_first_start(const LaboratoryOptions *options)
 {
     char *last = options->script ? NULL : state_file(last_session);

@@ -51,7 +51,7 @@ bool replay_go_on(Replay *replay, Laboratory *lab, double deadline)
     replay->sought = false;
     static const Key space = {.name = "Space", .x = -1, .y = -1};
     const Key *key = event->is_end ? &space : &event->key;
-    /* who opens it again finds it paused; as by a key, so that this too can be done again */
+    /* opened again it is found paused; by a key, so that this too is recorded */
     if (event->is_end && (lab->screen.playback.state != STATE_RUNNING || takes_text(&lab->screen)))
         return true;
     /* a click means the cell of the screen that it was made on */

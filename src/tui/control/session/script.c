@@ -28,7 +28,8 @@ struct Script {
     int width, height;
     double time; /* virtual */
     double rate; /* steps per second; 0: without limit */
-    /* Real seconds that an instruction may take for work that is not cut into frames; 0: all. */
+    /* Real seconds that an instruction may take for work that is not cut into frames; 0: as long as it
+     * takes. */
     double patience;
     struct timespec begun;       /* when the instruction began */
     char scene[80];              /* of a lecture, under way; "": none */
