@@ -202,8 +202,9 @@ START_TEST(a_recorded_session_is_the_last_one_too)
 }
 END_TEST
 
-/* Who has no state yet is offered the first lesson, in a line of its own; one key takes it, any other does what
- * it always does. Once left, the program knows its user; and the session that was the first can be done again. */
+/* Who has no state yet is offered the first lesson, in a line of its own; one key takes it, any other does
+ * what it always does. Once left, the program knows its user; and the session that was the first can be done
+ * again. */
 START_TEST(a_first_start_offers_the_first_lesson)
 {
     char folder[] = "/tmp/matvib-XXXXXX", state[64], file[64], command[64];

@@ -80,8 +80,9 @@ static const char *gloss_of(const char *label)
                                              : "";
 }
 
-/* "Solid measured, dotted exact (continuum)" as the plots over time draw them. */
-static void line_words(const Screen *screen, char *out, size_t size)
+/* "Solid measured, dotted exact (continuum)" as the plots over time draw them; in brief without what stands
+ * in brackets. */
+static void line_words(const Screen *screen, bool brief, char *out, size_t size)
 {
     static const char *const words[] = {
         [LINE_SOLID] = "solid", [LINE_DOTTED] = "dotted", [LINE_DASHED] = "dashed"};
@@ -96,7 +97,7 @@ static void line_words(const Screen *screen, char *out, size_t size)
             !time_plot_shows(screen, &columns[i]) || strstr(out, legend.name))
             continue;
         text_append(out, size, ", %s %s%s", ascii ? letter : words[legend.line], legend.name,
-                    gloss_of(legend.name));
+                    brief ? "" : gloss_of(legend.name));
     }
 }
 
@@ -152,38 +153,59 @@ static void draw_caption_heading(const Screen *screen, Area area, const char *li
     }
 }
 
-static void draw_caption(const Screen *screen, Area area)
+/* A text that ends in row `last` and has room from row `first` on. Returns its rows. */
+static int draw_from_below(Area area, int first, int last, const char *text, Style style)
 {
-    const Settings *settings = experiment_settings(screen->experiment);
-    const Simulation *sim = experiment_simulation(screen->experiment);
-    const int width = area.rect.width - 2, rows = area.rect.height;
-    const bool has_headline = title_has_headline(screen, area.canvas->width);
-    char text[256], hint[160];
-    line_words(screen, text, sizeof text);
-    draw_caption_heading(screen, area, text, has_headline);
+    const int width = area.rect.width - 2, lines = area_paragraph_lines(width, text);
+    const int top = last - lines + 1 > first ? last - lines + 1 : first;
+    return last >= first ? area_paragraph(area, 1, top, width, last - top + 1, text, style) : 0;
+}
 
-    int last = rows - 1, y = 1;
-    if (!screen->lesson.open && last > y) {
-        hint_of(screen, hint, sizeof hint);
-        const int end = 1 + area_text(area, 1, last, hint, STYLE_FAINT);
-        draw_offers(screen, area, last--, hint[0] ? end : 0);
-    }
-    if (!has_headline && last > y)
-        area_text(area, 1, y++, text, STYLE_NORMAL);
+/* What happened last or, as long as nothing has, what is advised; false: neither. */
+static bool news_of(const Screen *screen, char *out, size_t size, Style *style)
+{
     int count;
     const Event *events = experiment_events(screen->experiment, &count);
     while (count > 0 && events[count - 1].step > experiment_step(screen->experiment))
         count--; /* what is still to come, or to come again */
-    if (count > 0 && last >= y) {
+    *style = count > 0 ? STYLE_NORMAL : STYLE_WARNING;
+    if (count > 0) {
         char time[48];
-        screen_time_text(screen, sim->dt * (double)events[count - 1].step, time, sizeof time);
-        snprintf(text, sizeof text, "%s: %s", time, events[count - 1].text);
-        area_phrases(area, 1, last--, width, 1, text, STYLE_NORMAL);
-    } else if (experiment_advice(screen->experiment)[0] && last >= y) {
-        area_phrases(area, 1, last--, width, 1, experiment_advice(screen->experiment), STYLE_WARNING);
+        const double dt = experiment_simulation(screen->experiment)->dt;
+        screen_time_text(screen, dt * (double)events[count - 1].step, time, sizeof time);
+        snprintf(out, size, "%s: %s", time, events[count - 1].text);
+    } else {
+        snprintf(out, size, "%s", experiment_advice(screen->experiment));
     }
+    return out[0] != '\0';
+}
+
+static void draw_caption(const Screen *screen, Area area)
+{
+    const int width = area.rect.width - 2, rows = area.rect.height;
+    char lines[256], news[512], hint[160];
+    line_words(screen, false, lines, sizeof lines);
+    if (5 + glyphs_columns(lines) > area.rect.width)
+        line_words(screen, true, lines, sizeof lines);
+    const bool in_heading =
+        title_has_headline(screen, area.canvas->width) && 5 + glyphs_columns(lines) <= area.rect.width;
+    draw_caption_heading(screen, area, lines, in_heading);
+
+    int last = rows - 1, y = 1;
+    Style style;
+    const bool has_news = news_of(screen, news, sizeof news, &style);
+    const int needed = has_news ? area_paragraph_lines(width, news) : 0;
+    if (!screen->lesson.open && last > y && needed < last) { /* what happens is told whole before any hint */
+        hint_of(screen, hint, sizeof hint);
+        const int end = 1 + area_text(area, 1, last, hint, STYLE_FAINT);
+        draw_offers(screen, area, last--, hint[0] ? end : 0);
+    }
+    if (!in_heading && last - needed >= y)
+        y += area_paragraph(area, 1, y, width, last - needed - y + 1, lines, STYLE_NORMAL);
+    if (has_news)
+        last -= draw_from_below(area, y, last, news, style);
     char about[ABOUT_MAX];
-    memcpy(about, settings->about, sizeof about);
+    memcpy(about, experiment_settings(screen->experiment)->about, sizeof about);
     keep_sentences(about, width, last - y + 1);
     if (about[0])
         area_paragraph(area, 1, y, width, last - y + 1, about, STYLE_NORMAL);

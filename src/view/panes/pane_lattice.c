@@ -159,9 +159,10 @@ bool pane_lattice_choose(Screen *screen, Rect rect, int x, int y)
     return nearest >= 0;
 }
 
-/* Once the bonds have pulled, where each node is drawn to: an arrow for what is at least a third of the largest
- * force, a smaller one for less, a dot for next to nothing. */
-static void draw_forces(Area part, const NodeRow *row, int y, const Simulation *sim, const double *u, double moved)
+/* Once the bonds have pulled, where each node is drawn to: an arrow for what is at least a third of the
+ * largest force, a smaller one for less, a dot for next to nothing. */
+static void draw_forces(Area part, const NodeRow *row, int y, const Simulation *sim, const double *u,
+                        double moved)
 {
     const int field = simulation_find_field(sim, 0, "force");
     double *force = field >= 0 ? malloc((sim->counts[0] + 1) * sizeof *force) : NULL, most = 0;
@@ -219,8 +220,7 @@ void pane_lattice(const Screen *screen, Area area)
     char number[NUMBER_TEXT_MAX];
     text_rounded(number, k, 3);
     if (pulls || mirrors)
-        area_text(words, 0, bonds_row, pulls ? "arrows: bond forces" : "mirror images follow",
-                  STYLE_CHANGED);
+        area_text(words, 0, bonds_row, pulls ? "arrows: bond forces" : "mirror images follow", STYLE_CHANGED);
     else if (row.end - row.first < row.nodes)
         area_print(words, 0, bonds_row, STYLE_FAINT, "nodes %d-%d of %d", row.first < 0 ? 0 : row.first,
                    (row.end < row.nodes ? row.end : row.nodes) - 1, row.nodes);

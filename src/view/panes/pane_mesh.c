@@ -159,21 +159,21 @@ static bool choose_in_bar(Screen *screen, Rect rect, int x, int y)
     return isfinite(least);
 }
 
-/* How much a node has, as a bar that stands in its cell; what was there before the grid was put back, as low as a
- * bar can be. */
+/* How much a node has, as a bar that stands in its cell; what was there before the grid was put back, as low
+ * as a bar can be. */
 static uint32_t bar_glyph(Glyphs glyphs, double share)
 {
     enum { LEVELS = 8, LOWEST = 0x2581, HALF = 0x2584, FULL = 0x2588 };
     const int level = share >= 1 ? LEVELS : 1 + (int)(share * LEVELS);
     if (glyphs == GLYPHS_ASCII)
-        return (uint32_t)"..::-=+*#"[level];
+        return (uint32_t) "..::-=+*#"[level];
     if (glyphs == GLYPHS_BLOCK) /* a console has no other ones */
         return level <= 1 ? '_' : level <= LEVELS / 2 ? HALF : FULL;
     return (uint32_t)(LOWEST + (level < LEVELS ? level : LEVELS) - 1);
 }
 
-/* One quantity of the nodes, so many columns to the right of each: it grows where particles give to a node, and
- * is gone when the grid is put back. */
+/* One quantity of the nodes, so many columns to the right of each: it grows where particles give to a node,
+ * and is gone when the grid is put back. */
 static void draw_amounts(const Screen *screen, Area part, const BarPicture *bar, const char *name, int right,
                          bool put_back, Style style)
 {

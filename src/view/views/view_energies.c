@@ -111,9 +111,9 @@ static double swing_of(const Screen *screen)
     return readout->is_period ? known : 2 * M_PI / known;
 }
 
-/* The mean height of the first `upto` layers over a whole swing around a time: kinetic and strain energy change
- * places twice in a swing, and what stays, grows or goes is read where they do not. Near the ends of the record
- * it is the first or the last whole swing. */
+/* The mean height of the first `upto` layers over a whole swing around a time: kinetic and strain energy
+ * change places twice in a swing, and what stays, grows or goes is read where they do not. Near the ends of
+ * the record it is the first or the last whole swing. */
 static double mean_height(const Stack *stack, double time, double swing, int upto)
 {
     enum { SAMPLES = 64 };
@@ -309,8 +309,8 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         if (runs[i].experiment)
             most = fmax(most, time_plot_reach(runs[i].record, run_column(&runs[i], line)));
     overlay_widen(screen, line, false, &(double){0}, &most);
-    /* bands are told apart by colour or, without colours, by how densely they are filled: the legend shows a piece
-     * of each */
+    /* bands are told apart by colour or, without colours, by how densely they are filled: the legend shows a
+     * piece of each */
     const bool solid = screen->look.colours > 0 && area.glyphs != GLYPHS_NONE && !area.canvas->sketch;
     const double swing = swing_of(screen);
     static const char *const keys[GLYPHS_NONE + 1][4] = {
@@ -325,10 +325,9 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         legend[n_legend++] = run_legend(second);
     }
     for (int i = 0; i < stack.count; i++)
-        legend[n_legend++] = (Legend){LINE_SOLID, '#', stack.layers[i].style, stack.layers[i].name,
-                                      keys[area.glyphs][solid && area.glyphs != GLYPHS_ASCII
-                                                            ? 0
-                                                            : stack.layers[i].fill & 3]};
+        legend[n_legend++] =
+            (Legend){LINE_SOLID, '#', stack.layers[i].style, stack.layers[i].name,
+                     keys[area.glyphs][solid && area.glyphs != GLYPHS_ASCII ? 0 : stack.layers[i].fill & 3]};
     if (most_work > 0)
         legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "work", NULL};
     n_legend += runs_ghost_legends(runs, n_runs, legend + n_legend);

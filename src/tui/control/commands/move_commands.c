@@ -154,6 +154,15 @@ void command_enter(Laboratory *lab)
     }
 }
 
+/* Whoever magnified a plot from the parameters is back there. */
+void command_zoom_out(Screen *screen)
+{
+    PanesShown *panes = &screen->panes;
+    if (panes->zoomed && panes->before_zoom == PANE_PARAMETERS && panes->focus == panes->last_plot)
+        panes->focus = PANE_PARAMETERS;
+    panes->zoomed = false;
+}
+
 void command_close_inspector(Screen *screen)
 {
     screen->panes.inspecting = false;

@@ -81,15 +81,6 @@ void command_zoom(Laboratory *lab)
     panes->zoomed = true;
 }
 
-/* Whoever magnified a plot from the parameters is back there. */
-void command_zoom_out(Screen *screen)
-{
-    PanesShown *panes = &screen->panes;
-    if (panes->zoomed && panes->before_zoom == PANE_PARAMETERS && panes->focus == panes->last_plot)
-        panes->focus = PANE_PARAMETERS;
-    panes->zoomed = false;
-}
-
 void command_lecture(Laboratory *lab)
 {
     lab->screen.panes.lecture = !lab->screen.panes.lecture;
