@@ -71,15 +71,6 @@ static void fix_and_divide(Bar *bar, int first, int end, bool factor)
     find_velocities(bar, first, end, factor);
 }
 
-/* A CPDI particle of these cells that would touch more nodes than a cell has; -1: none. */
-static int find_too_long(const Bar *bar, int first, int end)
-{
-    for (int p = bar->first[first]; bar->def.shape == MPM_CPDI && p < bar->first[end]; p++)
-        if (!(bar->volume[p % bar->slots][p / bar->slots] < 2.0 * bar->dx))
-            return p;
-    return -1;
-}
-
 /* False: the run fails. A particle with 1 + de <= 0 (eq. 8 would turn its density negative) stops it; so
  * do those of bar_settle(). */
 bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status)
@@ -96,7 +87,7 @@ bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status)
         int bad = kernels->strain(bar, first, end);
         if (bad >= 0)
             return bar_fail_particle(bar, status, bad, "was crushed (1 + de <= 0)");
-        const int long_one = find_too_long(bar, first, end);
+        const int long_one = bar->def.shape == MPM_CPDI ? kernels->too_long(bar, first, end) : -1;
         return long_one < 0 || bar_fail_particle(bar, status, long_one, "was stretched over two cells");
     }
     case OP_FORCE:

@@ -136,6 +136,26 @@ static void halve_domains(Bar *bar, int first, int end)
     }
 }
 
+static int too_long(const Bar *bar, int first, int end)
+{
+    const double most = 2.0 * bar->dx;
+    const int from = bar->first[first], to = bar->first[end];
+    int found = -1;
+    for (int j = 0; j < bar->slots; j++) {
+        const double *const volume = bar->volume[j];
+        const int begin = (from - j + bar->slots - 1) / bar->slots;
+        const int stop = (to - j + bar->slots - 1) / bar->slots;
+        int count = 0;
+#pragma omp simd reduction(+ : count)
+        for (int k = begin; k < stop; k++)
+            count += !(volume[k] < most);
+        for (int k = begin; count > 0 && k < stop; k++)
+            if (!(volume[k] < most) && (found < 0 || k * bar->slots + j < found))
+                found = k * bar->slots + j;
+    }
+    return found;
+}
+
 static void map(Bar *bar, int first, int end)
 {
     switch (bar->def.shape) {
@@ -523,6 +543,7 @@ static void node_sums(const Bar *bar, int first, int end, double *lanes)
 
 const BarKernels BAR_KERNELS = {
     .halve_domains = halve_domains,
+    .too_long = too_long,
     .map = map,
     .couple = couple,
     .velocities = velocities,

@@ -13,6 +13,9 @@ struct BarKernels {
     /* CPDI: the particles' domains for this step, before map */
     void (*halve_domains)(Bar *bar, int first, int end);
 
+    /* CPDI: a particle of these cells that would touch more nodes than a cell has; -1: none */
+    int (*too_long)(const Bar *bar, int first, int end);
+
     /* eqs. 2, 3: mass and momentum of the nodes from the particles */
     void (*map)(Bar *bar, int first, int end);
 

@@ -158,11 +158,119 @@ KERNEL_INLINE void solve_reach(const Bar *bar, const int reach, double *x)
     }
 }
 
+/* Hats: M is tridiagonal, and each row of the recurrences waits for the one before. A long bar is therefore
+ * done in CHAINS stretches side by side, each of which begins WARM nodes early with what it has not seen left
+ * out. That is forgotten on the way: M_l^-1 M has its eigenvalues between mu and 1, so that entries of M^-1
+ * fall by q = (1 - sqrt(mu))/(1 + sqrt(mu)) or more from node to node (Demko, Moss and Smith 1984), and
+ * q^WARM is 1e-19 at mu = .05, below a double's last digit. The stretches depend on the number of nodes
+ * alone. */
+enum { CHAINS = 8, WARM = 96, CHAINS_LEAST = 2048 };
+
+typedef struct Chains {
+    int count, length;     /* all have this length but the last, which has the rest too */
+    int begin[CHAINS + 1]; /* of each, and the end of the last */
+} Chains;
+
+KERNEL_INLINE Chains chains_of(const Bar *bar)
+{
+    Chains chains = {.count = bar->n_nodes < CHAINS_LEAST ? 1 : CHAINS};
+    chains.length = bar->n_nodes / chains.count;
+    for (int c = 0; c < chains.count; c++)
+        chains.begin[c] = c * chains.length;
+    chains.begin[chains.count] = bar->n_nodes;
+    return chains;
+}
+
+/* One row: e = M(i, i - 1), D = M(i, i) - e^2/D(i - 1); `before` is 1/D(i - 1) and becomes 1/D(i), 0 where
+ * the node takes no part. */
+KERNEL_INLINE double next_pivot(const double *own, double e, int i, double before)
+{
+    return own[i] > 0.0 ? 1.0 / (own[i] - e * (e * before)) : 0.0;
+}
+
+static void factor_hat(Bar *bar)
+{
+    const int n = bar->n_nodes;
+    const double share = 1.0 - bar->head->mass_blend;
+    const double *const couple = bar->node_couple[1], *const mass = bar->node_mass;
+    const double *const inverse = bar->node_inverse;
+    double *const pivot = bar->node_pivot, *const lower = bar->node_lower[1];
+    /* first M(i, i) in the place of 1/D and M(i, i - 1) in that of L; 0 where a node takes no part */
+    pivot[0] = mass[0] - share * couple[0];
+    lower[0] = 0.0;
+#pragma omp simd
+    for (int i = 1; i < n; i++) {
+        const bool moves = inverse[i] > 0.0, both = moves && inverse[i - 1] > 0.0;
+        pivot[i] = moves ? mass[i] - share * (couple[i - 1] + couple[i]) : 0.0;
+        lower[i] = both ? share * couple[i - 1] : 0.0;
+    }
+    if (bar->fixed_left > 0 || !(inverse[0] > 0.0))
+        pivot[0] = lower[1] = 0.0; /* hats have one held node at an end at most */
+    if (bar->fixed_right > 0)
+        pivot[n - 1] = lower[n - 1] = 0.0;
+    const Chains chains = chains_of(bar);
+    double before[CHAINS] = {0};
+    for (int c = 1; c < chains.count; c++)
+        for (int i = chains.begin[c] - WARM; i < chains.begin[c]; i++)
+            before[c] = next_pivot(pivot, lower[i], i, before[c]);
+    for (int t = 0; chains.count == CHAINS && t < chains.length; t++)
+#pragma GCC unroll 8
+        for (int c = 0; c < CHAINS; c++) {
+            const int i = chains.begin[c] + t;
+            const double e = lower[i], now = next_pivot(pivot, e, i, before[c]);
+            lower[i] = e * before[c];
+            pivot[i] = before[c] = now;
+        }
+    double last = before[chains.count - 1];
+    for (int i = chains.count == CHAINS ? CHAINS * chains.length : 0; i < n; i++) {
+        const double e = lower[i], now = next_pivot(pivot, e, i, last);
+        lower[i] = e * last;
+        pivot[i] = last = now;
+    }
+}
+
+static void solve_hat(const Bar *bar, double *x)
+{
+    const int n = bar->n_nodes;
+    const double *const pivot = bar->node_pivot, *const lower = bar->node_lower[1];
+    const Chains chains = chains_of(bar);
+    const int rest = chains.count == CHAINS ? CHAINS * chains.length : 0;
+    double before[CHAINS] = {0}, after[CHAINS] = {0};
+    /* L y = x */
+    for (int c = 1; c < chains.count; c++)
+        for (int i = chains.begin[c] - WARM; i < chains.begin[c]; i++)
+            before[c] = x[i] - lower[i] * before[c];
+    for (int t = 0; chains.count == CHAINS && t < chains.length; t++)
+#pragma GCC unroll 8
+        for (int c = 0; c < CHAINS; c++) {
+            const int i = chains.begin[c] + t;
+            x[i] = before[c] = x[i] - lower[i] * before[c];
+        }
+    double last = before[chains.count - 1];
+    for (int i = rest; i < n; i++)
+        x[i] = last = x[i] - lower[i] * last;
+    /* L^T x = D^-1 y; L(i + 1, i) of the node after the last is 0 */
+    for (int c = 0; c + 1 < chains.count; c++)
+        for (int i = chains.begin[c + 1] + WARM - 1; i >= chains.begin[c + 1]; i--)
+            after[c] = x[i] * pivot[i] - lower[i + 1] * after[c];
+    last = 0.0;
+    for (int i = n - 1; i >= rest; i--)
+        x[i] = last = x[i] * pivot[i] - (i + 1 < n ? lower[i + 1] : 0.0) * last;
+    after[chains.count - 1] = last;
+    for (int t = chains.length - 1; chains.count == CHAINS && t >= 0; t--)
+#pragma GCC unroll 8
+        for (int c = 0; c < CHAINS; c++) {
+            const int i = chains.begin[c] + t;
+            const double beside = i + 1 < n ? lower[i + 1] : 0.0;
+            x[i] = after[c] = x[i] * pivot[i] - beside * after[c];
+        }
+}
+
 static void factor(Bar *bar)
 {
     switch (bar->reach) {
     case 1:
-        factor_reach(bar, 1);
+        factor_hat(bar);
         return;
     case 2:
         factor_reach(bar, 2);
@@ -177,7 +285,7 @@ static void solve(const Bar *bar, double *x)
 {
     switch (bar->reach) {
     case 1:
-        solve_reach(bar, 1, x);
+        solve_hat(bar, x);
         return;
     case 2:
         solve_reach(bar, 2, x);

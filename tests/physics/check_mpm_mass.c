@@ -1,0 +1,292 @@
+/* Masses that are not lumped: what is solved, kept, predicted and stable with a mass blend and with FMPM. */
+#include "physics/bar_case.h"
+#include "suite.h"
+#include "theory/bar.h"
+#include "theory/step_limit.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* M v = p row by row, as the fields tell M, v and p after the boundary conditions: short bars, and long ones,
+ * which are solved in stretches side by side, with the weakest diagonal that is allowed and crossings. */
+START_TEST(rows_add_up)
+{
+    static const struct {
+        MpmShape shape;
+        int cells;
+    } bars[] = {{MPM_HAT, 25},      {MPM_HAT, 2047},    {MPM_HAT, 3001}, {MPM_GIMP, 40},
+                {MPM_BSPLINE2, 40}, {MPM_BSPLINE3, 40}, {MPM_CPDI, 40}};
+    BarCase bar = bar_case(bars[_i].cells / 6, 1.0);
+    bar.def.shape = bars[_i].shape;
+    bar.def.length = bars[_i].cells;
+    bar.def.mass_blend = BAR_MASS_BLEND_LEAST;
+    bar.def.courant = 0.05;
+    Simulation *sim = bar_case_create(&bar);
+    advance(sim, 60);
+    Status status;
+    ck_assert(simulation_stage(sim, &status) && simulation_stage(sim, &status));
+    const size_t n = sim->counts[1];
+    double *p = field_now(sim, 1, "momentum"), *v = field_now(sim, 1, "velocity");
+    double *fixed = field_now(sim, 1, "fixed"), *active = field_now(sim, 1, "active");
+    double *sum = calloc(n, sizeof *sum), most = 0;
+    static const char *const names[] = {"mass_0", "mass_1", "mass_2", "mass_3"};
+    for (size_t d = 0; d < 4 && simulation_find_field(sim, 1, names[d]) >= 0; d++) {
+        double *mass = field_now(sim, 1, names[d]);
+        for (size_t i = 0; i + d < n; i++) {
+            sum[i] += mass[i] * v[i + d];
+            sum[i + d] += d > 0 ? mass[i] * v[i] : 0;
+        }
+        free(mass);
+    }
+    for (size_t i = 0; i < n; i++)
+        most = fmax(most, fabs(p[i]));
+    for (size_t i = 0; i < n; i++)
+        if (fixed[i] != 0 || active[i] == 0)
+            ck_assert_double_eq(v[i], 0);
+        else
+            ck_assert_msg(fabs(sum[i] - p[i]) <= 2e-15 * most, "node %zu: %.17g is not %.17g", i, sum[i],
+                          p[i]);
+    free(sum), free(p), free(v), free(fixed), free(active);
+    simulation_destroy(sim);
+}
+END_TEST
+
+static void expect_momentum(MpmTransfer transfer, double blend, MpmShape shape, MpmAlgorithm algorithm)
+{
+    BarCase bar = bar_case(0, 0.05);
+    bar_case_add_mode(&bar, 3, 0.1);
+    bar.def.supports = BAR_FREE_FREE;
+    bar.def.shape = shape;
+    bar.def.algorithm = algorithm;
+    bar.def.transfer = transfer;
+    bar.def.mass_blend = blend;
+    bar.def.fmpm_order = 3;
+    Simulation *sim = bar_case_create(&bar);
+    const double before = series_now(sim, "v_cm");
+    advance(sim, 400);
+    ck_assert_double_eq_tol(series_now(sim, "v_cm"), before, 1e-15 * 400);
+    simulation_destroy(sim);
+}
+
+START_TEST(momentum_is_kept)
+{
+    for (int shape = MPM_HAT; shape <= MPM_CPDI; shape++)
+        for (int algorithm = MPM_USF; algorithm <= MPM_MUSL; algorithm++) {
+            expect_momentum(MPM_FLIP, 0.0, (MpmShape)shape, (MpmAlgorithm)algorithm);
+            expect_momentum(MPM_FMPM, 1.0, (MpmShape)shape, (MpmAlgorithm)algorithm);
+        }
+}
+END_TEST
+
+/* Frequency and decay of a run against those of a wave: with hats a sampled mode is an eigenvector of the
+ * step. Its amplitude q at the nodes obeys q'' = trace q' - determinant q, which is fitted over some steps.
+ */
+static void expect_wave(MeshAlgorithm algorithm, bool gimp, int order, double blend, double alpha, int mode)
+{
+    enum { STEPS = 120 };
+    BarCase bar = bar_case(mode, 1e-7);
+    bar.def.algorithm = (MpmAlgorithm)algorithm;
+    bar.def.shape = gimp ? MPM_GIMP : MPM_HAT;
+    bar.def.transfer = order > 0 ? MPM_FMPM : MPM_FLIP;
+    bar.def.fmpm_order = order > 0 ? order : 1;
+    bar.def.mass_blend = blend;
+    bar.def.flip_fraction = alpha;
+    Simulation *sim = bar_case_create(&bar);
+    double q[STEPS], beta = bar_case_wave_number(&bar, mode);
+    Status status;
+    for (int k = 0; k < STEPS; k++) {
+        ck_assert(simulation_stage(sim, &status) && simulation_stage(sim, &status));
+        double *v = field_now(sim, 1, "velocity"), *x = field_now(sim, 1, "x");
+        q[k] = 0;
+        for (size_t i = 0; i < sim->counts[1]; i++)
+            q[k] += (x[i] > 24.5 ? 0.5 : 1) * v[i] * (x[i] > 0 && x[i] < 25.5 ? sin(beta * x[i]) : 0);
+        free(v);
+        free(x);
+        advance(sim, 0); /* the rest of the step */
+        ck_assert_int_eq(sim->stage, 0);
+    }
+    double aa = 0, ab = 0, bb = 0, ac = 0, bc = 0;
+    for (int k = 2; k < STEPS; k++) {
+        aa += q[k - 1] * q[k - 1], ab += q[k - 1] * q[k - 2], bb += q[k - 2] * q[k - 2];
+        ac += q[k - 1] * q[k], bc += q[k - 2] * q[k];
+    }
+    const double trace = (ac * bb - bc * ab) / (aa * bb - ab * ab);
+    const double determinant = -(bc * aa - ac * ab) / (aa * bb - ab * ab);
+    const BarTheory theory = {.length = 25, .youngs_modulus = 100, .density = 1, .left_fixed = true};
+    const BarMesh mesh = {.cell_size = 1,
+                          .particles_per_cell = 2,
+                          .padding = 4,
+                          .algorithm = algorithm,
+                          .shape = MESH_HAT,
+                          .flip_fraction = alpha,
+                          .consistent = 1 - blend,
+                          .fmpm_order = order,
+                          .dt = 0.01};
+    const Dispersion wave = dispersion_of_bar(&theory, &mesh, beta);
+    ck_assert(wave.known);
+    const double lambda = exp(-wave.decay * 0.01);
+    ck_assert_msg(fabs(trace - 2 * lambda * cos(wave.frequency * 0.01)) <= 1e-9 &&
+                      fabs(determinant - lambda * lambda) <= 1e-9,
+                  "algorithm %d, k %d, mu %g, n %d: %.12f %.12f, not %.12f %.12f", algorithm, order, blend,
+                  mode, trace, determinant, 2 * lambda * cos(wave.frequency * 0.01), lambda * lambda);
+    simulation_destroy(sim);
+}
+
+START_TEST(runs_are_as_predicted)
+{
+    static const int modes[] = {2, 5, 10};
+    const MeshAlgorithm algorithm = (MeshAlgorithm)_i;
+    for (int n = 0; n < 3; n++) {
+        expect_wave(algorithm, false, 0, 5.0 / 18, 1, modes[n]);
+        expect_wave(algorithm, true, 0, 0.5, 1, modes[n]);
+        expect_wave(algorithm, false, 0, 0.5, 0.95, modes[n]);
+        expect_wave(algorithm, false, 4, 1, 1, modes[n]);
+        if (modes[n] < 10) /* which FMPM(2) damps away before it can be looked at */
+            expect_wave(algorithm, false, 2, 1, 1, modes[n]);
+    }
+}
+END_TEST
+
+/* --- the largest step ------------------------------------------------------------------------------- */
+
+static unsigned drawn = 12345;
+
+static int draw(int least, int most)
+{
+    drawn = drawn * 1664525u + 1013904223u;
+    return least + (int)((drawn >> 8) % (unsigned)(most - least + 1));
+}
+
+/* Whether the energy came to 1e4 times what it was, where the engine stops. */
+static bool blows_up(BarCase *bar, double courant, long steps)
+{
+    bar->def.courant = courant;
+    Simulation *sim = bar_case_create(bar);
+    const bool sound = simulation_steps(sim, steps, NULL, NULL, NULL);
+    simulation_destroy(sim);
+    return !sound;
+}
+
+START_TEST(limits_of_any_parameters)
+{
+    static const MeshShape shapes[] = {MESH_HAT, MESH_GIMP, MESH_BSPLINE2, MESH_BSPLINE3, MESH_GIMP};
+    for (int set = 0; set < 1000; set++) {
+        BarCase bar = bar_case(1, 1e-9);
+        bar.def.length = draw(5, 14);
+        for (int mode = 2; mode <= BAR_CASE_MODES; mode++)
+            bar_case_add_mode(&bar, (int)bar.def.length * (mode - 1) / 3, 1e-9);
+        bar.def.supports = (BarSupports)draw(0, 3);
+        bar.def.shape = (MpmShape)draw(MPM_HAT, MPM_CPDI);
+        bar.def.algorithm = (MpmAlgorithm)draw(0, 2);
+        bar.def.particles_per_cell = draw(1, 4);
+        bar.def.padding = draw(1, 4);
+        const int transfer = draw(0, 3);
+        bar.def.transfer = transfer == 1 ? MPM_APIC : transfer == 2 ? MPM_FMPM : MPM_FLIP;
+        bar.def.mass_blend = transfer == 3 ? draw(5, 99) / 100.0 : 1;
+        bar.def.flip_fraction = transfer != 1 && transfer != 2 && draw(0, 1) ? draw(0, 99) / 100.0 : 1;
+        bar.def.fmpm_order = draw(1, FMPM_ORDER_MAX);
+        const BarSupports ends = bar.def.supports;
+        const BarTheory theory = {.length = bar.def.length,
+                                  .youngs_modulus = 100,
+                                  .density = 1,
+                                  .left_fixed = ends == BAR_FIXED_FREE || ends == BAR_FIXED_FIXED,
+                                  .right_fixed = ends == BAR_FREE_FIXED || ends == BAR_FIXED_FIXED};
+        const BarMesh mesh = {.cell_size = 1,
+                              .particles_per_cell = bar.def.particles_per_cell,
+                              .padding = bar.def.padding,
+                              .algorithm = (MeshAlgorithm)bar.def.algorithm,
+                              .shape = shapes[bar.def.shape],
+                              .apic = transfer == 1,
+                              .flip_fraction = bar.def.flip_fraction,
+                              .consistent = 1 - bar.def.mass_blend,
+                              .fmpm_order = transfer == 2 ? bar.def.fmpm_order : 0};
+        const double limit = step_limit_with_ends(&theory, &mesh);
+        ck_assert(limit > 0.1 && limit < 4);
+        const char *const words =
+            "set %d (shape %d, algorithm %d, transfer %d, P %d, supports %d, mu %g, alpha "
+            "%g, k %d, cells %g, limit %.5f) %s";
+#define SET_OF_PARAMETERS                                                                                    \
+    set, bar.def.shape, bar.def.algorithm, transfer, bar.def.particles_per_cell, ends, bar.def.mass_blend,   \
+        bar.def.flip_fraction, bar.def.fmpm_order, bar.def.length, limit
+        ck_assert_msg(!blows_up(&bar, 0.999 * limit, 2000), words, SET_OF_PARAMETERS, "grows at .999");
+        ck_assert_msg(blows_up(&bar, 1.001 * limit, 100000), words, SET_OF_PARAMETERS, "is stable at 1.001");
+    }
+}
+END_TEST
+
+/* Crossing at v0 = 3: domains that stretch with their particles keep the energy. */
+START_TEST(stretching_domains_keep_the_energy)
+{
+    BarCase bar = bar_case(1, 3.0);
+    bar.def.shape = MPM_CPDI;
+    bar.def.padding = 40;
+    Simulation *sim = bar_case_create(&bar);
+    double tenths[2], *row = malloc((size_t)sim->n_series * sizeof *row);
+    const int total = simulation_find_series(sim, "total");
+    for (int part = 0; part < 2; part++) {
+        tenths[part] = 0;
+        for (int k = 0; k < 1000; k++) {
+            advance(sim, 1);
+            simulation_row(sim, row);
+            tenths[part] += row[total];
+        }
+        if (part == 0)
+            advance(sim, 8000);
+    }
+    ck_assert_double_eq_tol(tenths[1] / tenths[0], 0.9998, 5.1e-5);
+    double *stretch = field_now(sim, 0, "stretch"), *density = field_now(sim, 0, "density");
+    for (size_t p = 0; p < sim->counts[0]; p++)
+        ck_assert_double_eq_tol(stretch[p] * density[p], 1, 1e-14);
+    free(stretch), free(density), free(row);
+    simulation_destroy(sim);
+}
+END_TEST
+
+START_TEST(best_blend)
+{
+    static const double best[] = {1.0 / 3, 5.0 / 18, 5.0 / 19, 17.0 / 66}; /* P = 1 .. 4 */
+    for (int per_cell = 1; per_cell <= 4; per_cell++) {
+        ck_assert_double_eq_tol(bar_mass_blend_auto(MPM_HAT, per_cell), best[per_cell - 1], 1e-16);
+        ck_assert_double_eq(bar_mass_blend_auto(MPM_BSPLINE3, per_cell), BAR_MASS_BLEND_LEAST);
+    }
+}
+END_TEST
+
+START_TEST(what_does_not_fit_is_refused)
+{
+    static const struct {
+        double blend;
+        MpmTransfer transfer;
+        int order;
+        const char *words;
+    } wrong[] = {
+        {0.04, MPM_FLIP, 2, "mpm.mass_blend: with 0.04 the largest stable step nearly vanishes"},
+        {1.5, MPM_FLIP, 2, "mpm.mass_blend: 1.5 is out of range"},
+        {0.5, MPM_APIC, 2, "mpm.mass_blend: less than 1 is for mpm.transfer = flip"},
+        {0.0, MPM_FMPM, 2, "mpm.mass_blend: less than 1 is for mpm.transfer = flip"},
+        {1.0, MPM_FMPM, 9, "mpm.fmpm_order: 9 is out of range (1 to 8)"},
+    };
+    BarDef def = bar_default();
+    def.mass_blend = wrong[_i].blend;
+    def.transfer = wrong[_i].transfer;
+    def.fmpm_order = wrong[_i].order;
+    Status status = {0};
+    ck_assert(!bar_check(&def, &status));
+    ck_assert_msg(strncmp(status.text, wrong[_i].words, strlen(wrong[_i].words)) == 0, "%s", status.text);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *test = tcase_create("mass");
+    tcase_set_timeout(test, 240);
+    tcase_add_loop_test(test, rows_add_up, 0, 7);
+    tcase_add_test(test, momentum_is_kept);
+    tcase_add_loop_test(test, runs_are_as_predicted, 0, 3);
+    tcase_add_test(test, limits_of_any_parameters);
+    tcase_add_test(test, stretching_domains_keep_the_energy);
+    tcase_add_test(test, best_blend);
+    tcase_add_loop_test(test, what_does_not_fit_is_refused, 0, 5);
+    suite_add_tcase(suite, test);
+}
