@@ -374,7 +374,8 @@ static bool fit_record(const Record *record, double half, double start, double u
     if (unknowns[0] < 0.45 * M_PI)
         return status_fail(status, STATUS_FAILED, "too short a record: it holds less than half a period");
     if (unknowns[0] > M_PI * (double)(record->count - 1) / 2)
-        return status_fail(status, STATUS_FAILED, "the frequency fit left what the samples can show");
+        return status_fail(status, STATUS_FAILED,
+                           "the frequency fit has left the range that the samples can show");
     return true;
 }
 

@@ -174,7 +174,7 @@ START_TEST(what_cannot_be_fitted_is_refused)
     task.keys[1] = task.keys[0];
     refused(task, "bar.youngs_modulus: is named twice");
     task.keys[1] = "load.traction";
-    refused(task, "load.traction: begins at 0");
+    refused(task, "load.traction: is 0 at the start");
     task.n_keys = 1;
     task.count = 1;
     refused(task, "1 data are too few for 1 parameters");

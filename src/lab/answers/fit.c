@@ -159,7 +159,8 @@ static bool find_parameters(Search *search, Status *status)
         search->starts[i] = settings_number(task->settings, parameter);
         if (search->starts[i] == 0)
             return status_fail(status, STATUS_USAGE,
-                               "%s: begins at 0, from where nothing can be told (give it a value)", key);
+                               "%s: is 0 at the start, so a relative change does nothing (give it a value)",
+                               key);
     }
     return true;
 }

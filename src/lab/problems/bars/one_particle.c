@@ -27,7 +27,8 @@ static bool check(const Settings *settings, Status *status)
     const Settings bar = as_bar(settings);
     const BarDef def = bar_mpm_definition(&bar);
     if (settings->mesh.particles_per_cell != 1)
-        return status_fail(status, STATUS_USAGE, "mesh.particles_per_cell: %d are not one particle (1)",
+        return status_fail(status, STATUS_USAGE,
+                           "mesh.particles_per_cell: %d is not allowed (1: there is one particle)",
                            settings->mesh.particles_per_cell);
     return bar_check(&def, status) &&
            problem_check_steps(settings->time.end, bar_time_step(settings), status);

@@ -106,7 +106,7 @@ static void turn_page(Laboratory *lab, int direction, bool unasked)
     const bool open_question = page->question && shown->answer < 0;
     if (direction > 0 && !unasked && (open_question || !shown->met) && !lab->play.warned) {
         lab->play.warned = true; /* pressed again, the key leaves the page out */
-        laboratory_say(lab, MESSAGE_INFO, "%s; n goes on without",
+        laboratory_say(lab, MESSAGE_INFO, "%s; n goes on anyway",
                        open_question ? "the question waits for an answer" : "this page waits for something");
     } else if (shown->page + direction < 0) {
         laboratory_say(lab, MESSAGE_INFO, "this is the first page");
@@ -148,7 +148,7 @@ void lesson_play_enter(Laboratory *lab)
     if (!page)
         open_from_list(lab, shown->chosen);
     else if (page->question && shown->answer < 0)
-        laboratory_say(lab, MESSAGE_INFO, "a number answers the question: 1 to %d; n goes on without",
+        laboratory_say(lab, MESSAGE_INFO, "a number answers the question: 1 to %d; n goes on anyway",
                        page->n_choices);
     else if (waits)
         edit_begin(lab);
@@ -164,7 +164,7 @@ static void step_for_space(Laboratory *lab)
     if (page->question && lab->screen.lesson.answer < 0)
         laboratory_say(lab, MESSAGE_INFO, "a number answers the question: 1 to %d", page->n_choices);
     else if (page->until.kind == UNTIL_NOTHING || lab->screen.lesson.met)
-        laboratory_say(lab, MESSAGE_INFO, "this step is looked at: n goes on");
+        laboratory_say(lab, MESSAGE_INFO, "this page waits for nothing more: n goes on");
     else
         lab->carry_out(lab, COMMAND_STAGE_FORWARD);
 }
