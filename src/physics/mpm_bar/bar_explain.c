@@ -17,6 +17,7 @@ static double *velocity_of_particle(const Bar *bar, int particle)
  *     "M v: 0.11 × v7 + 0.78 × v8 + 0.11 × v9 = p8" */
 typedef enum RowOf { ROW_OF_VELOCITY, ROW_OF_ACCELERATION } RowOf;
 
+/* v, or a, of the solution at a node; 0 where it is held or inactive. */
 static double solved(const Bar *bar, RowOf of, int node)
 {
     return of == ROW_OF_ACCELERATION ? bar_node_acceleration(bar, node) : bar_node_velocity(bar, node);
@@ -120,6 +121,7 @@ static void write_system(const BarSubject *subject, RowOf of)
 
 /* --- map ------------------------------------------------------------------------------------------ */
 
+/* Eq. 3 at a node, term by term: p = sum m v N, APIC's w = v + C (x_i - x) in place of v. */
 static void write_momentum(const BarSubject *subject, BarExchange exchange)
 {
     const BarLabel label = bar_label("p", subject->index, " = ");
@@ -128,6 +130,8 @@ static void write_momentum(const BarSubject *subject, BarExchange exchange)
     calculation_sum(subject->calculation, &sum);
 }
 
+/* Eqs. 2 and 3 as the node gathers them; of a particle below, what it gives: its shares add up to m and m v,
+ * as sum N = 1. */
 static void map_node(const BarSubject *subject)
 {
     const BarLabel label = bar_label("m", subject->index, " = ");
@@ -165,6 +169,7 @@ static void map_again_particle(const BarSubject *subject)
 
 /* --- boundary conditions -------------------------------------------------------------------------- */
 
+/* Step 2 of paper M, with the momentum that the support took away. */
 static void hold_node(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
@@ -219,6 +224,8 @@ static void strain_node(const BarSubject *subject)
                     bar_node_velocity(subject->bar, i));
 }
 
+/* Eqs. 5, 7 and 8 for one particle: de = dt sum N' v, the stress from that before the stage, the density from
+ * that after it (rho (1 + de) is what it was). */
 static void strain_particle(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
@@ -244,6 +251,7 @@ static void strain_particle(const BarSubject *subject)
 
 /* --- nodal forces --------------------------------------------------------------------------------- */
 
+/* Eqs. 10 to 12 at a node, and M a = f where masses are not lumped. */
 static void force_node(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
@@ -271,6 +279,8 @@ static void force_node(const BarSubject *subject)
         write_system(subject, ROW_OF_ACCELERATION);
 }
 
+/* Eq. 10 of a particle: what it gives to its nodes adds up to 0, as sum N' = 0: stress alone moves nobody's
+ * centre of mass. */
 static void force_particle(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
@@ -291,6 +301,7 @@ static void force_particle(const BarSubject *subject)
 
 /* --- integrate momentum --------------------------------------------------------------------------- */
 
+/* Eq. 13; the momentum before is solved for, since the stage has written over it. */
 static void write_integrated(const BarSubject *subject, int node)
 {
     const Bar *bar = subject->bar;
@@ -318,6 +329,7 @@ static void integrate_particle(const BarSubject *subject)
 
 /* --- update particles ----------------------------------------------------------------------------- */
 
+/* What a node gives in eqs. 14 and 15: f/m and p/m. */
 static void update_node(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
@@ -395,6 +407,7 @@ static void write_velocity(const BarSubject *subject)
     calculation_sum(subject->calculation, &blend);
 }
 
+/* Eqs. 14, 15 and, with APIC, C. */
 static void update_particle(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;

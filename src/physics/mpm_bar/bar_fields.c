@@ -107,6 +107,9 @@ static double strain_increment(const Bar *bar, int particle, int cell, double s)
     return bar->dt / bar->dx * gradient;
 }
 
+/* Values of `count` particles from `first` on, whose cells are met on the way. x of a moved particle counts
+ * from its old cell until the last stage; u as a difference of cells and of places within them keeps all
+ * digits of a small motion. */
 static void particle_field(const Bar *bar, int field, int first, int count, double *out)
 {
     const bool moved = bar_has_done(bar, OP_UPDATE), strained = bar_has_done(bar, OP_STRAIN);
@@ -228,6 +231,7 @@ void bar_field(const Simulation *sim, int field, size_t first, size_t count, dou
         node_field(bar, bar->field_kinds[field], (int)first, (int)count, out);
 }
 
+/* N and dN/dx of a particle and a node of its cell. */
 static Link link_of(const Bar *bar, int set, int index, int particle, int cell, int node)
 {
     double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
@@ -281,6 +285,8 @@ static double half_near(const Bar *bar, int cell, double s)
     return half;
 }
 
+/* N and dN/dx of all functions that are not 0 at a place; a place on the right end of the mesh belongs to the
+ * last cell. */
 size_t bar_shapes(const Simulation *sim, const double *at, Link *out, size_t max)
 {
     const Bar *bar = bar_of_const(sim);

@@ -22,6 +22,7 @@ static bool leads(BarExchange exchange, int n_factors)
     return exchange == GIVE_MASS || (n_factors == 3 && exchange != GIVE_F_INT);
 }
 
+/* The terms that the subject is given in an exchange, m or dt before the bracket; returns their sum. */
 double bar_add_terms(const BarSubject *subject, BarExchange exchange, CalculationSum *sum)
 {
     const Simulation *sim = &subject->bar->sim;
@@ -44,6 +45,7 @@ double bar_add_terms(const BarSubject *subject, BarExchange exchange, Calculatio
     return total;
 }
 
+/* How what a particle gives is divided among its nodes; `whole` is what the shares add up to. */
 void bar_write_shares(const BarSubject *subject, BarExchange exchange, const char *label, double whole)
 {
     CalculationSum sum = {.label = label, .result = whole};
@@ -57,6 +59,7 @@ void bar_write_shares(const BarSubject *subject, BarExchange exchange, const cha
     calculation_sum(subject->calculation, &sum);
 }
 
+/* A node's value over its mass, or that it is inactive. */
 void bar_write_ratio(const BarSubject *subject, const char *label, double above, double result)
 {
     const double mass = subject->bar->node_mass[subject->index];

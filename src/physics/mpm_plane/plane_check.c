@@ -60,11 +60,14 @@ static bool whole_cells(double length, double dx, bool even, const char *what, S
                        even ? "an even" : "a whole", cells);
 }
 
+/* c = sqrt(E/(rho (1 - nu^2))), m/s: of long waves along a plate in plane stress. */
 static double wave_speed(const PlaneDef *def)
 {
     return sqrt(def->youngs_modulus / (def->density * (1 - def->poisson * def->poisson)));
 }
 
+/* dt = courant dx/c, s. Stable up to a courant number of about 1.7 (USF, MUSL) or .75 (USL) on the undeformed
+ * lattice; less once particles have moved (plane_modes.c). */
 double plane_step(const PlaneDef *def)
 {
     return def->courant * def->cell_size / wave_speed(def);
@@ -101,6 +104,7 @@ static bool check_shape(const PlaneDef *def, Status *status)
     return true;
 }
 
+/* The channel must hold the beam to the end: more than v0 t_end of it lies behind the mouth at t = 0. */
 static bool check_channel(const PlaneDef *def, Status *status)
 {
     if (!def->leaves_channel)

@@ -47,6 +47,8 @@ static void destroy(Simulation *sim)
     free(plane);
 }
 
+/* What front ends read of the stages depends on algorithm and flip fraction, which may change between steps.
+ */
 static void take_schedule(Plane *plane)
 {
     const PlaneSchedule *schedule = plane_schedule(plane->head);
@@ -57,6 +59,7 @@ static void take_schedule(Plane *plane)
     plane->sim.n_exchanges = PLANE_EXCHANGES;
 }
 
+/* Between steps the grid is forgotten and is not saved. */
 static size_t state_size(const Simulation *sim)
 {
     const Plane *plane = plane_of_const(sim);
@@ -75,6 +78,7 @@ static void load(Simulation *sim, const void *bytes)
     take_schedule(plane);
 }
 
+/* A live parameter, between steps only: it belongs to the state, so a snapshot brings back its own. */
 static bool change(Simulation *sim, const char *key, double value, Status *status)
 {
     Plane *plane = plane_of(sim);

@@ -38,6 +38,7 @@ static const Exchange blend_exchanges[PLANE_EXCHANGES] = TABLE(
     "N gain-x", "N gain-x", "N gain-y", "N gain-y", "gain = alpha dt f/m + (1 - alpha)(v_i - v_p)", true);
 static const Exchange pic_exchanges[PLANE_EXCHANGES] = TABLE("N vx", "N vx", "N vy", "N vy", NULL, false);
 
+/* What the flip fraction makes of eq. 14: the gain by f/m, the nodes' velocity, or a share of both. */
 const Exchange *plane_exchanges(const PlaneHead *head)
 {
     return head->flip_fraction == 1   ? flip_exchanges
@@ -102,6 +103,7 @@ static double gain(const Plane *plane, int p, int node, int axis, const PlaneWei
     return alpha * plane->dt * a[node] + (1 - alpha) * (v[node] - old);
 }
 
+/* The factors of one term in the order of its words; 0: not at hand, or the two do not touch. */
 int plane_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
                    double factors[EXCHANGE_FACTORS_MAX])
 {

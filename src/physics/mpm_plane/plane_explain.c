@@ -17,6 +17,7 @@ typedef struct Subject {
     Calculation *calculation;
 } Subject;
 
+/* The product of a term's factors; *count 0: its numbers are not at hand at this stage. */
 static double product(const Subject *subject, int exchange, size_t from, size_t to, int *count,
                       double f[EXCHANGE_FACTORS_MAX])
 {
@@ -79,6 +80,7 @@ static PlaneHeld held(const Subject *subject, int node)
     return plane_held(plane, plane->sim.step, node % plane->gx, node / plane->gx);
 }
 
+/* Eqs. 2, 3 of paper M with N = N_x N_y, component by component. */
 static void map_node(const Subject *subject)
 {
     write_taken(subject, GIVE_MASS, "m = ");
@@ -145,6 +147,8 @@ static void hold_force_node(const Subject *subject)
         calculation_write(subject->calculation, "fy → 0: the support bears it\n");
 }
 
+/* Eqs. 5, 7: exx, eyy and the whole shear angle gxy of this step, then s += D e of plane stress, from the
+ * stress before. */
 static void strain_particle(const Subject *subject)
 {
     const Plane *plane = subject->plane;
@@ -186,12 +190,14 @@ static void force_node(const Subject *subject)
     write_taken(subject, GIVE_FY, "fy = ");
 }
 
+/* Eq. 10 of a particle: its shares add up to 0 each way, as sum grad N = 0. */
 static void force_particle(const Subject *subject)
 {
     write_given(subject, GIVE_FX, "fx: ", 0);
     write_given(subject, GIVE_FY, "fy: ", 0);
 }
 
+/* Eq. 13; the momentum before is solved for, since the stage has written over it. */
 static void integrate_node(const Subject *subject)
 {
     const Plane *plane = subject->plane;
@@ -208,6 +214,7 @@ static void integrate_particle(const Subject *subject)
     calculation_write(subject->calculation, "nothing changes here: only nodes have forces\n");
 }
 
+/* Eqs. 14 and 15 of both components. */
 static void update_particle(const Subject *subject)
 {
     write_taken(subject, TAKE_VX, "vx = ");

@@ -72,8 +72,10 @@ static void assemble(const Plane *plane, Box box, size_t width, double *band)
     }
 }
 
-/* p' M_C^-1 p for the components in z[0] and, if it is not NULL, z[1]; `out` marks the nodes that take no
- * part. The band is used up. */
+/* p' M_C^-1 p for the components in z[0] and, if it is not NULL, z[1], in units of mass times velocity
+ * squared, by elimination row by row: after row k what is left of the matrix and of z is that of the nodes
+ * behind it, and z_k^2/d_k is this node's part. `out` marks the nodes that take no part. The band is used up;
+ * it takes count width^2 products. */
 static double solve(double *band, size_t count, size_t width, const bool *out, double *const z[2])
 {
     const double rounding = 1e-13;

@@ -1,6 +1,13 @@
 /* The stages of a step as shown to the user (name, equation, sentence, the fields read and written), and the
- * order in which each algorithm does them: USF, USL and MUSL are rows of the same stages. The work of a stage
- * is plane_do.c. */
+ * order in which each algorithm does them:
+ *
+ *     USF    map  hold  strain  force  hold force  integrate  update
+ *     USL    map  hold          force  hold force  integrate  update                         strain
+ *     MUSL   map  hold          force  hold force  integrate  update  map again  hold again  strain
+ *
+ * The last stage of each forgets the grid. In the plane supports are a stage of their own on the force, for a
+ * channel that draws the beam along does work there. Two forms of `update`: FLIP alone, or with a share of
+ * PIC. The work of a stage is plane_do.c. */
 #include "physics/mpm_plane/plane_state.h"
 
 #define MAP                                                                                                  \
@@ -143,6 +150,7 @@ const PlaneSchedule *plane_schedule(const PlaneHead *head)
     return &schedules[head->algorithm][head->flip_fraction != 1];
 }
 
+/* Whether the stage of `op` is done in the step under way: a field that it makes is there from then on. */
 bool plane_has_done(const Plane *plane, PlaneOp op)
 {
     const PlaneSchedule *schedule = plane_schedule(plane->head);

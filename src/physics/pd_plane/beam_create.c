@@ -234,7 +234,8 @@ static const Method beam_method = {
 };
 
 /* In this order, for each part needs those before it: sizes, lattice, memory, bonds, what is held and loaded,
- * time step, start. */
+ * time step, start. The critical step is found with u = 0 and nothing held, so before the initial motion is
+ * set; the first force comes last, when what is held already stands where it should. */
 static bool build(Beam *beam, const BeamOptions *options, Status *status)
 {
     if (!beam_check(&beam->def, status) || !lattice_init(&beam->lattice, &beam->def, status) ||

@@ -72,6 +72,7 @@ static NodeNow node_now(const Beam *beam, size_t index)
                      nodes->fy[at]};
 }
 
+/* The same numbers as they were before the stage, from the saved state: six arrays, one behind the other. */
 static NodeNow node_before(const Beam *beam, size_t at, const void *before)
 {
     double value[6];
@@ -99,6 +100,7 @@ static void write_pair(Calculation *calculation, const char *words, double x, do
     calculation_write(calculation, " %s\n", unit);
 }
 
+/* Eqs. 9 and 11, each half of a step: v = v + dt/(2 rho) f, from the velocity before the stage. */
 static void explain_kick(const Beam *beam, Calculation *calculation, const NodeNow *now, const NodeNow *was)
 {
     const double factor = beam->sim.dt / (2 * beam->def.density);
@@ -110,6 +112,7 @@ static void explain_kick(const Beam *beam, Calculation *calculation, const NodeN
     }
 }
 
+/* Eq. 10: u = u + dt v. */
 static void explain_drift(const Beam *beam, Calculation *calculation, const NodeNow *now, const NodeNow *was)
 {
     if (was) {
@@ -120,6 +123,7 @@ static void explain_drift(const Beam *beam, Calculation *calculation, const Node
     }
 }
 
+/* Eqs. 12, 13, or the channel: which components are given, at the time that the step ends. */
 static void explain_constraints(const Beam *beam, Calculation *calculation, size_t index, const NodeNow *now)
 {
     size_t nx = (size_t)beam->lattice.nx;
@@ -205,6 +209,7 @@ static void explain_bonds(const Beam *beam, Calculation *calculation, size_t ind
     calculation_sum(calculation, &sums[1]);
 }
 
+/* b of eq. 8 on the loaded nodes; what the bonds had left in f is solved for. */
 static void explain_body_force(const Beam *beam, Calculation *calculation, size_t index, const NodeNow *now)
 {
     size_t nx = (size_t)beam->lattice.nx;
@@ -223,6 +228,7 @@ static void explain_body_force(const Beam *beam, Calculation *calculation, size_
     calculation_sum(calculation, &sum);
 }
 
+/* Eq. 5 by weights w, all areas being equal: broken over all. */
 static void explain_damage(const Beam *beam, Calculation *calculation, size_t index)
 {
     size_t nx = (size_t)beam->lattice.nx;
@@ -244,6 +250,7 @@ static void explain_damage(const Beam *beam, Calculation *calculation, size_t in
     calculation_sum(calculation, &sum);
 }
 
+/* One bond by eqs. 3 and 8: stretch against s0, pull, energy. */
 static void explain_bond(const Beam *beam, Calculation *calculation, size_t index)
 {
     BondNow bond = beam_bond(beam, lattice_bond_place(&beam->lattice, index));

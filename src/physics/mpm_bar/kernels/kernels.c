@@ -56,7 +56,8 @@ KERNEL_INLINE int nodes_end(const Bar *bar, int end)
 }
 
 /* The end of the run from c on, of cells with P particles of one material in which the shape functions are
- * the inner ones; c itself if there is none. */
+ * the inner ones; c itself if there is none. B-splines differ in the first and last cells of the mesh, whose
+ * knots are repeated. */
 KERNEL_INLINE int run_end(const Bar *bar, MpmShape shape, int c, int end)
 {
     const int ends = shape_end_cells(shape);
@@ -422,7 +423,8 @@ static void update(Bar *bar, int first, int end)
 /* --- forget the grid ------------------------------------------------------------------------------ */
 
 /* Lets the particles of a run take their places if 0 <= moved_0 <= moved_1 ... < 1 in each cell: all are in
- * their cell after the step, in order. */
+ * their cell after the step, in order. False: at least one is not, or is no number, and nothing was done:
+ * bar_cells.c looks at each. */
 KERNEL_INLINE bool settle_run(Bar *bar, int slots, int cells, int particle)
 {
     double *s[BAR_SLOTS_MAX], *moved[BAR_SLOTS_MAX];

@@ -72,7 +72,7 @@ KERNEL_INLINE void map_cell(Bar *bar, MpmShape shape, bool affine, int c)
     }
 }
 
-/* sum N'_a v_a by s = x / dx: the strain increment of a particle, eq. 5, times dx / dt. */
+/* sum N'_a v_a by s = x / dx, a velocity: the strain increment of a particle, eq. 5, times dx / dt. */
 KERNEL_INLINE double gradient_of(MpmShape shape, const double *dn, const double *v)
 {
     double gradient = dn[0] * v[0];
@@ -113,7 +113,8 @@ KERNEL_INLINE bool strain_cell(Bar *bar, MpmShape shape, int c)
     return good;
 }
 
-/* The first particle of cells [c, stop) for which 1 + de <= 0. */
+/* The first particle of cells [c, stop) for which 1 + de <= 0, or -1; computed again, as only the name is
+ * wanted of it. */
 static int find_crushed(const Bar *bar, MpmShape shape, int c, int stop)
 {
     for (; c < stop; c++) {
