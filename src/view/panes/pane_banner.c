@@ -12,11 +12,11 @@ static const struct {
     uint32_t glyph;
     unsigned rows;
 } letters[] = {
-    {'0', 075557},  {'1', 026227}, {'2', 071747}, {'3', 071717}, {'4', 055711}, {'5', 074717}, {'6', 074757},
-    {'7', 071111},  {'8', 075757}, {'9', 075717}, {'A', 025755}, {'C', 034443}, {'D', 065556}, {'E', 074647},
-    {'G', 034553},  {'I', 072227}, {'M', 057755}, {'N', 075555}, {'O', 025552}, {'P', 065644}, {'R', 065655},
-    {'S', 034216},  {'T', 072222}, {'U', 055557}, {'m', 000775}, {'s', 003616}, {'t', 027223}, {'u', 000557},
-    {0xb5, 055744}, {'.', 000002}, {'-', 000700}, {'+', 002720}, {'%', 051245},
+    {'0', 075557}, {'1', 026227},  {'2', 071747}, {'3', 071717}, {'4', 055711}, {'5', 074717}, {'6', 074757},
+    {'7', 071111}, {'8', 075757},  {'9', 075717}, {'A', 025755}, {'C', 034443}, {'D', 065556}, {'E', 074647},
+    {'G', 034553}, {'I', 072227},  {'M', 057755}, {'N', 075555}, {'O', 025552}, {'P', 065644}, {'R', 065655},
+    {'S', 034216}, {'T', 072222},  {'U', 055557}, {'m', 000775}, {'s', 003616}, {'t', 027223}, {'u', 000557},
+    {'w', 000577}, {0xb5, 055744}, {'.', 000002}, {'-', 000700}, {'+', 002720}, {'%', 051245},
 };
 
 static unsigned rows_of(uint32_t glyph)
@@ -85,17 +85,42 @@ static void state_word(const Playback *playback, char *out, size_t size)
         snprintf(out, size, "%s", words[playback->state]);
 }
 
+/* The number that the lecture is about: how far the frequency, or the period, is off. "" where it is not
+ * known, or is not to be told. */
+static void error_word(const Screen *screen, char *out, size_t size)
+{
+    const Readout *readout = experiment_readout(screen->experiment);
+    out[0] = '\0';
+    if (!readout->moving || !readout->measured_known || !readout->exact_known || !screen_shows_exact(screen))
+        return;
+    snprintf(out, size, "%c%+.*f%%", readout->is_period ? 'T' : 'w',
+             screen->playback.state == STATE_RUNNING ? 1 : 2,
+             readout->is_period ? readout->error_period : readout->error_frequency);
+}
+
+/* Time, error, state; where they have no room beside each other the state is left to the title line. */
 void pane_banner(const Screen *screen, Area area)
 {
     const Size size = size_of(&screen->look, area.canvas->width, area.canvas->height);
-    char time[48], state[32];
+    const int gap = 2 * WIDE * size.columns, width = area.rect.width - 2;
+    char time[48], state[32], error[32];
     state_word(&screen->playback, state, sizeof state);
-    const int right = columns_of(state, size), width = area.rect.width - 2;
-    int fewer = 0;
+    error_word(screen, error, sizeof error);
+    const bool calm = screen->playback.state == STATE_RUNNING || screen->playback.state == STATE_PAUSED;
+    const int middle = error[0] ? columns_of(error, size) + gap : 0;
+    int right = columns_of(state, size), fewer = 0;
+    screen_shorter_time(screen, 8, time, sizeof time);
+    if (middle && calm && columns_of(time, size) + middle + gap + right > width)
+        snprintf(state, sizeof state, "%s", error), right = columns_of(state, size);
+    else if (middle && columns_of(time, size) + middle + gap + right <= width)
+        draw_text(area, area.rect.width - 1 - right - middle, error, size, STYLE_CHANGED);
+    const int taken = right + (strcmp(state, error) != 0 ? middle : 0);
     do
         screen_shorter_time(screen, fewer, time, sizeof time);
-    while (columns_of(time, size) + right + 2 * WIDE * size.columns > width && ++fewer < 8);
+    while (columns_of(time, size) + taken + gap > width && ++fewer < 8);
     draw_text(area, 1, time, size, STYLE_HEADING);
     draw_text(area, area.rect.width - 1 - right, state, size,
-              screen->playback.state == STATE_FAILED ? STYLE_ERROR : STYLE_HEADING);
+              screen->playback.state == STATE_FAILED ? STYLE_ERROR
+              : middle && strcmp(state, error) == 0  ? STYLE_CHANGED
+                                                     : STYLE_HEADING);
 }
