@@ -5,8 +5,9 @@
  * one by one there.
  *
  * A run ends where a cell has lost or won a particle, where the material changes and where the mesh ends:
- * within it all cells are alike. Shape and number of particles are constants where these functions are
- * called, so their branches cost nothing. What is a sum over nodes (gather in kernels.c) comes afterwards.
+ * within it all cells are alike. The shape, and for hats the usual two particles, are constants where these
+ * functions are called, so their branches cost nothing. Sums over nodes (gather in kernels.c) come
+ * afterwards.
  *
  * The arrays of all functions: s, v, stress, volume, affine, moved by slot and place in the slot; node arrays
  * by node, the cell's a-th node being c + a; part[.][a] by cell. Units as in kernels.c. */
