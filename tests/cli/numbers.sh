@@ -18,6 +18,8 @@ run() { # SCENARIO OPTIONS...
 		/^(late|early) / { after("by", "periods") }
 		/^energy E\* / { after("E*", "lost") }
 		/^crack / { after("break", "first"); after("twentieth", "twentieth"); after("zone", "through") }
+		/^L2 / { after("v", "v_error"); after("cells", "lag") }
+		/^last particle/ { after("u", "u_last") }
 		/^angle / { before("10", "angle10"); before("38", "angle38") }
 		/^tip.s speed / { after("=", "of_rayleigh") }
 		/^cost / { after("cost", "cost"); after("path", "path"); after("beside", "beside"); after("s0", "beyond") }
@@ -97,6 +99,20 @@ claim $scenario/mode10.ini "which is a period " 21.5 " % too long" period_error
 run mode10-fine
 claim $scenario/mode10-fine.ini "from 17.7 % to " 4.7 " %" predicted_error
 claim $lesson/late.lesson "Nearly: " 4.7 " % against" predicted_error
+
+run mode5 --set mpm.mass_blend=0.5
+claim $lesson/cure.lesson "From -4.24 % to -" 1.36 " %" predicted_error
+run mode5 --set mpm.mass_blend=auto
+claim $lesson/cure.lesson "-" 0.02 " %: a two-hundredth" predicted_error
+run mode5 --set mpm.transfer=fmpm --set mpm.fmpm_order=4
+claim $lesson/filters.lesson "The mode is " 1.7 " % too early" predicted_error
+run pulse
+claim $lesson/echo.lesson "how far off it is: by " 74 " % of itself" v_error 100
+claim $lesson/echo.lesson "itself, and " 2.4 " cells late" lag
+run pulse --set mpm.mass_blend=auto
+claim $lesson/echo.lesson "Off by " 4 " %: the ripples" v_error 100
+run column
+claim $lesson/hang.lesson "hangs " 0.315 " lower" u_last
 
 run mode5-peridynamics
 claim $scenario/mode5-peridynamics.ini "The frequency is " 1.2 " % too low" predicted_error

@@ -1,4 +1,5 @@
 /* Problems with their references: columns, answers, readouts, advice. */
+#include "lab/answers/dispersion.h"
 #include "lab/problems/bars/bar_theory.h"
 #include "lab/lab_case.h"
 #include "suite.h"
@@ -567,6 +568,34 @@ START_TEST(a_run_cut_short_leaves_out_what_comes_later)
 }
 END_TEST
 
+/* Errors of the frequency in per cent, modes 5 and 10 of the usual bar. */
+START_TEST(other_ways_on_the_same_mesh)
+{
+    static const struct {
+        const char *name;
+        double fifth, tenth;
+    } known[] = {{"lumped", -4.2388, -17.7099},
+                 {"mu*", -.0226, -.7016},
+                 {"consistent", 1.6996, 7.8753},
+                 {"FMPM(2)", 1.3946, .411},
+                 {"FMPM(4)", 1.6987, 7.612}};
+    Settings settings = bar_settings(5, 0.1);
+    ModeOnMesh mode;
+    double frequency;
+    for (int i = 0; i < 5; i++)
+        for (int number = 5; number <= 10; number += 5) {
+            ck_assert(dispersion_mode(&settings, number, &mode));
+            ck_assert_str_eq(dispersion_other_way(&settings, i, number, &frequency), known[i].name);
+            ck_assert_double_eq_tol(100 * (frequency / mode.exact - 1),
+                                    number == 5 ? known[i].fifth : known[i].tenth, 5.1e-4);
+        }
+    ck_assert_ptr_null(dispersion_other_way(&settings, 5, 5, &frequency));
+    ck_assert_ptr_null(dispersion_other_way(&settings, 0, 26, &frequency));
+    settings.joint.place = 10; /* of which the prediction knows nothing */
+    ck_assert_ptr_null(dispersion_other_way(&settings, 0, 5, &frequency));
+}
+END_TEST
+
 START_TEST(every_problem_has_its_method)
 {
     for (int p = 0; problems[p]; p++) {
@@ -607,5 +636,6 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, the_last_step_is_the_first_to_reach_the_end);
     tcase_add_test(tcase, a_run_cut_short_leaves_out_what_comes_later);
     tcase_add_test(tcase, every_problem_has_its_method);
+    tcase_add_test(tcase, other_ways_on_the_same_mesh);
     suite_add_tcase(suite, tcase);
 }

@@ -28,3 +28,12 @@ bool dispersion_mode(const Settings *settings, int number, ModeOnMesh *out)
     }
     return true;
 }
+
+const char *dispersion_other_way(const Settings *settings, int which, int number, double *frequency)
+{
+    const Solver *solver = problem_solver(settings->problem, settings->method);
+    if (!solver || !solver->other_way || number < 1 || number > dispersion_modes(settings) ||
+        known_unaccounted_now(settings, REFERENCE_PREDICTED))
+        return NULL;
+    return solver->other_way(settings, which, number, frequency);
+}

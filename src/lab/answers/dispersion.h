@@ -34,4 +34,8 @@ int dispersion_modes(const Settings *);
 /* Mode number 1 to dispersion_modes(). False: no such mode. */
 bool dispersion_mode(const Settings *, int number, ModeOnMesh *);
 
+/* The same mode by other ways of the method on this very mesh, to be compared: the name of the way (which =
+ * 0, 1, ...) and its predicted frequency, NAN where such a wave does not swing. NULL: there is none more. */
+const char *dispersion_other_way(const Settings *, int which, int number, double *frequency);
+
 #endif

@@ -112,6 +112,8 @@ typedef struct Solver {
     /* Every mode on this mesh or lattice: how many, and one of them. */
     int (*modes)(const Settings *);
     bool (*mode)(const Settings *, int number, ModeOnMesh *);
+    /* The name of another way of the method, and the mode's frequency by it; NULL: behind the last. */
+    const char *(*other_way)(const Settings *, int which, int number, double *frequency);
 
     /* The sharp invariant of the energy (answers/invariant.h), and whether it is kept. */
     double (*invariant)(Simulation *, const Settings *);

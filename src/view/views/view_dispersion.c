@@ -170,6 +170,53 @@ static void add_predicted(Plot *plot, const Run *run, int last, int every)
             plot_point(plot, n, percent(mode.predicted / mode.exact));
 }
 
+/* --- the other ways of a method --- */
+
+enum { WAYS_MAX = 6 };
+static const char way_letters[WAYS_MAX] = {'l', '*', 'c', '2', '4', '6'};
+static const Style way_styles[WAYS_MAX] = {STYLE_GHOST_A, STYLE_GHOST_B, STYLE_GHOST_C,
+                                           STYLE_GHOST_D, STYLE_GHOST_E, STYLE_FAINT};
+
+static double error_by_way(const Settings *settings, int which, int number)
+{
+    ModeOnMesh mode;
+    double frequency;
+    if (!dispersion_other_way(settings, which, number, &frequency) ||
+        !dispersion_mode(settings, number, &mode))
+        return NAN;
+    return percent(frequency / mode.exact);
+}
+
+static int count_ways(const Settings *settings)
+{
+    int count = 0;
+    double unused;
+    while (count < WAYS_MAX && dispersion_other_way(settings, count, 1, &unused))
+        count++;
+    return count;
+}
+
+static void add_ways(Plot *plot, const Settings *settings, int n_ways, int last, int every)
+{
+    for (int i = 0; i < n_ways; i++) {
+        plot_begin(plot, STROKE_LINE, LINE_SOLID, way_styles[i], RANK_GHOST, way_letters[i]);
+        for (int n = 1; n <= last; n += every)
+            plot_point(plot, n, error_by_way(settings, i, n));
+    }
+}
+
+/* A letter on each curve: colour alone tells nobody apart. */
+static void mark_ways(Area inner, const Axis *x, const Axis *y, const Settings *settings, int n_ways,
+                      int last)
+{
+    for (int i = 0; i < n_ways; i++) {
+        const int n = 1 + (last - 1) * (3 + i) / 10;
+        const double error = error_by_way(settings, i, n);
+        if (isfinite(error))
+            axes_mark(inner, x, y, n, error, (uint32_t)(unsigned char)way_letters[i], way_styles[i]);
+    }
+}
+
 static int bar_dots(const Screen *screen, Dot dots[RUNS_MAX])
 {
     Run runs[RUNS_MAX];
@@ -193,8 +240,10 @@ static int last_mode(Experiment *experiment, int variant)
     return variant == 1 && near < all ? near : all;
 }
 
-static void draw_bar(const Screen *screen, Area area, Style heading, int variant)
+static void draw_bar(const Screen *screen, Area area, Style heading, int variant, bool with_ways)
 {
+    const Settings *settings = experiment_settings(screen->experiment);
+    const int n_ways = with_ways ? count_ways(settings) : 0;
     const int last = last_mode(screen->experiment, variant), under = lines_under(area, 3);
     Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
     const int width = plot_area.rect.width - GUTTER - 1, rows = plot_area.rect.height - 1;
@@ -217,17 +266,27 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
     for (int i = 0; i < n_dots; i++)
         if (dots[i].x <= last)
             widen(dots[i].y, &least, &most);
+    for (int i = 0; i < n_ways; i++)
+        for (int n = 1; n <= last; n += every)
+            widen(error_by_way(settings, i, n), &least, &most);
     const double low = least < -0.01 ? -axis_round_up(-1.02 * least) : -1;
     Axis x = axis_make(0, last > 1 ? last : 2, area.rect.width / 9);
     Axis y = axis_make_root(low, most > 0.01 ? axis_round_up(1.02 * most) : 0, rows < 10 ? rows : 10);
 
-    Legend legend[3];
+    Legend legend[3 + WAYS_MAX];
+    char keys[WAYS_MAX][3];
     int n_legend = 0;
     legend[n_legend++] = (Legend){LINE_SOLID, 'O', STYLE_MEASURED, "measured", dot_key(area.glyphs)};
     if (screen_shows_exact(screen))
         legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL};
     if (predicted)
         legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "predicted", NULL};
+    for (int i = 0; i < n_ways; i++) {
+        double unused;
+        snprintf(keys[i], sizeof keys[i], "%c:", way_letters[i]);
+        legend[n_legend++] = (Legend){LINE_SOLID, way_letters[i], way_styles[i],
+                                      dispersion_other_way(settings, i, 1, &unused), keys[i]};
+    }
     heading_draw(area, heading,
                  area.rect.width >= 70 ? "error of w, % (square-root scale)" : "% error, sqrt scale", "",
                  legend, n_legend);
@@ -240,10 +299,12 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
         plot_point(&plot, 0, 0);
         plot_point(&plot, last, 0);
     }
+    add_ways(&plot, settings, n_ways, last, every);
     for (int i = 0; i < n_runs && predicted; i++)
         if (runs[i].experiment)
             add_predicted(&plot, &runs[i], last, every);
     plot_draw(&plot, inner);
+    mark_ways(inner, &x, &y, settings, n_ways, last);
     plot_close(&plot);
     draw_run_dots(inner, &x, &y, dots, n_dots);
 
@@ -256,6 +317,13 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
     if (are_cut(area, "", second))
         memcpy(second, brief[1], sizeof second);
     factor_line(screen->experiment, area.rect.width, factors);
+    if (n_ways > 0)
+        second[0] = '\0';
+    for (int i = 0; i < n_ways; i++) {
+        double unused;
+        text_append(second, sizeof second, "%s%s %s", i ? "  " : "", keys[i],
+                    dispersion_other_way(settings, i, 1, &unused));
+    }
     const int at = area.rect.height - under;
     if (under > 0)
         area_text(area, 1, at, first, STYLE_NORMAL);
@@ -392,22 +460,33 @@ static void say_instead_of_period(Area area, Style heading)
     say_instead(area, heading, "convergence", text);
 }
 
+/* All modes, those near the present one if there are more, and all by the other ways of the method. */
+static bool has_near(const Screen *screen)
+{
+    return last_mode(screen->experiment, 1) < last_mode(screen->experiment, 0);
+}
+
+static bool shows_ways(const Screen *screen, int variant)
+{
+    return variant == 1 + has_near(screen);
+}
+
 static int variants_of(const Screen *screen)
 {
-    return last_mode(screen->experiment, 1) < last_mode(screen->experiment, 0) ? 2 : 1;
+    return 1 + has_near(screen) + (count_ways(experiment_settings(screen->experiment)) > 0);
 }
 
 static const char *word_of(const Screen *screen, int variant)
 {
-    (void)screen;
-    return variant == 1 ? "near" : "all";
+    return shows_ways(screen, variant) ? "transfers" : variant == 1 ? "near" : "all";
 }
 
 static void draw(const Screen *screen, Area area, Style heading, int variant)
 {
     const Settings *settings = experiment_settings(screen->experiment);
     if (simulation_has(experiment_simulation(screen->experiment), HAS_LINE))
-        draw_bar(screen, area, heading, variant);
+        draw_bar(screen, area, heading, shows_ways(screen, variant) ? 0 : variant,
+                 shows_ways(screen, variant));
     else if (settings->problem->concerns & CONCERN_NOTCH)
         say_instead_of_period(area, heading);
     else if (!experiment_readout(screen->experiment)->moving)

@@ -235,6 +235,33 @@ static bool mode(const Settings *settings, int number, ModeOnMesh *out)
     return true;
 }
 
+/* Lumped and consistent masses, the blend between, and FMPM that comes to the consistent ones. */
+static const char *other_way(const Settings *settings, int which, int number, double *frequency)
+{
+    const struct {
+        const char *name;
+        double blend;
+        int order;
+    } ways[] = {
+        {"lumped", 1, 0},
+        {"mu*", bar_mass_blend_auto(settings->mpm.shape, settings->mesh.particles_per_cell), 0},
+        {"consistent", 0, 0},
+        {"FMPM(2)", 1, 2},
+        {"FMPM(4)", 1, 4},
+    };
+    BarTheory theory;
+    if (which < 0 || which >= (int)(sizeof ways / sizeof *ways) || !bar_theory_of(settings, &theory, NULL))
+        return NULL;
+    BarMesh mesh = bar_mesh_of(settings, bar_time_step(settings));
+    mesh.apic = false;
+    mesh.flip_fraction = 1;
+    mesh.consistent = 1 - ways[which].blend;
+    mesh.fmpm_order = ways[which].order;
+    const Dispersion wave = dispersion_of_bar(&theory, &mesh, bar_wave_number(&theory, number));
+    *frequency = wave.known && wave.frequency > 0 ? wave.frequency : NAN;
+    return ways[which].name;
+}
+
 static const char *damping(const Settings *settings)
 {
     const Transfer *mpm = &settings->mpm;
@@ -291,6 +318,7 @@ const Solver bar_by_mpm = {
     .findings = bar_findings,
     .modes = modes,
     .mode = mode,
+    .other_way = other_way,
     .invariant = bar_invariant,
     .invariant_kept = bar_invariant_kept,
     .damping = damping,

@@ -138,7 +138,7 @@ static const ParameterUse uses[] = {
     {USE("bar.supports", BAR_FIXED_FREE), .choices = 1, .others = "is for bars that vibrate"},
     {USE("mesh.cell_size", 1)},
     {USE("mesh.particles_per_cell", 2)},
-    {USE("mesh.padding", 4)},
+    {USE("mesh.padding", 40)},
     {USE("mpm.shape", MPM_GIMP)},
     {USE("mpm.flip_fraction", 0)},
     {USE("load.body_force", 0.1)},
