@@ -4,7 +4,7 @@
  * for two directions, on the beams of Chen, Liu, Yang, "The application of peridynamics in predicting beam
  * vibration and impact damage" (paper P). SI units; energies are those of the beam (per unit thickness times
  * the thickness), masses and forces of particles and nodes are per unit thickness. Shapes, starts and
- * supports are explained where they are made: plane_shape.h, plane_start.c, plane_grid.c. */
+ * supports are explained where they are made: plane_shape.h, plane_start.c, plane_state.h. */
 #ifndef PHYSICS_MPM_PLANE_H
 #define PHYSICS_MPM_PLANE_H
 

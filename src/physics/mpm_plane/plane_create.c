@@ -28,8 +28,9 @@ static size_t lay_out(Plane *plane, unsigned char *block)
     ARRAY(plane->sx, particles);
     ARRAY(plane->sy, particles);
     ARRAY(plane->base, particles);
-    double **const of_nodes[] = {&plane->node_mass, &plane->px,      &plane->py, &plane->fx, &plane->fy,
-                                 &plane->node_vx,   &plane->node_vy, &plane->ax, &plane->ay};
+    double **const of_nodes[] = {
+        &plane->node_mass, &plane->node_inverse, &plane->px,      &plane->py, &plane->fx,
+        &plane->fy,        &plane->node_vx,      &plane->node_vy, &plane->ax, &plane->ay};
     for (size_t k = 0; k < sizeof of_nodes / sizeof *of_nodes; k++)
         ARRAY(*of_nodes[k], nodes);
     plane->bytes_whole = size;

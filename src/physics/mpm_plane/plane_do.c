@@ -44,23 +44,54 @@ static bool find(Plane *plane, int first, int end, Status *status)
     return true;
 }
 
-/* Eqs. 2, 3 of paper M with N = N_x N_y: m_i = sum m N, kg/m, and p_i = sum m v N, kg/s, from particles
- * [first, end). The mass where it is asked for: MUSL's second map has the same. */
-static void map(Plane *plane, int first, int end, bool with_mass)
+/* The loops over the nodes of a particle are written once and compiled for two and for three nodes along each
+ * direction: the number is a constant where it matters. Arrays are named before the loops, so that the
+ * compiler knows that they stay where they are. */
+#define EACH_SHAPE static inline __attribute__((always_inline))
+
+EACH_SHAPE void shape_at(const int n, const double half, double s, double N[PLANE_SUPPORT_MAX],
+                         double dN[PLANE_SUPPORT_MAX])
 {
-    const double m = plane->mass;
+    if (n == 2)
+        plane_hat(s, N, dN);
+    else
+        plane_gimp(half, s, N, dN);
+}
+
+EACH_SHAPE void map_loop(const Plane *plane, int first, int end, bool with_mass, const int n)
+{
+    const double m = plane->mass, half = plane->half;
+    const double *sx = plane->sx, *sy = plane->sy, *vx = plane->vx, *vy = plane->vy;
+    const int32_t *base = plane->base;
+    double *mass = plane->node_mass, *px = plane->px, *py = plane->py;
+    const int gx = plane->gx;
     for (int p = first; p < end; p++) {
-        const PlaneWeights w = plane_weights(plane, plane->sx[p], plane->sy[p]);
-        for (int b = 0; b < plane->support; b++)
-            for (int a = 0; a < plane->support; a++) {
-                const int node = plane->base[p] + b * plane->gx + a;
-                const double share = m * (w.nx[a] * w.ny[b]);
+        double nx[PLANE_SUPPORT_MAX], ny[PLANE_SUPPORT_MAX], dx[PLANE_SUPPORT_MAX], dy[PLANE_SUPPORT_MAX];
+        shape_at(n, half, sx[p], nx, dx);
+        shape_at(n, half, sy[p], ny, dy);
+        const double x = vx[p], y = vy[p];
+#pragma GCC unroll 3
+        for (int b = 0; b < n; b++)
+#pragma GCC unroll 3
+            for (int a = 0; a < n; a++) {
+                const int node = base[p] + b * gx + a;
+                const double share = m * (nx[a] * ny[b]);
                 if (with_mass)
-                    plane->node_mass[node] += share;
-                plane->px[node] += share * plane->vx[p];
-                plane->py[node] += share * plane->vy[p];
+                    mass[node] += share;
+                px[node] += share * x;
+                py[node] += share * y;
             }
     }
+}
+
+/* Eqs. 2, 3 of paper M with N = N_x N_y: m_i = sum m N, kg/m, and p_i = sum m v N, kg/s, from particles
+ * [first, end). The mass where it is asked for: MUSL's second map has the same. */
+static void map(const Plane *plane, int first, int end, bool with_mass)
+{
+    if (plane->support == 2)
+        map_loop(plane, first, end, with_mass, 2);
+    else
+        map_loop(plane, first, end, with_mass, 3);
 }
 
 /* Eqs. 4 to 9 of paper M in the plane, D that of plane stress:
@@ -69,52 +100,90 @@ static void map(Plane *plane, int first, int end, bool with_mass)
  *     sxx += lambda (exx + nu eyy)    syy += lambda (eyy + nu exx)    sxy += G gxy,   lambda = E/(1 - nu^2)
  *
  * Stress in Pa. It is not turned with the material: the beam's sections turn by 1e-4, and with Jaumann's rate
- * no printed digit changes. dt/dx stands once for all terms, as N' is in cells. Fails where 1 + exx + eyy <=
- * 0 (eq. 8 would turn the density negative) or is no number. */
-static bool strain(Plane *plane, int first, int end, Status *status)
+ * no printed digit changes. dt/dx stands once for all terms, as N' is in cells. Returns the first particle
+ * with 1 + exx + eyy <= 0 (eq. 8 would turn the density negative) or no number; -1: there is none. */
+EACH_SHAPE int strain_loop(const Plane *plane, int first, int end, const int n)
 {
-    const double rate = plane->dt / plane->dx, nu = plane->def.poisson;
+    const double rate = plane->dt / plane->dx, nu = plane->def.poisson, half = plane->half;
+    const double lambda = plane->lambda, shear = plane->shear;
+    const double *sx = plane->sx, *sy = plane->sy, *vx = plane->node_vx, *vy = plane->node_vy;
+    const int32_t *base = plane->base;
+    double *sxx = plane->sxx, *syy = plane->syy, *sxy = plane->sxy, *volume = plane->volume;
+    const int gx = plane->gx;
     for (int p = first; p < end; p++) {
-        const PlaneWeights w = plane_weights(plane, plane->sx[p], plane->sy[p]);
+        double nx[PLANE_SUPPORT_MAX], ny[PLANE_SUPPORT_MAX], dx[PLANE_SUPPORT_MAX], dy[PLANE_SUPPORT_MAX];
+        shape_at(n, half, sx[p], nx, dx);
+        shape_at(n, half, sy[p], ny, dy);
         double xx = 0, yy = 0, xy = 0;
-        for (int b = 0; b < plane->support; b++)
-            for (int a = 0; a < plane->support; a++) {
-                const int node = plane->base[p] + b * plane->gx + a;
-                const double bx = w.dnx[a] * w.ny[b], by = w.nx[a] * w.dny[b];
-                xx += bx * plane->node_vx[node];
-                yy += by * plane->node_vy[node];
-                xy += by * plane->node_vx[node] + bx * plane->node_vy[node];
+#pragma GCC unroll 3
+        for (int b = 0; b < n; b++)
+#pragma GCC unroll 3
+            for (int a = 0; a < n; a++) {
+                const int node = base[p] + b * gx + a;
+                const double bx = dx[a] * ny[b], by = nx[a] * dy[b];
+                xx += bx * vx[node];
+                yy += by * vy[node];
+                xy += by * vx[node] + bx * vy[node];
             }
         xx *= rate;
         yy *= rate;
         xy *= rate;
         if (!(1 + (xx + yy) > 0))
-            return plane_fail_particle(plane, status, p, "was crushed (1 + exx + eyy <= 0)");
-        plane->sxx[p] += plane->lambda * (xx + nu * yy);
-        plane->syy[p] += plane->lambda * (yy + nu * xx);
-        plane->sxy[p] += plane->shear * xy;
-        plane->volume[p] *= 1 + (xx + yy);
+            return p;
+        sxx[p] += lambda * (xx + nu * yy);
+        syy[p] += lambda * (yy + nu * xx);
+        sxy[p] += shear * xy;
+        volume[p] *= 1 + (xx + yy);
     }
-    return true;
+    return -1;
+}
+
+static bool fail_crushed(Plane *plane, Status *status, int particle)
+{
+    return plane_fail_particle(plane, status, particle, "was crushed (1 + exx + eyy <= 0)");
+}
+
+static bool strain(Plane *plane, int first, int end, Status *status)
+{
+    const int crushed =
+        plane->support == 2 ? strain_loop(plane, first, end, 2) : strain_loop(plane, first, end, 3);
+    return crushed < 0 || fail_crushed(plane, status, crushed);
 }
 
 /* Eq. 10: f_i = -sum (N,x sxx + N,y sxy, N,x sxy + N,y syy) V, V = m/rho in m^2, so f is in N/m. With USF
  * stress and V are those of this step, with USL and MUSL the old ones. */
-static void force(Plane *plane, int first, int end)
+EACH_SHAPE void force_loop(const Plane *plane, int first, int end, const int n)
 {
-    const double inverse = 1 / plane->dx;
+    const double inverse = 1 / plane->dx, half = plane->half;
+    const double *sx = plane->sx, *sy = plane->sy, *volume = plane->volume;
+    const double *sxx = plane->sxx, *syy = plane->syy, *sxy = plane->sxy;
+    const int32_t *base = plane->base;
+    double *fx = plane->fx, *fy = plane->fy;
+    const int gx = plane->gx;
     for (int p = first; p < end; p++) {
-        const PlaneWeights w = plane_weights(plane, plane->sx[p], plane->sy[p]);
-        const double scale = plane->volume[p] * inverse;
-        const double xx = plane->sxx[p] * scale, yy = plane->syy[p] * scale, xy = plane->sxy[p] * scale;
-        for (int b = 0; b < plane->support; b++)
-            for (int a = 0; a < plane->support; a++) {
-                const int node = plane->base[p] + b * plane->gx + a;
-                const double bx = w.dnx[a] * w.ny[b], by = w.nx[a] * w.dny[b];
-                plane->fx[node] -= bx * xx + by * xy;
-                plane->fy[node] -= bx * xy + by * yy;
+        double nx[PLANE_SUPPORT_MAX], ny[PLANE_SUPPORT_MAX], dx[PLANE_SUPPORT_MAX], dy[PLANE_SUPPORT_MAX];
+        shape_at(n, half, sx[p], nx, dx);
+        shape_at(n, half, sy[p], ny, dy);
+        const double scale = volume[p] * inverse;
+        const double xx = sxx[p] * scale, yy = syy[p] * scale, xy = sxy[p] * scale;
+#pragma GCC unroll 3
+        for (int b = 0; b < n; b++)
+#pragma GCC unroll 3
+            for (int a = 0; a < n; a++) {
+                const int node = base[p] + b * gx + a;
+                const double bx = dx[a] * ny[b], by = nx[a] * dy[b];
+                fx[node] -= bx * xx + by * xy;
+                fy[node] -= bx * xy + by * yy;
             }
     }
+}
+
+static void force(const Plane *plane, int first, int end)
+{
+    if (plane->support == 2)
+        force_loop(plane, first, end, 2);
+    else
+        force_loop(plane, first, end, 3);
 }
 
 /* Eqs. 14, 15 with flip fraction alpha:
@@ -122,34 +191,52 @@ static void force(Plane *plane, int first, int end)
  *     v = alpha (v + dt sum N f_i/m_i) + (1 - alpha) sum N p_i/m_i        x += dt sum N p_i/m_i
  *
  * Below 1 each step loses a share of what the grid cannot see: .999 keeps a cantilever that leaves its
- * channel from heating. The new place is looked at on the grid as it will lie in the next step; a particle
- * that leaves it ends the run. */
+ * channel from heating. Returns the first particle that leaves the grid as it will lie in the next step; -1:
+ * none does. */
+EACH_SHAPE int update_loop(const Plane *plane, int first, int end, const int n)
+{
+    const double dt = plane->dt, alpha = plane->head->flip_fraction, half = plane->half;
+    const double *sx = plane->sx, *sy = plane->sy, *node_ax = plane->ax, *node_ay = plane->ay;
+    const double *node_vx = plane->node_vx, *node_vy = plane->node_vy;
+    const int32_t *base = plane->base;
+    double *x = plane->x, *y = plane->y, *vx = plane->vx, *vy = plane->vy;
+    const double inverse = 1 / plane->dx, l = n == 2 ? 0 : half,
+                 xmin = plane_xmin(plane, plane->sim.step + 1);
+    const double ymin = plane->ymin, right = plane->gx - 1 - 2 * l, top = plane->gy - 1 - 2 * l;
+    const int gx = plane->gx;
+    for (int p = first; p < end; p++) {
+        double nx[PLANE_SUPPORT_MAX], ny[PLANE_SUPPORT_MAX], dx[PLANE_SUPPORT_MAX], dy[PLANE_SUPPORT_MAX];
+        shape_at(n, half, sx[p], nx, dx);
+        shape_at(n, half, sy[p], ny, dy);
+        double ax = 0, ay = 0, ux = 0, uy = 0;
+#pragma GCC unroll 3
+        for (int b = 0; b < n; b++)
+#pragma GCC unroll 3
+            for (int a = 0; a < n; a++) {
+                const int node = base[p] + b * gx + a;
+                const double N = nx[a] * ny[b];
+                ax += N * node_ax[node];
+                ay += N * node_ay[node];
+                ux += N * node_vx[node];
+                uy += N * node_vy[node];
+            }
+        vx[p] = alpha * (vx[p] + dt * ax) + (1 - alpha) * ux;
+        vy[p] = alpha * (vy[p] + dt * ay) + (1 - alpha) * uy;
+        x[p] += dt * ux;
+        y[p] += dt * uy;
+        /* as plane_find() will look for it */
+        const double rx = (x[p] - xmin) * inverse - l, ry = (y[p] - ymin) * inverse - l;
+        if (!(rx >= 0 && ry >= 0 && rx < right && ry < top))
+            return p;
+    }
+    return -1;
+}
+
 static bool update(Plane *plane, int first, int end, Status *status)
 {
-    const double dt = plane->dt, alpha = plane->head->flip_fraction;
-    const double xmin = plane_xmin(plane, plane->sim.step + 1);
-    for (int p = first; p < end; p++) {
-        const PlaneWeights w = plane_weights(plane, plane->sx[p], plane->sy[p]);
-        double ax = 0, ay = 0, vx = 0, vy = 0;
-        for (int b = 0; b < plane->support; b++)
-            for (int a = 0; a < plane->support; a++) {
-                const int node = plane->base[p] + b * plane->gx + a;
-                const double n = w.nx[a] * w.ny[b];
-                ax += n * plane->ax[node];
-                ay += n * plane->ay[node];
-                vx += n * plane->node_vx[node];
-                vy += n * plane->node_vy[node];
-            }
-        plane->vx[p] = alpha * (plane->vx[p] + dt * ax) + (1 - alpha) * vx;
-        plane->vy[p] = alpha * (plane->vy[p] + dt * ay) + (1 - alpha) * vy;
-        plane->x[p] += dt * vx;
-        plane->y[p] += dt * vy;
-        int32_t base;
-        double sx, sy;
-        if (!plane_find(plane, xmin, plane->x[p], plane->y[p], &base, &sx, &sy))
-            return plane_fail_particle(plane, status, p, "left the grid");
-    }
-    return true;
+    const int lost =
+        plane->support == 2 ? update_loop(plane, first, end, 2) : update_loop(plane, first, end, 3);
+    return lost < 0 || plane_fail_particle(plane, status, lost, "left the grid");
 }
 
 /* --- rows of nodes -------------------------------------------------------------------------------- */
@@ -157,10 +244,11 @@ static bool update(Plane *plane, int first, int end, Status *status)
 /* v = p/m of nodes [first, end), eq. 4; that of the beam where there is hardly any mass. */
 static void set_velocities(Plane *plane, int first, int end)
 {
+    const double *inverse = plane->node_inverse, *px = plane->px, *py = plane->py, speed = plane->speed;
+    double *vx = plane->node_vx, *vy = plane->node_vy;
     for (int i = first; i < end; i++) {
-        const bool active = plane->node_mass[i] > plane->floor;
-        plane->node_vx[i] = active ? plane->px[i] / plane->node_mass[i] : plane->speed;
-        plane->node_vy[i] = active ? plane->py[i] / plane->node_mass[i] : 0;
+        vx[i] = inverse[i] > 0 ? px[i] * inverse[i] : speed;
+        vy[i] = py[i] * inverse[i];
     }
 }
 
@@ -172,8 +260,10 @@ static void hold(Plane *plane, int first_row, int end_row)
         for (int i = 0; i < plane->gx; i++) {
             const PlaneHeld held = plane_held(plane, plane->sim.step, i, j);
             const int node = j * plane->gx + i;
+            const double m = plane->node_mass[node];
+            plane->node_inverse[node] = m > plane->floor ? 1 / m : 0;
             if (held.x)
-                plane->px[node] = plane->node_mass[node] * plane->speed;
+                plane->px[node] = m * plane->speed;
             if (held.y)
                 plane->py[node] = 0;
         }
@@ -196,9 +286,8 @@ static void hold_force(Plane *plane, int first_row, int end_row)
             }
             if (held.y)
                 plane->fy[node] = 0;
-            const bool active = plane->node_mass[node] > plane->floor;
-            plane->ax[node] = active ? plane->fx[node] / plane->node_mass[node] : 0;
-            plane->ay[node] = active ? plane->fy[node] / plane->node_mass[node] : 0;
+            plane->ax[node] = plane->fx[node] * plane->node_inverse[node];
+            plane->ay[node] = plane->fy[node] * plane->node_inverse[node];
         }
         plane->head->work -= push * plane->speed * plane->dt * plane->def.thickness;
     }

@@ -13,6 +13,7 @@
 #include "physics/mpm_plane/plane.h"
 #include "physics/mpm_plane/plane_shape.h"
 
+#include <math.h>
 #include <stdint.h>
 
 enum { PLANE_CHECK_EVERY = 64 }; /* the energy is looked at after each step that is a multiple of this */
@@ -68,6 +69,7 @@ typedef struct Plane {
     double *sx, *sy;                                    /* beside the first node, in cells */
     int32_t *base;                                      /* the first node */
     double *node_mass, *px, *py, *fx, *fy;
+    double *node_inverse;      /* 1/m; 0 where the node is inactive */
     double *node_vx, *node_vy; /* p/m as of the last stage that wrote p */
     double *ax, *ay;           /* f/m */
 
@@ -112,15 +114,42 @@ static inline double plane_xmin(const Plane *plane, long step)
 /* plane_model.c: everything constant, from plane->def, which is sound. */
 void plane_derive(Plane *plane);
 
-/* What a node's support holds, decided anew each step. */
+/* What a node's support holds, decided anew each step. Places are compared with a tolerance of 1e-6 dx, as
+ * nodes lie exactly on the limits. */
 typedef struct PlaneHeld {
     bool x, y;
 } PlaneHeld;
 
-PlaneHeld plane_held(const Plane *, long step, int i, int j);
+/* Supported: uy = 0 at the nodes of the end sections and beyond (`point`: on the mid-plane alone), ux = 0 at
+ * x <= 0 on the mid-plane. Cantilever: nodes in the channel, x <= 0 in the laboratory, uy = 0 and, with the
+ * full clamp, ux = v0 t. */
+static inline PlaneHeld plane_held(const Plane *plane, long step, int i, int j)
+{
+    const double tolerance = 1e-6 * plane->dx;
+    const double x = plane_xmin(plane, step) + i * plane->dx, y = plane->ymin + j * plane->dx;
+    const bool left = x <= tolerance, right = x >= plane->def.length - tolerance;
+    const bool middle = fabs(y) <= tolerance;
+    if (plane->def.leaves_channel)
+        return (PlaneHeld){left && plane->def.clamp == CLAMP_FULL, left};
+    return (PlaneHeld){left && middle, (left || right) && (middle || plane->def.ends == PLANE_SECTION)};
+}
 
-/* plane_grid.c: where a particle is on the grid as it lies before `step`; false: outside. */
-bool plane_find(const Plane *, double xmin, double x, double y, int32_t *base, double *sx, double *sy);
+/* Where a particle is on the grid whose left edge is at xmin. False: outside. The particle's hat, or its box,
+ * must lie on the grid whole. The first node is floor(r - l); a box that begins in the last cell ends there,
+ * and its third weight, which would belong to a node beyond, is 0. */
+static inline bool plane_find(const Plane *plane, double xmin, double x, double y, int32_t *base, double *sx,
+                              double *sy)
+{
+    const double inverse = 1 / plane->dx, l = plane->def.shape == MPM_HAT ? 0 : plane->half;
+    const double rx = (x - xmin) * inverse - l, ry = (y - plane->ymin) * inverse - l;
+    if (!(rx >= 0 && ry >= 0 && rx < plane->gx - 1 - 2 * l && ry < plane->gy - 1 - 2 * l))
+        return false;
+    const int i = (int)rx, j = (int)ry;
+    *base = (int32_t)(j * plane->gx + i);
+    *sx = rx - i;
+    *sy = ry - j;
+    return true;
+}
 
 /* plane_do.c: the work of a stage on its items [first, end). */
 bool plane_do(Plane *, PlaneOp, int first, int end, Status *);
