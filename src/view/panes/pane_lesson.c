@@ -157,7 +157,7 @@ static int lines_of(const Screen *screen, Area area)
 }
 
 /* Lines above what is shown: of the list, as many as the chosen one needs to be seen. */
-static int lines_above(const Screen *screen, Area area)
+int pane_lesson_above(const Screen *screen, Area area)
 {
     const int to_chosen = lines_of(screen, area) - screen_lesson_count() + screen->lesson.chosen + 1;
     const int rows = area.rect.height - MARGIN_ROWS;
@@ -177,7 +177,7 @@ void pane_lesson(const Screen *screen, Area area)
     else
         snprintf(heading, sizeof heading, "Lessons");
     area_rule(area, 0, heading, screen_is_focused(screen, PANE_PARAMETERS) ? STYLE_FOCUS : STYLE_HEADING);
-    Pen pen = {area_part(area, 0, 1, area.rect.width, rows), -lines_above(screen, area)};
+    Pen pen = {area_part(area, 0, 1, area.rect.width, rows), -pane_lesson_above(screen, area)};
     write_all(&pen, screen);
     footer_text(screen, footer, sizeof footer);
     const int last = area.rect.height - 1, end = area.rect.width - 1;
@@ -202,28 +202,4 @@ int screen_lesson_count(void)
     while (count < LESSONS_MAX && builtin_lessons[count].name)
         count++;
     return count;
-}
-
-int screen_lesson_at(const Screen *screen, int width, int height, int x, int y)
-{
-    const Rect pane = screen_pane(screen, width, height, PANE_PARAMETERS);
-    Canvas none = {.width = width, .height = height};
-    const Area area = {&none, pane, screen->look.glyphs};
-    const bool inside = x >= pane.x && x < pane.x + pane.width && y > pane.y && y < pane.y + pane.height - 1;
-    if (!screen->lesson.open || screen->lesson.lesson || !inside)
-        return -1;
-    const int line = y - pane.y - 1 + lines_above(screen, area);
-    const int row = line - (lines_of(screen, area) - screen_lesson_count());
-    return row >= 0 && row < screen_lesson_count() ? row : -1;
-}
-
-int screen_lesson_most(const Screen *screen, int width, int height)
-{
-    const Rect pane = screen_pane(screen, width, height, PANE_PARAMETERS);
-    Canvas none = {.width = width, .height = height};
-    if (!screen->lesson.open || pane.width == 0)
-        return 0;
-    const int lines = lines_of(screen, (Area){&none, pane, screen->look.glyphs});
-    const int most = lines - 1 - (pane.height - MARGIN_ROWS);
-    return most > 0 ? most : 0;
 }

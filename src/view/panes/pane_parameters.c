@@ -86,7 +86,7 @@ static void real_text(const Screen *screen, const Parameter *parameter, char out
 }
 
 /* The first row shown, so that the chosen one stands near the middle. */
-static int first_row(const ParametersShown *shown, int count, int room)
+int pane_parameters_first(const ParametersShown *shown, int count, int room)
 {
     int first = shown->selected - room / 2;
     if (first > count - room)
@@ -198,7 +198,8 @@ void pane_parameters(const Screen *screen, Area area)
     const int count = screen_parameter_rows(screen, rows);
     experiment_derived(screen->experiment, derived);
     const bool focused = screen_is_focused(screen, PANE_PARAMETERS);
-    const int room = room_of(area.rect.height), first = first_row(&screen->parameters, count, room);
+    const int room = room_of(area.rect.height),
+              first = pane_parameters_first(&screen->parameters, count, room);
 
     for (int y = 0; y < room && first + y < count; y++) {
         const ParameterRow *row = &rows[first + y];
@@ -221,19 +222,6 @@ void pane_parameters(const Screen *screen, Area area)
         snprintf(text, sizeof text, "%d more below", count - first - room);
         area_text(area, 2, area.rect.height - 1, text, STYLE_FAINT);
     }
-}
-
-int screen_parameter_at(const Screen *screen, int width, int height, int x, int y)
-{
-    ParameterRow rows[PARAMETER_ROWS_MAX];
-    const Rect pane = screen_pane(screen, width, height, PANE_PARAMETERS);
-    if (screen->lesson.open)
-        return -1;
-    const int count = screen_parameter_rows(screen, rows), room = pane.height - 1;
-    if (x < pane.x || x >= pane.x + pane.width || y < pane.y || y >= pane.y + room)
-        return -1;
-    const int row = first_row(&screen->parameters, count, room) + y - pane.y;
-    return row < count && !rows[row].heading ? row : -1;
 }
 
 /* Of a lecture: the one that the arrows change. */

@@ -34,13 +34,16 @@ void layout_small(const Screen *, int width, int height, Layout *); /* without r
 
 void pane_title(const Screen *, Area);
 bool title_has_headline(const Screen *, int width); /* what the run is about stands in it */
-void pane_banner(const Screen *, Area);           /* of a lecture: time and state in large letters */
-void pane_chosen_parameter(const Screen *, Area); /* of a lecture: the one that the arrows change */
+void pane_banner(const Screen *, Area);             /* of a lecture: time and state in large letters */
+void pane_chosen_parameter(const Screen *, Area);   /* of a lecture: the one that the arrows change */
 int banner_rows(const Screen *, int width, int height);
 void pane_keys(const Screen *, Area);
 void pane_parameters(const Screen *, Area);
+int pane_parameters_first(const ParametersShown *shown, int count,
+                          int room); /* row at the top of so much room */
 void pane_lesson(const Screen *, Area);
-int pane_lesson_rows(const Screen *, int width); /* that all of it needs */
+int pane_lesson_rows(const Screen *, int width); /* that all of it needs, heading and footer too */
+int pane_lesson_above(const Screen *, Area);     /* lines that lie above what is shown */
 void pane_timeline(const Screen *, Area);
 char pane_timeline_letter(EventKind); /* its mark in the timeline; ' ': it has none */
 void pane_mesh(const Screen *, Area);
