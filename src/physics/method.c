@@ -3,10 +3,38 @@
 
 #include "base/assertion.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+/* --- things that are followed: their columns stand behind the method's, which knows nothing of them ---- */
+
+typedef struct Follow Follow;
+struct Follow {
+    int own; /* columns of the method */
+    int count;
+    struct {
+        int field;
+        size_t index;
+        char name[FOLLOW_TEXT_MAX], label[FOLLOW_TEXT_MAX], meaning[FOLLOW_TEXT_MAX];
+    } things[FOLLOW_MAX];
+    Quantity *series; /* all */
+};
+
+static void follow_free(Follow *follow)
+{
+    if (follow)
+        free(follow->series);
+    free(follow);
+}
+
+static bool follow_steps(Simulation *, long count, double *rows, long *done, Status *);
+static void follow_row(Simulation *, double *row);
+
+/* --- steps --------------------------------------------------------------------------------------------- */
 
 bool simulation_has(const Simulation *sim, unsigned what)
 {
@@ -86,6 +114,8 @@ bool simulation_steps(Simulation *sim, long count, double *rows, long *done, Sta
             return false;
     if (!may_go_on(sim, status))
         return false;
+    if (sim->follow)
+        return follow_steps(sim, count, rows, total, status);
     if (sim->method->steps)
         return sim->method->steps(sim, count, rows, total, status);
     for (; *total < count; ++*total) {
@@ -104,7 +134,10 @@ void simulation_row(Simulation *sim, double *row)
     /* between steps only */
     ASSERT_INT(sim->stage, ==, 0);
     ASSERT_INT(sim->item, ==, 0);
-    sim->method->row(sim, row);
+    if (sim->follow)
+        follow_row(sim, row);
+    else
+        sim->method->row(sim, row);
 }
 
 /* A snapshot is this head and then the method's own bytes. */
@@ -202,5 +235,150 @@ int simulation_find_stage(const Simulation *sim, const char *id)
 void simulation_destroy(Simulation *sim)
 {
     if (sim)
+        follow_free(sim->follow);
+    if (sim)
         sim->method->destroy(sim);
+}
+
+/* --- what is followed ------------------------------------------------------------------------------------
+ */
+
+static bool same_words(const char *a, const char *b)
+{
+    while (*a && tolower((unsigned char)*a) == tolower((unsigned char)*b))
+        a++, b++;
+    return !*a && !*b;
+}
+
+static int find_set(const Simulation *sim, const char *word)
+{
+    for (int set = 0; set < sim->n_sets; set++)
+        if (strcmp(sim->sets[set].name, word) == 0)
+            return set;
+    return -1;
+}
+
+static int find_field(const Simulation *sim, int set, const char *words)
+{
+    const int by_name = simulation_find_field(sim, set, words);
+    for (int i = 0; i < sim->n_fields && by_name < 0; i++)
+        if (sim->fields[i].set == set && same_words(sim->fields[i].quantity.label, words))
+            return i;
+    return by_name;
+}
+
+static bool refuse_field(const Simulation *sim, int set, const char *words, Status *status)
+{
+    char known[256] = "";
+    size_t used = 0;
+    for (int i = 0; i < sim->n_fields && used < sizeof known; i++)
+        if (sim->fields[i].set == set)
+            used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", used ? " | " : "",
+                                     sim->fields[i].quantity.name);
+    return status_fail(status, STATUS_USAGE, "%.40s is no field of a %s (%s)", words, sim->sets[set].name,
+                       known);
+}
+
+static bool find_thing(const Simulation *sim, const char *thing, int *field, size_t *index, Status *status)
+{
+    char word[16] = "";
+    unsigned long number = 0;
+    int end = 0;
+    const bool whole = sscanf(thing, "%15s %9lu %n", word, &number, &end) == 2 && end > 0 && thing[end];
+    const int set = whole ? find_set(sim, word) : -1;
+    if (set < 0)
+        return status_fail(status, STATUS_USAGE,
+                           "\"%.60s\" is nothing to follow (%s NUMBER FIELD, as in %s 0 %s)", thing,
+                           sim->sets[0].name, sim->sets[0].name, sim->fields[0].quantity.name);
+    if (number >= sim->counts[set])
+        return status_fail(status, STATUS_USAGE, "there is no %s %lu (0 to %zu)", word, number,
+                           sim->counts[set] - 1);
+    *index = number;
+    *field = find_field(sim, set, thing + end);
+    return *field >= 0 || refuse_field(sim, set, thing + end, status);
+}
+
+bool simulation_follow(Simulation *sim, const char *thing, Status *status)
+{
+    int field = -1;
+    size_t index = 0;
+    if (!find_thing(sim, thing, &field, &index, status))
+        return false;
+    Follow *follow = sim->follow ? sim->follow : calloc(1, sizeof *follow);
+    if (!follow || (!sim->follow &&
+                    !(follow->series = calloc((size_t)sim->n_series + FOLLOW_MAX, sizeof *follow->series)))) {
+        free(follow);
+        return status_fail(status, STATUS_FAILED, "not enough memory to follow a thing");
+    }
+    if (!sim->follow) {
+        memcpy(follow->series, sim->series, (size_t)sim->n_series * sizeof *sim->series);
+        follow->own = sim->n_series;
+        sim->follow = follow;
+        sim->series = follow->series;
+    }
+    if (follow->count == FOLLOW_MAX)
+        return status_fail(status, STATUS_USAGE, "too many things are followed (at most %d)", FOLLOW_MAX);
+    const Field *row = &sim->fields[field];
+    const char *set = sim->sets[row->set].name;
+    char name[FOLLOW_TEXT_MAX];
+    snprintf(name, sizeof name, "%s_%zu_%s", set, index, row->quantity.name);
+    if (simulation_find_series(sim, name) >= 0)
+        return status_fail(status, STATUS_USAGE, "%s is followed twice (once)", thing);
+    const int i = follow->count++;
+    follow->things[i].field = field;
+    follow->things[i].index = index;
+    memcpy(follow->things[i].name, name, sizeof name);
+    snprintf(follow->things[i].label, FOLLOW_TEXT_MAX, "%s of %s %zu", row->quantity.label, set, index);
+    snprintf(follow->things[i].meaning, FOLLOW_TEXT_MAX, "%s %zu: %.40s", set, index, row->quantity.meaning);
+    follow->series[sim->n_series++] = (Quantity){follow->things[i].name, follow->things[i].label,
+                                                 row->quantity.unit, follow->things[i].meaning};
+    return true;
+}
+
+/* --- values ------------------------------------------------------------------------------------------- */
+
+/* The value where the field is ready: now, or after some stages of a step that is then taken back. */
+static double value_of(Simulation *sim, int field, size_t index)
+{
+    const int stages = sim->sets[sim->fields[field].set].ready_after;
+    double value = 0;
+    void *bytes = stages > 0 ? malloc(simulation_snapshot_size(sim)) : NULL;
+    if (bytes)
+        simulation_snapshot(sim, bytes);
+    for (int i = 0; bytes && i < stages; i++)
+        if (!simulation_stage(sim, NULL))
+            break; /* the run will fail by itself, in its own time */
+    sim->method->field(sim, field, index, 1, &value);
+    if (bytes)
+        simulation_restore(sim, bytes);
+    free(bytes);
+    return isfinite(value) ? value : 0;
+}
+
+/* The method sees its own columns only, for it may go by their number. */
+static void follow_row(Simulation *sim, double *row)
+{
+    const Follow *follow = sim->follow;
+    const int all = sim->n_series;
+    sim->n_series = follow->own;
+    sim->method->row(sim, row);
+    sim->n_series = all;
+    for (int i = 0; i < follow->count; i++)
+        row[follow->own + i] = value_of(sim, follow->things[i].field, follow->things[i].index);
+}
+
+static bool follow_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
+{
+    Follow *follow = sim->follow;
+    for (*done = 0; *done < count; ++*done) {
+        long one;
+        sim->follow = NULL; /* a step as ever */
+        const bool sound = simulation_steps(sim, 1, NULL, &one, status);
+        sim->follow = follow;
+        if (!sound)
+            return false;
+        if (rows)
+            follow_row(sim, rows + *done * sim->n_series);
+    }
+    return true;
 }

@@ -204,6 +204,7 @@ struct Simulation {
 
     const Quantity *series;
     int n_series;
+    struct Follow *follow; /* things that are followed, behind the method's own series; NULL: none */
 
     unsigned has; /* HAS_... */
 
@@ -254,6 +255,14 @@ long simulation_steps_a_question(const Simulation *);
 
 /* The series at the present state; between steps only. */
 void simulation_row(Simulation *, double *row);
+
+/* From now on a field of one thing is one more column of the series, "particle_12_velocity": what is asked
+ * for as "particle 12 velocity", with the name of a set, a number, and a field's name or label. Of a set that
+ * is ready only after some stages (a grid's nodes) it is the value that these stages of the next step give,
+ * as in its table. Runs with such a column do their steps one by one, with the same bits. False: there is no
+ * such thing; the status says what there is. Before the first step only. */
+enum { FOLLOW_MAX = 4, FOLLOW_TEXT_MAX = 64 };
+bool simulation_follow(Simulation *, const char *thing, Status *);
 
 /* A snapshot: the state with step and stage. Taken between slices of a stage it is that of its beginning,
  * so take it between stages. */

@@ -23,11 +23,29 @@ static const Solver *need_solver(const Settings *settings, Status *status)
     return problem_solver(settings->problem, settings->method);
 }
 
+/* The series gets the columns of the things that are followed. */
+static bool follow_all(const Settings *settings, Simulation *sim, Status *status)
+{
+    const char *rest = settings->output.follow;
+    for (rest += strspn(rest, " ,"); *rest; rest += strspn(rest, " ,")) {
+        char thing[FOLLOW_TEXT_MAX];
+        size_t length = strcspn(rest, ",");
+        snprintf(thing, sizeof thing, "%.*s", (int)length, rest);
+        for (size_t end = strlen(thing); end > 0 && thing[end - 1] == ' ';)
+            thing[--end] = '\0';
+        rest += length;
+        if (!simulation_follow(sim, thing, status))
+            return status_prefix(status, "output.follow");
+    }
+    return true;
+}
+
 Simulation *problem_simulate(const Settings *settings, int threads, Status *status)
 {
     const Solver *solver = need_solver(settings, status);
     Simulation *sim = solver ? solver->simulate(settings, threads, status) : NULL;
-    if (!sim || problem_check_steps(settings->time.end, sim->dt, status))
+    if (!sim ||
+        (problem_check_steps(settings->time.end, sim->dt, status) && follow_all(settings, sim, status)))
         return sim;
     simulation_destroy(sim);
     return NULL;

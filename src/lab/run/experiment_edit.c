@@ -42,7 +42,9 @@ static bool replace_run(Experiment *experiment, const Settings *settings, bool k
     Experiment *fresh = experiment_create(settings, experiment->history.budget, experiment->threads, status);
     if (!fresh)
         return false;
-    if (keep_ghost && experiment_is_pinned(experiment)) {
+    if (settings_same(settings, &experiment->base)) {
+        /* the same curves come again */
+    } else if (keep_ghost && experiment_is_pinned(experiment)) {
         experiment_drop_unpinned(experiment);
     } else if (keep_ghost && experiment_has_curve(experiment)) {
         Remains remains = experiment_remains(experiment);
@@ -126,7 +128,7 @@ static bool recomputes(const Settings *settings, const Parameter *parameter)
     /* the critical stretch says the same */
     if (strcmp(parameter->key, "pd.critical_energy") == 0)
         return false;
-    return !parameter->output;
+    return !parameter->output || strcmp(parameter->key, "output.follow") == 0; /* columns from t = 0 on */
 }
 
 static bool differs(const Settings *a, const Settings *b, const Parameter *parameter)

@@ -144,6 +144,10 @@ bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Sta
         *status = said;
         return false;
     }
+    if (same && experiment_pending(lab->screen.experiment, NULL)) {
+        return_to_time(lab); /* the same run with another column */
+        player_settle(lab);
+    }
     if (same)
         return true;
     return_to_time(lab);

@@ -47,7 +47,8 @@ typedef enum LineArgument {
     ARGUMENT_FIGURE, /* a view if one likes, then a file */
     ARGUMENT_REFERENCES,
     ARGUMENT_LESSON,
-    ARGUMENT_STOP
+    ARGUMENT_STOP,
+    ARGUMENT_FIELD /* of one thing */
 } LineArgument;
 
 #define LINE(id, ...) LINE_##id,

@@ -197,6 +197,23 @@ void complete_assignments(Completion *completion, const Laboratory *lab)
     offer_values(completion, experiment_settings(lab->screen.experiment), word, key);
 }
 
+/* The fields of particles or nodes, behind a number; first the kinds of things. */
+static void offer_fields(Completion *completion, const Simulation *sim)
+{
+    const char *words = completion->start, *number = strchr(words, ' ');
+    const char *field = number ? strchr(number + 1, ' ') : NULL;
+    for (int set = 0; set < sim->n_sets; set++) {
+        const char *name = sim->sets[set].name;
+        if (!number)
+            offer(completion, name, " ");
+        for (int i = 0; field && i < sim->n_fields; i++) {
+            completion->start = field + 1;
+            if (sim->fields[i].set == set && strncmp(words, name, (size_t)(number - words)) == 0)
+                offer(completion, sim->fields[i].quantity.name, "");
+        }
+    }
+}
+
 /* The words after a verb; `start` is what stands behind it. */
 static void offer_arguments(Completion *completion, const Laboratory *lab, LineArgument kind)
 {
@@ -249,6 +266,9 @@ static void offer_arguments(Completion *completion, const Laboratory *lab, LineA
             offer(completion, stop_event_words[i], "");
         for (int i = 0; completion->start == words && i < 3; i++)
             offer(completion, (const char *const[]){"t ", "end", "first "}[i], "");
+        break;
+    case ARGUMENT_FIELD:
+        offer_fields(completion, experiment_simulation(lab->screen.experiment));
         break;
     case ARGUMENT_OTHER:
         break;

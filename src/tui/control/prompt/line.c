@@ -231,6 +231,51 @@ static bool node(Laboratory *lab, const char *words)
     return choose(lab, words, 1, "node", &lab->screen.chosen.node);
 }
 
+/* "particle 12 velocity" of "velocity", where that is a field of the chosen thing. */
+static void name_thing(const Screen *screen, const char *words, char out[FOLLOW_TEXT_MAX])
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const bool node = screen->chosen.is_node && sim->n_sets > 1;
+    size_t word = strcspn(words, " ");
+    for (int set = 0; set < sim->n_sets; set++)
+        if (strlen(sim->sets[set].name) == word && strncmp(words, sim->sets[set].name, word) == 0)
+            word = 0;
+    if (word == 0)
+        snprintf(out, FOLLOW_TEXT_MAX, "%.63s", words);
+    else
+        snprintf(out, FOLLOW_TEXT_MAX, "%s %zu %.30s", sim->sets[node].name,
+                 node ? screen->chosen.node : screen->chosen.particle, words);
+}
+
+/* Its column is shown in the probe view. */
+static bool plot(Laboratory *lab, const char *words)
+{
+    Screen *screen = &lab->screen;
+    Settings settings = *experiment_settings(screen->experiment);
+    Status status = {STATUS_DONE, ""};
+    char thing[FOLLOW_TEXT_MAX], *follow = settings.output.follow;
+    const size_t used = strlen(follow);
+    name_thing(screen, words, thing);
+    if (!*words)
+        memset(follow, 0, sizeof settings.output.follow);
+    else if (used + strlen(thing) + 3 > sizeof settings.output.follow)
+        return prompt_refuse(&lab->prompting, "too many things are followed: plot alone ends them");
+    else
+        snprintf(follow + used, sizeof settings.output.follow - used, "%s%s", used ? ", " : "", thing);
+    if (!edit_change(lab, &settings, experiment_edit, &status))
+        return prompt_refuse(&lab->prompting, status.text);
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const View *view = view_named("probe");
+    if (!*words) {
+        view_choose_variant(view, screen, 0);
+        laboratory_say(lab, MESSAGE_INFO, "nothing is followed any more");
+        return true;
+    }
+    command_show_view(lab, view);
+    view_choose_variant(view, screen, variant_of(view, screen, sim->series[sim->n_series - 1].name) - 1);
+    return true;
+}
+
 #define LINE(id, function, ...) [LINE_##id] = function,
 static bool (*const verbs[LINE_COUNT])(Laboratory *, const char *words) = {
 #include "view/help/line_rows.inc"
