@@ -243,18 +243,6 @@ void plane_field(const Simulation *sim, int field, size_t first, size_t count, d
                                                       : node_field(plane, field, (int)(first + k));
 }
 
-/* --- who exchanges with whom ---------------------------------------------------------------------- */
-
-bool plane_place_of(const Plane *plane, int p, int32_t *base, double *sx, double *sy)
-{
-    if (plane->sim.stage == 0)
-        return plane_find(plane, plane_xmin(plane, plane->sim.step), plane->x[p], plane->y[p], base, sx, sy);
-    *base = plane->base[p];
-    *sx = plane->sx[p];
-    *sy = plane->sy[p];
-    return true;
-}
-
 /* The nodes that a place shares in; those with neither weight nor slope are left out. */
 static size_t links_at(const Plane *plane, int32_t base, double sx, double sy, Link *out, size_t max)
 {

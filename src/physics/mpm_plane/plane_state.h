@@ -151,6 +151,19 @@ static inline bool plane_find(const Plane *plane, double xmin, double x, double 
     return true;
 }
 
+/* Where a particle is on the grid: as found by the step that goes on, else as it would be found. For what is
+ * read between stages. */
+static inline bool plane_place_of(const Plane *plane, int particle, int32_t *base, double *sx, double *sy)
+{
+    if (plane->sim.stage == 0)
+        return plane_find(plane, plane_xmin(plane, plane->sim.step), plane->x[particle], plane->y[particle],
+                          base, sx, sy);
+    *base = plane->base[particle];
+    *sx = plane->sx[particle];
+    *sy = plane->sy[particle];
+    return true;
+}
+
 /* plane_do.c: the work of a stage on its items [first, end). */
 bool plane_do(Plane *, PlaneOp, int first, int end, Status *);
 bool plane_map_and_hold(Plane *, Status *);
@@ -194,8 +207,6 @@ void plane_set_fields(Plane *);
 void plane_field(const Simulation *, int field, size_t first, size_t count, double *out);
 size_t plane_links(const Simulation *, int set, size_t index, Link *out, size_t max);
 size_t plane_shapes(const Simulation *, const double *place, Link *out, size_t max);
-/* Where a particle is on the grid: as found by the step that goes on, else as it would be found. */
-bool plane_place_of(const Plane *, int particle, int32_t *base, double *sx, double *sy);
 
 /* plane_exchange.c, plane_explain.c: the terms of the sums, and the sums as lines. */
 typedef enum PlaneExchange {
