@@ -109,6 +109,52 @@ START_TEST(what_matters_has_room)
 }
 END_TEST
 
+/* Rows of a pane in which nothing stands. */
+static int empty_rows(const Scene *scene, Rect part)
+{
+    const Canvas *canvas = &scene->canvas;
+    int count = 0;
+    for (int y = part.y; y < part.y + part.height; y++) {
+        int x = part.x;
+        while (x < part.x + part.width && canvas->cells[y * canvas->width + x].glyph == ' ')
+            x++;
+        count += x == part.x + part.width;
+    }
+    return count;
+}
+
+/* On a large screen the map of a beam lies along all that the fields leave, higher than half of the rows
+ * where the beam is high; no more than two rows of the box below it are empty, and nothing leaves the screen.
+ */
+START_TEST(the_map_grows_with_the_screen)
+{
+    static const struct {
+        const char *words;
+        int width, least; /* of the map */
+    } cases[] = {{"supported-beam-coarse 132x43 100 upper 8", 103, 14},
+                 {"supported-beam-coarse 132x43 100 upper 8 running", 103, 15},
+                 {"supported-beam-coarse 200x60 100 upper 8", 171, 23},
+                 {"notched-beam-coarse 132x43 100 upper 8", 103, 17},
+                 {"notched-beam-coarse 200x60 100 upper 8 running", 171, 27}};
+    Scene scene;
+    Status status = {STATUS_DONE, ""};
+    ck_assert_msg(scene_open(&scene, cases[_i].words, &status), "%s", status.text);
+    const int width = scene.canvas.width, height = scene.canvas.height;
+    const Rect map = screen_pane(&scene.screen, width, height, PANE_UPPER);
+    const Rect below = screen_pane(&scene.screen, width, height, PANE_LOWER);
+    const Rect box = screen_pane(&scene.screen, width, height, PANE_BOX);
+    ck_assert_int_eq(map.width, cases[_i].width);
+    ck_assert_int_ge(map.height, cases[_i].least);
+    ck_assert_int_ge(below.y, map.y + map.height);
+    ck_assert_int_le(empty_rows(&scene, box), scene.screen.playback.state == STATE_RUNNING ? 1 : 2);
+    char *text = canvas_dump(&scene.canvas);
+    ck_assert_ptr_nonnull(strstr(text, "── energy"));
+    ck_assert_ptr_nonnull(strstr(text, "── particles"));
+    free(text);
+    scene_close(&scene);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     int count = 0;
@@ -120,5 +166,6 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(texts, captions_are_shown_whole, 0, count);
     tcase_add_loop_test(texts, help_is_shown_whole, 0, 4);
     tcase_add_test(texts, what_matters_has_room);
+    tcase_add_loop_test(texts, the_map_grows_with_the_screen, 0, 5);
     suite_add_tcase(suite, texts);
 }

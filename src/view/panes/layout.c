@@ -33,19 +33,37 @@ static bool has_caption(const Screen *screen)
             (screen->playback.state == STATE_COMPUTING && screen->playback.goes_on));
 }
 
-static int box_rows(const Screen *screen, int height)
+/* While a run goes on no more than the words need where there is a map: it takes the rest. */
+static int box_rows(const Screen *screen, int height, bool map)
 {
     if (has_caption(screen))
-        return height < 27 ? 3 : height < 30 ? 4 : height < 40 ? 5 : 6;
+        return height < 27 ? 3 : height < 30 ? 4 : height < 40 || map ? 5 : 6;
     return height < 22 ? 4 : height < 27 ? 5 : height < 30 ? 6 : height < 40 ? 9 : 10;
+}
+
+/* The tables and the energies one below the other, in so many rows; the second table only where all three
+ * have room. */
+static void lay_out_sides(const Screen *screen, Rect rect, Layout *layout)
+{
+    enum { LEAST_ROWS = 8 };
+    const int sets = experiment_simulation(screen->experiment)->n_sets > 1 ? 2 : 1;
+    /* beside a lesson energies would answer what is still to be asked: its pages show them */
+    const int first = screen->lesson.open ? 0 : 1;
+    const int tables = rect.height / (first + 2) >= LEAST_ROWS ? sets : 1;
+    const int energies = first == 0 ? 0 : tables == 2 ? rect.height - 2 * (rect.height / 3) : rect.height / 2;
+    const int rest = rect.height - energies;
+    layout->sides[0] = (Rect){rect.x, rect.y, energies ? rect.width : 0, energies};
+    layout->sides[1] = (Rect){rect.x, rect.y + energies, rect.width, tables == 2 ? rest / 2 : rest};
+    if (tables == 2)
+        layout->sides[2] = (Rect){rect.x, rect.y + energies + rest / 2, rect.width, rest - rest / 2};
 }
 
 static void lay_out_full(const Screen *screen, int width, int height, Layout *layout)
 {
-    const int box = box_rows(screen, height);
     /* a beam that stands in a plot pane is not drawn twice */
     const bool drawn = simulation_has(experiment_simulation(screen->experiment), HAS_PLANE) &&
                        (screen->views.upper->is_map || screen->views.lower->is_map);
+    const int box = box_rows(screen, height, drawn);
     const int mesh = drawn ? 0 : height < 28 ? 2 : height < 40 ? 3 : 4;
     const int top = 1 + mesh, middle = height - 2 - box - mesh;
     const int fields = screen->lesson.open ? width < WIDE ? LESSON_WIDTH : WIDE_LESSON_WIDTH
@@ -89,15 +107,11 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
         return;
     }
     if (side) {
-        const int x = width - side_width, third = middle / 3;
-        const int sets = experiment_simulation(screen->experiment)->n_sets > 1 ? 2 : 1;
-        /* beside a lesson they would answer what is still to be asked: its pages show them */
-        const int energies = screen->lesson.open ? 0 : sets == 2 ? middle - 2 * third : middle / 2;
-        const int rest = middle - energies;
-        layout->sides[0] = (Rect){x, top, energies ? side_width : 0, energies};
-        layout->sides[1] = (Rect){x, top + energies, side_width, sets == 2 ? rest / 2 : rest};
-        if (sets == 2)
-            layout->sides[2] = (Rect){x, top + energies + rest / 2, side_width, rest - rest / 2};
+        /* a beam lies along the whole width, and what joins at the right stands beside the lower plot */
+        const int above = drawn && screen->views.upper->is_map ? upper : 0;
+        if (above)
+            layout->panes[PANE_UPPER].width = width - left;
+        lay_out_sides(screen, (Rect){width - side_width, top + above, side_width, middle - above}, layout);
     }
 }
 
