@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Arguments in, exit status out: the only place that prints an error or exits. */
 #include "base/threads.h"
 #include "base/visible.h"

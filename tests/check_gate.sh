@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # One gate for writing, one for reading, one door to the terminal: no other file opens, makes, renames or removes
 # files, and none puts text on standard error past visible_print(). What is asked are the object files and, for what
 # goes to standard error, the lines. CONTRIBUTING.md, "What may come from outside", says why.

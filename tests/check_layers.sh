@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The layers hold: no lower layer refers to the terminal, to a higher layer, or (physics) to the outside world; and
 # within a layer no file needs one that needs it back.
 cd "${MATVIB_BUILDDIR:-.}" || exit 1

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A method that nobody knows, driven through method.h alone: slices, fields, snapshots, and by a row of its
  * own an experiment and tables, on 58,800 nodes. */
 #include "lab/export/export.h"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Of the test scripts: sourced first, it makes a scratch folder that goes at the end and enters it, and counts
 # what is found out, as TAP. A script of one subcommand says which: subcommand=run
 number=0

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The Debian package, made of the tarball: it builds, lintian finds no error, and its program runs.
 for tool in dpkg-buildpackage dh lintian; do
 	command -v $tool >/dev/null 2>&1 || {

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # make install into a folder: all there, nothing else, and it works from anywhere.
 # shellcheck source=tests/common.sh
 . "$MATVIB_SRCDIR/tests/common.sh"
@@ -36,6 +37,8 @@ if command -v appstreamcli >/dev/null 2>&1; then
 else
 	skip "software centres can read of it" "no appstreamcli"
 fi
+missing=$(cd "$MATVIB_SRCDIR" && find src tests tools \( -name '*.[ch]' -o -name '*.inc' -o -name '*.sh' \) -exec grep -L 'SPDX-License-Identifier: GPL-3.0-or-later' {} +)
+result "each source file tells its licence: $missing" test -z "$missing"
 result "make uninstall" install uninstall
 result "leaves nothing" test -z "$(find "$scratch/root" -type f)"
 

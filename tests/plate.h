@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A third method, of the tests alone: a membrane on a two-dimensional lattice by velocity Verlet. It proves
  * that front ends need nothing but method.h.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What every unit test program shares: cases are collected in a suite, run by Check and told as TAP. */
 #ifndef TESTS_SUITE_H
 #define TESTS_SUITE_H

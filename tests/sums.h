@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A pencil for sums on screen: works out what is printed, as a student would. */
 #ifndef TESTS_SUMS_H
 #define TESTS_SUMS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Completion of the command line: write_completion bash | zsh > FILE. What can be completed comes from the
  * program's own tables, so that no shell knows an option that the program does not.
  *

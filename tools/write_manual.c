@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fills the frame of a manual page from the program's own tables: write_manual FRAME > PAGE.
  *
  * A line "@name argument" of the frame stands for a table; @VERSION@ for the version anywhere. What the

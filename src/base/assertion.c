@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The line that a failed assertion prints before it aborts; see assertion.h. */
 #include "base/assertion.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Assertions: what the caller of a function has promised, held while matvib is developed.
  *
  * They catch errors of the program, never of its user: bad input is a Status. They are on in a build

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The gate for writing (output.h): who may write, names made absolute, and files written under a temporary
  * name that takes the final one at the end, after fsync() of file and folder. Everything else that the
  * program does to a disk is here too. */

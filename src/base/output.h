@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The one gate for writing. Whatever makes, changes or removes a file does it here and names on whose behalf:
  * a lesson and a session that is done again are files from anybody, so they may write nothing.
  *

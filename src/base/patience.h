@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Long work that can be watched and stopped: it calls back every few milliseconds with the share that is
  * done, and stops when the answer is false. Behind the callback are a progress bar on standard error, a line
  * of the laboratory, ^C, Esc and signals. */

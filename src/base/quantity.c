@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers with arithmetic and units (quantity.h), by recursive descent:
  *
  *     sum      [+|-] product { (+|-) product }

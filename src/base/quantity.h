@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A number as a person types it: arithmetic, SI prefixes and units, "70 GPa", "25/3", "5 mm + 2 cm", "99.9
  * %".
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Signals that would end the process: each is noted, and loops that compute or wait end in good order.
  *
  * Taken are all that end a process by default and are sent from outside (SIGHUP, SIGTERM, SIGUSR1, SIGXCPU,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fills a Status (status.h): one line, with everything that could act on a terminal written out. */
 #include "base/status.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What went wrong, as a value.
  *
  * A function that can fail returns false and fills a Status; nothing but main prints or exits. The code is

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers and words as text, the same in every locale and on every machine. */
 #ifndef BASE_TEXT_H
 #define BASE_TEXT_H

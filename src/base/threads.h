@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How many threads to compute with by default. */
 #ifndef BASE_THREADS_H
 #define BASE_THREADS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes out what would act or hide on a terminal (visible.h): UTF-8 is decoded character by character,
  * and each is copied or replaced by its escape. The table holds Unicode's format and control characters. */
 #include "base/visible.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The one door for text from outside: files and their names, arguments, the environment.
  *
  * A terminal obeys bytes, and a reader believes what he sees. So whatever comes from outside and goes to a

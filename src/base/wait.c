@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* ppoll() where the system has it; elsewhere the same by pselect(), whose sets of descriptors are made
  * from the list and read back into it. */
 #include "base/wait.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sleeping until a file is ready or a signal comes: ppoll() where there is one, pselect() elsewhere. */
 #ifndef BASE_WAIT_H
 #define BASE_WAIT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of command words and what is done with it: finding the word, --help. One row for each command;
  * each is a function in a file of its own. */
 #include "cli/cli.h"
@@ -19,8 +20,8 @@ const CliCommand cli_commands[] = {
     {"sweep", "SCENARIO", "many runs that differ in some parameters, a row for each", cli_sweep},
     {"figure", "SCENARIO", "runs a scenario and draws a view of it for paper: SVG, PDF, PNG", cli_figure},
     {"movie", "SCENARIO|SESSION|SCRIPT", "films the laboratory: .cast, animated .svg, .gif", cli_movie},
-    {"fit", "SCENARIO", "the parameters with which a run agrees best with a measured series", cli_fit},
-    {"sound", "SCENARIO", "a run's frequency in the left ear, the exact one in the right: .wav", cli_sound},
+    {"fit", "SCENARIO", "the parameters that a measured series asks for", cli_fit},
+    {"sound", "SCENARIO", "the error of a frequency, to be heard: .wav", cli_sound},
     {"verify", "[NAME]...", "the papers' numbers measured anew: reproduced, and agreeing?", verify},
     {"lesson", "[NAME]", "a lesson beside the live laboratory; without a name: all of them", NULL},
     {"export-lammps", "SCENARIO", "a beam as input for LAMMPS, for runs on many machines", cli_export_lammps},

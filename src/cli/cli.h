@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The words of the command line. A command is one row of the table in cli.c and one function in a file of its
  * own; its options are rows of the table in options.c. Help, manual pages and completion read both.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Derived numbers of the simulation that the settings make, one a line, then the advice or the refusal
  * that a run would get (derived.h). */
 #include "cli/derived.h"

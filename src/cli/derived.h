@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What follows from settings: derived numbers and advice as lines of text, for `show` and `params`. */
 #ifndef CLI_DERIVED_H
 #define CLI_DERIVED_H

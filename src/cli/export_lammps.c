@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib export-lammps SCENARIO --output DIR`: a beam as input for LAMMPS. */
 #include "cli/cli.h"
 #include "cli/options.h"

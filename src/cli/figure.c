@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib figure SCENARIO --view NAME --output FILE`: runs without a screen, then draws what a view of the
  * laboratory shows, at the end or at several times, on one page. */
 #include "figure/figure.h"

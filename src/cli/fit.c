@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib fit SCENARIO --data FILE --vary KEY,...`: the parameters with which a run agrees best with a
  * measured series, how well they are known, and a picture of both. */
 #include "cli/cli.h"

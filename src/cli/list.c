@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib list`: the built-in scenarios with their titles; `matvib lesson --list`: the lessons. */
 #include "cli/cli.h"
 #include "cli/options.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib movie SCENARIO|SESSION|SCRIPT --output FILE`: the laboratory without a terminal, filmed. */
 #include "cli/cli.h"
 #include "cli/options.h"

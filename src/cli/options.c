@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of options and its reader (options.h). A row says which commands have the option, what its
  * value may be and which member it fills; --help, manual and completion print the rows. Then SCENARIO,
  * --set and the short forms (--end, --steps ...) are turned into one list of overrides for the scenario

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Options of the command line, all in one table, and the settings that SCENARIO and they come to. To add one:
  * a row in options.c and the member it fills. */
 #ifndef CLI_OPTIONS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib params [PROBLEM]`: the parameter table as text. */
 #include "cli/cli.h"
 #include "cli/derived.h"
@@ -23,7 +24,8 @@ static void print_parameter(const Settings *settings, const Parameter *parameter
     static const char *const methods[] = {[BY_EVERY_METHOD] = "", [BY_MPM] = "  [mpm]", [BY_PD] = "  [pd]"};
     const bool choice = settings->problem->concerns & CONCERN_METHODS;
     printf("  %-42s %s%s%s\n      %s\n", assignment, range, parameter->live ? "  [live]" : "",
-           choice ? methods[parameter_methods(parameter, settings->problem)] : "", parameter_help(parameter, settings->problem));
+           choice ? methods[parameter_methods(parameter, settings->problem)] : "",
+           parameter_help(parameter, settings->problem));
 }
 
 static void print_indented(const char *text)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A progress bar with the time that is left, drawn ten times a second at most and only on a terminal; it
  * also tells a long command to stop when a signal came (progress.h). */
 #include "cli/progress.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What commands that run for a while share: a bar on standard error, and an end by signal that takes back
  * temporary files. */
 #ifndef CLI_PROGRESS_H

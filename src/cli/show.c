@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib show SCENARIO`: what a scenario comes to, as a scenario file. */
 #include "cli/cli.h"
 #include "cli/derived.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib sound SCENARIO --output FILE.wav`: a run's frequency in the left ear, the exact one (of a beam:
  * Timoshenko's) in the right ear, so that an error of a few percent is heard as an interval. */
 #include "cli/cli.h"

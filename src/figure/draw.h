@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parts of a page, each drawn into a box. Private to src/figure. */
 #ifndef FIGURE_DRAW_H
 #define FIGURE_DRAW_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The heat map of a body, and the bar that tells its colours. */
 #include "figure/draw.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A sketch with axes on paper: frame, ticks, strokes cut at the frame, marks, labels and legend. */
 #include "figure/draw.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Words on paper: quantities with their indices, phrases broken into lines. */
 #include "figure/draw.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A figure from its name to its file: which views make one, panels side by side, what the page says of the
  * run. */
 #include "figure/figure.h"
@@ -189,7 +190,8 @@ bool figure_add(Figure *figure, const Screen *screen, const View *view, int pane
     errno = 0;
     screen_sketch(screen, view, columns, rows, &panel->sketch);
     const Sketch *sketch = &panel->sketch;
-    const bool in_want = errno == ENOMEM; /* a screen is drawn again, a page is not */
+    /* a screen is drawn again, a page is not */
+    const bool in_want = errno == ENOMEM || sketch->plot.lost;
     if (in_want || !sketch->has_axes) {
         if (in_want)
             no_memory(status);

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Figures for paper: what views show, taken down as sketches (view/draw/sketch.h) and drawn with lines and
  * fonts on one page with title, axes, legend and the parameters of the run, as SVG, PDF or PNG.
  *

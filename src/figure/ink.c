@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The colours of a figure: told apart by all kinds of colour vision. */
 #include "figure/ink.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How the styles of the screen look on white paper. Private to src/figure. */
 #ifndef FIGURE_INK_H
 #define FIGURE_INK_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The page: title, panels in a grid, notes, and at its foot the parameters of the run. */
 #include "figure/page.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The layout of a figure's page, in points. Private to src/figure. */
 #ifndef FIGURE_PAGE_H
 #define FIGURE_PAGE_H

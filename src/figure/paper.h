@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What figures are drawn on: lines, areas, discs and words, in points (1/72 inch) from the upper left corner,
  * y downwards. One interface, a back end for each kind of file: SVG is written here, with its words as text;
  * PDF and PNG come through cairo. The same calls give the same bytes. Private to src/figure. */

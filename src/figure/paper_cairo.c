@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* PDF and PNG through cairo. */
 #include "figure/paper.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SVG: words stay text, so that they can be searched, restyled and read aloud. */
 #include "figure/paper.h"
 

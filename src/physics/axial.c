@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What both bar methods take from axial.h: which particles bear the traction, and where front ends find
  * the motion. A particle bears it if its middle lies in the layer h of paper M, eq. 11: (k + 1/2) spacing
  * < h, with a tolerance for a layer that ends on a middle. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the methods for the axial vibration of a bar share: the fields and series that both report under the
  * same names, and which of their particles bear the traction. Units: any consistent system; lengths, masses
  * and forces are per unit cross-section. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sums written out with their numbers (calculation.h). The difficulty is the number of digits: a sum of
  * rounded terms seldom equals the rounded sum. So each sum is first written with few digits, the printed
  * numbers are worked out again, and digits are added to the terms, then taken from the result, until both

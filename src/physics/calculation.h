@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Arithmetic written out with its numbers, as on a blackboard: "p13 = 0.5 × (0.2 × 0.3 + 0.4 ×
  * 0.1) = 0.05". The digits are chosen so that what is printed adds up: whoever works the printed numbers out
  * gets the printed result, to its last digit.

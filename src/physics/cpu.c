@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Asks the processor for its vector instructions, once for each simulation that is made. The levels that
  * were compiled are those of HAVE_X86_KERNELS (configure.ac). */
 #include "physics/cpu.h"

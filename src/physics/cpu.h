@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which vector instructions this machine has.
  *
  * Kernels are compiled once for each level from the same source, with the same bits as result, and chosen

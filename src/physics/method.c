@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The driver that all methods share: stages, steps, snapshots, events. */
 #include "physics/method.h"
 

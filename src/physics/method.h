@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What every front end knows of a method: nothing else.
  *
  * A Simulation is one problem, discretised by one method, at one moment. What never changes during the run

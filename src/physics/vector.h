@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The machine's vectors of numbers, for the kernels alone: eight doubles with AVX-512, four with AVX, else
  * two.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The exact solution for the bar as a continuum.
  *
  *     u_tt = c^2 u_xx + b,   u = 0 at a fixed end,   E u_x = t at a free end,   u = 0, u_t = sum A phi at t =

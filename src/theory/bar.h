@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The right answers for the axial vibration of a bar: the continuum's (exact) and the mesh's (predicted).
  *
  * Source: paper M, eqs. 16 to 20; the discrete dispersion relation is our own derivation for the material

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Makes the matrices of bar_rest.h: shape functions at the places where particles stand at rest, then sums
  * over the particles. Everything that theory says of the mesh (dispersion.c, step_limit.c,
  * step_spectrum.c) starts here. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The particles of a bar at rest and the matrices that they make on its mesh: what one time step does to a
  * motion so small that no weight changes.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The motion of a bar by its characteristics.
  *
  * In each material the motion is a wave to the right and one to the left, each of them constant along its

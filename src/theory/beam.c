@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Periods of the simply supported beam, by Euler-Bernoulli and by Timoshenko, and the first frequency of a
  * cantilever: what beams by peridynamics are compared with. r^2 = I/A = h^2/12, unit width; SI units.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The right answers for beams: Euler-Bernoulli and Timoshenko, and the axially moving cantilever. SI units.
  */
 #ifndef THEORY_BEAM_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The axially moving cantilever, Euler-Bernoulli on L(t) = L0 + v t, by its modal equations.
  *
  * With s = x/L, phi_n the clamped-free modes (int phi^2 = 1, phi_n(1) = +-2) and w = sum q_n(t) phi_n(s):

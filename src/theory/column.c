@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar at rest under its own weight: with k = rho b/E the strain ln(dx/dX) is k (L - X), so that
  *
  *     x = int e^{k (L - X)} dX = (e^{kL} - e^{k (L - X)})/k

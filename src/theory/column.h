@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A bar that hangs from its left end at rest, exact at any strain where stress = E ln(stretch) and the
  * section stays as it is: at the place X of the bar without load hangs the weight rho b (L - X) below it.
  * Units: any consistent system. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Frequency and decay of one wave in the material point method on the bar: what the mesh predicts
  * (dispersion_of_bar).
  *

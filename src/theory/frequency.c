@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The frequency of a recorded series by least squares, and its spectrum.
  *
  *     minimise sum_k (c + sum_l [a_l cos(r_l omega t_k) + b_l sin(r_l omega t_k)] - y_k)^2

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The frequency of a recorded series. */
 #ifndef THEORY_FREQUENCY_H
 #define THEORY_FREQUENCY_H

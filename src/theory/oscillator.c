@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The motion of one particle in one cell, by its invariant.
  *
  * v^2/2 + c^2 ((w - 1) e^w + 1) = v0^2/2 is a circle: with the root h of 2 ((w - 1) e^w + 1) that has the

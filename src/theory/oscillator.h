@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One particle in one cell, between a node that is held and one that is free: the smallest bar of the
  * material point method, and an oscillator whose motion is known at any amplitude.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Predicted frequencies of the bar by peridynamics; pd_bar.h derives the equations. First a wave on an
  * endless lattice, in closed form; then the lattice with its ends, as eigenvalues of the matrix that its
  * families make, A u = omega^2 u, a band (band_eigenvalue) for one frequency and dense (GSL) where all

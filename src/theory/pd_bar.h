@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The lattice's answer for the bar by bond-based peridynamics: predicted frequencies.
  *
  * A wave u_j = U exp(i (k j h - omega t)) on an endless lattice of spacing h, horizon delta, c = 2E/(A

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Counts the callers between quiet_begin() and quiet_end() (quiet.h): the first turns GSL's error handler
  * off, the last puts the previous one back. */
 #include "theory/quiet.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Keeps GSL from ending the program.
  *
  * GSL's default error handler calls abort(); here errors are Status values. The handler belongs to the whole

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The largest courant number with ends (step_limit.h), by two dense symmetric eigenproblems.
  *
  * With D = M_l^(-1/2) M M_l^(-1/2) = Q diag(d) Q^T the operator becomes Q diag(z) Q^T on both sides of the

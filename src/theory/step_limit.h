@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The largest courant number dt c / dx with which a bar at rest on its mesh stays bounded.
  *
  * The eigenvalues of the linearised step first leave the unit circle at -1, and there the problem is

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The mode of a step that a sampled mode belongs to (step_spectrum.h).
  *
  * The step as a pencil (C - mu B) x = 0 of its eigenvalues lambda = 1 + mu. With nodal velocities v before it

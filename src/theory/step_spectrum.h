@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How a sampled mode goes on: the frequency and decay that a run shows with the ends that its mesh has.
  *
  * At rest one time step is a linear map of the nodal velocities v and forces f. Its eigenvalues lambda are

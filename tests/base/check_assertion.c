@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Assertions: what holds passes, what does not says both sides and aborts; switched off they evaluate
  * nothing. */
 #define MATVIB_ASSERTIONS 1

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is read comes from a file, is opened without waiting and has bounds. */
 #include "base/input.h"
 #include "suite.h"

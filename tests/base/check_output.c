@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The gate for writing: who may, what stands there while and after, and that it reaches the disk. fsync() is
  * this program's own, so that it is seen what is brought to the disk and when. */
 #include "base/output.h"

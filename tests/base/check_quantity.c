@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers with arithmetic, prefixes and units: the right value to the last bit, and why not where there is
  * none. */
 #include "base/quantity.h"

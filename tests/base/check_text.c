@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers survive the way through text; words are compared as a person would. */
 #include "base/text.h"
 #include "suite.h"

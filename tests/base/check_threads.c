@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* As many threads as one may have, and no more. */
 #include "base/threads.h"
 #include "suite.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Text from outside is shown, never obeyed: control bytes, what turns the direction, what has no width. */
 #include "base/status.h"
 #include "base/visible.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Particle-steps per second of the bar, each with its ratio to a plain loop measured in the same run.
  *
  * The plain loop is what one writes first: hat functions, update stress first, one loop over the particles

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How fast beams are: bonds per second, each bond counted once, whole steps with breaking. The yardstick is a
  * plain loop over a list of bonds, measured in the same run; all are measured in turn, several times, and the
  * best counts, since the machine may have other work. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a frame of a beam's map costs: drawing alone, the largest built-in beam, every variant, at two sizes
  * of the screen; then seen from near, and the inspector. A frame is at most 33 ms long.
  *

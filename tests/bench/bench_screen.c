@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the moving picture costs: share of a core, bytes and writes for each frame of mode1 at 80x24; and how
  * soon a key is answered while the notched beam runs. Measured on the real program in a pseudo terminal.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The plate is one layer of a square lattice, loaded as ours. Notch and supports are left out: they take no
  * time worth mentioning. LAMMPS multiplies the micromodulus with the volume of the other end, which here is
  * that of a cube of the spacing: so its micromodulus is ours over the spacing, and its body forces are force

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The notched beam's plate as another program has it: LAMMPS (lammps.org), the bond model "peri/pmb" of its
  * package PERI. */
 #ifndef BENCH_LAMMPS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What verify says of a number in its two columns, and that it says so with its exit status. */
 #include "cli/verify/verify.h"
 #include "cli/verify/verify_quantity.h"

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # list, show, params, --help and what is answered to a wrong command line.
 # shellcheck source=tests/common.sh
 . "$MATVIB_SRCDIR/tests/common.sh"
@@ -72,7 +73,7 @@ refuse "--set out of range" '--set: mesh.particles_per_cell: 9 is out of range (
 	show mode1 --set mesh.particles_per_cell=9
 refuse "Poisson's ratio of bonds" '--set: beam.poisson: is 1/3 here and cannot be set: bonds pull along their own line alone; a sheet of such springs grows narrower by a third of its stretch' \
 	show supported-beam --set beam.poisson=0.3
-refuse "which a bar has not" '--set: beam.poisson: unknown key (see: matvib params bar)' show mode1 --set beam.poisson=0.3
+refuse "which a bar has not" '--set: beam.poisson: is no parameter of problem bar (only of simply-supported-beam, moving-cantilever)' show mode1 --set beam.poisson=0.3
 refuse "a view that is none" '--set: view.upper: 99 is not allowed (1 to 9, or a view'\''s word)' show mode1 --set view.upper=99
 refuse "half a view" '--set: view.lower: 1.5 is not allowed (1 to 9, or a view'\''s word)' show mode1 --set view.lower=1.5
 refuse "a window without length" '--set: view.window: 0 is not allowed (> 0)' show mode1 --set view.window=0
@@ -90,7 +91,7 @@ refuse "too many nodes" '--set: pd.spacing: 2.06e+09 bonds are too many for memo
 refuse "both handles" '--set: pd.critical_stretch: pd.critical_stretch and pd.critical_energy say the same (one of them)' \
 	show notched-beam --set pd.critical_energy=1 --set pd.critical_stretch=1e-3
 refuse "unknown problem" \
-	'params: beam is not a problem (bar | simply-supported-beam | moving-cantilever | notched-beam)' params beam
+	'params: beam is not a problem (bar | simply-supported-beam | moving-cantilever | notched-beam | one-particle | hanging-column)' params beam
 refuse "laboratory: unknown option" '--pause: unknown option (did you mean --paused?)' --pause
 refuse "laboratory: unknown scenario" 'mode11: no such scenario or file (did you mean mode1?)' mode11
 : >empty

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # matvib fit as people type it: what it says and writes, and what it refuses. What it finds is measured by
 # check_fit.
 # shellcheck source=tests/common.sh

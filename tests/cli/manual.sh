@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The manual pages: without a warning, in step with the program, and their examples work.
 # shellcheck source=tests/common.sh
 . "$MATVIB_SRCDIR/tests/common.sh"

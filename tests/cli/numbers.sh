@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What the texts say of a run is what the program measures now: each row is a sentence of a scenario, a lesson or the
 # README with one number in it, and where that number comes from.
 # shellcheck source=tests/common.sh

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The recipes of the manual do with other programs what they promise; those of programs that are missing are skipped.
 # shellcheck source=tests/common.sh
 . "$MATVIB_SRCDIR/tests/common.sh"

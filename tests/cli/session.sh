@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # --record and --replay: the same bits again; --last; what is no session is refused.
 # shellcheck source=tests/common.sh
 . "$MATVIB_SRCDIR/tests/common.sh"
@@ -54,7 +55,7 @@ result "a replay can be recorded: the same keys" cmp a b
 result "a session is not overwritten" refused 'mode5.session: exists (--force replaces it)' mode1 --record mode5.session
 "$MATVIB" show mode1 2>/dev/null | sed -n '/^\[scenario\]/,$p' >first.ini
 result "a scenario is no session" refused \
-	'first.ini:1: unknown line: [scenario] (scenario NAME | paused | lesson NAME | reached NAME PAGE | "| ..." | at ... | end ...)' --replay first.ini
+	'first.ini:1: unknown line: [scenario] (scenario NAME | paused | first | lesson NAME | reached NAME PAGE | "| ..." | at ... | end ...)' --replay first.ini
 result "nor is nothing" refused 'empty: is no session (its scenario is missing)' --replay empty
 sed 's/^at .*Space$/at x 1 80x24 Space/' mode5.session >broken.session
 line=$(grep -n '^at x' broken.session | head -n 1 | cut -d: -f1)

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # matvib sound as people type it: what it says, its length, bytes that repeat, refusals. What is in the file is
 # measured by check_sound.
 # shellcheck source=tests/common.sh

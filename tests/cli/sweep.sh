@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Sweeps: what they measure, the order of their rows, going on after an interruption, plans, wrong words.
 # shellcheck source=tests/common.sh
 . "$MATVIB_SRCDIR/tests/common.sh"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Linked with the whole program, this lets one thing go wrong in it: an allocation, of ours or of any
  * library, or something that is given to a disk.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands with sensible arguments, in any order: what nobody would think of trying, played as scripts.
  *
  *     MATVIB_SEQUENCES=N  so many sequences       MATVIB_SEED=N  the first one's number; each has the next

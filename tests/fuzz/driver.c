@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Without libFuzzer: every file of a corpus, and a number of broken copies of each, always the same ones.
  *
  * Usage: fuzz_TARGET FILE-OR-FOLDER...     MATVIB_MUTANTS says how many copies (100) */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A target of fuzzing: a program that takes any bytes and must neither crash nor hang nor leak. The name is
  * that of libFuzzer, so that the same file serves it and the plain driver beside. */
 #ifndef TESTS_FUZZ_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Any bytes as keys: every key has a name, and after enough silence the next one is itself. */
 #include "fuzz/fuzz.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Any bytes as a lesson: refused in one line, or read, with at least a title and a page. */
 #include "fuzz/fuzz.h"
 

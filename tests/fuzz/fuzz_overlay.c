@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Any bytes as a foreign series: refused in one line, or a table whose numbers are where they should be. */
 #include "fuzz/fuzz.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Any bytes as a number with units: refused with a reason, or finite; what is read is the same however it is
  * written again, and numbers without letters mean the same in every unit. */
 #include "fuzz/fuzz.h"

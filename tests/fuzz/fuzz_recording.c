@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Any bytes as the file of a session: refused in one line, or read. */
 #include "fuzz/fuzz.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Any bytes as a scenario file: refused in one line, or read; what was read is written and read back the
  * same. */
 #include "fuzz/fuzz.h"

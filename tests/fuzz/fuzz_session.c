@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Any bytes as what a terminal sends to the laboratory; a zero byte and the two after it resize it. */
 #include "fuzz/fuzz.h"
 #include "tui/keyboard.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Convergence of predicted answers against an independent eigenvalue solver's. */
 #include "lab/answers/convergence.h"
 #include "lab/settings/parameters.h"

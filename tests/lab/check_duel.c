@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Two runs side by side: they stand at the same time whatever their steps are, and each is what it would be
  * alone. */
 #include "lab/run/duel.h"

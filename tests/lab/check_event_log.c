@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The log says what happened and when: against what is known of these runs. */
 #include "lab/run/experiment.h"
 #include "lab/settings/parameters.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* An experiment against fresh runs: whatever way led to a moment, it is the same to the last bit. */
 #include "lab/lab_case.h"
 #include "suite.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs as files: what they hold, that they repeat, that they are written whole or not at all. */
 #include "lab/export/csv.h"
 #include "lab/export/export.h"

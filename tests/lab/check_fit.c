@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The fit finds what a series was made with: without noise to the last digits, with noise within the interval
  * that it states, as often as it states; on data of the continuum it finds what the mesh makes of them. */
 #include "tests/suite.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A thing that is followed is a column more, and nothing else: the same bits in all others, the values that
  * its table has, whatever way the run is gone. */
 #include "suite.h"

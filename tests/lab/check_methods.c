@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One bar by two methods: which keys each has, how a scenario changes from one to the other, and what stands
  * beside a run by peridynamics. */
 #include "lab/problems/bars/bar_theory.h"

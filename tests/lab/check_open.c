@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The house is open: a parameter, a scenario, a problem and its method are each added from here, through the
  * public tables alone. The tables of this program stand in the place of the program's own: they hold what
  * those hold, and a row more. What is in no table knows nothing of it.

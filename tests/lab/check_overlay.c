@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Foreign tables: every dialect reads to the same numbers, what is no table is refused with file and line. */
 #include "lab/run/overlay.h"
 #include "suite.h"

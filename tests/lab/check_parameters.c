@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parameter table: rows that fit the screen, values that survive the way through text, nudges. */
 #include "lab/problems/beams/beam_answers.h"
 #include "lab/settings/parameters.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* No work without an end: whatever the parameters say, within their limits, a run that is being built asks
  * often enough whether to go on, and is given up soon after the answer is no. Time is the processor's, so
  * that a machine that is busy with something else changes nothing. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Beams by the material point method as the laboratory has them: their keys, answers beside, refinement, and
  * runs that are walked back. */
 #include "lab/answers/convergence.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Problems with their references: columns, answers, readouts, advice. */
 #include "lab/answers/dispersion.h"
 #include "lab/problems/bars/bar_theory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scenario files: what is read, what is refused and how that is said, what is written reads back. */
 #include "lab/settings/scenario.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the tests of the laboratory share: settings to start from, comparisons of whole runs. */
 #ifndef TESTS_LAB_CASE_H
 #define TESTS_LAB_CASE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bars as tests want them: a definition with its starting velocity. */
 #ifndef TESTS_BAR_CASE_H
 #define TESTS_BAR_CASE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Beams as tests want them. */
 #ifndef TESTS_BEAM_CASE_H
 #define TESTS_BEAM_CASE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The contract of method.h, held by assertions whatever the build: these two files are compiled into the test
  * with assertions switched on, in place of the library's. */
 #define MATVIB_ASSERTIONS 1

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Beams by the material point method: what their mesh predicts, conservation, symmetry, limits, bits, ends.
  */
 #include "physics/mpm_plane/plane.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Beams by the material point method against runs of an independent program, digit by digit: only these catch
  * a small error of convention. */
 #include "base/text.h"

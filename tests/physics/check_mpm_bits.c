@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One scenario, one set of bits: however a run is cut, watched, rewound, and whatever the machine's vectors.
  */
 #include "physics/bar_case.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Masses that are not lumped: what is solved, kept, predicted and stable with a mass blend and with FMPM. */
 #include "physics/bar_case.h"
 #include "suite.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* K_0, the kinetic energy that the grid cannot see, against plain rotations row by row: particles anywhere in
  * their cells, on nodes, upon each other, and cells that decide next to nothing. */
 #include "physics/bar_case.h"

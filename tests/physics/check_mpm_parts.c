@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar of two materials, and a bar that starts with a pulse: a joint between equals is none, sums hold
  * every particle at its own mass and stiffness, and waves come back as impedances say. */
 #include "physics/bar_case.h"

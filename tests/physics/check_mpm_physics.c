@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar against what is known of the method: frequencies, invariants, energies, limits of stability. */
 #include "physics/bar_case.h"
 #include "suite.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Beams keep what physics says they keep, and give the same bits whichever way a step is done. */
 #include "physics/beam_case.h"
 #include "physics/pd_plane/fracture/crack.h"

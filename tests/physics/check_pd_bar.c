@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar by peridynamics against plain double loops over all pairs of points, and what must hold of it. */
 #include "physics/pd_bar/pd_bar.h"
 #include "physics/run_case.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The moving cantilever at the paper's spacing, whole, against Euler-Bernoulli on a growing length (figs. 6,
  * 7). */
 #include "physics/beam_case.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The paper's notched beam to the end: when and where it cracks (paper P, figs. 9 and 10), with the numbers
  * of an independent program and the tolerances that its own sensitivity asks for. */
 #include "physics/beam_case.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a definition comes to: lattices, critical steps, periods; and what is refused, with the key named. */
 #include "physics/beam_case.h"
 #include "suite.h"

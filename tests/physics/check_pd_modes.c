@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The predicted period of the supported beam against an independent eigenvalue solver, and the factor behind.
  */
 #include "base/linear/cholesky.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A simulation of any method, run and read in a test. */
 #ifndef TESTS_RUN_CASE_H
 #define TESTS_RUN_CASE_H

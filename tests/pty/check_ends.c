@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* However the laboratory ends, and whatever it does then: the terminal is as it was, no half file is left,
  * the exit status tells why. */
 #include "pty/session.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The laboratory on a real terminal: what no script without one can show. */
 #include "pty/session.h"
 #include "suite.h"

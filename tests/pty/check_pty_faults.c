@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The laboratory on a real terminal while an allocation, of ours or of a library, finds no memory: it goes
  * on, or it ends and says why; the terminal is as it was before. */
 #include "pty/session.h"

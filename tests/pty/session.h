@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The real program on a real terminal: a pseudo terminal whose other end is libvterm. Nothing here sleeps:
  * the program tells through a pipe when it has drawn, and whether it now waits for a key. */
 #ifndef TESTS_PTY_SESSION_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar's motion by its waves: against its modes, against reflections written out, and, where a second
  * material leaves neither, against the equations that it has to obey. */
 #include "theory/bar_waves.h"

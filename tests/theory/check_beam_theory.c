@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Periods of the beam between two pins, and the cantilever that moves along itself. */
 #include "suite.h"
 #include "theory/beam.h"

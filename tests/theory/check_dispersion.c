@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the mesh makes of a wave: frequencies, decay, stability limits, v_cm. */
 #include "suite.h"
 #include "theory/bar.h"

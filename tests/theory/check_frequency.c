@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Frequencies put into a record come out of it again. */
 #include "suite.h"
 #include "theory/frequency.h"

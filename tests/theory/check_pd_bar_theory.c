@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The lattice's prediction against the engine, and what counts eigenvalues against a dense solver. */
 #include "base/linear/band.h"
 #include "physics/pd_bar/pd_bar.h"

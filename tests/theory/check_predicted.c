@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The prediction against runs of the engine, with motions so small that particles stay where they are. */
 #include "physics/bar_case.h"
 #include "suite.h"

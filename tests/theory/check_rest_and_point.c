@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One particle at any amplitude, and a bar that hangs: against digits of others, and against the equations.
  */
 #include "theory/column.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What one step does to a bar at rest on its mesh: how large it may be, and how a mode goes on. The tables
  * are those of an independent program, and the engine has the last word. */
 #include "physics/bar_case.h"

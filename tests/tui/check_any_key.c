@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Any key at any time: each key of the table in each view and each prompt, and long sequences at random, with
  * a virtual clock and no terminal. */
 #include "suite.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bytes become the keys that were meant, whatever terminal sent them, and nothing that was not meant. */
 #include "suite.h"
 #include "tui/control/prompt/line_edit.h"

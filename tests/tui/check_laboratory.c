@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What keys do to the laboratory, with a virtual clock and no terminal. */
 #include "suite.h"
 #include "tui/tui_case.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Lessons: their files are read, and every page of the program's own does what it says and fits the screen.
  */
 #include "suite.h"

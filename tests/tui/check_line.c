@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command line behind `:`: its verbs, completion, history, and foreign series over the plots. */
 #include "view/views/view.h"
 #include "suite.h"

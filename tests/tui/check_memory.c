@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Each allocation fails once in a session of the laboratory: nothing crashes, nothing leaks, and where the
  * session does not come out the same, a line has said that memory was short.
  *

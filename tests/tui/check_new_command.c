@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A command that the program does not know: a row and the function that it names, as CONTRIBUTING says. The
  * two tables here take the place of src/view/help/command_list.c and src/tui/control/commands/command_table.c
  * when this program is linked; nothing else is replaced, so whatever knows the command has found it there. */

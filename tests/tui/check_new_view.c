@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A view that the program does not know: this file and its name in the list, as CONTRIBUTING says. The list
  * here takes the place of src/view/views/view_list.c when this program is linked; nothing else is replaced,
  * so whatever shows the view has found it there. */

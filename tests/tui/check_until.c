@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a run stops at by itself: it stands at the very step, and nothing beyond has been computed. */
 #include "suite.h"
 #include "tui/tui_case.h"

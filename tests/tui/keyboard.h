@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A terminal whose keyboard is a pipe: bytes in, keys out, with curses in between and no terminal at all. */
 #ifndef TESTS_TUI_KEYBOARD_H
 #define TESTS_TUI_KEYBOARD_H

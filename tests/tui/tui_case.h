@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the tests of the laboratory's keys share: a laboratory with a virtual clock and no terminal. */
 #ifndef TESTS_TUI_CASE_H
 #define TESTS_TUI_CASE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A canvas keeps what is put on it, inside its bounds; commands are found by name and key. */
 #include "suite.h"
 #include "view/draw/canvas.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The energy view, read as it stands on the screen: the hidden share, E*, and a name for every band. */
 #include "suite.h"
 #include "view/scene.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The map of a beam, the drawing and the family inspector: what they show is where and what the simulation
  * says, read from the cells as a reader would. */
 #include "view/views/view.h"

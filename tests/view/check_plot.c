@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Ticks are round, labels agree with them, and a curve's column shows all that its samples do. */
 #include "suite.h"
 #include "view/draw/plot.h"

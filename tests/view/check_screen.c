@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Whole screens: compared with pictures that were looked at, and with what every screen must keep to.
  *
  * The pictures are tests/golden/view/NAME.txt. After a change that is meant, write them anew and look at the

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A sketch holds what a view shows, in the view's own numbers: strokes against the record, words against the
  * heading and the legend. */
 #include "view/views/view.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is said in words is shown whole: captions, summaries, stages, the title line, the key line and every
  * page of the help, of every scenario, at the sizes that people have. */
 #include "suite.h"

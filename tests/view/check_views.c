@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the views of the errors, the spectrum and the timeline show is where theory and the run say: read from
  * the grid alone, by the labels of its axes, as a reader would. */
 #include "lab/settings/scenario.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A screen from words, for tests that compare pictures and for looking at them:
  *
  *     SCENARIO WxH STEPS [key=value]... [word]...

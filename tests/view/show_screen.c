@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws one screen to standard output, to look at what the code does; words as in scene.h. */
 #include "view/scene.h"
 

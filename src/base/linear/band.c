@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Eigenvalues of a symmetric band matrix by counting (band.h): A - x = L D L^T row by row without
  * pivoting,
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Eigenvalues of a symmetric band matrix, one at a time, by counting.
  *
  * The number of negative pivots of A - x in L D L^T is the number of eigenvalues below x (Sylvester's law of

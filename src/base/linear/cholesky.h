@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Symmetric positive definite band matrices: Cholesky's factors and solutions with them.
  *
  * K = L L^T keeps the band, so n rows of half-width b take n (b + 1) numbers, n b^2 / 2 products for the

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib sweep SCENARIO --vary KEY=A,B,C ...`: many runs that differ in some parameters, a row for each. */
 #include "base/text.h"
 #include "base/threads.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The worker processes of a sweep (sweep_jobs.h): each combination is computed in a child made by fork(),
  * which sends its progress and then its result through a pipe; the parent polls all pipes, starts the next
  * combination where a child has ended, and takes results in the order in which they come. A child that

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Combinations shared out to worker processes, each combination to a process of its own: a run that crashes
  * or is killed takes no other with it, and every run starts from the same clean state, so that its numbers do
  * not depend on how many run beside it. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The file FILE.partial (sweep_partial.h): opened and locked, its whole rows read back, rows appended and
  * flushed one by one, removed at the end. The key of a row is a hash (FNV-1a) of the scenario
  * that it came from, so rows survive reordering of the sweep but not a change of the run. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The rows of a sweep that has not come to its end, in FILE.partial: a row is appended as soon as its run is
  * done, and a sweep that was interrupted goes on from there. Each row begins with a hash of everything
  * its run depends on, which identifies the combination; so rows are found again whatever

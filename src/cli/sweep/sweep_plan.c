@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads --vary and --with into axes (sweep_plan.h), numbers their combinations like nested loops, and
  * makes the settings and the command line of each. */
 #include "cli/sweep/sweep_plan.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a sweep runs: keys with their values, and the combinations that they make.
  *
  * Every --vary is an axis of its own, and the combinations are the product of the axes; a --with changes

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The columns of the result of a sweep: name, unit and meaning of each, and the numbers of a finished run.
  * A column is a bar's (frequency) or a beam's (period). */
 #include "cli/sweep/sweep_result.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes the rows of a sweep: as CSV, with the shortest digits that read back, or aligned for reading.
  * Columns that no row has are left out. */
 #include "cli/sweep/sweep_table.h"

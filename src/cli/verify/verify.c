@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command line of verify: which checks there are, and which of them run. */
 #include "cli/verify/verify.h"
 #include "base/text.h"

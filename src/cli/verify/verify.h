@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib verify`: the claims of the papers beside theory and measured numbers.
  *
  *     matvib verify [NAME]... [--full] [--list]

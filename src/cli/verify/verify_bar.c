@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows of paper M: the bar by the material point method, and the same bar by peridynamics. Reference digits
  * are those of independent solvers; where a prediction has a tolerance, it is of this very discretisation. */
 #include "cli/verify/verify_checks.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows of paper P, sections 3.1 and 3.2: the simply supported beam, its lattice, and the moving cantilever.
  * Reference digits are those of independent solvers. */
 #include "cli/verify/verify_checks.h"

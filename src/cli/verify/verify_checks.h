@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The checks of a verification, by subject: each a table of rows under a name. */
 #ifndef CLI_VERIFY_CHECKS_H
 #define CLI_VERIFY_CHECKS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows of paper P, section 3.3: the crack of the beam with an offset notch. Reference digits are those of an
  * independent solver. */
 #include "cli/verify/verify_checks.h"

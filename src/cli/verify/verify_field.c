@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tests of the field on the bar, each with an exact answer that is none of paper M's: one particle at large
  * amplitude, a pulse that comes back, the echo of a second material, a bar that hangs; and what the start of
  * APIC's slopes does to the energy, and every limit of stability. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows of the beams by the material point method. No paper has them: their references are independent solvers
  * and the mesh's own eigenvalue. */
 #include "cli/verify/verify_checks.h"
@@ -58,7 +59,7 @@ static const VerifyRow periods[] = {
 #define TIP_ROW(label, time, number)                                                                         \
     {                                                                                                        \
         .what = label, .quantity = quantity_value_at, .column = "u_probe", .other = "u_modal", .from = time, \
-        .scale = 1e6, .decimals = 3, .reference = WITHIN(number, 0.0066), .theory = quantity_other_at,        \
+        .scale = 1e6, .decimals = 3, .reference = WITHIN(number, 0.0066), .theory = quantity_other_at,       \
         .full = true                                                                                         \
     }
 

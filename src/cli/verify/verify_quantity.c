@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a verification reads from a run: see verify_quantity.h. Times are those of rows. */
 #include "cli/verify/verify_quantity.h"
 

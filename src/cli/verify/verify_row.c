@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Verdicts on a number. */
 #include "cli/verify/verify_row.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A row of a verification: one number of one run, its reference and tolerance, and the paper's claim about
  * it. */
 #ifndef CLI_VERIFY_ROW_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs a scenario step by step as `matvib run` does, and keeps its rows. */
 #include "cli/verify/verify_run.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The runner of verify: makes the runs that rows name, one run for consecutive rows of the same scenario, and
  * prints each number with its two verdicts, against our reference and against the paper (verify_row.h). */
 #include "cli/verify/verify_runner.h"

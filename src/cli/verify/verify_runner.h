@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The one runner of checks, and its two counts: what reproduces our reference or theory, and what agrees with
  * the paper. */
 #ifndef CLI_VERIFY_RUNNER_H

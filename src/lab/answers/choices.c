@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The list behind choices.h: one row for each place where a paper is silent, contradicts itself or is not
  * followed. A page of the help and a section of the manual are made from it. */
 #include "lab/answers/choices.h"

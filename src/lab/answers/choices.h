@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where the papers are silent or do otherwise, and what is done here: the list behind a page of the help and
  * a section of the manual. Paper M is the bar's, paper P that of the beams. */
 #ifndef LAB_CHOICES_H

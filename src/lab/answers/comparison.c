@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of a duel: one function for each quantity writes its label and its value for either run, in
  * the order of the list at the end. A row is shown if at least one of the runs has a value. */
 #include "lab/answers/comparison.h"

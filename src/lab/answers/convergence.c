@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The studies of convergence.h: each is a function that makes the settings of its point k from those of
  * the scenario. A point is computed by predicted answers alone (problem.h), no run is made; the observed
  * order is the slope of a straight line through log |error| over log size. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What becomes of the error when a mesh or a lattice is refined: predicted answers beside theory, a point at
  * a time, without a run.
  *

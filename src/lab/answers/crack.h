@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The crack of the notched beam as it is shown on screen, on paper and in tables: the numbers that the method
  * measures, and those of paper P (figs. 9 and 10). Front ends call this, not the method. SI units; angles in
  * degrees between the notch and the way that the crack goes, positive towards larger x. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Hands the questions of dispersion.h on to the solver, and leaves out what does not account for a
  * parameter that is at work (known.h). */
 #include "lab/answers/dispersion.h"

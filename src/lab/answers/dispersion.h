@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every mode of a bar on its mesh or lattice: what a dispersion plot shows, with the reasons for its error
  * apart.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which parameters make a run agree best with a series that was measured: least squares over runs.
  *
  *     minimise  chi^2(p) = sum_k (y_k - s(t_k; p))^2

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The sharp invariant of the bar: its energy without the ripple.
  *
  * Velocities and stresses of the material point method are known half a step apart, so kinetic and strain

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Copies fields of the particles at one moment (profile.h), of a beam those of its middle row, in the
  * order of x. */
 #include "lab/answers/profile.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The amplitude spectrum of a column (spectrum.h): rows are taken up to a power of two, averaged in groups
  * where there are more than the transform takes, transformed by theory/frequency.c, and divided by the
  * gain of that average. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The amplitude spectrum of one column of a record: which lines a series has, with the window and the scale
  * of theory/frequency.h.
  *

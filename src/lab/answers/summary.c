@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The words at the end of a run (summary.h): measured frequency beside predicted and exact, change of the
  * energy, crack. Written from a RunSummary by `matvib run`, from a live experiment by the laboratory. */
 #include "lab/answers/summary.h"

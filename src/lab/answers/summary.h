@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a run came to, in words: printed by `matvib run`, shown by the laboratory at the end. */
 #ifndef LAB_SUMMARY_H
 #define LAB_SUMMARY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a folder of tables is, for those who keep research data: an RO-Crate 1.1, the file
  * ro-crate-metadata.json beside the tables. It names each file with what it holds, the program and its
  * version, and the scenario from which the program writes the same bytes again. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Header and rows of a table (csv.h); the number format is that of base/text.h, with whole numbers written
  * directly, since they are most of a table. */
 #include "lab/export/csv.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Lines of a CSV table: numbers as the shortest text that reads back to the same double, LF, no quotes. */
 #ifndef LAB_CSV_H
 #define LAB_CSV_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A run from its start to its end without a screen, tables and frames written on the way: the engine of
  * `matvib run` and of a sweep. Goes in batches of steps up to the next row, frame, change or question whether
  * to go on. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The files of an export: tables, frames for ParaView, the scenarios that stand beside. */
 #include "base/text.h"
 #include "lab/export/csv.h"

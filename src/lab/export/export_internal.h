@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files behind export.h share: a run under way, and its files. */
 #ifndef LAB_EXPORT_INTERNAL_H
 #define LAB_EXPORT_INTERNAL_H

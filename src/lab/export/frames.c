@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Plans the frames (frames.h): evenly spaced over the run, or at the steps nearest to the given times;
  * ascending, each step once, and the last step where nothing else is asked for. */
 #include "lab/export/frames.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The steps at which tables of particles, nodes and bonds are written. */
 #ifndef LAB_FRAMES_H
 #define LAB_FRAMES_H

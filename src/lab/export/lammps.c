@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes a beam as input for LAMMPS (lammps.h). The beam is built as for a run and read back through
  * method.h: nodes, bonds, supports, loads. The notch is the hard part: peri/pmb cuts bonds by types of
  * atoms only, so nodes with the same cut bonds share a type, and pairs of types are excluded. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A beam as input for LAMMPS, pair_style peri/pmb, whose runs may use many machines.
  *
  * Two files and, where the beam starts bent, one more for each displacement: the script "in.matvib", the

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes .vtu and .pvd files (vtk.h) as XML, numbers as in CSV or as they are in memory. Nothing is kept
  * between frames. */
 #include "lab/export/vtk.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Two tones as a file of sound (RIFF WAVE, PCM, 16 bits, 44.1 kHz): one for each ear. */
 #ifndef LAB_WAV_H
 #define LAB_WAV_H

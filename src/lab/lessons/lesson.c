@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads and checks a lesson (lesson.h): lines, commands by the table of keywords, then what a page must
  * and must not have. Every error names file and line. Nothing is executed here; the laboratory plays the
  * pages. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Lessons: pages of text beside the live laboratory, from a text file. Format: manual page matvib(5).
  *
  * A line that begins with '@' says something of the lesson or of a page, '#' begins a comment line, all else

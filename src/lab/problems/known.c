@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Whether a reference accounts for a run (known.h): every row of the parameter table whose value is not
  * neutral must be in the list that the solver gave for that reference, and so must every parameter that is
  * changed in mid-run. */

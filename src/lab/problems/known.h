@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which references account for a run: each names the parameters that it understands, and leaves where another
  * one is at work. */
 #ifndef LAB_KNOWN_H

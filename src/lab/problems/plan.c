@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What solvers build their answers from: the plan of columns, and derived numbers. */
 #include "lab/problems/solver.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The functions of problem.h for settings of any problem: finds row and solver, and hands over to them. */
 #include "lab/problems/problem.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A problem is a row: what it is made of (its concerns, whose parameters it has), their defaults, and who
  * solves it. A solver joins the problem to a method (physics) and to its right answers (theory).
  *

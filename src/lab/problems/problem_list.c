@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The list of problems: nothing but their names. */
 #include "lab/problems/problem.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a run is judged by: the frequency of a record beside theory's. */
 #include "lab/problems/solver.h"
 

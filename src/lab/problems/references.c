@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The references of a run (references.h): made by its solver, then read by whatever shows, writes or judges
  * the run. */
 #include "base/assertion.h"

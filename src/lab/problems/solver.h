@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What solvers share: the plan of the columns of a series, the references in full, and what helps to fill
  * them. Not for front ends. */
 #ifndef LAB_SOLVER_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Who solves a problem by which method. */
 #include "lab/problems/solvers.h"
 

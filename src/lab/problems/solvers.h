@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* For the rows of problems: their parameters, and the solvers that there are. */
 #ifndef LAB_SOLVERS_H
 #define LAB_SOLVERS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How many steps a run takes: the least number that reaches time.end, but for 1e-9 of it. */
 #include "lab/problems/problem.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Two runs side by side (duel.h): A is the scenario, B the same with some keys changed. Every verb acts on
  * A and then brings B to the same time; B is made anew whenever A becomes another run. If B fails alone it
  * stays at its last sound step. */

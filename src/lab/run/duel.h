@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A duel: two runs from one initial state which differ in a few keys, stepped together in time.
  *
  * A is the run that keys and edits act on, B follows it. They may differ in time step, columns, numbers of

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The events of a run in one list (event_log.h): what was known before it (advice, changes), what the
  * method reported, and what follows from the record: drift of the energy by levels, lag behind the exact
  * answer. Brought up to date after each piece of work. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Creates and destroys an experiment and answers what front ends read of it: step, rows, readout,
  * references, events (experiment.h). Forward and backward motion is in experiment_run.c, other settings in
  * experiment_edit.c. */

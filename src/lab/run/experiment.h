@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One run and all that is kept of it: settings, simulation, references, record, keyframes, ghosts.
  *
  * It has two times: the present (what is on screen, may be rewound) and the newest (what has been computed).

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Edits: another run in the place of this one, or another future of it. */
 #include "lab/run/experiment_internal.h"
 #include "lab/settings/changes.h"

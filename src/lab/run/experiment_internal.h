@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files behind experiment.h share. */
 #ifndef LAB_EXPERIMENT_INTERNAL_H
 #define LAB_EXPERIMENT_INTERNAL_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The sharp invariant (invariant.h) as the laboratory shows it: worked out once for each step that is looked
  * at, not while large bars run. */
 #include "lab/run/experiment_internal.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The run itself: forwards by steps, stages and parts of a stage, back to a keyframe, on into another future.
  */
 #include "lab/run/experiment_internal.h"

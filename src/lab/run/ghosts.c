@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Ghosts: the curves of earlier runs behind those of the present one. */
 #include "lab/run/experiment_internal.h"
 #include "lab/settings/parameters.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Keeps and drops keyframes (history.h). Snapshots are those of method.h; restoring one and replaying the
  * steps since gives the same bits as the run had. */
 #include "lab/run/history.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Keyframes of a run: snapshots from which any earlier moment is reached by restoring and replaying.
  *
  * They are taken every `interval` steps. When the next one would not fit the budget, every second one is

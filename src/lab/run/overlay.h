@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A foreign series, a student's or an experiment's, to be drawn over the curves of a run: a table of numbers
  * read from a CSV file of any origin.
  *

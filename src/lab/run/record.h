@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The rows of a run as far as they are kept: one row per recorded step, all columns.
  *
  * Rows are kept whole up to a budget. Beyond it every second row is dropped and from then on only every

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a run stops at (stop.h): read from words, looked for after each step. */
 #include "lab/run/stop.h"
 

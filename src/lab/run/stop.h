@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a run that goes on stops at: a step, a time, or something that happens to it.
  *
  * A step or time is known beforehand (stop_step()). Whether something happened is seen only while the run

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Changes in mid-run (changes.h): what is in force at a step is the settings with all changes up to it
  * applied in order. */
 #include "lab/settings/changes.h"

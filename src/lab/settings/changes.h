@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Changes of live parameters in mid-run: how they are applied, and what is in force when.
  *
  * A change "STEP = KEY=VALUE" is applied between steps, when STEP whole steps have been done; the row of that

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What no single value shows: does the whole make sense? Every refusal names the key to be changed. */
 #include "lab/settings/parameters.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What one set of settings is as against another. */
 #include "lab/settings/parameters.h"
 

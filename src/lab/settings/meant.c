@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which key is meant by its end or by the words beside its field on screen. */
 #include "lab/settings/parameters.h"
 

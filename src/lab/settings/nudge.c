@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* From one value of a parameter to the next, and to the other answer to a question. */
 #include "lab/settings/parameters.h"
 

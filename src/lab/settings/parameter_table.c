@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parameter table: nothing but its rows. */
 #include "lab/settings/parameter_table.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The words and macros of which the rows of the parameter table are made; for who reads parameter_rows.inc.
  */
 #ifndef LAB_PARAMETER_TABLE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds rows of the parameter table and of the table of text keys, and answers what follows from a row
  * alone: choices, range, default in a problem, unit. Values are set and read in values.c. */
 #include "lab/settings/parameters.h"

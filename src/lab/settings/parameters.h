@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parameter table: one row for each key of a scenario file that has a value. The scenario reader and
  * writer, --set, the fields on screen, `matvib params`, completion and the manual page read this table;
  * none repeats it. To add a parameter: one row in parameter_rows.inc and the member it fills in settings.h.

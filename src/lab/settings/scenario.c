@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads a scenario (scenario.h): lines come from scenario_lines.c as entries; problem and method are taken
  * first, since the allowed keys depend on them, then every entry by its key, then values from the command
  * line; then the whole is checked. An error gets the line or option that gave the key it names. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scenario files: INI text in, settings out, and back. Format: manual page matvib(5). */
 #ifndef LAB_SCENARIO_H
 #define LAB_SCENARIO_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Feeds inih line by line and collects its entries (scenario_lines.h). What is handed over is recorded as
  * expected, so that a line which inih would read otherwise is refused, not misread. */
 #include "lab/settings/scenario_lines.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The lines of a scenario file, before anything is known of their meaning: inih cuts them, and a reader in
  * front of it counts them and refuses what inih would damage silently (indented keys, long lines, NUL bytes,
  * sections without keys, text behind a bracket). */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Settings as a scenario file that reads back to the last bit. */
 #include "lab/settings/scenario.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What settings come to without the parameter table: lengths left to themselves, lists inside texts. */
 #include "lab/settings/settings.h"
 

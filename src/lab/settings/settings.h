@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Everything that a scenario holds: plain values, filled by the parameter table (parameters.h) and by the
  * scenario reader (scenario.h), read by everyone. A copy by assignment is a whole copy. */
 #ifndef LAB_SETTINGS_H

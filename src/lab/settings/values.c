@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Values of settings through the parameter table: set, get, show. */
 #include "lab/settings/parameters.h"
 

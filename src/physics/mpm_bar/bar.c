@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A bar by the material point method is made, copied out, put back and changed. The state is one block of
  * arrays; a snapshot between steps is its first part, the particles, in the middle of a step all of it. At t
  * = 0 particles stand at s = (j + 1/2)/P in their cells, with stress 0, volume m/rho and the velocity of eq.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The material point method on a bar (axial vibration), one-dimensional.
  *
  * Source: A. da Silva Rocha, "Unidimensional Axial Vibration Using MPM" (paper M); equation numbers are its.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The last stage of a step, "forget the grid": every particle takes its new natural coordinate,
  *
  *     s + sum N_i drift_i = edges + s',   0 <= s' < 1,   cell' = cell + edges        (eq. 15)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The definition of a bar: its defaults, and whether it is sound. Each line names the key as
  * in a scenario file, what is wrong and what is allowed. */
 #include "physics/axial.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The work of a bar's stages on a range of cells: the kernels, the supports, and what makes a run fail.
  * Stages one by one and whole steps in tiles (bar_tiles.c) both call this. */
 #include "physics/mpm_bar/bar_state.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a particle and a node of its cell exchange, factor by factor: the single terms of the sums of the
  * step,
  *

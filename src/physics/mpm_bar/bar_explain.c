@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The sums behind a stage with their numbers, for one particle or one node, as in "p13 = 0.5 × 0.2 = 0.1":
  * what the laboratory shows when a stage has just been done. The terms come from bar_exchange.c, bar_sums.c
  * makes sums of them; which sums a stage has is the table at the end of this file. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* kinetic_null, the energy that no nodal velocities can represent (bar_null.h): least squares by Givens
  * rotations, row by row in the order of the particles. Part of the row of a step.
  *

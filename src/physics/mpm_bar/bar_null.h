@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kinetic energy that the grid cannot see at all: K_0.
  *
  * What particles have falls into K_l + (K_c - K_l) + K_0. K_l = sum p^2/(2 m_i) is what lumped masses make of

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Energies of a bar and the row of its series: sums over all particles and nodes, per unit cross-section,
  *
  *     kinetic      sum m v^2 / 2, with APIC + sum m D C^2 / 2, D = sum N (x_i - x)^2

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The stages of a step as shown to the user (name, equation, sentence, the fields read and written), and the
  * order in which each algorithm does them:
  *

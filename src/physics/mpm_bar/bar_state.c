@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is asked of a bar's state in the middle of a step: which stages are done, where a particle and a node
  * are, and what a node has at present, whatever the order of the stages. For what front ends read (fields,
  * exchanges, explanations); the stages themselves need none of it. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The inside of a bar simulation: model, state, scratch. For the files of this folder only.
  *
  * Particles never change places: those of a bar stay in the order in which they were made, as long as

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stages and whole steps of a bar as the driver asks for them (method.h), and what may stop a run: the
  * energy, looked at after some steps. Whole steps go in batches; one that fails is taken back and done again
  * step by step, so that the run stands before the step that failed. */

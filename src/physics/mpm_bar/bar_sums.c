@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The sums of one particle or node as lines of a calculation, term by term from bar_exchange.c. Terms that
  * are exactly 0 by their shape function are left out. */
 #include "physics/mpm_bar/bar_sums.h"

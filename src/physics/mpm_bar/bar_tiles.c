@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Whole steps tile by tile, for bars that are larger than the processor's cache.
  *
  * Done stage after stage over the whole bar, every stage reads all particles from memory. Here the stages of

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The material point method on a beam in plane stress: simply supported, or leaving a channel.
  *
  * Source: the equations of A. da Silva Rocha, "Unidimensional Axial Vibration Using MPM" (paper M), written

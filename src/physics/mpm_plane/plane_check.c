@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The definition of a beam by the material point method: its defaults, and whether it is sound. Each line
  * names the key as in a scenario file, what is wrong and what is allowed. */
 #include "physics/mpm_plane/plane_state.h"

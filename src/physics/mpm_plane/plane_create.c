@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A beam by the material point method is made, copied out, put back and changed. The state is one block of
  * arrays; a snapshot between steps is its first part, the particles, in the middle of a step all of it. */
 #include "physics/mpm_plane/plane_state.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The work of the stages, a plain loop each, over rows of particles and rows of nodes. Masses, momenta and
  * forces are per unit thickness.
  *

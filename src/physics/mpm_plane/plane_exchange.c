@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a particle and a node near it exchange, factor by factor: the single terms of the sums of the step
  *
  *     m N    m v_x N    m v_y N                mass, momentum

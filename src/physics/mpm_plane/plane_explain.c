@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The sums behind a stage with their numbers, for one particle or one node: what the laboratory shows when a
  * stage has just been done. The terms come from plane_exchange.c; what is no exchange (supports, stress,
  * momentum) is written here. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What front ends read of a beam: fields, links, shapes. Computed when read, from the state as it stands in
  * mid-step too; a node's field is 0 before its stage. */
 #include "physics/mpm_plane/plane_state.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The numbers of a beam that follow from its definition and stay: sizes of body and grid, m = rho d^2 with d
  * = dx/P, dt, the constants of plane stress, the probe. */
 #include "physics/mpm_plane/plane_state.h"

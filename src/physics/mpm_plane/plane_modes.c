@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Small motion about the undeformed lattice, on which hats and boxes are the same numbers. With the nodal
  * masses M_L (lumped) and M_C = sum m N_i N_j (consistent) and the stiffness K = sum V B'D B, a step maps
  * what the grid sees as

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kinetic energy that the grid cannot see at all,
  *
  *     K_0 = min over nodal velocities u of  sum over particles of m (v - sum N u)^2 / 2

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Energies of a beam and the row of its series, J, b the thickness:
  *
  *     kinetic      b sum m ((vx - v0)^2 + vy^2)/2

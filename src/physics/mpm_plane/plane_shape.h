@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Shape functions along one direction; those of the plane are products of two. Lengths in cells, dN/dx over
  * 1/dx.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Particles at t = 0. The deflection is w(x), the beam's sections stay plane and square to it:
  *
  *     supported    w = U sin(pi x/L)                                                     paper P, eq. 16

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The inside of a beam by the material point method: model, state, scratch. For the files of this folder.
  *
  * Particle p = J nxp + I stands at t = 0 in column I and row J of a square lattice of spacing d = dx/P. Node

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stages and whole steps of a beam as the driver asks for them (method.h), and the energy check that may stop
  * a run. Whole steps go in batches; one that fails is taken back and done again step by step, so that the run
  * stands before the step that failed. */

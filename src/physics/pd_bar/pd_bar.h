@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bond-based peridynamics on a bar (axial vibration), one-dimensional.
  *
  * Nodes lie at X_i = (i + 1/2) h, h the spacing; each stands for a volume h per unit of cross-section. Nodes

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Whether the definition of a bar by peridynamics is sound: every number by itself, then what has to fit
  * together. */
 #include "physics/axial.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The stages as people read them, and the sum of the stage just done with its numbers. */
 #include "physics/pd_bar/pd_bar_internal.h"
 #include "physics/pd_plane/verlet.h"

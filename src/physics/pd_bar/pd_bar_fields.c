@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What front ends read of the bar by peridynamics: fields, series, links. Computed when read, no part of a
  * step. With k = c G w V/|xi| the stiffness of a bond and e its elongation, per unit cross-section:
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files of the bar by peridynamics share: model and state. Not for front ends. */
 #ifndef PHYSICS_PD_BAR_INTERNAL_H
 #define PHYSICS_PD_BAR_INTERNAL_H

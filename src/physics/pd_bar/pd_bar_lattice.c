@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The lattice of the bar, made once when the bar is created; pd_bar.h has the equations.
  *
  *     w_m = 1 for m h <= delta - h/2, else (delta + h/2 - m h)/h          partial volumes

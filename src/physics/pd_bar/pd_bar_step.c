@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One time step of the bar by peridynamics, velocity Verlet (paper P, eqs. 9 to 11):
  *
  *     v_i += dt/(2 rho) f_i                               half kick

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bond-based peridynamics on beams, two-dimensional (plane stress, Poisson's ratio 1/3).
  *
  * Source: Chen, Liu, Yang, "The application of peridynamics in predicting beam vibration and impact damage"

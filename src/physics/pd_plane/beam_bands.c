@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bond forces and energies of all rows, a band of rows at a time: how the sum of eq. 8 is shared out to
  * threads.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Broken bonds: when each broke, what energy it held, and the damage of nodes, the last stage of a step:
  *
  *     mu = 1 while s < s0 at all times so far, else 0                                                  (6)

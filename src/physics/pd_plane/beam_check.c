@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Is a definition sound? Each line names the key as in a scenario file, what is wrong and what is allowed. */
 #include "physics/pd_plane/beam_internal.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The critical time step 2 / omega_max: the largest frequency of the linear operator (1/rho) sum c G w V n
  * n.eta by Lanczos iteration:
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Single bonds as they stand, families, and the links that front ends draw. One bond by eqs. 2 and 3:
  *
  *     s = (|xi + eta| - |xi|)/|xi|        written so that small strains keep their digits (offset_stretch)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The fields of a beam that front ends read (Simulation.fields): for each its
  * index, a row with name, unit and meaning, and the case that fills it. Everything is computed when it is
  * read, from the state as it stands, in mid-step too; nothing here is part of a step. Strain energy and

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files of this folder share: the model and the state of a beam. Not for front ends. */
 #ifndef PHYSICS_PD_BEAM_INTERNAL_H
 #define PHYSICS_PD_BEAM_INTERNAL_H

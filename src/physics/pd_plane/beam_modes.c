@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Small vibration of the lattice: rho u'' = -K u, so that omega^2 = lambda/rho with the lowest eigenvalue of
  * K.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The predicted period of a simply supported beam: that of the lowest vibration of this very lattice, with
  * its supports and its surface correction. It is what the discretisation gives for small motion, before any
  * step is taken: what a run measures differs by the step (dt^2) and by how well the record can be fitted. */

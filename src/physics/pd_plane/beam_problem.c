@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What makes the three problems of paper P, set once when a beam is created: notch, supports (eqs. 12, 13),
  * load, protected zones, probe, and the shape at t = 0 (eqs. 15 to 18). Places are compared with a tolerance
  * of 1e-6 dx where nodes or bonds lie exactly on a limit, so that rounding does not decide. An error names

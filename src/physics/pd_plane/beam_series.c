@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The row of a step, the columns of a beam's series:
  *
  *     probe      mean over up to four nodes beside the point (beam_set_problem)

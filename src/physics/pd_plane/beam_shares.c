@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fields of nodes that come from their bonds, read by views and tables between stages:
  *
  *     strain energy of node i      1/2 sum_j c G w s^2 |xi| V^2/2 b     half of each bond's energy

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The state as bytes, and the parameters that may change in mid-run. A snapshot is the block of the state
  * (head, six node arrays, bits of broken bonds); what follows from it (coefficients, damage, the crack) is
  * computed again when it is put back. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One time step of a beam by velocity Verlet, paper P:
  *
  *     v^{n+1/2} = v^n + dt/2 a^n                               half kick             (9)

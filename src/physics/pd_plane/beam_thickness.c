@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The stiffness matrix of the rows of a long beam that move against each other through the thickness, all
  * columns alike: the thickness modes of paper P's fig. 4 are its eigenvectors (theory/thickness.c). Row j of
  * nodes obeys

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The stages of velocity Verlet (paper P, eqs. 9 to 11) as people read them: rows of the stage tables of
  * beams and of the bar, each with the fields that it reads and writes there. */
 #ifndef PHYSICS_PD_VERLET_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parameter pane: choosing, nudging and editing in place. */
 #include "tui/control/laboratory.h"
 #include "tui/control/prompt/line_edit.h"

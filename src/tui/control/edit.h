@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Parameters changed by the user: chosen, nudged and edited in their pane, undone and done again. */
 #ifndef TUI_EDIT_H
 #define TUI_EDIT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Opening, drawing and closing the laboratory. */
 #include "tui/control/laboratory.h"
 #include "tui/control/prompt/line.h"

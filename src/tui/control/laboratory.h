@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The laboratory's state and what changes it: keys and frames. A host (a terminal's event loop, a script)
  * owns clock and picture and calls in here; session/laboratory_main.h is how the program opens it. Each part
  * of the state is described where its functions are. */

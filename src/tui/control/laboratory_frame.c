@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The engine's share of a frame: how many steps it takes, and when the next key, or the next picture, has its
  * turn.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where a key goes: to the question that is open, the field under edit, the help, or the table of commands.
  */
 #include "tui/control/laboratory.h"

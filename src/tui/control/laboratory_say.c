@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Messages in the key line. They may hold names of files and scenarios: what would act on the terminal is
  * written out. */
 #include "tui/control/laboratory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Opening the laboratory and other scenarios in it: what a run is begun with, and at which pace. */
 #include "tui/control/laboratory.h"
 #include "tui/control/commands/commands.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Opening a scenario: its run is made, and put in the place of another. */
 #ifndef TUI_OPENING_H
 #define TUI_OPENING_H

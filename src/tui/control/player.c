@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The run on screen: playing and pausing it, going to another time of it. */
 #include "tui/control/laboratory.h"
 

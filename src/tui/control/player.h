@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The run on screen and the second one beside it: playing, pausing, going to another time. */
 #ifndef TUI_PLAYER_H
 #define TUI_PLAYER_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The points of a study of convergence, worked out while its view is on screen and nothing else goes on. */
 #include "tui/control/laboratory.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The points of the study of convergence that a view shows, worked out one after the other while nothing else
  * is to be done. */
 #ifndef TUI_REFINING_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The duel: a second run beside the first one. */
 #include "tui/control/laboratory.h"
 #include "tui/control/second_run.h"

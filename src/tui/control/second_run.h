@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A second run beside the first. */
 #ifndef TUI_SECOND_RUN_H
 #define TUI_SECOND_RUN_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writing the scenario as a file, and what every answer that names a file is asked first. */
 #include "tui/control/laboratory.h"
 #include "tui/control/writing.h"

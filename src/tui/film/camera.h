@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The camera in front of the laboratory: which pictures of it become a film, and when each appears. */
 #ifndef TUI_CAMERA_H
 #define TUI_CAMERA_H

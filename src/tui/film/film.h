@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A film of the laboratory: pictures of its screen, each with the second at which it appears, as one file.
  *
  * A format is a row of `film_formats` and a file of its own. Pictures arrive in their order, whole, and only

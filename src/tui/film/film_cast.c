@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The film as a recording for asciinema, version 2: a line that describes it, then a line for each picture,
  * [seconds, "o", "bytes for the terminal"]. The bytes are those that ncurses would send to an xterm. */
 #include "tui/film/film.h"

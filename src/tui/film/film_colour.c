@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a terminal's colours are outside of one. */
 #include "tui/film/film.h"
 

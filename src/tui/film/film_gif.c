@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The film as a GIF, through giflib, its letters through cairo. Each picture is the rectangle of cells that
  * changed, with a table of colours of its own: the colours of the cells and, at the edges of letters, two
  * steps between ink and paper. */

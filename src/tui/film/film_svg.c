@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The film as one animated SVG: the pictures stand side by side on a strip that moves behind the frame, by a
  * rule of CSS. Who does not follow the rule sees the last picture, for that is where the strip stands by
  * itself. A row of cells that stays from one picture to the next is written once.

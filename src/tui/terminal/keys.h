@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Keys by name, read through curses.
  *
  * Names: a printing character stands for itself ("q", "?", "Ω"); "Space" "Enter" "Tab" "S-Tab" "Esc"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The laboratory on a real terminal: sleeps, reads keys, gives the engine its share of each frame, draws. */
 #ifndef TUI_LOOP_H
 #define TUI_LOOP_H

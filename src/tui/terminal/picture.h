@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A canvas as ncurses shows it, and the bytes that come of it.
  *
  * ncurses writes without asking whether the terminal takes anything, and tries again for ever when it does

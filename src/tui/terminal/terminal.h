@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The real terminal: signals, modes, bytes in and out; picture.h draws, keys.h reads.
  *
  * One can be open at a time. While it is open, SIGWINCH, SIGCONT, SIGTSTP and the signals that ask for an end

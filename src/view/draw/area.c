@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Text and glyphs in a part of the canvas: clipped to it, broken at spaces, cut with an ellipsis. */
 #include "view/draw/sketch.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Round ticks and the places of values: linear, by square roots, by powers of ten; and how axes are drawn. */
 #include "view/draw/sketch.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Axes with round ticks: steps of 1, 2 or 5 times a power of ten, and a common power of ten for their labels.
  * An axis may also go by square roots, where small and large errors are to be read side by side, or by powers
  * of ten. */

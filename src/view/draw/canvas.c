@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The grid of cells, and its dump as text for tests and scripts. */
 #include "view/draw/canvas.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Glyphs as bytes and columns: UTF-8, and how wide a text is. */
 #include "view/draw/glyph.h"
 

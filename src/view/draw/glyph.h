@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Characters: UTF-8 in and out, and how many cells of a terminal each takes. */
 #ifndef VIEW_GLYPH_H
 #define VIEW_GLYPH_H

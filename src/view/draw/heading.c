@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Legends and the heading line of a plot, which gives way by a fixed order where room is short. */
 #include "view/draw/heading.h"
 

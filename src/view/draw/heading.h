@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Legends and the heading line of a plot. */
 #ifndef VIEW_HEADING_H
 #define VIEW_HEADING_H

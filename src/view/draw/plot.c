@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Strokes on cells: each becomes dots, and a cell shows those of the highest rank that fell into it. */
 #include "view/draw/sketch.h"
 

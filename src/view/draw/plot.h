@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A plot is a short list of strokes in the plot's own coordinates: lines, dots, filled bands. Back ends draw
  * the same list with braille dots, half blocks or letters.
  *
@@ -40,12 +41,13 @@ typedef struct Plot {
     int n_strokes;
     double *points; /* x, y, x, y, ... */
     size_t n_points, room;
+    bool lost; /* memory was short for a point */
 } Plot;
 
 void plot_open(Plot *, Axis x, Axis y);
 void plot_close(Plot *);
 
-/* Begins a stroke; plot_point() adds to the last one begun. Without memory the stroke stays short. */
+/* Begins a stroke; plot_point() adds to the last one begun. Without memory a point is lost. */
 void plot_begin(Plot *, StrokeKind, LineStyle, Style, int rank, char letter);
 void plot_point(Plot *, double x, double y);
 

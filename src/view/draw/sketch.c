@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The display list behind a figure: it grows as a view draws, and without memory something is left out. */
 #include "view/draw/sketch.h"
 
@@ -33,6 +34,7 @@ void sketch_axes(Sketch *sketch, const Axis *x, const Axis *y, const char *x_nam
 
 void sketch_plot(Sketch *sketch, const Plot *plot)
 {
+    sketch->plot.lost |= plot->lost;
     for (int i = 0; i < plot->n_strokes; i++) {
         const Stroke *stroke = &plot->strokes[i];
         if (sketch->plot.n_strokes == STROKES_MAX)
@@ -62,8 +64,10 @@ void sketch_mark(Sketch *sketch, double x, double y, uint32_t glyph, Style style
     if (sketch->n_marks == sketch->marks_room) {
         const size_t room = sketch->marks_room ? 2 * sketch->marks_room : 64;
         SketchMark *marks = realloc(sketch->marks, room * sizeof *marks);
-        if (!marks)
+        if (!marks) {
+            sketch->plot.lost = true;
             return;
+        }
         sketch->marks = marks;
         sketch->marks_room = room;
     }

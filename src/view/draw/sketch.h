@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a view has drawn, kept as strokes, axes, marks and words in place of cells: the display list that
  * figures on paper are made of. A canvas with a sketch has no cells; everything that a view draws on it in
  * the usual way (axes_draw, plot_draw, axes_mark, heading_draw, area_text, ...) goes into the sketch in the

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The list of strokes that a plot is: what is drawn, before anything is drawn. A curve of many samples keeps
  * for each column the first, least, largest and last of them, so that nothing that it does is left out. */
 #include "view/draw/plot.h"
@@ -33,8 +34,10 @@ void plot_point(Plot *plot, double x, double y)
     if (plot->n_points == plot->room) {
         size_t room = plot->room ? 2 * plot->room : 256;
         double *points = realloc(plot->points, room * 2 * sizeof *points);
-        if (!points)
+        if (!points) {
+            plot->lost = true;
             return;
+        }
         plot->points = points;
         plot->room = room;
     }

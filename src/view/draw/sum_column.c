@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Columns of numbers that add up as they are printed. */
 #include "view/draw/sum_column.h"
 

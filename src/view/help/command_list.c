@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every command of the laboratory, made from its rows. */
 #include "view/help/commands.h"
 

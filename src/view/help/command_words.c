@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is said of a command: the words of a digit are those of the view that has it. */
 #include "view/help/commands.h"
 #include "view/views/view.h"

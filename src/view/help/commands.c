@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The rows of the command table and of the words of the `:` line, and how one is found by id, name or key. */
 #include "view/help/commands.h"
 

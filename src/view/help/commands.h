@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command table: one row for each thing that a user can ask for. The key map, the key line, the help
  * screen, the `:` line, the script player and the manual page read it. To add a command: one row in
  * command_rows.inc and the function that it names, in src/tui/control/commands; a word of the `:` line that

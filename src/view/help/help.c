@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The help: keys by group, what the curves mean, and what is solved, with every equation and every slip of
  * the papers. */
 #include "lab/answers/choices.h"

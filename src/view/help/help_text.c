@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The passages of the help: one set for each kind of simulation, told apart by what it has. */
 #include "view/help/help_text.h"
 

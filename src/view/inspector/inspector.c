@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which inspector a simulation has: one row for each, the first that fits is taken. */
 #include "view/inspector/inspector.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The inspector, the pane that `i` opens over the plots: the chosen particle, node or family with all that it
  * exchanges with others. One for each kind of simulation, a file each: what it needs and what it does. */
 #ifndef VIEW_INSPECTOR_H

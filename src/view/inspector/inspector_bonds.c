@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The inspector of a bar without a mesh: the chosen node, each of its bonds with what its force is made of,
  * and the forces as they add up to the node's. */
 #include "view/inspector/inspector.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The inspector of beams: the chosen node's family, each bond with its stretch as a share of the critical
  * one, the bond that broke last, the most stretched one and why it holds, and the forces (family_forces.c).
  */

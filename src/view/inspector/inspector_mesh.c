@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The inspector of methods with particles and a grid: the chosen particle or node, the shape functions that
  * link it to the others, and what they give each other, stage by stage, with sums that a pencil can check. */
 #include "view/inspector/inspector.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The lines under a beam's plots: what its run is judged by. Phrases are parted by two spaces, what matters
  * most first; what has no room is left out whole. */
 #include "view/panes/panes.h"

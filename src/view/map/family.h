@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The family of a beam's chosen node, for its inspector. Private to src/view. */
 #ifndef VIEW_FAMILY_H
 #define VIEW_FAMILY_H

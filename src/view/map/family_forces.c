@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The forces of a node's bonds as they add up to its own, by the side on which they pull. */
 #include "view/map/family.h"
 

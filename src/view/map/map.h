@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The map of a beam: the nodes of a two-dimensional simulation as they lie, deformed, on a grid of cells. Any
  * experiment's beam can be drawn into any area: all that is read is the Screen that is handed over. Private
  * to src/view. Lengths in m; columns and rows are cells of the area, a row counted downwards. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the nodes of a beam can be coloured by, and the range of the ramp for it. */
 #include "view/map/map.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The beam before it moves, as in the papers' figures of the problems: dimensions in mm, supports, channel,
  * notch, load, probe. On paper it is laid out in the same columns and rows, a row twice as high as a column
  * is wide, but for rounding. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where the nodes of a beam are drawn: lengths to scale; the displacement enlarged so that it is seen; the
  * height stretched where the beam is too slender for the pane. */
 #include "view/map/map.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The heat map: each node covers its piece of the lattice, a pixel shows the mean of what covers it. Two
  * colours stand in a cell, one above the other; where colours are few the ramp is told by ink: braille dots,
  * shades or letters. Beside full colours sparse letters say the same, for eyes that see no hues. */

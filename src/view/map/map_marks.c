@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is drawn over the map: notch, protected zones, channel and crack as lines; supports, load and the
  * chosen node as signs. */
 #include "view/map/map.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Seen from near: nodes as dots, the bonds to their nearest neighbours as lines. A broken bond is not drawn:
  * a crack is where the net has come apart. */
 #include "view/map/map.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The pen on paper: how lines and signs of a map go into a sketch, in millimetres of the body. */
 #include "view/map/map.h"
 #include "view/draw/sketch.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The map of a beam on paper: its nodes as pieces with their colours, and what is drawn over them as lines
  * and signs, in millimetres of the beam, displacements enlarged as on the screen. */
 #include "view/map/map.h"

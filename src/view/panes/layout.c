@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where panes lie. While a run goes on the plots have the rows; paused, the box with what happens within a
  * step takes some of them. The timeline, where it has no row of its own, takes one from the lower plot while
  * we are back in time. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where panes lie on a screen without room for all of them, and what a pane that fills the screen leaves.
  *
  * One pane is seen, the one that the keys go to; where there is room with it what it is read with: both plots

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Lecture mode: the time and the state in large letters. */
 #include "view/panes/panes.h"
 

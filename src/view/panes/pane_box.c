@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The box at the bottom. Of a duel: its readout, but within a time step. Running: a caption. At the end: the
  * summary. Paused: the stage box, pane_stage.c. */
 #include "view/panes/panes.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The readout of a duel in the box at the bottom: label, A, B; in as many columns beside each other as the
  * table needs and the box has room for. */
 #include "view/panes/panes.h"

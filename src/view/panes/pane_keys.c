@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The key line: what can be done now, a message, or a question with what was typed. */
 #include "view/panes/panes.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The strip of a bar without a mesh: its nodes in a row at x0 + k u, the mirrored ones beyond a fixed end,
  * and above them the bonds of the chosen one. */
 #include "view/panes/panes.h"

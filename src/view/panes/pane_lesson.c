@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A lesson: a page of text in place of the parameters, with the question it asks, the parameters it offers,
  * and in the last row what is to be done to go on. */
 #include "view/panes/panes.h"

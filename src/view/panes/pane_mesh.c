@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The strip: the bar as it lies. Above, the grid: cell edges, nodes, supports; below, the particles at
  * x0 + k u. The chosen particle and its nodes are marked, and in each stage who gives to whom. A beam is
  * drawn as it lies, to the scale of the strip. */

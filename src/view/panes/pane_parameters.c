@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parameter pane: fields by group, read-only numbers below, unit and range of the chosen field in its
  * last row. */
 #include "view/panes/panes.h"

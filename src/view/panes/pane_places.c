@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where rows of fields and lines of a lesson lie on the screen: for the mouse, and for how far a text can be
  * scrolled. Apart from the panes that draw them, which the layout asks how much room they need. */
 #include "view/panes/panes.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The runs of one picture in the box at the bottom, a line each: what it is, what was measured, and how far
  * it is off. */
 #include "view/panes/panes.h"

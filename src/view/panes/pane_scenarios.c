@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The list of scenarios above the line that asks for one: their names, with a mark at the one that is open,
  * and their titles beside them or, where there is no room, that of the chosen one below. */
 #include "view/panes/panes.h"

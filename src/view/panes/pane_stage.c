@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The stage box: the stage just done (or, between steps, the next one), its equation, the sums of the chosen
  * particle or node with their numbers, and where there is room its sentence, the state of the thing, and the
  * list of all stages. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The timeline: from 0 to the end of the run, what of it has been computed, where we are, and what happened
  * when. */
 #include "view/panes/panes.h"

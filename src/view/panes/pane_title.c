@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The title line: what is shown, where in time, in what state. */
 #include "view/panes/panes.h"
 

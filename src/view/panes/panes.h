@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The panes of the screen: each draws itself into an area from what the screen says. Private to src/view. */
 #ifndef VIEW_PANES_H
 #define VIEW_PANES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The whole screen: each pane drawn where the layout puts it, and what the mouse finds in the plot panes. */
 #include "view/panes/screen.h"
 #include "view/inspector/inspector.h"

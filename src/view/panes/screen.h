@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The screen's state and its drawing: everything seen is a function of a Screen. The laboratory (tui) changes
  * the state on commands; nothing here knows keys or terminals. */
 #ifndef VIEW_SCREEN_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What panes and views ask of the runs on screen: which ones there are, what is known of them, how far their
  * fields reach, and their times and units as text. */
 #include "view/panes/screen_runs.h"

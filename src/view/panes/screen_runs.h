@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What panes and views ask of the runs on screen. */
 #ifndef VIEW_SCREEN_RUNS_H
 #define VIEW_SCREEN_RUNS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which particle or node is the chosen one: all panes show that, and the arrows go on from it. */
 #include "view/panes/screen.h"
 

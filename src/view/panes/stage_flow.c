@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a stage hands on and between which things, from the names that it reads and writes. */
 #include "view/panes/stage_flow.h"
 

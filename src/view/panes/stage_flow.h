@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Between which things a stage hands on. A name that particles and nodes share (mass, x) counts as the one
  * that the other names of the stage tell. */
 #ifndef VIEW_STAGE_FLOW_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A foreign series over the plots: which view it belongs to, its stroke, marks and part of the axes. */
 #include "view/plots/overlay_plot.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The runs of a picture: earlier ones as ghosts with letters, then the present one, or both of a duel. */
 #include "view/plots/runs.h"
 

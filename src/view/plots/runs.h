@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The runs that a picture shows: the present one, the second one of a duel, and the ghosts of earlier ones.
  * Every view draws this list, so that all of them tell the runs apart in the same way: by line, style, and a
  * letter at the end of the curve. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What plots over time have in common: the window, the mark of the present, how far references will reach. */
 #include "view/plots/time_plot.h"
 

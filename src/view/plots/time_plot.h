@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What plots over time share: the window, curves from a record, the mark of the present. */
 #ifndef VIEW_TIME_PLOT_H
 #define VIEW_TIME_PLOT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One view on one screen: what it needs, which variant is chosen, and how it is drawn, alone or for the two
  * runs of a duel. Nothing here asks which view it is. */
 #include "view/views/view.h"

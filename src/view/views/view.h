@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A view: one picture of a run that can stand in either of the two plot panes.
  *
  * A view is one value of type View in one file, src/view/views/view_NAME.c, with static functions behind it;

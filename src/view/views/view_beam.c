@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A body in the plane as it lies, coloured by a field, or drawn with its dimensions. Every factor is stated.
  */
 #include "view/map/map.h"

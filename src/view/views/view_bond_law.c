@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* View 4 of peridynamics: what a bond answers to its stretch, where it breaks, and where on that line the
  * nodes stand: each by its most stretched whole bond. */
 #include "view/panes/panes.h"

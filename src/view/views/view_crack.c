@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* More pictures of a beam that breaks: the crack's path with its angle, the angle over time, and what a piece
  * of crack has cost beside the fracture energy that it should cost. */
 #include "view/views/views.h"

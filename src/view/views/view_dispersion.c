@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Errors by mode. A bar: by how much each mode of its mesh is off, which is the picture that explains the
  * paper's 5 % and 20 %. A beam: its period over the horizon, between the two beam theories. Earlier runs
  * leave their dot.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The energies over time, stacked. */
 #include "view/plots/overlay_plot.h"
 #include "view/plots/runs.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Views by what people call them, and where they stand when a run is opened: all read off the list. */
 #include "view/views/view.h"
 

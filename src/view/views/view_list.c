@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every view of the laboratory, in the order of help and manual. To add one: its file, and its name here. */
 #include "view/views/views.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What happened, in words, newest last, of both runs of a duel; one event can be chosen and gone to.
  */
 #include "lab/run/event_log.h"

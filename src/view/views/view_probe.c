@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is measured at the probe, over time, with the reference curves, earlier runs and the readout.
  */
 #include "view/plots/overlay_plot.h"

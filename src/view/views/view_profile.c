@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A field of the particles along the bar, or along the middle of a beam, with the exact curve behind.
  */
 #include "view/plots/overlay_plot.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One more profile of a beam: the axial displacement through its thickness, at the chosen particle's x, with
  * the line on which it lies where sections stay plane and upright (eq. 14 of paper P): ux = -y duy/dx. */
 #include "view/views/views.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The shape functions of the nodes around the chosen particle, or their slopes, with the particles on
  * them and the sum of all. */
 #include "view/panes/panes.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The amplitude spectrum of the probe, with the predicted and the exact lines marked. The slow lines
  * on an even scale, or everything that the mesh can do on a logarithmic one. */
 #include "view/plots/runs.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers of things, one row each; what the last stage changed is marked. The chosen thing is kept in
  * sight, and the columns that do not fit come with the arrows. */
 #include "view/panes/panes.h"

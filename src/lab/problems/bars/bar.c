@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar: axial vibration in one dimension, by both methods. */
 #include "lab/problems/solvers.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Answers for the bar that both methods share: its theory, which column shows its frequency, exact answers
  * beside the run. */
 #include "lab/problems/bars/bar_answers.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What both methods of the bar share: which column shows its frequency, exact answers, and what is predicted
  * beside. Not for front ends. */
 #ifndef LAB_BAR_ANSWERS_H

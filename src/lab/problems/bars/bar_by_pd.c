@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar by peridynamics: settings to simulation, exact and predicted answers beside. */
 #include "lab/problems/bars/bar_answers.h"
 #include "lab/problems/solvers.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a pulse on a bar is judged by (references.h, Finding): how far it is from the exact one, how high it
  * still is and how late; where it meets a second material, what comes back and what goes on. */
 #include "lab/problems/bars/bar_answers.h"

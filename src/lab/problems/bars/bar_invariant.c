@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The sharp invariant of the bar by the material point method: answers/invariant.h says what it is. */
 #include "lab/problems/bars/bar_answers.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar between its settings and its theory: for what needs the theory directly (a
  * dispersion plot, a table of verification). */
 #ifndef LAB_BAR_THEORY_H

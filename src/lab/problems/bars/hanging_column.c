@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A bar that hangs: gravity from t = 0 on, damping by the transfer until it is at rest, and beside it the
  * exact state of rest at any strain. The engine is that of the bar. */
 #include "lab/problems/bars/bar_answers.h"

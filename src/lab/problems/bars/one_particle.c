@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One particle in one cell: the smallest bar, with its exact motion at any amplitude. The engine is that of
  * the bar; the problem has of its parameters what one particle needs. */
 #include "lab/problems/bars/bar_answers.h"

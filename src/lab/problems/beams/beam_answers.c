@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Answers for the beams that do not depend on the method: beam theories beside, zeros and periods of a
  * record. */
 #include "lab/problems/beams/beam_answers.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the solvers of the beams share. Not for front ends. SI units. */
 #ifndef LAB_BEAM_ANSWERS_H
 #define LAB_BEAM_ANSWERS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Beams by the material point method: settings to simulation, derived numbers, the largest step, answers. */
 #include "lab/problems/beams/beam_answers.h"
 #include "lab/problems/solvers.h"

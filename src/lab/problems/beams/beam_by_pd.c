@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Beams by peridynamics: settings to simulation, derived numbers, advice. */
 #include "lab/problems/beams/beam_answers.h"
 #include "lab/problems/solvers.h"

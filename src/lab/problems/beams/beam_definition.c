@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A beam as its engine by peridynamics wants it. */
 #include "lab/problems/beams/beam_answers.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The beams in the plane: supported, leaving a channel, notched and bent. */
 #include "lab/problems/solvers.h"
 #include "lab/settings/parameters.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One step of the material point method on a bar, stage by stage:
  *
  *     m_i = sum m N_i          p_i = sum m v N_i                                    (2, 3)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The arithmetic of the stages, compiled once for each instruction set and chosen when a bar is made.
  *
  * Each function does a range of cells, or the nodes that come with it: node i goes with cell i, the last

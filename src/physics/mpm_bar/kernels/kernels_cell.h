@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Part of kernels.c: the stages on one cell with any number of particles, any shape, any transfer. The order
  * of every sum is defined here: over the particles of a cell as they stand, then over its nodes from left to
  * right. What a cell without particles gives to its nodes is 0. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kernels that were compiled, by level. kernels.c is compiled once for each instruction set; all give the
  * same bits. */
 #include "physics/mpm_bar/kernels/kernels.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Part of kernels.c: nodal velocities where masses are not lumped.
  *
  * The consistent mass matrix is M_c(i, j) = sum m N_i N_j. Its couplings of different nodes alone are kept,

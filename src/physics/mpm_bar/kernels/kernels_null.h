@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Part of kernels.c: what the grid cannot see of the particles' motion (bar_null.h), for hats.
  *
  * Where a range of cells is left by all unknowns but its two outermost nodes, orthogonal transformations

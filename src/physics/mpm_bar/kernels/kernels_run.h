@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Part of kernels.c: the stages on a run of cells with P particles each, as many cells at once as a vector
  * has numbers. The j-th particles of these cells lie side by side (bar_state.h), so a vector holds one number
  * of the j-th particle of each cell, and every sum over a cell's particles is taken in the order of

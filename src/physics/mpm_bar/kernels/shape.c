@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* B-splines near the ends of the mesh, by the recursion of Cox and de Boor on open knots k_i (Piegl
  * and Tiller, The NURBS Book, chapter 2):
  *

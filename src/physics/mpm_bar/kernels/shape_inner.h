@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The shape functions of an inner cell at s in [0, 1), r = 1 - s; derivatives by s. Included by shape.h for
  * numbers and by the kernels for vectors of them (REAL), with the same operations.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The forces and energies of bonds, for rows of the lattice: the stage of a step in which all the time goes.
  * What is computed, and why without a root, stands in bonds.h.
  *

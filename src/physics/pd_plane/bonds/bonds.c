@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chooses the bond kernels of this machine (bond_kernels.c is compiled once for each instruction set), and
  * turns the critical stretch s0 into the limits that they compare with: a bond breaks where
  * d = |xi + eta|^2 - |xi|^2 reaches |xi|^2 (2 s0 + s0^2), eq. 6 without a root. */

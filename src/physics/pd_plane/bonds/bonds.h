@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bond forces and bond energies, row by row of the lattice: where all the time goes.
  *
  * Force density on i from a bond (paper P, eqs. 2, 3, 8): c G w V s (xi + eta)/|xi + eta|. With

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The lattice of a beam, made once when the beam is created: families, surface correction, numbers of bonds.
  *
  *     family           |xi| <= delta (1 + 1e-9); at delta = 4 dx the tolerance decides which nodes belong

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The square lattice of nodes and its families of bonds; nothing here changes during a run.
  *
  * Node (i, j) has the identifier j nx + i and lies at X = x0 + (i + 1/2) dx, Y = y0 + (j + 1/2) dx; it stands

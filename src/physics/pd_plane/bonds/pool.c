@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A mutex, two conditions and the job at hand: chunks are taken under the mutex, done outside it. One chunk
  * is some ten microseconds of work, two jobs make a time step, and to wake a sleeping thread takes as long as
  * a chunk; so whoever has nothing to do looks for a moment before going to sleep. Without that look two

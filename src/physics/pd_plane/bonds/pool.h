@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A few threads that share out the chunks of one job after another and sleep when there is none.
  *
  * The caller works too, and waits only for chunks that another thread has begun, never for a thread that has

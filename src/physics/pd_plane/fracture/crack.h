@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The crack of the notched beam: the quantities that paper P gives for it (figs. 9 and 10), measured.
  *
  * The crack has begun when a node above the notch's end, between the notch - 10 mm and the load and not in a

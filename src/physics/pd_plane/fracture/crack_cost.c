@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The energy that the crack has cost, by what broke (crack_cost.h): every bond that broke in the run is
  * counted as cut by the path, beside it within a horizon, or farther away. Reads the state after the damage
  * stage. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where the energy of broken bonds went: the price of the crack itself and what was broken or overshot
  * besides.
  *

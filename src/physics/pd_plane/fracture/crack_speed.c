@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The speed of the crack's tip from its places, and Rayleigh's speed to compare it with. In plane stress with
  * nu = 1/3 c_s^2 = G/rho with G = E/(2 (1 + nu)) = 3E/8, and x = (c_R/c_s)^2 solves Rayleigh's equation
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The function of each command, made from the rows of the command table. */
 #include "tui/control/commands/commands.h"
 

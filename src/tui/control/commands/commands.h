@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The functions of the command table, a file for each kind; private to src/tui. */
 #ifndef TUI_COMMANDS_H
 #define TUI_COMMANDS_H

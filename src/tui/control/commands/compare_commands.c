@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands that set runs beside each other, undo and redo. */
 #include "tui/control/commands/commands.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The run as files, asked for with x. The files are those of `matvib run`, by the same function. */
 #include "tui/control/laboratory.h"
 #include "tui/control/writing.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What leaves the laboratory: the run as files, the focused view as a figure. */
 #ifndef TUI_EXPORTING_H
 #define TUI_EXPORTING_H

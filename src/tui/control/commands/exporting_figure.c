@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A view as a figure for paper: `:figure [VIEW] FILE`, or x and a name that ends in .svg, .pdf or .png;
  * without its word the focused one. */
 #include "tui/control/laboratory.h"

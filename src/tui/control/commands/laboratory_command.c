@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Carrying out a command: the function of its row, or for a digit the view that has it. */
 #include "tui/control/commands/commands.h"
 

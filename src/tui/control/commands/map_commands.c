@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands of the map of a beam: magnify, move, draw displacements larger or smaller. */
 #include "tui/control/laboratory.h"
 #include "tui/control/commands/commands.h"

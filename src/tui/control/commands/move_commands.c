@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands that move: panes, rows, cursors, the inspector; Enter and Esc. */
 #include "tui/control/commands/commands.h"
 #include "view/inspector/inspector.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands of the program itself: export, filter, help, leaving. */
 #include "tui/control/commands/commands.h"
 

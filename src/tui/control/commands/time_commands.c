@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands of time: run, step, go back, bookmarks. */
 #include "tui/control/commands/commands.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands that stop a run by themselves: until something, from event to event, a stretch again and
  * again; and slow motion. */
 #include "tui/control/commands/commands.h"

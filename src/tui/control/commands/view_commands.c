@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands that choose what is shown, and how. */
 #include "tui/control/commands/commands.h"
 #include "view/views/view.h"

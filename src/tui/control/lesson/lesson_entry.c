@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The state in which a page of a lesson is entered, and its goal. */
 #include "tui/control/laboratory.h"
 #include "tui/control/lesson/lesson_entry.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How a page of a lesson is entered: in one state, whichever way one came.
  *
  * That state is what the pages leave behind that begin with the last one that opens a scenario, as if each

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Lessons: pages beside the run, and what the laboratory does when one is opened. */
 #include "tui/control/laboratory.h"
 #include "tui/control/prompt/line.h"

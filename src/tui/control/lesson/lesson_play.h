@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Lessons: pages beside the run, and what the laboratory does when one is opened. */
 #ifndef TUI_LESSON_PLAY_H
 #define TUI_LESSON_PLAY_H

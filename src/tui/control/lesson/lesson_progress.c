@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads and writes how far one has come; lines that are no page of a lesson are skipped. */
 #include "tui/control/lesson/lesson_progress.h"
 

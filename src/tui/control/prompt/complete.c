@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tab in a question: what has been typed is completed as far as it is certain, else what there is is shown.
  */
 #include "tui/control/laboratory.h"

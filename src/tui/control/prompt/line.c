@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command line behind `:`: commands by name, KEY=VALUE, a time, and verbs that take arguments. */
 #include "tui/control/laboratory.h"
 #include "tui/control/commands/commands.h"

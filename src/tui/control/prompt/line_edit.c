@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The keys of a one-line editor, those of Emacs among them. The cursor counts characters, the text is bytes.
  */
 #include "tui/control/prompt/line_edit.h"

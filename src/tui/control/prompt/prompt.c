@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Questions at the foot of the screen, and what becomes of the answers. */
 #include "tui/control/laboratory.h"
 

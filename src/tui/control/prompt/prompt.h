@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Questions at the foot of the screen: asked, typed into, answered. A question is answered by a function of
  * whoever asked it, and may bring keys and completions of its own. */
 #ifndef TUI_PROMPT_H

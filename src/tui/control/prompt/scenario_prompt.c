@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Opening a scenario: from a list with titles, that shrinks to what is typed, or by a path. */
 #include "tui/control/laboratory.h"
 #include "tui/control/prompt/scenario_prompt.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Asks which scenario is opened, with a list to choose from. */
 #ifndef TUI_SCENARIO_PROMPT_H
 #define TUI_SCENARIO_PROMPT_H

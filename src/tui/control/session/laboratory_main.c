@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* From the words of the command line to a laboratory on its host, with the session that is kept of it. */
 #include "tui/control/session/laboratory_main.h"
 

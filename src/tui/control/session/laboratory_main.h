@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The laboratory: what the user does to a Screen. Keys come in as names, pictures go out as a Canvas; they
  * are the same for a terminal and for a script. */
 #ifndef TUI_LABORATORY_MAIN_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Presses the keys of a session again, each at the step of the run at which it was pressed. */
 #include "tui/control/session/replay.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The script player: a table of instructions over a laboratory with a virtual clock. */
 #include "tui/control/session/script.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The laboratory without a terminal: keys from a file, screens to standard output, a clock that only frames
  * and steps move (but for the instruction `patience`). The same script gives the same screens, always.
  *

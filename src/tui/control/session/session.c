@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Keeping a session: its keys in memory and, as they come, in a file; and reading such a file. */
 #include "tui/control/session/session.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A session: the scenario that the laboratory was opened with and every key since, each with the step of the
  * run at which it came. Doing them again gives the same run to the last bit, however fast the machine is.
  *

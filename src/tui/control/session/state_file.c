@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where the files of the program's own are, by the rules of XDG. */
 #include "tui/control/session/state_file.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is kept between two visits: files in $XDG_STATE_HOME/matvib or ~/.local/state/matvib. */
 #ifndef TUI_STATE_FILE_H
 #define TUI_STATE_FILE_H
