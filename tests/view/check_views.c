@@ -406,6 +406,47 @@ START_TEST(strip_shows_the_whole_bar)
 }
 END_TEST
 
+/* Domains that stretch end where x and stretch say, to half a column; particles without have none. */
+START_TEST(strip_shows_domains_as_they_are)
+{
+    enum { PER_CELL = 3, LEFT = 3, ROW = 4 };
+    Show show;
+    open_show(&show, "crossing", 0);
+    Settings settings = *experiment_settings(show.screen.experiment);
+    experiment_destroy(show.screen.experiment);
+    ck_assert(settings_set(&settings, "mpm.shape", "cpdi", &show.status));
+    ck_assert(settings_set(&settings, "initial.velocity", "3", &show.status));
+    ck_assert(settings_set(&settings, "mesh.padding", "40", &show.status));
+    show.screen.experiment = experiment_create(&settings, 64 << 20, 1, &show.status);
+    ck_assert(show.screen.experiment && experiment_advance(show.screen.experiment, 220, &show.status));
+    draw(&show, 132, 43);
+    const Simulation *sim = experiment_simulation(show.screen.experiment);
+    const int x = simulation_find_field(sim, 0, "x"), stretch = simulation_find_field(sim, 0, "stretch");
+    int seen = 0;
+    for (size_t p = 0; p < 50; p++)
+        for (int side = -1; side <= 1; side += 2) {
+            const double end = simulation_value(sim, x, p) + side * 0.25 * simulation_value(sim, stretch, p),
+                         place = PER_CELL * end;
+            if (place < 0 || place >= 26 * PER_CELL || (p > 0 && p == show.screen.chosen.particle))
+                continue;
+            const uint32_t dots = place - floor(place) < 0.5 ? 0x47 : 0xb8;
+            const uint32_t glyph = cell(&show, LEFT - 1 + (int)place, ROW)->glyph;
+            ck_assert_msg(glyph == 0x25cf || (glyph >= 0x2800 && ((glyph - 0x2800) & dots) == dots),
+                          "particle %zu, side %d: %x at %g", p, side, glyph, place);
+            seen += glyph != 0x25cf;
+        }
+    ck_assert_int_gt(seen, 60);
+    close_show(&show);
+    open_show(&show, "crossing", 220);
+    draw(&show, 132, 43);
+    for (int column = 0; column < 26 * PER_CELL; column++) {
+        const uint32_t glyph = cell(&show, LEFT - 1 + column, ROW)->glyph;
+        ck_assert_msg(glyph < 0x2800 || (glyph & 0x41) == 0, "an end of a domain in column %d", column);
+    }
+    close_show(&show);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *timeline = tcase_create("timeline");
@@ -414,6 +455,7 @@ void add_cases(Suite *suite)
     suite_add_tcase(suite, timeline);
     TCase *strip = tcase_create("strip");
     tcase_add_test(strip, strip_shows_the_whole_bar);
+    tcase_add_test(strip, strip_shows_domains_as_they_are);
     suite_add_tcase(suite, strip);
     TCase *spectrum = tcase_create("spectrum");
     tcase_add_test(spectrum, spectrum_of_a_sine);

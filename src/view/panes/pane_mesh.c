@@ -207,6 +207,43 @@ static void name_amounts(Area words, int y)
     area_text(words, x + 1, y, "|momentum|", STYLE_NORMAL);
 }
 
+/* A dot or, in braille, half a column at a place along the strip; what the cell shows already stays. */
+static void put_half(Area part, double place, int row, uint32_t left, uint32_t right, uint32_t plain,
+                     Style style)
+{
+    if (!(place >= 0 && place < part.rect.width))
+        return;
+    const int column = (int)place;
+    if (part.glyphs != GLYPHS_BRAILLE) {
+        area_put(part, column, row, plain, style);
+        return;
+    }
+    const Cell *cell = &part.canvas->cells[(size_t)(part.rect.y + row) * (size_t)part.canvas->width +
+                                           (size_t)(part.rect.x + column)];
+    const uint32_t dots = cell->glyph >= 0x2800 && cell->glyph <= 0x28ff ? cell->glyph : 0x2800;
+    area_put(part, column, row, dots | (place - column < 0.5 ? left : right), style);
+}
+
+/* The ends of the particles' domains, where these have a length of their own: it is drawn enlarged as places
+ * are, a change of length k times as large. Where they would stand too close to be told apart, those of the
+ * chosen particle alone, and none where there are no dots finer than a column. True: those of all. */
+static bool draw_domains(Area part, const BarPicture *bar)
+{
+    const int stretch = simulation_find_field(bar->sim, 0, "stretch");
+    const double gap = bar->particles > 1 ? bar->x0[1] - bar->x0[0] : bar->spacing;
+    const double columns = gap / bar->strip.cell * bar->strip.per_cell;
+    const bool dots = part.glyphs == GLYPHS_BRAILLE, all = columns >= (dots ? 1.25 : 2);
+    for (size_t i = 0; i < bar->particles && stretch >= 0; i++) {
+        if (!all && !(dots && i == bar->chosen))
+            continue;
+        const double half = gap / 2 * (1 + bar->k * (simulation_value(bar->sim, stretch, i) - 1));
+        for (int side = -1; side <= 1; side += 2)
+            put_half(part, column_of_x(&bar->strip, bar->x0[i] + bar->k * bar->u[i] + side * half),
+                     bar->particle_row, 0x47, 0xb8, '|', STYLE_FRAME);
+    }
+    return stretch >= 0 && all;
+}
+
 static void draw_bar(const Screen *screen, Area area)
 {
     BarPicture bar;
@@ -219,9 +256,6 @@ static void draw_bar(const Screen *screen, Area area)
               node_x = bar.node_x, node_fixed = simulation_find_field(sim, 1, "fixed");
     const Strip strip = bar.strip;
     Area part = area_part(area, MARGIN, 0, strip.columns, rows);
-    if (rows >= 4)
-        area_rule(area, 0, "the bar: its grid, and its particles",
-                  screen_is_focused(screen, PANE_MESH) ? STYLE_FOCUS : STYLE_HEADING);
     bool done;
     const int stage = screen_box_stage(screen, &done);
     const bool inside = screen->playback.state != STATE_RUNNING && done;
@@ -250,22 +284,16 @@ static void draw_bar(const Screen *screen, Area area)
         draw_amounts(screen, part, &bar, "mass", 0, put_back, STYLE_SECOND);
         draw_amounts(screen, part, &bar, "momentum", 1, put_back, STYLE_PREDICTED);
     }
+    const bool domains = draw_domains(part, &bar);
+    if (rows >= 4)
+        area_rule(area, 0,
+                  domains ? "the bar: its grid, and its particles in their domains"
+                          : "the bar: its grid, and its particles",
+                  screen_is_focused(screen, PANE_MESH) ? STYLE_FOCUS : STYLE_HEADING);
     /* particles: a dot each; where they are denser than the columns, braille dots show how they lie */
-    for (size_t i = 0; i < particles; i++) {
-        double place = column_of_x(&strip, x0[i] + k * u[i]);
-        if (!(place >= 0 && place < strip.columns))
-            continue;
-        int column = (int)place, half = (int)((place - column) * 2);
-        if (area.glyphs == GLYPHS_BRAILLE) {
-            Cell *cell =
-                &part.canvas->cells[(size_t)(part.rect.y + particle_row) * (size_t)part.canvas->width +
-                                    (size_t)(part.rect.x + column)];
-            uint32_t dots = cell->glyph >= 0x2800 && cell->glyph <= 0x28ff ? cell->glyph : 0x2800;
-            area_put(part, column, particle_row, dots | (half ? 0x30u : 0x06u), STYLE_MEASURED);
-        } else {
-            area_put(part, column, particle_row, area.glyphs == GLYPHS_BLOCK ? 0x00b7 : 'o', STYLE_MEASURED);
-        }
-    }
+    for (size_t i = 0; i < particles; i++)
+        put_half(part, column_of_x(&strip, x0[i] + k * u[i]), particle_row, 0x06, 0x30,
+                 area.glyphs == GLYPHS_BLOCK ? 0x00b7 : 'o', STYLE_MEASURED);
 
     /* the chosen particle, its nodes, and what passes between them */
     Link links[NODES_OF_PARTICLE_MAX];
