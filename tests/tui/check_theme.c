@@ -5,22 +5,29 @@
 
 #include <math.h>
 
-/* What an eye that sees no hues goes by: CIE L* of a colour of 256. */
-static double lightness(int colour)
+static double linear(double level)
 {
-    if (colour >= 232) { /* the greys */
-        const double level = (8 + 10 * (colour - 232)) / 255.0;
-        return 116 * cbrt(pow((level + 0.055) / 1.055, 2.4)) - 16;
-    }
+    return level <= 0.04045 ? level / 12.92 : pow((level + 0.055) / 1.055, 2.4);
+}
+
+/* Relative luminance (sRGB) of a colour of xterm's 256: the greys, or the cube of six levels. */
+static double luminance_of(int colour)
+{
+    if (colour >= 232)
+        return linear((8 + 10 * (colour - 232)) / 255.0);
     static const double levels[] = {0, 95, 135, 175, 215, 255};
     static const double weights[] = {0.2126, 0.7152, 0.0722};
     const int places[3] = {(colour - 16) / 36, (colour - 16) / 6 % 6, (colour - 16) % 6};
     double luminance = 0;
-    for (int i = 0; i < 3; i++) {
-        const double level = levels[places[i]] / 255;
-        luminance += weights[i] * (level <= 0.04045 ? level / 12.92 : pow((level + 0.055) / 1.055, 2.4));
-    }
-    return 116 * cbrt(luminance) - 16;
+    for (int i = 0; i < 3; i++)
+        luminance += weights[i] * linear(levels[places[i]] / 255);
+    return luminance;
+}
+
+/* What an eye that sees no hues goes by: CIE L*. */
+static double lightness(int colour)
+{
+    return 116 * cbrt(luminance_of(colour)) - 16;
 }
 
 /* More is brighter at every step, so that the ramp reads in grey; of eight colours none stands on both sides
@@ -60,6 +67,27 @@ START_TEST(everything_stands_out_from_the_ground)
         if (eight_dark.background == LOOK_DEFAULT && style < STYLE_RAMP_0)
             ck_assert(eight_dark.foreground != 0 && eight_dark.foreground != 4);
     }
+}
+END_TEST
+
+/* WCAG 2.1: (L1 + 0.05)/(L2 + 0.05) with the luminance of the brighter one first. */
+static double contrast(double a, double b)
+{
+    return (fmax(a, b) + 0.05) / (fmin(a, b) + 0.05);
+}
+
+/* Greys that carry words or axes are read from the back row: 4.5 to 1, what WCAG asks of words, on grounds
+ * that are not quite black (grey 234) or white (grey 254) too. */
+START_TEST(greys_are_read)
+{
+    enum { NEARLY_BLACK = 234, NEARLY_WHITE = 254 };
+    static const Style greys[] = {STYLE_FAINT, STYLE_FRAME, STYLE_GHOST_E};
+    const Look dark = theme_look(256, false, greys[_i], 0), light = theme_look(256, true, greys[_i], 0);
+    ck_assert_int_eq(dark.background, LOOK_DEFAULT);
+    ck_assert_int_eq(light.background, LOOK_DEFAULT);
+    ck_assert_double_ge(contrast(luminance_of(dark.foreground), luminance_of(NEARLY_BLACK)), 4.5);
+    ck_assert_double_ge(contrast(luminance_of(light.foreground), luminance_of(NEARLY_WHITE)), 4.5);
+    ck_assert_uint_eq((dark.attributes | light.attributes) & LOOK_DIM, 0);
 }
 END_TEST
 
@@ -115,6 +143,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, the_ground_is_told);
     tcase_add_test(tcase, the_ramp_rises);
     tcase_add_test(tcase, everything_stands_out_from_the_ground);
+    tcase_add_loop_test(tcase, greys_are_read, 0, 3);
     tcase_add_test(tcase, without_colours_attributes_remain);
     suite_add_tcase(suite, tcase);
 }

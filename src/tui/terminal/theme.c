@@ -18,7 +18,7 @@ typedef struct Row {
 static const Row rows[STYLE_RAMP_0] = {
     [STYLE_NORMAL] = {D, D, D, D, D, D, D, 0, 0},
     [STYLE_TITLE] = {231, 231, 7, 7, 24, 25, 4, 0, LOOK_REVERSE},
-    [STYLE_FRAME] = {245, 243, D, D, D, D, D, 0, 0},
+    [STYLE_FRAME] = {245, 241, D, D, D, D, D, 0, 0},
     [STYLE_FOCUS] = {81, 25, 6, 4, D, D, D, LOOK_BOLD, LOOK_BOLD},
     [STYLE_HEADING] = {D, D, D, D, D, D, D, LOOK_BOLD, LOOK_BOLD},
     [STYLE_FAINT] = {250, 239, D, D, D, D, D, 0, LOOK_DIM},
