@@ -3,7 +3,7 @@
  * page of the help, of every scenario, at the sizes that people have. */
 #include "suite.h"
 #include "lab/settings/scenario.h"
-#include "view/panes/screen.h"
+#include "view/panes/panes.h"
 #include "view/scene.h"
 
 #include <locale.h>
@@ -156,6 +156,36 @@ START_TEST(the_map_grows_with_the_screen)
 }
 END_TEST
 
+/* The large letters of a lecture hold time, the error of the frequency or the period, and, where all three
+ * have room, the state: at the sizes of a projector the error is always among them, once it is known, in
+ * the style of what has changed and as high as the other numbers. */
+START_TEST(a_lecture_has_its_number_in_large_letters)
+{
+    static const char *const words[] = {"mode5 80x24 1310 running lecture", "mode5 132x43 1310 lecture",
+                                        "mode5 200x60 1310 lecture", "mode5 80x24 20 lecture",
+                                        "mode5 80x24 1310 lecture none"};
+    const bool known = _i < 3;
+    Scene scene;
+    Status status = {STATUS_DONE, ""};
+    ck_assert_msg(scene_open(&scene, words[_i], &status), "%s", status.text);
+    const Canvas *canvas = &scene.canvas;
+    const int rows = banner_rows(&scene.screen, canvas->width, canvas->height);
+    int inked = 0, last = -1;
+    for (int y = 1; y <= rows; y++) {
+        int here = 0;
+        for (int x = 0; x < canvas->width; x++)
+            here += canvas->cells[y * canvas->width + x].style == STYLE_CHANGED &&
+                    canvas->cells[y * canvas->width + x].glyph >= 0x2580 &&
+                    canvas->cells[y * canvas->width + x].glyph <= 0x2588;
+        inked += here;
+        last = here > 0 ? y : last;
+    }
+    ck_assert_msg(known ? inked > 20 : inked == 0, "%s: %d cells of the error", words[_i], inked);
+    ck_assert_int_eq(last, known ? rows : -1);
+    scene_close(&scene);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     int count = 0;
@@ -167,6 +197,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(texts, captions_are_shown_whole, 0, count);
     tcase_add_loop_test(texts, help_is_shown_whole, 0, 4);
     tcase_add_test(texts, what_matters_has_room);
+    tcase_add_loop_test(texts, a_lecture_has_its_number_in_large_letters, 0, 5);
     tcase_add_loop_test(texts, the_map_grows_with_the_screen, 0, 5);
     suite_add_tcase(suite, texts);
 }
