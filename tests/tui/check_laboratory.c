@@ -192,6 +192,31 @@ START_TEST(the_end_pauses_with_a_summary)
 }
 END_TEST
 
+/* A refusal swallows no hotkey, whatever was asked; keys of an editor and pasted text mend the answer. */
+START_TEST(a_refused_answer_gives_way_to_the_next_key)
+{
+    static const char *const refused[] = {"g 1 0 1 Enter", ": n o n s e n s e Enter", "o n o n e Enter",
+                                          "/ n o n s e n s e Enter", "x ^U Enter"};
+    Bench *bench = open_bench("mode1", true);
+    const Prompt *prompt = &bench->lab.screen.prompt;
+    press(bench, ".");
+    press_all(bench, refused[_i]);
+    ck_assert_msg(prompt->open && prompt->problem[0], "%s", refused[_i]);
+    press(bench, "Backspace");
+    ck_assert(prompt->open && !prompt->problem[0]);
+    press(bench, "Esc");
+    press_all(bench, refused[_i]);
+    press(bench, "P-.");
+    ck_assert(prompt->open && step_of(bench) == 1);
+    press(bench, "Esc");
+    press_all(bench, refused[_i]);
+    press(bench, ".");
+    ck_assert(!prompt->open);
+    ck_assert_int_eq(step_of(bench), 2);
+    close_bench(bench);
+}
+END_TEST
+
 /* A long way takes many frames, says how far it has come and can be cancelled. */
 START_TEST(a_long_seek_is_cut_into_frames)
 {
@@ -827,6 +852,7 @@ void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("laboratory");
     tcase_set_timeout(tcase, 120);
+    tcase_add_loop_test(tcase, a_refused_answer_gives_way_to_the_next_key, 0, 5);
     tcase_add_test(tcase, every_row_of_the_table_is_carried_out);
     tcase_add_test(tcase, a_late_run_is_late_within_ten_seconds);
     tcase_add_test(tcase, a_period_lasts_three_seconds);

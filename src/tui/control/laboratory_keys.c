@@ -203,6 +203,16 @@ static bool take_offer(Laboratory *lab, const Key *key)
     return taken;
 }
 
+/* What was refused is read as a message: a key that does something else goes on, Enter and the keys of an
+ * editor mend the answer. Pasted text never comes here. */
+static void leave_refused(Laboratory *lab, const char *key)
+{
+    const Prompt *prompt = &lab->screen.prompt;
+    const bool is_character = !key[1] || strcmp(key, "Space") == 0;
+    if (prompt->open && !prompt->yes_no && prompt->problem[0] && is_character && command_by_key(key))
+        prompt_close(&lab->prompting);
+}
+
 static void take_key(Laboratory *lab, const Key *key)
 {
     const Command *command = command_by_key(key->name);
@@ -218,6 +228,7 @@ static void take_key(Laboratory *lab, const Key *key)
     lab->held.pasted_line = false;
     if (take_offer(lab, key))
         return;
+    leave_refused(lab, key->name);
     if (command && is_for_everywhere(command->id))
         laboratory_command(lab, command->id);
     else if (mouse_key(lab, key))

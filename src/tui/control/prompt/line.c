@@ -345,16 +345,10 @@ bool line_run(Laboratory *lab, const char *text)
 
 static bool line_key_of(Laboratory *lab, const char *key)
 {
-    const bool up = strcmp(key, "Up") == 0, is_character = !key[1] || strcmp(key, "Space") == 0;
-    const Command *command = command_by_key(key);
-    if (up || strcmp(key, "Down") == 0)
-        recall(&lab->prompting, up ? -1 : 1);
-    else if (lab->screen.prompt.problem[0] && is_character && command) {
-        /* a refusal shown as a message: other keys go on, those of an editor mend the line */
-        prompt_close(&lab->prompting);
-        lab->carry_out(lab, command->id);
-    } else
+    const bool up = strcmp(key, "Up") == 0;
+    if (!up && strcmp(key, "Down") != 0)
         return false;
+    recall(&lab->prompting, up ? -1 : 1);
     return true;
 }
 
