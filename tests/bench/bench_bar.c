@@ -287,7 +287,62 @@ static void variants(CpuLevel level)
             }
 }
 
-/* Without argument everything on the best instruction set; "sizes", or "variants" with the name of a set. */
+/* Masses that are not lumped and domains that stretch, each beside what it is compared with: the best of
+ * rounds that are run by turns. */
+static void cures(CpuLevel level)
+{
+    enum { CURES = 6, CURE_ROUNDS = 15 };
+    static const struct {
+        const char *name;
+        MpmShape shape;
+        MpmTransfer transfer;
+        int order; /* of FMPM */
+        double blend;
+        int beside; /* the row that it is compared with */
+    } ways[CURES] = {
+        {"hat, lumped", MPM_HAT, MPM_FLIP, 1, 1, 0},    {"hat, blend mu*", MPM_HAT, MPM_FLIP, 1, 0, 0},
+        {"hat, FMPM(2)", MPM_HAT, MPM_FMPM, 2, 1, 0},   {"hat, FMPM(4)", MPM_HAT, MPM_FMPM, 4, 1, 0},
+        {"uGIMP, lumped", MPM_GIMP, MPM_FLIP, 1, 1, 4}, {"CPDI, lumped", MPM_CPDI, MPM_FLIP, 1, 1, 4}};
+    static const int particles[] = {1000, 100000};
+    printf("\ncures, %s: 1e8 particle-steps per second (ratio to hat, lumped; CPDI: to uGIMP)\n",
+           cpu_name(level));
+    puts("                    1000 particles    100000 particles");
+    double best[CURES][2];
+    for (int size = 0; size < 2; size++) {
+        const int n = particles[size];
+        const long steps = steps_for(n);
+        Simulation *sims[CURES];
+        for (int way = 0; way < CURES; way++) {
+            BarDef def = bar_default();
+            def.length = n / 2;
+            def.shape = ways[way].shape;
+            def.transfer = ways[way].transfer;
+            def.fmpm_order = ways[way].order;
+            def.mass_blend = ways[way].blend;
+            sims[way] = engine_create(def, 0.1 * 50 / n, level);
+            best[way][size] = INFINITY;
+        }
+        for (int round = 0; round < CURE_ROUNDS; round++)
+            for (int way = 0; way < CURES; way++) {
+                double start = now();
+                engine_run(sims[way], steps, NULL);
+                best[way][size] = fmin(best[way][size], (now() - start) / ((double)n * (double)steps));
+            }
+        for (int way = 0; way < CURES; way++)
+            simulation_destroy(sims[way]);
+    }
+    for (int way = 0; way < CURES; way++) {
+        printf("%-18s", ways[way].name);
+        for (int size = 0; size < 2; size++)
+            printf("  %6.2f (%4.2f)  ", 1e-8 / best[way][size],
+                   best[ways[way].beside][size] / best[way][size]);
+        puts("");
+    }
+    fflush(stdout);
+}
+
+/* Without argument everything on the best instruction set; "sizes", "cures" or "variants" with the name of a
+ * set. */
 int main(int count, char **arguments)
 {
     const char *what = count > 1 ? arguments[1] : "";
@@ -295,10 +350,12 @@ int main(int count, char **arguments)
     for (int i = 0; count > 2 && i < CPU_LEVELS; i++)
         if (cpu_has((CpuLevel)i) && strcmp(arguments[2], cpu_name((CpuLevel)i)) == 0)
             level = (CpuLevel)i;
-    if (strcmp(what, "variants") != 0)
+    if (!*what || strcmp(what, "sizes") == 0)
         sizes();
     fflush(stdout);
-    if (strcmp(what, "sizes") != 0)
+    if (!*what || strcmp(what, "cures") == 0)
+        cures(level);
+    if (!*what || strcmp(what, "variants") == 0)
         variants(level);
     return 0;
 }
