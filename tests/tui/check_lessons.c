@@ -83,7 +83,8 @@ static const struct {
      "my.lesson:5: the question of page \"y\" wants two choices at least, one of them @right"},
     {"@title x\n@page y\n@ask a\n@choice b\n@choice c\n",
      "my.lesson: the question of page \"y\" wants two choices at least, one of them @right"},
-    {"@title x\n@page y\n@reveal\n", "my.lesson: page \"y\" reveals, but neither asks (@ask) nor waits for anything (@until)"},
+    {"@title x\n@page y\n@reveal\n",
+     "my.lesson: page \"y\" reveals, but neither asks (@ask) nor waits for anything (@until)"},
     {"@title x\n@page y\n@until end\n@reveal\n@do pin\n",
      "my.lesson: page \"y\" does something after its goal: only an answer is followed by @do"},
     {"@title x\n@page y\n@reveal now\n", "my.lesson:3: @reveal: takes nothing"},
@@ -176,7 +177,8 @@ static void satisfy(Bench *bench, const LessonUntil *until)
     lesson_play_continue(lab);
 }
 
-/* On no usual screen anything has to be scrolled or, within a step, read without the box, and nothing that a page did was refused. */
+/* On no usual screen anything has to be scrolled or, within a step, read without the box, and nothing that a
+ * page did was refused. */
 static void check_page(Bench *bench, const char *name)
 {
     const LessonShown *shown = &bench->lab.screen.lesson;

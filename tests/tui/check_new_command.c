@@ -100,7 +100,7 @@ START_TEST(a_lesson_may_ask_for_it_and_wait_for_it)
     Status status = {STATUS_DONE, ""};
     ck_assert_msg(lesson_play_open(&bench->lab, "my.lesson", &status), "%s", status.text);
     lesson_play_continue(&bench->lab);
-    ck_assert_int_eq(greeted, 1); /* the page's own text stands in place of the message */
+    ck_assert_int_eq(greeted, 1);             /* the page's own text stands in place of the message */
     ck_assert(!bench->lab.screen.lesson.met); /* that it was the lesson's does not count */
     press(bench, "@");
     ck_assert(bench->lab.screen.lesson.met);

@@ -141,7 +141,8 @@ struct Problem {
     bool end_matters;            /* another time.end is another run from the start on */
 };
 
-extern const Problem problem_bar, problem_one_particle, problem_hanging_column, problem_supported_beam, problem_moving_cantilever, problem_notched_beam;
+extern const Problem problem_bar, problem_one_particle, problem_hanging_column, problem_supported_beam,
+    problem_moving_cantilever, problem_notched_beam;
 
 enum { PROBLEMS_MAX = 32 };
 extern const Problem *const problems[]; /* ended by NULL */

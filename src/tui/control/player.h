@@ -45,11 +45,11 @@ void player_forget_rates(Player *);
 /* Back to where the step that is done in parts began, for whoever wants to look or to do something else. */
 void player_drop_part(Player *);
 
-/* So many steps a frame that one exact period lasts 3 s; where the run comes to be half a period late, that it
- * is so within ten seconds, as far as the eye can follow; a run without a period, 15 s as a whole. */
+/* So many steps a frame that one exact period lasts 3 s; where the run comes to be half a period late, that
+ * it is so within ten seconds, as far as the eye can follow; a run without a period, 15 s as a whole. */
 void player_choose_pace(Screen *);
 double player_pace_for(double steps, double seconds); /* so many steps in so many seconds; looks steady */
-double player_next_125(double value, int direction); /* the next number of 1, 2, 5, 10, ... above or below */
+double player_next_125(double value, int direction);  /* the next number of 1, 2, 5, 10, ... above or below */
 
 /* The state after a change: at the end, failed, computing, ... */
 void player_settle(Laboratory *);

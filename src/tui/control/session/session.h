@@ -3,8 +3,8 @@
  * run at which it came. Doing them again gives the same run to the last bit, however fast the machine is.
  *
  * The file is text. "scenario NAME" and lines "| ..." hold the resolved scenario; "paused" that it opened
- * paused; "first" that it was the first of its user; "lesson NAME" that it opened with a lesson, "reached NAME PAGE" how far one had come in it; then
- * one line a key,
+ * paused; "first" that it was the first of its user; "lesson NAME" that it opened with a lesson, "reached
+ * NAME PAGE" how far one had come in it; then one line a key,
  *
  *     at STEP[/STAGE] SECONDS WIDTHxHEIGHT NAME [X Y]
  *
