@@ -149,6 +149,35 @@ START_TEST(runs_are_as_predicted)
 }
 END_TEST
 
+/* E* = sum m v^n v^(n+1)/2 + strain energy, of the new stress with USF, of the old one with MUSL, is kept by
+ * a blend as by lumped masses. */
+START_TEST(blends_keep_the_sharp_energy)
+{
+    static const double blends[] = {0.05, 5.0 / 18, 0.5};
+    BarCase bar = bar_case(5, 1e-8);
+    bar.def.algorithm = _i % 2 ? MPM_MUSL : MPM_USF;
+    bar.def.mass_blend = blends[_i / 2];
+    Simulation *sim = bar_case_create(&bar);
+    double first = 0, worst = 0, strain = 0, *v = field_now(sim, 0, "v");
+    for (int step = 0; step < 10000; step++) {
+        advance(sim, 1);
+        double *next = field_now(sim, 0, "v"), next_strain = series_now(sim, "strain"),
+               energy = _i % 2 ? strain : next_strain;
+        for (size_t p = 0; p < sim->counts[0]; p++)
+            energy += 0.5 * 0.5 * v[p] * next[p];
+        strain = next_strain;
+        free(v);
+        v = next;
+        if (step == 0)
+            first = energy;
+        worst = fmax(worst, fabs(energy / first - 1));
+    }
+    free(v);
+    ck_assert_msg(worst <= 1e-10, "mu %g: E* wanders by %.3g", bar.def.mass_blend, worst);
+    simulation_destroy(sim);
+}
+END_TEST
+
 /* --- the largest step ------------------------------------------------------------------------------- */
 
 static unsigned drawn = 12345;
@@ -285,6 +314,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(test, rows_add_up, 0, 7);
     tcase_add_test(test, momentum_is_kept);
     tcase_add_loop_test(test, runs_are_as_predicted, 0, 3);
+    tcase_add_loop_test(test, blends_keep_the_sharp_energy, 0, 6);
     tcase_add_test(test, limits_of_any_parameters);
     tcase_add_test(test, stretching_domains_keep_the_energy);
     tcase_add_test(test, best_blend);
