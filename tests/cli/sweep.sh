@@ -26,6 +26,15 @@ result "as predicted, within 0.1 %" holds out \
 	'(v["frequency_measured", 1] / v["frequency_predicted", 1] - 1) ^ 2 < 1e-6 && (v["frequency_measured", 3] / v["frequency_predicted", 3] - 1) ^ 2 < 1e-6'
 result "as many steps as the cells ask for" holds out 'v["steps", 1] == 10000 && v["steps", 3] == 40000'
 
+expect "cures of the late frequency" 0 mode5 --vary mpm.mass_blend=1,.5,auto --set initial.velocity=1e-6 --end 20
+result "late, less late, hardly late" holds out \
+	'(v["frequency_error", 1] + 4.2388) ^ 2 < 1e-8 && (v["frequency_error", 2] + 1.3589) ^ 2 < 1e-8 &&
+	 (v["frequency_error", 3] + .0226) ^ 2 < 1e-8'
+result "each as its masses predict" holds out \
+	'(v["frequency_measured", 1] / v["frequency_predicted", 1] - 1) ^ 2 < 1e-17 &&
+	 (v["frequency_measured", 2] / v["frequency_predicted", 2] - 1) ^ 2 < 1e-17 &&
+	 (v["frequency_measured", 3] / v["frequency_predicted", 3] - 1) ^ 2 < 1e-17'
+
 expect "a range and choices" 0 mode5 --vary time.courant=.1:.3:3 --vary mpm.algorithm=usf,usl,musl --end 30 --jobs 3
 result "the product in order, choices as indices" test "$(cut -d, -f1,2 out | tr '\n' ' ')" = \
 	'time.courant,mpm.algorithm 0.1,0 0.1,1 0.1,2 0.2,0 0.2,1 0.2,2 0.3,0 0.3,1 0.3,2 '
