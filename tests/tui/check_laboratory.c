@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What keys do to the laboratory, with a virtual clock and no terminal. */
 #include "suite.h"
+#include "view/views/view.h"
 #include "tui/tui_case.h"
 #include "tui/control/prompt/line.h"
 
@@ -188,6 +189,30 @@ START_TEST(the_end_pauses_with_a_summary)
     press_all(bench, "Esc Space");
     ck_assert_int_eq(bench->lab.screen.playback.state, STATE_RUNNING);
     ck_assert_int_eq(step_of(bench), 0);
+    close_bench(bench);
+}
+END_TEST
+
+/* Enter in a table does what `:plot` does with the chosen row and column. */
+START_TEST(a_table_is_followed_over_time)
+{
+    static const struct {
+        const char *keys, *column;
+    } cases[] = {{"7 Right Right Down Enter", "particle 2 u"},
+                 {"7 7 Right Right Down Down Enter", "node 2 momentum"}};
+    Bench *bench = open_bench("mode1", true);
+    const Screen *screen = &bench->lab.screen;
+    press_all(bench, ": p a r t i c l e Space 1 Enter : n o d e Space 0 Enter");
+    press_all(bench, cases[_i].keys);
+    const Settings *settings = experiment_settings(screen->experiment);
+    ck_assert_str_eq(settings->output.follow, cases[_i].column);
+    ck_assert_str_eq(screen->views.lower->word, "probe");
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    ck_assert_str_eq(
+        view_variant_word(screen->views.lower, screen, view_variant(screen->views.lower, screen)),
+        sim->series[sim->n_series - 1].name);
+    press(bench, ".");
+    ck_assert(!screen->prompt.open);
     close_bench(bench);
 }
 END_TEST
@@ -852,6 +877,7 @@ void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("laboratory");
     tcase_set_timeout(tcase, 120);
+    tcase_add_loop_test(tcase, a_table_is_followed_over_time, 0, 2);
     tcase_add_loop_test(tcase, a_refused_answer_gives_way_to_the_next_key, 0, 5);
     tcase_add_test(tcase, every_row_of_the_table_is_carried_out);
     tcase_add_test(tcase, a_late_run_is_late_within_ten_seconds);

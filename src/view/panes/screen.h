@@ -130,7 +130,7 @@ typedef struct FieldEdit {
 typedef struct Selection {
     size_t particle, node;
     bool is_node;     /* stage box and inspector follow the node, not the particle */
-    int table_column; /* the first one that a table shows */
+    int table_column; /* the one that is marked in a table */
 } Selection;
 
 /* Where one reads in the log. */

@@ -56,9 +56,11 @@ struct View {
     const char *(*curve)(const Screen *);
 
     /* Keys and mouse in its pane, which lies at `rect`; NULL: what every plot does. move: arrows, `page`
-     * rows at a time. enter: the step to go to, -1: none. click, scroll: false where they hit nothing. */
+     * rows at a time. enter: the step to go to, -1: none. follow: what Enter has drawn over time, in the
+     * words of `:plot`. click, scroll: false where they hit nothing. */
     void (*move)(Screen *, Rect rect, int x, int y, int page);
     long (*enter)(Screen *);
+    void (*follow)(const Screen *, char out[FOLLOW_TEXT_MAX]);
     bool (*click)(Screen *, Rect rect, int x, int y);
     bool (*scroll)(Screen *, Rect rect, int x, int y, int by);
 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Numbers of things, one row each; what the last stage changed is marked. The chosen thing is kept in
- * sight, and the columns that do not fit come with the arrows. */
+/* Numbers of things, one row each; what the last stage changed is marked. The chosen thing and the chosen
+ * column are kept in sight; together they are what Enter has followed over time. */
 #include "view/panes/panes.h"
 #include "view/draw/sum_column.h"
 #include "view/views/views.h"
@@ -28,6 +28,7 @@ typedef struct Table {
     TableColumn columns[FIELDS_MAX];
     int n_columns;
     int first_column, end_column; /* those that fit */
+    int chosen_column;
     size_t first, rows, chosen;
 } Table;
 
@@ -65,12 +66,13 @@ static Table table_of(const Screen *screen, int set, int width, int height)
     const Simulation *sim = experiment_simulation(screen->experiment);
     Table table = {.set = set < sim->n_sets ? set : 0};
     list_columns(screen, &table);
-    table.first_column = screen->chosen.table_column;
-    if (table.first_column > table.n_columns - 1)
-        table.first_column = table.n_columns - 1;
-    /* no further than the last column needs */
-    while (table.first_column > 0 && last_that_fits(&table, table.first_column - 1, width) == table.n_columns)
-        table.first_column--;
+    table.chosen_column = screen->chosen.table_column;
+    if (table.chosen_column > table.n_columns - 1)
+        table.chosen_column = table.n_columns - 1;
+    /* no further than the chosen one needs */
+    while (table.first_column < table.chosen_column &&
+           last_that_fits(&table, table.first_column, width) <= table.chosen_column)
+        table.first_column++;
     table.end_column = last_that_fits(&table, table.first_column, width);
 
     const size_t count = sim->counts[table.set],
@@ -105,11 +107,11 @@ static void draw_heading_of(const Screen *screen, Area area, const Table *table,
 }
 
 static void draw_column(Experiment *experiment, Area area, const Table *table, const TableColumn *column,
-                        int end)
+                        int end, Style heading)
 {
     const Simulation *sim = experiment_simulation(experiment);
     double values[ROWS_MAX], before[ROWS_MAX];
-    area_text_right(area, end, 1, column->name, STYLE_HEADING);
+    area_text_right(area, end, 1, column->name, heading);
     sim->method->field(sim, column->field, table->first, table->rows, values);
     const bool known = experiment_field_before(experiment, column->field, table->first, table->rows, before);
     const Format format = format_of(values, table->rows, 5, CELL_WIDTH - 1);
@@ -147,7 +149,8 @@ static void draw(const Screen *screen, Area area, Style heading, int set)
     int end = INDEX_WIDTH;
     for (int c = table.first_column; c < table.end_column; c++) {
         end += table.columns[c].width;
-        draw_column(screen->experiment, area, &table, &table.columns[c], end - 1);
+        draw_column(screen->experiment, area, &table, &table.columns[c], end - 1,
+                    c == table.chosen_column && heading == STYLE_FOCUS ? STYLE_FOCUS : STYLE_HEADING);
     }
 }
 
@@ -158,7 +161,7 @@ static Table table_at(const Screen *screen, Rect rect)
     return table_of(screen, view_variant(&view_table, screen), rect.width, rect.height);
 }
 
-/* Up and down go from row to row, left and right bring the columns that do not fit. */
+/* Up and down go from row to row, left and right from column to column. */
 static void move(Screen *screen, Rect rect, int x, int y, int page)
 {
     const Table table = table_at(screen, rect);
@@ -166,10 +169,18 @@ static void move(Screen *screen, Rect rect, int x, int y, int page)
     if (y != 0) {
         selection_next(&screen->chosen, experiment_simulation(screen->experiment), y, (size_t)page);
     } else if (rect.width > 0) {
-        const int most = table.end_column < table.n_columns ? table.n_columns - 1 : table.first_column;
-        const int to = table.first_column + x;
+        const int to = table.chosen_column + x, most = table.n_columns - 1;
         screen->chosen.table_column = to < 0 ? 0 : to > most ? most : to;
     }
+}
+
+/* The field of the chosen row in the chosen column, as `:plot` takes it. */
+static void follow(const Screen *screen, char out[FOLLOW_TEXT_MAX])
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Table table = table_of(screen, view_variant(&view_table, screen), 0, 0);
+    snprintf(out, FOLLOW_TEXT_MAX, "%.16s %zu %.30s", sim->sets[table.set].name, table.chosen,
+             sim->fields[table.columns[table.chosen_column].field].quantity.name);
 }
 
 static bool click(Screen *screen, Rect rect, int x, int y)
@@ -186,7 +197,7 @@ static bool click(Screen *screen, Rect rect, int x, int y)
 const View view_table = {
     .word = "tables",
     .brief = "tables",
-    .help = "numbers of particles; again: of nodes",
+    .help = "numbers of particles; again: of nodes; Enter: the marked one over time",
     .digit = 7,
     .home = PANE_UPPER,
     .draw = draw,
@@ -194,5 +205,6 @@ const View view_table = {
     .duel = DUEL_APART,
     .of_moment = true,
     .move = move,
+    .follow = follow,
     .click = click,
 };

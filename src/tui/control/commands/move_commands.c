@@ -5,6 +5,7 @@
 #include "view/views/view.h"
 
 #include <math.h>
+#include <string.h>
 
 static void focus_by(Laboratory *lab, int direction)
 {
@@ -132,6 +133,16 @@ void command_page_down(Laboratory *lab)
         move(lab, 0, 1, 10);
 }
 
+static void follow(Laboratory *lab, const View *view)
+{
+    char line[FOLLOW_TEXT_MAX + 8] = "plot ";
+    view->follow(&lab->screen, line + strlen(line));
+    if (!lab->run_line(lab, line)) {
+        laboratory_say(lab, MESSAGE_ERROR, "%s", lab->screen.prompt.problem);
+        prompt_close(&lab->prompting);
+    }
+}
+
 void command_enter(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
@@ -152,6 +163,8 @@ void command_enter(Laboratory *lab)
         player_seek(lab, step, 0);
     } else if (lesson_entry_page(lab)) {
         lesson_play_enter(lab);
+    } else if (view && view->follow) {
+        follow(lab, view);
     }
 }
 
