@@ -97,7 +97,7 @@ START_TEST(factors_are_those_that_are_stated)
     map_close(&map);
     scene_close(&scene);
     /* a slender beam is stretched, and that is said */
-    open_scene(&scene, "supported-beam-coarse 80x24 500 upper 8");
+    open_scene(&scene, "moving-cantilever-coarse 80x24 500 upper 8");
     const Rect pane = screen_pane(&scene.screen, 80, 24, PANE_UPPER);
     ck_assert(map_open(
         &map, &scene.screen,
