@@ -43,3 +43,17 @@ refuse() {
 }
 says() { grep -q -e "$2" "$1"; } # FILE PATTERN
 lines() { test "$(wc -l <"$1")" -eq "$2"; }
+
+# within TENTHS COMMAND...: asked again every tenth of a second until it holds, so many times; then it fails
+within() {
+	tries=$1
+	shift
+	until "$@"; do
+		tries=$((tries - 1))
+		test "$tries" -gt 0 || return 1
+		sleep 0.1
+	done
+}
+# works PID HUNDREDTHS: the process has had so much of a processor, or is no more; where this is not told, it has
+works() { test ! -r "/proc/$1/stat" || awk -v most="$2" '{ exit $14 + $15 < most }' "/proc/$1/stat" || gone "$1"; }
+gone() { case $(ps -o stat= -p "$1") in '' | Z*) ;; *) false ;; esac; } # PID

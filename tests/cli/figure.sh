@@ -173,19 +173,20 @@ result "names option and key" says err '^matvib: --against: initial.mode: '
 expect "more times than a page has room for" 2 mode1 --view profile --frames 60 --output x.svg
 
 # --- interrupted: the building, the run, and after it
-interrupt() { # NAME SECONDS ARGUMENTS...
-	name=$1 seconds=$2
+interrupt() { # NAME HUNDREDTHS-OF-A-SECOND-OF-WORK ARGUMENTS...
+	what=$1 work=$2
 	shift 2
 	"$MATVIB" figure "$@" --output x.svg >out 2>err &
-	sleep "$seconds"
+	within 100 works $! "$work"
 	kill -TERM $!
+	result "interrupted $what: soon" within 30 gone $!
 	wait $!
-	result "interrupted $name" test $? -eq 143
+	result "interrupted $what: its status" test $? -eq 143
 	result "no file" test ! -e x.svg
 }
-interrupt "while it builds" 0.5 supported-beam --set beam.length=2 --view probe
+interrupt "while it builds" 20 supported-beam --set beam.length=2 --view probe
 result "it says what was given up" says err '^matvib: .*given up$'
-interrupt "while it runs" 1 notched-beam --view beam
+interrupt "while it runs" 60 notched-beam --view beam
 result "it says so" says err '^matvib: .*\(interrupted\|given up\)$'
 result "nothing was left behind" sh -c 'test -z "$(ls x.* *.part 2>/dev/null)"'
 echo "1..$number"

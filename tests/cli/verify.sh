@@ -20,14 +20,12 @@ expect "an unknown option is bad usage" 2 --fast
 
 # --- interrupted, in the middle of a run of some ten seconds
 "$MATVIB" verify P-fig10 --full >out 2>err &
-for try in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
-	test -s out && break
-	sleep 0.1
-done
-sleep 0.1
+within 100 test -s out
+within 100 works $! 20
 kill -TERM $!
+result "a signal ends it soon" within 30 gone $!
 wait $!
-result "a signal ends it with its status" test $? -eq 143
+result "with its status" test $? -eq 143
 result "and it says so" says err '^matvib: verify: interrupted after 0 rows$'
 result "without counts" sh -c '! grep -q "^ours:" out'
 echo "1..$number"

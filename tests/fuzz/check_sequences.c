@@ -146,6 +146,12 @@ static void any_line(char *out, size_t size)
     static const char *const overlays[] = {"", " a-series.csv", " a-series.csv time v_cm",
                                            " b-series.csv 1 3", " a.ini"};
     static const char *const times[] = {"0", "0.5", "2", "1e-5", "1e-4", "-1", "1e9", "nan"};
+    static const char *const stops[] = {
+        "",      "t 0.5",    "t 1e9",          "#40",         "#9999999", "end",
+        "event", "crossing", "first crossing", "first break", "break",    "t x"};
+    static const char *const plots[] = {"",       "x",        "v",      "stress",
+                                        "v_cm",   "energy",   "total",  "particle 3",
+                                        "v none", "node 2 v", "node 3", "particle 0 v"};
     const int kind = below(100);
     char setting[160], other[160];
     any_setting(setting, sizeof setting);
@@ -178,6 +184,16 @@ static void any_line(char *out, size_t size)
         snprintf(out, size, "open %s", PICK(files));
     else if (kind < 87)
         snprintf(out, size, "overlay%s", PICK(overlays));
+    else if (kind < 89)
+        snprintf(out, size, "until %s", PICK(stops));
+    else if (kind < 90)
+        snprintf(out, size, "event %d", below(20) - 1);
+    else if (kind < 92)
+        snprintf(out, size, "loop %s %s", below(4) ? PICK(times) : "", PICK(times));
+    else if (kind < 94)
+        snprintf(out, size, "plot %s", PICK(plots));
+    else if (kind < 95)
+        snprintf(out, size, "node %d", below(3) ? below(60) : below(100000));
     else {
         const Command *command = &commands[below(n_commands)];
         while (command->id == COMMAND_QUIT || command->id == COMMAND_INTERRUPT)

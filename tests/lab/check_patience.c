@@ -101,6 +101,7 @@ static const struct {
     {"simply-supported-beam", "pd", {"beam.length", "1"}},
     {"simply-supported-beam", "pd", {"beam.height", "0.01"}},
     {"simply-supported-beam", "mpm", {"beam.length", "2"}},
+    {"moving-cantilever", "mpm", {"motion.channel", "20"}},
     {"notched-beam", NULL, {"beam.length", "10.5"}},
     {"bar",
      "pd",

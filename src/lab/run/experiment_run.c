@@ -57,6 +57,13 @@ static bool out_of_memory(Status *status)
     return status_fail(status, STATUS_FAILED, "not enough memory for the run's record");
 }
 
+static bool goes_on(const Settings *settings, Status *status)
+{
+    return patience_lasts(&settings->patience, 0) ||
+           status_fail(status, STATUS_FAILED, "the building of the run was given up");
+}
+
+/* The record and the first keyframe; of a large beam each takes as long as one asks to hear of it. */
 static bool begin(Experiment *experiment, size_t history, Status *status)
 {
     Simulation *sim = experiment->sim;
@@ -67,10 +74,12 @@ static bool begin(Experiment *experiment, size_t history, Status *status)
     experiment->block = malloc(BLOCK * (size_t)sim->n_series * sizeof *experiment->block);
     if (!experiment->block)
         return out_of_memory(status);
+    if (!goes_on(&experiment->base, status))
+        return false;
     simulation_row(sim, experiment->block);
     if (!take_row(experiment, experiment->block, 0))
         return out_of_memory(status);
-    if (!changes_apply(&experiment->base, sim, status))
+    if (!goes_on(&experiment->base, status) || !changes_apply(&experiment->base, sim, status))
         return false;
     copy_events(experiment);
     changes_in_force(&experiment->base, 0, &experiment->now);
@@ -81,9 +90,7 @@ bool experiment_open(Experiment *experiment, const Settings *settings, size_t hi
                      Status *status)
 {
     experiment->base = *settings;
-    if (!patience_lasts(&settings->patience, 0))
-        return status_fail(status, STATUS_FAILED, "the building of the run was given up");
-    if (!settings_check(settings, status) ||
+    if (!goes_on(settings, status) || !settings_check(settings, status) ||
         !changes_advice(settings, experiment->advice, sizeof experiment->advice, status))
         return false;
     experiment->sim = problem_simulate(settings, threads, status);
