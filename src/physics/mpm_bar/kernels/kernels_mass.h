@@ -76,7 +76,6 @@ KERNEL_INLINE void couple_shape(Bar *bar, MpmShape shape, int slots, int first, 
     const double unit = bar->mass;
     for (int d = 1; d <= reach; d++) {
         double *const couple = bar->node_couple[d], *const *const pair = bar->pair[d];
-#pragma omp simd
         for (int i = first; i < last; i++) {
             double sum = pair[support - 1 - d][i - (support - 1 - d)];
 #pragma GCC unroll 4
