@@ -41,12 +41,16 @@ static double value_at(const Simulation *sim, double x, size_t node, bool slope,
     return count ? value : NAN;
 }
 
-static void say_no_mesh(Area area, Style heading)
+static void say_why_none(const Simulation *sim, Area area, Style heading)
 {
     area_rule(area, 0, "shape functions", heading);
-    area_paragraph(area, 1, 1, area.rect.width - 2, area.rect.height - 1,
-                   "This method has no mesh: its points act on each other directly, through bonds.",
-                   STYLE_FAINT);
+    area_paragraph(
+        area, 1, 1, area.rect.width - 2, area.rect.height - 1,
+        simulation_has(sim, HAS_MESH)
+            ? "In the plane a shape function is the product of one along x and one along y, which the "
+              "bar shows; i writes them out for the chosen particle."
+            : "This method has no mesh: its points act on each other directly, through bonds.",
+        STYLE_FAINT);
 }
 
 static void draw(const Screen *screen, Area area, Style heading, int variant)
@@ -56,8 +60,9 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         bond_law_draw(screen, area, heading);
         return;
     }
-    if (!simulation_has(sim, HAS_MESH)) {
-        say_no_mesh(area, heading);
+    /* places have one component here */
+    if (!simulation_has(sim, HAS_MESH | HAS_LINE)) {
+        say_why_none(sim, area, heading);
         return;
     }
     const bool slope = variant == 1;
@@ -68,7 +73,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     size_t n_links = sim->method->shapes(sim, &place, links, LINKS_MAX);
     n_links = n_links < LINKS_MAX ? n_links : LINKS_MAX;
     if (n_links == 0) {
-        say_no_mesh(area, heading);
+        say_why_none(sim, area, heading);
         return;
     }
     /* the chosen particle's nodes and some on either side */
