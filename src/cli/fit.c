@@ -34,7 +34,8 @@ static void close_data(Data *data)
     free(data->values);
 }
 
-/* The column of the series: as asked for, or the first that the table has too. */
+/* The column of the series: as asked for, or the first that the table has too. The name kept is not the
+ * simulation's, which goes. */
 static bool choose_column(Data *data, const Options *options, const Settings *settings, Status *status)
 {
     Simulation *simulation = problem_simulate(settings, 1, status);
@@ -46,9 +47,9 @@ static bool choose_column(Data *data, const Options *options, const Settings *se
         text_list_add(known, sizeof known, name);
         for (int c = 0; c < data->table.n_columns && !options->column && !data->column; c++)
             if (strcmp(data->table.columns[c].name, name) == 0)
-                data->column = name;
+                data->column = data->table.columns[c].name;
         if (options->column && strcmp(options->column, name) == 0)
-            data->column = name;
+            data->column = options->column;
     }
     simulation_destroy(simulation);
     if (!data->column)

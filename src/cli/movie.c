@@ -7,6 +7,7 @@
 #include "base/input.h"
 #include "base/output.h"
 #include "base/text.h"
+#include "base/visible.h"
 #include "tui/control/session/laboratory_main.h"
 #include "tui/control/session/script.h"
 #include "tui/film/camera.h"
@@ -15,7 +16,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { SOURCE_BYTES_MAX = 200000000, LINE_BYTES_MAX = 4096 };
+enum { SOURCE_BYTES_MAX = 200000000, LINE_BYTES_MAX = 4096, TITLE_BYTES = 256 };
 
 typedef enum Source { SOURCE_WRONG, SOURCE_SCENARIO, SOURCE_SESSION, SOURCE_SCRIPT } Source;
 
@@ -97,7 +98,9 @@ static int film(const Options *options, LaboratoryOptions *laboratory, Camera *c
     progress_begin(&progress, options->quiet);
     camera->stream = file.stream;
     camera->patience = (Patience){progress_show, &progress};
-    camera->look.title = laboratory->scenario;
+    char title[TITLE_BYTES]; /* players show it */
+    visible_text(title, sizeof title, laboratory->scenario);
+    camera->look.title = title;
     camera->look.width = laboratory->width = laboratory->width > 0 ? laboratory->width : 80;
     camera->look.height = laboratory->height = laboratory->height > 0 ? laboratory->height : 24;
     laboratory->camera = camera;

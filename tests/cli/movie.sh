@@ -61,6 +61,10 @@ result "has its scenario" grep -q mode1 m.cast
 expect "with the keys of a script" 0 mode10 --script keys.script --output n.svg
 result "has both" grep -q mode10 n.svg
 
+printf 'key x\ntype stolen\nkey Enter\nkey w\ntype stolen.ini\nkey Enter\nwait 1\n' >writes.script
+expect "keys that would write" 0 writes.script --end 2 --output o.cast
+result "write nothing while they are filmed" test -z "$(find . -name 'stolen*')"
+
 # --- GIF, where it was built in ---
 "$MATVIB" movie mode5 --end 1 --output a.gif >out 2>err
 if grep -q 'built without' err; then

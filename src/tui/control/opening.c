@@ -120,6 +120,9 @@ Experiment *opening_experiment(const Laboratory *lab, const Settings *settings, 
 
 Asker laboratory_user(const Laboratory *lab)
 {
+    /* what is filmed is told by its content, and a file that looks like a session may hold a script's keys */
+    if (lab->options.camera)
+        return ASKER_REPLAY;
     return lab->options.script ? ASKER_SCRIPT : ASKER_KEYBOARD;
 }
 
