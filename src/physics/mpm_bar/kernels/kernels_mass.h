@@ -305,33 +305,52 @@ static void solve(const Bar *bar, double *x)
  *
  * as a row of M_c adds up to m_i. Each term is 0 at held nodes. x: p, then v; term and next are d_j and
  * d_j+1, in arrays that a mass blend would need for its factors. */
+KERNEL_INLINE double next_term(const Bar *bar, const int reach, const bool inside, const double *term, int i)
+{
+    double sum = 0.0;
+#pragma GCC unroll 4
+    for (int d = 1; d <= reach; d++) {
+        const double *const couple = bar->node_couple[d];
+        if (inside || i + d < bar->n_nodes)
+            sum += couple[i] * (term[i] - term[i + d]);
+        if (inside || i >= d)
+            sum += couple[i - d] * (term[i] - term[i - d]);
+    }
+    return sum * bar->node_inverse[i];
+}
+
+/* The terms at nodes [first, end) near an end of the mesh, where neighbours are missing or nodes are held. */
+KERNEL_INLINE void next_terms_of_end(const Bar *bar, const int reach, const double *term, double *next,
+                                     double *x, int first, int end)
+{
+    for (int i = first; i < end; i++) {
+        next[i] = bar_node_moves(bar, i) ? next_term(bar, reach, false, term, i) : 0.0;
+        x[i] += next[i];
+    }
+}
+
 KERNEL_INLINE void series_reach(Bar *bar, const int reach, double *x)
 {
     const int n = bar->n_nodes;
+    const int left = bar->fixed_left > reach ? bar->fixed_left : reach;
+    const int right = n - (bar->fixed_right > reach ? bar->fixed_right : reach);
     double *term = bar->node_pivot, *next = bar->node_lower[1];
+    const double *const inverse = bar->node_inverse;
+#pragma omp simd
     for (int i = 0; i < n; i++)
-        x[i] = term[i] = bar_node_moves(bar, i) ? x[i] * bar->node_inverse[i] : 0.0;
+        x[i] = term[i] = inverse[i] > 0.0 ? x[i] * inverse[i] : 0.0;
+    for (int i = 0; i < bar->fixed_left; i++)
+        x[i] = term[i] = 0.0;
+    for (int i = n - bar->fixed_right; i < n; i++)
+        x[i] = term[i] = 0.0;
     for (int j = 1; j < bar->head->fmpm_order; j++) {
-        memset(next, 0, (size_t)n * sizeof *next);
-        for (int d = 1; d <= reach; d++) {
-            const double *const couple = bar->node_couple[d];
+        next_terms_of_end(bar, reach, term, next, x, 0, left);
 #pragma omp simd
-            for (int i = 0; i < n - d; i++)
-                next[i] += couple[i] * (term[i] - term[i + d]);
-#pragma omp simd
-            for (int i = d; i < n; i++)
-                next[i] += couple[i - d] * (term[i] - term[i - d]);
-        }
-#pragma omp simd
-        for (int i = 0; i < n; i++)
-            next[i] *= bar->node_inverse[i];
-        for (int i = 0; i < bar->fixed_left; i++)
-            next[i] = 0.0;
-        for (int i = n - bar->fixed_right; i < n; i++)
-            next[i] = 0.0;
-#pragma omp simd
-        for (int i = 0; i < n; i++)
+        for (int i = left; i < right; i++) {
+            next[i] = next_term(bar, reach, true, term, i);
             x[i] += next[i];
+        }
+        next_terms_of_end(bar, reach, term, next, x, right > left ? right : left, n);
         double *const kept = term;
         term = next;
         next = kept;
