@@ -17,6 +17,7 @@ run() { # SCENARIO OPTIONS...
 		/^error / { after("frequency", "frequency_error"); after("period", "period_error")
 			sub(/.*\(frequency predicted/, "mesh"); after("mesh", "predicted_error") }
 		/^(late|early) / { after("by", "periods") }
+		/^a period keeps/ { after("predicted", "kept") }
 		/^energy E\* / { after("E*", "lost") }
 		/^crack / { after("break", "first"); after("twentieth", "twentieth"); after("zone", "through") }
 		/^L2 / { after("v", "v_error"); after("cells", "lag") }
@@ -107,6 +108,11 @@ run mode5 --set mpm.mass_blend=auto
 claim $lesson/cure.lesson "-" 0.02 " %: a two-hundredth" predicted_error
 run mode5 --set mpm.transfer=fmpm --set mpm.fmpm_order=4
 claim $lesson/filters.lesson "The mode is " 1.7 " % too early" predicted_error
+claim $lesson/filters.lesson "" 99.87 " % of the energy stay in one period" kept
+run mode5 --set mpm.transfer=fmpm
+claim $lesson/filters.lesson "one period keeps " 68 " % of the energy" kept
+run mode5 --set mpm.flip_fraction=0
+claim $lesson/filters.lesson "of the energy, with PIC it kept " "0.1" " %" kept
 run pulse
 claim $lesson/echo.lesson "how far off it is: by " 74 " % of itself" v_error 100
 claim $lesson/echo.lesson "itself, and " 2.4 " cells late" lag

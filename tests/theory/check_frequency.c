@@ -2,6 +2,7 @@
 /* Frequencies put into a record come out of it again. */
 #include "suite.h"
 #include "theory/frequency.h"
+#include "theory/swing.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>
@@ -225,6 +226,48 @@ START_TEST(spectrum_shows_amplitudes)
 }
 END_TEST
 
+/* Frequency and decay put in come out, of the swing and of its square, in any column of a table, whatever the
+ * first guess is off by. */
+START_TEST(swings_that_die)
+{
+    static const double decays[] = {0, 0.01, 0.5, 3, -0.2};
+    enum { COUNT = 800, STRIDE = 3 };
+    const double omega = 5.415, dt = 0.01;
+    double *plain = record(COUNT, 0.3, dt, omega, 0.7, 0.06, 0.004, decays[_i]);
+    double *table = calloc(COUNT * STRIDE, sizeof *table), *squares = calloc(COUNT, sizeof *squares);
+    for (size_t k = 0; k < COUNT; k++) {
+        table[k * STRIDE] = plain[k];
+        squares[k] = (plain[k] - 0.004) * (plain[k] - 0.004);
+    }
+    for (double guess = 0.9 * omega; guess < 1.1 * omega; guess += 0.05 * omega) {
+        Swing swing;
+        ck_assert(swing_fit(table, STRIDE, COUNT, dt, guess, false, &swing));
+        ck_assert_double_eq_tol(swing.frequency, omega, 1e-9);
+        ck_assert_double_eq_tol(swing.decay, decays[_i], 1e-9);
+        ck_assert(swing_fit(squares, 1, COUNT, dt, guess, true, &swing));
+        ck_assert_double_eq_tol(swing.frequency, omega, 1e-7);
+        ck_assert_double_eq_tol(swing.decay, decays[_i], 1e-7);
+        ck_assert_double_eq_tol(swing_kept(swing.decay, swing.frequency), exp(-4 * M_PI * decays[_i] / omega),
+                                1e-6 * swing_kept(decays[_i], omega));
+    }
+    free(plain), free(table), free(squares);
+}
+END_TEST
+
+START_TEST(what_is_no_swing)
+{
+    double *values = record(400, 0, 0.01, 5, 0, 1, 0, 0);
+    Swing swing;
+    ck_assert(!swing_fit(values, 1, 100, 0.01, 5, false, &swing)); /* less than a period */
+    ck_assert(!swing_fit(values, 40, 10, 0.4, 5, false, &swing));  /* fewer than four samples in it */
+    ck_assert(!swing_fit(values, 1, 400, 0.01, INFINITY, false, &swing));
+    for (size_t k = 0; k < 400; k++)
+        values[k] = 7; /* at rest */
+    ck_assert(!swing_fit(values, 1, 400, 0.01, 5, false, &swing));
+    free(values);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *fit = tcase_create("fit");
@@ -239,6 +282,8 @@ void add_cases(Suite *suite)
     tcase_add_test(fit, what_cannot_be_fitted);
     tcase_add_test(fit, the_error_handler_is_as_it_was);
     tcase_add_test(fit, lines_of_known_ratios);
+    tcase_add_loop_test(fit, swings_that_die, 0, 5);
+    tcase_add_test(fit, what_is_no_swing);
     suite_add_tcase(suite, fit);
     TCase *lines = tcase_create("lines");
     tcase_add_test(lines, spectrum_shows_amplitudes);

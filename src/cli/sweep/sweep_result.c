@@ -40,6 +40,10 @@ static const struct {
          "means of total less the work of loads over the first and the last period"},
     [RESULT_STEPS] = {"steps", "1", "time steps done"},
     [RESULT_WALL] = {"wall", "s", "seconds that the run took"},
+    [RESULT_KEPT_MEASURED] = {"kept_measured", "1",
+                              "bar: share of its energy that the motion keeps in one exact period, fitted to the "
+                              "series"},
+    [RESULT_KEPT_PREDICTED] = {"kept_predicted", "1", "the same by the equations of this very mesh"},
 };
 
 const char *sweep_result_name(ResultColumn column)
@@ -88,6 +92,8 @@ static void put_readout(const RunSummary *summary, double cells[RESULT_COLUMNS])
     if (readout->exact_known)
         four[2] = readout->exact;
     four[3] = percent(four[0], four[2]);
+    cells[RESULT_KEPT_MEASURED] = readout->kept_measured;
+    cells[RESULT_KEPT_PREDICTED] = readout->kept_predicted;
     cells[RESULT_PERIOD_EULER] = derived_value(summary, "period_euler");
     cells[RESULT_PERIOD_ERROR_EULER] = percent(cells[RESULT_PERIOD_MEASURED], cells[RESULT_PERIOD_EULER]);
 }

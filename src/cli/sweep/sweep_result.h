@@ -26,6 +26,8 @@ typedef enum ResultColumn {
     RESULT_ENERGY_LEFT,
     RESULT_STEPS,
     RESULT_WALL,
+    RESULT_KEPT_MEASURED,
+    RESULT_KEPT_PREDICTED,
     RESULT_COLUMNS
 } ResultColumn;
 

@@ -70,6 +70,16 @@ double quantity_predicted_period_error(VerifyRun *run, const VerifyRow *row)
     return 100 * (run->readout.exact / run->readout.predicted - 1);
 }
 
+double quantity_kept(VerifyRun *run, const VerifyRow *row)
+{
+    return scaled(row, run->readout.kept_measured);
+}
+
+double quantity_predicted_kept(VerifyRun *run, const VerifyRow *row)
+{
+    return scaled(row, run->readout.kept_predicted);
+}
+
 static double derived_of(const VerifyRun *run, const char *name)
 {
     for (int i = 0; i < run->n_derived; i++)

@@ -187,6 +187,17 @@ static void add_readout(Writer *writer, const Readout *readout, const char *answ
         strcmp(readout->column, "strain") == 0 ? " (measured on the strain energy)" : "");
 }
 
+/* What a motion that dies keeps; one that theory says is kept has E* for that. */
+static void add_kept(Writer *writer, const Readout *readout)
+{
+    if (!(readout->kept_predicted < READOUT_UNDAMPED))
+        return;
+    add(writer, "a period keeps");
+    if (isfinite(readout->kept_measured))
+        add(writer, "  measured %.4g %%", 100 * readout->kept_measured);
+    add(writer, "  predicted %.4g %%  of the energy\n", 100 * readout->kept_predicted);
+}
+
 /* A time in microseconds, or that it has not come. */
 static void add_time(Writer *writer, const char *word, double seconds, const char *never, const char *unit)
 {
@@ -267,6 +278,7 @@ void summary_text(const RunSummary *summary, const Settings *settings, char out[
         facts->si ? facts->unit_of_time : "", dt, summary->failed ? ", where the run failed" : "");
     if (!summary->crack_known)
         add_readout(&writer, &summary->readout, facts->answer, summary->n_findings > 0);
+    add_kept(&writer, &summary->readout);
     char found[SUMMARY_MAX];
     findings_text(summary->findings, summary->n_findings, SUMMARY_MAX, found, sizeof found);
     add(&writer, "%s%s", found, *found ? "\n" : "");

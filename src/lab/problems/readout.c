@@ -85,6 +85,8 @@ void references_readout(const References *refs, const double *rows, size_t n_row
                          .late = NAN,
                          .real_size = NAN,
                          .overlap = 1,
+                         .kept_measured = NAN,
+                         .kept_predicted = NAN,
                          .by_zeros = NAN,
                          .column = "",
                          .unmeasured = "",
@@ -95,11 +97,12 @@ void references_readout(const References *refs, const double *rows, size_t n_row
         refs->solver->readout(refs, rows, n_rows, n_columns, readout);
     if (refs->unaccounted[REFERENCE_PREDICTED] || refs->unaccounted[REFERENCE_FREQUENCY]) {
         readout->predicted_known = false;
-        readout->predicted = NAN;
+        readout->predicted = readout->kept_predicted = NAN;
     }
     if (refs->unaccounted[REFERENCE_FREQUENCY]) {
         readout->measured_known = readout->exact_known = false;
         readout->measured = readout->exact = readout->by_zeros = readout->real_size = NAN;
+        readout->kept_measured = NAN;
         readout->unaccounted = refs->unaccounted[REFERENCE_FREQUENCY];
         readout->unmeasured = "a parameter is at work that it does not account for";
     } else if (readout->moving && !readout->measured_known)

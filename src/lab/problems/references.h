@@ -57,7 +57,8 @@ int references_thickness_lines(const References *, double out[THICKNESS_LINES_MA
  * is none. */
 double references_standing_frequency(const References *, double time);
 
-#define READOUT_PURE 0.995
+#define READOUT_PURE     0.995
+#define READOUT_UNDAMPED 0.99995 /* a period that keeps more of its energy keeps all of it */
 
 /* What the run is judged by: a frequency (bar, radians per time) or a period (beams, s). */
 struct Readout {
@@ -72,8 +73,10 @@ struct Readout {
     double real_size; /* a beam's period by theory at the size that it has on the lattice; NAN: none */
     double overlap;   /* of what swings with the mode that is predicted; below READOUT_PURE it is a mixture of
                        * modes, and no one frequency can be measured to the last digit */
-    double by_zeros;  /* a beam's period once more, from the zeros of its swing; NAN: fewer than two */
-    bool drifting; /* the period itself changes: the three numbers and `late` are those of the last zeros */
+    double kept_measured, kept_predicted; /* the share of its energy that the watched motion keeps in one exact
+                                           * period; NAN: not known */
+    double by_zeros; /* a beam's period once more, from the zeros of its swing; NAN: fewer than two */
+    bool drifting;   /* the period itself changes: the three numbers and `late` are those of the last zeros */
     const char *column;      /* the series it was measured on */
     double times;            /* which swings so many times as fast */
     int mode;                /* of a bar: the number of the mode that it is; 0: none */

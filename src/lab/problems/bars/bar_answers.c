@@ -3,6 +3,8 @@
  * beside the run. */
 #include "lab/problems/bars/bar_answers.h"
 
+#include "theory/swing.h"
+
 #include <limits.h>
 #include <math.h>
 #include <string.h>
@@ -147,7 +149,7 @@ static bool moves_centre(const BarTheory *theory, int mode)
  * once. */
 BarWatch bar_watch(const BarTheory *theory)
 {
-    BarWatch watch = {.column = "v_cm", .times = 1, .overlap = 1};
+    BarWatch watch = {.column = "v_cm", .times = 1, .kept = NAN, .overlap = 1};
     int mode = bar_watched_mode(theory);
     bool centre = true, by_load = mode == 0;
     if (theory->pulse.velocity != 0)
@@ -314,6 +316,7 @@ void bar_read_out(const References *refs, const double *rows, size_t n_rows, int
     out->exact = watch->exact;
     out->predicted_known = watch->predicted_known;
     out->predicted = watch->predicted_known ? watch->predicted : NAN;
+    out->kept_predicted = watch->kept;
     int column = plan_find(refs, watch->column);
     double expected = watch->times * (watch->predicted_known ? watch->predicted : watch->exact);
     if (readout_fit(rows, n_rows, n_columns, column, expected, watch->ratios, watch->n_lines,
@@ -321,6 +324,12 @@ void bar_read_out(const References *refs, const double *rows, size_t n_rows, int
         out->measured /= watch->times;
         out->measured_known = true;
     }
+    /* without the first row: what the particles are given is not yet what comes back from the grid */
+    Swing swing;
+    if (n_rows > 2 && watch->n_lines == 1 &&
+        swing_fit(rows + n_columns + column, (size_t)n_columns, n_rows - 1,
+                  rows[(size_t)n_columns + 1] - rows[1], expected / watch->times, watch->times > 1, &swing))
+        out->kept_measured = swing_kept(swing.decay, watch->exact);
 }
 
 /* --- derived numbers ------------------------------------------------------------------------------ */

@@ -20,6 +20,7 @@ typedef struct BarWatch {
                                          * the first */
     int n_lines;                        /* at least 1 */
     double exact, predicted;
+    double kept;    /* share of the energy that one period keeps, predicted; NAN: not known */
     double overlap; /* of the sampled mode with the one predicted; 1 where nothing else is known */
     bool predicted_known;
 } BarWatch;

@@ -4,6 +4,7 @@
 #include "lab/problems/solvers.h"
 #include "theory/step_limit.h"
 #include "theory/step_spectrum.h"
+#include "theory/swing.h"
 
 #include <errno.h>
 #include <math.h>
@@ -132,8 +133,10 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
                      "velocity of the centre of mass predicted for this mesh", status))
         return false;
     const StepMode found = step_mode(&theory, &bar->mesh, bar->watch.mode);
-    if (bar->watch.mode > 0 && found.known)
+    if (bar->watch.mode > 0 && found.known) {
         bar->watch.overlap = found.overlap;
+        bar->watch.kept = found.frequency > 0 ? swing_kept(found.decay, bar->watch.exact) : NAN;
+    }
     if (errno == ECANCELED)
         return status_fail(status, STATUS_FAILED, "the prediction for the bar was given up");
     return errno != ENOMEM ||
