@@ -257,9 +257,9 @@ expect "what stands beside ends before" 0 f.csv.ini --series g.csv --quiet
 result "with the same bytes" cmp -s f.csv g.csv
 rm -f ./*.csv ./*.ini
 
-# --- interrupted --- (a shell starts what runs behind it with SIGINT ignored; env gives it back)
+# --- interrupted --- (a shell starts what runs behind it with SIGINT ignored, nohup with SIGHUP; env gives both back)
 for signal in HUP INT QUIT TERM PIPE ALRM USR1 USR2 XCPU XFSZ VTALRM PROF SYS TRAP; do
-	env --default-signal=INT,QUIT "$MATVIB" run mode1 --end 1e6 --series i.csv --particles p.csv >out 2>err &
+	env --default-signal=HUP,INT,QUIT "$MATVIB" run mode1 --end 1e6 --series i.csv --particles p.csv >out 2>err &
 	for try in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
 		test -e "i.csv.$!-0.part" && test -e "p.csv.$!-0.part" && break
 		sleep 0.1
@@ -268,7 +268,7 @@ for signal in HUP INT QUIT TERM PIPE ALRM USR1 USR2 XCPU XFSZ VTALRM PROF SYS TR
 	kill -s "$signal" $!
 	wait $!
 	got=$?
-	env --default-signal=INT,QUIT sh -c "kill -s $signal \$\$" # which number that is, this shell knows
+	env --default-signal=HUP,INT,QUIT sh -c "kill -s $signal \$\$" # which number that is, this shell knows
 	result "interrupted by $signal" test "$got" -eq $?
 	result "leaves nothing" nothing_else
 done

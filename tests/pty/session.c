@@ -74,6 +74,7 @@ static void become(Session *session, int frames, const char *const *environment,
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, NULL);
+    signal(SIGHUP, SIG_DFL); /* nohup has it ignored */
     char *arguments[16] = {NULL};
     for (int i = 0; command[i] && i < 15; i++)
         arguments[i] = (char *)(size_t)command[i];

@@ -161,14 +161,14 @@ void experiment_scenario(const Experiment *experiment, bool to_newest, Settings 
 }
 
 /* A fit over thousands of rows is not free: while rows come in, it is done when their number has grown by a
- * twentieth; once they stop coming, exactly. */
+ * tenth; once they stop coming, exactly. */
 const Readout *experiment_readout(Experiment *experiment)
 {
     const Record *record = &experiment->record;
     size_t rows = record->count - (record->loose_last && record->count > 0 ? 1 : 0);
     size_t known = experiment->readout_rows;
     bool still = !experiment->flowing || experiment->sim->step >= experiment->last;
-    if (known == 0 || rows < known || rows > known + known / 20 || (still && rows != known)) {
+    if (known == 0 || rows < known || rows > known + known / 10 || (still && rows != known)) {
         references_readout(experiment->refs, record->rows, rows, record->n_columns, &experiment->readout);
         experiment->readout_rows = rows;
     }
