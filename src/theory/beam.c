@@ -9,6 +9,8 @@
 #include <math.h>
 #include <stdbool.h>
 
+static const double kappa = 5.0 / 6;
+
 /* r^2 */
 static double gyration(const BeamTheory *beam)
 {
@@ -29,7 +31,6 @@ double beam_period_euler(const BeamTheory *beam)
  * of which the smaller root is bending. G = E / (2 (1 + nu)), kappa = 5/6. */
 double beam_period_timoshenko(const BeamTheory *beam)
 {
-    const double kappa = 5.0 / 6;
     double wave_number = M_PI / beam->length, k2 = wave_number * wave_number, r2 = gyration(beam);
     double shear = kappa * beam->youngs_modulus / (2 * (1 + beam->poisson));
     double a = beam->density * r2 / shear;
@@ -71,6 +72,31 @@ double beam_period_plane(const BeamTheory *beam)
             high = middle;
     }
     return 4 * M_PI / (low + high);
+}
+
+/* The section turns by less than the slope w', for shear has its part of that. With the shear force Q that
+ * moves the mass, dQ/dx = rho A w_tt, and Q = kappa G A (w' - psi) the moment is
+ *
+ *     M = E I psi' = E I (w'' - rho w_tt/(kappa G)),   sxx = -E y psi' = E y (k^2 - rho omega^2/(kappa G)) w
+ */
+double beam_bending_stress(const BeamTheory *beam, double x, double y, double t)
+{
+    const double period = beam_period_timoshenko(beam), k = M_PI / beam->length, omega = 2 * M_PI / period;
+    const double slack =
+        omega * omega * beam->density * 2 * (1 + beam->poisson) / (kappa * beam->youngs_modulus);
+    return beam->youngs_modulus * y * (k * k - slack) * sin(k * x) * beam_midpoint(beam, period, t);
+}
+
+/* The same force spread as in a beam at rest, sxy = 3 Q/(2 A) (1 - (2 y/h)^2), with w = a sin kx
+ *
+ *     Q/A = rho omega^2 a cos(kx)/k
+ */
+double beam_shear_stress(const BeamTheory *beam, double x, double y, double t)
+{
+    const double period = beam_period_timoshenko(beam), k = M_PI / beam->length, omega = 2 * M_PI / period;
+    const double mean = beam->density * omega * omega * beam_midpoint(beam, period, t) * cos(k * x) / k;
+    const double share = 2 * y / beam->height;
+    return 1.5 * mean * (1 - share * share);
 }
 
 double beam_cantilever_frequency(const BeamTheory *beam, double length)

@@ -28,6 +28,12 @@ double beam_period_plane(const BeamTheory *beam);
 double beam_midpoint(const BeamTheory *beam, double period, double t);
 double beam_midpoint_velocity(const BeamTheory *beam, double period, double t);
 
+/* Stresses of the same motion at a place of the beam between two pins, y = 0 on its middle, Pa: bending,
+ * straight over y and 0 in the middle, and shear, a parabola that is 0 at both edges. With Timoshenko's
+ * period. */
+double beam_bending_stress(const BeamTheory *beam, double x, double y, double t);
+double beam_shear_stress(const BeamTheory *beam, double x, double y, double t);
+
 /* The first angular frequency of a cantilever of the beam's section and of this length (its own does not
  * count): lambda_1^2 / length^2 sqrt(E h^2 / (12 rho)). */
 double beam_cantilever_frequency(const BeamTheory *beam, double length);

@@ -45,6 +45,33 @@ START_TEST(plane_periods)
 }
 END_TEST
 
+/* The stresses of a section add up to the moment and the force of Timoshenko's beam: dM/dx = Q less what
+ * turns the sections, rho I psi_tt, and the force bears half of the beam's mass. */
+START_TEST(stresses_add_up_over_the_height)
+{
+    enum { ROWS = 400 };
+    const double h = paper.height, omega = 2 * M_PI / beam_period_timoshenko(&paper), t = 0.3 / omega;
+    const double k = M_PI / paper.length, d = h / ROWS, near = paper.length / 4, dx = 1e-6;
+    double moment[2] = {0, 0}, force = 0, ends = 0;
+    for (int j = 0; j < ROWS; j++) {
+        const double y = (j + 0.5) * d - h / 2;
+        moment[0] += y * beam_bending_stress(&paper, near - dx, y, t) * d;
+        moment[1] += y * beam_bending_stress(&paper, near + dx, y, t) * d;
+        force += beam_shear_stress(&paper, near, y, t) * d;
+        ends += beam_shear_stress(&paper, 0, y, t) * d;
+    }
+    const double a = beam_midpoint(&paper, 2 * M_PI / omega, t);
+    const double turned = moment[1] / sin(k * (near + dx)) / k * cos(k * near) * paper.density * omega *
+                          omega / paper.youngs_modulus;
+    ck_assert_double_eq_tol(((moment[1] - moment[0]) / (2 * dx) - turned) / force, 1, 1e-4);
+    ck_assert_double_eq_tol(ends / (paper.density * h * omega * omega * a * paper.length / M_PI), 1, 1e-5);
+    /* Euler's curvature, less the part of the slope that is shear: 8/3 (k h)^2/12 * 6/5 */
+    const double euler = paper.youngs_modulus * h / 2 * k * k * a;
+    ck_assert_double_eq_tol(beam_bending_stress(&paper, paper.length / 2, h / 2, t) / euler, 0.99349, 1e-4);
+    ck_assert_double_eq_tol(beam_shear_stress(&paper, 0, h / 2, t), 0, 1e-9);
+}
+END_TEST
+
 START_TEST(a_cantilever_slows_down_as_it_grows)
 {
     ck_assert_double_eq_tol(2 * M_PI / beam_cantilever_frequency(&paper, 0.1), 2.41436e-3, 5e-9);
@@ -253,6 +280,7 @@ void add_cases(Suite *suite)
     TCase *pins = tcase_create("pins");
     tcase_add_test(pins, periods);
     tcase_add_test(pins, plane_periods);
+    tcase_add_test(pins, stresses_add_up_over_the_height);
     tcase_add_test(pins, rows_ring_through_the_height);
     tcase_add_test(pins, a_cantilever_slows_down_as_it_grows);
     tcase_add_test(pins, midpoint_swings);

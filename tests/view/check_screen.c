@@ -81,7 +81,10 @@ static const Picture pictures[] = {
                   "pd.horizon=6.5e-3 load.stress=9e7"},
     {"crack-path-ascii", "notched-beam-coarse 80x24 2400 lower 2 variant 1 ascii pd.spacing=2e-3 "
                          "pd.horizon=6.5e-3 load.stress=9e7"},
-    {"section", "supported-beam-coarse 80x24 8000 upper 4 lower 1 variant 5 particle 1050"},
+    {"section-shear",
+     "supported-beam-mpm-coarse 80x24 3800 zoom focus 2 upper section variant 2 particle 690"},
+    {"section-moving", "moving-cantilever-mpm-coarse 132x43 800 upper section variant 1 particle 900"},
+    {"section", "supported-beam-coarse 80x24 8000 upper 4 lower section particle 1050"},
     {"dispersion", "mode5 80x24 2000 lower 5"},
     {"dispersion-ghost", "mode10 80x24 2000 lower 5 ghost mesh.cell_size=0.5"},
     {"dispersion-zoomed", "mode10 100x30 2000 lower 5 focus 3 zoom"},

@@ -102,6 +102,7 @@ typedef struct Solver {
      */
     bool (*prepare)(References *, const Settings *, const Simulation *, Status *);
     double (*profile)(const References *, const char *field, double x, double time);
+    double (*section)(const References *, const char *field, double x, double y, double time);
     void (*readout)(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);
     int (*findings)(const References *, const Simulation *, Finding *out);
     double (*envelope)(const References *, const char *column, double time);

@@ -113,6 +113,13 @@ double references_profile(const References *refs, const char *field, double x, d
                                                                   : NAN;
 }
 
+double references_section(const References *refs, const char *field, double x, double y, double time)
+{
+    const Solver *solver = refs->solver;
+    return solver->section && !refs->unaccounted[REFERENCE_EXACT] ? solver->section(refs, field, x, y, time)
+                                                                  : NAN;
+}
+
 double references_envelope(const References *refs, const char *column, double time)
 {
     const Solver *solver = refs->solver;

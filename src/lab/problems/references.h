@@ -43,6 +43,9 @@ long references_memory(const References *);
 /* The exact profile of a particle field ("u", "v", "stress", ...) at a reference position; NAN: not known. */
 double references_profile(const References *, const char *field, double x, double time);
 
+/* The same at a place of a beam's section, of a stress; y as the particles' places have it. */
+double references_section(const References *, const char *field, double x, double y, double time);
+
 /* How far a column of a beam that comes out of its channel swings at a time, by slow lengthening alone (its
  * action is kept): displacement as L^(1/2), velocity as L^(-3/2). NAN: not such a column. */
 double references_envelope(const References *, const char *column, double time);

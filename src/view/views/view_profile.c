@@ -15,15 +15,12 @@ static int variants_of(const Screen *screen)
     int count = 0;
     while (profile_field(sim, count))
         count++;
-    /* a body in the plane has a thickness too */
-    count += simulation_has(sim, HAS_PLANE);
     return count ? count : 1;
 }
 
 static const char *word_of(const Screen *screen, int variant)
 {
-    const char *field = profile_field(experiment_simulation(screen->experiment), variant);
-    return field ? field : "section";
+    return profile_field(experiment_simulation(screen->experiment), variant);
 }
 
 /* A run's part of the picture: what is now, of a ghost what was last on screen. */
@@ -217,10 +214,6 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     const char *name = profile_field(sim, variant_shown(screen, variant));
-    if (!name && simulation_has(sim, HAS_PLANE)) {
-        section_draw(screen, area, heading);
-        return;
-    }
     Run runs[RUNS_MAX];
     Curve curves[RUNS_MAX];
     int n_runs = runs_of(screen, runs), n_curves = 0;
@@ -292,7 +285,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
 const View view_profile = {
     .word = "profile",
     .brief = "profile",
-    .help = "along the bar or beam: displacement; again: velocity, stress, a beam's section",
+    .help = "along the bar or beam: displacement; again: velocity, stress",
     .digit = 1,
     .home = PANE_UPPER,
     .opens = OPENS_ALWAYS,

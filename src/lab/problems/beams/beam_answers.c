@@ -153,6 +153,19 @@ double beam_supported_profile(const References *refs, const char *field, double 
     return NAN;
 }
 
+/* y = 0 in the middle. */
+double beam_supported_section(const References *refs, const char *field, double x, double y, double time)
+{
+    const BeamTheory *beam = &own(refs)->theory;
+    if (!(x >= 0 && x <= beam->length))
+        return NAN;
+    if (strcmp(field, "sxx") == 0)
+        return beam_bending_stress(beam, x, y, time);
+    if (strcmp(field, "sxy") == 0)
+        return beam_shear_stress(beam, x, y, time);
+    return NAN;
+}
+
 /* Beam theory is Timoshenko's period of the beam as it was asked for, and the same at its real size that of
  * the beam as it lies on the lattice, a little thinner and shorter; predicted is the lattice's own. */
 void beam_read_supported(const References *refs, const double *rows, size_t n_rows, int n_columns,

@@ -27,6 +27,7 @@ typedef struct BeamBody {
 /* For Solver, each with the method's body. */
 bool beam_prepare_supported(References *, const Settings *, const Simulation *, const BeamBody *, Status *);
 double beam_supported_profile(const References *, const char *field, double x, double time);
+double beam_supported_section(const References *, const char *field, double x, double y, double time);
 void beam_read_supported(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);
 
 bool beam_prepare_moving(References *, const Settings *, const Simulation *, const BeamBody *, Status *);

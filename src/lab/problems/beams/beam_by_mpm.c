@@ -245,6 +245,7 @@ const Solver beam_by_mpm_supported = {
     .predict = predict,
     .prepare = prepare_supported,
     .profile = beam_supported_profile,
+    .section = beam_supported_section,
     .readout = beam_read_supported,
 };
 
