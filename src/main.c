@@ -49,6 +49,11 @@ static int open_laboratory(bool for_lesson, int count, char **arguments, Status 
                     options.last ? "--last" : "--replay");
         return (int)status->code;
     }
+    if (options.plain && (again || options.script)) {
+        status_fail(status, STATUS_USAGE, "--plain: lines come from standard input (leave %s out)",
+                    again ? "the session" : "--script");
+        return (int)status->code;
+    }
     const char *word = options.n_words > 0 ? options.words[0] : NULL;
     const char *scenario = word && !for_lesson ? word : scenario_unnamed;
     const char *lesson = !for_lesson ? NULL : word ? word : laboratory_all_lessons;
@@ -67,6 +72,7 @@ static int open_laboratory(bool for_lesson, int count, char **arguments, Status 
             .history = options.history,
             .threads = options.threads > 0 ? (int)options.threads : threads_default(!options.script),
             .script = options.script,
+            .plain = options.plain,
             .record = options.record,
             .replay = options.replay,
             .last = options.last,

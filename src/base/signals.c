@@ -72,6 +72,11 @@ void signals_catch(void)
 #endif
 }
 
+void signals_forget(void)
+{
+    ended_by = 0;
+}
+
 int signals_ended_by(void)
 {
     return (int)ended_by;

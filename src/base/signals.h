@@ -15,6 +15,9 @@ void signals_catch(void);
 /* The first that came since signals_catch(); 0: none. */
 int signals_ended_by(void);
 
+/* As if none had come: it has ended what it was meant to end, and the program goes on. */
+void signals_forget(void);
+
 /* As if this one had come: the terminal is gone. */
 void signals_end(int number);
 

@@ -81,7 +81,7 @@ typedef struct Options {
     const char *seconds, *pitch;                 /* of a sound */
     const char *fps, *speed, *idle, *from, *to;  /* of a film */
 
-    bool paused, no_mouse, last, fast;
+    bool paused, no_mouse, last, fast, plain;
     const char *record, *replay;
     const char *glyphs, *theme, *script;
     size_t history;

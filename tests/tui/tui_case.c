@@ -43,7 +43,7 @@ static void suspend(void *context)
 bool bench_open(Bench *bench, const char *scenario, bool paused, Status *status)
 {
     LaboratoryOptions options = {.settings = &bench->settings, .scenario = scenario, .paused = paused};
-    Host host = {now, worked, go_on, nothing, suspend, bench, NULL};
+    Host host = {now, worked, go_on, nothing, suspend, bench, NULL, NULL};
     return scenario_load(scenario, &bench->settings, status) &&
            laboratory_open(&bench->lab, &options, &host, status);
 }

@@ -34,6 +34,8 @@ typedef struct Host {
     void *context;
     /* A key waits, for which the engine makes room at once; NULL: keys come between frames. */
     bool (*key_waits)(void *context);
+    /* What `:tell` was asked for, in lines; NULL: it is said in the key line. */
+    void (*tell)(void *context, const char *text);
 } Host;
 
 /* What keys before this one have left behind. */

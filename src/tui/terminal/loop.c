@@ -128,7 +128,7 @@ static void suspend(void *context)
 static bool open_loop(Loop *loop, const LaboratoryOptions *options, Status *status)
 {
     TerminalOptions how = {.glyphs = options->glyphs, .theme = options->theme, .mouse = !options->no_mouse};
-    Host host = {now, worked, go_on, redraw, suspend, loop, key_waits};
+    Host host = {now, worked, go_on, redraw, suspend, loop, key_waits, NULL};
     /* the laboratory first: what is wrong with a scenario is said where the shell can show it */
     bool open = laboratory_open(&loop->lab, options, &host, status);
     forget_opening(loop);

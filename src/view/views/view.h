@@ -23,6 +23,8 @@ typedef enum ViewDuel {
  * for more. */
 typedef enum ViewOpening { OPENS_ON_DEMAND, OPENS_ALWAYS, OPENS_IN_PLANE } ViewOpening;
 
+struct Words;
+
 struct View {
     const char *word;  /* names it wherever a view is named: small letters and '-', e.g. "energies" */
     const char *brief; /* for the key line, at most 8 columns */
@@ -33,6 +35,9 @@ struct View {
     ViewOpening opens;
 
     void (*draw)(const Screen *, Area, Style heading, int variant);
+    /* What stands out in it, in plain words, behind what is told of every view: the curves and colours that
+     * it draws, or its words (view/tell/tell.h). NULL: nothing more. */
+    void (*tell)(const Screen *, struct Words *);
     int (*variants)(const Screen *);                          /* how many there are; NULL: one */
     const char *(*variant_word)(const Screen *, int variant); /* NULL: there is one, without a name */
 

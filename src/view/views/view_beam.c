@@ -2,8 +2,10 @@
 /* A body in the plane as it lies, coloured by a field, or drawn with its dimensions. Every factor is stated.
  */
 #include "view/map/map.h"
+#include "view/tell/words.h"
 #include "view/views/views.h"
 
+#include "base/text.h"
 #include "lab/answers/crack.h"
 
 #include <math.h>
@@ -262,6 +264,40 @@ static bool click(Screen *screen, Rect rect, int x, int y)
     return true;
 }
 
+/* --- in words ----------------------------------------------------------------------------------------- */
+
+/* Where the crack's tip is, and how much is broken. */
+static void tell(const Screen *screen, struct Words *words)
+{
+    static const struct {
+        const char *column, *name, *unit;
+        double scale;
+    } told[] = {{"crack_x", "crack tip: x", " mm", 1e-3},
+                {"crack_y", "crack tip: y", " mm", 1e-3},
+                {"crack_length", "length of the crack", " mm", 1e-3},
+                {"broken_bonds", "broken bonds", "", 1}};
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const double *row = experiment_row(screen->experiment);
+    const int damage = simulation_find_field(sim, 0, "damage");
+    for (size_t i = 0; i < sizeof told / sizeof *told; i++) {
+        const int column = screen_column(screen, told[i].column);
+        char value[NUMBER_TEXT_MAX];
+        if (column < 0 || !isfinite(row[column]))
+            continue;
+        text_rounded(value, row[column] / told[i].scale, 5);
+        words_say(words, 4, "  %s %s%s.", told[i].name, value, told[i].unit);
+    }
+    size_t damaged = 0;
+    double value;
+    for (size_t node = 0; damage >= 0 && node < sim->counts[0]; node++) {
+        sim->method->field(sim, damage, node, 1, &value);
+        damaged += value > CRACK_DAMAGE;
+    }
+    if (damage >= 0)
+        words_say(words, 4, "  %zu of %zu nodes have lost more than %.0f %% of their bonds.", damaged,
+                  sim->counts[0], 100 * CRACK_DAMAGE);
+}
+
 const View view_beam = {
     .word = "beam",
     .brief = "beam",
@@ -270,6 +306,7 @@ const View view_beam = {
     .home = PANE_UPPER,
     .opens = OPENS_IN_PLANE,
     .draw = draw,
+    .tell = tell,
     .variants = variants_of,
     .variant_word = word_of,
     .duel = DUEL_APART,

@@ -6,6 +6,7 @@
 #include "tui/control/writing.h"
 #include "tui/control/second_run.h"
 #include "tui/control/opening.h"
+#include "view/tell/tell.h"
 #include "view/views/view.h"
 
 #include "base/text.h"
@@ -193,6 +194,26 @@ static bool show(Laboratory *lab, const char *words)
         return prompt_refuse(&lab->prompting, view_missing(view, &lab->screen));
     command_show_view(lab, view);
     view_choose_variant(view, &lab->screen, variant - 1);
+    return true;
+}
+
+/* In words, by who shows them as lines, or else as far as the key line has room. */
+static bool tell(Laboratory *lab, const char *words)
+{
+    Words told = {.text = NULL};
+    char known[256], why[300];
+    tell_names(known, sizeof known);
+    tell_names(known, sizeof known);
+    snprintf(why, sizeof why, "tell what? (%s)", known);
+    if (!tell_named(&lab->screen, words, &told))
+        return prompt_refuse(&lab->prompting, why);
+    for (char *end = told.text; end && !lab->host.tell && (end = strchr(end, '\n'));)
+        *end = ' ';
+    if (told.text && lab->host.tell)
+        lab->host.tell(lab->host.context, told.text);
+    else
+        laboratory_say(lab, MESSAGE_INFO, "%s", told.text ? told.text : "there is nothing to tell");
+    words_close(&told);
     return true;
 }
 

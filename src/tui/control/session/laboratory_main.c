@@ -9,6 +9,7 @@
 #include "tui/control/session/script.h"
 #include "tui/control/session/session.h"
 #include "tui/control/session/state_file.h"
+#include "tui/plain/plain.h"
 
 #include <errno.h>
 #include <locale.h>
@@ -49,12 +50,18 @@ static bool open_recording(const LaboratoryOptions *options, Session **recording
     return *recording != NULL;
 }
 
+/* Nobody sits there: keys come from a file. */
+static bool is_unattended(const LaboratoryOptions *options)
+{
+    return options->script || options->camera || (options->plain && !isatty(STDIN_FILENO));
+}
+
 /* Finishes the recording that was asked for, and keeps the last session of a terminal; that the latter cannot
  * be kept is no failure. */
 static bool keep(const LaboratoryOptions *options, Session *recording, Status *status)
 {
     const bool sound = session_finish(recording, status);
-    char *last = options->script || options->camera ? NULL : state_file(last_session);
+    char *last = is_unattended(options) ? NULL : state_file(last_session);
     Status ignored = {0};
     if (last) {
         output_make_own_folders(ASKER_COMMAND_LINE, last);
@@ -68,7 +75,7 @@ static bool keep(const LaboratoryOptions *options, Session *recording, Status *s
 /* Nothing has been kept of an earlier session. A script never counts as a first start. */
 static bool is_first_start(const LaboratoryOptions *options)
 {
-    char *last = options->script ? NULL : state_file(last_session);
+    char *last = is_unattended(options) ? NULL : state_file(last_session);
     const bool first = last && access(last, F_OK) != 0;
     free(last);
     return first;
@@ -91,8 +98,9 @@ int laboratory_main(const LaboratoryOptions *given, Status *status)
     if (!open_replay(&options, &replay, status) || !open_recording(&options, &recording, status)) {
         result = (int)status->code;
     } else {
-        result = options.script || options.camera ? script_run(&options, replay, recording, status)
-                                                  : loop_run(&options, replay, recording, status);
+        result = options.plain ? plain_play(stdin, "standard input", stdout, &options, recording, status)
+                 : options.script || options.camera ? script_run(&options, replay, recording, status)
+                                                    : loop_run(&options, replay, recording, status);
         if (session_has_keys(recording) && !keep(&options, recording, status) && result == STATUS_DONE)
             result = (int)status->code;
     }

@@ -31,6 +31,7 @@ typedef struct LaboratoryOptions {
     int threads;    /* 0: one */
     /* Keys from this file ("-": standard input), screens to standard output; NULL: a terminal */
     const char *script;
+    bool plain;            /* words in lines from standard input to standard output, no screen */
     int width, height;     /* with a script; 0: 80x24 */
     struct Camera *camera; /* films the script, the session or, without either, the run; NULL: none */
 } LaboratoryOptions;

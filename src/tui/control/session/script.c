@@ -347,7 +347,7 @@ static bool play(Script *script, FILE *file, const char *name, Status *status)
 
 static bool open_script(Script *script, const LaboratoryOptions *options, Status *status)
 {
-    Host host = {now, worked, go_on, nothing, nothing, script, NULL};
+    Host host = {now, worked, go_on, nothing, nothing, script, NULL, NULL};
     const char *codeset = nl_langinfo(CODESET);
     Glyphs glyphs;
     if (!picture_choose_glyphs(options->glyphs, codeset, NULL, &glyphs))

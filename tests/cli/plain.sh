@@ -1,0 +1,46 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# matvib --plain from a pipe: the first lesson and the lecture on the bar as whole conversations, the same
+# every time and on each machine that has the same numbers; bounds and refusals.
+# shellcheck source=tests/common.sh
+. "$MATVIB_SRCDIR/tests/common.sh"
+golden=$MATVIB_SRCDIR/tests/golden/plain
+XDG_STATE_HOME=$scratch/state
+export XDG_STATE_HOME
+
+# talk NAME ARGUMENTS...: a conversation that is kept; MATVIB_REGENERATE=1 keeps it anew
+talk() {
+	talk=$1
+	shift
+	"$MATVIB" "$@" --plain <"$golden/$talk.lines" >out 2>err
+	got=$?
+	test -z "$MATVIB_REGENERATE" || cp out "$golden/$talk.words"
+	result "$talk: status 0" test "$got" -eq 0
+	result "$talk: word for word" diff "$golden/$talk.words" out
+	result "$talk: nothing but plain characters" sh -c '! LC_ALL=C grep -q "[^ -~]" out'
+	result "$talk: no line over 72" sh -c '! grep -q ".\{73\}" out'
+	result "$talk: nothing on standard error" test ! -s err
+}
+talk one-step lesson one-step
+talk lecture-bar mode5
+
+printf '%s\n' 'until t 1' x '' | "$MATVIB" mode1 --plain >out
+result "an empty line takes what a question proposes" test -s mode1-series.csv
+echo 'until break' | "$MATVIB" notched-beam-coarse --plain >out
+result "a map says where the crack is" says out 'crack tip: x 65 mm'
+"$MATVIB" mode1 --plain </dev/null >out
+result "it ends with its input" test $? -eq 0
+result "and has told what there is" says out '^View probe'
+printf '%5000s\n' x | "$MATVIB" mode1 --plain >out 2>err
+result "a line without end is refused" test $? -eq 2
+result "with a word" says err 'standard input:1: the line is too long (at most 4096 bytes)'
+printf '%300s\nstep\n' x | tr ' ' x | "$MATVIB" mode1 --plain >out 2>err
+result "one that is no command is told, and the next one done" says out 'step 1 of 10000'
+printf 'a\000b\n' | "$MATVIB" mode1 --plain >out 2>err
+result "a zero byte is refused" test $? -eq 2
+printf 'step\n' | "$MATVIB" mode1 --plain --record s.session >out
+result "a session is kept" test -s s.session
+refuse "a session to be done again" "--plain: lines come from standard input (leave the session out)" --plain --replay s.session
+refuse "a script too" "--plain: lines come from standard input (leave --script out)" --plain --script x
+
+echo "1..$number"

@@ -1,0 +1,302 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The laboratory by lines: every command and word of the tables is reached, every view tells of itself, and
+ * what comes out is plain. Sentences about curves are held on curves whose numbers are known. */
+#include "suite.h"
+#include "tui/tui_case.h"
+
+#include "lab/settings/scenario.h"
+#include "tui/plain/plain.h"
+#include "view/draw/sketch.h"
+#include "view/views/view.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A laboratory by lines, and all that it has said. */
+typedef struct Talk {
+    Plain plain;
+    Settings settings;
+    FILE *out;
+    char *text;
+    size_t size;
+} Talk;
+
+static Talk *open_talk(const char *scenario)
+{
+    Talk *talk = calloc(1, sizeof *talk);
+    Status status = {STATUS_DONE, ""};
+    ck_assert_ptr_nonnull(talk);
+    ck_assert_msg(scenario_load(scenario, &talk->settings, &status), "%s", status.text);
+    talk->out = open_memstream(&talk->text, &talk->size);
+    const LaboratoryOptions options = {
+        .settings = &talk->settings, .scenario = scenario, .threads = 1, .plain = true};
+    ck_assert_msg(plain_open(&talk->plain, &options, talk->out, &status), "%s", status.text);
+    return talk;
+}
+
+static void close_talk(Talk *talk)
+{
+    plain_close(&talk->plain);
+    fclose(talk->out);
+    free(talk->text);
+    free(talk);
+}
+
+/* What a line brings, valid until the next one. */
+static const char *line(Talk *talk, const char *text)
+{
+    Status status = {STATUS_DONE, ""};
+    fflush(talk->out);
+    const size_t before = talk->size;
+    ck_assert_msg(plain_line(&talk->plain, text, &status), "%s", status.text);
+    fflush(talk->out);
+    return talk->text + before;
+}
+
+/* Printable ASCII in lines of at most WORDS_WIDTH. */
+static void is_plain(const char *text)
+{
+    size_t column = 0;
+    for (const char *at = text; *at; at++) {
+        column = *at == '\n' ? 0 : column + 1;
+        ck_assert_msg(*at == '\n' || (*at >= ' ' && *at <= '~'), "a byte %d in: %s", *at, text);
+        ck_assert_msg(column <= WORDS_WIDTH, "too wide: %s", text);
+    }
+}
+
+START_TEST(every_command_is_reached)
+{
+    for (int i = 0; i < n_commands; i++) {
+        Talk *talk = open_talk("mode1");
+        ck_assert(!command_set_has(&talk->plain.lab.screen.used, commands[i].id));
+        const char *said = line(talk, commands[i].name);
+        ck_assert_msg(command_set_has(&talk->plain.lab.screen.used, commands[i].id), "%s: %s",
+                      commands[i].name, said);
+        ck_assert_msg(*said, "%s says nothing", commands[i].name);
+        is_plain(talk->text);
+        close_talk(talk);
+    }
+}
+END_TEST
+
+START_TEST(every_key_is_reached)
+{
+    for (int i = 0; i < n_commands; i++) {
+        Talk *talk = open_talk("mode1");
+        char key[COMMAND_KEY_MAX];
+        command_first_key(&commands[i], key);
+        if (strcmp(key, ":") != 0) { /* it begins what is no key */
+            line(talk, key);
+            ck_assert_msg(command_set_has(&talk->plain.lab.screen.used, commands[i].id), "%s", key);
+        }
+        close_talk(talk);
+    }
+}
+END_TEST
+
+START_TEST(every_word_with_arguments_is_reached)
+{
+    char folder[64];
+    enter_folder(folder); /* some of them write */
+    Talk *talk = open_talk("mode1");
+    for (int i = 0; i < n_line_verbs; i++) {
+        char text[64];
+        snprintf(text, sizeof text, "%s no-such-thing", line_verbs[i].name);
+        const char *said = line(talk, text);
+        ck_assert_msg(*said && !strstr(said, "unknown:"), "%s: %s", text, said);
+        if (talk->plain.lab.screen.prompt.open)
+            line(talk, "Esc");
+        ck_assert_msg(!talk->plain.lab.screen.prompt.open, "%s", text);
+    }
+    is_plain(talk->text);
+    close_talk(talk);
+    leave_folder(folder);
+}
+END_TEST
+
+static void tell_views(const char *scenario)
+{
+    Talk *talk = open_talk(scenario);
+    line(talk, ">");
+    for (int i = 0; i < n_views; i++) {
+        Screen *screen = &talk->plain.lab.screen;
+        for (int variant = 0; variant < view_variants(views[i], screen); variant++) {
+            Words words = {.text = NULL};
+            view_choose_variant(views[i], screen, variant);
+            tell_view(screen, views[i], &words);
+            ck_assert_msg(words.text && strstr(words.text, views[i]->word), "%s %s", scenario,
+                          views[i]->word);
+            const char *more = strchr(words.text, '\n');
+            ck_assert_msg(view_missing(views[i], screen) || more[1], "%s %s tells nothing: %s", scenario,
+                          views[i]->word, words.text);
+            is_plain(words.text);
+            words_close(&words);
+        }
+    }
+    close_talk(talk);
+}
+
+START_TEST(every_view_tells_of_itself)
+{
+    tell_views("mode5");
+    tell_views("supported-beam-coarse");
+    tell_views("notched-beam-coarse");
+}
+END_TEST
+
+START_TEST(answers_go_where_they_are_asked)
+{
+    Talk *talk = open_talk("mode1");
+    ck_assert_ptr_nonnull(strstr(line(talk, "initial.mode=3"), "initial.mode"));
+    const Settings *settings = experiment_settings(talk->plain.lab.screen.experiment);
+    ck_assert_double_eq(settings_number(settings, parameter_find("initial.mode")), 3);
+    ck_assert_ptr_nonnull(strstr(line(talk, "initial.mode=0.5"), "initial.mode"));
+    ck_assert(!talk->plain.lab.screen.prompt.open);
+    ck_assert_ptr_nonnull(strstr(line(talk, "quit"), "Answer y or n"));
+    line(talk, "n");
+    ck_assert(!talk->plain.lab.closed);
+    ck_assert_ptr_nonnull(strstr(line(talk, "g"), "Asked: "));
+    line(talk, "#3");
+    ck_assert_int_eq(experiment_step(talk->plain.lab.screen.experiment), 3);
+    line(talk, ":2");
+    ck_assert_double_eq_tol(experiment_time(talk->plain.lab.screen.experiment), 2, 1e-9);
+    line(talk, "until end");
+    ck_assert(experiment_at_end(talk->plain.lab.screen.experiment));
+    close_talk(talk);
+}
+END_TEST
+
+/* What comes back at its end, and what goes on by itself, comes to rest. */
+START_TEST(what_never_ends_does)
+{
+    Talk *talk = open_talk("mode1");
+    line(talk, "loop 1 2");
+    line(talk, "Space");
+    ck_assert_int_eq(talk->plain.lab.screen.playback.state, STATE_PAUSED);
+    line(talk, "loop");
+    line(talk, "0");
+    ck_assert_ptr_nonnull(strstr(line(talk, "slow-motion"), "Stage 3 of 7"));
+    ck_assert_int_eq(talk->plain.lab.screen.playback.state, STATE_PAUSED);
+    ck_assert(!talk->plain.lab.screen.playback.slow);
+    line(talk, "open mode5");
+    ck_assert_int_eq(experiment_step(talk->plain.lab.screen.experiment), 0);
+    close_talk(talk);
+}
+END_TEST
+
+START_TEST(strange_lines_do_no_harm)
+{
+    enum { LINES = 300, MOST = 700 };
+    Talk *talk = open_talk("mode1");
+    unsigned seed = 1;
+    for (int i = 0; i < LINES && !talk->plain.lab.closed; i++) {
+        char text[MOST + 1];
+        size_t length = 0;
+        for (seed = seed * 1103515245u + 12345u; length < (seed >> 16) % MOST; length++) {
+            text[length] = (char)(1 + (seed = seed * 1103515245u + 12345u) / 65536 % 255);
+            text[length] = text[length] == '\n' ? ' ' : text[length];
+        }
+        text[length] = '\0';
+        line(talk, text);
+    }
+    is_plain(talk->text);
+    close_talk(talk);
+}
+END_TEST
+
+/* --- sentences --------------------------------------------------------------------------------------- */
+
+/* Told of a curve y(x) from 0 to 10. */
+static Words told_of(double (*curve)(double), double (*exact)(double), const char *heading)
+{
+    Sketch sketch;
+    Words words = {.text = NULL};
+    sketch_open(&sketch);
+    const Axis x = axis_make(0, 10, 5), y = axis_make(-2, 2, 5);
+    sketch_axes(&sketch, &x, &y, "t");
+    sketch_heading(&sketch, heading);
+    for (int which = 0; which < (exact ? 2 : 1); which++) {
+        plot_begin(&sketch.plot, STROKE_LINE, which ? LINE_DOTTED : LINE_SOLID,
+                   which ? STYLE_EXACT : STYLE_MEASURED, RANK_MEASURED, 'm');
+        for (int i = 0; i <= 1000; i++)
+            plot_point(&sketch.plot, 0.01 * i, (which ? exact : curve)(0.01 * i));
+    }
+    sketch_key(&sketch, &(SketchKey){LINE_DOTTED, STYLE_EXACT, 0, "exact"});
+    ck_assert(tell_sketch(&sketch, 5, &words));
+    sketch_close(&sketch);
+    is_plain(words.text);
+    for (char *at = words.text; (at = strchr(at, '\n'));) /* as one line, for what is looked for */
+        *at = ' ', at += strspn(at, " ") > 1 ? 1 : 0;
+    return words;
+}
+
+static void tells(double (*curve)(double), double (*exact)(double), const char *heading, const char *wanted)
+{
+    Words words = told_of(curve, exact, heading);
+    char joined[4000];
+    size_t length = 0;
+    for (const char *at = words.text; *at && length + 1 < sizeof joined; at++)
+        if (*at != ' ' || (length > 0 && joined[length - 1] != ' '))
+            joined[length++] = *at;
+    joined[length] = '\0';
+    ck_assert_msg(strstr(joined, wanted), "not '%s' in: %s", wanted, joined);
+    words_close(&words);
+}
+
+static double wave(double t)
+{
+    return sin(M_PI * t / 2 + 0.1);
+}
+
+static double late_wave(double t)
+{
+    return sin(M_PI * (t - 0.2) / 2 + 0.1);
+}
+
+static double line_up(double t)
+{
+    return 0.1 * t - 0.5;
+}
+
+static double flat(double t)
+{
+    return 0 * t + 1.5;
+}
+
+START_TEST(sentences_tell_what_a_curve_does)
+{
+    tells(line_up, NULL, "u",
+          "measured: from t 0 to 10: rises all the way from -0.5 to 0.5; crosses zero once, at 5.");
+    tells(line_up, NULL, "u", "measured at the cursor, t 5: 0.");
+    tells(flat, NULL, "u", "measured: from t 0 to 10: stays at 1.5.");
+    tells(wave, NULL, "u",
+          "begins at 0.09983, least -1 at 2.94, greatest 1 at 0.94; crosses zero 5 times, the last at 9.936;"
+          " ends at -0.09983, falling.");
+    tells(late_wave, wave, "u", "measured is away from exact by at most 0.3129");
+    tells(wave, wave, "u", "measured lies on exact.");
+}
+END_TEST
+
+START_TEST(units_go_with_their_numbers)
+{
+    tells(flat, NULL, "u x10^-3", "u over t. measured: from t 0 to 10: stays at 1.5.");
+    tells(flat, NULL, "u, mm", "u over t. measured: from t 0 to 10: stays at 1.5 mm.");
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *tcase = tcase_create("plain");
+    tcase_set_timeout(tcase, 120);
+    tcase_add_test(tcase, every_command_is_reached);
+    tcase_add_test(tcase, every_key_is_reached);
+    tcase_add_test(tcase, every_word_with_arguments_is_reached);
+    tcase_add_test(tcase, every_view_tells_of_itself);
+    tcase_add_test(tcase, answers_go_where_they_are_asked);
+    tcase_add_test(tcase, what_never_ends_does);
+    tcase_add_test(tcase, strange_lines_do_no_harm);
+    tcase_add_test(tcase, sentences_tell_what_a_curve_does);
+    tcase_add_test(tcase, units_go_with_their_numbers);
+    suite_add_tcase(suite, tcase);
+}
