@@ -46,7 +46,7 @@ curses='initscr|newterm|endwin|wget_wch|wgetch|stdscr|w?add.*str|wrefresh|setupt
 for library in libbase.a libphysics.a libtheory.a liblab.a libview.a libfigure.a libcli.a; do
 	lacks $library "$curses" "$library does not touch the terminal"
 done
-for library in libphysics.a $(ls libbar*.a libpd_*.a 2>/dev/null); do
+for library in libphysics.a $(ls libbar*.a libpd_*.a libmpm_*.a 2>/dev/null); do
 	lacks $library 'printf|fprintf|__printf_chk|__fprintf_chk|puts|putchar|exit|_exit|abort|time|clock|clock_gettime|gettimeofday|rand|random|drand48|fopen|open|getenv' \
 		"$library prints nothing, opens nothing, tells no time"
 done
@@ -127,7 +127,7 @@ find_circles() { # LAYER LIBRARY...: the circles of its members, and under each 
 }
 for layer in base physics theory lab view figure tui cli; do
 	libraries=lib$layer.a
-	[ $layer = physics ] && libraries="$libraries $(ls libbar*.a libpd_*.a 2>/dev/null)"
+	[ $layer = physics ] && libraries="$libraries $(ls libbar*.a libpd_*.a libmpm_*.a 2>/dev/null)"
 	# shellcheck disable=SC2086 # several libraries
 	found=$(find_circles $layer $libraries)
 	judge "$layer has no circle of files"
@@ -171,6 +171,6 @@ find_strangers() { # LIBRARY...: "file name" of what does not
 			if (!found) print file ".c exports " $NF
 		}' | sort -u
 }
-found=$(find_strangers libbase.a libphysics.a $(ls libbar*.a libpd_*.a 2>/dev/null) libtheory.a liblab.a libview.a libfigure.a libtui.a libcli.a)
+found=$(find_strangers libbase.a libphysics.a $(ls libbar*.a libpd_*.a libmpm_*.a 2>/dev/null) libtheory.a liblab.a libview.a libfigure.a libtui.a libcli.a)
 judge "every exported name has its module's prefix"
 echo "1..$number"

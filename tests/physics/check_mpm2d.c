@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Beams by the material point method: what their mesh predicts, conservation, symmetry, limits, bits, ends.
  */
-#include "physics/mpm_plane/plane.h"
+#include "physics/mpm_plane/kernels/plane_kernels.h"
 #include "physics/mpm_plane/plane_modes.h"
 #include "physics/run_case.h"
 #include "suite.h"
@@ -268,6 +268,28 @@ START_TEST(the_sharp_invariant)
 }
 END_TEST
 
+/* The series' energies are the sums of the particles', each of which has its place in memory. */
+START_TEST(energies_of_particles)
+{
+    PlaneDef def = small(_i);
+    def.length = 13 * def.cell_size;
+    Simulation *sim = create(&def);
+    static const char *const names[2][2] = {{"strain_energy", "strain"}, {"kinetic_energy", "kinetic"}};
+    advance(sim, 50);
+    for (int k = 0; k < 2; k++) {
+        double *energy = field_now(sim, 0, names[k][0]), sum = 0;
+        for (size_t p = 0; p < sim->counts[0]; p++)
+            sum += energy[p];
+        ck_assert_double_eq_tol(sum, series_now(sim, names[k][1]), 1e-12 * sum);
+        free(energy);
+    }
+    const Plane *plane = (const Plane *)sim;
+    for (int p = 0; p < plane->n_particles; p++)
+        ck_assert_int_eq(plane_particle(plane, plane_at(plane, p)), p);
+    simulation_destroy(sim);
+}
+END_TEST
+
 /* kinetic_null against conjugate gradients on the velocities of free nodes, from links alone. */
 static double null_by_gradients(Simulation *sim, const PlaneDef *def)
 {
@@ -442,6 +464,107 @@ START_TEST(one_run_one_set_of_bits)
 }
 END_TEST
 
+/* 5,120 particles, or some less in a last block that is not full: enough for threads. */
+static PlaneDef wide(int number)
+{
+    PlaneDef def = plane_default(number % 2);
+    def.algorithm = (MpmAlgorithm)(number / 2 % 3);
+    def.shape = number / 6 ? MPM_HAT : MPM_GIMP;
+    def.length = number % 3 ? def.length : 155 * def.cell_size;
+    def.end = 1e-4;
+    if (def.leaves_channel) {
+        def.channel = 0.01;
+        def.speed = def.shape == MPM_HAT && def.algorithm == MPM_USL ? 0 : 90;
+    }
+    return def;
+}
+
+enum { WIDE_ONES = 12 };
+
+/* Any width of vectors, any number of threads, with rows and without. */
+START_TEST(any_width_any_threads)
+{
+    PlaneDef def = wide(_i);
+    Simulation *first = create(&def);
+    double rows[30 * 16], again[30 * 16];
+    Status status;
+    long done;
+    plane_use_kernels(first, CPU_PLAIN);
+    ck_assert(simulation_steps(first, 30, rows, &done, &status));
+    for (int level = CPU_PLAIN; level < CPU_LEVELS; level++)
+        for (int threads = 1; cpu_has((CpuLevel)level) && threads <= 4; threads++) {
+            def.threads = threads;
+            Simulation *sim = create(&def);
+            ck_assert_int_eq(((Plane *)sim)->pool != NULL, threads > 1);
+            plane_use_kernels(sim, (CpuLevel)level);
+            ck_assert(simulation_steps(sim, 30, again, &done, &status));
+            expect_same_state(first, sim, cpu_name((CpuLevel)level));
+            ck_assert_int_eq(memcmp(rows, again, 30 * (size_t)sim->n_series * sizeof *rows), 0);
+            simulation_destroy(sim);
+        }
+    simulation_destroy(first);
+}
+END_TEST
+
+/* A beam bent like a bow: nodes of neighbours do not stand side by side any more, and some particles are so
+ * far from the others of their block that they give to the grid by themselves. */
+static PlaneDef bow(int number)
+{
+    PlaneDef def = small(false);
+    def.length = 13 * def.cell_size;
+    def.shape = number % 2 ? MPM_HAT : MPM_GIMP;
+    def.algorithm = (MpmAlgorithm)(number / 2 % 3);
+    def.amplitude = 0.01;
+    def.padding = 12;
+    def.stress = PLANE_EXACT;
+    def.courant = 1e-4;
+    return def;
+}
+
+START_TEST(bits_of_a_bow)
+{
+    const PlaneDef def = bow(_i);
+    Simulation *first = create(&def);
+    plane_use_kernels(first, CPU_PLAIN);
+    Status status;
+    ck_assert(simulation_stage(first, &status)); /* map */
+    const Plane *plane = (const Plane *)first;
+    int far = 0;
+    for (int block = 0; block < plane->n_blocks; block++)
+        far += plane->far[block];
+    ck_assert_int_gt(far, 0);
+    while (first->stage > 0)
+        ck_assert(simulation_stage(first, &status));
+    advance(first, 19);
+    for (int level = CPU_PLAIN + 1; level < CPU_LEVELS && cpu_has((CpuLevel)level); level++) {
+        Simulation *sim = create(&def);
+        plane_use_kernels(sim, (CpuLevel)level);
+        advance(sim, 20);
+        expect_same_state(first, sim, cpu_name((CpuLevel)level));
+        simulation_destroy(sim);
+    }
+    simulation_destroy(first);
+}
+END_TEST
+
+START_TEST(memory_of_a_beam)
+{
+    static const struct {
+        double cell_size;
+        MpmShape shape;
+    } known[] = {{.125e-3, MPM_HAT}, {.125e-3, MPM_GIMP}};
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
+        PlaneDef def = plane_default(false);
+        def.cell_size = known[k].cell_size;
+        def.shape = known[k].shape;
+        Simulation *sim = create(&def);
+        const double bytes = (double)((const Plane *)sim)->bytes_memory / (double)sim->counts[0];
+        ck_assert_msg(bytes <= 200, "%.0f bytes for each of %zu particles", bytes, sim->counts[0]);
+        simulation_destroy(sim);
+    }
+}
+END_TEST
+
 START_TEST(live_parameters)
 {
     PlaneDef def = small(true);
@@ -530,7 +653,7 @@ static void expect_words(const Simulation *sim, int set, size_t index)
 START_TEST(terms_add_up)
 {
     static const double flips[] = {1, 0.5, 0};
-    PlaneDef def = variant(_i);
+    PlaneDef def = _i < VARIANTS ? variant(_i) : bow(_i - VARIANTS);
     def.flip_fraction = flips[_i % 3];
     Simulation *sim = create(&def);
     int seen = 0;
@@ -629,11 +752,15 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(test, a_guide_leaves_momentum_alone, 0, 3);
     tcase_add_test(test, a_supported_beam_stays_symmetric);
     tcase_add_test(test, the_sharp_invariant);
+    tcase_add_loop_test(test, energies_of_particles, 0, 2);
     tcase_add_loop_test(test, what_the_grid_cannot_see, 0, 4);
     tcase_add_test(test, an_empty_node_moves_with_the_beam);
     tcase_add_loop_test(test, one_run_one_set_of_bits, 0, VARIANTS);
+    tcase_add_loop_test(test, any_width_any_threads, 0, WIDE_ONES);
+    tcase_add_loop_test(test, bits_of_a_bow, 0, 6);
+    tcase_add_test(test, memory_of_a_beam);
     tcase_add_test(test, live_parameters);
-    tcase_add_loop_test(test, terms_add_up, 0, VARIANTS);
+    tcase_add_loop_test(test, terms_add_up, 0, VARIANTS + 6);
     tcase_add_test(test, runs_that_fail);
     tcase_add_test(test, definitions_that_are_refused);
     suite_add_tcase(suite, test);

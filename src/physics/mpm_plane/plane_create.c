@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A beam by the material point method is made, copied out, put back and changed. The state is one block of
  * arrays; a snapshot between steps is its first part, the particles, in the middle of a step all of it. */
-#include "physics/mpm_plane/plane_state.h"
+#include "physics/mpm_plane/kernels/plane_kernels.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -12,8 +12,9 @@
 static size_t lay_out(Plane *plane, unsigned char *block)
 {
     size_t size = 0, number = 0;
-    const size_t particles = (size_t)plane->n_particles,
-                 nodes = (size_t)plane->n_nodes + (size_t)plane->gx + 4;
+    const size_t particles = (size_t)plane->n_places, blocks = (size_t)plane->n_blocks;
+    /* empty lanes look beyond the end: three rows on, and a vector */
+    const size_t nodes = (size_t)plane->n_nodes + 3 * (size_t)plane->gx + 2 * PLANE_LANES;
 #define ARRAY(pointer, count)                                                                                \
     do {                                                                                                     \
         if (block)                                                                                           \
@@ -29,6 +30,8 @@ static size_t lay_out(Plane *plane, unsigned char *block)
     ARRAY(plane->sx, particles);
     ARRAY(plane->sy, particles);
     ARRAY(plane->base, particles);
+    ARRAY(plane->runs, particles / PLANE_LANES);
+    ARRAY(plane->blocks, blocks);
     double **const of_nodes[] = {
         &plane->node_mass, &plane->node_inverse, &plane->px,      &plane->py, &plane->fx,
         &plane->fy,        &plane->node_vx,      &plane->node_vy, &plane->ax, &plane->ay};
@@ -36,6 +39,11 @@ static size_t lay_out(Plane *plane, unsigned char *block)
         ARRAY(*of_nodes[k], nodes);
     plane->bytes_whole = size;
     /* scratch stands behind */
+    ARRAY(plane->slots, plane_slot_numbers(plane) * (size_t)plane->def.threads);
+    ARRAY(plane->patches, blocks * (size_t)plane->gy * PLANE_GIVEN * PLANE_PATCH);
+    ARRAY(plane->push, (size_t)plane->gy);
+    ARRAY(plane->far, blocks);
+    ARRAY(plane->trouble, blocks);
     ARRAY(plane->null, plane_null_pays(plane) ? plane_null_numbers(plane) : 1);
     ARRAY(plane->backup, plane->bytes_particles);
 #undef ARRAY
@@ -45,6 +53,7 @@ static size_t lay_out(Plane *plane, unsigned char *block)
 static void destroy(Simulation *sim)
 {
     Plane *plane = plane_of(sim);
+    pool_destroy(plane->pool);
     free(plane->memory);
     free(plane);
 }
@@ -118,6 +127,8 @@ static const Method method = {
     .change = change,
 };
 
+enum { PARTICLES_TO_SHARE = 2048 };
+
 Simulation *plane_create(const PlaneDef *definition, Status *status)
 {
     if (!plane_check(definition, status))
@@ -129,7 +140,13 @@ Simulation *plane_create(const PlaneDef *definition, Status *status)
     }
     plane->def = *definition;
     plane_derive(plane);
-    const size_t bytes = lay_out(plane, NULL);
+    plane->kernels = plane_kernels(cpu_best());
+    /* a step of fewer particles is over before another thread has heard of it */
+    if (plane->n_particles < PARTICLES_TO_SHARE)
+        plane->def.threads = 1;
+    if (plane->def.threads > plane->n_blocks)
+        plane->def.threads = plane->n_blocks;
+    const size_t bytes = plane->bytes_memory = lay_out(plane, NULL);
     plane->memory = calloc(1, bytes + 64); /* pages that are never written cost nothing */
     if (!plane->memory) {
         status_fail(status, STATUS_FAILED, "not enough memory for a beam of %d particles (%zu MB)",
@@ -142,7 +159,7 @@ Simulation *plane_create(const PlaneDef *definition, Status *status)
 
     Simulation *sim = &plane->sim;
     sim->method = &method;
-    sim->stage_items = (size_t)(plane->nyp > plane->gy ? plane->nyp : plane->gy);
+    sim->stage_items = (size_t)(plane->n_blocks > plane->gy ? plane->n_blocks : plane->gy);
     sim->n_sets = PLANE_SETS;
     sim->counts[PLANE_PARTICLES] = (size_t)plane->n_particles;
     sim->counts[PLANE_NODES] = (size_t)plane->n_nodes;
@@ -150,7 +167,8 @@ Simulation *plane_create(const PlaneDef *definition, Status *status)
     plane_set_fields(plane);
     plane_set_series(plane);
     *plane->head = (PlaneHead){.algorithm = plane->def.algorithm, .flip_fraction = plane->def.flip_fraction};
-    if (!plane_begin(plane, status)) {
+    if ((plane->def.threads > 1 && !(plane->pool = pool_create(plane->def.threads, status))) ||
+        !plane_begin(plane, status)) {
         simulation_destroy(sim);
         return NULL;
     }

@@ -1,370 +1,304 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The work of the stages, a plain loop each, over rows of particles and rows of nodes. Masses, momenta and
- * forces are per unit thickness.
+/* The work of the stages over everything. That of particles is shared out by blocks, that of nodes by rows;
+ * the arithmetic is in kernels/plane_kernels.c, the supports are here:
  *
- *     map         m_i = sum m N                p_i = sum m v N                    N = N_x N_y
- *     supports    p_i = m_i (v0, 0) in the components that are held
- *     strain      v_i = p_i/m_i                exx = dt sum N,x v_x   eyy = dt sum N,y v_y
- *                 gxy = dt sum (N,y v_x + N,x v_y)
- *                 s += D e                     V *= 1 + exx + eyy                 V = m/rho
- *     force       f_i = -sum (N,x sxx + N,y sxy, N,x sxy + N,y syy) V
- *     supports    held: work -= f_x v0 dt, then f = 0
- *     integrate   p_i += dt f_i
- *     update      v += dt sum N f_i/m_i        x += dt sum N p_i/m_i
- *                 with flip fraction a: v = a (v + dt sum N f_i/m_i) + (1 - a) sum N p_i/m_i
+ *     supports            p_i = m_i (v0, 0) in the components that are held
+ *     supports on forces  held: work -= f_x v0 dt, then f = 0
  *
- * An inactive node (hardly any mass) has no acceleration and moves with the beam, v = (v0, 0): one at rest
- * would strain a particle that lands on its neighbour to the last bit by v0 dt/dx, and that is an explosion.
- *
- * Sums over particles are done in the order of particles, whatever slices a stage is cut into. */
+ * Stages that follow each other on particles are done block by block, one after the other while the block is
+ * in the cache, those on nodes likewise row by row; in between everybody waits. So a step of USF has four
+ * parts, and its last is the first of the next step: strain and force | gather, supports, integrate | update
+ * and map | gather, supports. */
 #include "base/text.h"
-#include "physics/mpm_plane/plane_state.h"
+#include "physics/mpm_plane/kernels/plane_kernels.h"
 
-#include <stdio.h>
-#include <string.h>
+/* --- particles --------------------------------------------------------------------------------------- */
 
-bool plane_fail_particle(Plane *plane, Status *status, int particle, const char *what)
+static double *slots_of(const Plane *plane, int worker)
 {
-    char time[NUMBER_TEXT_MAX];
-    text_rounded(time, (double)(plane->sim.step + 1) * plane->dt, 6);
-    return simulation_fail(&plane->sim, status, "particle %d %s in step %ld, t = %s s", particle, what,
-                           plane->sim.step + 1, time);
+    return plane->slots + (size_t)worker * plane_slot_numbers(plane);
 }
 
-/* --- rows of particles ---------------------------------------------------------------------------- */
-
-/* Where particles [first, end) lie on the grid: the first of their nodes, and s beside it in cells. It holds
- * for all stages of the step, so shape functions are those of the old place throughout. They were found to
- * lie on the grid when they went there. */
-static bool find(Plane *plane, int first, int end, Status *status)
+/* Whether a stage gives to nodes, so that these have to be gathered from the blocks' patches. */
+static bool gives(PlaneOp op)
 {
-    const double xmin = plane_xmin(plane, plane->sim.step);
-    for (int p = first; p < end; p++)
-        if (!plane_find(plane, xmin, plane->x[p], plane->y[p], &plane->base[p], &plane->sx[p], &plane->sy[p]))
-            return plane_fail_particle(plane, status, p, "left the grid");
+    return op == PLANE_MAP || op == PLANE_MAP_AGAIN || op == PLANE_FORCE;
+}
+
+static bool of_nodes(PlaneOp op)
+{
+    return op == PLANE_HOLD || op == PLANE_HOLD_AGAIN || op == PLANE_HOLD_FORCE || op == PLANE_INTEGRATE;
+}
+
+/* The stages [0, count) on the particles of one block, as far as they go well. A strain and the force behind
+ * it are one loop. */
+static void do_block(Plane *plane, int block, int worker, const PlaneTask *tasks, int count)
+{
+    const PlaneKernels *kernels = plane->kernels;
+    double *slots = slots_of(plane, worker);
+    PlaneTrouble *trouble = &plane->trouble[block];
+    *trouble = (PlaneTrouble){-1, 0};
+    plane->far[block] = false;
+    for (int k = 0; k < count && trouble->place < 0; k++) {
+        trouble->op = (int32_t)tasks[k].op;
+        switch (tasks[k].op) {
+        case PLANE_MAP:
+            kernels->find(plane, block, tasks[k].step);
+            plane->far[block] = !kernels->map(plane, block, slots, true);
+            break;
+        case PLANE_MAP_AGAIN:
+            plane->far[block] = !kernels->map(plane, block, slots, false);
+            break;
+        case PLANE_STRAIN:
+            if (k + 1 < count && tasks[k + 1].op == PLANE_FORCE) {
+                plane->far[block] = !kernels->strain_and_force(plane, block, slots, &trouble->place);
+                k++;
+            } else
+                trouble->place = kernels->strain(plane, block);
+            break;
+        case PLANE_FORCE:
+            plane->far[block] = !kernels->force(plane, block, slots);
+            break;
+        case PLANE_UPDATE:
+            trouble->place = kernels->update(plane, block, tasks[k].step);
+            break;
+        default:
+            break;
+        }
+    }
+}
+
+/* What went wrong first: in the order of stages, then of places. */
+static bool judge(Plane *plane, const PlaneTask *tasks, int count, int first, int end, Status *status)
+{
+    for (int k = 0; k < count; k++)
+        for (int block = first; block < end; block++) {
+            const PlaneTrouble *trouble = &plane->trouble[block];
+            if (trouble->place < 0 || trouble->op != (int32_t)tasks[k].op)
+                continue;
+            char time[NUMBER_TEXT_MAX];
+            text_rounded(time, (double)(plane->sim.step + 1) * plane->dt, 6);
+            return simulation_fail(&plane->sim, status, "particle %d %s in step %ld, t = %s s",
+                                   plane_particle(plane, trouble->place),
+                                   tasks[k].op == PLANE_UPDATE ? "left the grid"
+                                                               : "was crushed (1 + exx + eyy <= 0)",
+                                   plane->sim.step + 1, time);
+        }
     return true;
 }
 
-/* The loops over the nodes of a particle are written once and compiled for two and for three nodes along each
- * direction: the number is a constant where it matters. Arrays are named before the loops, so that the
- * compiler knows that they stay where they are. */
-#define EACH_SHAPE static inline __attribute__((always_inline))
+/* --- nodes ------------------------------------------------------------------------------------------- */
 
-EACH_SHAPE void shape_at(const int n, const double half, double s, double N[PLANE_SUPPORT_MAX],
-                         double dN[PLANE_SUPPORT_MAX])
+/* Which columns of nodes stand in the channel or at a support: [0, left) and [right, gx). Asked of
+ * plane_held() itself, so that there is one answer. */
+typedef struct HeldColumns {
+    int left, right;
+    PlaneHeld at_left, at_right;
+} HeldColumns;
+
+static HeldColumns held_columns(const Plane *plane, long step, int row)
 {
-    if (n == 2)
-        plane_hat(s, N, dN);
-    else
-        plane_gimp(half, s, N, dN);
-}
-
-EACH_SHAPE void map_loop(const Plane *plane, int first, int end, bool with_mass, const int n)
-{
-    const double m = plane->mass, half = plane->half;
-    const double *sx = plane->sx, *sy = plane->sy, *vx = plane->vx, *vy = plane->vy;
-    const int32_t *base = plane->base;
-    double *mass = plane->node_mass, *px = plane->px, *py = plane->py;
-    const int gx = plane->gx;
-    for (int p = first; p < end; p++) {
-        double nx[PLANE_SUPPORT_MAX], ny[PLANE_SUPPORT_MAX], dx[PLANE_SUPPORT_MAX], dy[PLANE_SUPPORT_MAX];
-        shape_at(n, half, sx[p], nx, dx);
-        shape_at(n, half, sy[p], ny, dy);
-        const double x = vx[p], y = vy[p];
-#pragma GCC unroll 3
-        for (int b = 0; b < n; b++)
-#pragma GCC unroll 3
-            for (int a = 0; a < n; a++) {
-                const int node = base[p] + b * gx + a;
-                const double share = m * (nx[a] * ny[b]);
-                if (with_mass)
-                    mass[node] += share;
-                px[node] += share * x;
-                py[node] += share * y;
-            }
-    }
-}
-
-/* Eqs. 2, 3 of paper M with N = N_x N_y: m_i = sum m N, kg/m, and p_i = sum m v N, kg/s, from particles
- * [first, end). The mass where it is asked for: MUSL's second map has the same. */
-static void map(const Plane *plane, int first, int end, bool with_mass)
-{
-    if (plane->support == 2)
-        map_loop(plane, first, end, with_mass, 2);
-    else
-        map_loop(plane, first, end, with_mass, 3);
-}
-
-/* Eqs. 4 to 9 of paper M in the plane, D that of plane stress:
- *
- *     e = dt sum sym(grad N v_i),   g_xy the whole shear angle
- *     sxx += lambda (exx + nu eyy)    syy += lambda (eyy + nu exx)    sxy += G gxy,   lambda = E/(1 - nu^2)
- *
- * Stress in Pa. It is not turned with the material: the beam's sections turn by 1e-4, and with Jaumann's rate
- * no printed digit changes. dt/dx stands once for all terms, as N' is in cells. Returns the first particle
- * with 1 + exx + eyy <= 0 (eq. 8 would turn the density negative) or no number; -1: there is none. */
-EACH_SHAPE int strain_loop(const Plane *plane, int first, int end, const int n)
-{
-    const double rate = plane->dt / plane->dx, nu = plane->def.poisson, half = plane->half;
-    const double lambda = plane->lambda, shear = plane->shear;
-    const double *sx = plane->sx, *sy = plane->sy, *vx = plane->node_vx, *vy = plane->node_vy;
-    const int32_t *base = plane->base;
-    double *sxx = plane->sxx, *syy = plane->syy, *sxy = plane->sxy, *volume = plane->volume;
-    const int gx = plane->gx;
-    for (int p = first; p < end; p++) {
-        double nx[PLANE_SUPPORT_MAX], ny[PLANE_SUPPORT_MAX], dx[PLANE_SUPPORT_MAX], dy[PLANE_SUPPORT_MAX];
-        shape_at(n, half, sx[p], nx, dx);
-        shape_at(n, half, sy[p], ny, dy);
-        double xx = 0, yy = 0, xy = 0;
-#pragma GCC unroll 3
-        for (int b = 0; b < n; b++)
-#pragma GCC unroll 3
-            for (int a = 0; a < n; a++) {
-                const int node = base[p] + b * gx + a;
-                const double bx = dx[a] * ny[b], by = nx[a] * dy[b];
-                xx += bx * vx[node];
-                yy += by * vy[node];
-                xy += by * vx[node] + bx * vy[node];
-            }
-        xx *= rate;
-        yy *= rate;
-        xy *= rate;
-        if (!(1 + (xx + yy) > 0))
-            return p;
-        sxx[p] += lambda * (xx + nu * yy);
-        syy[p] += lambda * (yy + nu * xx);
-        sxy[p] += shear * xy;
-        volume[p] *= 1 + (xx + yy);
-    }
-    return -1;
-}
-
-static bool fail_crushed(Plane *plane, Status *status, int particle)
-{
-    return plane_fail_particle(plane, status, particle, "was crushed (1 + exx + eyy <= 0)");
-}
-
-static bool strain(Plane *plane, int first, int end, Status *status)
-{
-    const int crushed =
-        plane->support == 2 ? strain_loop(plane, first, end, 2) : strain_loop(plane, first, end, 3);
-    return crushed < 0 || fail_crushed(plane, status, crushed);
-}
-
-/* Eq. 10: f_i = -sum (N,x sxx + N,y sxy, N,x sxy + N,y syy) V, V = m/rho in m^2, so f is in N/m. With USF
- * stress and V are those of this step, with USL and MUSL the old ones. */
-EACH_SHAPE void force_loop(const Plane *plane, int first, int end, const int n)
-{
-    const double inverse = 1 / plane->dx, half = plane->half;
-    const double *sx = plane->sx, *sy = plane->sy, *volume = plane->volume;
-    const double *sxx = plane->sxx, *syy = plane->syy, *sxy = plane->sxy;
-    const int32_t *base = plane->base;
-    double *fx = plane->fx, *fy = plane->fy;
-    const int gx = plane->gx;
-    for (int p = first; p < end; p++) {
-        double nx[PLANE_SUPPORT_MAX], ny[PLANE_SUPPORT_MAX], dx[PLANE_SUPPORT_MAX], dy[PLANE_SUPPORT_MAX];
-        shape_at(n, half, sx[p], nx, dx);
-        shape_at(n, half, sy[p], ny, dy);
-        const double scale = volume[p] * inverse;
-        const double xx = sxx[p] * scale, yy = syy[p] * scale, xy = sxy[p] * scale;
-#pragma GCC unroll 3
-        for (int b = 0; b < n; b++)
-#pragma GCC unroll 3
-            for (int a = 0; a < n; a++) {
-                const int node = base[p] + b * gx + a;
-                const double bx = dx[a] * ny[b], by = nx[a] * dy[b];
-                fx[node] -= bx * xx + by * xy;
-                fy[node] -= bx * xy + by * yy;
-            }
-    }
-}
-
-static void force(const Plane *plane, int first, int end)
-{
-    if (plane->support == 2)
-        force_loop(plane, first, end, 2);
-    else
-        force_loop(plane, first, end, 3);
-}
-
-/* Eqs. 14, 15 with flip fraction alpha:
- *
- *     v = alpha (v + dt sum N f_i/m_i) + (1 - alpha) sum N p_i/m_i        x += dt sum N p_i/m_i
- *
- * Below 1 each step loses a share of what the grid cannot see: .999 keeps a cantilever that leaves its
- * channel from heating. Returns the first particle that leaves the grid as it will lie in the next step; -1:
- * none does. */
-EACH_SHAPE int update_loop(const Plane *plane, int first, int end, const int n)
-{
-    const double dt = plane->dt, alpha = plane->head->flip_fraction, half = plane->half;
-    const double *sx = plane->sx, *sy = plane->sy, *node_ax = plane->ax, *node_ay = plane->ay;
-    const double *node_vx = plane->node_vx, *node_vy = plane->node_vy;
-    const int32_t *base = plane->base;
-    double *x = plane->x, *y = plane->y, *vx = plane->vx, *vy = plane->vy;
-    const double inverse = 1 / plane->dx, l = n == 2 ? 0 : half,
-                 xmin = plane_xmin(plane, plane->sim.step + 1);
-    const double ymin = plane->ymin, right = plane->gx - 1 - 2 * l, top = plane->gy - 1 - 2 * l;
-    const int gx = plane->gx;
-    for (int p = first; p < end; p++) {
-        double nx[PLANE_SUPPORT_MAX], ny[PLANE_SUPPORT_MAX], dx[PLANE_SUPPORT_MAX], dy[PLANE_SUPPORT_MAX];
-        shape_at(n, half, sx[p], nx, dx);
-        shape_at(n, half, sy[p], ny, dy);
-        double ax = 0, ay = 0, ux = 0, uy = 0;
-#pragma GCC unroll 3
-        for (int b = 0; b < n; b++)
-#pragma GCC unroll 3
-            for (int a = 0; a < n; a++) {
-                const int node = base[p] + b * gx + a;
-                const double N = nx[a] * ny[b];
-                ax += N * node_ax[node];
-                ay += N * node_ay[node];
-                ux += N * node_vx[node];
-                uy += N * node_vy[node];
-            }
-        vx[p] = alpha * (vx[p] + dt * ax) + (1 - alpha) * ux;
-        vy[p] = alpha * (vy[p] + dt * ay) + (1 - alpha) * uy;
-        x[p] += dt * ux;
-        y[p] += dt * uy;
-        /* as plane_find() will look for it */
-        const double rx = (x[p] - xmin) * inverse - l, ry = (y[p] - ymin) * inverse - l;
-        if (!(rx >= 0 && ry >= 0 && rx < right && ry < top))
-            return p;
-    }
-    return -1;
-}
-
-static bool update(Plane *plane, int first, int end, Status *status)
-{
-    const int lost =
-        plane->support == 2 ? update_loop(plane, first, end, 2) : update_loop(plane, first, end, 3);
-    return lost < 0 || plane_fail_particle(plane, status, lost, "left the grid");
-}
-
-/* --- rows of nodes -------------------------------------------------------------------------------- */
-
-/* v = p/m of nodes [first, end), eq. 4; that of the beam where there is hardly any mass. */
-static void set_velocities(Plane *plane, int first, int end)
-{
-    const double *inverse = plane->node_inverse, *px = plane->px, *py = plane->py, speed = plane->speed;
-    double *vx = plane->node_vx, *vy = plane->node_vy;
-    for (int i = first; i < end; i++) {
-        vx[i] = inverse[i] > 0 ? px[i] * inverse[i] : speed;
-        vy[i] = py[i] * inverse[i];
-    }
+    /* a guess, and then to the very node */
+    int left = (int)((0 - plane_xmin(plane, step)) / plane->dx);
+    int right = plane->def.leaves_channel ? plane->gx : left + (int)(plane->def.length / plane->dx);
+    left = left < 0 ? 0 : left < plane->gx ? left : plane->gx;
+    right = right < left ? left : right < plane->gx ? right : plane->gx;
+    while (left > 0 && !plane_is_left(plane, step, left - 1))
+        left--;
+    while (left < plane->gx && plane_is_left(plane, step, left))
+        left++;
+    while (right < plane->gx && !plane_is_right(plane, step, right))
+        right++;
+    while (right > 0 && plane_is_right(plane, step, right - 1))
+        right--;
+    return (HeldColumns){left, right, plane_held(plane, step, 0, row),
+                         plane_held(plane, step, plane->gx - 1, row)};
 }
 
 /* Supports, paper M's step 2 and paper P's eqs. 12, 13: p = m v0 along where x is held, 0 across where y is.
  * The mass stays. */
-static void hold(Plane *plane, int first_row, int end_row)
-{
-    for (int j = first_row; j < end_row; j++)
-        for (int i = 0; i < plane->gx; i++) {
-            const PlaneHeld held = plane_held(plane, plane->sim.step, i, j);
-            const int node = j * plane->gx + i;
-            const double m = plane->node_mass[node];
-            plane->node_inverse[node] = m > plane->floor ? 1 / m : 0;
-            if (held.x)
-                plane->px[node] = m * plane->speed;
-            if (held.y)
-                plane->py[node] = 0;
-        }
-    set_velocities(plane, first_row * plane->gx, end_row * plane->gx);
-}
-
-/* Supports take the force of the nodes that they hold. The one along a channel that moves with v0 does work
- * on the beam, -f_x v0 dt times the thickness, J: f_x is the beam's force on the node. Then a = f/m, 0 where
- * inactive. */
-static void hold_force(Plane *plane, int first_row, int end_row)
+static void hold(Plane *plane, long step, int first_row, int end_row)
 {
     for (int j = first_row; j < end_row; j++) {
-        double push = 0; /* on the beam, summed row by row, however the stage is cut */
-        for (int i = 0; i < plane->gx; i++) {
-            const PlaneHeld held = plane_held(plane, plane->sim.step, i, j);
-            const int node = j * plane->gx + i;
-            if (held.x) {
-                push += plane->fx[node];
-                plane->fx[node] = 0;
-            }
-            if (held.y)
-                plane->fy[node] = 0;
-            plane->ax[node] = plane->fx[node] * plane->node_inverse[node];
-            plane->ay[node] = plane->fy[node] * plane->node_inverse[node];
+        const HeldColumns held = held_columns(plane, step, j);
+        double *px = plane->px + j * plane->gx, *py = plane->py + j * plane->gx;
+        const double *mass = plane->node_mass + j * plane->gx;
+        for (int i = 0; i < held.left && held.at_left.x; i++)
+            px[i] = mass[i] * plane->speed;
+        for (int i = 0; i < held.left && held.at_left.y; i++)
+            py[i] = 0;
+        for (int i = held.right; i < plane->gx && held.at_right.y; i++)
+            py[i] = 0;
+    }
+    plane->kernels->velocities(plane, first_row, end_row);
+}
+
+/* Supports take the force of the nodes that they hold; then a = f/m. The one along a channel that moves with
+ * v0 does work on the beam: push is its force, N/m, row by row. */
+static void hold_force(Plane *plane, long step, int first_row, int end_row)
+{
+    for (int j = first_row; j < end_row; j++) {
+        const HeldColumns held = held_columns(plane, step, j);
+        double *fx = plane->fx + j * plane->gx, *fy = plane->fy + j * plane->gx, push = 0;
+        for (int i = 0; i < held.left && held.at_left.x; i++) {
+            push += fx[i];
+            fx[i] = 0;
         }
-        plane->head->work -= push * plane->speed * plane->dt * plane->def.thickness;
+        for (int i = 0; i < held.left && held.at_left.y; i++)
+            fy[i] = 0;
+        for (int i = held.right; i < plane->gx && held.at_right.y; i++)
+            fy[i] = 0;
+        plane->push[j] = push;
+    }
+    plane->kernels->accelerate(plane, first_row, end_row);
+}
+
+/* -f_x v0 dt times the thickness, J: f_x is the beam's force on the node. In the order of rows. */
+static void add_work(Plane *plane, int first_row, int end_row)
+{
+    for (int j = first_row; j < end_row; j++)
+        plane->head->work -= plane->push[j] * plane->speed * plane->dt * plane->def.thickness;
+}
+
+static void gather(Plane *plane, PlaneOp op, int first_row, int end_row)
+{
+    if (op == PLANE_FORCE)
+        plane->kernels->gather_force(plane, first_row, end_row);
+    else
+        plane->kernels->gather_map(plane, first_row, end_row, op == PLANE_MAP);
+}
+
+static bool any_far(const Plane *plane)
+{
+    for (int block = 0; block < plane->n_blocks; block++)
+        if (plane->far[block])
+            return true;
+    return false;
+}
+
+/* All nodes at once, with what particles give that others have left aside. */
+static void gather_all(Plane *plane, PlaneOp op)
+{
+    gather(plane, op, 0, plane->gy);
+    if (any_far(plane))
+        plane_add_far(plane, op);
+}
+
+static void do_rows(Plane *plane, PlaneTask task, int first, int end)
+{
+    switch (task.op) {
+    case PLANE_HOLD:
+        plane->kernels->invert(plane, first, end);
+        hold(plane, task.step, first, end);
+        break;
+    case PLANE_HOLD_AGAIN:
+        hold(plane, task.step, first, end);
+        break;
+    case PLANE_HOLD_FORCE:
+        hold_force(plane, task.step, first, end);
+        break;
+    case PLANE_INTEGRATE:
+        plane->kernels->integrate(plane, first, end);
+        break;
+    default:
+        break;
     }
 }
 
-/* Eq. 13, p_i += dt f_i; then v_i anew, with which particles move. */
-static void integrate(Plane *plane, int first, int end)
-{
-    const double dt = plane->dt;
-    for (int i = first; i < end; i++) {
-        plane->px[i] += dt * plane->fx[i];
-        plane->py[i] += dt * plane->fy[i];
-    }
-    set_velocities(plane, first, end);
-}
+/* --- stage by stage ---------------------------------------------------------------------------------- */
 
-/* --- stages --------------------------------------------------------------------------------------- */
-
-static void clear(const Plane *plane, double *array)
-{
-    memset(array, 0, (size_t)plane->n_nodes * sizeof *array);
-}
-
-/* Item k of a stage is row k of the particles, or row k of the nodes; there may be fewer of the one. */
+/* Item k of a stage is block k of the particles, or row k of the nodes; there may be fewer of the one. */
 bool plane_do(Plane *plane, PlaneOp op, int first, int end, Status *status)
 {
-    const int row_end = end < plane->nyp ? end : plane->nyp, node_end = end < plane->gy ? end : plane->gy;
-    const int p = first * plane->nxp, p_end = row_end * plane->nxp;
-    switch (op) {
-    case PLANE_MAP:
-        if (first == 0) {
-            clear(plane, plane->node_mass);
-            clear(plane, plane->px);
-            clear(plane, plane->py);
+    const PlaneTask task = {op, plane->sim.step};
+    if (of_nodes(op)) {
+        end = end < plane->gy ? end : plane->gy;
+        do_rows(plane, task, first, end);
+        if (op == PLANE_HOLD_FORCE)
+            add_work(plane, first, end);
+        return true;
+    }
+    const int end_block = end < plane->n_blocks ? end : plane->n_blocks;
+    for (int block = first; block < end_block; block++)
+        do_block(plane, block, 0, &task, 1);
+    if (!judge(plane, &task, 1, first, end_block, status))
+        return false;
+    if (gives(op) && end == (int)plane->sim.stage_items)
+        gather_all(plane, op);
+    return true;
+}
+
+/* --- all of it ---------------------------------------------------------------------------------------- */
+
+/* Stages that are done in one go by everybody. */
+typedef struct Part {
+    Plane *plane;
+    const PlaneTask *tasks;
+    int count;
+    int rows;      /* of nodes in a chunk */
+    PlaneOp given; /* of nodes: the stage whose patches come first; PLANE_OPS: none */
+} Part;
+
+static void block_chunk(void *context, int block, int worker)
+{
+    const Part *part = context;
+    do_block(part->plane, block, worker, part->tasks, part->count);
+}
+
+static void rows_chunk(void *context, int chunk, int worker)
+{
+    (void)worker;
+    const Part *part = context;
+    const int first = chunk * part->rows;
+    const int end = first + part->rows < part->plane->gy ? first + part->rows : part->plane->gy;
+    if (part->given != PLANE_OPS)
+        gather(part->plane, part->given, first, end);
+    for (int k = 0; k < part->count; k++)
+        do_rows(part->plane, part->tasks[k], first, end);
+}
+
+static void run_part(Part *part, PoolWork *work, int chunks)
+{
+    if (part->plane->pool)
+        pool_run(part->plane->pool, work, part, chunks);
+    else
+        for (int chunk = 0; chunk < chunks; chunk++)
+            work(part, chunk, 0);
+}
+
+bool plane_do_all(Plane *plane, const PlaneTask *tasks, int count, Status *status)
+{
+    enum { NODES_A_CHUNK = 1024 };
+    PlaneOp given = PLANE_OPS;
+    for (int end = 0; end < count;) {
+        const int first = end;
+        const bool nodes = of_nodes(tasks[first].op);
+        while (end < count && of_nodes(tasks[end].op) == nodes)
+            end++;
+        Part part = {plane, tasks + first, end - first, 1 + NODES_A_CHUNK / plane->gx, given};
+        if (!nodes) {
+            run_part(&part, block_chunk, plane->n_blocks);
+            if (!judge(plane, part.tasks, part.count, 0, plane->n_blocks, status))
+                return false;
+            given = gives(tasks[end - 1].op) ? tasks[end - 1].op : PLANE_OPS;
+            if (given != PLANE_OPS && any_far(plane)) {
+                gather_all(plane, given);
+                given = PLANE_OPS;
+            }
+            continue;
         }
-        if (!find(plane, p, p_end, status))
-            return false;
-        map(plane, p, p_end, true);
-        return true;
-    case PLANE_MAP_AGAIN:
-        if (first == 0) {
-            clear(plane, plane->px);
-            clear(plane, plane->py);
-        }
-        map(plane, p, p_end, false);
-        return true;
-    case PLANE_HOLD:
-    case PLANE_HOLD_AGAIN:
-        hold(plane, first, node_end);
-        return true;
-    case PLANE_STRAIN:
-        return strain(plane, p, p_end, status);
-    case PLANE_FORCE:
-        if (first == 0) {
-            clear(plane, plane->fx);
-            clear(plane, plane->fy);
-        }
-        force(plane, p, p_end);
-        return true;
-    case PLANE_HOLD_FORCE:
-        hold_force(plane, first, node_end);
-        return true;
-    case PLANE_INTEGRATE:
-        integrate(plane, first * plane->gx, node_end * plane->gx);
-        return true;
-    case PLANE_UPDATE:
-        return update(plane, p, p_end, status);
-    case PLANE_OPS:
-        break;
+        run_part(&part, rows_chunk, (plane->gy + part.rows - 1) / part.rows);
+        for (int k = first; k < end; k++)
+            if (tasks[k].op == PLANE_HOLD_FORCE)
+                add_work(plane, 0, plane->gy);
+        given = PLANE_OPS;
     }
     return true;
 }
 
-/* The first two stages whole: what a row of the series needs of the grid. */
+/* The first two stages of the step that comes: what a row of the series needs of the grid. */
 bool plane_map_and_hold(Plane *plane, Status *status)
 {
-    const int rows = (int)plane->sim.stage_items;
-    return plane_do(plane, PLANE_MAP, 0, rows, status) && plane_do(plane, PLANE_HOLD, 0, rows, status);
+    const PlaneTask tasks[] = {{PLANE_MAP, plane->sim.step}, {PLANE_HOLD, plane->sim.step}};
+    return plane_do_all(plane, tasks, 2, status);
 }

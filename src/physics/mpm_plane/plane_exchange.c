@@ -7,7 +7,7 @@
  *     dt N a    dt N v                         velocity, place
  *
  * for the inspector and the written-out sums. The stages themselves do not call this: their loops are in
- * plane_do.c. */
+ * kernels/plane_kernels.c. */
 #include "physics/mpm_plane/plane_state.h"
 
 #define TABLE(x, x_ascii, y, y_ascii, taken_note, taken_adds)                                                \
@@ -93,14 +93,15 @@ static double gain(const Plane *plane, int p, int node, int axis, const PlaneWei
 {
     const double alpha = plane->head->flip_fraction;
     const double *a = axis ? plane->ay : plane->ax, *v = axis ? plane->node_vy : plane->node_vx;
+    const int at = plane_at(plane, p);
     double kick = 0, mean = 0;
     for (int b = 0; b < plane->support; b++)
         for (int c = 0; c < plane->support; c++) {
-            const int i = plane->base[p] + b * plane->gx + c;
+            const int i = plane->base[at] + b * plane->gx + c;
             kick += w->nx[c] * w->ny[b] * plane->dt * a[i];
             mean += w->nx[c] * w->ny[b] * v[i];
         }
-    const double now = axis ? plane->vy[p] : plane->vx[p], old = (now - (1 - alpha) * mean) / alpha - kick;
+    const double now = axis ? plane->vy[at] : plane->vx[at], old = (now - (1 - alpha) * mean) / alpha - kick;
     return alpha * plane->dt * a[node] + (1 - alpha) * (v[node] - old);
 }
 
@@ -112,7 +113,7 @@ int plane_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
     if (!at_hand(plane, (PlaneExchange)exchange))
         return 0;
     const bool gives = sim->exchanges[exchange].from == PLANE_PARTICLES;
-    const int p = (int)(gives ? from : to), node = (int)(gives ? to : from);
+    const int p = (int)(gives ? from : to), node = (int)(gives ? to : from), at = plane_at(plane, p);
     int32_t base;
     double sx, sy, v[2];
     if (!plane_place_of(plane, p, &base, &sx, &sy))
@@ -136,14 +137,14 @@ int plane_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
         FACTORS(2, plane->mass, N);
     case GIVE_PX:
     case GIVE_PX_AGAIN:
-        FACTORS(3, plane->mass, plane->vx[p], N);
+        FACTORS(3, plane->mass, plane->vx[at], N);
     case GIVE_PY:
     case GIVE_PY_AGAIN:
-        FACTORS(3, plane->mass, plane->vy[p], N);
+        FACTORS(3, plane->mass, plane->vy[at], N);
     case GIVE_FX:
-        FACTORS(2, -(Nx * plane->sxx[p] + Ny * plane->sxy[p]), plane->volume[p]);
+        FACTORS(2, -(Nx * plane->sxx[at] + Ny * plane->sxy[at]), plane->volume[at]);
     case GIVE_FY:
-        FACTORS(2, -(Nx * plane->sxy[p] + Ny * plane->syy[p]), plane->volume[p]);
+        FACTORS(2, -(Nx * plane->sxy[at] + Ny * plane->syy[at]), plane->volume[at]);
     case TAKE_EXX:
         plane_strain_velocity(plane, node, v);
         FACTORS(3, dt, Nx, v[0]);

@@ -92,10 +92,10 @@ static void map_node(const Subject *subject)
 static void map_particle(const Subject *subject)
 {
     const Plane *plane = subject->plane;
-    const int p = subject->index;
+    const int at = plane_at(plane, subject->index);
     write_given(subject, GIVE_MASS, "m N: ", plane->mass);
-    write_given(subject, GIVE_PX, "m vx N: ", plane->mass * plane->vx[p]);
-    write_given(subject, GIVE_PY, "m vy N: ", plane->mass * plane->vy[p]);
+    write_given(subject, GIVE_PX, "m vx N: ", plane->mass * plane->vx[at]);
+    write_given(subject, GIVE_PY, "m vy N: ", plane->mass * plane->vy[at]);
 }
 
 static void again_node(const Subject *subject)
@@ -107,8 +107,8 @@ static void again_node(const Subject *subject)
 static void again_particle(const Subject *subject)
 {
     const Plane *plane = subject->plane;
-    write_given(subject, GIVE_PX_AGAIN, "m vx N: ", plane->mass * plane->vx[subject->index]);
-    write_given(subject, GIVE_PY_AGAIN, "m vy N: ", plane->mass * plane->vy[subject->index]);
+    write_given(subject, GIVE_PX_AGAIN, "m vx N: ", plane->mass * plane->vx[plane_at(plane, subject->index)]);
+    write_given(subject, GIVE_PY_AGAIN, "m vy N: ", plane->mass * plane->vy[plane_at(plane, subject->index)]);
 }
 
 static void hold_node(const Subject *subject)
@@ -154,7 +154,7 @@ static void strain_particle(const Subject *subject)
 {
     const Plane *plane = subject->plane;
     const Simulation *sim = &plane->sim;
-    const int p = subject->index;
+    const int p = subject->index, at = plane_at(plane, p);
     const double nu = plane->def.poisson;
     double e[3];
     static const char *const names[3] = {"exx", "eyy", "gxy"};
@@ -165,7 +165,7 @@ static void strain_particle(const Subject *subject)
     write_taken(subject, TAKE_GXY, "Δγxy = ");
     const double rates[3] = {e[0] + nu * e[1], e[1] + nu * e[0], e[2]};
     const double factors[3] = {plane->lambda, plane->lambda, plane->shear};
-    const double *const stress[3] = {&plane->sxx[p], &plane->syy[p], &plane->sxy[p]};
+    const double *const stress[3] = {&plane->sxx[at], &plane->syy[at], &plane->sxy[at]};
     static const char *const labels[3] = {
         "σxx = σxx + E/(1 - ν²) (Δεxx + ν Δεyy) = ", "σyy = σyy + E/(1 - ν²) (Δεyy + ν Δεxx) = ",
         "σxy = σxy + G Δγxy = "};

@@ -133,11 +133,12 @@ static double strain_step(const Plane *plane, int field, int p)
 {
     if (!plane_has_done(plane, PLANE_STRAIN))
         return 0;
-    const PlaneWeights w = plane_weights(plane, plane->sx[p], plane->sy[p]);
+    const int at = plane_at(plane, p);
+    const PlaneWeights w = plane_weights(plane, plane->sx[at], plane->sy[at]);
     double xx = 0, yy = 0, xy = 0;
     for (int b = 0; b < plane->support; b++)
         for (int a = 0; a < plane->support; a++) {
-            const int node = plane->base[p] + b * plane->gx + a;
+            const int node = plane->base[at] + b * plane->gx + a;
             const double bx = w.dnx[a] * w.ny[b], by = w.nx[a] * w.dny[b];
             double v[2];
             plane_strain_velocity(plane, node, v);
@@ -151,23 +152,24 @@ static double strain_step(const Plane *plane, int field, int p)
 /* The value of one particle's field; m, m/s, Pa, J. */
 static double particle_field(const Plane *plane, int field, int p)
 {
-    const double xx = plane->sxx[p], yy = plane->syy[p], xy = plane->sxy[p];
-    const double vx = plane->vx[p] - plane->speed, vy = plane->vy[p];
+    const int at = plane_at(plane, p);
+    const double xx = plane->sxx[at], yy = plane->syy[at], xy = plane->sxy[at];
+    const double vx = plane->vx[at] - plane->speed, vy = plane->vy[at];
     switch (field) {
     case P_X0:
         return rest_x(plane, p);
     case P_Y0:
         return rest_y(plane, p);
     case P_X:
-        return plane->x[p];
+        return plane->x[at];
     case P_Y:
-        return plane->y[p];
+        return plane->y[at];
     case P_UX:
-        return plane->x[p] - rest_x(plane, p);
+        return plane->x[at] - rest_x(plane, p);
     case P_UY:
-        return plane->y[p] - rest_y(plane, p);
+        return plane->y[at] - rest_y(plane, p);
     case P_VX:
-        return plane->vx[p];
+        return plane->vx[at];
     case P_VY:
         return vy;
     case P_SXX:
@@ -177,7 +179,7 @@ static double particle_field(const Plane *plane, int field, int p)
     case P_SXY:
         return xy;
     case P_DENSITY:
-        return plane->mass / plane->volume[p];
+        return plane->mass / plane->volume[at];
     case P_MASS:
         return plane->mass;
     case P_MISES:
@@ -185,7 +187,7 @@ static double particle_field(const Plane *plane, int field, int p)
     case P_SPEED:
         return sqrt(vx * vx + vy * vy);
     case P_STRAIN_ENERGY:
-        return plane_particle_strain(plane, p);
+        return plane_strain_at(plane, at);
     case P_KINETIC_ENERGY:
         return plane->mass / 2 * (vx * vx + vy * vy) * plane->def.thickness;
     case P_EXX:

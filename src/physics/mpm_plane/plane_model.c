@@ -12,7 +12,7 @@ static void set_probe(Plane *plane)
                             plane->def.leaves_channel ? plane->nxp - 1 : plane->nxp / 2};
     const int rows[2] = {(plane->nyp - 1) / 2, plane->nyp / 2};
     for (int k = 0; k < 4; k++)
-        plane->probe[k] = rows[k / 2] * plane->nxp + columns[k % 2];
+        plane->probe[k] = rows[k / 2] * plane->nxp + columns[k % 2]; /* a particle */
 }
 
 /* Everything constant, from a definition that is sound. The grid has `padding` cells all round, and on the
@@ -37,6 +37,9 @@ void plane_derive(Plane *plane)
     plane->nxp = columns * def->particles_per_cell;
     plane->nyp = rows * def->particles_per_cell;
     plane->n_particles = plane->nxp * plane->nyp;
+    plane->n_blocks = (columns + PLANE_LANES - 1) / PLANE_LANES;
+    plane->n_vectors = plane->nyp * def->particles_per_cell;
+    plane->n_places = plane->n_blocks * plane->n_vectors * PLANE_LANES;
     const double steps = ceil(def->end * (1 - 1e-9) / plane->dt);
     const double way = (def->speed - def->grid_velocity) * steps * plane->dt / plane->dx;
     plane->gx = columns + 2 * def->padding + (int)ceil(way) + 1;

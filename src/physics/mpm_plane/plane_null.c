@@ -24,7 +24,7 @@ static Box touched(const Plane *plane)
 {
     int left = plane->gx, right = 0, low = plane->gy, high = 0;
     for (int p = 0; p < plane->n_particles; p++) {
-        const int i = plane->base[p] % plane->gx, j = plane->base[p] / plane->gx;
+        const int at = plane_at(plane, p), i = plane->base[at] % plane->gx, j = plane->base[at] / plane->gx;
         left = i < left ? i : left;
         right = i > right ? i : right;
         low = j < low ? j : low;
@@ -60,8 +60,9 @@ static void assemble(const Plane *plane, Box box, size_t width, double *band)
     const int n = plane->support;
     memset(band, 0, (size_t)box.columns * (size_t)box.rows * (width + 1) * sizeof *band);
     for (int p = 0; p < plane->n_particles; p++) {
-        const PlaneWeights w = plane_weights(plane, plane->sx[p], plane->sy[p]);
-        const int i = plane->base[p] % plane->gx - box.i, j = plane->base[p] / plane->gx - box.j;
+        const int at = plane_at(plane, p);
+        const PlaneWeights w = plane_weights(plane, plane->sx[at], plane->sy[at]);
+        const int i = plane->base[at] % plane->gx - box.i, j = plane->base[at] / plane->gx - box.j;
         for (int a = 0; a < n; a++)
             for (int b = 0; b < n; b++) {
                 double *row = band + (size_t)((i + a) * box.rows + j + b) * (width + 1);

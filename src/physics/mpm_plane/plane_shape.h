@@ -26,6 +26,7 @@ static inline void plane_hat(double s, double n[PLANE_SUPPORT_MAX], double dn[PL
     n[1] = s;
     dn[0] = -1;
     dn[1] = 1;
+    n[2] = dn[2] = 0; /* there is none */
 }
 
 static inline void plane_gimp(double half, double s, double n[PLANE_SUPPORT_MAX],

@@ -85,48 +85,53 @@ static Strain strain_of_nodes(const Plane *plane, double X, double Y)
     return strain;
 }
 
-/* One particle at t = 0: place, velocity, stress, volume. */
-static void place(Plane *plane, int p)
+/* One particle at t = 0: position, velocity, stress, volume. An empty lane gets what a longer beam would have
+ * there. */
+static void place(Plane *plane, int at)
 {
     const PlaneDef *def = &plane->def;
-    const double X = plane->x_first + (p % plane->nxp + 0.5) * plane->spacing;
-    const double Y = (p / plane->nxp + 0.5) * plane->spacing - def->height / 2;
+    const int P = def->particles_per_cell, vector = at / PLANE_LANES, in_block = vector % plane->n_vectors;
+    const int column = (vector / plane->n_vectors * PLANE_LANES + at % PLANE_LANES) * P + in_block % P;
+    const double X = plane->x_first + (column + 0.5) * plane->spacing;
+    const double Y = (in_block / P + 0.5) * plane->spacing - def->height / 2;
     const Deflection bent = deflection(def, X);
-    plane->x[p] = X;
-    plane->y[p] = Y;
-    plane->vx[p] = plane->speed;
-    plane->vy[p] = 0;
-    plane->volume[p] = plane->mass / def->density;
-    plane->sxx[p] = plane->syy[p] = plane->sxy[p] = 0;
+    plane->x[at] = X;
+    plane->y[at] = Y;
+    plane->vx[at] = plane->speed;
+    plane->vy[at] = 0;
+    plane->volume[at] = plane->mass / def->density;
+    plane->sxx[at] = plane->syy[at] = plane->sxy[at] = 0;
     if (def->start == PLANE_VELOCITY) {
         const double omega = mode_frequency(def);
-        plane->vx[p] += omega * (-Y * bent.slope);
-        plane->vy[p] = omega * bent.w;
+        plane->vx[at] += omega * (-Y * bent.slope);
+        plane->vy[at] = omega * bent.w;
         return;
     }
-    plane->x[p] = X - Y * bent.slope;
-    plane->y[p] = Y + bent.w;
+    plane->x[at] = X - Y * bent.slope;
+    plane->y[at] = Y + bent.w;
     const Strain strain =
         def->stress == PLANE_EXACT ? (Strain){-Y * bent.curvature, 0, 0} : strain_of_nodes(plane, X, Y);
-    plane->sxx[p] = plane->lambda * (strain.xx + def->poisson * strain.yy);
-    plane->syy[p] = plane->lambda * (strain.yy + def->poisson * strain.xx);
-    plane->sxy[p] = plane->shear * strain.xy;
-    plane->volume[p] *= 1 + strain.xx + strain.yy;
+    plane->sxx[at] = plane->lambda * (strain.xx + def->poisson * strain.yy);
+    plane->syy[at] = plane->lambda * (strain.yy + def->poisson * strain.xx);
+    plane->sxy[at] = plane->shear * strain.xy;
+    plane->volume[at] *= 1 + strain.xx + strain.yy;
 }
 
-/* All particles, row by row. False: given up, or the shape leaves the grid. */
+/* All particles, as they are stored. False: given up, or the shape leaves the grid. */
 bool plane_begin(Plane *plane, Status *status)
 {
     int32_t base;
     double sx, sy;
     enum { PARTICLES_A_QUESTION = 4096 };
-    for (int p = 0; p < plane->n_particles; p++) {
-        if (p % PARTICLES_A_QUESTION == 0 &&
-            !patience_lasts(&plane->def.patience, (double)p / plane->n_particles))
+    for (int at = 0; at < plane->n_places; at++) {
+        if (at % PARTICLES_A_QUESTION == 0 &&
+            !patience_lasts(&plane->def.patience, (double)at / plane->n_places))
             return status_fail(status, STATUS_FAILED, "the building of the beam was given up");
-        place(plane, p);
-        if (!plane_find(plane, plane->xmin, plane->x[p], plane->y[p], &base, &sx, &sy) ||
-            !(plane->volume[p] > 0))
+        place(plane, at);
+        if (at % PLANE_LANES >= plane_lanes(plane, at / PLANE_LANES / plane->n_vectors))
+            continue;
+        if (!plane_find(plane, plane->xmin, plane->x[at], plane->y[at], &base, &sx, &sy) ||
+            !(plane->volume[at] > 0))
             return status_fail(status, STATUS_USAGE,
                                "initial.amplitude: %g bends the beam out of its grid (less, or more "
                                "mesh.padding)",

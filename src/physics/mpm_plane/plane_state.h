@@ -7,17 +7,40 @@
  *
  * A particle's place on the grid (the first of its nodes and where it lies beside it) is found once a step,
  * in its first stage, and holds for all of its stages: shape functions are those of the old place throughout.
- */
+ *
+ * How particles are stored. A block is what stands at t = 0 in eight columns of cells, from the bottom of the
+ * beam to its top. Eight particles of a row that are one cell apart, I = P (8 m + lane) + phase, are a
+ * vector: they stand side by side in memory, and as long as the beam is a beam their nodes do so too. So a
+ * vector takes from the grid, and gives to it, without a list of indices:
+ *
+ *     block m: row J: phase 0 .. P - 1: lane 0 .. 7         place = ((m nyp + J) P + phase) 8 + lane
+ *
+ * The last block may have lanes without a particle ("empty"): they are computed with the others and looked at
+ * by nobody.
+ *
+ * How nodes are summed. A block adds up what its particles give to nodes in a patch of its own, and the
+ * patches are added to the nodes in the order of blocks. Within a block a node's sum is made of slots: slot c
+ * takes, lane by lane, what the particle of lane l gives to the node in column `column` + l + c. The order of
+ * every sum is that of the particles' places, at any width of the machine's vectors and any number of
+ * threads. */
 #ifndef PHYSICS_PLANE_STATE_H
 #define PHYSICS_PLANE_STATE_H
 
 #include "physics/mpm_plane/plane.h"
 #include "physics/mpm_plane/plane_shape.h"
+#include "physics/pool.h"
 
 #include <math.h>
 #include <stdint.h>
 
 enum { PLANE_CHECK_EVERY = 64 }; /* the energy is looked at after each step that is a multiple of this */
+
+enum {
+    PLANE_LANES = 8,
+    PLANE_SLOTS = 8,               /* of a block at most; three or four in a beam that is hardly bent */
+    PLANE_PATCH = 2 * PLANE_LANES, /* columns of nodes of a patch: lanes + slots - 1, and one */
+    PLANE_GIVEN = 3                /* what a node is given in one stage: m, px, py; or fx, fy */
+};
 
 /* The work of a stage. Stage tables are lists of these. */
 typedef enum PlaneOp {
@@ -42,6 +65,25 @@ typedef struct PlaneHead {
     int energy_level; /* how many thresholds of growth were reported */
 } PlaneHead;
 
+/* The nodes of a vector: lane l begins in column + l. */
+typedef struct PlaneRun {
+    int32_t column, row; /* row -1: the lanes' nodes do not stand in a row, each has its own (base) */
+} PlaneRun;
+
+/* The nodes of a block's particles: slots as above, rows low to high. A particle of a beam that is bent
+ * beyond all measure may find no slot: it is `far`, and gives to the nodes by itself (plane_far.c). */
+typedef struct PlaneBlock {
+    int32_t column, slots, low, high;
+} PlaneBlock;
+
+/* What went wrong in a block: at which place, in the work of which stage. */
+typedef struct PlaneTrouble {
+    int32_t place; /* -1: nothing */
+    int32_t op;
+} PlaneTrouble;
+
+typedef struct PlaneKernels PlaneKernels;
+
 typedef struct Plane {
     Simulation sim; /* first: a Plane is a Simulation */
 
@@ -52,6 +94,8 @@ typedef struct Plane {
     double half;                  /* uGIMP: l = 1/(2P) */
     int support;                  /* nodes along each direction: 2, 3 */
     int nxp, nyp, n_particles;
+    int n_blocks, n_vectors; /* of one block */
+    int n_places;            /* of particles in memory, empty lanes among them */
     int gx, gy, n_nodes;
     double x_first, xmin, ymin; /* x_first: the beam's left end at t = 0 */
     double lambda, mu, shear;   /* plane stress: sxx = lambda (exx + nu eyy), sxy = shear gxy */
@@ -64,16 +108,25 @@ typedef struct Plane {
     /* state: one block; what lies beyond the particles exists only within a step */
     void *memory;
     unsigned char *block;
-    size_t bytes_particles, bytes_whole;
+    size_t bytes_particles, bytes_whole, bytes_memory; /* the last with all scratch */
     PlaneHead *head;
     double *x, *y, *vx, *vy, *sxx, *syy, *sxy, *volume; /* volume: m/rho */
     double *sx, *sy;                                    /* beside the first node, in cells */
     int32_t *base;                                      /* the first node */
+    PlaneRun *runs;                                     /* of each vector */
+    PlaneBlock *blocks;
     double *node_mass, *px, *py, *fx, *fy;
     double *node_inverse;      /* 1/m; 0 where the node is inactive */
     double *node_vx, *node_vy; /* p/m as of the last stage that wrote p */
     double *ax, *ay;           /* f/m */
 
+    const PlaneKernels *kernels;
+    Pool *pool;            /* NULL: one thread */
+    double *slots;         /* of each thread: by row of nodes, quantity, slot (plane_kernels.h) */
+    double *patches;       /* of each block: by row of nodes, quantity, column */
+    double *push;          /* of each row of nodes: the channel's force, N/m */
+    bool *far;             /* of each block: has far particles in the stage under way */
+    PlaneTrouble *trouble; /* of each block, in the stage under way */
     double *null;          /* of plane_null.c */
     unsigned char *backup; /* the particles at the beginning of a batch of steps */
 } Plane;
@@ -86,6 +139,29 @@ static inline Plane *plane_of(Simulation *sim)
 static inline const Plane *plane_of_const(const Simulation *sim)
 {
     return (const Plane *)sim;
+}
+
+/* Where particle p is stored, and the other way round. */
+static inline int plane_at(const Plane *plane, int p)
+{
+    const int P = plane->def.particles_per_cell, I = p % plane->nxp, J = p / plane->nxp, cell = I / P;
+    const int vector = cell / PLANE_LANES * plane->n_vectors + J * P + I % P;
+    return vector * PLANE_LANES + cell % PLANE_LANES;
+}
+
+static inline int plane_particle(const Plane *plane, int at)
+{
+    const int P = plane->def.particles_per_cell, vector = at / PLANE_LANES,
+              in_block = vector % plane->n_vectors;
+    const int cell = vector / plane->n_vectors * PLANE_LANES + at % PLANE_LANES;
+    return in_block / P * plane->nxp + cell * P + in_block % P;
+}
+
+/* How many lanes of a block have particles. */
+static inline int plane_lanes(const Plane *plane, int block)
+{
+    const int cells = plane->nxp / plane->def.particles_per_cell - block * PLANE_LANES;
+    return cells < PLANE_LANES ? cells : PLANE_LANES;
 }
 
 /* N and N' dx in both directions. */
@@ -124,12 +200,20 @@ typedef struct PlaneHeld {
 /* Supported: uy = 0 at the nodes of the end sections and beyond (`point`: on the mid-plane alone), ux = 0 at
  * x <= 0 on the mid-plane. Cantilever: nodes in the channel, x <= 0 in the laboratory, uy = 0 and, with the
  * full clamp, ux = v0 t. */
+static inline bool plane_is_left(const Plane *plane, long step, int i)
+{
+    return plane_xmin(plane, step) + i * plane->dx <= 1e-6 * plane->dx;
+}
+
+static inline bool plane_is_right(const Plane *plane, long step, int i)
+{
+    return plane_xmin(plane, step) + i * plane->dx >= plane->def.length - 1e-6 * plane->dx;
+}
+
 static inline PlaneHeld plane_held(const Plane *plane, long step, int i, int j)
 {
-    const double tolerance = 1e-6 * plane->dx;
-    const double x = plane_xmin(plane, step) + i * plane->dx, y = plane->ymin + j * plane->dx;
-    const bool left = x <= tolerance, right = x >= plane->def.length - tolerance;
-    const bool middle = fabs(y) <= tolerance;
+    const bool left = plane_is_left(plane, step, i), right = plane_is_right(plane, step, i);
+    const bool middle = fabs(plane->ymin + j * plane->dx) <= 1e-6 * plane->dx;
     if (plane->def.leaves_channel)
         return (PlaneHeld){left && plane->def.clamp == CLAMP_FULL, left};
     return (PlaneHeld){left && middle, (left || right) && (middle || plane->def.ends == PLANE_SECTION)};
@@ -156,19 +240,29 @@ static inline bool plane_find(const Plane *plane, double xmin, double x, double 
  * read between stages. */
 static inline bool plane_place_of(const Plane *plane, int particle, int32_t *base, double *sx, double *sy)
 {
+    const int at = plane_at(plane, particle);
     if (plane->sim.stage == 0)
-        return plane_find(plane, plane_xmin(plane, plane->sim.step), plane->x[particle], plane->y[particle],
-                          base, sx, sy);
-    *base = plane->base[particle];
-    *sx = plane->sx[particle];
-    *sy = plane->sy[particle];
+        return plane_find(plane, plane_xmin(plane, plane->sim.step), plane->x[at], plane->y[at], base, sx,
+                          sy);
+    *base = plane->base[at];
+    *sx = plane->sx[at];
+    *sy = plane->sy[at];
     return true;
 }
 
-/* plane_do.c: the work of a stage on its items [first, end). */
+/* plane_do.c: the work of a stage on its items [first, end), serially; and that of several stages on
+ * everything, by all threads. Each is of a step: the last of them may belong to the next. */
+typedef struct PlaneTask {
+    PlaneOp op;
+    long step; /* that which is going on, so many were done before */
+} PlaneTask;
+
 bool plane_do(Plane *, PlaneOp, int first, int end, Status *);
+bool plane_do_all(Plane *, const PlaneTask *, int count, Status *);
 bool plane_map_and_hold(Plane *, Status *);
-bool plane_fail_particle(Plane *, Status *, int particle, const char *what);
+
+/* plane_far.c: adds what the far particles of all blocks give in a stage to the nodes. */
+void plane_add_far(const Plane *, PlaneOp);
 
 /* plane_start.c: particles at t = 0. False: given up, or numbers that are none. */
 bool plane_begin(Plane *, Status *);
@@ -195,7 +289,7 @@ double plane_energy(const Plane *);
 void plane_row(Simulation *, double *row);
 void plane_write_row(Plane *, double *row); /* with the grid as it stands after map and supports */
 void plane_set_series(Plane *);
-double plane_particle_strain(const Plane *, int particle); /* J */
+double plane_strain_at(const Plane *, int place); /* strain energy, J */
 
 /* plane_null.c: the kinetic energy that no velocities of the grid can give (J); the grid stands as after map
  * and supports. Its scratch, and whether it takes so long that it is left out. */

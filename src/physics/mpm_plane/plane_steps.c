@@ -92,23 +92,25 @@ static void go_back(Plane *plane, Mark mark)
 }
 
 /* The row needs the grid after map and supports, which are also the first two stages of the next step: they
- * are done once for both. */
+ * are done once for both, and the map goes with the stages before it. */
 static bool whole_steps(Plane *plane, long count, double *rows, Status *status)
 {
     const PlaneSchedule *schedule = plane_schedule(plane->head);
-    const int items = (int)plane->sim.stage_items;
     if (count > 0 && !plane_map_and_hold(plane, status))
         return false;
     for (long n = 0; n < count; n++) {
+        const long step = plane->sim.step;
+        PlaneTask tasks[PLANE_OPS];
+        int n_tasks = 0;
         for (int stage = 2; stage < schedule->count; stage++)
-            if (!plane_do(plane, schedule->ops[stage], 0, items, status))
-                return false;
-        if (!check_energy(plane, status))
+            tasks[n_tasks++] = (PlaneTask){schedule->ops[stage], step};
+        if (rows || n + 1 < count) {
+            tasks[n_tasks++] = (PlaneTask){PLANE_MAP, step + 1};
+            tasks[n_tasks++] = (PlaneTask){PLANE_HOLD, step + 1};
+        }
+        if (!plane_do_all(plane, tasks, n_tasks, status) || !check_energy(plane, status))
             return false;
         plane->sim.step++;
-        if (rows || n + 1 < count)
-            if (!plane_map_and_hold(plane, status))
-                return false;
         if (rows)
             plane_write_row(plane, rows + n * plane->sim.n_series);
     }

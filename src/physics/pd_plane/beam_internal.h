@@ -6,7 +6,7 @@
 #include "physics/pd_plane/beam.h"
 #include "physics/pd_plane/bonds/bonds.h"
 #include "physics/pd_plane/bonds/lattice.h"
-#include "physics/pd_plane/bonds/pool.h"
+#include "physics/pool.h"
 
 /* The stages of a step (velocity Verlet, eqs. 9 to 11). */
 enum {

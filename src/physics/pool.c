@@ -3,7 +3,7 @@
  * is some ten microseconds of work, two jobs make a time step, and to wake a sleeping thread takes as long as
  * a chunk; so whoever has nothing to do looks for a moment before going to sleep. Without that look two
  * threads are a fifth slower on a large beam, and slower than one on a small one. */
-#include "physics/pd_plane/bonds/pool.h"
+#include "physics/pool.h"
 
 #include <pthread.h>
 #include <sched.h>

@@ -1,0 +1,590 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One step of the material point method on a beam in plane stress, stage by stage:
+ *
+ *     map         m_i = sum m N                p_i = sum m v N                    N = N_x N_y
+ *     strain      v_i = p_i/m_i                exx = dt sum N,x v_x   eyy = dt sum N,y v_y
+ *                 gxy = dt sum (N,y v_x + N,x v_y)
+ *                 s += D e                     V *= 1 + exx + eyy                 V = m/rho
+ *     force       f_i = -sum (N,x sxx + N,y sxy, N,x sxy + N,y syy) V
+ *     integrate   p_i += dt f_i
+ *     update      v += dt sum N f_i/m_i        x += dt sum N p_i/m_i
+ *                 with flip fraction a: v = a (v + dt sum N f_i/m_i) + (1 - a) sum N p_i/m_i
+ *
+ * Source: paper M, eqs. 2 to 15, written for two directions (plane.h). Sums over particles at a node, over
+ * nodes at a particle.
+ *
+ * The arithmetic of a particle is that of a lane. Where the nodes of a vector's lanes stand side by side, in
+ * a run, what it takes from them is loaded as vectors and what it gives goes to its slots as vectors; else
+ * both are done lane by lane, with the same numbers in the same order. Weights are made anew in each stage
+ * from where a particle lies: that is cheaper than to fetch them.
+ *
+ * The file is compiled once for each CpuLevel; PLANE_KERNELS is the name of the table. */
+#include "physics/mpm_plane/kernels/plane_kernels.h"
+#include "physics/vector.h"
+
+#include <string.h>
+
+#ifndef PLANE_KERNELS
+#define PLANE_KERNELS plane_kernels_plain
+#endif
+
+extern const PlaneKernels PLANE_KERNELS;
+
+typedef int32_t Whole __attribute__((vector_size(VECTOR_WIDTH * sizeof(int32_t))));
+
+enum { WIDTH = VECTOR_WIDTH, SUPPORT = PLANE_SUPPORT_MAX };
+
+/* --- shapes ---------------------------------------------------------------------------------------- */
+
+/* N and N' dx along one direction, as plane_shape.h has them, of n nodes: n = 2 are hats, 3 boxes. */
+KERNEL_INLINE void shape_at(const int n, double half, Vector s, Vector N[SUPPORT], Vector dN[SUPPORT])
+{
+    if (n == 2) {
+        N[0] = 1 - s;
+        N[1] = s;
+        dN[0] = (Vector){0} - 1;
+        dN[1] = (Vector){0} + 1;
+        return;
+    }
+    const Vector beyond = s + 2 * half - 1, over = (Vector)((VectorMask)beyond & (beyond > 0));
+    const Vector slope = over * (0.5 / half), third = 0.5 * over * slope, middle = s + half;
+    N[0] = 1 - middle + third;
+    N[1] = middle - 2 * third;
+    N[2] = third;
+    dN[0] = slope - 1;
+    dN[1] = 1 - 2 * slope;
+    dN[2] = slope;
+}
+
+typedef struct Weights {
+    Vector nx[SUPPORT], ny[SUPPORT], dx[SUPPORT], dy[SUPPORT];
+} Weights;
+
+KERNEL_INLINE Weights weights_at(const Plane *plane, const int n, int at)
+{
+    Weights w;
+    shape_at(n, plane->half, vector_load(plane->sx + at), w.nx, w.dx);
+    shape_at(n, plane->half, vector_load(plane->sy + at), w.ny, w.dy);
+    return w;
+}
+
+/* --- from nodes and to nodes ----------------------------------------------------------------------- */
+
+/* Some lanes of a vector of particles at work: their place in memory, and their nodes. */
+typedef struct Lanes {
+    int at;     /* of the first lane */
+    int lane;   /* its number in the vector */
+    int count;  /* those that have particles */
+    bool run;   /* the nodes stand side by side */
+    int node;   /* of a run: the first node of the first lane */
+    int slot;   /* of a run: where its first slot begins, in the first row */
+    int column; /* of the block's first slot */
+    bool far;   /* a lane found no slot */
+} Lanes;
+
+/* array[first node of each lane + offset]. */
+KERNEL_INLINE Vector from_nodes(const Plane *plane, const Lanes *lanes, const double *array, int offset)
+{
+    if (lanes->run)
+        return vector_load(array + lanes->node + offset);
+    Vector value;
+#pragma GCC unroll 8
+    for (int l = 0; l < WIDTH; l++)
+        value[l] = array[plane->base[lanes->at + l] + offset];
+    return value;
+}
+
+/* Adds values to the slots of node (a, b) of each lane, of one quantity. */
+KERNEL_INLINE void to_nodes(const Plane *plane, Lanes *lanes, double *slots, int quantity, int a, int b,
+                            Vector value)
+{
+    const int row = PLANE_GIVEN * PLANE_SLOT_ROW, of = quantity * PLANE_SLOT_ROW + PLANE_SLOT_FIRST;
+    if (lanes->run) {
+        double *slot = slots + lanes->slot + b * row + of + a * PLANE_SLOT;
+        vector_store(slot, vector_load(slot) + value);
+        return;
+    }
+    for (int l = 0; l < WIDTH && l < lanes->count; l++) {
+        const int base = plane->base[lanes->at + l];
+        const int first = base % plane->gx - (lanes->lane + l) - lanes->column;
+        if (first < 0 || first + plane->support > PLANE_SLOTS)
+            lanes->far = true;
+        else
+            slots[(base / plane->gx + b) * row + of + (first + a) * PLANE_SLOT + lanes->lane + l] += value[l];
+    }
+}
+
+/* The lanes [lane, lane + WIDTH) of vector v of a block. A run that reaches beyond the block's slots is
+ * treated lane by lane. */
+KERNEL_INLINE Lanes lanes_of(const Plane *plane, int block, int v, int lane, bool run)
+{
+    const int vector = block * plane->n_vectors + v;
+    const PlaneRun *place = &plane->runs[vector];
+    const int column = plane->blocks[block].column;
+    Lanes lanes = {.at = vector * PLANE_LANES + lane,
+                   .lane = lane,
+                   .count = plane_lanes(plane, block) - lane,
+                   .run = run,
+                   .column = column};
+    if (run) {
+        lanes.node = place->row * plane->gx + place->column + lane;
+        lanes.slot = place->row * PLANE_GIVEN * PLANE_SLOT_ROW + (place->column - column) * PLANE_SLOT + lane;
+    }
+    return lanes;
+}
+
+KERNEL_INLINE bool in_run(const Plane *plane, int block, int v)
+{
+    return plane->runs[block * plane->n_vectors + v].row >= 0;
+}
+
+/* Calls `work` for all lanes of a block; the second argument is a constant where it matters. */
+#define EACH_LANES(plane, block, lanes, ...)                                                                 \
+    for (int v = 0; v < (plane)->n_vectors; v++) {                                                           \
+        if (in_run(plane, block, v)) {                                                                       \
+            for (int lane = 0; lane < PLANE_LANES; lane += WIDTH) {                                          \
+                Lanes lanes = lanes_of(plane, block, v, lane, true);                                         \
+                __VA_ARGS__;                                                                                 \
+            }                                                                                                \
+        } else {                                                                                             \
+            for (int lane = 0; lane < PLANE_LANES; lane += WIDTH) {                                          \
+                Lanes lanes = lanes_of(plane, block, v, lane, false);                                        \
+                __VA_ARGS__;                                                                                 \
+            }                                                                                                \
+        }                                                                                                    \
+    }
+
+/* The block's patch from its slots: the node in column k of the patch gets slot c of lane k - c, c = 0, 1, 2
+ * ...: each slot is read shifted by c lanes. The slots are zero again afterwards. */
+KERNEL_INLINE void make_patch(Plane *plane, int block, double *slots, const int quantities)
+{
+    const PlaneBlock *nodes = &plane->blocks[block];
+    const int lanes = plane_lanes(plane, block);
+    for (int row = nodes->low; row <= nodes->high; row++)
+#pragma GCC unroll 3
+        for (int q = 0; q < quantities; q++) {
+            double *first = slots + (row * PLANE_GIVEN + q) * PLANE_SLOT_ROW + PLANE_SLOT_FIRST;
+            double *patch =
+                plane->patches +
+                (((size_t)block * (size_t)plane->gy + (size_t)row) * PLANE_GIVEN + (size_t)q) * PLANE_PATCH;
+            if (lanes < PLANE_LANES) /* nobody looks at empty lanes */
+                for (int c = 0; c < nodes->slots; c++)
+                    memset(first + c * PLANE_SLOT + lanes, 0, (size_t)(PLANE_LANES - lanes) * sizeof *first);
+            for (int k = 0; k < PLANE_PATCH; k += WIDTH) {
+                Vector sum = vector_load(first + k);
+                for (int c = 1; c < nodes->slots; c++)
+                    sum += vector_load(first + c * PLANE_SLOT + k - c);
+                vector_store(patch + k, sum);
+            }
+            for (int c = 0; c < nodes->slots; c++)
+                for (int k = 0; k < PLANE_LANES; k += WIDTH)
+                    vector_store(first + c * PLANE_SLOT + k, (Vector){0});
+        }
+}
+
+/* --- where particles lie ---------------------------------------------------------------------------- */
+
+/* The largest whole number up to x, 0 <= x < 2^51: adding 2^52 leaves no digits behind the point. */
+KERNEL_INLINE Vector whole_part(Vector x)
+{
+    const Vector nearest = (x + 0x1p52) - 0x1p52;
+    return nearest - (Vector)((VectorMask)((Vector){0} + 1) & (nearest > x));
+}
+
+/* i = floor(r - l), s = r - l - i in both directions, r = (x - xmin)/dx, and l = 1/(2P) of boxes, 0 of hats:
+ * as plane_find() has it. A vector is a run if lane l begins l columns beside lane 0 and in its row. */
+static void find(Plane *plane, int block, long step)
+{
+    const int n = plane->support, lanes = plane_lanes(plane, block);
+    const double inverse = 1 / plane->dx, l = n == 2 ? 0 : plane->half, xmin = plane_xmin(plane, step);
+    const double columns = plane->gx;
+    static const double numbers[PLANE_LANES] = {0, 1, 2, 3, 4, 5, 6, 7};
+    PlaneBlock nodes = {INT32_MAX, 0, INT32_MAX, 0};
+    int last = INT32_MIN;
+    for (int v = 0; v < plane->n_vectors; v++) {
+        const int vector = block * plane->n_vectors + v, at = vector * PLANE_LANES;
+        double column[PLANE_LANES], row[PLANE_LANES];
+        VectorMask apart = {0};
+        for (int k = 0; k < PLANE_LANES; k += WIDTH) {
+            const Vector rx = (vector_load(plane->x + at + k) - xmin) * inverse - l;
+            const Vector ry = (vector_load(plane->y + at + k) - plane->ymin) * inverse - l;
+            const Vector i = whole_part(rx), j = whole_part(ry), lane = vector_load(numbers + k);
+            vector_store(plane->sx + at + k, rx - i);
+            vector_store(plane->sy + at + k, ry - j);
+            vector_store(column + k, i);
+            vector_store(row + k, j);
+            apart |= ((i - lane != column[0]) | (j != row[0])) & (lane < lanes);
+            const Whole node = __builtin_convertvector(j * columns + i, Whole);
+            memcpy(plane->base + at + k, &node, sizeof node);
+        }
+        const bool run = vector_is_zero(apart);
+        for (int k = lanes; k < PLANE_LANES; k++) /* somewhere on the grid */
+            plane->base[at + k] = plane->base[at];
+        plane->runs[vector] = (PlaneRun){(int32_t)column[0], run ? (int32_t)row[0] : -1};
+        for (int k = 0; k < (run ? 1 : lanes); k++) {
+            const int i = (int)column[k] - k, j = (int)row[k];
+            nodes.column = i < nodes.column ? i : nodes.column;
+            last = i > last ? i : last;
+            nodes.low = j < nodes.low ? j : nodes.low;
+            nodes.high = j > nodes.high ? j : nodes.high;
+        }
+    }
+    nodes.slots = last - nodes.column + n;
+    nodes.high += n - 1;
+    if (nodes.slots > PLANE_SLOTS) { /* a run that finds no slots is none */
+        nodes.slots = PLANE_SLOTS;
+        for (int v = 0; v < plane->n_vectors; v++) {
+            PlaneRun *run = &plane->runs[block * plane->n_vectors + v];
+            if (run->column - nodes.column + n > PLANE_SLOTS)
+                run->row = -1;
+        }
+    }
+    plane->blocks[block] = nodes;
+}
+
+/* --- map -------------------------------------------------------------------------------------------- */
+
+/* Eqs. 2, 3 with N = N_x N_y: m_i = sum m N, kg/m, and p_i = sum m v N, kg/s. The mass where it is asked for:
+ * MUSL's second map has the same. */
+KERNEL_INLINE bool map_lanes(Plane *plane, Lanes *lanes, double *slots, const bool with_mass, const int n)
+{
+    const Weights w = weights_at(plane, n, lanes->at);
+    const Vector vx = vector_load(plane->vx + lanes->at), vy = vector_load(plane->vy + lanes->at);
+    const int first = with_mass ? 1 : 0;
+#pragma GCC unroll 3
+    for (int b = 0; b < n; b++)
+#pragma GCC unroll 3
+        for (int a = 0; a < n; a++) {
+            const Vector share = plane->mass * (w.nx[a] * w.ny[b]);
+            if (with_mass)
+                to_nodes(plane, lanes, slots, 0, a, b, share);
+            to_nodes(plane, lanes, slots, first, a, b, share * vx);
+            to_nodes(plane, lanes, slots, first + 1, a, b, share * vy);
+        }
+    return lanes->far;
+}
+
+KERNEL_INLINE bool map_block(Plane *plane, int block, double *slots, const bool with_mass, const int n)
+{
+    bool far = false;
+    EACH_LANES(plane, block, lanes, far |= map_lanes(plane, &lanes, slots, with_mass, n))
+    make_patch(plane, block, slots, with_mass ? 3 : 2);
+    return !far;
+}
+
+static bool map(Plane *plane, int block, double *slots, bool with_mass)
+{
+    if (plane->support == 2)
+        return with_mass ? map_block(plane, block, slots, true, 2) : map_block(plane, block, slots, false, 2);
+    return with_mass ? map_block(plane, block, slots, true, 3) : map_block(plane, block, slots, false, 3);
+}
+
+/* --- strain and force -------------------------------------------------------------------------------- */
+
+/* Eqs. 4 to 9 in the plane, D that of plane stress:
+ *
+ *     e = dt sum sym(grad N v_i),   g_xy the whole shear angle
+ *     sxx += lambda (exx + nu eyy)    syy += lambda (eyy + nu exx)    sxy += G gxy,   lambda = E/(1 - nu^2)
+ *
+ * Stress in Pa. It is not turned with the material: the beam's sections turn by 1e-4, and with Jaumann's rate
+ * no printed digit changes. dt/dx stands once for all terms, as N' is in cells. False: 1 + exx + eyy <= 0 in
+ * a lane (eq. 8 would turn the density negative), or it is no number. */
+KERNEL_INLINE bool strain_lanes(Plane *plane, const Lanes *lanes, const Weights *w, const int n)
+{
+    const double rate = plane->dt / plane->dx, nu = plane->def.poisson;
+    const int at = lanes->at;
+    Vector xx = {0}, yy = {0}, xy = {0};
+#pragma GCC unroll 3
+    for (int b = 0; b < n; b++)
+#pragma GCC unroll 3
+        for (int a = 0; a < n; a++) {
+            const Vector vx = from_nodes(plane, lanes, plane->node_vx, b * plane->gx + a);
+            const Vector vy = from_nodes(plane, lanes, plane->node_vy, b * plane->gx + a);
+            const Vector bx = w->dx[a] * w->ny[b], by = w->nx[a] * w->dy[b];
+            xx += bx * vx;
+            yy += by * vy;
+            xy += by * vx + bx * vy;
+        }
+    xx *= rate;
+    yy *= rate;
+    xy *= rate;
+    const Vector growth = 1 + (xx + yy);
+    vector_store(plane->sxx + at, vector_load(plane->sxx + at) + plane->lambda * (xx + nu * yy));
+    vector_store(plane->syy + at, vector_load(plane->syy + at) + plane->lambda * (yy + nu * xx));
+    vector_store(plane->sxy + at, vector_load(plane->sxy + at) + plane->shear * xy);
+    vector_store(plane->volume + at, vector_load(plane->volume + at) * growth);
+    return vector_is_zero(~(growth > 0));
+}
+
+/* Of lanes of which one is crushed the first whose volume says so: no particle had one that was not positive.
+ * -1: they are empty. */
+static int first_crushed(const Plane *plane, const Lanes *lanes)
+{
+    for (int l = 0; l < WIDTH && l < lanes->count; l++)
+        if (!(plane->volume[lanes->at + l] > 0))
+            return lanes->at + l;
+    return -1;
+}
+
+/* Eq. 10: f_i = -sum (N,x sxx + N,y sxy, N,x sxy + N,y syy) V, V = m/rho in m^2, so f is in N/m. With USF
+ * stress and V are those of this step, with USL and MUSL the old ones. */
+KERNEL_INLINE bool force_lanes(Plane *plane, Lanes *lanes, const Weights *w, double *slots, const int n)
+{
+    const int at = lanes->at;
+    const Vector scale = vector_load(plane->volume + at) * (1 / plane->dx);
+    const Vector xx = vector_load(plane->sxx + at) * scale, yy = vector_load(plane->syy + at) * scale,
+                 xy = vector_load(plane->sxy + at) * scale;
+#pragma GCC unroll 3
+    for (int b = 0; b < n; b++)
+#pragma GCC unroll 3
+        for (int a = 0; a < n; a++) {
+            const Vector bx = w->dx[a] * w->ny[b], by = w->nx[a] * w->dy[b];
+            to_nodes(plane, lanes, slots, 0, a, b, -(bx * xx + by * xy));
+            to_nodes(plane, lanes, slots, 1, a, b, -(bx * xy + by * yy));
+        }
+    return lanes->far;
+}
+
+KERNEL_INLINE bool strain_and_force_lanes(Plane *plane, Lanes *lanes, double *slots, int *crushed,
+                                          const bool with_strain, const bool with_force, const int n)
+{
+    const Weights w = weights_at(plane, n, lanes->at);
+    if (with_strain && !strain_lanes(plane, lanes, &w, n) && *crushed < 0)
+        *crushed = first_crushed(plane, lanes);
+    return with_force && force_lanes(plane, lanes, &w, slots, n);
+}
+
+KERNEL_INLINE bool strain_and_force_block(Plane *plane, int block, double *slots, int *crushed,
+                                          const bool with_strain, const bool with_force, const int n)
+{
+    bool far = false;
+    *crushed = -1;
+    EACH_LANES(plane, block, lanes,
+               far |= strain_and_force_lanes(plane, &lanes, slots, crushed, with_strain, with_force, n))
+    if (with_force)
+        make_patch(plane, block, slots, 2);
+    return !far;
+}
+
+static int strain(Plane *plane, int block)
+{
+    int crushed;
+    if (plane->support == 2)
+        strain_and_force_block(plane, block, NULL, &crushed, true, false, 2);
+    else
+        strain_and_force_block(plane, block, NULL, &crushed, true, false, 3);
+    return crushed;
+}
+
+static bool force(Plane *plane, int block, double *slots)
+{
+    int crushed;
+    return plane->support == 2 ? strain_and_force_block(plane, block, slots, &crushed, false, true, 2)
+                               : strain_and_force_block(plane, block, slots, &crushed, false, true, 3);
+}
+
+static bool strain_and_force(Plane *plane, int block, double *slots, int *crushed)
+{
+    return plane->support == 2 ? strain_and_force_block(plane, block, slots, crushed, true, true, 2)
+                               : strain_and_force_block(plane, block, slots, crushed, true, true, 3);
+}
+
+/* --- update ------------------------------------------------------------------------------------------ */
+
+/* Whether all numbers lie in [0, limit). */
+KERNEL_INLINE bool within(Vector x, double limit)
+{
+    return vector_is_zero(~((x >= 0) & (x < limit)));
+}
+
+/* Eqs. 14, 15 with flip fraction alpha:
+ *
+ *     v = alpha (v + dt sum N f_i/m_i) + (1 - alpha) sum N p_i/m_i        x += dt sum N p_i/m_i
+ *
+ * Below 1 each step loses a share of what the grid cannot see: .999 keeps a cantilever that leaves its
+ * channel from heating. False: a lane leaves the grid as it will lie in the next step. */
+KERNEL_INLINE bool update_lanes(Plane *plane, const Lanes *lanes, double xmin, const int n)
+{
+    const double dt = plane->dt, alpha = plane->head->flip_fraction, inverse = 1 / plane->dx;
+    const double l = n == 2 ? 0 : plane->half;
+    const int at = lanes->at;
+    const Weights w = weights_at(plane, n, at);
+    Vector ax = {0}, ay = {0}, ux = {0}, uy = {0};
+#pragma GCC unroll 3
+    for (int b = 0; b < n; b++)
+#pragma GCC unroll 3
+        for (int a = 0; a < n; a++) {
+            const int offset = b * plane->gx + a;
+            const Vector N = w.nx[a] * w.ny[b];
+            ax += N * from_nodes(plane, lanes, plane->ax, offset);
+            ay += N * from_nodes(plane, lanes, plane->ay, offset);
+            ux += N * from_nodes(plane, lanes, plane->node_vx, offset);
+            uy += N * from_nodes(plane, lanes, plane->node_vy, offset);
+        }
+    const Vector vx = vector_load(plane->vx + at), vy = vector_load(plane->vy + at);
+    const Vector x = vector_load(plane->x + at) + dt * ux, y = vector_load(plane->y + at) + dt * uy;
+    vector_store(plane->vx + at, alpha * (vx + dt * ax) + (1 - alpha) * ux);
+    vector_store(plane->vy + at, alpha * (vy + dt * ay) + (1 - alpha) * uy);
+    vector_store(plane->x + at, x);
+    vector_store(plane->y + at, y);
+    /* as plane_find() will look for it */
+    return within((x - xmin) * inverse - l, plane->gx - 1 - 2 * l) &&
+           within((y - plane->ymin) * inverse - l, plane->gy - 1 - 2 * l);
+}
+
+static int first_lost(const Plane *plane, const Lanes *lanes, double xmin)
+{
+    int32_t base;
+    double sx, sy;
+    for (int l = 0; l < WIDTH && l < lanes->count; l++)
+        if (!plane_find(plane, xmin, plane->x[lanes->at + l], plane->y[lanes->at + l], &base, &sx, &sy))
+            return lanes->at + l;
+    return -1;
+}
+
+KERNEL_INLINE int update_block(Plane *plane, int block, long step, const int n)
+{
+    const double xmin = plane_xmin(plane, step + 1);
+    int lost = -1;
+    EACH_LANES(plane, block, lanes,
+               if (!update_lanes(plane, &lanes, xmin, n) && lost < 0) lost = first_lost(plane, &lanes, xmin))
+    return lost;
+}
+
+static int update(Plane *plane, int block, long step)
+{
+    return plane->support == 2 ? update_block(plane, block, step, 2) : update_block(plane, block, step, 3);
+}
+
+/* --- nodes ------------------------------------------------------------------------------------------- */
+
+/* One row of nodes of one quantity: what the patches of all blocks that reach it have, in their order. A
+ * patch may hang over the grid's edge, where it is zero. */
+static void gather_row(const Plane *plane, int row, int quantity, double *array)
+{
+    double *nodes = array + (size_t)row * (size_t)plane->gx;
+    memset(nodes, 0, (size_t)plane->gx * sizeof *nodes);
+    for (int block = 0; block < plane->n_blocks; block++) {
+        const PlaneBlock *of = &plane->blocks[block];
+        if (row < of->low || row > of->high)
+            continue;
+        const double *patch =
+            plane->patches +
+            (((size_t)block * (size_t)plane->gy + (size_t)row) * PLANE_GIVEN + (size_t)quantity) *
+                PLANE_PATCH;
+        double *first = nodes + of->column;
+        if (of->column >= 0 && of->column + PLANE_PATCH <= plane->gx) {
+            for (int k = 0; k < PLANE_PATCH; k += WIDTH)
+                vector_store(first + k, vector_load(first + k) + vector_load(patch + k));
+            continue;
+        }
+        for (int k = of->column < 0 ? -of->column : 0; k < PLANE_PATCH && of->column + k < plane->gx; k++)
+            first[k] += patch[k];
+    }
+}
+
+static void gather_map(Plane *plane, int first, int end, bool with_mass)
+{
+    for (int row = first; row < end; row++) {
+        if (with_mass)
+            gather_row(plane, row, 0, plane->node_mass);
+        gather_row(plane, row, with_mass ? 1 : 0, plane->px);
+        gather_row(plane, row, with_mass ? 2 : 1, plane->py);
+    }
+}
+
+static void gather_force(Plane *plane, int first, int end)
+{
+    for (int row = first; row < end; row++) {
+        gather_row(plane, row, 0, plane->fx);
+        gather_row(plane, row, 1, plane->fy);
+    }
+}
+
+/* 1/m, and 0 of a node with hardly any mass. */
+static void invert(Plane *plane, int first, int end)
+{
+    const double *restrict mass = plane->node_mass, floor = plane->floor;
+    double *restrict inverse = plane->node_inverse;
+#pragma omp simd
+    for (int i = first * plane->gx; i < end * plane->gx; i++)
+        inverse[i] = mass[i] > floor ? 1 / mass[i] : 0;
+}
+
+/* v = p/m, eq. 4; that of the beam where there is hardly any mass: one at rest would strain a particle that
+ * lands on its neighbour to the last bit by v0 dt/dx, and that is an explosion. */
+static void velocities(Plane *plane, int first, int end)
+{
+    const double *restrict inverse = plane->node_inverse, *restrict px = plane->px, *restrict py = plane->py;
+    const double speed = plane->speed;
+    double *restrict vx = plane->node_vx, *restrict vy = plane->node_vy;
+#pragma omp simd
+    for (int i = first * plane->gx; i < end * plane->gx; i++) {
+        vx[i] = inverse[i] > 0 ? px[i] * inverse[i] : speed;
+        vy[i] = py[i] * inverse[i];
+    }
+}
+
+/* a = f/m, 0 where the node is inactive. */
+static void accelerate(Plane *plane, int first, int end)
+{
+    const double *restrict inverse = plane->node_inverse, *restrict fx = plane->fx, *restrict fy = plane->fy;
+    double *restrict ax = plane->ax, *restrict ay = plane->ay;
+#pragma omp simd
+    for (int i = first * plane->gx; i < end * plane->gx; i++) {
+        ax[i] = fx[i] * inverse[i];
+        ay[i] = fy[i] * inverse[i];
+    }
+}
+
+/* Eq. 13, p_i += dt f_i; then v_i anew, with which particles move. */
+static void integrate(Plane *plane, int first, int end)
+{
+    const double *restrict fx = plane->fx, *restrict fy = plane->fy, dt = plane->dt;
+    double *restrict px = plane->px, *restrict py = plane->py;
+#pragma omp simd
+    for (int i = first * plane->gx; i < end * plane->gx; i++) {
+        px[i] += dt * fx[i];
+        py[i] += dt * fy[i];
+    }
+    velocities(plane, first, end);
+}
+
+/* --- energies ---------------------------------------------------------------------------------------- */
+
+/* As plane_strain_at() has it: s.D^-1 s/2 V b, J. A lane's sum runs over the block's vectors. */
+static void energies(const Plane *plane, int block, double *squares, double *strain)
+{
+    const PlaneDef *def = &plane->def;
+    const double speed = plane->speed, nu = def->poisson, e = 2 * def->youngs_modulus, g = 2 * plane->shear;
+    for (int lane = 0; lane < PLANE_LANES; lane += WIDTH) {
+        Vector moving = vector_load(squares + lane), strained = vector_load(strain + lane);
+        for (int v = 0; v < plane->n_vectors; v++) {
+            const int at = (block * plane->n_vectors + v) * PLANE_LANES + lane;
+            const Vector vx = vector_load(plane->vx + at) - speed, vy = vector_load(plane->vy + at);
+            const Vector xx = vector_load(plane->sxx + at), yy = vector_load(plane->syy + at),
+                         xy = vector_load(plane->sxy + at);
+            const Vector direct = xx * xx + yy * yy - 2 * nu * (xx * yy);
+            moving += vx * vx + vy * vy;
+            strained += (direct / e + xy * xy / g) * vector_load(plane->volume + at) * def->thickness;
+        }
+        vector_store(squares + lane, moving);
+        vector_store(strain + lane, strained);
+    }
+}
+
+const PlaneKernels PLANE_KERNELS = {
+    .find = find,
+    .map = map,
+    .strain = strain,
+    .force = force,
+    .strain_and_force = strain_and_force,
+    .update = update,
+    .gather_map = gather_map,
+    .gather_force = gather_force,
+    .invert = invert,
+    .velocities = velocities,
+    .accelerate = accelerate,
+    .integrate = integrate,
+    .energies = energies,
+};

@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The arithmetic of the stages of a beam, compiled once for each instruction set and chosen when a beam is
+ * made. The bits are the same for every instruction set: lanes never mix, each sum has its order
+ * (plane_state.h), and nothing is contracted.
+ *
+ * Functions over particles do one block; those that give to nodes end with the block's patch. Functions over
+ * nodes do rows [first, end). Masses, momenta and forces are per unit thickness. */
+#ifndef PHYSICS_PLANE_KERNELS_H
+#define PHYSICS_PLANE_KERNELS_H
+
+#include "physics/cpu.h"
+#include "physics/mpm_plane/plane_state.h"
+
+/* Slots of one quantity in one row of nodes: each is eight lanes and eight zeros behind them, and there are
+ * zeros before the first, so that a slot can be read shifted by up to seven lanes. All are zero but while a
+ * block is at work. */
+enum {
+    PLANE_SLOT = 2 * PLANE_LANES,
+    PLANE_SLOT_ROW = PLANE_LANES * 2 + PLANE_SLOTS * PLANE_SLOT,
+    PLANE_SLOT_FIRST = 2 * PLANE_LANES
+};
+
+/* Numbers of one thread's slots: by row of nodes, quantity. */
+static inline size_t plane_slot_numbers(const Plane *plane)
+{
+    return (size_t)plane->gy * PLANE_GIVEN * PLANE_SLOT_ROW;
+}
+
+struct PlaneKernels {
+    /* Where the particles lie on the grid of a step: base, sx, sy, runs, and the block's nodes. They lie on
+     * it. */
+    void (*find)(Plane *, int block, long step);
+
+    /* Eqs. 2, 3: m_i (with_mass) and p_i. False: there are far particles. */
+    bool (*map)(Plane *, int block, double *slots, bool with_mass);
+
+    /* Eqs. 4 to 9. Returns a place where 1 + exx + eyy <= 0, the first; -1: there is none. */
+    int (*strain)(Plane *, int block);
+
+    /* Eq. 10. False: there are far particles. */
+    bool (*force)(Plane *, int block, double *slots);
+
+    /* Both at once; *crushed as strain() returns it. */
+    bool (*strain_and_force)(Plane *, int block, double *slots, int *crushed);
+
+    /* Eqs. 14, 15. Returns the first place that lies outside of the next step's grid; -1: there is none. */
+    int (*update)(Plane *, int block, long step);
+
+    /* Nodes from the patches of all blocks; what a map gives (3: with mass, or 2), or forces. */
+    void (*gather_map)(Plane *, int first, int end, bool with_mass);
+    void (*gather_force)(Plane *, int first, int end);
+
+    /* 1/m and v = p/m; a = f/m; p += dt f. */
+    void (*invert)(Plane *, int first, int end);
+    void (*velocities)(Plane *, int first, int end);
+    void (*accelerate)(Plane *, int first, int end);
+    void (*integrate)(Plane *, int first, int end);
+
+    /* Adds the block's sum of |v - v0|^2 and of strain energy over its particles, lane by lane. */
+    void (*energies)(const Plane *, int block, double *squares, double *strain);
+};
+
+/* Those of a level that this machine has. */
+const PlaneKernels *plane_kernels(CpuLevel level);
+
+/* Lets a simulation use these from now on: the bits stay. For tests and benchmarks. */
+void plane_use_kernels(Simulation *sim, CpuLevel level);
+
+#endif
