@@ -3,6 +3,7 @@
  * runs that are walked back. */
 #include "lab/answers/convergence.h"
 #include "lab/answers/invariant.h"
+#include "lab/answers/stress.h"
 #include "lab/lab_case.h"
 #include "lab/problems/references.h"
 #include "suite.h"
@@ -164,6 +165,21 @@ static void expect_refused(Settings settings, const char *key, const char *value
     ck_assert_msg(strstr(status.text, words) != NULL, "%s", status.text);
 }
 
+/* A pull and a push at right angles, seen from axes that are turned away from them. */
+START_TEST(principal_stresses_do_not_turn)
+{
+    const double pull = 5e6, push = -2e6;
+    for (int degrees = -89; degrees < 90; degrees += 11) {
+        const double a = degrees * M_PI / 180, c = cos(a), s = sin(a);
+        const Principal is =
+            stress_principal(pull * c * c + push * s * s, pull * s * s + push * c * c, (pull - push) * s * c);
+        ck_assert_double_eq_tol(is.most, pull, 1e-9 * pull);
+        ck_assert_double_eq_tol(is.least, push, 1e-9 * pull);
+        ck_assert_double_eq_tol(is.angle, a, 1e-12);
+    }
+}
+END_TEST
+
 START_TEST(what_is_refused)
 {
     const Settings beam = cells(&problem_supported_beam), moving = cells(&problem_moving_cantilever);
@@ -230,6 +246,7 @@ void add_cases(Suite *suite)
     tcase_add_test(plane, measured_predicted_and_theory);
     tcase_add_test(plane, answers_leave);
     tcase_add_test(plane, cells_go_to_nothing);
+    tcase_add_test(plane, principal_stresses_do_not_turn);
     tcase_add_test(plane, what_is_refused);
     tcase_add_loop_test(plane, rewind_and_changes, 0, 2);
     tcase_add_test(plane, threads_leave_no_trace);

@@ -81,6 +81,13 @@ static const Picture pictures[] = {
                   "pd.horizon=6.5e-3 load.stress=9e7"},
     {"crack-path-ascii", "notched-beam-coarse 80x24 2400 lower 2 variant 1 ascii pd.spacing=2e-3 "
                          "pd.horizon=6.5e-3 load.stress=9e7"},
+    {"mesh-gives", "supported-beam-mpm-coarse 80x24 100 zoom focus 2 upper beam magnified 16 stage 1"},
+    {"mesh-takes", "supported-beam-mpm-coarse 132x43 100 upper beam magnified 16 stage 3 at 0.33,0.9 particle 1172"},
+    {"mesh-forgotten",
+     "supported-beam-mpm-coarse 80x24 101 zoom focus 2 upper beam magnified 16 stage 7 ascii"},
+    {"mesh-rides",
+     "moving-cantilever-hat-coarse 60x18 900 mesh.velocity=10 zoom focus 2 upper beam magnified 32 stage 4 "
+     "at 0.355,0.5 particle 560"},
     {"section-shear",
      "supported-beam-mpm-coarse 80x24 3800 zoom focus 2 upper section variant 2 particle 690"},
     {"section-moving", "moving-cantilever-mpm-coarse 132x43 800 upper section variant 1 particle 900"},

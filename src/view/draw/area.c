@@ -177,3 +177,14 @@ void area_rule(Area area, int y, const char *heading, Style heading_style)
         area_put(area, 3 + used, y, ' ', STYLE_FRAME);
     }
 }
+
+uint32_t area_bar(Area area, double share)
+{
+    enum { LEVELS = 8, LOWEST = 0x2581, HALF = 0x2584, FULL = 0x2588 };
+    const int level = share >= 1 ? LEVELS : 1 + (int)(share * LEVELS);
+    if (area.glyphs == GLYPHS_ASCII)
+        return (uint32_t) "..::-=+*#"[level];
+    if (area.glyphs == GLYPHS_BLOCK) /* a console has no other ones */
+        return level <= 1 ? '_' : level <= LEVELS / 2 ? HALF : FULL;
+    return (uint32_t)(LOWEST + (level < LEVELS ? level : LEVELS) - 1);
+}

@@ -39,6 +39,9 @@ size_t area_paragraph_line(const char *text, int width, const char **rest);
  * the lines used. */
 int area_phrases(Area, int x, int y, int width, int rows, const char *text, Style);
 
+/* A bar that stands in a cell, so much of it; at 0 as low as a bar can be. */
+uint32_t area_bar(Area, double share);
+
 /* A horizontal line with a heading in it. */
 void area_rule(Area, int y, const char *heading, Style heading_style);
 

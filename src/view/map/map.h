@@ -6,6 +6,7 @@
 #define VIEW_MAP_H
 
 #include "view/panes/panes.h"
+#include "view/panes/stage_flow.h"
 
 /* The lattice of nodes: node k lies in column k % nx and row k / nx, row 0 below. */
 typedef struct Body {
@@ -137,9 +138,17 @@ void map_line(Map *, double from_x, double from_y, double to_x, double to_y, Pen
 /* The parts of the picture, in the order in which they are drawn. */
 void map_draw_heat(Map *);
 void map_draw_bonds(Map *);
+void map_draw_mesh(Map *);
 void map_draw_lines(Map *); /* channel, notch, protected zones, crack, with the bonds */
 void map_draw_nodes(Map *);
+void map_draw_mesh_nodes(Map *);
 void map_draw_signs(Map *); /* supports, load, chosen node */
+
+/* A mesh is drawn under the particles that are seen one by one; what flows in the stage just done (inside:
+ * one has been); "cross 0.56, -0.02 MPa": the principal stresses that are drawn on the chosen particle. */
+bool map_has_mesh(const Map *);
+Flow map_flow(const Map *, bool *inside);
+void map_cross_text(const Map *, char *out, size_t size);
 
 /* The picture on paper; and how lines and signs go into it, at places in columns and rows of the area. */
 void map_sketch(Map *);

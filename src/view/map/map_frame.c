@@ -181,6 +181,10 @@ static void choose_scales(Map *map)
     const double stretch = rows < SLENDER_PART * height ? axis_step_down(SLENDER_PART * height / rows) : 1;
     map->stretch = stretch < map->stretch ? stretch : map->stretch;
     map->scale_y = map->scale_x / 2 * map->stretch;
+    map->nodes_seen = body->spacing * map->scale_x >= NODE_COLUMNS && map->stretch <= 1;
+    /* a mesh stands where it is, and a particle in its cell */
+    if (map_has_mesh(map) && atof(map->settings->view.exaggeration) <= 0)
+        map->enlarged = 1;
     /* what is looked at stays in the middle while it moves */
     const double i = screen->eye.centre[0] * body->nx, j = screen->eye.centre[1] * body->ny;
     const size_t node =
@@ -188,7 +192,6 @@ static void choose_scales(Map *map)
     map->middle[0] =
         body->low[0] + i * body->spacing + (map->scene.leaves ? 1 : map->enlarged) * map->ux[node];
     map->middle[1] = body->low[1] + j * body->spacing + map->enlarged * map->uy[node];
-    map->nodes_seen = body->spacing * map->scale_x >= NODE_COLUMNS && map->stretch <= 1;
 }
 
 static void fetch(const Simulation *sim, int field, size_t count, double *out)

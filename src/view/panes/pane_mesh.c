@@ -160,19 +160,6 @@ static bool choose_in_bar(Screen *screen, Rect rect, int x, int y)
     return isfinite(least);
 }
 
-/* How much a node has, as a bar that stands in its cell; what was there before the grid was put back, as low
- * as a bar can be. */
-static uint32_t bar_glyph(Glyphs glyphs, double share)
-{
-    enum { LEVELS = 8, LOWEST = 0x2581, HALF = 0x2584, FULL = 0x2588 };
-    const int level = share >= 1 ? LEVELS : 1 + (int)(share * LEVELS);
-    if (glyphs == GLYPHS_ASCII)
-        return (uint32_t) "..::-=+*#"[level];
-    if (glyphs == GLYPHS_BLOCK) /* a console has no other ones */
-        return level <= 1 ? '_' : level <= LEVELS / 2 ? HALF : FULL;
-    return (uint32_t)(LOWEST + (level < LEVELS ? level : LEVELS) - 1);
-}
-
 /* One quantity of the nodes, so many columns to the right of each: it grows where particles give to a node,
  * and is gone when the grid is put back. */
 static void draw_amounts(const Screen *screen, Area part, const BarPicture *bar, const char *name, int right,
@@ -191,7 +178,7 @@ static void draw_amounts(const Screen *screen, Area part, const BarPicture *bar,
         const int column = strip_column(&bar->strip, simulation_value(sim, bar->node_x, i));
         const double share = most > 0 ? fabs(values[i]) / most : 0;
         if (column >= 0 && share > 1e-6)
-            area_put(part, column + right, bar->grid_row, bar_glyph(part.glyphs, put_back ? 0 : share),
+            area_put(part, column + right, bar->grid_row, area_bar(part, put_back ? 0 : share),
                      put_back ? STYLE_FAINT : style);
     }
     free(values);
@@ -201,9 +188,9 @@ static void draw_amounts(const Screen *screen, Area part, const BarPicture *bar,
 static void name_amounts(Area words, int y)
 {
     int x = 0;
-    area_put(words, x++, y, bar_glyph(words.glyphs, 1), STYLE_SECOND);
+    area_put(words, x++, y, area_bar(words, 1), STYLE_SECOND);
     x += 1 + area_text(words, x + 1, y, "mass", STYLE_NORMAL) + 2;
-    area_put(words, x++, y, bar_glyph(words.glyphs, 1), STYLE_PREDICTED);
+    area_put(words, x++, y, area_bar(words, 1), STYLE_PREDICTED);
     area_text(words, x + 1, y, "|momentum|", STYLE_NORMAL);
 }
 

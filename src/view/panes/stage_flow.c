@@ -33,8 +33,8 @@ Flow stage_flow(const Simulation *sim, const Stage *stage)
         return FLOW_NONE;
     if (strcmp(stage->id, "forget") == 0)
         return FLOW_FORGET;
-    const int target = stage_flow_target(sim, stage);
-    if (own_names(sim, stage->reads, 1 - target) == 0)
-        return FLOW_NONE;
-    return target == 1 ? FLOW_TO_NODES : FLOW_TO_PARTICLES;
+    for (int i = 0; i < sim->n_exchanges; i++)
+        if (strcmp(sim->exchanges[i].stage, stage->id) == 0)
+            return sim->exchanges[i].to == 1 ? FLOW_TO_NODES : FLOW_TO_PARTICLES;
+    return FLOW_NONE;
 }

@@ -62,11 +62,25 @@ static void crack_texts(const Map *map, char *tip, char *angle, size_t size)
         snprintf(angle, size, "whole path %.0f°", fabs(facts.angle));
 }
 
+/* What passes between the particles and a mesh that is seen. */
+static void flow_text(const Map *map, char *text, size_t size)
+{
+    static const char *const words[] = {[FLOW_NONE] = "",
+                                        [FLOW_TO_NODES] = "particles give to nodes",
+                                        [FLOW_TO_PARTICLES] = "particles take",
+                                        [FLOW_FORGET] = ""};
+    bool inside;
+    const Flow flow = map_flow(map, &inside);
+    snprintf(text, size, "%s", map_has_mesh(map) ? words[flow] : "");
+    if (map_has_mesh(map) && inside && experiment_stage(map->screen->experiment) == 0)
+        text_append(text, size, "%sthe grid is forgotten", text[0] ? ", " : "");
+}
+
 /* The parts of a title in the order in which they are worth its room: of a piece seen from near that it is
  * magnified comes first. */
-enum { TIP, FIT, ENLARGED, MAGNIFIED, STRETCHED, PARTS };
-static const int whole_order[PARTS] = {TIP, FIT, ENLARGED, MAGNIFIED, STRETCHED};
-static const int near_order[PARTS] = {MAGNIFIED, STRETCHED, ENLARGED, TIP, FIT};
+enum { FLOW, TIP, FIT, ENLARGED, MAGNIFIED, CROSS, STRETCHED, PARTS };
+static const int whole_order[PARTS] = {TIP, FIT, ENLARGED, MAGNIFIED, STRETCHED, FLOW, CROSS};
+static const int near_order[PARTS] = {FLOW, MAGNIFIED, CROSS, STRETCHED, ENLARGED, TIP, FIT};
 
 static void draw_title(const Map *map, Area area, Style heading)
 {
@@ -74,13 +88,15 @@ static void draw_title(const Map *map, Area area, Style heading)
     const int *order = map->screen->eye.magnified > 1 ? near_order : whole_order;
     const int room = area.rect.width - 6;
     const char *times = area.canvas->sketch ? "×" : "x";
-    char title[192] = "", parts[PARTS][64] = {"", "", "", "", ""}, number[NUMBER_TEXT_MAX];
+    char title[192] = "", parts[PARTS][64] = {"", "", "", "", "", "", ""}, number[NUMBER_TEXT_MAX];
     crack_texts(map, parts[TIP], parts[FIT], sizeof parts[TIP]);
     if (map->scene.leaves) {
         const double length =
             map->settings->geometry.length + map->settings->motion.speed * simulation_time(map->sim);
         snprintf(parts[TIP], sizeof parts[TIP], "length %.1f mm", 1e3 * length);
     }
+    flow_text(map, parts[FLOW], sizeof parts[FLOW]);
+    map_cross_text(map, parts[CROSS], sizeof parts[CROSS]);
     text_factor(map->enlarged, number);
     if (map->enlarged != 1)
         snprintf(parts[ENLARGED], sizeof parts[ENLARGED], "%s %s %s", map->scene.leaves ? "uy" : "u", times,
@@ -125,6 +141,8 @@ static int draw_half_ramp(const Map *map, Area area, int x, int y, int first)
 /* What there is to say beside the ramp, in full or where room is short in a few words. */
 static const char *note_of(const Map *map, bool brief)
 {
+    if (map_has_mesh(map))
+        return brief ? "bars: m, |p|" : "bars: mass, |momentum|";
     if (map->nodes_seen)
         return brief ? "lines: whole bonds" : "lines: whole bonds to the nearest neighbours";
     if (strcmp(map->colouring->field, "damage") == 0)
@@ -212,9 +230,11 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         map_draw_bonds(&map);
     else
         map_draw_heat(&map);
+    map_draw_mesh(&map);
     map_draw_lines(&map);
     if (map.nodes_seen)
         map_draw_nodes(&map);
+    map_draw_mesh_nodes(&map);
     map_draw_signs(&map);
     draw_title(&map, area, heading);
     draw_scale(&map, area, area.rect.height - 1);

@@ -26,6 +26,7 @@ bool command_answer_go_to(Laboratory *, const char *text);
 /* until_commands.c: they answer the `:` line. */
 bool command_answer_until(Laboratory *, const char *text);
 bool command_answer_event(Laboratory *, const char *text);
+bool command_answer_magnify(Laboratory *, const char *text);
 bool command_answer_loop(Laboratory *, const char *text);
 
 /* move_commands.c */

@@ -3,6 +3,7 @@
 #include "tui/control/laboratory.h"
 #include "tui/control/commands/commands.h"
 
+#include "base/text.h"
 #include "view/views/view.h"
 
 #include <math.h>
@@ -10,6 +11,7 @@
 #include <string.h>
 
 #define FIRST_MAGNIFIED 4.0
+#define MOST_MAGNIFIED  1024.0
 #define STRIDE          0.2 /* of what is seen, for an arrow */
 
 /* The place of a node as shares of the beam's length and height. */
@@ -84,6 +86,23 @@ void command_map_zoom(Laboratory *lab)
     screen->eye.open = true;
     screen->eye.magnified = FIRST_MAGNIFIED;
     look_at_something(screen);
+}
+
+bool command_answer_magnify(Laboratory *lab, const char *text)
+{
+    Screen *screen = &lab->screen;
+    double times;
+    if (!simulation_has(experiment_simulation(screen->experiment), HAS_PLANE))
+        return prompt_refuse(&lab->prompting, "there is no map of a bar (only of a beam)");
+    if (!text_to_double(text, &times) || !(times >= 1 && times <= MOST_MAGNIFIED))
+        return prompt_refuse(&lab->prompting, "a number from 1 to 1024, as in 16");
+    if (!screen->views.upper->is_map && !screen->views.lower->is_map)
+        screen->views.upper = view_of_map();
+    command_map_whole(screen);
+    screen->eye.magnified = times;
+    if (times > 1)
+        look_at_something(screen);
+    return true;
 }
 
 bool command_map_is_focused(const Screen *screen)
