@@ -177,6 +177,16 @@ static void satisfy(Bench *bench, const LessonUntil *until)
     lesson_play_continue(lab);
 }
 
+/* What a page has its reader set is so from the start of the run that is shown, not from where it stands. */
+static void check_whole_run(const Bench *bench, const char *name)
+{
+    const Settings *settings = experiment_settings(bench->lab.screen.experiment);
+    for (int i = 0; i < settings->n_changes; i++)
+        ck_assert_msg(settings->changes[i].step == 0, "%s, page %d: %s holds from step %ld on only", name,
+                      bench->lab.screen.lesson.page + 1, page_of(bench)->until.word,
+                      settings->changes[i].step);
+}
+
 /* On no usual screen anything has to be scrolled or, within a step, read without the box, and nothing that a
  * page did was refused. */
 static void check_page(Bench *bench, const char *name)
@@ -264,6 +274,8 @@ START_TEST(every_page_is_entered_in_one_state)
             check_page(bench, name);
         }
         satisfy(bench, &now->until);
+        if (now->until.kind == UNTIL_VALUE)
+            check_whole_run(bench, name);
         ck_assert_msg(shown->met, "%s, page %d waits for ever", name, page + 1);
         check_page(bench, name);
         if (page + 1 < count)
@@ -292,6 +304,42 @@ START_TEST(every_page_is_entered_in_one_state)
             press(bench, "n");
         free(pages[page]);
     }
+    close_bench(bench);
+}
+END_TEST
+
+/* The arrows go among the choices, and Enter takes the one that they stand on. */
+START_TEST(arrows_choose_an_answer)
+{
+    Bench *bench = open_lesson("one-step");
+    const LessonShown *shown = &bench->lab.screen.lesson;
+    press(bench, "Enter");
+    ck_assert_ptr_nonnull(page_of(bench)->question);
+    press(bench, "Enter");
+    ck_assert_int_eq(shown->answer, -1); /* none is marked */
+    press(bench, "Up");
+    ck_assert_int_eq(shown->marked, page_of(bench)->n_choices - 1);
+    press_all(bench, "Up Up Down Enter");
+    ck_assert_int_eq(shown->answer, 1);
+    press(bench, "b");
+    ck_assert_int_eq(shown->marked, -1);
+    close_bench(bench);
+}
+END_TEST
+
+/* A page that is left does not keep its reader waiting for what it computes. */
+START_TEST(a_turned_page_is_not_waited_for)
+{
+    Bench *bench = open_lesson("late");
+    press_all(bench, "n n");
+    finish_work(bench);
+    press(bench, "3");
+    lesson_play_continue(&bench->lab);
+    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_COMPUTING);
+    press(bench, "n");
+    ck_assert_int_eq(bench->lab.screen.lesson.page, 3);
+    finish_work(bench);
+    ck_assert_int_eq(experiment_newest(bench->lab.screen.experiment), 1310);
     close_bench(bench);
 }
 END_TEST
@@ -330,12 +378,15 @@ void add_cases(Suite *suite)
     int count = 0;
     while (builtin_lessons[count].name)
         count++;
-    TCase *format = tcase_create("format"), *own = tcase_create("own");
+    TCase *format = tcase_create("format"), *own = tcase_create("own"), *turning = tcase_create("turning");
     tcase_add_test(format, a_lesson_is_read);
     tcase_add_loop_test(format, what_is_wrong_is_told_with_its_line, 0, (int)(sizeof wrong / sizeof *wrong));
     tcase_add_loop_test(own, every_page_is_entered_in_one_state, 0, count);
-    tcase_add_test(own, a_page_can_be_left_out);
+    tcase_add_test(turning, arrows_choose_an_answer);
+    tcase_add_test(turning, a_turned_page_is_not_waited_for);
+    tcase_add_test(turning, a_page_can_be_left_out);
     tcase_set_timeout(own, 120);
     suite_add_tcase(suite, format);
     suite_add_tcase(suite, own);
+    suite_add_tcase(suite, turning);
 }

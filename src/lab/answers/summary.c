@@ -280,7 +280,7 @@ void summary_text(const RunSummary *summary, const Settings *settings, char out[
         add_readout(&writer, &summary->readout, facts->answer, summary->n_findings > 0);
     add_kept(&writer, &summary->readout);
     char found[SUMMARY_MAX];
-    findings_text(summary->findings, summary->n_findings, SUMMARY_MAX, found, sizeof found);
+    findings_text(summary->findings, summary->n_findings, true, SUMMARY_MAX, found, sizeof found);
     add(&writer, "%s%s", found, *found ? "\n" : "");
     char unaccounted[KNOWN_TEXT_MAX];
     if (known_text(settings, unaccounted, NULL))

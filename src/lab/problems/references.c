@@ -143,7 +143,8 @@ int references_findings(const References *refs, const Simulation *sim, Finding o
                : 0;
 }
 
-int findings_text(const Finding *findings, int n_findings, int columns, char *out, size_t size)
+int findings_text(const Finding *findings, int n_findings, bool with_exact, int columns, char *out,
+                  size_t size)
 {
     size_t used = 0;
     out[0] = '\0';
@@ -154,7 +155,7 @@ int findings_text(const Finding *findings, int n_findings, int columns, char *ou
         text_rounded(exact, finding->exact, 4);
         int n = snprintf(text, sizeof text, "%s%s %s", i ? "  " : "", finding->label,
                          isfinite(finding->measured) ? measured : "not yet");
-        if (finding->exact != 0)
+        if (with_exact && finding->exact != 0)
             n += snprintf(text + n, sizeof text - (size_t)n, " (exact %s)", exact);
         if (used + (size_t)n >= size || (int)used + n > columns)
             return i;

@@ -61,7 +61,19 @@ const char *legend_short_name(const char *name)
     return strncmp(name, "filtered ", 9) == 0 ? "filt" : name;
 }
 
-enum { NAME_KINDS = 3 };
+enum { NAME_KINDS = 4 };
+
+/* The value alone of "courant number 0.1": its last word or, with its unit, from its number on. */
+static const char *value_of(const char *name)
+{
+    const char *value = name;
+    for (const char *word = name; (word = strchr(word, ' ')) != NULL;) {
+        const bool has_number = strchr("-.0123456789", *value) != NULL;
+        value = has_number ? value : word + 1;
+        word++;
+    }
+    return value;
+}
 
 /* How an entry is named where room is short, by what gives way first; NULL: it is not of that kind. */
 static const char *shorter_name(const Legend *entry, int kind)
@@ -73,6 +85,8 @@ static const char *shorter_name(const Legend *entry, int kind)
         return !run ? NULL : entry->name[0] == 'A' ? "A" : "B";
     case 1:
         return legend_short_name(entry->name);
+    case 2:
+        return ghost ? value_of(entry->name) : NULL;
     default:
         return ghost ? "" : NULL; /* its letter has to do */
     }
@@ -122,7 +136,7 @@ int heading_draw(Area area, Style heading, const char *name, const char *scale, 
         x = 4 + glyphs_columns(text) + 1;
         const int room = legend_room(area) - x;
         memcpy(shown, legend, (size_t)n_legend * sizeof *legend);
-        shorten_legend(room, NAME_KINDS - 1, shown, n_legend);
+        shorten_legend(room, NAME_KINDS - 2, shown, n_legend);
         n_shown = pass >= NO_MEASURED ? leave_out_measured(shown, n_legend) : n_legend;
         shorten_legend(room, pass >= LETTERS_ONLY ? NAME_KINDS : 0, shown, n_shown);
         if (legend_columns(shown, n_shown) <= room)

@@ -250,7 +250,8 @@ static void draw_summary(const Screen *screen, Area area)
     }
     char found[SUMMARY_MAX] = "";
     if (screen->summary_known)
-        findings_text(summary->findings, summary->n_findings, SUMMARY_MAX, found, sizeof found);
+        findings_text(summary->findings, summary->n_findings, screen_shows_exact(screen), SUMMARY_MAX, found,
+                      sizeof found);
     if (*found && y < rows)
         y += area_phrases(area, 1, y, width, rows - y, found, STYLE_NORMAL);
     char crack[SUMMARY_MAX] = "", *line = crack;
@@ -260,10 +261,9 @@ static void draw_summary(const Screen *screen, Area area)
         *end = '\0';
         y += area_phrases(area, 1, y, width, rows - y, line, STYLE_NORMAL);
     }
-    area_paragraph(
-        area, 1, y, width, rows - y,
-        "Space runs it again, x writes it as CSV.  T lessons, o other scenarios, ? what is solved.",
-        STYLE_NORMAL);
+    area_phrases(area, 1, y, width, rows - y,
+                 "Space runs it again, x writes it as CSV.  T lessons, o other scenarios, ? what is solved.",
+                 STYLE_NORMAL);
 }
 
 /* In the longest free piece of the box's upper edge. */

@@ -34,8 +34,13 @@ static void write_question(Pen *pen, const LessonShown *lesson, const LessonPage
         pen->y--; /* the choices stand close to it */
     for (int i = 0; i < page->n_choices && answer < 0; i++) {
         const int lines = area_paragraph_lines(width - 3, page->choices[i]);
-        area_print(pen->area, 2, pen->y, STYLE_KEY, "%d", i + 1);
-        area_paragraph(pen->area, 4, pen->y, width - 3, lines, page->choices[i], STYLE_NORMAL);
+        const bool marked = i == lesson->marked;
+        for (int y = 0; y < lines && marked; y++)
+            for (int x = 1; x < width + 1; x++)
+                area_put(pen->area, x, pen->y + y, ' ', STYLE_SELECTED);
+        area_print(pen->area, 2, pen->y, marked ? STYLE_SELECTED : STYLE_KEY, "%d", i + 1);
+        area_paragraph(pen->area, 4, pen->y, width - 3, lines, page->choices[i],
+                       marked ? STYLE_SELECTED : STYLE_NORMAL);
         pen->y += lines;
     }
     if (answer < 0)
@@ -77,14 +82,15 @@ static void write_list(Pen *pen, const Screen *screen)
             continue;
         const bool chosen = i == screen->lesson.chosen;
         const Style style = chosen ? STYLE_SELECTED : STYLE_NORMAL;
-        char pages[24];
+        char pages[24] = "";
         for (int x = 1; chosen && x < pen->area.rect.width - 1; x++)
             area_put(pen->area, x, pen->y, ' ', style);
-        snprintf(pages, sizeof pages, "%d/%d", screen->lesson.reached[i], lesson.n_pages);
-        area_print(pen->area, 1, pen->y, chosen ? style : STYLE_KEY, "%d", i + 1);
-        area_text(area_part(pen->area, 3, pen->y, pen->area.rect.width - 9, 1), 0, 0, lesson.title, style);
-        area_text_right(pen->area, pen->area.rect.width - 1, pen->y++, screen->lesson.reached[i] ? pages : "",
-                        chosen ? style : STYLE_FAINT);
+        if (screen->lesson.reached[i] > 0)
+            snprintf(pages, sizeof pages, "%d/%d", screen->lesson.reached[i], lesson.n_pages);
+        area_print(pen->area, 1, pen->y, chosen ? style : STYLE_KEY, "%2d", i + 1);
+        const int most = pen->area.rect.width - 5 - (*pages ? 1 + glyphs_columns(pages) : 0);
+        area_text(area_part(pen->area, 4, pen->y, most, 1), 0, 0, lesson.title, style);
+        area_text_right(pen->area, pen->area.rect.width - 1, pen->y++, pages, chosen ? style : STYLE_FAINT);
         lesson_free(&lesson);
     }
 }
@@ -103,7 +109,7 @@ static void footer_text(const Screen *screen, char *out, size_t size)
     const LessonShown *shown = &screen->lesson;
     const LessonPage *page = shown->lesson ? &shown->lesson->pages[shown->page] : NULL;
     if (!page) {
-        snprintf(out, size, "number or Enter opens   T closes");
+        snprintf(out, size, "1 to 9, or ↑ ↓ and Enter   T closes");
         return;
     }
     const LessonUntil *until = &page->until;
@@ -113,7 +119,8 @@ static void footer_text(const Screen *screen, char *out, size_t size)
     if (command)
         command_first_key(command, key);
     if (page->question && shown->answer < 0)
-        snprintf(out, size, "1 %s %d: your answer", page->n_choices == 2 ? "or" : "to", page->n_choices);
+        snprintf(out, size, "1 %s %d, or ↑ ↓ Enter: your answer", page->n_choices == 2 ? "or" : "to",
+                 page->n_choices);
     else if (until->kind != UNTIL_NOTHING && !shown->met)
         switch (until->kind) {
         case UNTIL_STEP:

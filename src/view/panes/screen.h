@@ -102,6 +102,7 @@ typedef struct LessonShown {
     int chosen;           /* in the list */
     int page;
     int answer; /* the choice that was taken; -1: none as yet */
+    int marked; /* the choice that the arrows stand on, which Enter takes; -1: none */
     bool met;   /* what the page waits for has happened */
     int scroll;
     int reached[LESSONS_MAX]; /* per lesson of the program: pages that were turned to */

@@ -92,7 +92,7 @@ double time_plot_reach(const Record *record, int column)
     return reach;
 }
 
-void time_plot_reach_to_come(const Screen *screen, double reach[COLUMNS_MAX])
+void time_plot_range_to_come(const Screen *screen, double least[COLUMNS_MAX], double most[COLUMNS_MAX])
 {
     enum { TIMES = 96 };
     int n;
@@ -104,13 +104,16 @@ void time_plot_reach_to_come(const Screen *screen, double reach[COLUMNS_MAX])
     time_plot_window(screen, &from, &to);
     long steps = sim->dt > 0 ? (long)((to - from) / sim->dt) : 0;
     steps = steps < last ? steps : last;
-    memset(reach, 0, COLUMNS_MAX * sizeof *reach);
+    for (int k = 0; k < n; k++)
+        least[k] = INFINITY, most[k] = -INFINITY;
     for (int i = 0; i <= TIMES; i++) {
         long step = steps / TIMES * i + steps % TIMES * i / TIMES;
         references_row_again(refs, step, sim->dt * (double)step, nothing, earlier, row);
         for (int k = 0; k < n; k++)
-            if (isfinite(row[k]) && fabs(row[k]) > reach[k])
-                reach[k] = fabs(row[k]);
+            if (isfinite(row[k])) {
+                least[k] = fmin(least[k], row[k]);
+                most[k] = fmax(most[k], row[k]);
+            }
     }
 }
 

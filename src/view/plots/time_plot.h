@@ -27,9 +27,9 @@ size_t time_plot_stride(const Record *);
 /* The largest magnitude of a column in the whole record, so that the axis does not depend on the window. */
 double time_plot_reach(const Record *, int column);
 
-/* What the references among the columns will reach: asked for times to come, so that the axis is right from
- * the start. */
-void time_plot_reach_to_come(const Screen *, double reach[COLUMNS_MAX]);
+/* Between what the references among the columns will lie: asked for times to come, so that the axis is right
+ * from the start. */
+void time_plot_range_to_come(const Screen *, double least[COLUMNS_MAX], double most[COLUMNS_MAX]);
 
 /* Marks with thin lines when bonds broke that were told of. */
 void time_plot_breaks(const Screen *, Area inner, const Axis *x);

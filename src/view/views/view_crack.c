@@ -330,12 +330,19 @@ static void draw_cost(const Screen *screen, Area area, Style heading)
     const int under = area.rect.height < 7 ? 1 : 3;
     draw_bars(screen, area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under), parts, &price);
     char lines[3][160];
-    snprintf(lines[0], sizeof lines[0], "all %.1f  G0 %.1f, a plane of this lattice %.1f  crack %.1f mm",
+    const bool wide = area.rect.width >= 52;
+    snprintf(lines[0], sizeof lines[0],
+             wide ? "all %.1f  G0 %.1f, a plane of this lattice %.1f  crack %.1f mm"
+                  : "all %.1f  G0 %.1f  plane %.1f  %.1f mm",
              cost->total / cost->area, price.critical_energy, cost->plane,
              cost->area / experiment_settings(screen->experiment)->geometry.thickness / 1e-3);
-    snprintf(lines[1], sizeof lines[1], "1 through the path %.1f  2 beside it %.1f", parts[0], parts[1]);
-    snprintf(lines[2], sizeof lines[2], "3 further than a horizon %.1f  4 held beyond s0 %.1f", parts[2],
-             parts[3]);
+    snprintf(lines[1], sizeof lines[1],
+             wide ? "1 through the path %.1f  2 beside it %.1f" : "1 through path %.1f  2 beside %.1f",
+             parts[0], parts[1]);
+    snprintf(lines[2], sizeof lines[2],
+             wide ? "3 further than a horizon %.1f  4 held beyond s0 %.1f"
+                  : "3 far off %.1f  4 held beyond s0 %.1f",
+             parts[2], parts[3]);
     for (int i = 0; i < under; i++)
         area_phrases(area, 1, area.rect.height - under + i, area.rect.width - 2, 1, lines[i],
                      i == 0 ? STYLE_NORMAL : STYLE_FAINT);

@@ -151,7 +151,7 @@ static void widen_range(const Screen *screen, const Run *run, const char *name, 
     const int column = run_column(run, name);
     const Record *record = run->record;
     Screen one = *screen;
-    double to_come[COLUMNS_MAX];
+    double least[COLUMNS_MAX], most[COLUMNS_MAX];
     bool asked = false;
     one.experiment = run->experiment;
     range->reach = fmax(range->reach, time_plot_reach(record, column));
@@ -159,10 +159,13 @@ static void widen_range(const Screen *screen, const Run *run, const char *name, 
         if (run->columns[i].of != column)
             continue;
         if (!asked)
-            time_plot_reach_to_come(&one, to_come);
+            time_plot_range_to_come(&one, least, most);
         asked = range->swings = true;
-        if (run->columns[i].kind != COLUMN_MEASURED)
-            range->reach = fmax(range->reach, to_come[i]);
+        if (run->columns[i].kind != COLUMN_MEASURED) {
+            range->reach = fmax(range->reach, fmax(-least[i], most[i]));
+            range->least = fmin(range->least, least[i]);
+            range->most = fmax(range->most, most[i]);
+        }
     }
     for (size_t i = 0; i < record->count; i += time_plot_stride(record)) {
         const double value = record_row(record, i)[column];
@@ -198,8 +201,9 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
         Finding findings[FINDINGS_MAX];
         const int n = references_findings(experiment_references(screen->experiment),
                                           experiment_simulation(screen->experiment), findings);
-        const int fitted = findings_text(findings, n, width, first, 160);
-        findings_text(findings + fitted, n - fitted, width, second, 160);
+        const bool with_exact = screen_shows_exact(screen);
+        const int fitted = findings_text(findings, n, with_exact, width, first, 160);
+        findings_text(findings + fitted, n - fitted, with_exact, width, second, 160);
         if (n == 0)
             snprintf(first, 160, "nothing vibrates: no frequency to measure");
         return;
@@ -368,9 +372,11 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     }
     const int rows = plot_area.rect.height - 1, most_ticks = rows < 5 ? 3 : rows < 12 ? 5 : 7;
     const bool counts = strcmp(quantity->unit, "1") == 0; /* of things */
-    Axis y = counts                            ? axis_count(range.most, most_ticks)
-             : range.swings || range.least < 0 ? axis_symmetric(range.reach, most_ticks)
-                                               : axis_around(range.least, range.most, most_ticks);
+    /* what swings far from zero, a place, is seen about its own middle; what is conserved is not magnified */
+    const bool aside = range.least > 0 && range.most > (1 + 1e-9) * range.least;
+    Axis y = counts                                        ? axis_count(range.most, most_ticks)
+             : (range.swings && !aside) || range.least < 0 ? axis_symmetric(range.reach, most_ticks)
+                                                           : axis_around(range.least, range.most, most_ticks);
     Axis x = time_plot_axis(screen, width);
 
     char scale[TICK_TEXT_MAX], name[32];

@@ -356,10 +356,12 @@ void lesson_entry_show(Laboratory *lab, int page)
     Screen *screen = &lab->screen;
     LessonShown *shown = &screen->lesson;
     LessonPlay *play = &lab->play;
+    if (lab->screen.playback.state == STATE_COMPUTING)
+        duel_cancel(&lab->player.duel); /* for the page that is left */
     player_pause(lab);
     queue_page(lab, page);
     shown->page = page;
-    shown->answer = -1;
+    shown->answer = shown->marked = -1;
     shown->scroll = 0;
     shown->met = false;
     play->arriving = true;

@@ -148,6 +148,8 @@ void lesson_play_enter(Laboratory *lab)
     const bool waits = page && page->n_fields > 0 && (page->until.kind == UNTIL_NOTHING || !shown->met);
     if (!page)
         open_from_list(lab, shown->chosen);
+    else if (page->question && shown->answer < 0 && shown->marked >= 0)
+        take_answer(lab, shown->marked);
     else if (page->question && shown->answer < 0)
         laboratory_say(lab, MESSAGE_INFO, "a number answers the question: 1 to %d; n goes on anyway",
                        page->n_choices);
@@ -229,6 +231,14 @@ void lesson_play_move(Laboratory *lab, int x, int y)
         return;
     }
     const int most = screen_lesson_most(&lab->screen, lab->width, lab->height), to = shown->scroll + y;
+    if (page->question && shown->answer < 0 && most == 0) {
+        const int last = page->n_choices - 1, marked = shown->marked + y;
+        shown->marked = shown->marked < 0 ? (y > 0 ? 0 : last)
+                        : marked < 0      ? 0
+                        : marked > last   ? last
+                                          : marked;
+        return;
+    }
     if (page->n_fields > 1 && most == 0) {
         const Parameter *selected = edit_selected(&lab->screen);
         int at = 0;
