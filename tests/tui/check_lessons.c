@@ -333,13 +333,13 @@ START_TEST(a_turned_page_is_not_waited_for)
     Bench *bench = open_lesson("late");
     press_all(bench, "n n");
     finish_work(bench);
-    press(bench, "3");
+    Key answer = {.name = "3", .x = -1, .y = -1}, on = {.name = "n", .x = -1, .y = -1};
+    laboratory_key(&bench->lab, &answer);
     lesson_play_continue(&bench->lab);
     ck_assert_int_eq(bench->lab.screen.playback.state, STATE_COMPUTING);
-    press(bench, "n");
+    laboratory_key(&bench->lab, &on);
     ck_assert_int_eq(bench->lab.screen.lesson.page, 3);
-    finish_work(bench);
-    ck_assert_int_eq(experiment_newest(bench->lab.screen.experiment), 1310);
+    ck_assert_int_eq(bench->lab.player.goal_step, 1310); /* its own, not that of the answer */
     close_bench(bench);
 }
 END_TEST
