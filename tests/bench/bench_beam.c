@@ -103,7 +103,8 @@ static void plain_step(Plain *plain, double s0, double load)
         f[j] -= g * x;
         f[j + 1] -= g * y;
     }
-    for (int i = plain->beam->load_first; i < plain->beam->load_end; i++)
+    const Patch *loaded = &plain->beam->loads[0].patch;
+    for (int i = loaded->i; i < loaded->i + loaded->columns; i++)
         f[2 * (plain->nodes - (size_t)plain->beam->lattice.nx + (size_t)i) + 1] += load;
     for (size_t k = 0; k < 2 * plain->nodes; k++)
         v[k] += half * f[k];
@@ -146,7 +147,9 @@ typedef struct Runner {
 static double measure(const Runner *runner, Plain *plain, long steps)
 {
     double s0 = plain->beam->def.critical_stretch > 0 ? plain->beam->def.critical_stretch : HUGE_VAL;
-    double load = beam_body_force(plain->beam, 1), start = now();
+    double load[2];
+    beam_load_force(plain->beam, &plain->beam->loads[0], 1, load);
+    const double start = now();
     if (runner->sim) {
         Status status = {0};
         if (!simulation_steps(runner->sim, steps, NULL, NULL, &status)) {
@@ -155,7 +158,7 @@ static double measure(const Runner *runner, Plain *plain, long steps)
         }
     } else {
         for (long k = 0; k < steps; k++)
-            plain_step(plain, s0, load);
+            plain_step(plain, s0, load[1]);
     }
     return (double)plain->n_bonds * (double)steps / (now() - start);
 }

@@ -21,7 +21,9 @@ static bool write_input(const Beam *beam, const char *path)
         return false;
     const Lattice *lattice = &beam->lattice;
     double dx = lattice->spacing, width = lattice->nx * dx, height = lattice->ny * dx;
-    double load_from = beam->load_first * dx, load_end = beam->load_end * dx;
+    const Patch *loaded = &beam->loads[0].patch;
+    double load_from = loaded->i * dx, load_end = (loaded->i + loaded->columns) * dx, force[2];
+    beam_load_force(beam, &beam->loads[0], 1, force);
     fprintf(file, "units si\n"
                   "dimension 2\n"
                   "boundary s s p\n"
@@ -44,7 +46,7 @@ static bool write_input(const Beam *beam, const char *path)
             "group load region load\n"
             "fix motion all nve\n"
             "fix push load addforce 0 %.9g 0\n",
-            beam_body_force(beam, 1));
+            force[1]);
     fprintf(file, "timestep %.9g\nthermo %d\n", beam->sim.dt, STEPS);
     for (int run = 0; run < RUNS; run++)
         fprintf(file, "run %d\n", STEPS);

@@ -220,7 +220,8 @@ START_TEST(high_beams_are_measured_with_their_padding)
     def.height = 4e6 * def.spacing;
     ck_assert(!beam_check(&def, &status));
     ck_assert_str_eq(status.text,
-                     "pd.spacing: 4e+06 rows of 4 nodes are too many for memory (a larger spacing)");
+                     "pd.spacing: 4e+06 rows of 4 nodes are too many for memory (at most 1198372 rows: a "
+                     "larger spacing)");
 }
 END_TEST
 

@@ -33,6 +33,7 @@ enum Concern {
     CONCERN_RIDING = 1 << 17,   /* a mesh that may ride along */
     CONCERN_POINT = 1 << 18,    /* one particle */
     CONCERN_WEIGHT = 1 << 19,   /* a body force alone */
+    CONCERN_PLATE = 1 << 20,    /* a rectangle with rows of cuts, loads, supports: settings/rows */
     CONCERN_ANY = ~0            /* every problem: time.end, output */
 };
 
@@ -143,7 +144,7 @@ struct Problem {
 };
 
 extern const Problem problem_bar, problem_one_particle, problem_hanging_column, problem_supported_beam,
-    problem_moving_cantilever, problem_notched_beam;
+    problem_moving_cantilever, problem_notched_beam, problem_plate;
 
 enum { PROBLEMS_MAX = 32 };
 extern const Problem *const problems[]; /* ended by NULL */

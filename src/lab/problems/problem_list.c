@@ -3,11 +3,6 @@
 #include "lab/problems/problem.h"
 
 const Problem *const problems[] = {
-    &problem_bar,
-    &problem_supported_beam,
-    &problem_moving_cantilever,
-    &problem_notched_beam,
-    &problem_one_particle,
-    &problem_hanging_column,
-    NULL,
+    &problem_bar,   &problem_supported_beam, &problem_moving_cantilever, &problem_notched_beam,
+    &problem_plate, &problem_one_particle,   &problem_hanging_column,    NULL,
 };

@@ -10,6 +10,6 @@
 
 extern const Solver bar_by_mpm, bar_by_pd;
 extern const Solver beam_by_mpm_supported, beam_by_mpm_moving;
-extern const Solver beam_by_pd_supported, beam_by_pd_moving, beam_by_pd_notched;
+extern const Solver beam_by_pd_supported, beam_by_pd_moving, beam_by_pd_notched, beam_by_pd_plate;
 
 #endif

@@ -145,7 +145,8 @@ static bool differs(const Settings *a, const Settings *b, const Parameter *param
 static Difference compare(const Settings *now, const Settings *wanted)
 {
     Difference difference = {false, false};
-    if (now->problem != wanted->problem || now->method != wanted->method || !changes_same(now, wanted))
+    if (now->problem != wanted->problem || now->method != wanted->method || !changes_same(now, wanted) ||
+        !settings_rows_same(now, wanted))
         return (Difference){true, false};
     for (int i = 0; i < n_parameters; i++)
         if (differs(now, wanted, &parameters[i]) && recomputes(now, &parameters[i])) {

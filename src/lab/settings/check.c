@@ -62,6 +62,7 @@ static bool check_changes(const Settings *settings, Status *status)
 bool settings_check(const Settings *settings, Status *status)
 {
     if (!problem_allows(settings->problem, settings->method, status) ||
+        !settings_rows_check(settings, status) ||
         !problem_solver(settings->problem, settings->method)->check(settings, status))
         return false;
     double times[TIMES_MAX];

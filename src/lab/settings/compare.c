@@ -38,7 +38,7 @@ bool settings_same(const Settings *a, const Settings *b)
     for (int i = 0; i < n_parameters; i++)
         if (differ_in(a, b, &parameters[i]))
             return false;
-    return a->problem == b->problem && changes_same(a, b);
+    return a->problem == b->problem && settings_rows_same(a, b) && changes_same(a, b);
 }
 
 /* Those whose values are known by themselves. */
@@ -76,6 +76,12 @@ void settings_name(const Settings *a, const Settings *b, char *out, size_t size)
                  is_name(&parameters[i]) ? "" : " ", *value ? value : "none");
         room = text_list_add(out, size, item);
     }
+    char about[64], in_a[ROW_TEXT_MAX], in_b[ROW_TEXT_MAX];
+    for (int i = 0; room && settings_rows_difference(a, b, i, about, in_a, in_b); i++) {
+        char item[ROW_TEXT_MAX + 72];
+        snprintf(item, sizeof item, "%s %s", about, in_a);
+        room = text_list_add(out, size, item);
+    }
     if (room && !changes_same(a, b)) {
         char item[48];
         snprintf(item, sizeof item, a->n_changes == 0 ? "unchanged" : "%d changed in mid-run", a->n_changes);
@@ -97,6 +103,12 @@ void settings_name_change(const Settings *from, const Settings *to, char *out, s
         settings_spell(to, &parameters[i], after);
         snprintf(item, sizeof item, "%s %s -> %s", parameters[i].label, *before ? before : "none",
                  *after ? after : "none");
+        room = text_list_add(out, size, item);
+    }
+    char about[64], before[ROW_TEXT_MAX], after[ROW_TEXT_MAX];
+    for (int i = 0; room && settings_rows_difference(from, to, i, about, before, after); i++) {
+        char item[2 * ROW_TEXT_MAX + 72];
+        snprintf(item, sizeof item, "%s %s -> %s", about, before, after);
         room = text_list_add(out, size, item);
     }
     if (*out == '\0')

@@ -45,7 +45,10 @@ const FixedKey fixed_keys[] = {
     {"beam.poisson", CONCERN_BEAM, BY_PD, "1/3",
      "bonds pull along their own line alone; a sheet of such springs grows narrower by a third of its "
      "stretch"},
-    {"scenario.method", CONCERN_NOTCH, BY_PD, "pd", "nothing breaks by the material point method"},
+    {"plate.poisson", CONCERN_PLATE, BY_PD, "1/3",
+     "bonds pull along their own line alone; a sheet of such springs grows narrower by a third of its "
+     "stretch"},
+    {"scenario.method", CONCERN_NOTCH | CONCERN_PLATE, BY_PD, "pd", "nothing breaks by the material point method"},
     {NULL, 0, 0, NULL, NULL},
 };
 

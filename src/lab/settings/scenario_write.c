@@ -114,6 +114,21 @@ static bool write_duel(FILE *stream, const Settings *settings, Status *status)
     return true;
 }
 
+/* The rows of a section, or the values of the one that has no name. */
+static void write_rows(FILE *stream, const Settings *settings, int kind)
+{
+    char text[ROW_TEXT_MAX], word[ROW_TEXT_MAX];
+    for (int row = 0; row < settings->rows[kind].count; row++) {
+        settings_row_get(settings, kind, row, text);
+        const char *rest = text;
+        if (!row_kinds[kind].usual)
+            fprintf(stream, "%s = %s\n", settings->rows[kind].rows[row].name, text);
+        else
+            for (int i = 0; text_next_word(&rest, word, sizeof word); i++)
+                fprintf(stream, "%s = %s\n", row_kinds[kind].columns[i].word, word);
+    }
+}
+
 static bool write_changes(FILE *stream, const Settings *settings)
 {
     for (int i = 0; i < settings->n_changes; i++)
@@ -147,6 +162,9 @@ static bool write_section(FILE *stream, const Settings *settings, const char *se
             !write_parameter(stream, settings, &parameters[i], section, name, status))
             return false;
     }
+    const int kind = row_kind_find(section);
+    if (kind >= 0 && settings_have_rows(settings, kind))
+        write_rows(stream, settings, kind);
     if (strcmp(section, "duel") == 0)
         return write_duel(stream, settings, status);
     if (strcmp(section, "changes") == 0)
@@ -161,6 +179,9 @@ static bool has_section(const Settings *settings, const char *section)
     if (strcmp(section, "changes") == 0)
         return settings->n_changes > 0;
     if (strcmp(section, "scenario") == 0)
+        return true;
+    const int kind = row_kind_find(section);
+    if (kind >= 0 && settings->rows[kind].count > 0)
         return true;
     for (int i = 0; i < n_text_keys; i++)
         if (name_in(text_keys[i].key, section) && *((const char *)settings + text_keys[i].offset))

@@ -6,6 +6,7 @@
 
 #include "base/patience.h"
 #include "base/status.h"
+#include "lab/settings/rows/rows.h"
 #include "physics/mpm_bar/bar.h"
 #include "physics/mpm_plane/plane.h"
 #include "physics/pd_plane/beam.h"
@@ -145,7 +146,7 @@ typedef struct Output {
     char follow[LIST_MAX]; /* "particle 12 v, node 7 momentum": columns of the series; "": none */
 } Output;
 
-typedef struct Settings {
+struct Settings {
     char title[TITLE_MAX]; /* one line, UTF-8 */
     char about[ABOUT_MAX];
     const Problem *problem;
@@ -163,6 +164,7 @@ typedef struct Settings {
     Cut notch;
     Loads loads;
     Supports supports;
+    RowList rows[ROW_KINDS]; /* of a plate: by RowKinds */
     TimeSettings time;
     Output output;
 
@@ -174,7 +176,7 @@ typedef struct Settings {
     Change changes[CHANGES_MAX]; /* ascending in step */
     int n_changes;
     ViewSettings view;
-} Settings;
+};
 
 /* The words of a scenario file for MethodKind, ended by NULL. */
 extern const char *const settings_method_words[];

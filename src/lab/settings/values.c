@@ -99,8 +99,11 @@ void settings_default(Settings *settings, const Problem *problem)
     settings->problem = problem;
     settings->method = problem->solvers[0]->method;
     for (int i = 0; i < n_parameters; i++)
-        if (parameter_applies(&parameters[i], problem) && !is_energy(&parameters[i]))
+        /* the energy follows from the stretch, but where a problem begins with an energy of its own */
+        if (parameter_applies(&parameters[i], problem) &&
+            (!is_energy(&parameters[i]) || parameter_use(&parameters[i], problem)))
             settings_put(settings, &parameters[i], parameter_usual(&parameters[i], problem));
+    settings_default_rows(settings);
 }
 
 /* --- text in -------------------------------------------------------------------------------------- */
@@ -177,6 +180,13 @@ static bool unknown(const Problem *problem, const char *key, Status *status)
 {
     if (strcmp(key, "scenario.problem") == 0)
         return status_fail(status, STATUS_USAGE, "%s: cannot be changed (choose another scenario)", key);
+    char section[KEY_MAX];
+    snprintf(section, sizeof section, "%.*s", (int)strcspn(key, "."), key);
+    const int kind = row_kind_find(section);
+    if (kind >= 0)
+        return status_fail(
+            status, STATUS_USAGE, "%s: problem %s has no [%s] (%s)", key, problem->word, section,
+            row_kinds[kind].concern & problem->concerns ? "a name behind a dot" : "a plate has");
     const char *nearest = parameter_nearest(problem, key);
     if (nearest)
         return status_fail(status, STATUS_USAGE, "%s: unknown key (did you mean %s?)", key, nearest);
@@ -247,6 +257,9 @@ bool settings_set(Settings *settings, const char *key, const char *text, Status 
     if (words)
         return check_words(words, text, status) &&
                put_text(settings, key, words->offset, words->size, text, status);
+    /* a support of a plate may be called as a parameter of another problem is */
+    if (settings_row_is_key(settings, key))
+        return settings_row_key_set(settings, key, text, status);
     const Parameter *parameter = parameter_find(key);
     const FixedKey *fixed = fixed_key_find(settings, key);
     if (fixed) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Bond-based peridynamics on beams, two-dimensional (plane stress, Poisson's ratio 1/3).
+/* Bond-based peridynamics on beams and plates, two-dimensional (plane stress, Poisson's ratio 1/3).
  *
  * Source: Chen, Liu, Yang, "The application of peridynamics in predicting beam vibration and impact damage"
  * (2015; paper P); equation numbers are its. SI units; forces and energies are those of the beam, that is per
@@ -9,8 +9,14 @@
 
 #include "base/patience.h"
 #include "physics/method.h"
+#include "physics/pd_plane/plate/plate.h"
 
-typedef enum BeamProblem { BEAM_SIMPLY_SUPPORTED, BEAM_MOVING_CANTILEVER, BEAM_NOTCHED } BeamProblem;
+typedef enum BeamProblem {
+    BEAM_SIMPLY_SUPPORTED,
+    BEAM_MOVING_CANTILEVER,
+    BEAM_NOTCHED,
+    BEAM_PLATE
+} BeamProblem;
 typedef enum SurfaceCorrection { SURFACE_NONE, SURFACE_ENERGY, SURFACE_VOLUME } SurfaceCorrection;
 typedef enum VolumeCorrection { VOLUME_NONE, VOLUME_PARTIAL } VolumeCorrection;
 typedef enum Clamp { CLAMP_FULL, CLAMP_GUIDE } Clamp;
@@ -36,6 +42,8 @@ typedef struct BeamDef {
     double support_left, support_right;
     bool pinned; /* ux of the left support is fixed too */
 
+    PlateDef plate; /* what a plate has */
+
     double dt;   /* s; 0: half the critical time step */
     double end;  /* s: the channel must hold the beam until then; moving cantilever */
     int threads; /* at least 1 */
@@ -50,6 +58,10 @@ BeamDef beam_default(BeamProblem problem);
  * allowed. beam_create() asks first; a front end asks before it takes a value over. */
 bool beam_check(const BeamDef *definition, Status *status);
 
+/* The first cut of a plate that runs along nodes of its lattice, so that it is one-sided; -1: there is none.
+ */
+int beam_one_sided_cut(const BeamDef *definition);
+
 /* Builds the simulation at t = 0. NULL: the status names the scenario key that is wrong ("notch.position:
  * ..."), or says that there is not enough memory.
  *
@@ -59,9 +71,10 @@ bool beam_check(const BeamDef *definition, Status *status);
  * (force density) speed stretch (largest of its live bonds) family surface_x surface_y held loaded probe
  * protected; for bonds: notch pull energy.
  *
- * Series: u_probe v_probe; length (moving) or crack_x crack_y crack_length (notched); kinetic strain work
- * dissipated total broken_bonds. total = kinetic + strain + dissipated; less the work it keeps its value.
- * broken_bonds leaves out the notch's. Live parameters: load.stress, pd.critical_stretch.
+ * Series: u_probe v_probe, of a plate also ux_probe vx_probe; length (moving) or crack_x crack_y crack_length
+ * (notched); kinetic strain work dissipated total broken_bonds. total = kinetic + strain + dissipated; less
+ * the work it keeps its value. broken_bonds leaves out the notch's. Live parameters: load.stress,
+ * pd.critical_stretch.
  *
  * The crack as the paper speaks of it (first break, tip, angle, arrival): physics/pd_plane/fracture/crack.h.
  */
@@ -75,7 +88,7 @@ typedef struct BeamFacts {
     double real_span;     /* distance of the supports as the nodes lie */
     size_t family;        /* bonds of a node in the bulk */
     size_t bonds;         /* each counted once, before the notch */
-    size_t notch_bonds;   /* of these cut by the notch */
+    size_t notch_bonds;   /* of these cut by the notch, or by the cuts of a plate */
     double critical_step; /* 2 / omega_max by power iteration with no node held, s */
 } BeamFacts;
 

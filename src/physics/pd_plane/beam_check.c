@@ -2,6 +2,9 @@
 /* Is a definition sound? Each line names the key as in a scenario file, what is wrong and what is allowed. */
 #include "physics/pd_plane/beam_internal.h"
 
+#include "physics/pd_plane/plate/cuts.h"
+#include "physics/pd_plane/plate/plate_check.h"
+
 #include <math.h>
 
 typedef struct Bound {
@@ -10,14 +13,19 @@ typedef struct Bound {
     bool positive; /* else: not negative */
 } Bound;
 
+static bool is_bounded(const Bound *bound)
+{
+    return isfinite(bound->value) && (bound->positive ? bound->value > 0 : bound->value >= 0);
+}
+
 static bool check_bounds(const BeamDef *def, Status *status)
 {
+    const Bound of_body[] = {
+        {"length", def->length, true},       {"height", def->height, true},
+        {"thickness", def->thickness, true}, {"youngs_modulus", def->youngs_modulus, true},
+        {"density", def->density, true},
+    };
     const Bound bounds[] = {
-        {"beam.length", def->length, true},
-        {"beam.height", def->height, true},
-        {"beam.thickness", def->thickness, true},
-        {"beam.youngs_modulus", def->youngs_modulus, true},
-        {"beam.density", def->density, true},
         {"pd.spacing", def->spacing, true},
         {"pd.horizon", def->horizon, true},
         {"pd.critical_stretch", def->critical_stretch, false},
@@ -25,13 +33,14 @@ static bool check_bounds(const BeamDef *def, Status *status)
         {"time.step", def->dt, false},
         {"load.ramp", def->load_ramp, false},
     };
-    for (size_t k = 0; k < sizeof bounds / sizeof *bounds; k++) {
-        bool sound =
-            isfinite(bounds[k].value) && (bounds[k].positive ? bounds[k].value > 0 : bounds[k].value >= 0);
-        if (!sound)
+    for (size_t k = 0; k < sizeof of_body / sizeof *of_body; k++)
+        if (!is_bounded(&of_body[k]))
+            return status_fail(status, STATUS_USAGE, "%s.%s: %g is not allowed (greater than 0)",
+                               beam_word(def), of_body[k].key, of_body[k].value);
+    for (size_t k = 0; k < sizeof bounds / sizeof *bounds; k++)
+        if (!is_bounded(&bounds[k]))
             return status_fail(status, STATUS_USAGE, "%s: %g is not allowed (%s)", bounds[k].key,
                                bounds[k].value, bounds[k].positive ? "greater than 0" : "0 or more");
-    }
     if (def->threads < 1)
         return status_fail(status, STATUS_USAGE, "--threads: %d is not allowed (1 or more)", def->threads);
     return true;
@@ -120,8 +129,22 @@ bool beam_check(const BeamDef *def, Status *status)
         [BEAM_SIMPLY_SUPPORTED] = check_vibrating,
         [BEAM_MOVING_CANTILEVER] = check_moving,
         [BEAM_NOTCHED] = check_notched,
+        [BEAM_PLATE] = NULL, /* what it has is looked at on its lattice */
     };
     Lattice measured;
-    return check_bounds(def, status) && check_lattice(def, status) && of_problem[def->problem](def, status) &&
-           lattice_measure(&measured, def, status);
+    return check_bounds(def, status) && check_lattice(def, status) &&
+           (!of_problem[def->problem] || of_problem[def->problem](def, status)) &&
+           lattice_measure(&measured, def, status) &&
+           (def->problem != BEAM_PLATE || plate_check(&def->plate, &measured, status));
+}
+
+int beam_one_sided_cut(const BeamDef *def)
+{
+    Lattice lattice;
+    if (def->problem != BEAM_PLATE || !lattice_measure(&lattice, def, NULL))
+        return -1;
+    for (int k = 0; k < def->plate.n_cuts; k++)
+        if (cut_runs_along_nodes(&def->plate.cuts[k], &lattice))
+            return k;
+    return -1;
 }

@@ -55,6 +55,16 @@ BeamDef beam_default(BeamProblem problem)
         def.dt = 1e-7;
         def.end = 3e-4;
     }
+    if (problem == BEAM_PLATE) {
+        def.height = 0.04;
+        def.thickness = 0.001;
+        def.youngs_modulus = 65e9;
+        def.density = 2235;
+        def.amplitude = 0;
+        def.plate.probe_x = def.length / 2;
+        def.plate.probe_y = def.height / 2;
+        def.end = 5e-5;
+    }
     return def;
 }
 
@@ -77,6 +87,7 @@ static void destroy(Simulation *sim)
     free(beam->is_dirty);
     free(beam->halo);
     free(beam->row_energy);
+    free(beam->row_work);
     free(beam->scratch);
     free(beam->rescue.state);
     lattice_free(&beam->lattice);
@@ -147,11 +158,12 @@ static bool allocate(Beam *beam, Status *status)
     beam->is_dirty = zeroed(beam, nodes);
     beam->halo = zeroed(beam, bands * 2 * reach * lattice->stride * sizeof *beam->halo);
     beam->row_energy = zeroed(beam, (size_t)lattice->ny * sizeof *beam->row_energy);
+    beam->row_work = zeroed(beam, 2 * (size_t)lattice->ny * sizeof *beam->row_work);
     beam->band_logs = zeroed(beam, bands * sizeof *beam->band_logs);
     beam->scratch = zeroed(beam, (size_t)beam->def.threads * BONDS_SCRATCH * sizeof *beam->scratch);
     if (!beam->coefficient || !beam->notched || !beam->unbreakable || !beam->state || !beam->rescue.state ||
         !beam->broken_at || !beam->damage || !beam->dirty || !beam->is_dirty || !beam->halo ||
-        !beam->row_energy || !beam->band_logs || !beam->scratch)
+        !beam->row_energy || !beam->row_work || !beam->band_logs || !beam->scratch)
         return beam_go_on(beam, BUILDING_BONDS, status) &&
                status_fail(status, STATUS_FAILED, "not enough memory for %zu bonds (pd.spacing)",
                            lattice_bonds(lattice));
@@ -200,8 +212,8 @@ static bool start(Beam *beam, Status *status)
         if (beam->band_logs[band].unstable &&
             !isfinite(def->youngs_modulus / def->density / (def->spacing * def->spacing)))
             return status_fail(status, STATUS_USAGE,
-                               "beam.density: %g is too light for the forces of its bonds (a larger one)",
-                               def->density);
+                               "%s.density: %g is too light for the forces of its bonds (a larger one)",
+                               beam_word(def), def->density);
         if (beam->band_logs[band].unstable)
             return status_fail(status, STATUS_USAGE,
                                "initial.amplitude: %g tears the beam apart at the start (a smaller one)",
@@ -209,9 +221,8 @@ static bool start(Beam *beam, Status *status)
         if (!beam_take_log(beam, &beam->band_logs[band], -1))
             return status_fail(status, STATUS_FAILED, "not enough memory for the broken bonds");
     }
-    if (beam->load_end > beam->load_first)
-        for (int i = beam->load_first; i < beam->load_end; i++)
-            beam->nodes.fy[lattice_at(&beam->lattice, i, beam->lattice.ny - 1)] += beam_body_force(beam, 0);
+    for (int j = 0; j < beam->lattice.ny; j++)
+        beam_add_loads(beam, j, 0);
     crack_begin(beam);
     beam_update_damage(beam, 0);
     beam_rebuild_damage(beam);

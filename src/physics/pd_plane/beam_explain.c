@@ -54,6 +54,18 @@ void beam_set_stages(Beam *beam)
         if (!beam->def.pinned)
             constraints->equation = constraints->ascii = "uy = 0 at the supports, ux is free";
     }
+    if (beam->def.problem == BEAM_PLATE) {
+        Stage *constraints = &beam->stages[STAGE_CONSTRAINTS], *force = &beam->stages[STAGE_BODY_FORCE];
+        constraints->equation = "v = V in the directions that a support gives; V = 0 holds";
+        constraints->ascii = constraints->equation;
+        constraints->source = "in words";
+        constraints->sentence = "Supports keep their velocity, whatever the bonds pull.";
+        force->equation = "f(i) += b(t),   b = (sx, sy) min(1, t/t0)/Δx on loaded nodes";
+        force->ascii = "f(i) += b(t),   b = (sx, sy) min(1, t/t0)/dx on loaded nodes";
+        force->sentence = "The tractions act on the one layer of nodes along their edges.";
+        force->reads = "loaded fx fy";
+        force->writes = "fx fy";
+    }
     beam->sim.stages = beam->stages;
     beam->sim.n_stages = N_STAGES;
 }
@@ -138,11 +150,14 @@ static void explain_constraints(const Beam *beam, Calculation *calculation, size
         return;
     }
     for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
-        if ((size_t)s->j * nx + (size_t)s->i == index) {
-            calculation_write(calculation, "at a support: %s\n",
-                              s->x && s->y ? "ux = uy = 0"
-                              : s->x       ? "ux = 0"
-                                           : "uy = 0");
+        if (patch_has(&s->patch, (int)(index % nx), (int)(index / nx))) {
+            if (s->vx != 0 || s->vy != 0)
+                write_pair(calculation, "moved by a support: vx, vy = ", now->vx, now->vy, "m/s");
+            else
+                calculation_write(calculation, "at a support: %s\n",
+                                  s->x && s->y ? "ux = uy = 0"
+                                  : s->x       ? "ux = 0"
+                                               : "uy = 0");
             return;
         }
     calculation_write(calculation, "free: nothing holds this node\n");
@@ -167,7 +182,8 @@ static void write_lost(const Beam *beam, Calculation *calculation, const BondPla
     }
     calculation_write(calculation, "%zu of %zu bonds broken", broken, n);
     if (cut > 0)
-        calculation_write(calculation, ", %zu cut by the notch", cut);
+        calculation_write(calculation, ", %zu cut%s", cut,
+                          beam->def.problem == BEAM_NOTCHED ? " by the notch" : " from the start");
 }
 
 /* The strongest bonds first, the rest as one number. */
@@ -213,20 +229,32 @@ static void explain_bonds(const Beam *beam, Calculation *calculation, size_t ind
 /* b of eq. 8 on the loaded nodes; what the bonds had left in f is solved for. */
 static void explain_body_force(const Beam *beam, Calculation *calculation, size_t index, const NodeNow *now)
 {
-    size_t nx = (size_t)beam->lattice.nx;
-    int i = (int)(index % nx);
-    if ((int)(index / nx) != beam->lattice.ny - 1 || i < beam->load_first || i >= beam->load_end) {
-        write_pair(calculation, "no load on this node: f stays ", now->fx, now->fy, "N/m³");
-        return;
+    const size_t nx = (size_t)beam->lattice.nx;
+    const double time = (double)(beam->sim.step + 1) * beam->sim.dt, f[2] = {now->fx, now->fy};
+    double force[2] = {0, 0};
+    bool loaded[2] = {false, false};
+    for (const Load *load = beam->loads; load < beam->loads + beam->n_loads; load++) {
+        double part[2];
+        if (!patch_has(&load->patch, (int)(index % nx), (int)(index / nx)))
+            continue;
+        beam_load_force(beam, load, time, part);
+        for (int d = 0; d < 2; d++) {
+            force[d] += part[d];
+            loaded[d] = loaded[d] || (d == 0 ? load->sx : load->sy) != 0;
+        }
     }
-    const double force = beam_body_force(beam, (double)(beam->sim.step + 1) * beam->sim.dt);
-    CalculationSum sum = {.label = "fy = fy + b = ",
-                          .has_base = true,
-                          .base = now->fy - force,
-                          .result = now->fy,
-                          .unit = "N/m³"};
-    calculation_add(&sum, 1, force, 0, 0);
-    calculation_sum(calculation, &sum);
+    if (!loaded[0] && !loaded[1])
+        write_pair(calculation, "no load on this node: f stays ", now->fx, now->fy, "N/m³");
+    for (int d = 0; d < 2; d++) {
+        CalculationSum sum = {.label = d == 0 ? "fx = fx + b = " : "fy = fy + b = ",
+                              .has_base = true,
+                              .base = f[d] - force[d],
+                              .result = f[d],
+                              .unit = "N/m³"};
+        calculation_add(&sum, 1, force[d], 0, 0);
+        if (loaded[d])
+            calculation_sum(calculation, &sum);
+    }
 }
 
 /* Eq. 5 by weights w, all areas being equal: broken over all. */

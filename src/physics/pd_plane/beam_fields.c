@@ -116,8 +116,16 @@ static bool is_held(const Beam *beam, int i, int j)
 {
     bool held = i < beam_held_columns(beam, simulation_time(&beam->sim));
     for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
-        held = held || (s->i == i && s->j == j);
+        held = held || patch_has(&s->patch, i, j);
     return held;
+}
+
+static bool is_loaded(const Beam *beam, int i, int j)
+{
+    bool loaded = false;
+    for (const Load *load = beam->loads; load < beam->loads + beam->n_loads; load++)
+        loaded = loaded || patch_has(&load->patch, i, j);
+    return loaded;
 }
 
 static bool is_at_probe(const Beam *beam, int i, int j)
@@ -165,7 +173,7 @@ static double node_field(const Beam *beam, int field, size_t node)
     case F_HELD:
         return is_held(beam, i, j);
     case F_LOADED:
-        return j == lattice->ny - 1 && i >= beam->load_first && i < beam->load_end;
+        return is_loaded(beam, i, j);
     case F_PROBE:
         return is_at_probe(beam, i, j);
     case F_PROTECTED:

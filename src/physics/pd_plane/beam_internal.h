@@ -6,6 +6,7 @@
 #include "physics/pd_plane/beam.h"
 #include "physics/pd_plane/bonds/bonds.h"
 #include "physics/pd_plane/bonds/lattice.h"
+#include "physics/pd_plane/plate/patches.h"
 #include "physics/pool.h"
 
 /* The stages of a step (velocity Verlet, eqs. 9 to 11). */
@@ -23,13 +24,7 @@ enum {
 /* See beam_fields.c. */
 enum { SET_PARTICLE, SET_BOND, N_SETS };
 
-/* A node of which a component is held at rest. */
-typedef struct Support {
-    int i, j;
-    bool x, y;
-} Support;
-
-enum { SUPPORTS_MAX = 64, BEAM_SERIES_MAX = 13 };
+enum { BEAM_SERIES_MAX = 15 };
 
 /* The head of the state: single numbers that change. */
 enum { CRACK_TIPS = 64 };
@@ -81,9 +76,11 @@ typedef struct Beam {
     double *coefficient;  /* of the intact or broken bonds now: it follows the state's bits */
     uint8_t *notched;     /* per slot one bit: cut by the notch */
     uint8_t *unbreakable; /* per node */
-    Support supports[SUPPORTS_MAX];
-    int n_supports;
-    int load_first, load_end; /* loaded columns of the top row */
+    PlateCut cuts[PLATE_ROWS_MAX];
+    Support supports[PLATE_ROWS_MAX];
+    Load loads[PLATE_ROWS_MAX]; /* of the notched beam the pressure alone, at 1 Pa: StateHead.load_stress is
+                                   live */
+    int n_cuts, n_supports, n_loads;
     int probe_i[2], probe_j[2];
     bool free_body; /* neither supports nor loads; for tests */
 
@@ -117,6 +114,7 @@ typedef struct Beam {
     int *band_of_row;
     double *halo; /* per band: reach rows of fx, then of fy */
     double *row_energy;
+    double *row_work;   /* per row the work done in the first half of a step and in the second, J */
     BondLog *band_logs; /* one per band */
     double *scratch;    /* one per worker */
     Pool *pool;         /* NULL: one thread */
@@ -144,6 +142,7 @@ bool beam_critical_step(Beam *beam, double *step, Status *status);
 bool beam_go_on(Beam *beam, double share, Status *status);
 
 /* beam_problem.c */
+const char *beam_word(const BeamDef *);    /* the section of its sizes in a scenario file: "beam" */
 bool beam_set_bonds(Beam *beam, Status *); /* coefficients, and the notch */
 bool beam_set_problem(Beam *beam, Status *status);
 void beam_simple_supports(const Lattice *, Support supports[2]); /* one node at each end, at mid-height */
@@ -161,8 +160,14 @@ double beam_strain(Beam *beam);
 /* beam_step.c */
 bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status);
 bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *status);
-int beam_held_columns(const Beam *beam, double time);  /* columns inside the channel */
-double beam_body_force(const Beam *beam, double time); /* on a loaded node, N/m^3 */
+int beam_held_columns(const Beam *beam, double time); /* columns inside the channel */
+
+/* plate/loads.c: what loads and moving supports do to row j. */
+void beam_load_force(const Beam *beam, const Load *, double time, double force[2]); /* on a node, N/m^3 */
+void beam_add_loads(Beam *beam, int j, double time);                                /* to its forces */
+void beam_note_work(Beam *beam, int j, long step); /* in the drift, and ... */
+void beam_note_reaction(Beam *beam, int j);        /* ... in the second kick; */
+void beam_add_work(Beam *beam, int half);          /* and once all rows are there, half 0 or 1 */
 
 /* beam_break.c */
 bool beam_take_log(Beam *beam, BondLog *log, long step); /* false: memory was short */

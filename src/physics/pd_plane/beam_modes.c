@@ -140,8 +140,8 @@ static bool solve(const Lattice *lattice, const BeamDef *def, double *period, St
         Support supports[2];
         beam_simple_supports(lattice, supports);
         for (int k = 0; k < 2; k++) {
-            held[unknown(lattice, supports[k].i, supports[k].j, 0)] = supports[k].x;
-            held[unknown(lattice, supports[k].i, supports[k].j, 1)] = supports[k].y;
+            held[unknown(lattice, supports[k].patch.i, supports[k].patch.j, 0)] = supports[k].x;
+            held[unknown(lattice, supports[k].patch.i, supports[k].patch.j, 1)] = supports[k].y;
         }
         const Patience *patience = &def->patience;
         const CholeskyEnd end =

@@ -1,32 +1,42 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What makes the three problems of paper P, set once when a beam is created: notch, supports (eqs. 12, 13),
- * load, protected zones, probe, and the shape at t = 0 (eqs. 15 to 18). Places are compared with a tolerance
- * of 1e-6 dx where nodes or bonds lie exactly on a limit, so that rounding does not decide. An error names
- * the key. */
+/* What makes the three problems of paper P, and a plate, set once when a beam is created: cuts, supports
+ * (eqs. 12, 13), loads, what is protected, probe, and the shape at t = 0 (eqs. 15 to 18). Places are compared
+ * with a tolerance of 1e-6 dx where nodes or bonds lie exactly on a limit, so that rounding does not decide.
+ * An error names the key. */
 #include "physics/pd_plane/beam_internal.h"
 
-#include <math.h>
+#include "physics/pd_plane/plate/cuts.h"
 
-/* A bond between the two sides of the notch is cut if it crosses the notch's line x = a at or below its end,
- *
- *     y_i + (a - x_i)/(x_j - x_i) (y_j - y_i) <= depth + 1e-6 dx
- *
- * Nodes with x - a < -1e-6 dx are on the left, all others on the right, those on the line too. Decided once
- * for each bond, never from both of its ends: many bonds pass exactly through the notch's end, and one that
- * only one end takes for cut would pull on one side alone. */
-static bool is_cut(const Beam *beam, BondPlace place)
+#include <math.h>
+#include <string.h>
+
+const char *beam_word(const BeamDef *def)
 {
-    const Lattice *lattice = &beam->lattice;
-    const Offset *offset = &lattice->offsets[place.offset];
-    double tolerance = 1e-6 * lattice->spacing, at = beam->def.notch_position;
-    double x = lattice_x(lattice, place.i), y = lattice_y(lattice, place.j);
-    double other_x = lattice_x(lattice, place.i + offset->p),
-           other_y = lattice_y(lattice, place.j + offset->q);
-    bool left = x - at < -tolerance, other_left = other_x - at < -tolerance;
-    if (left == other_left)
-        return false;
-    double height = y + (at - x) / (other_x - x) * (other_y - y);
-    return height <= beam->def.notch_depth + tolerance;
+    return def->problem == BEAM_PLATE ? "plate" : "beam";
+}
+
+/* The notch is a cut from below. */
+static void set_cuts(Beam *beam)
+{
+    const BeamDef *def = &beam->def;
+    if (beam->free_body)
+        return;
+    if (def->problem == BEAM_PLATE) {
+        memcpy(beam->cuts, def->plate.cuts, sizeof beam->cuts);
+        beam->n_cuts = def->plate.n_cuts;
+    } else if (def->problem == BEAM_NOTCHED && def->notch_depth > 0) {
+        beam->cuts[beam->n_cuts++] =
+            (PlateCut){"", def->notch_position, 0, def->notch_position, def->notch_depth};
+    }
+}
+
+/* By whichever cut: a bond is cut once. */
+static bool is_cut(const Beam *beam, BondPlace bond)
+{
+    for (int k = 0; k < beam->n_cuts; k++)
+        if (cut_parts(&beam->cuts[k], &beam->lattice, bond))
+            return true;
+    return false;
 }
 
 /* Every bond of the lattice gets its coefficient c G w V (eq. 8), N/m^3 per unit stretch, a cut one 0 and its
@@ -35,16 +45,16 @@ static bool is_cut(const Beam *beam, BondPlace place)
 bool beam_set_bonds(Beam *beam, Status *status)
 {
     const Lattice *lattice = &beam->lattice;
-    bool has_notch = beam->def.problem == BEAM_NOTCHED && beam->def.notch_depth > 0 && !beam->free_body;
     const double bonds = (double)lattice_bonds(lattice);
     size_t number = 0;
+    set_cuts(beam);
     for (BondPlace bond = lattice_next_bond(lattice, (BondPlace){0, 0, -1}); bond.j < lattice->ny;
          bond = lattice_next_bond(lattice, bond), number++) {
         const double share = BUILDING_BONDS + (BUILDING_CRITICAL - BUILDING_BONDS) * (double)number / bonds;
         if (number % LATTICE_BONDS_A_QUESTION == 0 && !beam_go_on(beam, share, status))
             return false;
         size_t slot = lattice_slot(lattice, bond);
-        if (has_notch && is_cut(beam, bond)) {
+        if (is_cut(beam, bond)) {
             uint8_t bit = (uint8_t)(1u << slot % 8);
             beam->notched[slot / 8] |= bit;
             beam->broken[slot / 8] |= bit;
@@ -66,23 +76,14 @@ bool beam_set_bonds(Beam *beam, Status *status)
     return true;
 }
 
-/* Adds a node whose components x, y are held at rest. */
-static bool support(Beam *beam, int i, int j, bool x, bool y, Status *status)
-{
-    if (beam->n_supports == SUPPORTS_MAX)
-        return status_fail(status, STATUS_USAGE, "supports: more than %d nodes", SUPPORTS_MAX);
-    beam->supports[beam->n_supports++] = (Support){i, j, x, y};
-    return true;
-}
-
 /* Simply supported, eqs. 12, 13: one node at mid-height of each end, ux held at the left one only. To hold ux
  * in two rows of the left end would clamp its rotation (at dx = 1.2 mm the period falls from .993 to .787
  * ms). With an even number of rows mid-height lies between two; the lower one is taken. */
 void beam_simple_supports(const Lattice *lattice, Support supports[2])
 {
     const int j = (lattice->ny - 1) / 2;
-    supports[0] = (Support){0, j, true, true};
-    supports[1] = (Support){lattice->nx - 1, j, false, true};
+    supports[0] = (Support){{0, j, 1, 1}, true, true, 0, 0};
+    supports[1] = (Support){{lattice->nx - 1, j, 1, 1}, false, true, 0, 0};
 }
 
 /* The span between the supports is (nx - 1) dx, not the beam's length: the period goes as its square. */
@@ -99,20 +100,14 @@ static bool set_bottom_supports(Beam *beam, Status *status)
     const Lattice *lattice = &beam->lattice;
     const double at[2] = {beam->def.support_left, beam->def.support_right};
     double middle[2];
+    const double half = lattice->spacing / 2;
     for (int end = 0; end < 2; end++) {
-        int found = 0;
-        middle[end] = 0;
-        for (int i = 0; i < lattice->nx; i++)
-            if (fabs(lattice_x(lattice, i) - at[end]) <= lattice->spacing * (0.5 + 1e-6)) {
-                if (!support(beam, i, 0, beam->def.pinned && end == 0, true, status))
-                    return false;
-                middle[end] += lattice_x(lattice, i);
-                found++;
-            }
-        if (!found)
+        const Patch patch = patch_of_edge(lattice, PLATE_BOTTOM, at[end] - half, at[end] + half);
+        if (patch_is_empty(&patch))
             return status_fail(status, STATUS_USAGE, "supports.%s: no node lies at %g",
                                end ? "right" : "left", at[end]);
-        middle[end] /= found;
+        beam->supports[beam->n_supports++] = (Support){patch, beam->def.pinned && end == 0, true, 0, 0};
+        middle[end] = (lattice_x(lattice, patch.i) + lattice_x(lattice, patch.i + patch.columns - 1)) / 2;
     }
     beam->facts.real_span = middle[1] - middle[0];
     return true;
@@ -122,14 +117,10 @@ static bool set_bottom_supports(Beam *beam, Status *status)
 static bool set_load(Beam *beam, Status *status)
 {
     const Lattice *lattice = &beam->lattice;
-    double reach = beam->def.load_width / 2 + 1e-6 * lattice->spacing;
-    for (int i = 0; i < lattice->nx; i++)
-        if (fabs(lattice_x(lattice, i) - beam->def.load_position) <= reach) {
-            if (beam->load_end == 0)
-                beam->load_first = i;
-            beam->load_end = i + 1;
-        }
-    if (beam->load_end == 0)
+    const double reach = beam->def.load_width / 2, at = beam->def.load_position;
+    const Patch patch = patch_of_edge(lattice, PLATE_TOP, at - reach, at + reach);
+    beam->loads[beam->n_loads++] = (Load){patch, 0, -1, beam->def.load_ramp, INFINITY};
+    if (patch_is_empty(&patch))
         return status_fail(status, STATUS_USAGE,
                            "load.width: %g at %g holds no node of the top row (at least pd.spacing = %g)",
                            beam->def.load_width, beam->def.load_position, lattice->spacing);
@@ -161,6 +152,40 @@ static bool protect(Beam *beam, Status *status)
     return true;
 }
 
+/* The nodes nearest to a place along x or y: two where it lies in the middle between them. */
+static void find_probe(double first, double dx, int count, double at, int out[2])
+{
+    const double exact = (at - first) / dx;
+    out[0] = (int)fmin(fmax(ceil(exact - 0.5 - 1e-6), 0), count - 1);
+    out[1] = (int)fmin(fmax(floor(exact + 0.5 + 1e-6), 0), count - 1);
+}
+
+/* Probe, supports, loads and what is protected, from the rows of a plate. False: interrupted. */
+static bool set_plate(Beam *beam, Status *status)
+{
+    const Lattice *lattice = &beam->lattice;
+    const PlateDef *plate = &beam->def.plate;
+    find_probe(lattice_x(lattice, 0), lattice->spacing, lattice->nx, plate->probe_x, beam->probe_i);
+    find_probe(lattice_y(lattice, 0), lattice->spacing, lattice->ny, plate->probe_y, beam->probe_j);
+    if (beam->free_body)
+        return true;
+    for (const PlateRegion *r = plate->supports; r < plate->supports + plate->n_supports; r++)
+        beam->supports[beam->n_supports++] = (Support){patch_of(lattice, r->x0, r->y0, r->x1, r->y1, false),
+                                                       r->gives_x, r->gives_y, r->vx, r->vy};
+    for (const PlateLoad *l = plate->loads; l < plate->loads + plate->n_loads; l++)
+        beam->loads[beam->n_loads++] =
+            (Load){patch_of_edge(lattice, l->edge, l->from, l->to), l->sx, l->sy, l->ramp, l->until};
+    for (const PlateRegion *r = plate->unbreakable; r < plate->unbreakable + plate->n_unbreakable; r++) {
+        const Patch patch = patch_of(lattice, r->x0, r->y0, r->x1, r->y1, true);
+        if (!beam_go_on(beam, BUILDING_CRITICAL, status))
+            return false;
+        for (int j = patch.j; j < patch.j + patch.rows; j++)
+            memset(beam->unbreakable + (size_t)j * (size_t)lattice->nx + (size_t)patch.i, 1,
+                   (size_t)patch.columns);
+    }
+    return true;
+}
+
 /* Probe, supports and load of the problem. The probe of a beam that vibrates is the mean over the one or two
  * middle rows (moving cantilever: of the last column; simply supported: of the one or two middle columns);
  * that of the notched beam the node on top at mid-length. */
@@ -168,6 +193,8 @@ bool beam_set_problem(Beam *beam, Status *status)
 {
     const Lattice *lattice = &beam->lattice;
     int nx = lattice->nx, ny = lattice->ny;
+    if (beam->def.problem == BEAM_PLATE)
+        return set_plate(beam, status);
     beam->probe_j[0] = (ny - 1) / 2;
     beam->probe_j[1] = ny / 2;
     beam->probe_i[0] = beam->probe_i[1] = nx - 1;
@@ -216,6 +243,19 @@ static void bend_cantilever(const Beam *beam, double x, double y, double u[2])
     u[1] = U * (cosh(k * x) - cos(k * x) - ratio * (sinh(k * x) - sin(k * x)));
 }
 
+/* The nodes of a patch get a velocity and begin where they belong, in the components that are given. */
+static void move_patch(Beam *beam, Patch patch, bool x, bool y, double vx, double vy)
+{
+    for (int j = patch.j; j < patch.j + patch.rows; j++)
+        for (int i = patch.i; i < patch.i + patch.columns; i++) {
+            const size_t at = lattice_at(&beam->lattice, i, j);
+            if (x)
+                beam->nodes.ux[at] = 0, beam->nodes.vx[at] = vx;
+            if (y)
+                beam->nodes.uy[at] = 0, beam->nodes.vy[at] = vy;
+        }
+}
+
 /* u and v of every node at t = 0, then what is held. options->initial replaces both, for tests. False: given
  * up. */
 bool beam_set_motion(Beam *beam, const BeamOptions *options, Status *status)
@@ -241,13 +281,12 @@ bool beam_set_motion(Beam *beam, const BeamOptions *options, Status *status)
             beam->nodes.vx[at] = v[0];
             beam->nodes.vy[at] = v[1];
         }
-    /* held components start at rest; set after the first force instead, the energy would jump */
-    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++) {
-        size_t at = lattice_at(lattice, s->i, s->j);
-        if (s->x)
-            beam->nodes.ux[at] = beam->nodes.vx[at] = 0;
-        if (s->y)
-            beam->nodes.uy[at] = beam->nodes.vy[at] = 0;
-    }
+    const PlateDef *plate = &beam->def.plate;
+    for (const PlateRegion *r = plate->impulses; r < plate->impulses + plate->n_impulses; r++)
+        move_patch(beam, patch_of(lattice, r->x0, r->y0, r->x1, r->y1, false), true, true, r->vx, r->vy);
+    /* supports begin as they are to go on, and undeformed; set after the first force instead, the energy
+     * would jump */
+    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
+        move_patch(beam, s->patch, s->x, s->y, s->vx, s->vy);
     return true;
 }

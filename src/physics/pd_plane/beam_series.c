@@ -33,6 +33,16 @@ static double v_probe(Beam *beam)
     return probe(beam, beam->nodes.vy);
 }
 
+static double ux_probe(Beam *beam)
+{
+    return probe(beam, beam->nodes.ux);
+}
+
+static double vx_probe(Beam *beam)
+{
+    return probe(beam, beam->nodes.vx);
+}
+
 /* sum rho |v|^2/2 V b, row by row in a fixed order: the same bits with any vector width. */
 static double kinetic(Beam *beam)
 {
@@ -108,11 +118,13 @@ typedef struct SeriesEntry {
     unsigned problems; /* bits of BeamProblem */
 } SeriesEntry;
 
-enum { ALL = 1 << BEAM_SIMPLY_SUPPORTED | 1 << BEAM_MOVING_CANTILEVER | 1 << BEAM_NOTCHED };
+enum { ALL = 1 << BEAM_SIMPLY_SUPPORTED | 1 << BEAM_MOVING_CANTILEVER | 1 << BEAM_NOTCHED | 1 << BEAM_PLATE };
 
 static const SeriesEntry series[BEAM_SERIES_MAX] = {
     {{"u_probe", "u", "m", "transverse displacement at the probe"}, u_probe, ALL},
     {{"v_probe", "v", "m/s", "transverse velocity at the probe"}, v_probe, ALL},
+    {{"ux_probe", "ux", "m", "displacement along the plate at the probe"}, ux_probe, 1 << BEAM_PLATE},
+    {{"vx_probe", "vx", "m/s", "velocity along the plate at the probe"}, vx_probe, 1 << BEAM_PLATE},
     {{"length", "length", "m", "length outside the channel, L0 + v0 t"}, length, 1 << BEAM_MOVING_CANTILEVER},
     {{"crack_x", "crack x", "m", "the crack's tip along the beam; the notch's end before it begins"},
      crack_x,
@@ -131,10 +143,10 @@ static const SeriesEntry series[BEAM_SERIES_MAX] = {
      1 << BEAM_NOTCHED},
     {{"kinetic", "kinetic", "J", "kinetic energy"}, kinetic, ALL},
     {{"strain", "strain", "J", "energy of the bonds"}, beam_strain, ALL},
-    {{"work", "work", "J", "work of the load"}, work, ALL},
+    {{"work", "work", "J", "work of loads and moving supports"}, work, ALL},
     {{"dissipated", "dissipated", "J", "energy of the bonds when they broke"}, dissipated, ALL},
     {{"total", "total", "J", "kinetic + strain + dissipated; less the work it keeps its value"}, total, ALL},
-    {{"broken_bonds", "broken bonds", "1", "bonds broken in the run, without the notch's"},
+    {{"broken_bonds", "broken bonds", "1", "bonds broken in the run, without those cut before"},
      broken_bonds,
      ALL},
 };

@@ -40,14 +40,6 @@ int beam_held_columns(const Beam *beam, double time)
     return low;
 }
 
-/* b = -p min(1, t/t0)/dx, N/m^3: the stress p (Pa) on the top edge becomes a body force in the one layer of
- * nodes along it, which stands for the depth dx. The minus sign: p > 0 presses downwards. */
-double beam_body_force(const Beam *beam, double time)
-{
-    double ramp = beam->def.load_ramp > 0 ? fmin(1, time / beam->def.load_ramp) : 1;
-    return -beam->head->load_stress * ramp / beam->lattice.spacing;
-}
-
 /* --- what the stages do to one row; `step` is the number of whole steps before this one --- */
 
 /* At held columns (clamp = full: vx = v0 too, clamp = guide: vx free) and at supports. Called after each half
@@ -64,16 +56,18 @@ static void constrain_velocity(Beam *beam, int j, double time)
         if (beam->def.clamp == CLAMP_FULL)
             nodes->vx[i] = beam->def.speed;
     }
-    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
-        if (s->j == j) {
-            if (s->x)
-                nodes->vx[row + (size_t)s->i] = 0;
-            if (s->y)
-                nodes->vy[row + (size_t)s->i] = 0;
-        }
+    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++) {
+        if (!patch_has_row(&s->patch, j))
+            continue;
+        const size_t from = row + (size_t)s->patch.i, end = from + (size_t)s->patch.columns;
+        for (size_t i = from; s->x && i < end; i++)
+            nodes->vx[i] = s->vx;
+        for (size_t i = from; s->y && i < end; i++)
+            nodes->vy[i] = s->vy;
+    }
 }
 
-/* u of the same components: 0 at supports, (v0 t, 0) in the channel, in the laboratory's frame. */
+/* u in the channel, (v0 t, 0) in the laboratory's frame; at supports it follows from their velocity. */
 static void constrain_displacement(Beam *beam, int j, double time)
 {
     const NodeArrays *nodes = &beam->nodes;
@@ -84,13 +78,6 @@ static void constrain_displacement(Beam *beam, int j, double time)
         if (beam->def.clamp == CLAMP_FULL)
             nodes->ux[i] = beam->def.speed * time;
     }
-    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
-        if (s->j == j) {
-            if (s->x)
-                nodes->ux[row + (size_t)s->i] = 0;
-            if (s->y)
-                nodes->uy[row + (size_t)s->i] = 0;
-        }
 }
 
 /* v += dt/(2 rho) f, eqs. 9 and 11: f is rho a, so the density divides here and nowhere else. */
@@ -109,27 +96,14 @@ static void half_kick(Beam *beam, int j, long step)
     constrain_velocity(beam, j, (double)step * beam->sim.dt);
 }
 
-/* The load rests on the top row alone. */
-static bool is_loaded_row(const Beam *beam, int j)
-{
-    return j == beam->lattice.ny - 1 && beam->load_end > beam->load_first;
-}
-
-/* Eq. 10 of row j. The work of the load belongs to the same half step: b(t^{n+1/2}) v^{n+1/2} V dt times the
- * thickness, summed over the loaded nodes, J. With both factors at the middle of the step it is of second
- * order like the scheme. */
+/* Eq. 10 of row j, and the work that belongs to it. */
 static void drift(Beam *beam, int j, long step)
 {
     size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
     double dt = beam->sim.dt;
     beam->kernels->add(beam->nodes.ux + row, beam->nodes.vx + row, dt, count);
     beam->kernels->add(beam->nodes.uy + row, beam->nodes.vy + row, dt, count);
-    if (is_loaded_row(beam, j)) {
-        double force = beam_body_force(beam, ((double)step + 0.5) * dt), work = 0;
-        for (int i = beam->load_first; i < beam->load_end; i++)
-            work += force * beam->nodes.vy[row + (size_t)i];
-        beam->head->work += work * beam_volume(beam) * beam->def.thickness * dt;
-    }
+    beam_note_work(beam, j, step);
 }
 
 /* Eqs. 12, 13 at the end of the drift: displacements where they are given, and the velocities that belong to
@@ -144,12 +118,7 @@ static void constraints(Beam *beam, int j, long step)
 /* b of eq. 8 at t^{n+1}, added to what the bonds have left in f. */
 static void body_force(Beam *beam, int j, long step)
 {
-    if (!is_loaded_row(beam, j))
-        return;
-    size_t row = lattice_at(&beam->lattice, 0, j);
-    double force = beam_body_force(beam, (double)(step + 1) * beam->sim.dt);
-    for (int i = beam->load_first; i < beam->load_end; i++)
-        beam->nodes.fy[row + (size_t)i] += force;
+    beam_add_loads(beam, j, (double)(step + 1) * beam->sim.dt);
 }
 
 /* Eq. 11. */
@@ -157,6 +126,7 @@ static void second_kick(Beam *beam, int j, long step)
 {
     kick(beam, j);
     constrain_velocity(beam, j, (double)(step + 1) * beam->sim.dt);
+    beam_note_reaction(beam, j);
 }
 
 /* Enters the bonds that broke into the list of the run. False: a bond is beyond all bounds, or memory was
@@ -221,6 +191,8 @@ bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *st
     }
     for (size_t j = first; j < end; j++)
         row_stages[stage](beam, (int)j, sim->step);
+    if (stage == STAGE_DRIFT || stage == STAGE_SECOND_KICK)
+        beam_add_work(beam, stage == STAGE_SECOND_KICK);
     return true;
 }
 
@@ -279,8 +251,10 @@ static bool run_steps(Beam *beam, long count, double *rows, long *done, Status *
     bool begun = false;
     for (*done = 0; *done < count; ++*done) {
         beam->strain_known = false;
-        if (!begun)
+        if (!begun) {
             beam_run(beam, begin_chunk, beam->n_bands);
+            beam_add_work(beam, 0);
+        }
 
         beam_bond_forces(beam, rows != NULL);
         bool sound = true;
@@ -292,6 +266,9 @@ static bool run_steps(Beam *beam, long count, double *rows, long *done, Status *
         bool pause = rows || *done + 1 == count;
         beam_run(beam, pause ? end_chunk : turn_chunk, beam->n_bands);
         begun = !pause;
+        beam_add_work(beam, 1);
+        if (begun)
+            beam_add_work(beam, 0);
         beam_update_damage(beam, sim->step + 1);
         sim->step++;
         if (rows)

@@ -98,7 +98,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
                 false);
     derived_add(out, &n, "critical_stretch", "critical s0", "1", settings->bonds.critical_stretch, false);
     derived_add(out, &n, "critical_energy", "critical G0", "J/m^2", settings->bonds.critical_energy, false);
-    if (settings->problem->concerns & CONCERN_NOTCH)
+    if (settings->problem->concerns & (CONCERN_NOTCH | CONCERN_PLATE))
         derived_add(out, &n, "rayleigh_speed", "Rayleigh c_R", "m/s",
                     crack_speed_rayleigh(settings->material.youngs_modulus, settings->material.density),
                     false);
@@ -115,7 +115,13 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
         derived_add(out, &n, "bonds", "bonds", "1", (double)facts.bonds, true);
         if (settings->problem->concerns & CONCERN_NOTCH)
             derived_add(out, &n, "notch_bonds", "cut by notch", "1", (double)facts.notch_bonds, true);
+        if (settings->problem->concerns & CONCERN_PLATE)
+            derived_add(out, &n, "cut_bonds", "cut bonds", "1", (double)facts.notch_bonds, true);
         derived_add(out, &n, "real_height", "real height", "m", facts.real_height, false);
+        if (settings->problem->concerns & CONCERN_PLATE) {
+            derived_add(out, &n, "real_length", "real length", "m", facts.nx * sim->spacing, false);
+            return n;
+        }
         derived_add(out, &n, "real_span", "real span", "m", facts.real_span, false);
     }
     if (beam_definition(settings, 1).problem == BEAM_SIMPLY_SUPPORTED) {
@@ -139,6 +145,18 @@ static bool advice(const Settings *settings, char *text, size_t size, Status *st
     double ratio = settings->lattice.horizon / settings->lattice.spacing;
     if (!(ratio >= 3 * (1 - 1e-9) && ratio <= 4 * (1 + 1e-9)))
         snprintf(text, size, "the horizon is %.3g spacings; 3 to 4 are usual", ratio);
+    return true;
+}
+
+/* A cut on which nodes lie is one-sided. */
+static bool advice_plate(const Settings *settings, char *text, size_t size, Status *status)
+{
+    const BeamDef plate = beam_definition(settings, 1);
+    const int cut = beam_one_sided_cut(&plate);
+    if (cut < 0)
+        return advice(settings, text, size, status);
+    snprintf(text, size, "cut %s runs along nodes, which hang on its right: shift it by half a spacing, %g m",
+             plate.plate.cuts[cut].name, plate.spacing / 2);
     return true;
 }
 
@@ -191,6 +209,16 @@ const Solver beam_by_pd_moving = {
 
 const Solver beam_by_pd_notched = {
     BY_PD_ALIKE,
+    .prepare = beam_prepare_notched,
+    .readout = beam_read_nothing,
+};
+
+const Solver beam_by_pd_plate = {
+    .method = METHOD_PD,
+    .check = check,
+    .simulate = simulate,
+    .derived = derived,
+    .advice = advice_plate,
     .prepare = beam_prepare_notched,
     .readout = beam_read_nothing,
 };

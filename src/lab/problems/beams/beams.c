@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The beams in the plane: supported, leaving a channel, notched and bent. */
+/* The beams in the plane, supported, leaving a channel, notched and bent; and the plate. */
 #include "lab/problems/solvers.h"
 #include "lab/settings/parameters.h"
 
@@ -98,4 +98,29 @@ const Problem problem_notched_beam = {
     .solvers = solvers_notched,
     .alone = "by it nothing breaks",
     BEAM_COMMON,
+};
+
+/* --- plate ---------------------------------------------------------------------------------------- */
+
+/* Glass as the branching experiments have it (Duran 50). */
+static const ParameterUse uses_plate[] = {
+    {USE("plate.length", 0.1)},          {USE("plate.height", 0.04)},      {USE("plate.thickness", 0.001)},
+    {USE("plate.youngs_modulus", 65e9)}, {USE("plate.density", 2235)},     {USE("pd.spacing", 0.5e-3)},
+    {USE("pd.horizon", 2e-3)},           {USE("pd.critical_energy", 204)}, {USE("time.end", 5e-5)},
+};
+
+static const Solver *const solvers_plate[] = {&beam_by_pd_plate, NULL};
+
+const Problem problem_plate = {
+    .word = "plate",
+    .title = "a plate with cuts, loads and supports of your own",
+    .concerns = CONCERN_PLATE | CONCERN_LATTICE | CONCERN_BREAKING | CONCERN_STEP,
+    USES(uses_plate),
+    .solvers = solvers_plate,
+    .alone = "by it nothing breaks",
+    .answer = "theory",
+    .si = true,
+    .unit_of_time = "s",
+    .shown_time = 1e-6,
+    .shown_time_unit = " us",
 };

@@ -218,8 +218,8 @@ BondPlace lattice_bond_place(const Lattice *lattice, size_t number)
 }
 
 /* Columns and rows: nx = round(L/dx) (moving cantilever: of L and the channel), ny = floor(h/dx + 1e-9), of
- * the notched beam round(h/dx). So a beam is up to a spacing lower than its h, and its period longer: T goes
- * as 1/height. y = 0 is the mid-plane, on the notched beam the bottom. */
+ * the notched beam and of plates round(h/dx). So a beam is up to a spacing lower than its h, and its period
+ * longer: T goes as 1/height. y = 0 is the mid-plane, on the notched beam and on plates the bottom. */
 static bool count_nodes(Lattice *lattice, const BeamDef *def, Status *status)
 {
     double dx = def->spacing, length = def->length;
@@ -230,31 +230,35 @@ static bool count_nodes(Lattice *lattice, const BeamDef *def, Status *status)
         length += def->channel;
     }
     columns = round(length / dx);
-    rows = def->problem == BEAM_NOTCHED ? round(def->height / dx) : floor(def->height / dx + 1e-9);
+    const bool from_below = def->problem == BEAM_NOTCHED || def->problem == BEAM_PLATE;
+    const char *word = def->problem == BEAM_PLATE ? "plate" : "beam";
+    rows = from_below ? round(def->height / dx) : floor(def->height / dx + 1e-9);
     if (columns < 4)
         return status_fail(status, STATUS_USAGE,
-                           "pd.spacing: the beam is only %.0f nodes long (at least 4; beam.length is %g)",
-                           columns, def->length);
+                           "pd.spacing: the %s is only %.0f nodes long (at least 4; %s.length is %g)", word,
+                           columns, word, def->length);
     if (rows < 2)
         return status_fail(status, STATUS_USAGE,
-                           "pd.spacing: the beam is only %.0f nodes high (at least 2; beam.height is %g)",
-                           rows, def->height);
+                           "pd.spacing: the %s is only %.0f nodes high (at least 2; %s.height is %g)", word,
+                           rows, word, def->height);
     /* bounds of memory: two gigabytes of coefficients, as much of node arrays */
     const double bonds_max = 268435456, nodes_max = 33554432;
     double bonds = columns * rows * lattice->n_offsets;
     if (bonds > bonds_max)
         return status_fail(status, STATUS_USAGE,
-                           "pd.spacing: %.3g bonds are too many for memory (at most %.3g: a larger spacing "
-                           "or a smaller horizon)",
-                           bonds, bonds_max);
+                           "pd.spacing: %.4g nodes with %d bonds each are too many for memory (at most %.0f "
+                           "nodes: a larger spacing, or a smaller horizon)",
+                           columns * rows, lattice->n_offsets, floor(bonds_max / lattice->n_offsets));
     /* rows are padded: a high beam of a few columns takes as much as a wider one */
     if ((columns + 3 * LATTICE_BLOCK) * rows > nodes_max)
-        return status_fail(status, STATUS_USAGE,
-                           "pd.spacing: %.3g rows of %.3g nodes are too many for memory (a larger spacing)",
-                           rows, columns);
+        return status_fail(
+            status, STATUS_USAGE,
+            "pd.spacing: %.3g rows of %.3g nodes are too many for memory (at most %.0f rows: a "
+            "larger spacing)",
+            rows, columns, floor(nodes_max / (columns + 3 * LATTICE_BLOCK)));
     lattice->nx = (int)columns;
     lattice->ny = (int)rows;
-    lattice->y0 = def->problem == BEAM_NOTCHED ? 0 : -(lattice->ny * dx / 2);
+    lattice->y0 = from_below ? 0 : -(lattice->ny * dx / 2);
     return true;
 }
 

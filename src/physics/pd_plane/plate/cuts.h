@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Cuts: which bonds they part. */
+#ifndef PHYSICS_PD_CUTS_H
+#define PHYSICS_PD_CUTS_H
+
+#include "physics/pd_plane/bonds/lattice.h"
+#include "physics/pd_plane/plate/plate.h"
+
+/* Whether the cut parts the bond. */
+bool cut_parts(const PlateCut *, const Lattice *, BondPlace);
+
+/* Whether two or more nodes lie on the cut, so that it is one-sided. */
+bool cut_runs_along_nodes(const PlateCut *, const Lattice *);
+
+#endif
