@@ -296,7 +296,9 @@ static void write_parameter(const Parameter *parameter, int concern)
 
 static bool write_parameters(const char *which)
 {
-    const int concern = strcmp(which, "bar") == 0 ? CONCERN_BAR : CONCERN_BEAM;
+    const int concern = strcmp(which, "bar") == 0      ? CONCERN_BAR
+                        : strcmp(which, "plates") == 0 ? CONCERN_PLATE
+                                                       : CONCERN_BEAM;
     for (int i = 0; i < n_parameters; i++) {
         bool of_any = false;
         for (int p = 0; problems[p]; p++)
@@ -313,6 +315,40 @@ static bool write_parameters(const char *which)
             fputs("No parameter: ", stdout);
             say_line(fixed->reason);
         }
+    return true;
+}
+
+/* --- rows of a plate ------------------------------------------------------------------------------ */
+
+static bool write_rows(const char *unused)
+{
+    (void)unused;
+    for (const RowKind *kind = row_kinds; kind < row_kinds + ROW_KINDS; kind++) {
+        puts(".TP");
+        printf(".B [%s]\\ \n", kind->section);
+        for (int i = 0; kind->usual && i < kind->n_columns; i++)
+            printf("%s%s", i ? ", " : "", kind->columns[i].word);
+        say(kind->usual ? "" : "NAME = ");
+        say_line(kind->usual ? "" : kind->form);
+        puts(".br");
+        say(kind->help);
+        puts(".");
+        const char *comma = "";
+        fputs("Units: ", stdout);
+        for (int i = 0; i < kind->n_columns; i++) {
+            if (!*kind->columns[i].unit)
+                continue;
+            printf("%s%s ", comma, kind->columns[i].word);
+            say(kind->columns[i].unit);
+            comma = ", ";
+        }
+        puts(".");
+        if (kind->usual) {
+            fputs("Default ", stdout);
+            say_in("B", kind->usual);
+            puts(".");
+        }
+    }
     return true;
 }
 
@@ -403,7 +439,8 @@ static const struct {
     {"commands", write_commands},     {"keys", write_keys},       {"options", write_options},
     {"parameters", write_parameters}, {"results", write_results}, {"scenarios", write_scenarios},
     {"lessons", write_lessons},       {"script", write_script},   {"series", write_series},
-    {"choices", write_choices},       {"tables", write_tables},   {"texts", write_texts},
+    {"choices", write_choices},       {"tables", write_tables},   {"rows", write_rows},
+    {"texts", write_texts},
 };
 
 static bool fill(char *line)

@@ -167,10 +167,10 @@ static const struct {
     {"problem = bar\n", "f.ini:1: problem: stands before any section (begin with [scenario])"},
     {"[scenario]\nproblem = beem\n",
      "f.ini:2: scenario.problem: beem is not a choice (bar | simply-supported-beam | moving-cantilever | "
-     "notched-beam | one-particle | hanging-column)"},
+     "notched-beam | plate | one-particle | hanging-column)"},
     {"[scenario]\nproblem =\n",
      "f.ini:2: scenario.problem:  is not a choice (bar | simply-supported-beam | moving-cantilever | "
-     "notched-beam | one-particle | hanging-column)"},
+     "notched-beam | plate | one-particle | hanging-column)"},
     {BAR "method = fem\n", "f.ini:3: scenario.method: fem is not a choice (mpm | pd)"},
     {"[scenario]\nproblem = notched-beam\nmethod = mpm\n",
      "f.ini:3: scenario.method: mpm cannot solve problem notched-beam: by it nothing breaks (pd)"},
@@ -183,7 +183,7 @@ static const struct {
      "f.ini:5: pd.surface_correction: volume is for beams (none | energy)"},
     {BAR "method = pd\n[pd]\ncritical_stretch = 0.1\n",
      "f.ini:5: pd.critical_stretch: is no parameter of problem bar (only of simply-supported-beam, "
-     "moving-cantilever, notched-beam)"},
+     "moving-cantilever, notched-beam, plate)"},
     {BAR "[duel]\nscenario.method = pd\npd.horizon = 0.2\n",
      "f.ini:5: duel: pd.horizon: 0.2 is below the spacing (at least pd.spacing = 0.5)"},
     {BAR "\n[mseh]\n", "f.ini:4: [mseh]: unknown section (did you mean [mesh]?)"},
