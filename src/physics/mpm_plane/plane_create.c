@@ -13,8 +13,8 @@ static size_t lay_out(Plane *plane, unsigned char *block)
 {
     size_t size = 0, number = 0;
     const size_t particles = (size_t)plane->n_places, blocks = (size_t)plane->n_blocks;
-    /* empty lanes look beyond the end: three rows on, and a vector */
-    const size_t nodes = (size_t)plane->n_nodes + 3 * (size_t)plane->gx + 2 * PLANE_LANES;
+    /* the empty lanes of a run look beyond the last node */
+    const size_t nodes = (size_t)plane->n_nodes + 2 * PLANE_LANES;
 #define ARRAY(pointer, count)                                                                                \
     do {                                                                                                     \
         if (block)                                                                                           \
@@ -32,21 +32,23 @@ static size_t lay_out(Plane *plane, unsigned char *block)
     ARRAY(plane->base, particles);
     ARRAY(plane->runs, particles / PLANE_LANES);
     ARRAY(plane->blocks, blocks);
-    double **const of_nodes[] = {
-        &plane->node_mass, &plane->node_inverse, &plane->px,      &plane->py, &plane->fx,
-        &plane->fy,        &plane->node_vx,      &plane->node_vy, &plane->ax, &plane->ay};
+    double **const of_nodes[] = {&plane->node_mass, &plane->node_inverse, &plane->px,      &plane->py,
+                                 &plane->fx,        &plane->fy,           &plane->node_vx, &plane->node_vy};
     for (size_t k = 0; k < sizeof of_nodes / sizeof *of_nodes; k++)
         ARRAY(*of_nodes[k], nodes);
     plane->bytes_whole = size;
     /* scratch stands behind */
     ARRAY(plane->slots, plane_slot_numbers(plane) * (size_t)plane->def.threads);
-    ARRAY(plane->patches, blocks * (size_t)plane->gy * PLANE_GIVEN * PLANE_PATCH);
+    /* patches are of no use when a row is written, which is when there is something to do for plane_null.c */
+    const size_t null = plane_null_pays(plane) ? plane_null_numbers(plane) : 0;
+    const size_t patches = blocks * (size_t)plane->gy * PLANE_GIVEN * PLANE_PATCH;
+    ARRAY(plane->patches, null > patches ? null : patches);
     ARRAY(plane->push, (size_t)plane->gy);
     ARRAY(plane->far, blocks);
     ARRAY(plane->trouble, blocks);
-    ARRAY(plane->null, plane_null_pays(plane) ? plane_null_numbers(plane) : 1);
     ARRAY(plane->backup, plane->bytes_particles);
 #undef ARRAY
+    plane->null = plane->patches;
     return size;
 }
 

@@ -89,38 +89,12 @@ static bool judge(Plane *plane, const PlaneTask *tasks, int count, int first, in
 
 /* --- nodes ------------------------------------------------------------------------------------------- */
 
-/* Which columns of nodes stand in the channel or at a support: [0, left) and [right, gx). Asked of
- * plane_held() itself, so that there is one answer. */
-typedef struct HeldColumns {
-    int left, right;
-    PlaneHeld at_left, at_right;
-} HeldColumns;
-
-static HeldColumns held_columns(const Plane *plane, long step, int row)
-{
-    /* a guess, and then to the very node */
-    int left = (int)((0 - plane_xmin(plane, step)) / plane->dx);
-    int right = plane->def.leaves_channel ? plane->gx : left + (int)(plane->def.length / plane->dx);
-    left = left < 0 ? 0 : left < plane->gx ? left : plane->gx;
-    right = right < left ? left : right < plane->gx ? right : plane->gx;
-    while (left > 0 && !plane_is_left(plane, step, left - 1))
-        left--;
-    while (left < plane->gx && plane_is_left(plane, step, left))
-        left++;
-    while (right < plane->gx && !plane_is_right(plane, step, right))
-        right++;
-    while (right > 0 && plane_is_right(plane, step, right - 1))
-        right--;
-    return (HeldColumns){left, right, plane_held(plane, step, 0, row),
-                         plane_held(plane, step, plane->gx - 1, row)};
-}
-
 /* Supports, paper M's step 2 and paper P's eqs. 12, 13: p = m v0 along where x is held, 0 across where y is.
  * The mass stays. */
 static void hold(Plane *plane, long step, int first_row, int end_row)
 {
     for (int j = first_row; j < end_row; j++) {
-        const HeldColumns held = held_columns(plane, step, j);
+        const PlaneHeldColumns held = plane_held_columns(plane, step, j);
         double *px = plane->px + j * plane->gx, *py = plane->py + j * plane->gx;
         const double *mass = plane->node_mass + j * plane->gx;
         for (int i = 0; i < held.left && held.at_left.x; i++)
@@ -133,12 +107,12 @@ static void hold(Plane *plane, long step, int first_row, int end_row)
     plane->kernels->velocities(plane, first_row, end_row);
 }
 
-/* Supports take the force of the nodes that they hold; then a = f/m. The one along a channel that moves with
+/* Supports take the force of the nodes that they hold. The one along a channel that moves with
  * v0 does work on the beam: push is its force, N/m, row by row. */
 static void hold_force(Plane *plane, long step, int first_row, int end_row)
 {
     for (int j = first_row; j < end_row; j++) {
-        const HeldColumns held = held_columns(plane, step, j);
+        const PlaneHeldColumns held = plane_held_columns(plane, step, j);
         double *fx = plane->fx + j * plane->gx, *fy = plane->fy + j * plane->gx, push = 0;
         for (int i = 0; i < held.left && held.at_left.x; i++) {
             push += fx[i];
@@ -150,7 +124,6 @@ static void hold_force(Plane *plane, long step, int first_row, int end_row)
             fy[i] = 0;
         plane->push[j] = push;
     }
-    plane->kernels->accelerate(plane, first_row, end_row);
 }
 
 /* -f_x v0 dt times the thickness, J: f_x is the beam's force on the node. In the order of rows. */

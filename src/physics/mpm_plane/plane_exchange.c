@@ -83,8 +83,8 @@ static bool at_hand(const Plane *plane, PlaneExchange exchange)
 void plane_strain_velocity(const Plane *plane, int node, double v[2])
 {
     const bool integrated = plane->head->algorithm == MPM_USF && plane_has_done(plane, PLANE_INTEGRATE);
-    v[0] = plane->node_vx[node] - (integrated ? plane->dt * plane->ax[node] : 0);
-    v[1] = plane->node_vy[node] - (integrated ? plane->dt * plane->ay[node] : 0);
+    v[0] = plane->node_vx[node] - (integrated ? plane->dt * plane_acceleration(plane, 0, node) : 0);
+    v[1] = plane->node_vy[node] - (integrated ? plane->dt * plane_acceleration(plane, 1, node) : 0);
 }
 
 /* With flip fraction alpha a particle's new velocity is v + sum N [alpha dt a + (1 - alpha)(v_i - v)], as sum
@@ -92,17 +92,17 @@ void plane_strain_velocity(const Plane *plane, int node, double v[2])
 static double gain(const Plane *plane, int p, int node, int axis, const PlaneWeights *w)
 {
     const double alpha = plane->head->flip_fraction;
-    const double *a = axis ? plane->ay : plane->ax, *v = axis ? plane->node_vy : plane->node_vx;
+    const double *v = axis ? plane->node_vy : plane->node_vx;
     const int at = plane_at(plane, p);
     double kick = 0, mean = 0;
     for (int b = 0; b < plane->support; b++)
         for (int c = 0; c < plane->support; c++) {
             const int i = plane->base[at] + b * plane->gx + c;
-            kick += w->nx[c] * w->ny[b] * plane->dt * a[i];
+            kick += w->nx[c] * w->ny[b] * plane->dt * plane_acceleration(plane, axis, i);
             mean += w->nx[c] * w->ny[b] * v[i];
         }
     const double now = axis ? plane->vy[at] : plane->vx[at], old = (now - (1 - alpha) * mean) / alpha - kick;
-    return alpha * plane->dt * a[node] + (1 - alpha) * (v[node] - old);
+    return alpha * plane->dt * plane_acceleration(plane, axis, node) + (1 - alpha) * (v[node] - old);
 }
 
 /* The factors of one term in the order of its words; 0: not at hand, or the two do not touch. */
@@ -161,7 +161,7 @@ int plane_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
             FACTORS(2, N, axis ? plane->node_vy[node] : plane->node_vx[node]);
         if (alpha != 1)
             FACTORS(2, N, gain(plane, p, node, axis, &w));
-        FACTORS(3, dt, N, axis ? plane->ay[node] : plane->ax[node]);
+        FACTORS(3, dt, N, plane_acceleration(plane, axis, node));
     }
     case TAKE_X:
         FACTORS(3, dt, N, plane->node_vx[node]);

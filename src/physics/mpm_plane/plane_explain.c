@@ -227,8 +227,8 @@ static void update_particle(const Subject *subject)
 static void update_node(const Subject *subject)
 {
     const Plane *plane = subject->plane;
-    calculation_number(subject->calculation, "it gives ax = ", plane->ax[subject->index]);
-    calculation_number(subject->calculation, ", ay = ", plane->ay[subject->index]);
+    calculation_number(subject->calculation, "it gives ax = ", plane_acceleration(plane, 0, subject->index));
+    calculation_number(subject->calculation, ", ay = ", plane_acceleration(plane, 1, subject->index));
     calculation_end_line(subject->calculation);
 }
 

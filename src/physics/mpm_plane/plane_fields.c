@@ -225,10 +225,11 @@ static double node_field(const Plane *plane, int field, int node)
     if (!mapped) /* the grid is forgotten between steps */
         return 0;
     const double *const arrays[] = {
-        [N_MASS] = plane->node_mass, [N_PX] = plane->px, [N_PY] = plane->py,
-        [N_FX] = plane->fx,          [N_FY] = plane->fy, [N_VX] = plane->node_vx,
-        [N_VY] = plane->node_vy,     [N_AX] = plane->ax, [N_AY] = plane->ay,
+        [N_MASS] = plane->node_mass, [N_PX] = plane->px,      [N_PY] = plane->py,      [N_FX] = plane->fx,
+        [N_FY] = plane->fy,          [N_VX] = plane->node_vx, [N_VY] = plane->node_vy,
     };
+    if (field == N_AX || field == N_AY)
+        return plane_has_done(plane, PLANE_HOLD_FORCE) ? plane_acceleration(plane, field == N_AY, node) : 0;
     if (field == N_ACTIVE)
         return plane->node_mass[node] > plane->floor;
     if ((field == N_VX || field == N_VY) && !moves)

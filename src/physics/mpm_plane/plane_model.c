@@ -53,3 +53,23 @@ void plane_derive(Plane *plane)
     plane->speed = def->speed;
     set_probe(plane);
 }
+
+/* Asked of plane_held() itself, so that there is one answer. */
+PlaneHeldColumns plane_held_columns(const Plane *plane, long step, int row)
+{
+    /* a guess, and then to the very node */
+    int left = (int)((0 - plane_xmin(plane, step)) / plane->dx);
+    int right = plane->def.leaves_channel ? plane->gx : left + (int)(plane->def.length / plane->dx);
+    left = left < 0 ? 0 : left < plane->gx ? left : plane->gx;
+    right = right < left ? left : right < plane->gx ? right : plane->gx;
+    while (left > 0 && !plane_is_left(plane, step, left - 1))
+        left--;
+    while (left < plane->gx && plane_is_left(plane, step, left))
+        left++;
+    while (right < plane->gx && !plane_is_right(plane, step, right))
+        right++;
+    while (right > 0 && plane_is_right(plane, step, right - 1))
+        right--;
+    return (PlaneHeldColumns){left, right, plane_held(plane, step, 0, row),
+                              plane_held(plane, step, plane->gx - 1, row)};
+}

@@ -10,42 +10,32 @@
  *
  * M_C is a band when nodes are numbered by columns; M_C = U' D U row by row, and p' M_C^-1 p = sum of z^2/d
  * with U' z = p. A node that its particles cannot tell from the others, whose pivot is nothing but rounding,
- * leaves the sum. Source: G. H. Golub, C. F. Van Loan, Matrix Computations (2013), section 4.3. */
-#include "physics/mpm_plane/plane_state.h"
+ * leaves the sum. Source: G. H. Golub, C. F. Van Loan, Matrix Computations (2013), section 4.3.
+ *
+ * A column of nodes can go once all particles that touch it are there: so there are never more columns of the
+ * matrix at hand than a particle touches, and they stay in the cache. */
+#include "physics/mpm_plane/kernels/plane_kernels.h"
 
 #include <string.h>
 
-/* Columns and rows of the grid that particles touch. */
-typedef struct Box {
-    int i, j, columns, rows;
-} Box;
-
-static Box touched(const Plane *plane)
+static int width_of(const Plane *plane, int rows)
 {
-    int left = plane->gx, right = 0, low = plane->gy, high = 0;
-    for (int p = 0; p < plane->n_particles; p++) {
-        const int at = plane_at(plane, p), i = plane->base[at] % plane->gx, j = plane->base[at] / plane->gx;
-        left = i < left ? i : left;
-        right = i > right ? i : right;
-        low = j < low ? j : low;
-        high = j > high ? j : high;
-    }
-    return (Box){left, low, right - left + plane->support, high - low + plane->support};
+    return (plane->support - 1) * (rows + 1);
 }
 
-/* From a node to the last of its neighbours in this numbering. */
-static size_t width_of(const Plane *plane, int rows)
+static int stride_of(int width)
 {
-    return (size_t)((plane->support - 1) * (rows + 1));
+    return (width + 1 + 2 * PLANE_LANES - 1) / PLANE_LANES * PLANE_LANES;
 }
 
 size_t plane_null_numbers(const Plane *plane)
 {
-    const size_t nodes = ((size_t)plane->gx + 3) * ((size_t)plane->gy + 3);
-    return nodes * (width_of(plane, plane->gy) + 3);
+    const size_t nodes = (size_t)plane->n_nodes, stride = (size_t)stride_of(width_of(plane, plane->gy));
+    const size_t bytes = (size_t)(plane->n_places + plane->gx) * sizeof(int32_t) + 2 * nodes;
+    return 2 * nodes + 2 * (size_t)(plane->support * plane->gy) * stride + bytes / sizeof(double) + 2;
 }
 
-/* About ten milliseconds a row at most; beyond, kinetic_null is no column of the series. */
+/* Some milliseconds a row at most; beyond, kinetic_null is no column of the series. */
 bool plane_null_pays(const Plane *plane)
 {
     const double width = (double)width_of(plane, plane->nyp / plane->def.particles_per_cell + 2);
@@ -54,84 +44,123 @@ bool plane_null_pays(const Plane *plane)
            2e7;
 }
 
-/* The upper half of M_C: band[k (width + 1) + d] = M_C(k, k + d). */
-static void assemble(const Plane *plane, Box box, size_t width, double *band)
+/* Chains of the particles by the column in which their nodes begin, each in the order of places, and the box
+ * of all. */
+static PlaneBox sort(const Plane *plane, int32_t *heads, int32_t *nexts)
 {
-    const int n = plane->support;
-    memset(band, 0, (size_t)box.columns * (size_t)box.rows * (width + 1) * sizeof *band);
-    for (int p = 0; p < plane->n_particles; p++) {
-        const int at = plane_at(plane, p);
+    int left = plane->gx, right = 0, low = plane->gy, high = 0;
+    for (int i = 0; i < plane->gx; i++)
+        heads[i] = -1;
+    for (int block = plane->n_blocks - 1; block >= 0; block--) {
+        const int first = block * plane->n_vectors * PLANE_LANES, lanes = plane_lanes(plane, block);
+        for (int at = first + plane->n_vectors * PLANE_LANES - 1; at >= first; at--) {
+            if (at % PLANE_LANES >= lanes)
+                continue;
+            const int j = plane->base[at] / plane->gx, i = plane->base[at] - j * plane->gx;
+            nexts[at] = heads[i];
+            heads[i] = at;
+            left = i < left ? i : left;
+            right = i > right ? i : right;
+        }
+        low = plane->blocks[block].low < low ? plane->blocks[block].low : low;
+        high = plane->blocks[block].high > high ? plane->blocks[block].high : high;
+    }
+    return (PlaneBox){left, low, right - left + plane->support, high - low + 1};
+}
+
+/* The first of a column's rows, of a matrix. */
+static double *column_of(const Plane *plane, const PlaneNull *work, int which, int column)
+{
+    return work->bands[which] + column % plane->support * work->box.rows * work->stride;
+}
+
+/* Adds M_C of the particles whose nodes begin in a column of the box: in row k, entry d is M_C(k, k + d). */
+static void assemble(const Plane *plane, const PlaneNull *work, int column)
+{
+    const int n = plane->support, rows = work->box.rows;
+    const ptrdiff_t second = work->bands[1] ? work->bands[1] - work->bands[0] : 0;
+    for (int at = work->heads[work->box.i + column]; at >= 0; at = work->nexts[at]) {
         const PlaneWeights w = plane_weights(plane, plane->sx[at], plane->sy[at]);
-        const int i = plane->base[at] % plane->gx - box.i, j = plane->base[at] / plane->gx - box.j;
-        for (int a = 0; a < n; a++)
+        const int j = plane->base[at] / plane->gx - work->box.j;
+        for (int a = 0; a < n; a++) {
+            double *nodes = column_of(plane, work, 0, column + a);
             for (int b = 0; b < n; b++) {
-                double *row = band + (size_t)((i + a) * box.rows + j + b) * (width + 1);
+                double *row = nodes + (j + b) * work->stride;
                 const double share = plane->mass * (w.nx[a] * w.ny[b]);
                 for (int c = a; c < n; c++)
-                    for (int d = c == a ? b : 0; d < n; d++)
-                        row[(c - a) * box.rows + d - b] += share * (w.nx[c] * w.ny[d]);
+                    for (int d = c == a ? b : 0; d < n; d++) {
+                        double *entry = row + (c - a) * rows + d - b;
+                        const double value = share * (w.nx[c] * w.ny[d]);
+                        *entry += value;
+                        if (second != 0)
+                            entry[second] += value;
+                    }
             }
+        }
     }
 }
 
-/* p' M_C^-1 p for the components in z[0] and, if it is not NULL, z[1], in units of mass times velocity
- * squared, by elimination row by row: after row k what is left of the matrix and of z is that of the nodes
- * behind it, and z_k^2/d_k is this node's part. `out` marks the nodes that take no part. The band is used up;
- * it takes count width^2 products. */
-static double solve(double *band, size_t count, size_t width, const bool *out, double *const z[2])
+/* Shares out plane->null, and says which nodes take part: those with mass that nothing holds, and what
+ * momentum they have. */
+static PlaneNull prepare(Plane *plane)
 {
-    const double rounding = 1e-13;
-    double sum = 0;
-    for (size_t k = 0; k < count; k++) { /* what rows before have left of the diagonal is compared with it */
-        double *row = band + k * (width + 1);
-        if (out[k] || !(row[0] > 0))
-            continue;
-        const double inverse = 1 / row[0];
-        for (int q = 0; q < 2 && z[q]; q++)
-            sum += z[q][k] * z[q][k] * inverse;
-        const size_t last = k + width < count ? width : count - 1 - k;
-        for (size_t d = 1; d <= last; d++) {
-            if (row[d] == 0 || out[k + d])
-                continue;
-            const double factor = row[d] * inverse;
-            double *below = band + (k + d) * (width + 1);
-            const double whole = below[0];
-            for (size_t e = d; e <= last; e++)
-                below[e - d] -= factor * row[e];
-            if (below[0] < rounding * whole)
-                below[0] = 0;
-            for (int q = 0; q < 2 && z[q]; q++)
-                z[q][k + d] -= factor * z[q][k];
+    PlaneNull work = {.heads = (int32_t *)plane->null, .nexts = (int32_t *)plane->null + plane->gx};
+    work.box = sort(plane, work.heads, work.nexts);
+    const PlaneBox box = work.box;
+    const int count = box.columns * box.rows;
+    work.width = width_of(plane, box.rows);
+    work.stride = stride_of(work.width);
+    work.z[0] = plane->null + (plane->gx + plane->n_places + 1) / 2;
+    work.z[1] = work.z[0] + count;
+    work.bands[0] = work.z[1] + count;
+    work.bands[1] = work.bands[0] + plane->support * box.rows * work.stride;
+    work.out[0] = (bool *)(work.bands[1] + plane->support * box.rows * work.stride);
+    work.out[1] = work.out[0] + count;
+    for (int j = 0; j < box.rows; j++) {
+        const PlaneHeldColumns held = plane_held_columns(plane, plane->sim.step, box.j + j);
+        for (int i = 0; i < box.columns; i++) {
+            const int k = i * box.rows + j, column = box.i + i, node = (box.j + j) * plane->gx + column;
+            const bool active = plane->node_mass[node] > plane->floor, left = column < held.left,
+                       right = column >= held.right;
+            work.out[0][k] = !active || (left && held.at_left.x) || (right && held.at_right.x);
+            work.out[1][k] = !active || (left && held.at_left.y) || (right && held.at_right.y);
+            work.z[0][k] = plane->px[node] - plane->node_mass[node] * plane->speed;
+            work.z[1][k] = plane->py[node];
         }
     }
-    return sum;
+    work.columns = plane->support;
+    if (memcmp(work.out[0], work.out[1], (size_t)count * sizeof **work.out) == 0)
+        work.bands[1] = NULL;
+    return work;
+}
+
+static bool takes_part(const PlaneNull *work, int column)
+{
+    for (int k = column * work->box.rows; k < (column + 1) * work->box.rows; k++)
+        if (!work->out[0][k] || !work->out[1][k])
+            return true;
+    return false;
 }
 
 double plane_null_energy(Plane *plane, double kinetic)
 {
-    const Box box = touched(plane);
-    const size_t width = width_of(plane, box.rows), count = (size_t)box.columns * (size_t)box.rows;
-    double *z[2] = {plane->null, plane->null + count}, *band = plane->null + 2 * count;
-    bool *out[2] = {(bool *)(band + count * (width + 1)), NULL};
-    out[1] = out[0] + count;
-    for (size_t k = 0; k < count; k++) {
-        const int i = box.i + (int)k / box.rows, j = box.j + (int)k % box.rows;
-        const int node = j * plane->gx + i;
-        const PlaneHeld held = plane_held(plane, plane->sim.step, i, j);
-        const bool active = plane->node_mass[node] > plane->floor;
-        out[0][k] = !active || held.x;
-        out[1][k] = !active || held.y;
-        z[0][k] = plane->px[node] - plane->node_mass[node] * plane->speed;
-        z[1][k] = plane->py[node];
-    }
-    assemble(plane, box, width, band);
-    double seen;
-    if (memcmp(out[0], out[1], count * sizeof **out) == 0) {
-        seen = solve(band, count, width, out[0], z);
-    } else {
-        seen = solve(band, count, width, out[0], (double *[2]){z[0], NULL});
-        assemble(plane, box, width, band);
-        seen += solve(band, count, width, out[1], (double *[2]){z[1], NULL});
+    const PlaneNull work = prepare(plane);
+    const size_t bytes = (size_t)(work.box.rows * work.stride) * sizeof(double);
+    const int matrices = work.bands[1] ? 2 : 1;
+    int column = 0;
+    double seen = 0;
+    while (column < work.box.columns && !takes_part(&work, column)) /* those in the channel */
+        column++;
+    column = column < plane->support ? 0 : column - plane->support + 1;
+    for (int which = 0; which < matrices; which++)
+        memset(work.bands[which], 0, bytes * (size_t)plane->support);
+    for (; column < work.box.columns; column++) {
+        if (column <= work.box.columns - plane->support)
+            assemble(plane, &work, column);
+        for (int which = 0; which < matrices; which++) {
+            seen += plane->kernels->eliminate(&work, column, column % plane->support, which);
+            memset(column_of(plane, &work, which, column), 0, bytes);
+        }
     }
     const double null = kinetic - seen / 2 * plane->def.thickness;
     return null > 0 ? null : 0;

@@ -52,17 +52,18 @@ double plane_energy(const Plane *plane)
 static double kinetic_grid(const Plane *plane)
 {
     double sum = 0;
-    for (int j = 0; j < plane->gy; j++)
-        for (int i = 0; i < plane->gx; i++) {
-            const int node = j * plane->gx + i;
-            const double m = plane->node_mass[node];
-            if (!(m > plane->floor))
-                continue;
-            const PlaneHeld held = plane_held(plane, plane->sim.step, i, j);
-            const double x = held.x ? 0 : plane->px[node] - m * plane->speed;
-            const double y = held.y ? 0 : plane->py[node];
-            sum += (x * x + y * y) / m;
+    for (int j = 0; j < plane->gy; j++) {
+        const PlaneHeldColumns held = plane_held_columns(plane, plane->sim.step, j);
+        const int row = j * plane->gx, gx = plane->gx;
+        const double *px = plane->px + row, *py = plane->py + row;
+        const double *mass = plane->node_mass + row, *inverse = plane->node_inverse + row;
+        for (int i = held.at_left.x ? held.left : 0; i < gx; i++) {
+            const double x = px[i] - mass[i] * plane->speed;
+            sum += x * x * inverse[i];
         }
+        for (int i = held.at_left.y ? held.left : 0; i < (held.at_right.y ? held.right : gx); i++)
+            sum += py[i] * py[i] * inverse[i];
+    }
     return sum / 2 * plane->def.thickness;
 }
 

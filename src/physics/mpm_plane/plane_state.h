@@ -38,7 +38,7 @@ enum { PLANE_CHECK_EVERY = 64 }; /* the energy is looked at after each step that
 enum {
     PLANE_LANES = 8,
     PLANE_SLOTS = 8,               /* of a block at most; three or four in a beam that is hardly bent */
-    PLANE_PATCH = 2 * PLANE_LANES, /* columns of nodes of a patch: lanes + slots - 1, and one */
+    PLANE_PATCH = 2 * PLANE_LANES, /* columns of nodes of a patch: lanes + slots - 1, and some */
     PLANE_GIVEN = 3                /* what a node is given in one stage: m, px, py; or fx, fy */
 };
 
@@ -118,7 +118,6 @@ typedef struct Plane {
     double *node_mass, *px, *py, *fx, *fy;
     double *node_inverse;      /* 1/m; 0 where the node is inactive */
     double *node_vx, *node_vy; /* p/m as of the last stage that wrote p */
-    double *ax, *ay;           /* f/m */
 
     const PlaneKernels *kernels;
     Pool *pool;            /* NULL: one thread */
@@ -127,7 +126,7 @@ typedef struct Plane {
     double *push;          /* of each row of nodes: the channel's force, N/m */
     bool *far;             /* of each block: has far particles in the stage under way */
     PlaneTrouble *trouble; /* of each block, in the stage under way */
-    double *null;          /* of plane_null.c */
+    double *null;          /* of plane_null.c, when a row is written: the patches' memory */
     unsigned char *backup; /* the particles at the beginning of a batch of steps */
 } Plane;
 
@@ -191,6 +190,12 @@ static inline double plane_xmin(const Plane *plane, long step)
 /* plane_model.c: everything constant, from plane->def, which is sound. */
 void plane_derive(Plane *plane);
 
+/* f/m of a node, 0 where it is inactive; axis 0 is x. */
+static inline double plane_acceleration(const Plane *plane, int axis, int node)
+{
+    return (axis ? plane->fy : plane->fx)[node] * plane->node_inverse[node];
+}
+
 /* What a node's support holds, decided anew each step. Places are compared with a tolerance of 1e-6 dx, as
  * nodes lie exactly on the limits. */
 typedef struct PlaneHeld {
@@ -218,6 +223,14 @@ static inline PlaneHeld plane_held(const Plane *plane, long step, int i, int j)
         return (PlaneHeld){left && plane->def.clamp == CLAMP_FULL, left};
     return (PlaneHeld){left && middle, (left || right) && (middle || plane->def.ends == PLANE_SECTION)};
 }
+
+/* Which nodes of a row are held, alike: columns [0, left) and [right, gx). In plane_model.c. */
+typedef struct PlaneHeldColumns {
+    int left, right;
+    PlaneHeld at_left, at_right;
+} PlaneHeldColumns;
+
+PlaneHeldColumns plane_held_columns(const Plane *, long step, int row);
 
 /* Where a particle is on the grid whose left edge is at xmin. False: outside. The particle's hat, or its box,
  * must lie on the grid whole. The first node is floor(r - l); a box that begins in the last cell ends there,

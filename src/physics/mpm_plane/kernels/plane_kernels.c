@@ -416,8 +416,9 @@ KERNEL_INLINE bool update_lanes(Plane *plane, const Lanes *lanes, double xmin, c
         for (int a = 0; a < n; a++) {
             const int offset = b * plane->gx + a;
             const Vector N = w.nx[a] * w.ny[b];
-            ax += N * from_nodes(plane, lanes, plane->ax, offset);
-            ay += N * from_nodes(plane, lanes, plane->ay, offset);
+            const Vector by_mass = N * from_nodes(plane, lanes, plane->node_inverse, offset);
+            ax += by_mass * from_nodes(plane, lanes, plane->fx, offset);
+            ay += by_mass * from_nodes(plane, lanes, plane->fy, offset);
             ux += N * from_nodes(plane, lanes, plane->node_vx, offset);
             uy += N * from_nodes(plane, lanes, plane->node_vy, offset);
         }
@@ -525,18 +526,6 @@ static void velocities(Plane *plane, int first, int end)
     }
 }
 
-/* a = f/m, 0 where the node is inactive. */
-static void accelerate(Plane *plane, int first, int end)
-{
-    const double *restrict inverse = plane->node_inverse, *restrict fx = plane->fx, *restrict fy = plane->fy;
-    double *restrict ax = plane->ax, *restrict ay = plane->ay;
-#pragma omp simd
-    for (int i = first * plane->gx; i < end * plane->gx; i++) {
-        ax[i] = fx[i] * inverse[i];
-        ay[i] = fy[i] * inverse[i];
-    }
-}
-
 /* Eq. 13, p_i += dt f_i; then v_i anew, with which particles move. */
 static void integrate(Plane *plane, int first, int end)
 {
@@ -573,6 +562,49 @@ static void energies(const Plane *plane, int block, double *squares, double *str
     }
 }
 
+/* --- what the grid cannot see (plane_null.c) ---------------------------------------------------------- */
+
+/* below[e] -= factor row[e], whole vectors: there are zeros behind the last. */
+KERNEL_INLINE void subtract(double *below, const double *row, double factor, int count)
+{
+    for (int e = 0; e < count; e += WIDTH)
+        vector_store(below + e, vector_load(below + e) - factor * vector_load(row + e));
+}
+
+/* Row by row: after row k what is left of the matrix and of z is that of the nodes behind it, and z_k^2/d_k
+ * is this node's part, in units of mass times velocity squared. A row takes width^2/2 products. */
+static double eliminate(const PlaneNull *work, int column, int place, int which)
+{
+    const double rounding = 1e-13;
+    const int rows = work->box.rows, count = rows * work->box.columns, at_hand = rows * work->columns;
+    const int first = which, end = work->bands[1] ? which + 1 : 2; /* components */
+    const bool *out = work->out[which];
+    double sum = 0;
+    for (int j = 0; j < rows; j++) {
+        const int k = column * rows + j, at = place * rows + j;
+        const double *row = work->bands[which] + at * work->stride;
+        if (out[k] || !(row[0] > 0))
+            continue;
+        const double inverse = 1 / row[0];
+        for (int q = first; q < end; q++)
+            sum += work->z[q][k] * work->z[q][k] * inverse;
+        for (int d = 1; d <= work->width && k + d < count; d++) {
+            if (row[d] == 0 || out[k + d])
+                continue;
+            const double factor = row[d] * inverse;
+            const int other = at + d < at_hand ? at + d : at + d - at_hand;
+            double *below = work->bands[which] + other * work->stride;
+            const double whole = below[0]; /* what rows before have left of it */
+            subtract(below, row + d, factor, work->width + 1 - d);
+            if (below[0] < rounding * whole)
+                below[0] = 0;
+            for (int q = first; q < end; q++)
+                work->z[q][k + d] -= factor * work->z[q][k];
+        }
+    }
+    return sum;
+}
+
 const PlaneKernels PLANE_KERNELS = {
     .find = find,
     .map = map,
@@ -584,7 +616,7 @@ const PlaneKernels PLANE_KERNELS = {
     .gather_force = gather_force,
     .invert = invert,
     .velocities = velocities,
-    .accelerate = accelerate,
     .integrate = integrate,
     .energies = energies,
+    .eliminate = eliminate,
 };

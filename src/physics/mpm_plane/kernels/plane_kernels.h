@@ -16,8 +16,8 @@
  * block is at work. */
 enum {
     PLANE_SLOT = 2 * PLANE_LANES,
-    PLANE_SLOT_ROW = PLANE_LANES * 2 + PLANE_SLOTS * PLANE_SLOT,
-    PLANE_SLOT_FIRST = 2 * PLANE_LANES
+    PLANE_SLOT_FIRST = PLANE_LANES,
+    PLANE_SLOT_ROW = PLANE_SLOT_FIRST + PLANE_SLOTS * PLANE_SLOT
 };
 
 /* Numbers of one thread's slots: by row of nodes, quantity. */
@@ -25,6 +25,25 @@ static inline size_t plane_slot_numbers(const Plane *plane)
 {
     return (size_t)plane->gy * PLANE_GIVEN * PLANE_SLOT_ROW;
 }
+
+/* Columns and rows of the grid that particles touch. */
+typedef struct PlaneBox {
+    int i, j, columns, rows;
+} PlaneBox;
+
+/* What the search for K_0 works on (plane_null.c). A matrix is a band over the nodes of the box, numbered by
+ * columns, of which so many columns are at hand as a particle touches: column i in place i % columns. */
+typedef struct PlaneNull {
+    PlaneBox box;
+    int width;   /* from a node to the last of its neighbours in this numbering */
+    int stride;  /* numbers of a row of the matrix: the diagonal, `width` others, zeros to fill vectors */
+    int columns; /* at hand */
+    double *bands[2]; /* of each component; the second NULL if supports hold both alike: then one is enough */
+    double *z[2];     /* momenta, over the nodes of the box */
+    bool *out[2];     /* nodes that take no part */
+    int32_t *heads;   /* of each column of the grid: the first particle whose nodes begin there, a place */
+    int32_t *nexts;   /* of each place: the next one; -1: there is none */
+} PlaneNull;
 
 struct PlaneKernels {
     /* Where the particles lie on the grid of a step: base, sx, sy, runs, and the block's nodes. They lie on
@@ -50,11 +69,14 @@ struct PlaneKernels {
     void (*gather_map)(Plane *, int first, int end, bool with_mass);
     void (*gather_force)(Plane *, int first, int end);
 
-    /* 1/m and v = p/m; a = f/m; p += dt f. */
+    /* 1/m; v = p/m; p += dt f. */
     void (*invert)(Plane *, int first, int end);
     void (*velocities)(Plane *, int first, int end);
-    void (*accelerate)(Plane *, int first, int end);
     void (*integrate)(Plane *, int first, int end);
+
+    /* Takes column `column` of nodes, at hand in `place`, out of a matrix; returns its part of p' M_C^-1 p.
+     */
+    double (*eliminate)(const PlaneNull *, int column, int place, int which);
 
     /* Adds the block's sum of |v - v0|^2 and of strain energy over its particles, lane by lane. */
     void (*energies)(const Plane *, int block, double *squares, double *strain);
