@@ -68,38 +68,6 @@ static PlaneBox sort(const Plane *plane, int32_t *heads, int32_t *nexts)
     return (PlaneBox){left, low, right - left + plane->support, high - low + 1};
 }
 
-/* The first of a column's rows, of a matrix. */
-static double *column_of(const Plane *plane, const PlaneNull *work, int which, int column)
-{
-    return work->bands[which] + column % plane->support * work->box.rows * work->stride;
-}
-
-/* Adds M_C of the particles whose nodes begin in a column of the box: in row k, entry d is M_C(k, k + d). */
-static void assemble(const Plane *plane, const PlaneNull *work, int column)
-{
-    const int n = plane->support, rows = work->box.rows;
-    const ptrdiff_t second = work->bands[1] ? work->bands[1] - work->bands[0] : 0;
-    for (int at = work->heads[work->box.i + column]; at >= 0; at = work->nexts[at]) {
-        const PlaneWeights w = plane_weights(plane, plane->sx[at], plane->sy[at]);
-        const int j = plane->base[at] / plane->gx - work->box.j;
-        for (int a = 0; a < n; a++) {
-            double *nodes = column_of(plane, work, 0, column + a);
-            for (int b = 0; b < n; b++) {
-                double *row = nodes + (j + b) * work->stride;
-                const double share = plane->mass * (w.nx[a] * w.ny[b]);
-                for (int c = a; c < n; c++)
-                    for (int d = c == a ? b : 0; d < n; d++) {
-                        double *entry = row + (c - a) * rows + d - b;
-                        const double value = share * (w.nx[c] * w.ny[d]);
-                        *entry += value;
-                        if (second != 0)
-                            entry[second] += value;
-                    }
-            }
-        }
-    }
-}
-
 /* Shares out plane->null, and says which nodes take part: those with mass that nothing holds, and what
  * momentum they have. */
 static PlaneNull prepare(Plane *plane)
@@ -156,10 +124,10 @@ double plane_null_energy(Plane *plane, double kinetic)
         memset(work.bands[which], 0, bytes * (size_t)plane->support);
     for (; column < work.box.columns; column++) {
         if (column <= work.box.columns - plane->support)
-            assemble(plane, &work, column);
+            plane->kernels->assemble(plane, &work, column);
         for (int which = 0; which < matrices; which++) {
             seen += plane->kernels->eliminate(&work, column, column % plane->support, which);
-            memset(column_of(plane, &work, which, column), 0, bytes);
+            memset(plane_null_column(&work, which, column), 0, bytes);
         }
     }
     const double null = kinetic - seen / 2 * plane->def.thickness;

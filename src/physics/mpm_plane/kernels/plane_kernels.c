@@ -564,6 +564,45 @@ static void energies(const Plane *plane, int block, double *squares, double *str
 
 /* --- what the grid cannot see (plane_null.c) ---------------------------------------------------------- */
 
+/* M_C = sum m N_i N_j, kg/m: in row k, entry d is M_C(k, k + d), d >= 0. */
+KERNEL_INLINE void assemble_column(const Plane *plane, const PlaneNull *work, int column, const int n)
+{
+    const int rows = work->box.rows, stride = work->stride;
+    const ptrdiff_t second = work->bands[1] ? work->bands[1] - work->bands[0] : 0;
+    double *nodes[SUPPORT] = {NULL};
+    for (int a = 0; a < n; a++)
+        nodes[a] = plane_null_column(work, 0, column + a);
+    for (int at = work->heads[work->box.i + column]; at >= 0; at = work->nexts[at]) {
+        const PlaneWeights w = plane_weights(plane, plane->sx[at], plane->sy[at]);
+        const int j = plane->base[at] / plane->gx - work->box.j;
+#pragma GCC unroll 3
+        for (int a = 0; a < n; a++)
+#pragma GCC unroll 3
+            for (int b = 0; b < n; b++) {
+                double *row = nodes[a] + (j + b) * stride;
+                const double share = plane->mass * (w.nx[a] * w.ny[b]);
+#pragma GCC unroll 3
+                for (int c = a; c < n; c++)
+#pragma GCC unroll 3
+                    for (int d = c == a ? b : 0; d < n; d++) {
+                        double *entry = row + (c - a) * rows + d - b;
+                        const double value = share * (w.nx[c] * w.ny[d]);
+                        *entry += value;
+                        if (second != 0)
+                            entry[second] += value;
+                    }
+            }
+    }
+}
+
+static void assemble(const Plane *plane, const PlaneNull *work, int column)
+{
+    if (plane->support == 2)
+        assemble_column(plane, work, column, 2);
+    else
+        assemble_column(plane, work, column, 3);
+}
+
 /* below[e] -= factor row[e], whole vectors: there are zeros behind the last. */
 KERNEL_INLINE void subtract(double *below, const double *row, double factor, int count)
 {
@@ -618,5 +657,6 @@ const PlaneKernels PLANE_KERNELS = {
     .velocities = velocities,
     .integrate = integrate,
     .energies = energies,
+    .assemble = assemble,
     .eliminate = eliminate,
 };

@@ -45,6 +45,12 @@ typedef struct PlaneNull {
     int32_t *nexts;   /* of each place: the next one; -1: there is none */
 } PlaneNull;
 
+/* The first of a column's rows, of a matrix. */
+static inline double *plane_null_column(const PlaneNull *work, int which, int column)
+{
+    return work->bands[which] + column % work->columns * work->box.rows * work->stride;
+}
+
 struct PlaneKernels {
     /* Where the particles lie on the grid of a step: base, sx, sy, runs, and the block's nodes. They lie on
      * it. */
@@ -73,6 +79,9 @@ struct PlaneKernels {
     void (*invert)(Plane *, int first, int end);
     void (*velocities)(Plane *, int first, int end);
     void (*integrate)(Plane *, int first, int end);
+
+    /* Adds M_C of the particles whose nodes begin in a column of the box. */
+    void (*assemble)(const Plane *, const PlaneNull *, int column);
 
     /* Takes column `column` of nodes, at hand in `place`, out of a matrix; returns its part of p' M_C^-1 p.
      */
