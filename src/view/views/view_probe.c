@@ -176,16 +176,17 @@ static void widen_range(const Screen *screen, const Run *run, const char *name, 
 
 /* --- lines under the plot ------------------------------------------------------------------------- */
 
-/* "  a period keeps 68.4 % (predicted 68.4 %)", where it does not keep all of the energy. */
+/* "a period keeps 68.4 %, predicted 68.4 %" of the energy, where it does not keep all of it. */
 static void append_kept(const Readout *readout, bool predicted, bool narrow, char out[160])
 {
-    if (!(readout->kept_predicted < READOUT_UNDAMPED))
+    const bool measured = isfinite(readout->kept_measured);
+    if (!(readout->kept_predicted < READOUT_UNDAMPED) || !(measured || predicted))
         return;
-    if (isfinite(readout->kept_measured))
-        text_append(out, 160, narrow ? "%skept %.3g %%" : "%sa period keeps %.3g %%", out[0] ? "  " : "",
-                    100 * readout->kept_measured);
-    if (predicted && !narrow)
-        text_append(out, 160, " (predicted %.3g %%)", 100 * readout->kept_predicted);
+    text_append(out, 160, narrow ? "%skept" : "%sa period keeps", out[0] ? "  " : "");
+    if (measured)
+        text_append(out, 160, " %.3g %%", 100 * readout->kept_measured);
+    if (predicted && !(narrow && measured))
+        text_append(out, 160, "%s predicted %.3g %%", measured ? "," : "", 100 * readout->kept_predicted);
 }
 
 /* What the run is judged by. In a narrow pane the words are shorter; a number is never
@@ -225,10 +226,13 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
     if (exact)
         text_append(first, 160, narrow ? " exact %.4f" : "  exact %.4f", readout->exact);
     if (readout->measured_known && exact) {
-        text_append(second, 160, "w %+.*f %%  T %+.*f %%", about ? 1 : 2, readout->error_frequency,
-                    about ? 1 : 2, readout->error_period);
-        text_append(second, 160, narrow ? "  %s %.2f T" : "  %s by %.2f periods",
-                    readout->late < 0 ? "early" : "late", fabs(readout->late));
+        text_append(second, 160, "w %+.*f %%", about ? 1 : 2, readout->error_frequency);
+        /* of what dies its decay is told first */
+        if (width >= 100 || !(readout->kept_predicted < READOUT_UNDAMPED)) {
+            text_append(second, 160, "  T %+.*f %%", about ? 1 : 2, readout->error_period);
+            text_append(second, 160, narrow ? "  %s %.2f T" : "  %s by %.2f periods",
+                        readout->late < 0 ? "early" : "late", fabs(readout->late));
+        }
         if (predicted && readout->overlap < READOUT_PURE)
             text_append(second, 160, narrow ? "  mixture %.2f" : "  mixture of modes, overlap %.3f",
                         readout->overlap);
