@@ -183,13 +183,12 @@ static double wave(const Waves *waves, int of, Way way, bool integral, double x,
     return t <= passed ? sum : sum + outgoing(waves, of, way, integral, t - passed);
 }
 
-/* Of one material all comes back after four times the length, so that the way to follow is short. *whole: so
- * many such times are left out. */
-static double shorten(const Waves *waves, double t, double *whole)
+/* Of one material all comes back after four times the length: without so many such times, so that the way to
+ * follow is short. */
+static double shorten(const Waves *waves, double t)
 {
     const double period = 4 * duration(&waves->part[0]);
-    *whole = waves->parts == 1 ? floor(t / period) : 0;
-    return t - *whole * period;
+    return waves->parts == 1 ? t - floor(t / period) * period : t;
 }
 
 static int part_at(const Waves *waves, double x)
@@ -203,29 +202,35 @@ static bool are_there(const BarTheory *bar)
     return bar->pulse.velocity != 0 || has_joint(bar);
 }
 
+/* Both waves at a place and time, or their integrals over time; 0 where there are none. */
+typedef struct Both {
+    double to_right, to_left, impedance;
+    double left_out; /* of the time, in which the waves came back as they were */
+} Both;
+
+static Both both_at(const BarTheory *bar, bool integral, double x, double t)
+{
+    if (!are_there(bar))
+        return (Both){0};
+    const Waves waves = waves_of(bar);
+    const double late = shorten(&waves, t);
+    const int part = part_at(&waves, x);
+    return (Both){wave(&waves, part, TO_RIGHT, integral, x, late),
+                  wave(&waves, part, TO_LEFT, integral, x, late), waves.part[part].impedance, t - late};
+}
+
 double bar_waves_velocity(const BarTheory *bar, double x, double t)
 {
     const double rest = has_joint(bar) ? 0 : bar_velocity(bar, x, t);
-    if (!are_there(bar))
-        return rest;
-    const Waves waves = waves_of(bar);
-    double whole;
-    const double late = shorten(&waves, t, &whole);
-    const int part = part_at(&waves, x);
-    return rest + wave(&waves, part, TO_RIGHT, false, x, late) + wave(&waves, part, TO_LEFT, false, x, late);
+    const Both both = both_at(bar, false, x, t);
+    return rest + both.to_right + both.to_left;
 }
 
 double bar_waves_stress(const BarTheory *bar, double x, double t)
 {
     const double rest = has_joint(bar) ? 0 : bar_stress(bar, x, t);
-    if (!are_there(bar))
-        return rest;
-    const Waves waves = waves_of(bar);
-    double whole;
-    const double late = shorten(&waves, t, &whole);
-    const int part = part_at(&waves, x);
-    return rest + waves.part[part].impedance * (wave(&waves, part, TO_LEFT, false, x, late) -
-                                                wave(&waves, part, TO_RIGHT, false, x, late));
+    const Both both = both_at(bar, false, x, t);
+    return rest + both.impedance * (both.to_left - both.to_right);
 }
 
 /* The mass, and the momentum at t = 0 of what goes by waves. */
@@ -250,15 +255,13 @@ static double start_momentum(const Waves *waves)
 double bar_waves_displacement(const BarTheory *bar, double x, double t)
 {
     const double rest = has_joint(bar) ? 0 : bar_displacement(bar, x, t);
-    if (!are_there(bar))
-        return rest;
-    const Waves waves = waves_of(bar);
-    double whole;
-    const double late = shorten(&waves, t, &whole);
-    const int part = part_at(&waves, x);
-    const double drift = bar->left_fixed || bar->right_fixed ? 0 : start_momentum(&waves) / mass_of(bar);
-    return rest + drift * (t - late) + wave(&waves, part, TO_RIGHT, true, x, late) +
-           wave(&waves, part, TO_LEFT, true, x, late);
+    const Both both = both_at(bar, true, x, t);
+    double drift = 0;
+    if (both.left_out > 0 && !bar->left_fixed && !bar->right_fixed) {
+        const Waves waves = waves_of(bar);
+        drift = start_momentum(&waves) / mass_of(bar) * both.left_out;
+    }
+    return rest + drift + both.to_right + both.to_left;
 }
 
 /* int stress dt at an end. */
@@ -274,8 +277,7 @@ double bar_waves_centre_velocity(const BarTheory *bar, double t)
     if (!are_there(bar))
         return rest;
     const Waves waves = waves_of(bar);
-    double whole;
-    const double late = shorten(&waves, t, &whole);
+    const double late = shorten(&waves, t);
     double momentum = start_momentum(&waves);
     if (bar->left_fixed)
         momentum -= impulse_at(&waves, 0, 0, late);

@@ -5,6 +5,7 @@
 
 #include "theory/swing.h"
 
+#include <errno.h>
 #include <limits.h>
 #include <math.h>
 #include <string.h>
@@ -332,7 +333,21 @@ void bar_read_out(const References *refs, const double *rows, size_t n_rows, int
         out->kept_measured = swing_kept(swing.decay, watch->exact);
 }
 
+bool bar_prediction_is_whole(double count, const char *parts, Status *status)
+{
+    if (errno == ECANCELED)
+        return status_fail(status, STATUS_FAILED, "the prediction for the bar was given up");
+    return errno != ENOMEM || status_fail(status, STATUS_FAILED,
+                                          "not enough memory to predict the motion of %g %s", count, parts);
+}
+
 /* --- derived numbers ------------------------------------------------------------------------------ */
+
+void bar_derived_step(Derived out[DERIVED_MAX], int *n, double speed, double dt)
+{
+    derived_add(out, n, "wave_speed", "wave speed c", "length/time", speed, false);
+    derived_add(out, n, "dt", "time step dt", "time", dt, false);
+}
 
 void bar_derived_wave(Derived out[DERIVED_MAX], int *n, const Settings *settings, const BarTheory *theory,
                       BarFrequency *frequency, double dt)

@@ -93,6 +93,13 @@ bool bar_invariant_kept(const Settings *);
 /* Start, question and loads as far as they are the same by both; `particles` in the bar. */
 bool bar_check_modes(const Settings *, double particles, Status *);
 
+/* After a prediction before which errno was 0: what theory cannot predict is left out; for want of memory or
+ * patience it must not be. False: the status says so, of a bar of `count` `parts`. */
+bool bar_prediction_is_whole(double count, const char *parts, Status *);
+
+/* wave_speed and dt. */
+void bar_derived_step(Derived out[DERIVED_MAX], int *n, double speed, double dt);
+
 /* beta, omega, omega_predicted (if there is a way to predict), period, steps_per_period of the watched mode,
  * if one moves. */
 void bar_derived_wave(Derived out[DERIVED_MAX], int *n, const Settings *, const BarTheory *, BarFrequency *,

@@ -127,7 +127,6 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
         return false;
     bar->mesh = bar_mesh_of(settings, sim->dt);
     const bool whole = dispersion_predicts_centre_velocity(&theory, &bar->mesh);
-    /* what theory cannot predict is left out; for want of memory it must not be */
     errno = 0;
     if (!bar_prepare(refs, settings, sim, predicted_frequency, whole ? predicted_v_cm : NULL,
                      "velocity of the centre of mass predicted for this mesh", status))
@@ -137,11 +136,8 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
         bar->watch.overlap = found.overlap;
         bar->watch.kept = found.frequency > 0 ? swing_kept(found.decay, bar->watch.exact) : NAN;
     }
-    if (errno == ECANCELED)
-        return status_fail(status, STATUS_FAILED, "the prediction for the bar was given up");
-    return errno != ENOMEM ||
-           status_fail(status, STATUS_FAILED, "not enough memory to predict the motion of %g cells",
-                       round(settings->geometry.length / settings->mesh.cell_size));
+    return bar_prediction_is_whole(round(settings->geometry.length / settings->mesh.cell_size), "cells",
+                                   status);
 }
 
 /* --- derived numbers and advice ------------------------------------------------------------------- */
@@ -155,8 +151,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     if (!bar_theory_of(settings, &theory, NULL))
         return 0;
     BarMesh mesh = bar_mesh_of(settings, dt);
-    derived_add(out, &n, "wave_speed", "wave speed c", "length/time", bar_wave_speed(&theory), false);
-    derived_add(out, &n, "dt", "time step dt", "time", dt, false);
+    bar_derived_step(out, &n, bar_wave_speed(&theory), dt);
     bar_derived_wave(out, &n, settings, &theory, predicted_frequency, dt);
     int mode = bar_watched_mode(&theory);
     if (bar_watch(&theory).moving)

@@ -84,19 +84,14 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     if (!bar)
         return false;
     const PdBarTheory lattice = bar_lattice_of(settings);
-    /* what theory cannot predict is left out; for want of memory it must not be */
     errno = 0;
     if (!refs->unaccounted[REFERENCE_PREDICTED])
         bar->modes = pd_bar_modes_create(&theory, &lattice);
     const bool prepared =
         bar_prepare(refs, settings, sim, predicted_frequency, bar->modes ? predicted_v_cm : NULL,
                     "velocity of the centre of mass predicted for this lattice", status);
-    if (errno == ECANCELED)
-        return status_fail(status, STATUS_FAILED, "the prediction for the bar was given up");
-    if (errno == ENOMEM)
-        return status_fail(status, STATUS_FAILED, "not enough memory to predict the motion of %g nodes",
-                           round(settings->geometry.length / lattice.spacing));
-    return prepared;
+    return bar_prediction_is_whole(round(settings->geometry.length / lattice.spacing), "nodes", status) &&
+           prepared;
 }
 
 static int derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
@@ -108,8 +103,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, NULL))
         return 0;
-    derived_add(out, &n, "wave_speed", "wave speed c", "length/time", bar_wave_speed(&theory), false);
-    derived_add(out, &n, "dt", "time step dt", "time", dt, false);
+    bar_derived_step(out, &n, bar_wave_speed(&theory), dt);
     bar_derived_wave(out, &n, settings, &theory, nodes <= QUICKLY ? predicted_frequency : NULL, dt);
     derived_add(out, &n, "particles", "particles", "1", nodes, true);
     derived_add(out, &n, "lattice_spacing", "spacing h", "length", spacing, false);

@@ -101,9 +101,8 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
                  count = settings->mesh.particles_per_cell;
     const double last = column.length - settings->mesh.cell_size / count / 2;
     int n = 0;
-    derived_add(out, &n, "wave_speed", "wave speed c", "length/time",
-                sqrt(column.youngs_modulus / column.density), false);
-    derived_add(out, &n, "dt", "time step dt", "time", sim ? sim->dt : bar_time_step(settings), false);
+    bar_derived_step(out, &n, sqrt(column.youngs_modulus / column.density),
+                     sim ? sim->dt : bar_time_step(settings));
     derived_add(out, &n, "cells", "cells", "1", cells, true);
     derived_add(out, &n, "particles", "particles", "1", cells * count, true);
     derived_add_answer(out, &n, REFERENCE_EXACT, "strain_largest", "largest strain", "1",

@@ -138,8 +138,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     int n = 0;
     const double c = wave_speed(settings), dt = sim ? sim->dt : bar_time_step(settings);
     const bool known = oscillator_make(&oscillator, settings->mesh.cell_size, c, settings->start.velocity);
-    derived_add(out, &n, "wave_speed", "wave speed c", "length/time", c, false);
-    derived_add(out, &n, "dt", "time step dt", "time", dt, false);
+    bar_derived_step(out, &n, c, dt);
     derived_add(out, &n, "period_small", "period, small", "time", 2 * M_PI * settings->mesh.cell_size / c,
                 false);
     if (known) {
