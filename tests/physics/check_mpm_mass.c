@@ -273,6 +273,22 @@ START_TEST(stretching_domains_keep_the_energy)
 }
 END_TEST
 
+/* A domain of two cells would reach beyond the nodes that a cell's particles know. */
+START_TEST(no_domain_over_two_cells)
+{
+    BarCase bar = bar_case(1, 0);
+    bar.def.shape = MPM_CPDI;
+    bar.def.particles_per_cell = 1;
+    bar.def.padding = 40;
+    bar.def.traction = 200;
+    Simulation *sim = bar_case_create(&bar);
+    Status status = {0};
+    ck_assert(!simulation_steps(sim, 5000, NULL, NULL, &status));
+    ck_assert_msg(strstr(status.text, "was stretched over two cells"), "%s", status.text);
+    simulation_destroy(sim);
+}
+END_TEST
+
 START_TEST(best_blend)
 {
     static const double best[] = {1.0 / 3, 5.0 / 18, 5.0 / 19, 17.0 / 66}; /* P = 1 .. 4 */
@@ -317,6 +333,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(test, blends_keep_the_sharp_energy, 0, 6);
     tcase_add_test(test, limits_of_any_parameters);
     tcase_add_test(test, stretching_domains_keep_the_energy);
+    tcase_add_test(test, no_domain_over_two_cells);
     tcase_add_test(test, best_blend);
     tcase_add_loop_test(test, what_does_not_fit_is_refused, 0, 5);
     suite_add_tcase(suite, test);
