@@ -142,7 +142,7 @@ START_TEST(cells_go_to_nothing)
     ConvergencePoint points[4];
     settings_default(&settings, &problem_supported_beam);
     set(&settings, "scenario.method", "mpm");
-    ck_assert_int_eq(convergence_studies(&settings, studies), 1);
+    ck_assert_int_eq(convergence_studies(&settings, studies), 3);
     ck_assert_int_eq(convergence_count(studies[0], &settings), 4);
     static const double errors[] = {-1.39, -.359, -.091, -.023};
     for (int k = 0; k < 4; k++) {
@@ -164,6 +164,54 @@ static void expect_refused(Settings settings, const char *key, const char *value
     ck_assert_msg(!taken, "%s = %s was taken", key, value);
     ck_assert_msg(strstr(status.text, words) != NULL, "%s", status.text);
 }
+
+/* More particles in a cell feel more of the shear that a cell cannot help when it bends; each line of points
+ * falls with the square of the cell. */
+START_TEST(more_particles_lock)
+{
+    Settings settings;
+    const ConvergenceStudy *studies[CONVERGENCE_STUDIES_MAX];
+    ConvergencePoint points[9];
+    settings_default(&settings, &problem_supported_beam);
+    set(&settings, "scenario.method", "mpm");
+    convergence_studies(&settings, studies);
+    ck_assert_str_eq(studies[1]->word, "particles");
+    ck_assert_int_eq(convergence_count(studies[1], &settings), 9);
+    for (int k = 0; k < 9; k++)
+        ck_assert(convergence_point(studies[1], &settings, k, &points[k], &(Status){STATUS_DONE, ""}));
+    ck_assert_double_eq_tol(points[1].error, -.359, 2e-3);
+    ck_assert_double_eq_tol(points[4].error, 100 * (.855087 / .863692 - 1), 1e-3);
+    for (int k = 0; k < 9; k++)
+        ck_assert(k < 3 || points[k].error < points[k - 3].error);
+    for (int line = 0; line < 3; line++)
+        ck_assert_double_eq_tol(convergence_order(&points[3 * line + 1], &points[3 * line + 2]), 2, 0.03);
+}
+END_TEST
+
+/* Both methods in one study, whichever the scenario has; bonds have their own Poisson's ratio. */
+START_TEST(both_methods_converge_side_by_side)
+{
+    static const char *const methods[] = {"mpm", "pd"};
+    for (int i = 0; i < 2; i++) {
+        Settings settings;
+        const ConvergenceStudy *studies[CONVERGENCE_STUDIES_MAX];
+        ConvergencePoint cells_point, horizon_point;
+        settings_default(&settings, &problem_supported_beam);
+        set(&settings, "scenario.method", methods[i]);
+        if (i == 0)
+            set(&settings, "beam.poisson", "0");
+        const int last = convergence_studies(&settings, studies) - 1;
+        ck_assert_str_eq(studies[last]->word, "methods");
+        ck_assert_int_eq(convergence_count(studies[last], &settings), 8);
+        ck_assert(convergence_point(studies[last], &settings, 1, &cells_point, &(Status){STATUS_DONE, ""}));
+        ck_assert(convergence_point(studies[last], &settings, 5, &horizon_point, &(Status){STATUS_DONE, ""}));
+        ck_assert_double_eq_tol(cells_point.size, 1.25e-3, 1e-12);
+        ck_assert_double_eq_tol(cells_point.error, -.36, 5e-3);
+        ck_assert_double_eq_tol(horizon_point.size, 2e-3, 1e-12);
+        ck_assert_double_eq_tol(horizon_point.prediction.predicted, .865502e-3, 1e-9);
+    }
+}
+END_TEST
 
 /* A pull and a push at right angles, seen from axes that are turned away from them. */
 START_TEST(principal_stresses_do_not_turn)
@@ -246,6 +294,8 @@ void add_cases(Suite *suite)
     tcase_add_test(plane, measured_predicted_and_theory);
     tcase_add_test(plane, answers_leave);
     tcase_add_test(plane, cells_go_to_nothing);
+    tcase_add_test(plane, more_particles_lock);
+    tcase_add_test(plane, both_methods_converge_side_by_side);
     tcase_add_test(plane, principal_stresses_do_not_turn);
     tcase_add_test(plane, what_is_refused);
     tcase_add_loop_test(plane, rewind_and_changes, 0, 2);

@@ -92,7 +92,8 @@ static const Picture pictures[] = {
     {"crack-path-ascii", "notched-beam-coarse 80x24 2400 lower 2 variant 1 ascii pd.spacing=2e-3 "
                          "pd.horizon=6.5e-3 load.stress=9e7"},
     {"mesh-gives", "supported-beam-mpm-coarse 80x24 100 zoom focus 2 upper beam magnified 16 stage 1"},
-    {"mesh-takes", "supported-beam-mpm-coarse 132x43 100 upper beam magnified 16 stage 3 at 0.33,0.9 particle 1172"},
+    {"mesh-takes",
+     "supported-beam-mpm-coarse 132x43 100 upper beam magnified 16 stage 3 at 0.33,0.9 particle 1172"},
     {"mesh-forgotten",
      "supported-beam-mpm-coarse 80x24 101 zoom focus 2 upper beam magnified 16 stage 7 ascii"},
     {"mesh-rides",
@@ -114,6 +115,8 @@ static const Picture pictures[] = {
     {"study-horizon", "supported-beam-coarse 80x24 0 lower convergence refined focus 3 zoom"},
     {"study-nodes-ascii",
      "supported-beam-coarse 60x18 0 lower convergence refined variant 1 ascii focus 3 zoom"},
+    {"study-particles", "supported-beam-mpm-coarse 80x24 0 lower convergence refined variant 1 focus 3 zoom"},
+    {"study-methods", "supported-beam-mpm-coarse 132x43 0 lower convergence refined variant 2 focus 3 zoom"},
     {"study-table", "supported-beam-coarse 132x43 0 lower convergence refined variant 2 focus 3 zoom"},
     {"study-waits", "supported-beam-coarse 80x24 20 lower convergence running"},
     {"study-none", "notched-beam-coarse 80x24 0 lower convergence"},

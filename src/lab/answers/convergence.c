@@ -80,6 +80,38 @@ static bool refine_plane_cells(const Settings *base, int k, Settings *out)
     return true;
 }
 
+/* The same cells with two, three and four particles along each of their sides. */
+enum { CELLS_IN_LINE = 3, PARTICLES_LEAST = 2 };
+static const char *const particle_lines[] = {"2 x 2", "3 x 3", "4 x 4", NULL};
+
+static bool refine_particles(const Settings *base, int k, Settings *out)
+{
+    if (k >= CELLS_IN_LINE * CONVERGENCE_LINES_MAX || !refine_plane_cells(base, k % CELLS_IN_LINE, out))
+        return false;
+    out->mesh.particles_per_cell = PARTICLES_LEAST + k / CELLS_IN_LINE;
+    return true;
+}
+
+/* Cells that grow smaller, then horizons with m kept: bonds have the one Poisson's ratio that they can have.
+ */
+enum { SIZES_OF_METHOD = 4 };
+static const char *const method_lines[] = {"MPM", "bonds", NULL};
+
+static bool refine_methods(const Settings *base, int k, Settings *out)
+{
+    if (k < SIZES_OF_METHOD) {
+        if (!refine_plane_cells(base, k, out))
+            return false;
+        out->method = METHOD_MPM;
+        return true;
+    }
+    if (!refine_horizon(base, k - SIZES_OF_METHOD, out))
+        return false;
+    out->method = METHOD_PD;
+    out->material.poisson = 1.0 / 3;
+    return true;
+}
+
 static double horizon_of(const Settings *settings)
 {
     return settings->lattice.horizon;
@@ -95,19 +127,36 @@ static double cell_size_of(const Settings *settings)
     return settings->mesh.cell_size;
 }
 
+static double size_by_method(const Settings *settings)
+{
+    return settings->method == METHOD_PD ? horizon_of(settings) : cell_size_of(settings);
+}
+
 enum { VIBRATING_LATTICE = CONCERN_LATTICE | CONCERN_DEFLECTION | CONCERN_BEAM };
+
+enum { BEAM_OF_CELLS = CONCERN_BEAM | CONCERN_SECTIONS, BEAM_OF_BOTH = BEAM_OF_CELLS | CONCERN_LATTICE };
+
+#define BOTH_METHODS(by)                                                                                     \
+    {                                                                                                        \
+        "methods", "cells or horizon smaller", "cell or horizon", BEAM_OF_BOTH, by, refine_methods, NULL,    \
+            size_by_method, method_lines, SIZES_OF_METHOD                                                    \
+    }
 
 static const ConvergenceStudy studies[] = {
     {"cells", "cells smaller", "cell size", CONCERN_BAR | CONCERN_MESH, METHOD_MPM, refine_cells, NULL,
-     cell_size_of},
-    {"cells", "cells smaller", "cell size", CONCERN_BEAM | CONCERN_SECTIONS, METHOD_MPM, refine_plane_cells,
-     NULL, cell_size_of},
+     cell_size_of, NULL, 0},
+    {"cells", "cells smaller", "cell size", BEAM_OF_CELLS, METHOD_MPM, refine_plane_cells, NULL, cell_size_of,
+     NULL, 0},
+    {"particles", "cells smaller, more particles", "cell size", BEAM_OF_CELLS, METHOD_MPM, refine_particles,
+     NULL, cell_size_of, particle_lines, CELLS_IN_LINE},
     {"delta", "horizon smaller, m kept", "horizon", VIBRATING_LATTICE, METHOD_PD, refine_horizon, NULL,
-     horizon_of},
-    {"m", "m larger, horizon kept", "spacing", VIBRATING_LATTICE, METHOD_PD, refine_spacing, NULL,
-     spacing_of},
+     horizon_of, NULL, 0},
+    {"m", "m larger, horizon kept", "spacing", VIBRATING_LATTICE, METHOD_PD, refine_spacing, NULL, spacing_of,
+     NULL, 0},
     {"table", "Table 1 of paper P", "horizon", VIBRATING_LATTICE, METHOD_PD, take_from_table,
-     printed_in_table, horizon_of},
+     printed_in_table, horizon_of, NULL, 0},
+    BOTH_METHODS(METHOD_MPM),
+    BOTH_METHODS(METHOD_PD),
 };
 
 /* A study needs a predicted answer that knows all parameters at work (known.h). */
@@ -148,11 +197,12 @@ bool convergence_point(const ConvergenceStudy *study, const Settings *settings, 
     if (!study->refine(settings, k, &refined))
         return true;
     const Solver *solver = problem_solver(refined.problem, refined.method);
-    const bool lattice = (study->concerns & CONCERN_LATTICE) != 0;
+    const bool lattice = refined.method == METHOD_PD;
     refined.time.step = 0; /* each lattice has its own critical step */
     out->size = study->size_of(&refined);
     if (study->paper)
         out->paper = study->paper(k);
+    out->of_mesh = !lattice;
     out->nodes = lattice ? refined.lattice.horizon / refined.lattice.spacing
                          : refined.geometry.length / refined.mesh.cell_size;
     if (!solver->check(&refined, &why))

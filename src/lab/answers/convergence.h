@@ -5,15 +5,16 @@
  * A study keeps everything but one thing: the cells of a bar grow smaller; the horizon of a beam grows
  * smaller and the nodes in it stay as many (delta-convergence, m = horizon/spacing kept); the nodes within
  * the horizon grow more and the horizon stays (m-convergence); or it takes the six lattices of paper P's
- * Table 1. The error of a beam is measured against Timoshenko's period at the size that the beam has on each
- * lattice, so that its layers do not hide what the horizon does; the same at the size asked for stands
- * beside. */
+ * Table 1. A study of several lines sets them beside each other: other numbers of particles in a cell, or
+ * both methods, each with its own size. The error of a beam is measured against Timoshenko's period at the
+ * size that the beam has on each lattice, so that its layers do not hide what the horizon does; the same at
+ * the size asked for stands beside. */
 #ifndef LAB_CONVERGENCE_H
 #define LAB_CONVERGENCE_H
 
 #include "lab/problems/problem.h"
 
-enum { CONVERGENCE_POINTS_MAX = 8 };
+enum { CONVERGENCE_POINTS_MAX = 12, CONVERGENCE_LINES_MAX = 3 };
 
 typedef struct ConvergenceStudy {
     const char *word;  /* "delta" */
@@ -25,12 +26,15 @@ typedef struct ConvergenceStudy {
     bool (*refine)(const Settings *base, int k, Settings *out);
     double (*paper)(int k); /* ConvergencePoint.paper; NULL: the paper gives none */
     double (*size_of)(const Settings *);
+    const char *const *lines; /* of several: their names, ended by NULL; else NULL */
+    int line_points;          /* of several: so many points in each, one line after the other */
 } ConvergenceStudy;
 
 typedef struct ConvergencePoint {
     bool known; /* false: no such mesh or lattice can be made */
     double size;
-    double nodes; /* within the horizon: m; of a bar cells in its length */
+    double nodes; /* within the horizon: m; of a mesh cells in the length */
+    bool of_mesh;
     Prediction prediction;
     double error; /* percent: of the frequency (bar), of the period at the real size (beam) */
     double paper; /* the period that paper P prints for it, s; NAN: none */

@@ -15,7 +15,8 @@ typedef struct Study {
     const ConvergenceStudy *of;
     const ConvergencePoint *points;
     int known, count;
-    bool periods; /* of a beam, in s, and sizes in m; else frequencies, in the bar's own units */
+    int lines, line_points; /* one after the other */
+    bool periods;           /* of a beam, in s, and sizes in m; else frequencies, in the bar's own units */
 } Study;
 
 static int studies_of(const Experiment *experiment, const ConvergenceStudy *out[CONVERGENCE_STUDIES_MAX])
@@ -51,6 +52,10 @@ static Study study_on(const Screen *screen, const ConvergenceStudy *of)
 {
     const Settings *settings = experiment_settings(screen->experiment);
     Study study = {.of = of, .count = convergence_count(of, settings), .periods = settings->problem->si};
+    study.line_points = of->lines ? of->line_points : study.count;
+    while (of->lines && of->lines[study.lines])
+        study.lines++;
+    study.lines = study.lines ? study.lines : 1;
     if (screen->convergence)
         study.known = convergence_known(screen->convergence, settings, of, &study.points);
     return study;
@@ -70,6 +75,29 @@ static double last_order(const Study *study)
     return n < 2 ? NAN : convergence_order(&study->points[n - 2], &study->points[n - 1]);
 }
 
+/* How many points of a line are known. */
+static int known_in_line(const Study *study, int line)
+{
+    const int known = study->known - line * study->line_points;
+    return known < 0 ? 0 : known > study->line_points ? study->line_points : known;
+}
+
+/* "  order: 2 x 2 2.00, 3 x 3 2.01" */
+static void append_orders(const Study *study, char out[160])
+{
+    for (int line = 0; line < study->lines; line++) {
+        const int known = known_in_line(study, line);
+        const double fitted = convergence_fitted_order(study->points + line * study->line_points, known);
+        if (known < study->line_points)
+            return;
+        text_append(out, 160, line > 0 ? ", %s" : "  order: %s", study->of->lines[line]);
+        if (isfinite(fitted))
+            text_append(out, 160, " %.2f", fitted);
+        else
+            text_append(out, 160, " none");
+    }
+}
+
 static void verdict_of(const Screen *screen, const Study *study, char out[160])
 {
     if (study->known < study->count && screen->playback.state == STATE_RUNNING && !screen->panes.lecture) {
@@ -78,7 +106,9 @@ static void verdict_of(const Screen *screen, const Study *study, char out[160])
     }
     const double order = last_order(study), fitted = convergence_fitted_order(study->points, study->known);
     snprintf(out, 160, "%d of %d points", study->known, study->count);
-    if (study->of->paper)
+    if (study->of->lines)
+        append_orders(study, out);
+    else if (study->of->paper)
         text_append(out, 160, "  the layers make the beam thinner: see its height");
     else if (isfinite(fitted))
         text_append(out, 160, "  fitted order %.2f  the last two %.2f", fitted, order);
@@ -93,17 +123,20 @@ static void point_line(const Study *study, int k, char out[200])
 {
     const ConvergencePoint *point = &study->points[k];
     const Prediction *is = &point->prediction;
-    snprintf(out, 200, "%s %.4g%s", study->of->size, shown(study, point->size), study->periods ? " mm" : "");
+    const int line = k / study->line_points, in_line = k % study->line_points;
+    snprintf(out, 200, "%s %.4g%s", study->of->lines ? study->of->lines[line] : study->of->size,
+             shown(study, point->size), study->periods ? " mm" : "");
     if (study->of->paper)
         text_append(out, 200, ", %.1f high", is->real_height / 1e-3);
     else
-        text_append(out, 200, study->periods ? ", m %.3g" : ", %.0f cells", point->nodes);
+        text_append(out, 200, point->of_mesh ? ", %.0f cells" : ", m %.3g", point->nodes);
     if (!point->known) {
         text_append(out, 200, ": none can be made");
         return;
     }
     text_append(out, 200, ": %+.2f %%", point->error);
-    const double order = k > 0 && !study->of->paper ? convergence_order(&study->points[k - 1], point) : NAN;
+    const double order =
+        in_line > 0 && !study->of->paper ? convergence_order(&study->points[k - 1], point) : NAN;
     if (isfinite(order))
         text_append(out, 200, ", order %.2f", order);
     text_append(out, 200, ", %s %.4f", study->of->paper ? "T" : "predicted", shown(study, is->predicted));
@@ -135,26 +168,42 @@ static void draw_errors(Area area, Area plot_area, Style heading, const Study *s
     const int rows = plot_area.rect.height - 1;
     const Axis y = axis_make_log(least * 0.99, most * 1.01, rows < 5 ? 3 : 5);
     const Axis x = axis_make_log(smallest * 0.99, largest * 1.01, area.rect.width / 9);
+    static const struct {
+        LineStyle line;
+        Style style;
+        char letter;
+    } looks[CONVERGENCE_LINES_MAX] = {{LINE_DASHED, STYLE_PREDICTED, '-'},
+                                      {LINE_SOLID, STYLE_SECOND, '*'},
+                                      {LINE_DOTTED, STYLE_THIRD, '.'}};
     const bool ascii = area.glyphs == GLYPHS_ASCII;
-    const Legend legend[] = {{LINE_SOLID, 'O', STYLE_PREDICTED, study->periods ? "T above theory" : "w above",
-                              ascii ? "O " : "● "},
-                             {LINE_SOLID, 'o', STYLE_PREDICTED, "below", ascii ? "o " : "○ "}};
+    Legend legend[CONVERGENCE_LINES_MAX + 2];
+    int n_legend = 0;
+    for (int line = 0; line < study->lines && study->of->lines; line++)
+        legend[n_legend++] =
+            (Legend){looks[line].line, looks[line].letter, looks[line].style, study->of->lines[line], NULL};
+    legend[n_legend++] = (Legend){LINE_SOLID, 'O', STYLE_PREDICTED,
+                                  study->periods ? "T above theory" : "w above", ascii ? "O " : "● "};
+    legend[n_legend++] = (Legend){LINE_SOLID, 'o', STYLE_PREDICTED, "below", ascii ? "o " : "○ "};
     char name[64];
     snprintf(name, sizeof name, "%s%s", study->of->size, study->periods ? ", mm" : "");
-    heading_draw(area, heading, "|error|, %", "", legend, 2);
+    heading_draw(area, heading, "|error|, %", "", legend, n_legend);
     Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
     Plot plot;
     plot_open(&plot, x, y);
-    plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-');
-    for (int k = 0; k < study->known; k++)
+    for (int k = 0; k < study->known; k++) {
+        const int line = k / study->line_points;
+        if (k % study->line_points == 0)
+            plot_begin(&plot, STROKE_LINE, looks[line].line, looks[line].style, RANK_PREDICTED,
+                       looks[line].letter);
         if (study->points[k].known)
             plot_point(&plot, shown(study, study->points[k].size), fabs(study->points[k].error));
+    }
     plot_draw(&plot, inner);
     plot_close(&plot);
     for (int k = 0; k < study->known; k++)
         if (study->points[k].known)
             axes_mark(inner, &x, &y, shown(study, study->points[k].size), fabs(study->points[k].error),
-                      study->points[k].error < 0 ? 0x25cb : 0x25cf, STYLE_PREDICTED);
+                      study->points[k].error < 0 ? 0x25cb : 0x25cf, looks[k / study->line_points].style);
 }
 
 static double predicted_of(const ConvergencePoint *point)
@@ -257,7 +306,8 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
 const View view_convergence = {
     .word = "convergence",
     .brief = "converge",
-    .help = "convergence: the predicted error as cells, horizon or spacing grow smaller; Table 1",
+    .help = "convergence: the predicted error as cells, horizon or spacing grow smaller, particles more; "
+            "both methods; Table 1",
     .home = PANE_LOWER,
     .draw = draw,
     .variants = variants_of,
