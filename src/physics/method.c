@@ -119,7 +119,7 @@ bool simulation_steps(Simulation *sim, long count, double *rows, long *done, Sta
         return follow_steps(sim, count, rows, total, status);
     if (sim->method->steps)
         return sim->method->steps(sim, count, rows, total, status);
-    for (; *total < count; ++*total) {
+    for (; *total < count && !sim->at_rest; ++*total) {
         do {
             if (!simulation_stage(sim, status))
                 return false;
@@ -371,7 +371,7 @@ static void follow_row(Simulation *sim, double *row)
 static bool follow_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
 {
     Follow *follow = sim->follow;
-    for (*done = 0; *done < count; ++*done) {
+    for (*done = 0; *done < count && !sim->at_rest; ++*done) {
         long one;
         sim->follow = NULL; /* a step as ever */
         const bool sound = simulation_steps(sim, 1, NULL, &one, status);

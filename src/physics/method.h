@@ -117,6 +117,7 @@ typedef enum EventKind {
     EVENT_BREAK,    /* a bond broke (the first, the twentieth, ... : not every one) */
     EVENT_ENERGY,   /* the energy left the range that the method promises */
     EVENT_CHANGE,   /* a live parameter was changed */
+    EVENT_REST,     /* the motion has come to an end */
     EVENT_FAILURE,  /* the run stopped: the text is the failure's */
     EVENT_ADVICE,   /* not of a method: a limit is near, known beforehand */
     EVENT_LATE      /* not of a method: the run lags behind the exact answer */
@@ -229,7 +230,9 @@ struct Simulation {
     int n_events;
     long events_beyond;
 
-    bool failed; /* the run cannot go on; failure says why */
+    double kinetic_left; /* of a run that is to end at rest: its kinetic energy over the largest; else 0 */
+    bool at_rest; /* the run was to end at rest, and has: nothing moves any more; simulation_steps() stands */
+    bool failed;  /* the run cannot go on; failure says why */
     Status failure;
 };
 
@@ -246,8 +249,9 @@ bool simulation_slice(Simulation *, size_t items, bool *stage_done, Status *);
 /* Does the next stage, or what is left of it. */
 bool simulation_stage(Simulation *, Status *);
 
-/* Finishes the step that has begun, if one has; then `count` whole steps. `rows` may be NULL, else it takes
- * one series row per whole step counted. *done (may be NULL) tells how many steps were counted. */
+/* Finishes the step that has begun, if one has; then `count` whole steps, fewer where it comes to rest.
+ * `rows` may be NULL, else it takes one series row per whole step counted. *done (may be NULL) tells how many
+ * steps were counted. */
 bool simulation_steps(Simulation *, long count, double *rows, long *done, Status *);
 
 /* How many whole steps may be done before somebody is asked whether to go on: some ten milliseconds of work,

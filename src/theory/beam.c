@@ -99,19 +99,74 @@ double beam_shear_stress(const BeamTheory *beam, double x, double y, double t)
     return 1.5 * mean * (1 - share * share);
 }
 
+/* Bending and shear under the load q = rho A b,
+ *
+ *     u = q x (L^3 - 2 L x^2 + x^3)/(24 E I) + q x (L - x)/(2 kappa G A)
+ *
+ * in the middle 5 q L^4/(384 E I) + q L^2/(8 kappa G A). */
+double beam_sag_at(const BeamTheory *beam, double body_force, double x)
+{
+    const double L = beam->length;
+    const double shear = kappa * beam->youngs_modulus / (2 * (1 + beam->poisson));
+    const double bending = 24 * beam->youngs_modulus * gyration(beam);
+    return beam->density * body_force * x *
+           ((L * L * L - 2 * L * x * x + x * x * x) / bending + (L - x) / (2 * shear));
+}
+
+double beam_sag(const BeamTheory *beam, double body_force)
+{
+    return beam_sag_at(beam, body_force, beam->length / 2);
+}
+
 double beam_cantilever_frequency(const BeamTheory *beam, double length)
 {
     const double lambda = 1.8751040687119611; /* the first root of 1 + cosh cos */
     return lambda * lambda / (length * length) * sqrt(gyration(beam) * beam->youngs_modulus / beam->density);
 }
 
+double beam_damped_period(double period, double damping)
+{
+    const double omega = 2 * M_PI / period, square = omega * omega - damping * damping / 4;
+    return damping == 0 ? period : square > 0 ? 2 * M_PI / sqrt(square) : NAN;
+}
+
+/* u'' + alpha u' + omega^2 u = 0 from u = U, u' = 0: with g = alpha/2 and p^2 = omega^2 - g^2
+ *
+ *     u = U e^{-gt} (cos pt + g sin(pt)/p),   u' = -U omega^2 e^{-gt} sin(pt)/p
+ *
+ * and cosh, sinh where p^2 < 0; sin(pt)/p is t where p = 0. */
+static void let_go(const BeamTheory *beam, double period, double t, double *u, double *v)
+{
+    const double omega = 2 * M_PI / period, g = beam->damping / 2, square = omega * omega - g * g;
+    const double p = sqrt(fabs(square)), near = 1e-6 * omega;
+    const double e = exp(-g * t);
+    double sine = t * e, cosine = e;
+    if (square > 0 && p > near) {
+        sine = e * sin(p * t) / p;
+        cosine = e * cos(p * t);
+    } else if (p > near) { /* each exponential by itself: neither overflows */
+        const double slow = exp((p - g) * t), fast = exp(-(p + g) * t);
+        sine = (slow - fast) / (2 * p);
+        cosine = (slow + fast) / 2;
+    }
+    *u = beam->amplitude * (cosine + g * sine);
+    *v = -beam->amplitude * omega * omega * sine;
+}
+
 double beam_midpoint(const BeamTheory *beam, double period, double t)
 {
-    return beam->amplitude * cos(2 * M_PI * t / period);
+    double u, v;
+    if (beam->damping == 0)
+        return beam->amplitude * cos(2 * M_PI * t / period);
+    let_go(beam, period, t, &u, &v);
+    return u;
 }
 
 double beam_midpoint_velocity(const BeamTheory *beam, double period, double t)
 {
-    double omega = 2 * M_PI / period;
-    return -beam->amplitude * omega * sin(omega * t);
+    double omega = 2 * M_PI / period, u, v;
+    if (beam->damping == 0)
+        return -beam->amplitude * omega * sin(omega * t);
+    let_go(beam, period, t, &u, &v);
+    return v;
 }

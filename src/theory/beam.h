@@ -14,9 +14,13 @@ typedef struct BeamTheory {
     double youngs_modulus, density;
     double poisson;    /* 1/3 with bonds; Euler-Bernoulli's beam knows none */
     double amplitude;  /* U */
+    double damping;    /* rate alpha: the acceleration is that of the forces less alpha v */
     double from_tip;   /* of a moving cantilever: the point that is looked at, so far before its tip, m */
     Patience patience; /* asked while a motion is being solved */
 } BeamTheory;
+
+/* What damping makes of a period: 2 pi/sqrt((2 pi/T)^2 - alpha^2/4); NAN: it does not swing any more. */
+double beam_damped_period(double period, double damping);
 
 /* First period of the simply supported beam, s. Timoshenko: kappa 5/6, exact frequency equation. Plane: of
  * the plane problem itself (plane stress), whose ends are held across as whole sections and free along. */
@@ -24,7 +28,14 @@ double beam_period_euler(const BeamTheory *beam);
 double beam_period_timoshenko(const BeamTheory *beam);
 double beam_period_plane(const BeamTheory *beam);
 
-/* Mid-point displacement U cos(2 pi t / T) and its velocity for a period T. */
+/* The middle's displacement at rest under a body force of its mass, m/s^2: Timoshenko's beam between two
+ * pins. */
+double beam_sag(const BeamTheory *beam, double body_force);
+
+/* The same at a place between the pins, 0 to length. */
+double beam_sag_at(const BeamTheory *beam, double body_force, double x);
+
+/* Mid-point displacement and velocity at a time, let go at U, for a period T that it has without damping. */
 double beam_midpoint(const BeamTheory *beam, double period, double t);
 double beam_midpoint_velocity(const BeamTheory *beam, double period, double t);
 

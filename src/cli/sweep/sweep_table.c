@@ -66,7 +66,7 @@ static const char *word_of(const Parameter *parameter, const Problem *problem, d
         return parameter->choices[(int)value];
     if (parameter->type == PARAMETER_FLAG)
         return flags[value != 0];
-    return value == 0 ? parameter_automatic(parameter, problem) : NULL;
+    return value == parameter->automatic_value ? parameter_automatic(parameter, problem) : NULL;
 }
 
 static void cell_text(const SweepTable *table, int column, double value, char out[VALUE_MAX])

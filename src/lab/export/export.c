@@ -80,7 +80,7 @@ static bool go_on(Export *export, bool *stopped, Status *status)
     return export_write_due_frame(export, false, status);
 }
 
-/* The run has failed: its last sound step is its last one. */
+/* The run has failed, or come to rest: its last sound step is its last one. */
 static bool end_early(Export *export, Status *status)
 {
     Simulation *sim = export->sim;
@@ -182,14 +182,21 @@ static bool start(Export *export, Status *status)
            export_write_due_frame(export, false, status);
 }
 
+/* Towards rest it goes by the kinetic energy that is left, by powers of ten, and not by time. */
+static double done_share(const Export *export)
+{
+    const double left = export->sim->kinetic_left, by_time = (double)export->sim->step / (double)export->last;
+    return left > 0 ? fmax(by_time, fmin(1, -log10(left) / 10)) : by_time;
+}
+
 /* True if the run came to its end or failed by itself; what it wrote is good either way. */
 static bool run(Export *export, RunProgress progress, void *context, RunSummary *summary, Status *status)
 {
     if (!start(export, status))
         return false;
-    while (export->sim->step < export->last) {
+    while (export->sim->step < export->last && !export->sim->at_rest) {
         bool stopped = false;
-        if (progress && !progress((double)export->sim->step / (double)export->last, context))
+        if (progress && !progress(done_share(export), context))
             return status_fail(status, STATUS_FAILED, "interrupted");
         if (go_on(export, &stopped, status))
             continue;
@@ -199,6 +206,8 @@ static bool run(Export *export, RunProgress progress, void *context, RunSummary 
         export->failure = summary->failure = *status;
         return end_early(export, status);
     }
+    if (export->sim->at_rest && !end_early(export, status))
+        return false;
     return !progress || progress(1, context) || status_fail(status, STATUS_FAILED, "interrupted");
 }
 

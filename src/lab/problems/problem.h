@@ -34,6 +34,8 @@ enum Concern {
     CONCERN_POINT = 1 << 18,    /* one particle */
     CONCERN_WEIGHT = 1 << 19,   /* a body force alone */
     CONCERN_PLATE = 1 << 20,    /* a rectangle with rows of cuts, loads, supports: settings/rows */
+    CONCERN_DAMPING = 1 << 24,  /* a rate at which motion is damped */
+    CONCERN_REST = 1 << 25,     /* it may end at rest */
     CONCERN_ANY = ~0            /* every problem: time.end, output */
 };
 

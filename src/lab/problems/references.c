@@ -156,7 +156,8 @@ int findings_text(const Finding *findings, int n_findings, bool with_exact, int 
         int n = snprintf(text, sizeof text, "%s%s %s", i ? "  " : "", finding->label,
                          isfinite(finding->measured) ? measured : "not yet");
         if (with_exact && finding->exact != 0)
-            n += snprintf(text + n, sizeof text - (size_t)n, " (exact %s)", exact);
+            n += snprintf(text + n, sizeof text - (size_t)n, " (%s %s)",
+                          finding->word ? finding->word : "exact", exact);
         if (used + (size_t)n >= size || (int)used + n > columns)
             return i;
         used += (size_t)snprintf(out + used, size - used, "%s", text);

@@ -76,8 +76,8 @@ struct Readout {
     double real_size; /* a beam's period by theory at the size that it has on the lattice; NAN: none */
     double overlap;   /* of what swings with the mode that is predicted; below READOUT_PURE it is a mixture of
                        * modes, and no one frequency can be measured to the last digit */
-    double kept_measured, kept_predicted; /* the share of its energy that the watched motion keeps in one exact
-                                           * period; NAN: not known */
+    double kept_measured, kept_predicted; /* the share of its energy that the watched motion keeps in one
+                                           * exact period; NAN: not known */
     double by_zeros; /* a beam's period once more, from the zeros of its swing; NAN: fewer than two */
     bool drifting;   /* the period itself changes: the three numbers and `late` are those of the last zeros */
     const char *column;      /* the series it was measured on */
@@ -94,6 +94,7 @@ typedef struct Finding {
     const char *label; /* on screen: "L2 error of v" */
     double measured;   /* NAN: there is none yet */
     double exact;      /* an error's is 0 */
+    const char *word;  /* what that is called; NULL: exact */
 } Finding;
 
 enum { FINDINGS_MAX = 6 };

@@ -119,6 +119,7 @@ void experiment_rewind(Experiment *experiment, Record *old)
         record_cut(&experiment->record, 0);
     }
     experiment->newest = 0;
+    experiment->last = problem_last_step(sim->dt, experiment->base.time.end);
     experiment->failed = false;
     copy_events(experiment);
     note_now(experiment);
@@ -152,6 +153,18 @@ static long least(long a, long b)
     return a < b ? a : b;
 }
 
+/* A run that is to end at rest ends where it has come to it; what was asked for beyond is not pending. */
+static void end_at_rest(Experiment *experiment)
+{
+    if (!experiment->sim->at_rest || experiment->sim->stage != 0)
+        return;
+    experiment->last = experiment->sim->step;
+    if (experiment->goal_step >= experiment->last) {
+        experiment->goal_step = experiment->last;
+        experiment->goal_stage = 0;
+    }
+}
+
 /* Whole steps from a whole step, to the next place at which something has to be done. */
 static bool one_block(Experiment *experiment, long steps, Status *status)
 {
@@ -164,6 +177,7 @@ static bool one_block(Experiment *experiment, long steps, Status *status)
     count = least(count, fresh ? BLOCK : experiment->newest - sim->step);
     long before = sim->step, done;
     bool sound = simulation_steps(sim, count, fresh ? experiment->block : NULL, &done, status);
+    end_at_rest(experiment);
     for (long k = 0; fresh && k < done; k++) {
         if (!take_row(experiment, experiment->block + k * sim->n_series, before + k + 1))
             return out_of_memory(status);
@@ -178,6 +192,7 @@ static bool finish_step(Experiment *experiment, Status *status)
     while (sim->stage != 0)
         if (!simulation_stage(sim, status))
             return false;
+    end_at_rest(experiment);
     if (sim->step > experiment->newest) {
         simulation_row(sim, experiment->block);
         if (!take_row(experiment, experiment->block, sim->step))
@@ -405,6 +420,8 @@ static void cut(Experiment *experiment, long step)
         experiment->n_events--;
     experiment->failed = experiment->failed && !shorter;
     if (shorter)
+        experiment->last = problem_last_step(experiment->sim->dt, experiment->base.time.end);
+    if (shorter)
         refill_references(experiment, step);
 }
 
@@ -439,8 +456,12 @@ bool experiment_change(Experiment *experiment, long step, const char *key, const
 void experiment_set_end(Experiment *experiment, double end)
 {
     Simulation *sim = experiment->sim;
+    const double before = experiment->base.time.end;
     experiment->base.time.end = experiment->now.time.end = end;
-    experiment->last = problem_last_step(sim->dt, end);
+    /* a run that has come to rest before does not go on */
+    const bool rested = experiment->last < problem_last_step(sim->dt, before);
+    const long last = problem_last_step(sim->dt, end);
+    experiment->last = rested ? least(last, experiment->last) : last;
     if (sim->step > experiment->last || (sim->step == experiment->last && sim->stage > 0)) {
         experiment_approach(experiment, experiment->last, 0);
         experiment_do_steps(experiment, experiment->last - sim->step, NULL);

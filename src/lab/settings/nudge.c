@@ -139,6 +139,11 @@ bool settings_nudge(Settings *settings, const Parameter *parameter, int directio
     if (!settings_have(settings, parameter) || parameter->type == PARAMETER_TEXT)
         return false;
     double start = nudge_start(settings, parameter), value = start;
+    const double word = parameter->automatic_value;
+    if (word != 0 && (start == word ? direction > 0 : start == 0 && direction < 0)) { /* it stands below 0 */
+        settings_put(settings, parameter, start == word ? 0 : word);
+        return true;
+    }
     const bool by_digit = fine && parameter->nudge != NUDGE_NEXT;
     for (int i = 0; i < TRIES; i++) {
         double next = (by_digit ? nudged_finely : nudged)(settings, parameter, value, direction);

@@ -210,7 +210,9 @@ void parameter_range(const Parameter *parameter, const Problem *problem, char *o
     } else if (isinf(parameter->least)) {
         snprintf(out, size, "any number");
     } else if (isinf(parameter->most)) {
-        const char *sign = parameter->above_least || automatic ? ">" : ">=";
+        const bool above =
+            parameter->above_least || (automatic && parameter->automatic_value == parameter->least);
+        const char *sign = above ? ">" : ">=";
         snprintf(out, size, "%s%s%s %s", or_word, or_bar, sign, least);
     } else {
         const char *above = parameter->type == PARAMETER_INTEGER ? "1" : "above 0";

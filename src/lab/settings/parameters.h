@@ -44,6 +44,7 @@ typedef struct Parameter {
     bool above_least;           /* the least itself is not allowed */
     const char *const *choices; /* ended by NULL */
     const char *automatic;      /* a word that stands for 0, "auto"; NULL: none */
+    double automatic_value;     /* it stands for this instead of 0 */
     Nudge nudge;
     bool live;        /* may change in mid-run */
     int methods;      /* that read it; 0: every one */
@@ -169,7 +170,7 @@ double settings_number(const Settings *, const Parameter *);
  * False: there is none, nothing is changed. */
 bool settings_nudge(Settings *, const Parameter *, int direction, bool fine);
 
-/* The word that stands for 0 in this problem; NULL: none. */
+/* The word that stands for its automatic_value in this problem; NULL: none. */
 const char *parameter_automatic(const Parameter *, const Problem *);
 
 /* What a scenario asks about: its question.key, or what its method leaves open. NULL: nothing. */

@@ -12,9 +12,9 @@
 #include <string.h>
 
 const char *const scenario_sections[] = {
-    "scenario", "bar",    "bar2",     "beam", "plate",   "motion",   "initial",  "mesh",      "mpm",
-    "pd",       "cuts",   "notch",    "load", "loads",   "supports", "impulses", "protected", "probe",
-    "time",     "output", "question", "duel", "changes", "view",     NULL,
+    "scenario", "bar",  "bar2",   "beam",     "plate", "motion",   "initial",  "mesh",      "mpm",
+    "pd",       "cuts", "notch",  "load",     "loads", "supports", "impulses", "protected", "probe",
+    "damping",  "time", "output", "question", "duel",  "changes",  "view",     NULL,
 };
 
 /* What is handed to inih next must come back as a key, as more of the value above, or not at all. */

@@ -131,11 +131,18 @@ typedef struct Supports {
     bool pinned;        /* the left one holds the beam lengthwise too */
 } Supports;
 
+/* Damping by the velocity of things itself. */
+typedef struct Damping {
+    double rate; /* alpha; DAMPING_CRITICAL: twice the lowest frequency */
+} Damping;
+#define DAMPING_CRITICAL (-1)
+
 typedef struct TimeSettings {
     double courant; /* of a mesh: the step as a share of the time in which a wave crosses a cell */
     bool unstable;  /* a larger step than the mesh stands is run all the same */
     double step;    /* 0: half the critical one */
     double end;
+    bool rest; /* the run ends earlier where it comes to rest */
 } TimeSettings;
 
 /* What a run writes; it does not make it another run. */
@@ -165,6 +172,7 @@ struct Settings {
     Loads loads;
     Supports supports;
     RowList rows[ROW_KINDS]; /* of a plate: by RowKinds */
+    Damping damping;
     TimeSettings time;
     Output output;
 

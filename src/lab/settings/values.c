@@ -110,7 +110,8 @@ void settings_default(Settings *settings, const Problem *problem)
 
 bool settings_in_range(const Parameter *parameter, const Problem *problem, double value)
 {
-    if (parameter->choices || (parameter_automatic(parameter, problem) && value == 0))
+    if (parameter->choices ||
+        (parameter_automatic(parameter, problem) && value == parameter->automatic_value))
         return true;
     if (parameter->above_least && value <= parameter->least)
         return false;
@@ -132,7 +133,7 @@ static bool read_number(const Parameter *parameter, const Problem *problem, cons
 {
     const char *automatic = parameter_automatic(parameter, problem);
     if (automatic && strcmp(text, automatic) == 0) {
-        *value = 0;
+        *value = parameter->automatic_value;
         return true;
     }
     char why[QUANTITY_WHY_MAX];
@@ -142,7 +143,9 @@ static bool read_number(const Parameter *parameter, const Problem *problem, cons
         return refuse(parameter, problem, text, "is not a whole number", status);
     /* where nothing at all stands for 0, a 0 that was typed is a slip */
     bool silent_zero = automatic && !*automatic && *value == 0;
-    if (silent_zero || !settings_in_range(parameter, problem, *value))
+    bool unsaid =
+        parameter->automatic_value != 0 && *value == parameter->automatic_value; /* its word says it */
+    if (silent_zero || unsaid || !settings_in_range(parameter, problem, *value))
         return refuse(parameter, problem, text, "is out of range", status);
     return true;
 }
@@ -303,7 +306,7 @@ static void write_value(const Settings *settings, const Parameter *parameter, in
         ASSERT_INT(value, >=, 0);
         ASSERT_INT(value, <, parameter_choices(parameter, settings->problem));
         strcpy(out, parameter->choices[(int)value]);
-    } else if (parameter_automatic(parameter, settings->problem) && value == 0)
+    } else if (parameter_automatic(parameter, settings->problem) && value == parameter->automatic_value)
         strcpy(out, parameter_automatic(parameter, settings->problem));
     else if (digits == 0 || parameter->type == PARAMETER_INTEGER)
         text_shortest(out, value);

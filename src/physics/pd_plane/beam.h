@@ -42,7 +42,11 @@ typedef struct BeamDef {
     double support_left, support_right;
     bool pinned; /* ux of the left support is fixed too */
 
-    PlateDef plate; /* what a plate has */
+    PlateDef plate;    /* what a plate has */
+    double body_force; /* on every node from t = 0 on, upwards, m/s^2; -9.81: weight */
+    double damping;    /* rate alpha, 1/s: the acceleration is f/rho - alpha v (beam_damping.c); 0: none */
+    bool critically_damped; /* alpha is twice the lowest frequency of the lattice instead */
+    bool to_rest;           /* the run is over when the motion is */
 
     double dt;   /* s; 0: half the critical time step */
     double end;  /* s: the channel must hold the beam until then; moving cantilever */
@@ -72,9 +76,9 @@ int beam_one_sided_cut(const BeamDef *definition);
  * protected; for bonds: notch pull energy.
  *
  * Series: u_probe v_probe, of a plate also ux_probe vx_probe; length (moving) or crack_x crack_y crack_length
- * (notched); kinetic strain work dissipated total broken_bonds. total = kinetic + strain + dissipated; less
- * the work it keeps its value. broken_bonds leaves out the notch's. Live parameters: load.stress,
- * pd.critical_stretch.
+ * (notched); kinetic strain work dissipated total broken_bonds; damped where damping is at work. total =
+ * kinetic + strain + dissipated + damped; less the work it keeps its value. broken_bonds leaves out the
+ * notch's. Live parameters: load.stress, load.body_force, pd.critical_stretch.
  *
  * The crack as the paper speaks of it (first break, tip, angle, arrival): physics/pd_plane/fracture/crack.h.
  */
@@ -90,6 +94,7 @@ typedef struct BeamFacts {
     size_t bonds;         /* each counted once, before the notch */
     size_t notch_bonds;   /* of these cut by the notch, or by the cuts of a plate */
     double critical_step; /* 2 / omega_max by power iteration with no node held, s */
+    double damping;       /* alpha in use, 1/s */
 } BeamFacts;
 
 void beam_facts(const Simulation *beam, BeamFacts *facts);

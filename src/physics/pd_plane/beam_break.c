@@ -82,11 +82,11 @@ static double node_damage(const Beam *beam, size_t node, long step)
     return n ? broken / all : 0;
 }
 
-static void report_break(Beam *beam, long step, const char *text)
+void beam_report(Beam *beam, EventKind kind, long step, const char *text)
 {
     Simulation *sim = &beam->sim;
     int before = sim->n_events;
-    simulation_report(sim, EVENT_BREAK, text);
+    simulation_report(sim, kind, text);
     if (sim->n_events > before)
         sim->events[before].step = step;
 }
@@ -99,18 +99,18 @@ static void report_crack(Beam *beam, long step)
     StateHead *head = beam->head;
     if (head->first_break < 0 && head->near_tip >= 1) {
         head->first_break = step;
-        report_break(beam, step, "first bond broke near the notch's end");
+        beam_report(beam, EVENT_BREAK, step, "first bond broke near the notch's end");
     }
     if (head->twentieth_break < 0 && head->near_tip >= 20) {
         head->twentieth_break = step;
-        report_break(beam, step, "twentieth bond broke near the notch's end");
+        beam_report(beam, EVENT_BREAK, step, "twentieth bond broke near the notch's end");
     }
     crack_follow(beam);
     Crack crack;
     if (head->arrival < 0 && crack_measure(&beam->sim, &crack) && beam->def.protected_depth > 0 &&
         crack.y >= beam->def.height - beam->def.protected_depth - beam->def.horizon / 2) {
         head->arrival = step;
-        report_break(beam, step, "the crack reached the protected zone of the load");
+        beam_report(beam, EVENT_BREAK, step, "the crack reached the protected zone of the load");
     }
 }
 
@@ -128,7 +128,7 @@ static void update_dirty(Beam *beam, long step)
         report_crack(beam, step);
     else if (beam->head->first_break < 0 && beam->head->broken > 0) {
         beam->head->first_break = step;
-        report_break(beam, step, "first bond broke");
+        beam_report(beam, EVENT_BREAK, step, "first bond broke");
     }
 }
 

@@ -32,6 +32,7 @@ static bool check_bounds(const BeamDef *def, Status *status)
         {"pd.protected", def->protected_depth, false},
         {"time.step", def->dt, false},
         {"load.ramp", def->load_ramp, false},
+        {"damping.rate", def->damping, false},
     };
     for (size_t k = 0; k < sizeof of_body / sizeof *of_body; k++)
         if (!is_bounded(&of_body[k]))
@@ -41,6 +42,8 @@ static bool check_bounds(const BeamDef *def, Status *status)
         if (!is_bounded(&bounds[k]))
             return status_fail(status, STATUS_USAGE, "%s: %g is not allowed (%s)", bounds[k].key,
                                bounds[k].value, bounds[k].positive ? "greater than 0" : "0 or more");
+    if (!isfinite(def->body_force))
+        return status_fail(status, STATUS_USAGE, "load.body_force: %g is not a number", def->body_force);
     if (def->threads < 1)
         return status_fail(status, STATUS_USAGE, "--threads: %d is not allowed (1 or more)", def->threads);
     return true;

@@ -88,6 +88,7 @@ static void destroy(Simulation *sim)
     free(beam->halo);
     free(beam->row_energy);
     free(beam->row_work);
+    free(beam->row_speeds);
     free(beam->scratch);
     free(beam->rescue.state);
     lattice_free(&beam->lattice);
@@ -159,11 +160,12 @@ static bool allocate(Beam *beam, Status *status)
     beam->halo = zeroed(beam, bands * 2 * reach * lattice->stride * sizeof *beam->halo);
     beam->row_energy = zeroed(beam, (size_t)lattice->ny * sizeof *beam->row_energy);
     beam->row_work = zeroed(beam, 2 * (size_t)lattice->ny * sizeof *beam->row_work);
+    beam->row_speeds = zeroed(beam, 2 * (size_t)lattice->ny * sizeof *beam->row_speeds);
     beam->band_logs = zeroed(beam, bands * sizeof *beam->band_logs);
     beam->scratch = zeroed(beam, (size_t)beam->def.threads * BONDS_SCRATCH * sizeof *beam->scratch);
     if (!beam->coefficient || !beam->notched || !beam->unbreakable || !beam->state || !beam->rescue.state ||
         !beam->broken_at || !beam->damage || !beam->dirty || !beam->is_dirty || !beam->halo ||
-        !beam->row_energy || !beam->row_work || !beam->band_logs || !beam->scratch)
+        !beam->row_energy || !beam->row_work || !beam->row_speeds || !beam->band_logs || !beam->scratch)
         return beam_go_on(beam, BUILDING_BONDS, status) &&
                status_fail(status, STATUS_FAILED, "not enough memory for %zu bonds (pd.spacing)",
                            lattice_bonds(lattice));
@@ -177,6 +179,7 @@ static bool allocate(Beam *beam, Status *status)
     beam->broken = (uint8_t *)beam->state + head + arrays;
     beam->head->load_stress = beam->def.load_stress;
     beam->head->critical_stretch = beam->def.critical_stretch;
+    beam->head->body_force = beam->def.body_force;
     beam->head->first_break = beam->head->twentieth_break = beam->head->arrival = -1;
     if (beam->def.threads > 1) {
         beam->pool = pool_create(beam->def.threads, status);
@@ -223,6 +226,8 @@ static bool start(Beam *beam, Status *status)
     }
     for (int j = 0; j < beam->lattice.ny; j++)
         beam_add_loads(beam, j, 0);
+    for (int j = 0; j < beam->lattice.ny; j++)
+        beam_weigh(beam, j);
     crack_begin(beam);
     beam_update_damage(beam, 0);
     beam_rebuild_damage(beam);
@@ -253,13 +258,14 @@ static bool build(Beam *beam, const BeamOptions *options, Status *status)
     if (!beam_check(&beam->def, status) || !lattice_init(&beam->lattice, &beam->def, status) ||
         !allocate(beam, status) || !beam_set_bonds(beam, status))
         return false;
-    if (!beam_set_problem(beam, status) || !set_time_step(beam, status))
+    if (!beam_set_problem(beam, status) || !set_time_step(beam, status) || !beam_set_damping(beam, status))
         return false;
     if (!beam_set_motion(beam, options, status) || !start(beam, status))
         return false;
 
     const Lattice *lattice = &beam->lattice;
     beam->facts.micromodulus = lattice->micromodulus;
+    beam->facts.damping = beam->damping;
     beam->facts.nx = lattice->nx;
     beam->facts.ny = lattice->ny;
     beam->facts.real_height = lattice->ny * lattice->spacing;

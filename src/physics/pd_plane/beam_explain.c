@@ -66,6 +66,21 @@ void beam_set_stages(Beam *beam)
         force->reads = "loaded fx fy";
         force->writes = "fx fy";
     }
+    if (beam->damping > 0) {
+        Stage *first = &beam->stages[STAGE_HALF_KICK], *second = &beam->stages[STAGE_SECOND_KICK];
+        first->equation = "v(n+½) = (1 − α Δt/2) v(n) + Δt/2 f/ρ";
+        first->ascii = "v(n+1/2) = (1 - alpha dt/2) v(n) + dt/2 f/rho";
+        first->sentence = "The last force adds half a step's worth of velocity, and damping takes its share.";
+        second->equation = "v(n+1) = (v(n+½) + Δt/2 f/ρ)/(1 + α Δt/2)";
+        second->ascii = "v(n+1) = (v(n+1/2) + dt/2 f/rho)/(1 + alpha dt/2)";
+    }
+    if (beam->def.problem == BEAM_SIMPLY_SUPPORTED || beam->def.problem == BEAM_MOVING_CANTILEVER) {
+        Stage *body_force = &beam->stages[STAGE_BODY_FORCE];
+        body_force->equation = "f(i) += ρ b on every node";
+        body_force->ascii = "f(i) += rho b on every node";
+        body_force->sentence = "The weight, where there is one, pulls at every node alike.";
+        body_force->reads = "fy";
+    }
     beam->sim.stages = beam->stages;
     beam->sim.n_stages = N_STAGES;
 }
@@ -113,11 +128,30 @@ static void write_pair(Calculation *calculation, const char *words, double x, do
     calculation_write(calculation, " %s\n", unit);
 }
 
+/* The same with damping, both halves as v = v + h (f/rho - alpha v): h = dt/2 in the first, that over 1 +
+ * alpha dt/2 in the second. */
+static void explain_damped(const Beam *beam, Calculation *calculation, bool second, const NodeNow *now,
+                           const NodeNow *was)
+{
+    const double half = beam->sim.dt / 2, alpha = beam->damping, density = beam->def.density;
+    const double factor = second ? half / (1 + alpha * half) : half;
+    const double ahead = beam->def.problem == BEAM_MOVING_CANTILEVER ? beam->def.speed : 0;
+    write_change(calculation,
+                 second ? "vx = vx + Δt/2/(1 + α Δt/2) (fx/ρ − α vx) = " : "vx = vx + Δt/2 (fx/ρ − α vx) = ",
+                 was->vx, factor, was->fx / density - alpha * (was->vx - ahead), now->vx, "m/s");
+    write_change(calculation,
+                 second ? "vy = vy + Δt/2/(1 + α Δt/2) (fy/ρ − α vy) = " : "vy = vy + Δt/2 (fy/ρ − α vy) = ",
+                 was->vy, factor, was->fy / density - alpha * was->vy, now->vy, "m/s");
+}
+
 /* Eqs. 9 and 11, each half of a step: v = v + dt/(2 rho) f, from the velocity before the stage. */
-static void explain_kick(const Beam *beam, Calculation *calculation, const NodeNow *now, const NodeNow *was)
+static void explain_kick(const Beam *beam, Calculation *calculation, bool second, const NodeNow *now,
+                         const NodeNow *was)
 {
     const double factor = beam->sim.dt / (2 * beam->def.density);
-    if (was) {
+    if (was && beam->damping > 0) {
+        explain_damped(beam, calculation, second, now, was);
+    } else if (was) {
         write_change(calculation, "vx = vx + Δt/(2ρ) fx = ", was->vx, factor, was->fx, now->vx, "m/s");
         write_change(calculation, "vy = vy + Δt/(2ρ) fy = ", was->vy, factor, was->fy, now->vy, "m/s");
     } else {
@@ -232,7 +266,8 @@ static void explain_body_force(const Beam *beam, Calculation *calculation, size_
     const size_t nx = (size_t)beam->lattice.nx;
     const double time = (double)(beam->sim.step + 1) * beam->sim.dt, f[2] = {now->fx, now->fy};
     double force[2] = {0, 0};
-    bool loaded[2] = {false, false};
+    bool loaded[2] = {false, beam->head->body_force != 0};
+    force[1] = beam->def.density * beam->head->body_force;
     for (const Load *load = beam->loads; load < beam->loads + beam->n_loads; load++) {
         double part[2];
         if (!patch_has(&load->patch, (int)(index % nx), (int)(index / nx)))
@@ -314,7 +349,7 @@ void beam_explain(const Simulation *sim, int stage, int set, size_t index, const
     switch (stage) {
     case STAGE_HALF_KICK:
     case STAGE_SECOND_KICK:
-        explain_kick(beam, &text, &now, was);
+        explain_kick(beam, &text, stage == STAGE_SECOND_KICK, &now, was);
         break;
     case STAGE_DRIFT:
         explain_drift(beam, &text, &now, was);

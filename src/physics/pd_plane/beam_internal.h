@@ -24,13 +24,18 @@ enum {
 /* See beam_fields.c. */
 enum { SET_PARTICLE, SET_BOND, N_SETS };
 
-enum { BEAM_SERIES_MAX = 15 };
+enum { BEAM_SERIES_MAX = 16 };
 
 /* The head of the state: single numbers that change. */
 enum { CRACK_TIPS = 64 };
 typedef struct StateHead {
-    double work, dissipated;              /* J */
+    double work, dissipated, damped;      /* J */
     double load_stress, critical_stretch; /* live parameters */
+    double body_force;                    /* likewise */
+    double most_kinetic;                  /* the largest kinetic energy so far, where rest is looked for, J */
+    double kinetic_left;                  /* the newest of these over it */
+    long moved;                           /* the last step that was looked at and was not at rest */
+    bool rested;                          /* the motion has come to rest */
     double crack_length;                  /* of the path, as long as it ever was, m */
     long broken;                          /* bonds that broke in the run; the notch's are not among them */
     long near_tip;                        /* of these with their middle within 2 delta of the notch's end */
@@ -82,7 +87,10 @@ typedef struct Beam {
                                    live */
     int n_cuts, n_supports, n_loads;
     int probe_i[2], probe_j[2];
-    bool free_body; /* neither supports nor loads; for tests */
+    double damping;  /* alpha */
+    double period;   /* the longest of the lattice, s, where damping or rest ask for it; else NAN */
+    long rest_steps; /* so many steps rest has to last */
+    bool free_body;  /* neither supports nor loads; for tests */
 
     /* the state: one block that begins with its head; then six node arrays and the bits of broken bonds */
     void *state;
@@ -115,6 +123,7 @@ typedef struct Beam {
     double *halo; /* per band: reach rows of fx, then of fy */
     double *row_energy;
     double *row_work;   /* per row the work done in the first half of a step and in the second, J */
+    double *row_speeds; /* per row sum |v|^2 and sum vy at mid-step, for what damping and weight do in it */
     BondLog *band_logs; /* one per band */
     double *scratch;    /* one per worker */
     Pool *pool;         /* NULL: one thread */
@@ -146,6 +155,7 @@ const char *beam_word(const BeamDef *);    /* the section of its sizes in a scen
 bool beam_set_bonds(Beam *beam, Status *); /* coefficients, and the notch */
 bool beam_set_problem(Beam *beam, Status *status);
 void beam_simple_supports(const Lattice *, Support supports[2]); /* one node at each end, at mid-height */
+int beam_held_columns(const Beam *beam, double time);            /* columns inside the channel */
 bool beam_set_motion(Beam *beam, const BeamOptions *options, Status *status); /* false: interrupted */
 
 /* beam_bands.c */
@@ -157,10 +167,20 @@ void beam_bond_forces(Beam *beam, bool with_energy); /* all bands; halos are sti
 bool beam_ask_forces(Beam *beam, double share, Status *status);
 double beam_strain(Beam *beam);
 
+/* beam_damping.c */
+bool beam_set_damping(Beam *beam, Status *status);
+void beam_brake_first(Beam *beam, int j); /* before the first half kick of row j, and after the second */
+void beam_brake_second(Beam *beam, int j);
+void beam_note_speeds(Beam *beam, int j); /* of row j at the drift ... */
+void beam_add_speeds(Beam *beam);         /* ... and what comes of them, of rows in turn */
+void beam_weigh(Beam *beam, int j);       /* adds the weight of row j to its forces */
+/* Whether rest is looked for at the end of the step of this number; and looks, in a state at its end. */
+bool beam_asks_for_rest(const Beam *beam, long step);
+void beam_look_for_rest(Beam *beam, long step);
+
 /* beam_step.c */
 bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status);
 bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *status);
-int beam_held_columns(const Beam *beam, double time); /* columns inside the channel */
 
 /* plate/loads.c: what loads and moving supports do to row j. */
 void beam_load_force(const Beam *beam, const Load *, double time, double force[2]); /* on a node, N/m^3 */
@@ -173,6 +193,7 @@ void beam_add_work(Beam *beam, int half);          /* and once all rows are ther
 bool beam_take_log(Beam *beam, BondLog *log, long step); /* false: memory was short */
 void beam_update_damage(Beam *beam, long step);
 void beam_rebuild_damage(Beam *beam);
+void beam_report(Beam *beam, EventKind, long step, const char *text); /* at the end of that step */
 
 /* crack.c: called after every change of damage; keeps the crack's length at its longest */
 void crack_follow(Beam *beam);
@@ -195,6 +216,7 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
 /* beam_series.c */
 void beam_set_series(Beam *beam);
 void beam_row(Simulation *sim, double *row);
+double beam_kinetic(const Beam *beam);
 
 /* beam_fields.c */
 void beam_set_fields(Beam *beam);

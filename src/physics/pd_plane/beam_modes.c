@@ -8,7 +8,8 @@
  *
  * so it adds k n n^T to the blocks (a,a) and (b,b) of K and takes it from (a,b) and (b,a). Held components
  * are uncoupled. With the nodes numbered by columns K is a narrow band: its Cholesky factor and a few steps
- * of inverse iteration, x <- K^-1 x, give lambda = x.x / x.K^-1 x to all digits that K has. */
+ * of inverse iteration, x <- K^-1 x, give lambda = x.x / x.K^-1 x to all digits that K has. The same factor
+ * gives the beam at rest under its weight in one solution, K u = rho b. */
 #include "physics/pd_plane/beam_modes.h"
 #include "base/linear/cholesky.h"
 #include "physics/pd_plane/beam_internal.h"
@@ -41,13 +42,31 @@ static void add(CholeskyBand *stiffness, size_t row, size_t column, double value
         stiffness->rows[row * (stiffness->width + 1) + (row - column)] += value;
 }
 
+/* Up to four nodes of which the mean is taken. */
+typedef struct Probe {
+    int i[2], j[2];
+} Probe;
+
+/* What K is made of: a lattice, how stiff its bonds are, and what is held. */
+typedef struct Model {
+    const Lattice *lattice;
+    const double *coefficient; /* per slot, of bonds that are there; NULL: all are, and whole */
+    const Support *supports;
+    int n_supports, held_columns;
+    double density;
+    const Patience *patience;
+} Model;
+
 /* One bond's share of K in the components that are free, k n n^T in four blocks, k = c G w V/|xi| in N/m^4.
  * Rows and columns of held components are left out: they would only say that nothing moves there. */
-static void add_bond(CholeskyBand *stiffness, const Lattice *lattice, BondPlace bond, const bool *held)
+static void add_bond(CholeskyBand *stiffness, const Model *model, BondPlace bond, const bool *held)
 {
+    const Lattice *lattice = model->lattice;
     const Offset *offset = &lattice->offsets[bond.offset];
     const double n[2] = {offset->x / offset->length, offset->y / offset->length};
-    const double k = lattice_coefficient(lattice, bond) / offset->length;
+    const double k = (model->coefficient ? model->coefficient[lattice_slot(lattice, bond)]
+                                         : lattice_coefficient(lattice, bond)) /
+                     offset->length;
     for (int r = 0; r < 2; r++)
         for (int c = 0; c < 2; c++) {
             const double share = k * n[r] * n[c];
@@ -67,16 +86,16 @@ static void add_bond(CholeskyBand *stiffness, const Lattice *lattice, BondPlace 
 
 /* K from all bonds; a held component gets 1 on its diagonal and is coupled to nothing. False: to be given up.
  */
-static bool assemble(CholeskyBand *stiffness, const Lattice *lattice, const bool *held,
-                     const Patience *patience)
+static bool assemble(CholeskyBand *stiffness, const Model *model, const bool *held)
 {
+    const Lattice *lattice = model->lattice;
     const double share = 0.01; /* of the whole: the factor takes most of the time */
     size_t number = 0;
     for (BondPlace bond = lattice_next_bond(lattice, (BondPlace){0, 0, -1}); bond.j < lattice->ny;
          bond = lattice_next_bond(lattice, bond), number++) {
-        if (number % LATTICE_BONDS_A_QUESTION == 0 && !patience_lasts(patience, share))
+        if (number % LATTICE_BONDS_A_QUESTION == 0 && !patience_lasts(model->patience, share))
             return false;
-        add_bond(stiffness, lattice, bond, held);
+        add_bond(stiffness, model, bond, held);
     }
     for (size_t i = 0; i < stiffness->size; i++)
         if (held[i])
@@ -123,11 +142,43 @@ static double lowest_eigenvalue(const CholeskyBand *factor, const Lattice *latti
     return lambda;
 }
 
-/* T = 2 pi/sqrt(lambda/rho). *period stays NAN where the band would take more than BEAM_MODES_NUMBERS_MAX
- * doubles. False: no memory, or interrupted. */
-static bool solve(const Lattice *lattice, const BeamDef *def, double *period, Status *status)
+/* The displacement of a point under its own weight: K u = rho b with b = 1 m/s^2, upwards; mean over its four
+ * nodes. False: given up. */
+static bool find_sag(const CholeskyBand *factor, const Model *model, const bool *held, const Probe *probe,
+                     double *u, double *sag)
 {
+    for (size_t i = 0; i < factor->size; i++)
+        u[i] = i % 2 == 1 && !held[i] ? model->density : 0;
+    if (!cholesky_solve(factor, u, model->patience))
+        return false;
+    *sag = 0;
+    for (int b = 0; b < 2; b++)
+        for (int a = 0; a < 2; a++)
+            *sag += u[unknown(model->lattice, probe->i[a], probe->j[b], 1)] / 4;
+    return true;
+}
+
+static void hold(const Model *model, bool *held)
+{
+    const Lattice *lattice = model->lattice;
+    for (const Support *s = model->supports; s < model->supports + model->n_supports; s++)
+        for (int i = s->patch.i; i < s->patch.i + s->patch.columns; i++)
+            for (int j = s->patch.j; j < s->patch.j + s->patch.rows; j++) {
+                held[unknown(lattice, i, j, 0)] |= s->x;
+                held[unknown(lattice, i, j, 1)] |= s->y;
+            }
+    for (size_t i = 0; i < 2 * (size_t)model->held_columns * (size_t)lattice->ny; i++)
+        held[i] = true;
+}
+
+/* T = 2 pi/sqrt(lambda/rho), and the sag of a probe (NULL: not wanted). They stay NAN where nothing holds the
+ * body, or where the band would take more than BEAM_MODES_NUMBERS_MAX doubles. False: no memory, or
+ * interrupted. */
+static bool solve(const Model *model, const Probe *probe, BeamLinear *out, Status *status)
+{
+    const Lattice *lattice = model->lattice;
     CholeskyBand band = {.size = 2 * lattice_nodes(lattice), .width = half_width(lattice)};
+    *out = (BeamLinear){NAN, NAN};
     if ((double)band.size * (double)(band.width + 1) > BEAM_MODES_NUMBERS_MAX)
         return true;
     bool *held = calloc(band.size, sizeof *held);
@@ -137,26 +188,35 @@ static bool solve(const Lattice *lattice, const BeamDef *def, double *period, St
     if (!done)
         status_fail(status, STATUS_FAILED, "not enough memory for the predicted period");
     if (done) {
-        Support supports[2];
-        beam_simple_supports(lattice, supports);
-        for (int k = 0; k < 2; k++) {
-            held[unknown(lattice, supports[k].patch.i, supports[k].patch.j, 0)] = supports[k].x;
-            held[unknown(lattice, supports[k].patch.i, supports[k].patch.j, 1)] = supports[k].y;
-        }
-        const Patience *patience = &def->patience;
+        hold(model, held);
         const CholeskyEnd end =
-            assemble(&band, lattice, held, patience) ? cholesky_factor(&band, patience) : CHOLESKY_GIVEN_UP;
+            assemble(&band, model, held) ? cholesky_factor(&band, model->patience) : CHOLESKY_GIVEN_UP;
         const double lambda = end == CHOLESKY_DONE ? lowest_eigenvalue(&band, lattice, held, vectors,
-                                                                       vectors + band.size, patience)
+                                                                       vectors + band.size, model->patience)
                                                    : NAN;
-        done = end == CHOLESKY_SINGULAR || !isnan(lambda) ||
+        done = end == CHOLESKY_SINGULAR ||
+               (!isnan(lambda) && (!probe || find_sag(&band, model, held, probe, vectors, &out->sag))) ||
                status_fail(status, STATUS_FAILED, "the predicted period was given up");
-        *period = 2 * M_PI / sqrt(lambda / def->density);
+        out->period = 2 * M_PI / sqrt(lambda / model->density);
     }
     free(held);
     free(vectors);
     free(band.rows);
     return done;
+}
+
+bool beam_linear(const Simulation *sim, BeamLinear *out, Status *status)
+{
+    const Beam *beam = (const Beam *)sim;
+    const Model model = {.lattice = &beam->lattice,
+                         .coefficient = beam->coefficient,
+                         .supports = beam->supports,
+                         .n_supports = beam->n_supports,
+                         .held_columns = beam_held_columns(beam, 0),
+                         .density = beam->def.density,
+                         .patience = &beam->def.patience};
+    const Probe probe = {{beam->probe_i[0], beam->probe_i[1]}, {beam->probe_j[0], beam->probe_j[1]}};
+    return solve(&model, &probe, out, status);
 }
 
 bool beam_predicted_period(const BeamDef *definition, double *period, double *span, double *height,
@@ -172,7 +232,16 @@ bool beam_predicted_period(const BeamDef *definition, double *period, double *sp
         *span = (lattice.nx - 1) * lattice.spacing;
     if (height)
         *height = lattice.ny * lattice.spacing;
-    const bool done = solve(&lattice, definition, period, status);
+    Support supports[2];
+    beam_simple_supports(&lattice, supports);
+    const Model model = {.lattice = &lattice,
+                         .supports = supports,
+                         .n_supports = 2,
+                         .density = definition->density,
+                         .patience = &definition->patience};
+    BeamLinear linear;
+    const bool done = solve(&model, NULL, &linear, status);
+    *period = linear.period;
     lattice_free(&lattice);
     return done;
 }

@@ -19,4 +19,14 @@ enum { BEAM_MODES_NUMBERS_MAX = 1 << 25 };
 bool beam_predicted_period(const BeamDef *definition, double *period, double *span, double *height,
                            Status *status);
 
+/* What small motion of a beam is, by the factor of its stiffness as it stands: with the supports and the
+ * notch of its problem, and the clamp of t = 0. NAN: nothing holds it, or the factor would not fit. */
+typedef struct BeamLinear {
+    double period; /* the longest, s */
+    double sag;    /* of the probe at rest under a body force of 1 m/s^2 upwards, m */
+} BeamLinear;
+
+/* False: no memory, or given up by BeamDef.patience; the status says which. */
+bool beam_linear(const Simulation *beam, BeamLinear *, Status *);
+
 #endif

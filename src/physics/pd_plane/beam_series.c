@@ -3,8 +3,9 @@
  *
  *     probe      mean over up to four nodes beside the point (beam_set_problem)
  *     kinetic    sum rho (vx^2 + vy^2)/2 V b            strain   sum of bonds c G w s^2 |xi| V^2/2 b
- *     total      kinetic + strain + dissipated; less the work it keeps its value to O(dt^2); to O(dt) where
- *                bonds break
+ *     damped     sum over steps of alpha sum rho |v|^2 V b dt, v at mid-step
+ *     total      kinetic + strain + dissipated + damped; less the work it keeps its value to O(dt^2); to
+ * O(dt) where bonds break
  *
  * V = dx^2, b the thickness; SI units. Each column is a function and a row of the table below, which says
  * which problems have it. Called between steps only, when u, v and the broken bonds belong to the same time.
@@ -44,7 +45,7 @@ static double vx_probe(Beam *beam)
 }
 
 /* sum rho |v|^2/2 V b, row by row in a fixed order: the same bits with any vector width. */
-static double kinetic(Beam *beam)
+double beam_kinetic(const Beam *beam)
 {
     double sum = 0;
     for (int j = 0; j < beam->lattice.ny; j++) {
@@ -53,6 +54,11 @@ static double kinetic(Beam *beam)
         sum += beam->kernels->dot(beam->nodes.vy + first, beam->nodes.vy + first, count);
     }
     return sum * beam->def.density / 2 * beam_volume(beam) * beam->def.thickness;
+}
+
+static double kinetic(Beam *beam)
+{
+    return beam_kinetic(beam);
 }
 
 static double work(Beam *beam)
@@ -69,7 +75,12 @@ static double dissipated(Beam *beam)
  */
 static double total(Beam *beam)
 {
-    return kinetic(beam) + beam_strain(beam) + beam->head->dissipated;
+    return kinetic(beam) + beam_strain(beam) + beam->head->dissipated + beam->head->damped;
+}
+
+static double damped(Beam *beam)
+{
+    return beam->head->damped;
 }
 
 static double broken_bonds(Beam *beam)
@@ -143,12 +154,15 @@ static const SeriesEntry series[BEAM_SERIES_MAX] = {
      1 << BEAM_NOTCHED},
     {{"kinetic", "kinetic", "J", "kinetic energy"}, kinetic, ALL},
     {{"strain", "strain", "J", "energy of the bonds"}, beam_strain, ALL},
-    {{"work", "work", "J", "work of loads and moving supports"}, work, ALL},
+    {{"work", "work", "J", "work of loads, moving supports and weight"}, work, ALL},
     {{"dissipated", "dissipated", "J", "energy of the bonds when they broke"}, dissipated, ALL},
-    {{"total", "total", "J", "kinetic + strain + dissipated; less the work it keeps its value"}, total, ALL},
+    {{"total", "total", "J", "kinetic + strain + dissipated + damped; less the work it keeps its value"},
+     total,
+     ALL},
     {{"broken_bonds", "broken bonds", "1", "bonds broken in the run, without those cut before"},
      broken_bonds,
      ALL},
+    {{"damped", "damped", "J", "energy that damping has taken"}, damped, ALL},
 };
 
 void beam_row(Simulation *sim, double *out)
@@ -162,7 +176,8 @@ void beam_set_series(Beam *beam)
 {
     Simulation *sim = &beam->sim;
     for (int k = 0; k < BEAM_SERIES_MAX; k++)
-        if (series[k].problems >> beam->def.problem & 1) {
+        if ((series[k].problems >> beam->def.problem & 1) &&
+            (series[k].value != damped || beam->damping > 0)) {
             beam->series_entry[sim->n_series] = k;
             beam->series[sim->n_series++] = series[k].quantity;
         }

@@ -52,6 +52,8 @@ void beam_load(Simulation *sim, const void *bytes)
     follow_bits(beam, (const uint8_t *)bytes + head);
     memcpy(beam->state, bytes, beam->state_size);
     set_breaking(beam);
+    sim->at_rest = beam->head->rested;
+    sim->kinetic_left = beam->head->kinetic_left;
     beam_rebuild_damage(beam);
     beam->strain_known = false;
     beam->rescue.valid = false;
@@ -77,7 +79,14 @@ static bool any_stretch(const Beam *beam, double value)
     return value >= 0 && value < 0.5;
 }
 
+static bool any_weight(const Beam *beam, double value)
+{
+    (void)beam;
+    return isfinite(value);
+}
+
 static const LiveParameter live_parameters[] = {
+    {"load.body_force", offsetof(StateHead, body_force), any_weight, "a number in m/s^2"},
     {"load.stress", offsetof(StateHead, load_stress), any_stress, "a stress in Pa, on the notched beam"},
     {"pd.critical_stretch", offsetof(StateHead, critical_stretch), any_stretch, "0 to below 0.5"},
 };
@@ -96,10 +105,15 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
         memcpy((char *)beam->head + live->offset, &value, sizeof value);
         set_breaking(beam);
         beam->rescue.valid = false;
+        /* it may move anew */
+        beam->head->most_kinetic = 0;
+        beam->head->moved = sim->step;
+        beam->head->rested = sim->at_rest = false;
         return true;
     }
-    return status_fail(status, STATUS_USAGE,
-                       "%s: cannot change in mid-run (load.stress and pd.critical_stretch can)", key);
+    return status_fail(
+        status, STATUS_USAGE,
+        "%s: cannot change in mid-run (load.stress, load.body_force and pd.critical_stretch can)", key);
 }
 
 /* Asks whoever waits for the beam whether it is still wanted, and remembers a no for all threads. */

@@ -8,6 +8,8 @@
  *     v^{n+1} = v^{n+1/2} + dt/2 a^{n+1}                       second half kick      (11)
  *     phi of nodes whose bonds broke                           damage                (5, 6)
  *
+ * Damping brakes the half steps, and weight joins the body force (beam_damping.c).
+ *
  * (Paper P says "Eq. (5)" above eq. 9 where it means eq. 8.) The scheme is of second order and stable up to
  * dt = 2/omega_max (beam_critical.c). It keeps linear momentum to round-off; the energy ripples by O(dt^2)
  * about a constant value while no bond breaks. Where bonds break the balance is of first order in dt: a bond
@@ -20,25 +22,6 @@
 #include "physics/pd_plane/beam_internal.h"
 
 #include <math.h>
-
-/* Columns with X + v0 t < -1e-6 dx are inside the channel at time t and held. A column often comes to the
- * channel's end exactly at a step; the tolerance then says that it is free, where rounding would decide
- * otherwise. By bisection: X grows with the column. */
-int beam_held_columns(const Beam *beam, double time)
-{
-    if (beam->def.problem != BEAM_MOVING_CANTILEVER || beam->free_body)
-        return 0;
-    double limit = -1e-6 * beam->lattice.spacing;
-    int low = 0, high = beam->lattice.nx;
-    while (low < high) {
-        int middle = low + (high - low) / 2;
-        if (lattice_x(&beam->lattice, middle) + beam->def.speed * time < limit)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
 
 /* --- what the stages do to one row; `step` is the number of whole steps before this one --- */
 
@@ -92,6 +75,7 @@ static void kick(Beam *beam, int j)
 /* Eq. 9 of row j; held components keep the velocity that they are given, whatever the bonds pull. */
 static void half_kick(Beam *beam, int j, long step)
 {
+    beam_brake_first(beam, j);
     kick(beam, j);
     constrain_velocity(beam, j, (double)step * beam->sim.dt);
 }
@@ -104,6 +88,7 @@ static void drift(Beam *beam, int j, long step)
     beam->kernels->add(beam->nodes.ux + row, beam->nodes.vx + row, dt, count);
     beam->kernels->add(beam->nodes.uy + row, beam->nodes.vy + row, dt, count);
     beam_note_work(beam, j, step);
+    beam_note_speeds(beam, j);
 }
 
 /* Eqs. 12, 13 at the end of the drift: displacements where they are given, and the velocities that belong to
@@ -118,6 +103,7 @@ static void constraints(Beam *beam, int j, long step)
 /* b of eq. 8 at t^{n+1}, added to what the bonds have left in f. */
 static void body_force(Beam *beam, int j, long step)
 {
+    beam_weigh(beam, j);
     beam_add_loads(beam, j, (double)(step + 1) * beam->sim.dt);
 }
 
@@ -125,6 +111,7 @@ static void body_force(Beam *beam, int j, long step)
 static void second_kick(Beam *beam, int j, long step)
 {
     kick(beam, j);
+    beam_brake_second(beam, j);
     constrain_velocity(beam, j, (double)(step + 1) * beam->sim.dt);
     beam_note_reaction(beam, j);
 }
@@ -185,14 +172,18 @@ bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *st
     if (stage == STAGE_BONDS)
         return bonds_stage(beam, (int)first, (int)end, status);
     if (stage == STAGE_DAMAGE) {
-        if (end == sim->stage_items)
+        if (end == sim->stage_items) {
             beam_update_damage(beam, sim->step + 1);
+            beam_look_for_rest(beam, sim->step + 1);
+        }
         return true;
     }
     for (size_t j = first; j < end; j++)
         row_stages[stage](beam, (int)j, sim->step);
     if (stage == STAGE_DRIFT || stage == STAGE_SECOND_KICK)
         beam_add_work(beam, stage == STAGE_SECOND_KICK);
+    if (stage == STAGE_DRIFT)
+        beam_add_speeds(beam);
     return true;
 }
 
@@ -241,19 +232,20 @@ static void turn_chunk(void *context, int band, int worker)
     }
 }
 
-/* Whole steps, `done` of `count`; rows: n_series numbers for each, or NULL. The end of a step and the
- * beginning of the next touch the same row of nodes and nothing else, so they are one pass while the row is
- * in the cache (turn_chunk); only a row of the series in between parts them. On failure the state is in the
- * middle of the step that failed. */
+/* Whole steps, `done` of `count`, fewer where the beam comes to rest; rows: n_series numbers for each, or
+ * NULL. The end of a step and the beginning of the next touch the same row of nodes and nothing else, so they
+ * are one pass while the row is in the cache (turn_chunk); only a row of the series in between parts them. On
+ * failure the state is in the middle of the step that failed. */
 static bool run_steps(Beam *beam, long count, double *rows, long *done, Status *status)
 {
     Simulation *sim = &beam->sim;
     bool begun = false;
-    for (*done = 0; *done < count; ++*done) {
+    for (*done = 0; *done < count && !beam->sim.at_rest; ++*done) {
         beam->strain_known = false;
         if (!begun) {
             beam_run(beam, begin_chunk, beam->n_bands);
             beam_add_work(beam, 0);
+            beam_add_speeds(beam);
         }
 
         beam_bond_forces(beam, rows != NULL);
@@ -263,13 +255,17 @@ static bool run_steps(Beam *beam, long count, double *rows, long *done, Status *
         if (!sound)
             return false;
 
-        bool pause = rows || *done + 1 == count;
+        bool pause = rows || *done + 1 == count || beam_asks_for_rest(beam, sim->step + 1);
         beam_run(beam, pause ? end_chunk : turn_chunk, beam->n_bands);
         begun = !pause;
         beam_add_work(beam, 1);
-        if (begun)
+        if (begun) {
             beam_add_work(beam, 0);
+            beam_add_speeds(beam);
+        }
         beam_update_damage(beam, sim->step + 1);
+        if (pause)
+            beam_look_for_rest(beam, sim->step + 1);
         sim->step++;
         if (rows)
             beam_row(sim, rows + *done * sim->n_series);
@@ -313,7 +309,7 @@ bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *s
 {
     Beam *beam = (Beam *)sim;
     *done = 0;
-    while (*done < count) {
+    while (*done < count && !sim->at_rest) {
         if (!beam->rescue.valid || sim->step >= beam->rescue.step + RESCUE_EVERY)
             keep_rescue(beam);
         long left = count - *done, until = beam->rescue.step + RESCUE_EVERY - sim->step, part;

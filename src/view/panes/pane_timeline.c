@@ -15,7 +15,8 @@ static const struct {
 } marks[] = {
     {EVENT_CROSSING, 'x', STYLE_NORMAL, "crossing"}, {EVENT_BREAK, 'b', STYLE_NORMAL, "break"},
     {EVENT_LATE, 'L', STYLE_NORMAL, "late"},         {EVENT_ENERGY, 'E', STYLE_WARNING, "energy"},
-    {EVENT_CHANGE, 'c', STYLE_CHANGED, "change"},    {EVENT_FAILURE, '!', STYLE_ERROR, "stopped"},
+    {EVENT_CHANGE, 'c', STYLE_CHANGED, "change"},    {EVENT_REST, 'R', STYLE_NORMAL, "rest"},
+    {EVENT_FAILURE, '!', STYLE_ERROR, "stopped"},
 };
 enum { MARKS = sizeof marks / sizeof *marks };
 

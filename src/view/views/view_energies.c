@@ -94,6 +94,7 @@ static Stack stack_of(const Screen *screen)
     add_layer(&stack, "strain", screen_column(screen, "strain"), -1, STYLE_EXACT);
     if (screen_column(screen, "kinetic_grid") >= 0 || breaks(screen->experiment))
         add_layer(&stack, "dissipated", screen_column(screen, "dissipated"), -1, STYLE_THIRD);
+    add_layer(&stack, "damped", screen_column(screen, "damped"), -1, STYLE_SECOND);
     return stack;
 }
 

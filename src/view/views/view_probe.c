@@ -13,8 +13,8 @@
 /* The columns that can stand in the probe view: what is measured and is no energy. */
 static bool is_energy(const char *name)
 {
-    static const char *const energies[] = {"kinetic", "kinetic_grid", "strain",
-                                           "work",    "dissipated",   "total"};
+    static const char *const energies[] = {"kinetic",    "kinetic_grid", "strain", "work",
+                                           "dissipated", "damped",       "total"};
     for (size_t i = 0; i < sizeof energies / sizeof *energies; i++)
         if (strcmp(name, energies[i]) == 0)
             return true;

@@ -115,9 +115,9 @@ static int joint_findings(const Sample *sample, Finding *out)
         sqrt(bar->joint_modulus / bar->joint_density) / sqrt(bar->youngs_modulus / bar->density);
     int n = 0;
     out[n++] = (Finding){"reflected", "sent back R", divided ? share_of_pulse(sample, false) : NAN,
-                         bar_waves_reflected(bar)};
+                         bar_waves_reflected(bar), NULL};
     out[n++] = (Finding){"transmitted", "let on T", divided ? share_of_pulse(sample, true) / speeds : NAN,
-                         bar_waves_transmitted(bar)};
+                         bar_waves_transmitted(bar), NULL};
     return n;
 }
 
@@ -130,14 +130,14 @@ int bar_findings(const References *refs, const Simulation *sim, Finding out[FIND
         return 0;
     if (theory->joint > 0)
         n = joint_findings(&sample, out);
-    out[n++] = (Finding){"v_error", "L2 error of v", relative_distance(&sample), 0};
+    out[n++] = (Finding){"v_error", "L2 error of v", relative_distance(&sample), 0, NULL};
     if (theory->joint == 0) {
         out[n++] =
             (Finding){"v_peak", "peak/start", largest(sample.v, sample.count) / fabs(theory->pulse.velocity),
-                      largest(sample.exact, sample.count) / fabs(theory->pulse.velocity)};
-        out[n++] =
-            (Finding){"lag", "late by cells",
-                      delay_of(&sample) * bar_wave_speed(theory) / bar_answers(refs)->mesh.cell_size, 0};
+                      largest(sample.exact, sample.count) / fabs(theory->pulse.velocity), NULL};
+        out[n++] = (Finding){"lag", "late by cells",
+                             delay_of(&sample) * bar_wave_speed(theory) / bar_answers(refs)->mesh.cell_size,
+                             0, NULL};
     }
     free(sample.x);
     return n;

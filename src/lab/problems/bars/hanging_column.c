@@ -88,9 +88,9 @@ static int findings(const References *refs, const Simulation *sim, Finding *out)
     const HangingColumn *column = own_column(refs);
     const size_t last = sim->counts[0] - 1;
     out[0] = (Finding){"u_last", "last particle's u", field_of(sim, "u", last),
-                       column_displacement(column, field_of(sim, "x0", last))};
+                       column_displacement(column, field_of(sim, "x0", last)), NULL};
     out[1] = (Finding){"stress_first", "stress at the support", field_of(sim, "stress", 0),
-                       column_stress(column, field_of(sim, "x0", 0))};
+                       column_stress(column, field_of(sim, "x0", 0)), NULL};
     return 2;
 }
 

@@ -128,7 +128,7 @@ static int findings(const References *refs, const Simulation *sim, Finding *out)
     out[0] = (Finding){"invariant", "invariant/start",
                        oscillator_energy(oscillator, strain, velocity) /
                            oscillator_energy(oscillator, 0, oscillator->velocity),
-                       1};
+                       1, NULL};
     return 1;
 }
 

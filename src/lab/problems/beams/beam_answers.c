@@ -4,6 +4,7 @@
 #include "lab/problems/beams/beam_answers.h"
 
 #include "theory/beam.h"
+#include "theory/swing.h"
 
 #include <limits.h>
 #include <math.h>
@@ -108,6 +109,59 @@ static double v_plane(References *refs, long step, double time, const double *ro
     return beam_midpoint_velocity(&own(refs)->theory, own(refs)->body.plane, time);
 }
 
+/* Under a weight that is there from t = 0 on the state of rest stands beside the run, whatever the way to it.
+ */
+static double u_rest(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)time, (void)row;
+    return beam_sag(&own(refs)->body.real, own(refs)->body.weight);
+}
+
+static double u_solved(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)time, (void)row;
+    return own(refs)->body.solved;
+}
+
+static void plan_rest(References *refs, const Simulation *sim)
+{
+    static const Quantity rest = {"u_rest", "Timoshenko", "m",
+                                  "the middle at rest by Timoshenko, at the beam's real span and height"};
+    static const Quantity solved = {"u_solved", "one solution", "m",
+                                    "the probe of this very lattice at rest, by one solution"};
+    plan_method(refs, sim, "u_probe");
+    plan_method(refs, sim, "v_probe");
+    plan_answer(refs, &rest, COLUMN_EXACT, "u_probe", u_rest);
+    if (isfinite(own(refs)->body.solved))
+        plan_answer(refs, &solved, COLUMN_PREDICTED, "u_probe", u_solved);
+}
+
+/* Under its weight: what the lattice comes to rest at against one solution of it, and that against theory. */
+int beam_find_rest(const References *refs, const Simulation *sim, Finding *out)
+{
+    const BeamBody *body = &own(refs)->body;
+    double row[COLUMNS_MAX];
+    int n = 0;
+    if (body->weight == 0)
+        return 0;
+    const double theory = beam_sag(&body->real, body->weight);
+    if (sim->stage != 0 || sim->item != 0)
+        row[simulation_find_series(sim, "u_probe")] = NAN;
+    else
+        sim->method->row((Simulation *)sim, row);
+    const double now = row[simulation_find_series(sim, "u_probe")];
+    if (isfinite(body->solved)) {
+        out[n++] = (Finding){"u_middle", "middle", now, body->solved, "one solution"};
+        out[n++] = (Finding){"off", "off by", now / body->solved - 1, 0, NULL};
+        out[n++] = (Finding){"sag_ratio", "one solution over Timoshenko", body->solved / theory, 0, NULL};
+    } else {
+        out[n++] = (Finding){"u_middle", "middle", now, theory, "Timoshenko"};
+    }
+    if (sim->kinetic_left > 0 || sim->at_rest)
+        out[n++] = (Finding){"kinetic_left", "kinetic over its largest", sim->kinetic_left, 0, NULL};
+    return n;
+}
+
 bool beam_prepare_supported(References *refs, const Settings *settings, const Simulation *sim,
                             const BeamBody *body, Status *status)
 {
@@ -126,6 +180,11 @@ bool beam_prepare_supported(References *refs, const Settings *settings, const Si
     beam->euler = beam_period_euler(&beam->theory);
     beam->timoshenko = beam_period_timoshenko(&beam->theory);
     beam->timoshenko_real = beam_period_timoshenko(&body->real);
+    beam->theory.damping = body->damping;
+    if (body->weight != 0) {
+        plan_rest(refs, sim);
+        return true;
+    }
     plan_method(refs, sim, "u_probe");
     plan_method(refs, sim, "v_probe");
     plan_answer(refs, &u_e, COLUMN_EXACT, "u_probe", u_euler);
@@ -145,6 +204,14 @@ double beam_supported_profile(const References *refs, const char *field, double 
     const BeamTheory *beam = &own(refs)->theory;
     if (!(x >= 0 && x <= beam->length))
         return NAN;
+    const BeamBody *body = &own(refs)->body;
+    if (body->weight != 0) {
+        const double between = x - (beam->length - body->real.length) / 2;
+        return strcmp(field, "vy") == 0 ? 0
+               : strcmp(field, "uy") == 0 && between >= 0 && between <= body->real.length
+                   ? beam_sag_at(&body->real, body->weight, between)
+                   : NAN;
+    }
     double shape = sin(M_PI * x / beam->length);
     if (strcmp(field, "uy") == 0)
         return shape * beam_midpoint(beam, own(refs)->timoshenko, time);
@@ -157,13 +224,37 @@ double beam_supported_profile(const References *refs, const char *field, double 
 double beam_supported_section(const References *refs, const char *field, double x, double y, double time)
 {
     const BeamTheory *beam = &own(refs)->theory;
-    if (!(x >= 0 && x <= beam->length))
+    if (!(x >= 0 && x <= beam->length) || own(refs)->body.weight != 0)
         return NAN;
     if (strcmp(field, "sxx") == 0)
         return beam_bending_stress(beam, x, y, time);
     if (strcmp(field, "sxy") == 0)
         return beam_shear_stress(beam, x, y, time);
     return NAN;
+}
+
+/* Whether it comes back often enough to be measured: a beam that is braked almost critically does not. */
+static bool swings(const BeamAnswers *beam)
+{
+    const double most = 0.9,
+                 slowest = fmax(beam->timoshenko, beam->body.predicted); /* NAN counts for nothing */
+    return beam->body.damping * slowest / (4 * M_PI) < most;
+}
+
+/* A swing that dies: its period and what a period keeps, by one fit. */
+static void read_damped(const References *refs, const double *rows, size_t n_rows, int n_columns,
+                        Readout *out)
+{
+    const double expected = out->predicted_known ? out->predicted : out->real_size;
+    const size_t width = (size_t)n_columns;
+    Swing swing;
+    out->kept_predicted = swing_kept(own(refs)->body.damping / 2, 2 * M_PI / out->exact);
+    if (n_rows < 2 || !swing_fit(rows + plan_find(refs, "u_probe"), width, n_rows, rows[width + 1] - rows[1],
+                                 2 * M_PI / expected, false, &swing))
+        return;
+    out->measured = 2 * M_PI / swing.frequency;
+    out->measured_known = true;
+    out->kept_measured = swing_kept(swing.decay, 2 * M_PI / out->exact);
 }
 
 /* Beam theory is Timoshenko's period of the beam as it was asked for, and the same at its real size that of
@@ -173,14 +264,20 @@ void beam_read_supported(const References *refs, const double *rows, size_t n_ro
 {
     out->is_period = true;
     out->column = "u_probe";
-    out->moving = own(refs)->theory.amplitude != 0;
+    const BeamAnswers *beam = own(refs);
+    const double damping = beam->body.damping;
+    out->exact = beam_damped_period(beam->timoshenko, damping);
+    out->moving = (beam->theory.amplitude != 0 || beam->body.weight != 0) && swings(beam);
     if (!out->moving)
         return;
     out->exact_known = true;
-    out->exact = own(refs)->timoshenko;
-    out->predicted = own(refs)->body.predicted;
+    out->predicted = beam_damped_period(beam->body.predicted, damping);
     out->predicted_known = isfinite(out->predicted);
-    out->real_size = own(refs)->timoshenko_real;
+    out->real_size = beam_damped_period(beam->timoshenko_real, damping);
+    if (damping > 0) {
+        read_damped(refs, rows, n_rows, n_columns, out);
+        return;
+    }
     const double expected = out->predicted_known ? out->predicted : out->real_size;
     double frequency;
     if (readout_fit(rows, n_rows, n_columns, plan_find(refs, "u_probe"), 2 * M_PI / expected, &(double){1}, 1,

@@ -16,7 +16,10 @@ BeamTheory beam_theory_of(const Settings *);
 /* What a method makes of the beam, for the answers beside a run. */
 typedef struct BeamBody {
     BeamTheory real;  /* as it came out on its lattice or mesh */
-    double predicted; /* period, s; NAN: not known */
+    double predicted; /* period without damping, s; NAN: not known */
+    double damping;   /* alpha in use, 1/s */
+    double weight;    /* body force on all of it, m/s^2 */
+    double solved;    /* what the probe is displaced by under it at rest, by one solution, m; NAN: not known */
     double plane;     /* period of the plane problem itself, where its ends are those of the run; else NAN */
     double from_tip;  /* the probe of a cantilever lies so far before its tip, m */
     bool rings;       /* through the height, so that velocities want a filter */
@@ -28,6 +31,7 @@ typedef struct BeamBody {
 bool beam_prepare_supported(References *, const Settings *, const Simulation *, const BeamBody *, Status *);
 double beam_supported_profile(const References *, const char *field, double x, double time);
 double beam_supported_section(const References *, const char *field, double x, double y, double time);
+int beam_find_rest(const References *, const Simulation *, Finding *out);
 void beam_read_supported(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);
 
 bool beam_prepare_moving(References *, const Settings *, const Simulation *, const BeamBody *, Status *);

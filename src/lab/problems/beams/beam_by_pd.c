@@ -52,21 +52,31 @@ static void find_thickness_lines(BeamBody *body, const Settings *settings, const
     free(stiffness);
 }
 
+/* Of the lattice as it is damped; that of critical damping swings no more. */
 static bool predict(const Settings *settings, Prediction *out, Status *status)
 {
     const BeamDef def = beam_definition(settings, 1);
     BeamTheory theory = beam_theory_of(settings);
-    out->theory = beam_period_timoshenko(&theory);
+    out->theory = beam_damped_period(beam_period_timoshenko(&theory), def.damping);
     if (!beam_predicted_period(&def, &out->predicted, &theory.length, &theory.height, status))
         return false;
-    out->real_size = beam_period_timoshenko(&theory);
+    out->predicted = def.critically_damped ? NAN : beam_damped_period(out->predicted, def.damping);
+    out->real_size = beam_damped_period(beam_period_timoshenko(&theory), def.damping);
     out->real_height = theory.height;
     return true;
 }
 
 static BeamBody make_body(const Settings *settings, const Simulation *sim)
 {
-    BeamBody body = {.real = real_theory(settings, sim), .predicted = NAN, .plane = NAN, .rings = true};
+    BeamFacts facts;
+    beam_facts(sim, &facts);
+    BeamBody body = {.real = real_theory(settings, sim),
+                     .predicted = NAN,
+                     .damping = facts.damping,
+                     .weight = settings->loads.body_force,
+                     .solved = NAN,
+                     .plane = NAN,
+                     .rings = true};
     find_thickness_lines(&body, settings, sim);
     return body;
 }
@@ -75,10 +85,11 @@ static bool prepare_supported(References *refs, const Settings *settings, const 
                               Status *status)
 {
     BeamBody body = make_body(settings, sim);
-    Prediction prediction;
-    if (!predict(settings, &prediction, status))
+    BeamLinear linear;
+    if (!beam_linear(sim, &linear, status))
         return false;
-    body.predicted = prediction.predicted;
+    body.predicted = linear.period;
+    body.solved = body.weight * linear.sag;
     return beam_prepare_supported(refs, settings, sim, &body, status);
 }
 
@@ -117,6 +128,8 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
             derived_add(out, &n, "notch_bonds", "cut by notch", "1", (double)facts.notch_bonds, true);
         if (settings->problem->concerns & CONCERN_PLATE)
             derived_add(out, &n, "cut_bonds", "cut bonds", "1", (double)facts.notch_bonds, true);
+        if (facts.damping > 0)
+            derived_add(out, &n, "damping", "damping alpha", "1/s", facts.damping, false);
         derived_add(out, &n, "real_height", "real height", "m", facts.real_height, false);
         if (settings->problem->concerns & CONCERN_PLATE) {
             derived_add(out, &n, "real_length", "real length", "m", facts.nx * sim->spacing, false);
@@ -179,6 +192,25 @@ static const char *const of_beam[] = {"scenario.method",
                                       "time.end",
                                       NULL};
 
+/* That of the supported beam is braked, and may hang. */
+static const char *const of_supported[] = {"scenario.method",
+                                           "beam.length",
+                                           "beam.height",
+                                           "beam.thickness",
+                                           "beam.youngs_modulus",
+                                           "beam.density",
+                                           "initial.amplitude",
+                                           "load.body_force",
+                                           "damping.rate",
+                                           "pd.spacing",
+                                           "pd.horizon",
+                                           "pd.surface_correction",
+                                           "pd.volume_correction",
+                                           "time.step",
+                                           "time.end",
+                                           "time.rest",
+                                           NULL};
+
 #define UNDERSTAND_BEAMS                                                                                     \
     .understands = {[REFERENCE_EXACT] = {of_beam, NULL},                                                     \
                     [REFERENCE_PREDICTED] = {of_beam, NULL},                                                 \
@@ -189,7 +221,10 @@ static const char *const of_beam[] = {"scenario.method",
 
 const Solver beam_by_pd_supported = {
     BY_PD_ALIKE,
-    UNDERSTAND_BEAMS,
+    .understands = {[REFERENCE_EXACT] = {of_supported, NULL},
+                    [REFERENCE_PREDICTED] = {of_supported, NULL},
+                    [REFERENCE_FREQUENCY] = {of_supported, NULL}},
+    .findings = beam_find_rest,
     .predict = predict,
     .prepare = prepare_supported,
     .profile = beam_supported_profile,

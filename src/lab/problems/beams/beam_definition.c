@@ -121,6 +121,11 @@ BeamDef beam_definition(const Settings *settings, int threads)
         .support_right = settings->supports.right,
         .pinned = settings->supports.pinned,
         .plate = plate_definition(settings),
+        .body_force = settings->loads.body_force,
+        .damping = settings->damping.rate == DAMPING_CRITICAL ? 0 : settings->damping.rate,
+        .critically_damped = settings->damping.rate == DAMPING_CRITICAL ||
+                             (settings->time.rest && settings->damping.rate == 0),
+        .to_rest = settings->time.rest,
         .dt = settings->time.step,
         .end = settings->time.end,
         .threads = threads,

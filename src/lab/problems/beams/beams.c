@@ -3,7 +3,7 @@
 #include "lab/problems/solvers.h"
 #include "lab/settings/parameters.h"
 
-#define BEAM_CONCERNS (CONCERN_BEAM | CONCERN_LATTICE | CONCERN_BREAKING | CONCERN_STEP)
+#define BEAM_CONCERNS (CONCERN_BEAM | CONCERN_LATTICE | CONCERN_BREAKING | CONCERN_STEP | CONCERN_DAMPING)
 /* In cells: the same body solved by the material point method. */
 #define PLANE_CONCERNS (CONCERN_METHODS | CONCERN_PLANE)
 #define PLANE_USES                                                                                           \
@@ -25,11 +25,18 @@
 /* --- simply supported ----------------------------------------------------------------------------- */
 
 static const ParameterUse uses_supported[] = {
-    {USE("beam.length", 0.1)},          {USE("beam.height", 0.005)},
-    {USE("beam.thickness", 0.005)},     {USE("beam.density", 2700)},
-    {USE("beam.youngs_modulus", 71e9)}, {USE("initial.amplitude", 3e-6)},
-    {USE("pd.spacing", 0.25e-3)},       {USE("pd.horizon", 1e-3)},
-    {USE("time.end", 1.8e-3)},          PLANE_USES,
+    {USE("beam.length", 0.1)},
+    {USE("beam.height", 0.005)},
+    {USE("beam.thickness", 0.005)},
+    {USE("beam.density", 2700)},
+    {USE("beam.youngs_modulus", 71e9)},
+    {USE("initial.amplitude", 3e-6)},
+    {USE("pd.spacing", 0.25e-3)},
+    {USE("pd.horizon", 1e-3)},
+    {USE("time.end", 1.8e-3)},
+    {USE("load.body_force", 0), .methods = BY_PD,
+     .help = "force per unit mass on the whole beam, upwards; -9.81: its weight"},
+    PLANE_USES,
 };
 
 static const Solver *const solvers_supported[] = {&beam_by_pd_supported, &beam_by_mpm_supported, NULL};
@@ -37,7 +44,8 @@ static const Solver *const solvers_supported[] = {&beam_by_pd_supported, &beam_b
 const Problem problem_supported_beam = {
     .word = "simply-supported-beam",
     .title = "vibration of a simply supported beam",
-    .concerns = BEAM_CONCERNS | CONCERN_DEFLECTION | PLANE_CONCERNS | CONCERN_SECTIONS,
+    .concerns = BEAM_CONCERNS | CONCERN_DEFLECTION | PLANE_CONCERNS | CONCERN_SECTIONS | CONCERN_WEIGHT |
+                CONCERN_REST,
     USES(uses_supported),
     .solvers = solvers_supported,
     BEAM_COMMON,
@@ -93,7 +101,7 @@ static const Solver *const solvers_notched[] = {&beam_by_pd_notched, NULL};
 const Problem problem_notched_beam = {
     .word = "notched-beam",
     .title = "three-point bending of a beam with an offset notch",
-    .concerns = BEAM_CONCERNS | CONCERN_NOTCH | CONCERN_PRESSURE | CONCERN_SUPPORTS,
+    .concerns = BEAM_CONCERNS | CONCERN_NOTCH | CONCERN_PRESSURE | CONCERN_SUPPORTS | CONCERN_REST,
     USES(uses_notched),
     .solvers = solvers_notched,
     .alone = "by it nothing breaks",
