@@ -53,7 +53,26 @@ START_TEST(rows_add_up)
 }
 END_TEST
 
-static void expect_momentum(MpmTransfer transfer, double blend, MpmShape shape, MpmAlgorithm algorithm)
+/* A second material beyond the middle of the bar: twice as fast, twice as heavy. */
+static void add_joint(BarCase *bar)
+{
+    bar->def.joint = 12;
+    bar->def.joint_modulus = 800;
+    bar->def.joint_density = 2;
+}
+
+/* sum m v of the particles. */
+static double momentum_of(const Simulation *sim)
+{
+    double *mass = field_now(sim, 0, "mass"), *v = field_now(sim, 0, "v"), sum = 0;
+    for (size_t p = 0; p < sim->counts[0]; p++)
+        sum += mass[p] * v[p];
+    free(mass), free(v);
+    return sum;
+}
+
+static void expect_momentum(MpmTransfer transfer, double blend, MpmShape shape, MpmAlgorithm algorithm,
+                            bool joint)
 {
     BarCase bar = bar_case(0, 0.05);
     bar_case_add_mode(&bar, 3, 0.1);
@@ -63,10 +82,12 @@ static void expect_momentum(MpmTransfer transfer, double blend, MpmShape shape, 
     bar.def.transfer = transfer;
     bar.def.mass_blend = blend;
     bar.def.fmpm_order = 3;
+    if (joint)
+        add_joint(&bar);
     Simulation *sim = bar_case_create(&bar);
-    const double before = series_now(sim, "v_cm");
+    const double before = momentum_of(sim);
     advance(sim, 400);
-    ck_assert_double_eq_tol(series_now(sim, "v_cm"), before, 1e-15 * 400);
+    ck_assert_double_eq_tol(momentum_of(sim), before, 25 * 1e-15 * 400);
     simulation_destroy(sim);
 }
 
@@ -74,8 +95,8 @@ START_TEST(momentum_is_kept)
 {
     for (int shape = MPM_HAT; shape <= MPM_CPDI; shape++)
         for (int algorithm = MPM_USF; algorithm <= MPM_MUSL; algorithm++) {
-            expect_momentum(MPM_FLIP, 0.0, (MpmShape)shape, (MpmAlgorithm)algorithm);
-            expect_momentum(MPM_FMPM, 1.0, (MpmShape)shape, (MpmAlgorithm)algorithm);
+            expect_momentum(MPM_FLIP, 0.0, (MpmShape)shape, (MpmAlgorithm)algorithm, _i);
+            expect_momentum(MPM_FMPM, 1.0, (MpmShape)shape, (MpmAlgorithm)algorithm, _i);
         }
 }
 END_TEST
@@ -154,17 +175,20 @@ END_TEST
 START_TEST(blends_keep_the_sharp_energy)
 {
     static const double blends[] = {0.05, 5.0 / 18, 0.5};
-    BarCase bar = bar_case(5, 1e-8);
+    /* what is left goes with the amplitude, and is ten times as much at a joint */
+    BarCase bar = bar_case(5, _i >= 6 ? 1e-9 : 1e-8);
     bar.def.algorithm = _i % 2 ? MPM_MUSL : MPM_USF;
-    bar.def.mass_blend = blends[_i / 2];
+    bar.def.mass_blend = blends[_i / 2 % 3];
+    if (_i >= 6)
+        add_joint(&bar);
     Simulation *sim = bar_case_create(&bar);
-    double first = 0, worst = 0, strain = 0, *v = field_now(sim, 0, "v");
+    double first = 0, worst = 0, strain = 0, *v = field_now(sim, 0, "v"), *mass = field_now(sim, 0, "mass");
     for (int step = 0; step < 10000; step++) {
         advance(sim, 1);
         double *next = field_now(sim, 0, "v"), next_strain = series_now(sim, "strain"),
                energy = _i % 2 ? strain : next_strain;
         for (size_t p = 0; p < sim->counts[0]; p++)
-            energy += 0.5 * 0.5 * v[p] * next[p];
+            energy += 0.5 * mass[p] * v[p] * next[p];
         strain = next_strain;
         free(v);
         v = next;
@@ -172,7 +196,7 @@ START_TEST(blends_keep_the_sharp_energy)
             first = energy;
         worst = fmax(worst, fabs(energy / first - 1));
     }
-    free(v);
+    free(v), free(mass);
     ck_assert_msg(worst <= 1e-10, "mu %g: E* wanders by %.3g", bar.def.mass_blend, worst);
     simulation_destroy(sim);
 }
@@ -328,9 +352,9 @@ void add_cases(Suite *suite)
     TCase *test = tcase_create("mass");
     tcase_set_timeout(test, 240);
     tcase_add_loop_test(test, rows_add_up, 0, 7);
-    tcase_add_test(test, momentum_is_kept);
+    tcase_add_loop_test(test, momentum_is_kept, 0, 2);
     tcase_add_loop_test(test, runs_are_as_predicted, 0, 3);
-    tcase_add_loop_test(test, blends_keep_the_sharp_energy, 0, 6);
+    tcase_add_loop_test(test, blends_keep_the_sharp_energy, 0, 12);
     tcase_add_test(test, limits_of_any_parameters);
     tcase_add_test(test, stretching_domains_keep_the_energy);
     tcase_add_test(test, no_domain_over_two_cells);
