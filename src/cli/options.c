@@ -102,7 +102,7 @@ const Option options_table[] = {
     {"--list", NULL, " verify figure lesson ", "prints the names", OPTION_FLAG, AT(list)},
     {"--paused", NULL, " open movie ", "opens paused at t = 0", OPTION_FLAG, AT(paused)},
     {"--plain", NULL, " open lesson ",
-     "words in lines, no screen: commands from standard input, for screen readers, logs and pipes",
+     "words in lines, no screen: for screen readers, logs and pipes",
      OPTION_FLAG, AT(plain)},
     {"--glyphs", "G", " open lesson movie ", "characters of the plots: auto, braille, block, ascii",
      AT(glyphs), ONE_OF(glyph_sets)},

@@ -36,6 +36,7 @@ short() {
 	*" verify") echo "$1 M-fig3" ;;
 	"matvib run"* | "matvib movie"* | "matvib sound"* | "matvib fit"* | "matvib figure"* | "matvib verify"* | "matvib sweep"* | "matvib export-lammps"*) echo "$1" ;;
 	"matvib list"* | "matvib params"* | "matvib show"*) echo "$1" ;;
+	*" --plain") echo "$1 </dev/null" ;;
 	*" --last") echo "mkdir -p ../state/matvib && cp a.session ../state/matvib/last.session && $1 --script - </dev/null" ;;
 	*) echo "$1 --script - </dev/null" ;;
 	esac

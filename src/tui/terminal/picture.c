@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/terminal/picture.h"
 
+#include "tui/terminal/fallback.h"
+
 #include "tui/terminal/theme.h"
 
 #include <fcntl.h>
@@ -164,7 +166,7 @@ static FILE *open_memory(void)
 #endif
 }
 
-/* NULL: neither the terminal nor one like it is known here. */
+/* NULL: neither the terminal nor one like it is known here, nor those that the program knows by itself. */
 static SCREEN *open_curses(const char *term, FILE *output, FILE *input, const char **stand_in)
 {
     *stand_in = NULL;
@@ -173,7 +175,11 @@ static SCREEN *open_curses(const char *term, FILE *output, FILE *input, const ch
         *stand_in = *name;
         screen = newterm(*name, output, input);
     }
-    return screen;
+    if (screen)
+        return screen;
+    const bool many = strstr(stand_ins_of(term)[0], "256") != NULL;
+    *stand_in = "most terminals of today";
+    return fallback_open(many ? FALLBACK_MANY_COLOURS : FALLBACK_FEW_COLOURS, output, input);
 }
 
 static int count_colours(void)

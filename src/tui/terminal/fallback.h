@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Terminals where the system has no descriptions of them: two that are compiled in. */
+#ifndef TUI_FALLBACK_H
+#define TUI_FALLBACK_H
+
+#include <curses.h>
+#include <stdio.h>
+
+enum { FALLBACK_MANY_COLOURS, FALLBACK_FEW_COLOURS, FALLBACKS };
+
+/* Opens curses on one of them; NULL: curses cannot take a description from the program. */
+SCREEN *fallback_open(int which, FILE *output, FILE *input);
+
+#endif
