@@ -8,7 +8,7 @@
 #include "base/output.h"
 #include "base/text.h"
 #include "figure/figure.h"
-#include "lab/answers/fit.h"
+#include "lab/answers/fit_data.h"
 #include "lab/run/overlay.h"
 #include "lab/settings/parameters.h"
 
@@ -22,16 +22,14 @@ enum { HISTORY = 64 << 20, SLICE = 200 };
 /* The data that are there, in order. */
 typedef struct Data {
     Overlay table;
-    double *times, *values;
-    size_t count;
+    FitData taken;
     const char *column; /* of the series */
 } Data;
 
 static void close_data(Data *data)
 {
     overlay_close(&data->table);
-    free(data->times);
-    free(data->values);
+    fit_data_free(&data->taken);
 }
 
 /* The column of the series: as asked for, or the first that the table has too. The name kept is not the
@@ -58,25 +56,6 @@ static bool choose_column(Data *data, const Options *options, const Settings *se
     return true;
 }
 
-/* Values that are missing are left out. */
-static bool take_values(Data *data, Status *status)
-{
-    const OverlayColumn *x = &data->table.columns[data->table.x], *y = &data->table.columns[data->table.y];
-    data->times = malloc((data->table.count + 1) * sizeof *data->times);
-    data->values = malloc((data->table.count + 1) * sizeof *data->values);
-    if (!data->times || !data->values)
-        return status_fail(status, STATUS_FAILED, "out of memory");
-    for (size_t k = 0; k < data->table.count; k++)
-        if (isfinite(x->values[k]) && isfinite(y->values[k])) {
-            if (x->values[k] < 0)
-                return status_fail(status, STATUS_USAGE, "%s: a time below 0: %g (a run begins at 0)",
-                                   data->table.file, x->values[k]);
-            data->times[data->count] = x->values[k];
-            data->values[data->count++] = y->values[k];
-        }
-    return true;
-}
-
 static bool read_data(Data *data, const Options *options, const Settings *settings, Progress *progress,
                       Status *status)
 {
@@ -90,19 +69,12 @@ static bool read_data(Data *data, const Options *options, const Settings *settin
     if (data->table.along || data->table.y < 0)
         return status_fail(status, STATUS_USAGE, "%s: no column of times with one of %s beside it",
                            data->table.file, data->column);
-    return take_values(data, status);
+    return fit_data_take(&data->taken, &data->table, data->table.y, status);
 }
 
-/* "bar.density,bar.length" into the task. */
-static bool read_keys(char *list, FitTask *task, Status *status)
+static bool take_keys(char *list, FitTask *task, Status *status)
 {
-    char *place;
-    for (char *key = strtok_r(list, ",", &place); key; key = strtok_r(NULL, ",", &place)) {
-        if (task->n_keys == FIT_KEYS_MAX)
-            return status_fail(status, STATUS_USAGE, "--vary: at most %d parameters", FIT_KEYS_MAX);
-        task->keys[task->n_keys++] = key;
-    }
-    return task->n_keys > 0 || status_fail(status, STATUS_USAGE, "--vary: no parameter is named (KEY,KEY)");
+    return fit_data_keys(list, task, status) || (status_prefix(status, "--vary"), false);
 }
 
 static void print_result(const FitTask *task, const FitResult *result)
@@ -166,7 +138,7 @@ static bool draw(const Options *options, Data *data, const FitResult *result, Pr
         experiment_create(&result->settings, HISTORY, progress_threads(options->threads), status);
     if (!screen.experiment)
         return false;
-    screen.time.window = data->times[data->count - 1];
+    screen.time.window = data->taken.times[data->taken.count - 1];
     snprintf(name, sizeof name, "probe:%s", data->column);
     figure_open(&figure, options->size[0], options->size[1]);
     const bool sound =
@@ -190,17 +162,13 @@ static bool may_write(const Options *options, Status *status)
 static bool solve(const Options *options, Settings *settings, Data *data, FitTask *task, FitResult *result,
                   Progress *progress, Status *status)
 {
-    char end[NUMBER_TEXT_MAX];
-    if (!read_data(data, options, settings, progress, status))
-        return false;
-    text_shortest(end, data->count > 0 ? data->times[data->count - 1] : 0);
-    if (data->count > 0 && data->times[data->count - 1] > 0 &&
-        !settings_set(settings, "time.end", end, status))
+    if (!read_data(data, options, settings, progress, status) ||
+        !fit_data_end(&data->taken, settings, status))
         return false;
     task->column = data->column;
-    task->times = data->times;
-    task->values = data->values;
-    task->count = data->count;
+    task->times = data->taken.times;
+    task->values = data->taken.values;
+    task->count = data->taken.count;
     task->threads = progress_threads(options->threads);
     task->patience = (Patience){progress_show, progress};
     return fit_solve(task, result, status);
@@ -226,7 +194,7 @@ int cli_fit(int count, char **arguments, Status *status)
     Progress progress;
     progress_begin(&progress, options.quiet);
     bool sound = (keys || status_fail(status, STATUS_FAILED, "out of memory")) &&
-                 read_keys(keys, &task, status) &&
+                 take_keys(keys, &task, status) &&
                  solve(&options, &settings, &data, &task, &result, &progress, status) &&
                  (!options.output || write_table(&options, &task, &result, status)) &&
                  (!options.figure || draw(&options, &data, &result, &progress, status));

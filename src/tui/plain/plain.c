@@ -337,6 +337,7 @@ bool plain_line(Plain *plain, const char *line, Status *status)
         echo(plain, line);
     plain->said = false;
     take(plain, line);
+    tell_message(plain); /* it would not outlast the work */
     let_it_work(plain);
     if (!draw(plain, status))
         return false;

@@ -5,6 +5,7 @@
 #include "tui/control/prompt/line.h"
 #include "tui/control/writing.h"
 #include "tui/control/second_run.h"
+#include "tui/control/fitting.h"
 #include "tui/control/opening.h"
 #include "view/tell/tell.h"
 #include "view/views/view.h"

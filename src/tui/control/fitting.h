@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* `:fit KEY,...`: the parameters with which the run agrees best with the series that lies over it. */
+#ifndef TUI_FITTING_H
+#define TUI_FITTING_H
+
+#include <stdbool.h>
+
+typedef struct Laboratory Laboratory;
+
+/* Searches, says how far it has come meanwhile, and has the run made anew with what was found; one undo takes
+ * it back. What was found, its intervals and the residuals are said. False: refused, prompt.problem says why.
+ */
+bool fitting_answer(Laboratory *, const char *words);
+
+#endif
