@@ -47,8 +47,9 @@ static double span_of(RunSummary *summary, double end)
  *
  *     100 (mean of the last span - mean of the first)/(mean of the first)
  *
- * of total less work. A run that begins at rest has nothing at first: then it is a share of the largest work
- * done. rows: count x n_columns; nothing is set where there is no energy to speak of. */
+ * of total less work. A run that begins at rest has nothing at first, one that is struck next to nothing:
+ * then it is a share of the largest work done. rows: count x n_columns; nothing is set where there is no
+ * energy to speak of. */
 static void take_energy(RunSummary *summary, const Column *columns, int n_columns, const double *rows,
                         size_t count, const double invariant[2])
 {
@@ -62,10 +63,10 @@ static void take_energy(RunSummary *summary, const Column *columns, int n_column
     if (total < 0 || count == 0)
         return;
     double largest = 0;
-    summary->energy_of_work = !(rows[total] > 0);
     /* the work of a load oscillates with the body, so the largest is taken, not that at the end */
     for (size_t i = 0; i < count && work >= 0; i++)
         largest = fmax(largest, fabs(rows[i * width + (size_t)work]));
+    summary->energy_of_work = !(rows[total] > 0) || largest > rows[total];
     if (summary->energy_of_work && !(largest > 0))
         return;
     const double end = rows[(count - 1) * width + 1], span = span_of(summary, end) * (1 - 1e-9);

@@ -37,7 +37,7 @@ typedef struct RunSummary {
     Finding findings[FINDINGS_MAX]; /* of the last step */
     int n_findings;
     EnergyMeasure energy_measure;
-    bool energy_of_work;  /* the run begins at rest: the change is a share of the largest work of the load */
+    bool energy_of_work;  /* it begins at rest, or next to it: the change is a share of the largest work */
     double energy_change; /* from the start to the end, in percent of the start */
     long rows;            /* of the series */
     Column columns[COLUMNS_MAX]; /* of the series */
