@@ -16,28 +16,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* "in step 13, t = 1.3" for the step under way. */
-void bar_step_words(const Bar *bar, char *out, size_t size)
-{
-    char time[NUMBER_TEXT_MAX];
-    text_rounded(time, (double)(bar->sim.step + 1) * bar->dt, 6);
-    snprintf(out, size, "in step %ld, t = %s", bar->sim.step + 1, time);
-}
-
 bool bar_fail_particle(Bar *bar, Status *status, int particle, const char *what)
 {
-    char when[80];
-    bar_step_words(bar, when, sizeof when);
-    return simulation_fail(&bar->sim, status, "particle %d %s %s", particle, what, when);
-}
-
-/* Events belong to the step under way, which the driver has not counted yet. */
-void bar_report(Bar *bar, EventKind kind, const char *text)
-{
-    int before = bar->sim.n_events;
-    simulation_report(&bar->sim, kind, text);
-    if (bar->sim.n_events > before)
-        bar->sim.events[before].step = bar->sim.step + 1;
+    return batch_fail_particle(&bar->sim, status, particle, what, "");
 }
 
 static void report_crossing(Bar *bar, int particle, int cell)
@@ -48,7 +29,7 @@ static void report_crossing(Bar *bar, int particle, int cell)
     }
     char text[80];
     snprintf(text, sizeof text, "particle %d crossed into cell %d", particle, cell);
-    bar_report(bar, EVENT_CROSSING, text);
+    batch_report(&bar->sim, EVENT_CROSSING, text);
 }
 
 static int by_step_and_particle(const void *left, const void *right)

@@ -16,6 +16,7 @@
 #ifndef PHYSICS_MPM_BAR_STATE_H
 #define PHYSICS_MPM_BAR_STATE_H
 
+#include "physics/batch.h"
 #include "physics/mpm_bar/bar.h"
 
 #include <stdint.h>
@@ -27,8 +28,7 @@ enum {
     BAR_LANES = 8,       /* partial sums of a sum over all: place k counts in lane k % BAR_LANES */
     BAR_CELL_BLOCK = 64, /* cells of a block of which it is known whether all hold P particles */
     BAR_FIELDS = 28,
-    BAR_SERIES = 8,
-    BAR_CHECK_EVERY = 64 /* the energy is looked at after each step that is a multiple of this */
+    BAR_SERIES = 8
 };
 
 enum { BAR_PARTICLES, BAR_NODES, BAR_SETS };
@@ -61,8 +61,7 @@ typedef struct BarHead {
     double mass_blend; /* mu, never 0 */
     int fmpm_order;
     double work;      /* of the external force so far */
-    double peak_work; /* largest magnitude of it seen by the energy check */
-    int energy_level; /* how many thresholds of growth were reported */
+    Growth growth;    /* what the energy check has seen */
     int64_t cell_sum; /* sum of the particles' cells: exact, for x_cm */
 } BarHead;
 
@@ -316,8 +315,6 @@ void bar_write_row(const Bar *bar, const BarSums *sums, const double *grid_lanes
 bool bar_settle(Bar *bar, int first, int end, Status *status);
 void bar_report_crossings(Bar *bar);
 bool bar_fail_particle(Bar *bar, Status *status, int particle, const char *what);
-void bar_report(Bar *bar, EventKind kind, const char *text);
-void bar_step_words(const Bar *bar, char *out, size_t size);
 
 /* bar_tiles.c: whole steps tile by tile. False: something happened that is better looked at step by step; the
  * state is then of no use. */

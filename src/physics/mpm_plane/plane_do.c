@@ -9,7 +9,6 @@
  * in the cache, those on nodes likewise row by row; in between everybody waits. So a step of USF has four
  * parts, and its last is the first of the next step: strain and force | gather, supports, integrate | update
  * and map | gather, supports. */
-#include "base/text.h"
 #include "physics/mpm_plane/kernels/plane_kernels.h"
 
 /* --- particles --------------------------------------------------------------------------------------- */
@@ -76,13 +75,9 @@ static bool judge(Plane *plane, const PlaneTask *tasks, int count, int first, in
             const PlaneTrouble *trouble = &plane->trouble[block];
             if (trouble->place < 0 || trouble->op != (int32_t)tasks[k].op)
                 continue;
-            char time[NUMBER_TEXT_MAX];
-            text_rounded(time, (double)(plane->sim.step + 1) * plane->dt, 6);
-            return simulation_fail(&plane->sim, status, "particle %d %s in step %ld, t = %s s",
-                                   plane_particle(plane, trouble->place),
-                                   tasks[k].op == PLANE_UPDATE ? "left the grid"
-                                                               : "was crushed (1 + exx + eyy <= 0)",
-                                   plane->sim.step + 1, time);
+            return batch_fail_particle(
+                &plane->sim, status, plane_particle(plane, trouble->place),
+                tasks[k].op == PLANE_UPDATE ? "left the grid" : "was crushed (1 + exx + eyy <= 0)", " s");
         }
     return true;
 }

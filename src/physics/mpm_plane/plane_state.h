@@ -26,14 +26,13 @@
 #ifndef PHYSICS_PLANE_STATE_H
 #define PHYSICS_PLANE_STATE_H
 
+#include "physics/batch.h"
 #include "physics/mpm_plane/plane.h"
 #include "physics/mpm_plane/plane_shape.h"
 #include "physics/pool.h"
 
 #include <math.h>
 #include <stdint.h>
-
-enum { PLANE_CHECK_EVERY = 64 }; /* the energy is looked at after each step that is a multiple of this */
 
 enum {
     PLANE_LANES = 8,
@@ -60,9 +59,8 @@ typedef enum PlaneOp {
 typedef struct PlaneHead {
     MpmAlgorithm algorithm;
     double flip_fraction;
-    double work;      /* of the channel so far, J */
-    double peak_work; /* largest magnitude of it seen by the energy check */
-    int energy_level; /* how many thresholds of growth were reported */
+    double work;   /* of the channel so far, J */
+    Growth growth; /* what the energy check has seen */
 } PlaneHead;
 
 /* The nodes of a vector: lane l begins in column + l. */
