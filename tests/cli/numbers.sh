@@ -64,6 +64,16 @@ last_row() { # SCENARIO OPTIONS...
 		row.csv >measured
 }
 
+# What `matvib sound` says: the pitches as they are heard, their beat, the interval in cents.
+heard() { # SCENARIO OPTIONS...
+	"$MATVIB" sound "$@" --seconds 1 --output heard.wav --force >summary 2>err || result "matvib sound $*" told_and_failed
+	awk '
+		/^left: measured/ { left = $3; for (i = 1; i < NF; i++) { if ($i == "exact") right = $(i + 1)
+			if ($(i + 1) == "cents") print "cents", $i } }
+		/^heard .* times as high/ { left = $6; right = $8 }
+		END { print "left", left; print "right", right; print "beat", right - left }' summary >measured
+}
+
 # Whether the text of FILE holds BEFORE NUMBER AFTER, line ends being spaces, and NUMBER is the measured QUANTITY
 # times FACTOR plus OFFSET, without its sign, rounded to the digits that the text gives.
 agrees() { # FILE BEFORE NUMBER AFTER QUANTITY FACTOR OFFSET
@@ -127,6 +137,14 @@ claim $lesson/amplitude.lesson "Only " 0.2 " % are motions" null
 shares 99.36 100 mode10 --set initial.velocity=0.001
 claim $lesson/amplitude.lesson "" 24 " % lumping, as at the start" lumping
 claim $lesson/amplitude.lesson "and still " 0.2 " % hidden" null
+heard mode5
+claim $lesson/late.lesson "model would sing: " 440 " Hz" right
+claim $lesson/late.lesson "440 Hz beside " 421 " Hz" left
+claim $lesson/late.lesson "left ear is " 75 " cents flat" cents
+claim $lesson/late.lesson "both beat " 19 " times" beat
+heard supported-beam-uncorrected
+claim $lesson/skin.lesson "sings at " 1158 " Hz" right
+claim $lesson/skin.lesson "half the horizon: " 221 " cents flat" cents
 run mode10 --end 20
 claim $scenario/mode10.ini "which is a period " 21.5 " % too long" period_error
 run mode10-fine
