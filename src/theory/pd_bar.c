@@ -30,6 +30,18 @@ static double weight(const PdBarTheory *lattice, int m)
     return lattice->partial_volumes && within < 1 ? within : 1;
 }
 
+/* w_m times what the micromodulus is there, over 2E/delta^2. */
+static double strength(const PdBarTheory *lattice, int m)
+{
+    const double ratio = lattice->horizon / lattice->spacing;
+    double sum = 0;
+    if (!lattice->conical)
+        return weight(lattice, m);
+    for (int n = 1; n <= reach_of(lattice); n++)
+        sum += (1 - n / ratio) * weight(lattice, n) * n;
+    return (1 - m / ratio) * weight(lattice, m) * ratio * ratio / (2 * sum);
+}
+
 /* Omega, what velocity Verlet makes of a motion u'' = -omega^2 u. Its three displacements in a row obey
  *
  *     u^{n+1} - 2 u^n + u^{n-1} = -(omega dt)^2 u^n
@@ -61,8 +73,8 @@ Dispersion pd_bar_dispersion(const BarTheory *bar, const PdBarTheory *lattice, d
         return wave;
     for (int m = 1; m <= reach_of(lattice); m++) {
         double s = sin(m * theta / 2);
-        sum += weight(lattice, m) / m * s * s;
-        moment += weight(lattice, m) * m;
+        sum += strength(lattice, m) / m * s * s;
+        moment += strength(lattice, m) * m;
     }
     if (lattice->energy_correction)
         sum *= ratio * ratio / (2 * moment);
@@ -93,7 +105,7 @@ static double family_share(const BarTheory *bar, const PdBarTheory *lattice, int
     for (int m = 1; m <= reach_of(lattice); m++)
         for (int side = -1; side <= 1; side += 2)
             if (node_at(bar, n, i + side * m, &sign) >= 0)
-                sum += weight(lattice, m) * m;
+                sum += strength(lattice, m) * m;
     return sum / (ratio * ratio);
 }
 
@@ -121,7 +133,7 @@ static bool write_matrix(const BarTheory *bar, const PdBarTheory *lattice, int n
                 int sign, j = node_at(bar, n, i + side * m, &sign);
                 if (j < 0)
                     continue;
-                double k = scale * (g[i] + g[j]) / 2 * weight(lattice, m) / m;
+                double k = scale * (g[i] + g[j]) / 2 * strength(lattice, m) / m;
                 put(into, i, i, k);
                 put(into, i, j, -sign * k);
             }
@@ -157,7 +169,7 @@ static bool is_resolved(const BarTheory *bar, const PdBarTheory *lattice, int nu
     const double scale = 2 * bar->youngs_modulus / (bar->density * lattice->horizon * lattice->horizon);
     double row = 0;
     for (int m = 1; m <= reach_of(lattice); m++)
-        row += 2 * scale * weight(lattice, m) / m;
+        row += 2 * scale * strength(lattice, m) / m;
     return DBL_EPSILON * 2 * LARGEST_FACTOR * row <= 1e-8 * pow(bar_frequency(bar, number), 2);
 }
 

@@ -16,6 +16,9 @@
  * factor g = (delta/h)^2 / (2 sum_m w_m m), which takes out what the sum over the family has too much or too
  * little.
  *
+ * A conical micromodulus, c_1 (1 - m h/delta), stands in the sums as w_m (1 - m h/delta) times the scale that
+ * makes the long waves right, (delta/h)^2/(2 sum_m (1 - m h/delta) w_m m).
+ *
  * Velocity Verlet turns u'' = -omega_h^2 u into u_{n+1} - 2 u_n + u_{n-1} = -(omega_h dt)^2 u_n, hence
  *
  *     sin(Omega dt/2) = omega_h dt/2
@@ -37,6 +40,7 @@
 typedef struct PdBarTheory {
     double spacing, horizon; /* h, delta */
     bool partial_volumes;    /* w_m; false: 1 */
+    bool conical;            /* c falls to 0 at the horizon, and is scaled so that the sum gives E */
     bool energy_correction;  /* bonds near a free end are scaled by the energy of their families */
     double dt;
     Patience patience; /* asked while an eigenvalue is found */

@@ -84,6 +84,35 @@ START_TEST(golden_periods)
 }
 END_TEST
 
+/* With a micromodulus that falls to 0 at the horizon. */
+START_TEST(golden_cones)
+{
+    const double least = getenv("MATVIB_LONG") ? 0.1 : 0.19;
+    FILE *file = fopen(source_path("tests/golden/influence.txt"), "r");
+    ck_assert_ptr_nonnull(file);
+    char line[256], surface[16];
+    double spacing, horizon, expected, period;
+    int held = 0;
+    while (fgets(line, sizeof line, file)) {
+        if (sscanf(line, "period %lf %lf %15s %lf", &spacing, &horizon, surface, &expected) != 4 ||
+            spacing < least)
+            continue;
+        BeamDef def = golden_beam(spacing, horizon, surface, "partial");
+        def.influence = INFLUENCE_CONICAL;
+        ck_assert(beam_predicted_period(&def, &period, NULL, NULL, NULL));
+        ck_assert_msg(fabs(period / (expected * 1e-3) - 1) < 1e-8, "%s: %.12g ms", line, period * 1e3);
+        held++;
+    }
+    fclose(file);
+    ck_assert_int_ge(held, 4);
+    BeamDef def = golden_beam(0.5, 0.5, "energy", "partial");
+    def.influence = INFLUENCE_CONICAL;
+    Status status = {0};
+    ck_assert(!beam_check(&def, &status));
+    ck_assert_ptr_nonnull(strstr(status.text, "pd.influence"));
+}
+END_TEST
+
 START_TEST(too_fine_is_not_known)
 {
     const BeamDef def = golden_beam(0.05, 0.25, "energy", "partial");
@@ -144,6 +173,7 @@ void add_cases(Suite *suite)
     suite_add_tcase(suite, factor);
     TCase *period = tcase_create("period");
     tcase_add_test(period, golden_periods);
+    tcase_add_test(period, golden_cones);
     tcase_add_test(period, too_fine_is_not_known);
     tcase_add_test(period, can_be_given_up);
     suite_add_tcase(suite, period);

@@ -5,6 +5,7 @@
 #include "suite.h"
 #include "theory/frequency.h"
 #include "theory/pd_bar.h"
+#include "theory/pd_waves.h"
 
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_sort_vector.h>
@@ -24,7 +25,11 @@ static BarTheory theory(bool left, bool right, int mode)
 
 static PdBarTheory lattice(double spacing, double horizon, bool partial, bool energy, double dt)
 {
-    return (PdBarTheory){spacing, horizon, partial, energy, dt, {0}};
+    return (PdBarTheory){.spacing = spacing,
+                         .horizon = horizon,
+                         .partial_volumes = partial,
+                         .energy_correction = energy,
+                         .dt = dt};
 }
 
 static double velocity(double x, const void *context)
@@ -43,6 +48,7 @@ static Simulation *lattice_bar(const BarTheory *bar, const PdBarTheory *on)
                     .horizon = on->horizon,
                     .surface_correction = on->energy_correction ? SURFACE_ENERGY : SURFACE_NONE,
                     .volume_correction = on->partial_volumes ? VOLUME_PARTIAL : VOLUME_NONE,
+                    .influence = on->conical ? INFLUENCE_CONICAL : INFLUENCE_CONSTANT,
                     .dt = on->dt,
                     .initial_velocity = velocity,
                     .initial_context = bar};
@@ -115,6 +121,31 @@ START_TEST(centre_of_mass)
             const PdBarTheory on = lattice(0.5, 1.5, true, energy, 0.03);
             ck_assert_double_lt(furthest(&bar, &on, 3000), 1e-11);
         }
+}
+END_TEST
+
+/* A cone: the engine runs as the lattice predicts, its sum gives E, and fine lattices disperse as the
+ * integral says. */
+START_TEST(a_cone_runs_as_predicted)
+{
+    for (int ends = 0; ends < 4; ends++) {
+        BarTheory bar = theory(ends & 1, ends & 2, 5);
+        PdBarTheory on = lattice(0.5, 1.5, true, true, 0.03);
+        on.conical = true;
+        ck_assert_double_lt(furthest(&bar, &on, 1000), 1e-11);
+        Simulation *sim = lattice_bar(&bar, &on);
+        PdBarFacts facts;
+        pd_bar_facts(sim, &facts);
+        ck_assert_double_eq_tol(facts.bulk_modulus, 100, 1e-11);
+        simulation_destroy(sim);
+    }
+    const BarTheory bar = theory(true, true, 1);
+    PdBarTheory fine = lattice(0.01, 0.2, true, false, 1e-6);
+    fine.conical = true;
+    for (double z = 0.5; z < 8; z += 0.5) {
+        const double w = pd_bar_dispersion(&bar, &fine, z / 0.2).space_only, c = bar_wave_speed(&bar);
+        ck_assert_double_eq_tol(pow(w / (c * z / 0.2), 2), pd_waves_line(PD_CONICAL, z), 4e-3);
+    }
 }
 END_TEST
 
@@ -236,6 +267,7 @@ void add_cases(Suite *suite)
     TCase *tcase = tcase_create("pd_bar");
     tcase_add_test(tcase, fixed_ends);
     tcase_add_test(tcase, centre_of_mass);
+    tcase_add_test(tcase, a_cone_runs_as_predicted);
     tcase_add_test(tcase, free_end);
     tcase_add_test(tcase, free_end_measured);
     tcase_add_test(tcase, long_waves_and_time);

@@ -443,12 +443,25 @@ static bool write_all(const Nodes *nodes, Asker asker, const char *folder, bool 
     return done;
 }
 
+/* What pair_style peri/pmb and its integrator have nothing for. */
+static bool has_its_like(const Settings *settings, Status *status)
+{
+    if (settings->lattice.influence != INFLUENCE_CONSTANT)
+        return status_fail(status, STATUS_USAGE, "pd.influence: LAMMPS gets constant only");
+    if (settings->damping.rate != 0 || settings->time.rest)
+        return status_fail(status, STATUS_USAGE, "damping.rate: LAMMPS gets runs without damping only (0)");
+    return settings->loads.body_force == 0 ||
+           status_fail(status, STATUS_USAGE, "load.body_force: LAMMPS gets beams without weight only (0)");
+}
+
 bool lammps_export(const Settings *settings, Asker asker, const char *folder, bool force, Status *status)
 {
     if (!(settings->problem->concerns & CONCERN_BEAM))
         return status_fail(status, STATUS_USAGE, "scenario.problem: LAMMPS gets beams only (not bar)");
     if (settings->n_changes > 0)
         return status_fail(status, STATUS_USAGE, "changes: LAMMPS gets runs without changes in mid-run only");
+    if (!has_its_like(settings, status))
+        return false;
     Simulation *sim = problem_simulate(settings, 1, status);
     if (!sim)
         return false;

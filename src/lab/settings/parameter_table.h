@@ -15,6 +15,7 @@ static const char *const transfers[] = {"flip", "apic", "fmpm", NULL};
 static const char *const affine_starts[] = {"gradient", "zero", NULL};
 static const char *const surface_corrections[] = {"none", "energy", "volume", NULL};
 static const char *const volume_corrections[] = {"none", "partial", NULL};
+static const char *const influences[] = {"constant", "conical", NULL};
 static const char *const clamps[] = {"full", "guide", NULL};
 static const char *const plane_ends[] = {"section", "point", NULL};
 static const char *const plane_starts[] = {"deflection", "velocity", NULL};

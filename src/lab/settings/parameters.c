@@ -48,7 +48,8 @@ const FixedKey fixed_keys[] = {
     {"plate.poisson", CONCERN_PLATE, BY_PD, "1/3",
      "bonds pull along their own line alone; a sheet of such springs grows narrower by a third of its "
      "stretch"},
-    {"scenario.method", CONCERN_NOTCH | CONCERN_PLATE, BY_PD, "pd", "nothing breaks by the material point method"},
+    {"scenario.method", CONCERN_NOTCH | CONCERN_PLATE, BY_PD, "pd",
+     "nothing breaks by the material point method"},
     {NULL, 0, 0, NULL, NULL},
 };
 

@@ -98,6 +98,7 @@ typedef struct Lattice {
     double spacing, horizon; /* 0 on the bar: see lattice_spacing(), lattice_horizon() */
     SurfaceCorrection surface_correction;
     VolumeCorrection volume_correction;
+    Influence influence;
 } Lattice;
 
 /* When a bond breaks. */

@@ -25,11 +25,13 @@ static const void *member_of(const Settings *settings, size_t offset)
 
 /* --- critical stretch and critical energy --------------------------------------------------------- */
 
-/* G0 = 9 E delta s0^2 / (4 pi) and back (paper P, two dimensions). The one that was given stays as it is. */
+/* G0 = 9 E delta s0^2 / (4 pi) and back (paper P, two dimensions), conical with 5 pi in place of 4 pi. The
+ * one that was given stays as it is. */
 static void join_handles(Settings *settings)
 {
     Bonds *bonds = &settings->bonds;
-    double stiffness = 9 * settings->material.youngs_modulus * settings->lattice.horizon / (4 * M_PI);
+    const int quarters = settings->lattice.influence == INFLUENCE_CONICAL ? 5 : 4;
+    double stiffness = 9 * settings->material.youngs_modulus * settings->lattice.horizon / (quarters * M_PI);
     if (bonds->energy_given)
         bonds->critical_stretch = sqrt(bonds->critical_energy / stiffness);
     else

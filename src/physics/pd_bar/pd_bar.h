@@ -41,6 +41,7 @@ typedef struct PdBarDef {
     double horizon;                       /* delta, 1 to PD_BAR_REACH_MAX spacings, at most the length */
     SurfaceCorrection surface_correction; /* none or energy */
     VolumeCorrection volume_correction;
+    Influence influence; /* conical: c is scaled so that the sum over a whole family gives E */
 
     double body_force;     /* b, per unit mass */
     double traction;       /* t at each free end, outwards positive */

@@ -45,6 +45,12 @@ bool pd_bar_check(const PdBarDef *def, Status *status)
         return status_fail(status, STATUS_USAGE,
                            "pd.horizon: %g is %.4g spacings (at most %d times pd.spacing)", def->horizon,
                            ratio, PD_BAR_REACH_MAX);
+    if (def->influence == INFLUENCE_CONICAL && ratio < 1.5)
+        return status_fail(
+            status, STATUS_USAGE,
+            "pd.influence: conical leaves bonds as long as the horizon nothing, and pd.horizon "
+            "is %.3g spacings (at least 1.5, or constant)",
+            ratio);
     if (def->horizon > def->length * (1 + 1e-9))
         return status_fail(status, STATUS_USAGE,
                            "pd.horizon: %g reaches beyond the whole bar (at most bar.length = %g)",

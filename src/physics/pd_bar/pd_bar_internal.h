@@ -28,8 +28,10 @@ typedef struct PdBarLattice {
     int n, reach;
     size_t padded; /* n + 2 reach */
     double h;
-    double weight[PD_BAR_REACH_MAX]; /* w at distance m = 1 .. reach */
-    double *factor;                  /* g, per padded node */
+    double weight[PD_BAR_REACH_MAX];    /* w at distance m = 1 .. reach */
+    double influence[PD_BAR_REACH_MAX]; /* of the same: c there over that of |xi| = 0 */
+    double micromodulus;                /* c, conical: of |xi| = 0 */
+    double *factor;                     /* g, per padded node */
     double *stiffness[PD_BAR_REACH_MAX];
     int layer_left, layer_right; /* nodes on which the traction acts */
     double layer;

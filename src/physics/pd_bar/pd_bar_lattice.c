@@ -4,6 +4,7 @@
  *     w_m = 1 for m h <= delta - h/2, else (delta + h/2 - m h)/h          partial volumes
  *     g_i = (E/2)/(sum_j c w V_j |xi|/4),  G = (g_i + g_j)/2              surface correction
  *     k_m = c G w_m V/|xi|,  c = 2E/delta^2,  V = h,  |xi| = m h          stiffness of a bond
+ *     conical: c (1 - |xi|/delta), c = E/(h^2 sum_m (1 - m h/delta) w_m m)
  *     dt_crit = 2/omega_max                                               critical step of velocity Verlet
  *
  * All per unit cross-section: c in force/length^4, k in force/length^4 too (force density over displacement).
@@ -26,10 +27,15 @@ static bool exists(const PdBarDef *def, const PdBarLattice *lattice, int k)
 }
 
 /* c = 2E/delta^2: with it a whole family stores E/2 at unit strain, sum c |xi|/4 over both sides (per unit
- * section). */
-static double micromodulus(const PdBarDef *def)
+ * section). The integral over a cone would be off by 1 - (h/delta)^2 as a sum, so there the sum is taken. */
+static double micromodulus(const PdBarDef *def, const PdBarLattice *lattice)
 {
-    return 2 * def->youngs_modulus / (def->horizon * def->horizon);
+    double sum = 0;
+    if (def->influence == INFLUENCE_CONSTANT)
+        return 2 * def->youngs_modulus / (def->horizon * def->horizon);
+    for (int m = 1; m <= lattice->reach; m++)
+        sum += lattice->influence[m - 1] * lattice->weight[m - 1] * m;
+    return def->youngs_modulus / (lattice->h * lattice->h * sum);
 }
 
 /* |xi| <= delta is decided with a tolerance, as on the lattice of the beams. */
@@ -53,7 +59,8 @@ static double energy_factor(const PdBarDef *def, const PdBarLattice *lattice, in
     double held = 0;
     for (int m = 1; m <= lattice->reach; m++) {
         int partners = exists(def, lattice, i - m) + exists(def, lattice, i + m);
-        held += partners * micromodulus(def) * lattice->weight[m - 1] * lattice->h * (m * lattice->h) / 4;
+        held += partners * lattice->micromodulus * lattice->influence[m - 1] * lattice->weight[m - 1] *
+                lattice->h * (m * lattice->h) / 4;
     }
     return def->youngs_modulus / 2 / held;
 }
@@ -76,7 +83,8 @@ static void make_factors(const PdBarDef *def, PdBarLattice *lattice)
  * missing. V is that of the other end, and all are alike, so one number serves both ends. */
 static void make_stiffness(const PdBarDef *def, PdBarLattice *lattice, int m)
 {
-    const double whole = micromodulus(def) * lattice->weight[m - 1] * lattice->h / (m * lattice->h);
+    const double whole = lattice->micromodulus * lattice->influence[m - 1] * lattice->weight[m - 1] *
+                         lattice->h / (m * lattice->h);
     for (int k = -m; k < lattice->n; k++) {
         double factor =
             (lattice->factor[pd_bar_at(lattice, k)] + lattice->factor[pd_bar_at(lattice, k + m)]) / 2;
@@ -96,8 +104,11 @@ void *pd_bar_lattice(const PdBarDef *def, PdBarLattice *lattice)
     lattice->factor = memory;
     for (int m = 1; m <= lattice->reach; m++) {
         lattice->weight[m - 1] = weight(def, lattice->h, m);
+        lattice->influence[m - 1] =
+            def->influence == INFLUENCE_CONICAL ? fmax(0, 1 - m * lattice->h / def->horizon) : 1;
         lattice->stiffness[m - 1] = memory + (size_t)m * lattice->padded;
     }
+    lattice->micromodulus = micromodulus(def, lattice);
     make_factors(def, lattice);
     for (int m = 1; m <= lattice->reach; m++)
         make_stiffness(def, lattice, m);
@@ -166,7 +177,7 @@ bool pd_bar_critical(const PdBarDef *def, double *step, Status *status)
 }
 
 /* What is told of the lattice: c, sizes, the modulus that a whole family has without correction,
- * E (h/delta)^2 2 sum w_m m, g at a free end, and the critical step. */
+ * c h^2 sum w_m m (with the influence), g at a free end, and the critical step. */
 void pd_bar_facts(const Simulation *sim, PdBarFacts *facts)
 {
     const PdBar *bar = (const PdBar *)sim;
@@ -174,13 +185,12 @@ void pd_bar_facts(const Simulation *sim, PdBarFacts *facts)
     const PdBarLattice *lattice = &bar->lattice;
     double moment = 0;
     for (int m = 1; m <= lattice->reach; m++)
-        moment += lattice->weight[m - 1] * m;
+        moment += lattice->influence[m - 1] * lattice->weight[m - 1] * m;
     const int last = def->right_fixed ? 0 : lattice->n - 1;
-    const double ratio = def->horizon / lattice->h;
-    *facts = (PdBarFacts){.micromodulus = micromodulus(def),
+    *facts = (PdBarFacts){.micromodulus = lattice->micromodulus,
                           .nodes = (size_t)lattice->n,
                           .family = 2 * (size_t)lattice->reach,
-                          .bulk_modulus = def->youngs_modulus * 2 * moment / (ratio * ratio),
+                          .bulk_modulus = lattice->micromodulus * lattice->h * lattice->h * moment,
                           .end_factor = lattice->factor[pd_bar_at(lattice, last)],
                           .critical_step = bar->critical_step};
 }

@@ -19,6 +19,8 @@ typedef enum BeamProblem {
 } BeamProblem;
 typedef enum SurfaceCorrection { SURFACE_NONE, SURFACE_ENERGY, SURFACE_VOLUME } SurfaceCorrection;
 typedef enum VolumeCorrection { VOLUME_NONE, VOLUME_PARTIAL } VolumeCorrection;
+/* How a bond's stiffness depends on its length (the micromodulus): not at all, or as 1 - |xi|/delta. */
+typedef enum Influence { INFLUENCE_CONSTANT, INFLUENCE_CONICAL } Influence;
 typedef enum Clamp { CLAMP_FULL, CLAMP_GUIDE } Clamp;
 
 typedef struct BeamDef {
@@ -29,6 +31,7 @@ typedef struct BeamDef {
     double horizon, spacing; /* delta and dx, m */
     SurfaceCorrection surface_correction;
     VolumeCorrection volume_correction;
+    Influence influence;
     double critical_stretch; /* s0; 0: bonds never break */
     double protected_depth;  /* bonds nearer than this to load or supports never break, m */
 
@@ -86,7 +89,7 @@ Simulation *beam_create(const BeamDef *definition, Status *status);
 
 /* What the lattice came to; for the read-only rows and the tables. */
 typedef struct BeamFacts {
-    double micromodulus;  /* c of eq. 4, N/m^5: of a plane, so per unit thickness */
+    double micromodulus;  /* c of eq. 4, N/m^5: of a plane, so per unit thickness; conical: of |xi| = 0 */
     int nx, ny;           /* columns and rows of nodes */
     double real_height;   /* ny dx */
     double real_span;     /* distance of the supports as the nodes lie */

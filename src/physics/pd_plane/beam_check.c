@@ -56,6 +56,12 @@ static bool check_lattice(const BeamDef *def, Status *status)
         return status_fail(status, STATUS_USAGE,
                            "pd.horizon: %g is below the spacing (at least pd.spacing = %g)", def->horizon,
                            def->spacing);
+    if (def->influence == INFLUENCE_CONICAL && ratio < 1.5)
+        return status_fail(
+            status, STATUS_USAGE,
+            "pd.influence: conical leaves bonds as long as the horizon nothing, and pd.horizon "
+            "is %.3g spacings (at least 1.5, or constant)",
+            ratio);
     if (ratio > LATTICE_REACH_MAX * (1 + 1e-9))
         return status_fail(status, STATUS_USAGE,
                            "pd.horizon: %g is %.3g spacings (at most %d times pd.spacing)", def->horizon,

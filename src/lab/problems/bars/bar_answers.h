@@ -75,9 +75,10 @@ bool bar_limit(const Settings *, char *advice, size_t size, Status *);
 #define BAR_TRANSFER_KEYS                                                                                    \
     "mpm.algorithm", "mpm.shape", "mpm.transfer", "mpm.flip_fraction", "mpm.mass_blend", "mpm.fmpm_order",   \
         "mpm.affine_start"
-#define BAR_WAVE_KEYS    "initial.pulse"
-#define BAR_JOINT_KEYS   "bar2.youngs_modulus", "bar2.density" /* nothing without bar2.joint */
-#define BAR_LATTICE_KEYS "pd.spacing", "pd.horizon", "pd.surface_correction", "pd.volume_correction"
+#define BAR_WAVE_KEYS  "initial.pulse"
+#define BAR_JOINT_KEYS "bar2.youngs_modulus", "bar2.density" /* nothing without bar2.joint */
+#define BAR_LATTICE_KEYS                                                                                     \
+    "pd.spacing", "pd.horizon", "pd.surface_correction", "pd.volume_correction", "pd.influence"
 
 /* How many modes so many cells or nodes can represent. */
 int bar_modes_of(double count);

@@ -22,6 +22,7 @@ PdBarDef bar_pd_definition(const Settings *settings)
         .horizon = lattice_horizon(settings),
         .surface_correction = settings->lattice.surface_correction,
         .volume_correction = settings->lattice.volume_correction,
+        .influence = settings->lattice.influence,
         .body_force = settings->loads.body_force,
         .traction = settings->loads.traction,
         .traction_layer = settings->loads.traction_layer,
@@ -35,6 +36,7 @@ PdBarTheory bar_lattice_of(const Settings *settings)
     return (PdBarTheory){.spacing = lattice_spacing(settings),
                          .horizon = lattice_horizon(settings),
                          .partial_volumes = settings->lattice.volume_correction == VOLUME_PARTIAL,
+                         .conical = settings->lattice.influence == INFLUENCE_CONICAL,
                          .energy_correction = settings->lattice.surface_correction == SURFACE_ENERGY,
                          .dt = bar_time_step(settings),
                          .patience = settings->patience};

@@ -19,10 +19,10 @@ typedef struct BeamBody {
     double predicted; /* period without damping, s; NAN: not known */
     double damping;   /* alpha in use, 1/s */
     double weight;    /* body force on all of it, m/s^2 */
-    double solved;    /* what the probe is displaced by under it at rest, by one solution, m; NAN: not known */
-    double plane;     /* period of the plane problem itself, where its ends are those of the run; else NAN */
-    double from_tip;  /* the probe of a cantilever lies so far before its tip, m */
-    bool rings;       /* through the height, so that velocities want a filter */
+    double solved;   /* what the probe is displaced by under it at rest, by one solution, m; NAN: not known */
+    double plane;    /* period of the plane problem itself, where its ends are those of the run; else NAN */
+    double from_tip; /* the probe of a cantilever lies so far before its tip, m */
+    bool rings;      /* through the height, so that velocities want a filter */
     double thickness[THICKNESS_LINES_MAX]; /* frequencies of that */
     int n_thickness;
 } BeamBody;

@@ -105,6 +105,7 @@ BeamDef beam_definition(const Settings *settings, int threads)
         .spacing = settings->lattice.spacing,
         .surface_correction = settings->lattice.surface_correction,
         .volume_correction = settings->lattice.volume_correction,
+        .influence = settings->lattice.influence,
         .critical_stretch = settings->bonds.critical_stretch,
         .protected_depth = settings->bonds.protected_depth,
         .amplitude = settings->start.amplitude,

@@ -4,6 +4,7 @@
  *     family           |xi| <= delta (1 + 1e-9); at delta = 4 dx the tolerance decides which nodes belong
  *     partial areas    w = 1 for |xi| <= delta - dx/2, else (delta + dx/2 - |xi|)/dx
  *     micromodulus     c = 6 E/(pi delta^3 (1 - nu)), nu = 1/3                                 (4)
+ *                      or conical, c_1 (1 - |xi|/delta) with c_1 = 4 c
  *
  * The correction G of eq. 8, of a bond in direction n between i and j, is one of
  *
@@ -43,6 +44,7 @@ static void add_offset(Lattice *lattice, const BeamDef *def, int p, int q)
     offset->length = sqrt(offset->squared);
     bool whole = def->volume_correction == VOLUME_NONE || offset->length <= delta - dx / 2;
     offset->weight = whole ? 1 : (delta + dx / 2 - offset->length) / dx;
+    offset->influence = def->influence == INFLUENCE_CONICAL ? fmax(0, 1 - offset->length / delta) : 1;
     double scale = 1 / offset->length;
     for (int k = 0; k < LATTICE_SERIES; k++) {
         scale /= offset->squared;
@@ -78,7 +80,8 @@ static void energy_factors(const Lattice *lattice, int i, int j, double *factor_
         int ends = lattice_has(lattice, i + offset->p, j + offset->q) +
                    lattice_has(lattice, i - offset->p, j - offset->q);
         double nx = offset->x / offset->length, ny = offset->y / offset->length;
-        double share = ends * lattice->micromodulus * offset->length * offset->weight * volume / 4;
+        double share =
+            ends * lattice->micromodulus * offset->influence * offset->length * offset->weight * volume / 4;
         sum_x += nx * nx * nx * nx * share;
         sum_y += ny * ny * ny * ny * share;
     }
@@ -165,7 +168,8 @@ double lattice_coefficient(const Lattice *lattice, BondPlace bond)
         /* 2 pi delta^2 / (V_a + V_b) from pi delta^2 / V of both ends */
         factor = 2 / (1 / lattice->factor_x[a] + 1 / lattice->factor_x[b]);
     }
-    return lattice->micromodulus * factor * offset->weight * lattice->spacing * lattice->spacing;
+    return lattice->micromodulus * offset->influence * factor * offset->weight * lattice->spacing *
+           lattice->spacing;
 }
 
 /* The bond of a slot. Slots go by rows of nodes, in these by tiles of columns, in a tile by offsets and then
@@ -262,7 +266,8 @@ static bool count_nodes(Lattice *lattice, const BeamDef *def, Status *status)
     return true;
 }
 
-/* c = 6 E/(pi delta^3 (1 - nu)), eq. 4: such that a plane under a uniform strain stores what elasticity says.
+/* c = 6 E/(pi delta^3 (1 - nu)), eq. 4: such that a plane under a uniform strain stores what elasticity says;
+ * there |xi| dA c stands under the integral, and with c_1 (1 - |xi|/delta) it comes to a quarter.
  * One constant for each bond leaves room for one elastic constant only, so nu = 1/3 in plane stress, always.
  */
 bool lattice_measure(Lattice *lattice, const BeamDef *def, Status *status)
@@ -273,6 +278,8 @@ bool lattice_measure(Lattice *lattice, const BeamDef *def, Status *status)
                          .correction = def->surface_correction};
     lattice->micromodulus =
         6 * def->youngs_modulus / (M_PI * def->horizon * def->horizon * def->horizon * (1 - 1.0 / 3));
+    if (def->influence == INFLUENCE_CONICAL)
+        lattice->micromodulus *= 4;
     add_offsets(lattice, def);
     return count_nodes(lattice, def, status);
 }

@@ -35,6 +35,7 @@ typedef struct Offset {
     double x, y;                   /* xi, m */
     double length, squared;        /* |xi| and |xi|^2 */
     double weight;                 /* w: the share of the other end's area that lies within the horizon */
+    double influence;              /* its micromodulus over that of |xi| = 0 */
     double series[LATTICE_SERIES]; /* C_k: (1 - |xi|/|xi + eta|)/|xi| = d (C_0 + C_1 d + ...) */
 } Offset;
 
@@ -49,7 +50,7 @@ static inline double offset_stretch(const Offset *offset, double eta_x, double e
 typedef struct Lattice {
     int nx, ny, reach; /* reach: the largest offset in either direction */
     double spacing, x0, y0;
-    double micromodulus; /* c, eq. 4, N/m^5 */
+    double micromodulus; /* c, eq. 4, N/m^5; conical: of |xi| = 0 */
     double horizon, youngs_modulus;
 
     size_t columns;      /* nx padded to whole blocks */

@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Dispersion of bonds. On a line, with Cin(z) = int_0^z (1 - cos t)/t dt,
+ *
+ *     constant  rho w^2 = (4E/delta^2) Cin(z)            conical  (12E/delta^2) (Cin(z) - 1 + sin z/z)
+ *
+ * and in the plane, y = k r, c = 9E/(pi delta^3) or 36E/(pi delta^3) (1 - r/delta):
+ *
+ *     rho w_L^2 = int_0^delta c(r) (pi - 2 pi (J0(y) - J1(y)/y)) dr
+ *     rho w_T^2 = int_0^delta c(r) (pi - 2 pi J1(y)/y) dr
+ *
+ * from the displacement's bond forces c (1 - cos k.xi) n n^T/|xi|, integrated over the directions of xi.
+ * Short arguments go by the series of Cin, J0 and J1, in which nothing cancels. On a lattice the same sum:
+ *
+ *     rho w^2 = sum c(|xi|) w V/|xi| (n.e)^2 (1 - cos k.xi),   e along k or across it
+ *
+ * Source: S. A. Silling (2000), section 6, with the micromoduli of two dimensions. */
+#include "theory/pd_waves.h"
+
+#include "theory/quiet.h"
+
+#include <gsl/gsl_integration.h>
+#include <gsl/gsl_sf_bessel.h>
+#include <gsl/gsl_sf_expint.h>
+#include <math.h>
+
+/* Cin(z) = sum_k -(-1)^k z^{2k}/(2k (2k)!) */
+static double cin(double z)
+{
+    if (z > 2)
+        return M_EULER + log(z) - gsl_sf_Ci(z);
+    double sum = 0, power = 1;
+    for (int k = 1; k <= 16; k++) {
+        power *= -z * z / ((2 * k - 1) * (2 * k));
+        sum -= power / (2 * k);
+    }
+    return sum;
+}
+
+double pd_waves_line(PdShape shape, double z)
+{
+    if (z < 1e-3) /* to the next power: 1e-14 */
+        return 1 - z * z / (shape == PD_CONICAL ? 40 : 24);
+    if (shape == PD_CONSTANT)
+        return 4 * cin(z) / (z * z);
+    /* 12 (Cin(z) - 1 + sin z/z)/z^2; by its series where the terms cancel */
+    if (z > 2)
+        return 12 * (cin(z) - 1 + sin(z) / z) / (z * z);
+    double sum = 0, power = 1;
+    for (int k = 1; k <= 16; k++) {
+        power *= -z * z / ((2 * k - 1) * (2 * k));
+        sum += power * (1.0 / (2 * k + 1) - 1.0 / (2 * k));
+    }
+    return 12 * sum / (z * z);
+}
+
+/* 1 - 2 (J0(y) - J1(y)/y), or 1 - 2 J1(y)/y: with J0 = sum (-1)^k (y/2)^{2k}/k!^2 and 2 J1/y the same over
+ * k + 1. */
+static double of_ring(bool transverse, double y)
+{
+    if (y > 2)
+        return transverse ? 1 - 2 * gsl_sf_bessel_J1(y) / y
+                          : 1 - 2 * (gsl_sf_bessel_J0(y) - gsl_sf_bessel_J1(y) / y);
+    double sum = 0, power = 1;
+    for (int k = 1; k <= 16; k++) {
+        power *= -(y / 2) * (y / 2) / ((double)k * k);
+        sum -= power * (transverse ? 1.0 / (k + 1) : 2 - 1.0 / (k + 1));
+    }
+    return sum;
+}
+
+/* By Gauss' rule in pieces of a few radians: the integrand is smooth and swings with y. */
+double pd_waves_plane(PdShape shape, bool transverse, double z)
+{
+    enum { POINTS = 24 };
+    const double longest = transverse ? 3.0 / 8 : 9.0 / 8;
+    if (!(z > 0))
+        return z == 0 ? 1 : NAN;
+    quiet_begin();
+    gsl_integration_glfixed_table *table = gsl_integration_glfixed_table_alloc(POINTS);
+    quiet_end();
+    if (!table)
+        return NAN;
+    const int pieces = 1 + (int)fmin(z / 4, 1000);
+    double sum = 0;
+    for (int piece = 0; piece < pieces; piece++)
+        for (size_t i = 0; i < POINTS; i++) {
+            double s, weight;
+            gsl_integration_glfixed_point((double)piece / pieces, (piece + 1.0) / pieces, i, &s, &weight,
+                                          table);
+            sum += weight * (shape == PD_CONICAL ? 36 * (1 - s) : 9) * of_ring(transverse, z * s);
+        }
+    gsl_integration_glfixed_table_free(table);
+    return sum / (longest * z * z);
+}
+
+/* c w V/|xi| of a bond (p, q) in units of E/delta^2 and of spacings; 0: beyond the horizon. */
+static double stiffness(const PdWaveLattice *lattice, int p, int q)
+{
+    const double length = hypot(p, q), m = lattice->ratio;
+    if (length == 0 || length > m * (1 + 1e-9))
+        return 0;
+    const double within = lattice->partial_volumes ? fmin(1, m + 0.5 - length) : 1;
+    const double c = lattice->shape == PD_CONICAL ? 36 * fmax(0, 1 - length / m) : 9;
+    return c / M_PI * within / (m * length);
+}
+
+double pd_waves_lattice(const PdWaveLattice *lattice, bool transverse, double angle, double z)
+{
+    const int reach = (int)(lattice->ratio * (1 + 1e-9));
+    const double x = cos(angle), y = sin(angle), step = z / lattice->ratio; /* k dx */
+    const double longest = transverse ? 3.0 / 8 : 9.0 / 8;
+    double sum = 0;
+    if (!(fmax(fabs(x), fabs(y)) * step <= M_PI * (1 + 1e-12)) || !(z > 0))
+        return NAN;
+    for (int q = -reach; q <= reach; q++)
+        for (int p = -reach; p <= reach; p++) {
+            const double k = stiffness(lattice, p, q), length2 = (double)p * p + (double)q * q;
+            const double along = transverse ? q * x - p * y : p * x + q * y;
+            const double half = sin(step * (p * x + q * y) / 2);
+            if (k > 0)
+                sum += k * along * along / length2 * 2 * half * half;
+        }
+    return lattice->factor * sum / (longest * z * z);
+}
+
+double pd_waves_energy_factor(const PdWaveLattice *lattice)
+{
+    const int reach = (int)(lattice->ratio * (1 + 1e-9));
+    double sum = 0; /* of c n_x^4 |xi| w V/4 over (9/16) E */
+    for (int q = -reach; q <= reach; q++)
+        for (int p = -reach; p <= reach; p++)
+            if (p != 0)
+                sum += stiffness(lattice, p, q) * pow(p, 4) / (hypot(p, q) * hypot(p, q)) / 4;
+    return 9.0 / 16 / (sum / (lattice->ratio * lattice->ratio));
+}
+
+double pd_waves_area_factor(const PdWaveLattice *lattice)
+{
+    const int reach = (int)(lattice->ratio * (1 + 1e-9));
+    double area = 0;
+    for (int q = -reach; q <= reach; q++)
+        for (int p = -reach; p <= reach; p++) {
+            const double length = hypot(p, q);
+            if (length > 0 && length <= lattice->ratio * (1 + 1e-9))
+                area += lattice->partial_volumes ? fmin(1, lattice->ratio + 0.5 - length) : 1;
+        }
+    return M_PI * lattice->ratio * lattice->ratio / area;
+}
