@@ -4,6 +4,7 @@
 #include "base/visible.h"
 #include "cli/cli.h"
 #include "cli/options.h"
+#include "lab/lessons/variant.h"
 #include "tui/control/session/laboratory_main.h"
 
 #include <errno.h>
@@ -43,6 +44,13 @@ static int open_laboratory(bool for_lesson, int count, char **arguments, Status 
     }
     if (options.list)
         return cli_list_lessons(status);
+    char student[STUDENT_MAX] = "";
+    if (options.name && !variant_student(options.name, student, status)) {
+        status_prefix(status, "--name");
+        return (int)status->code;
+    }
+    if (options.key || options.handout)
+        return cli_lesson_papers(&options, student, status);
     bool again = options.replay || options.last;
     if (again && (options.n_words > 0 || options.n_overrides > 0 || options.steps > 0 || options.paused)) {
         status_fail(status, STATUS_USAGE, "%s: a session has its own scenario and parameters",
@@ -65,6 +73,7 @@ static int open_laboratory(bool for_lesson, int count, char **arguments, Status 
             .settings = &settings,
             .scenario = scenario,
             .lesson = lesson,
+            .student = *student ? student : NULL,
             .paused = options.paused || for_lesson,
             .glyphs = options.glyphs,
             .theme = options.theme,

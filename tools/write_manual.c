@@ -8,6 +8,7 @@
 #include "cli/sweep/sweep_result.h"
 #include "lab/answers/choices.h"
 #include "lab/lessons/lesson.h"
+#include "lab/lessons/run_numbers.h"
 #include "lab/settings/parameters.h"
 #include "lab/problems/references.h"
 #include "tui/control/session/script.h"
@@ -430,17 +431,30 @@ static bool write_choices(const char *argument)
     return true;
 }
 
+/* The words of a run that a lesson's exercises may use. */
+static bool write_run_numbers(const char *unused)
+{
+    (void)unused;
+    for (const RunNumber *row = run_numbers; row->word; row++) {
+        puts(".TP");
+        say_in("B", row->word);
+        putchar('\n');
+        say_line(row->help);
+    }
+    return true;
+}
+
 /* --- the frame ------------------------------------------------------------------------------------ */
 
 static const struct {
     const char *name;
     bool (*write)(const char *argument);
 } tables[] = {
-    {"commands", write_commands},     {"keys", write_keys},       {"options", write_options},
-    {"parameters", write_parameters}, {"results", write_results}, {"scenarios", write_scenarios},
-    {"lessons", write_lessons},       {"script", write_script},   {"series", write_series},
-    {"choices", write_choices},       {"tables", write_tables},   {"rows", write_rows},
-    {"texts", write_texts},
+    {"commands", write_commands},       {"keys", write_keys},       {"options", write_options},
+    {"parameters", write_parameters},   {"results", write_results}, {"scenarios", write_scenarios},
+    {"lessons", write_lessons},         {"script", write_script},   {"series", write_series},
+    {"choices", write_choices},         {"tables", write_tables},   {"rows", write_rows},
+    {"run-numbers", write_run_numbers}, {"texts", write_texts},
 };
 
 static bool fill(char *line)

@@ -8,6 +8,7 @@
 #define CLI_CLI_H
 
 #include "base/status.h"
+#include "cli/options.h"
 
 typedef struct CliCommand {
     const char *name;     /* "show" */
@@ -34,10 +35,12 @@ int cli_sweep(int count, char **arguments, Status *);
 int cli_export_lammps(int count, char **arguments, Status *);
 int cli_figure(int count, char **arguments, Status *);
 int cli_movie(int count, char **arguments, Status *);
+int cli_grade(int count, char **arguments, Status *);
 int cli_fit(int count, char **arguments, Status *);
 int cli_sound(int count, char **arguments, Status *);
 int cli_list(int count, char **arguments, Status *);
-int cli_list_lessons(Status *); /* what `lesson --list` prints */
+int cli_list_lessons(Status *);                                        /* what `lesson --list` prints */
+int cli_lesson_papers(const Options *, const char *student, Status *); /* `lesson --key`, `--handout` */
 int cli_show(int count, char **arguments, Status *);
 int cli_params(int count, char **arguments, Status *);
 

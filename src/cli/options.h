@@ -39,7 +39,7 @@ typedef struct Option {
 extern const Option options_table[];
 extern const int n_options;
 
-enum { WORDS_MAX = 64, OVERRIDES_MAX = 128, AXES_MAX = 16, OPTION_LIST_MAX = 4 };
+enum { WORDS_MAX = 1024, OVERRIDES_MAX = 128, AXES_MAX = 16, OPTION_LIST_MAX = 4 };
 
 /* What a sweep varies, as given. */
 typedef struct SweepAxis {
@@ -80,6 +80,9 @@ typedef struct Options {
     const char *data, *sought, *column, *figure; /* of a fit */
     const char *seconds, *pitch;                 /* of a sound */
     const char *fps, *speed, *idle, *from, *to;  /* of a film */
+
+    const char *name, *handout, *sheet, *limit; /* of homework */
+    bool key;
 
     bool paused, no_mouse, last, fast, plain;
     const char *record, *replay;

@@ -43,6 +43,7 @@ typedef struct PaperKind {
     void (*disc)(Paper *, double x, double y, double radius, Colour, const Pencil *edge); /* edge: or NULL */
     void (*text)(Paper *, double x, double y, const char *, const Type *); /* (x, y): on the base line */
     void (*clip)(Paper *, const Box *);                                    /* NULL: no more */
+    void (*page)(Paper *); /* the next one, of a PDF; NULL: there is one only */
     bool (*finish)(Paper *, Status *);
 } PaperKind;
 

@@ -130,6 +130,11 @@ static void draw_clip(Paper *paper, const Box *box)
     cairo_clip(cairo);
 }
 
+static void turn_page(Paper *paper)
+{
+    cairo_show_page(cairo_of(paper));
+}
+
 static cairo_status_t write_bytes(void *stream, const unsigned char *bytes, unsigned length)
 {
     return fwrite(bytes, 1, length, stream) == length ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
@@ -154,7 +159,8 @@ static bool finish(Paper *paper, Status *status)
                        cairo_status_to_string(result));
 }
 
-static const PaperKind cairo_kind = {draw_line, draw_fill, draw_disc, draw_text, draw_clip, finish};
+static const PaperKind cairo_kind = {draw_line, draw_fill, draw_disc, draw_text,
+                                     draw_clip, turn_page, finish};
 
 static Paper *open_paper(FILE *stream, cairo_surface_t *surface, bool image, Status *status)
 {

@@ -210,7 +210,7 @@ static bool svg_finish(Paper *paper, Status *status)
     return true; /* whether it was written, its file knows */
 }
 
-static const PaperKind svg_kind = {svg_line, svg_fill, svg_disc, svg_text, svg_clip, svg_finish};
+static const PaperKind svg_kind = {svg_line, svg_fill, svg_disc, svg_text, svg_clip, NULL, svg_finish};
 
 Paper *paper_svg(FILE *stream, double width, double height, const char *title, Status *status)
 {

@@ -96,7 +96,7 @@ refuse "laboratory: unknown option" '--pause: unknown option (did you mean --pau
 refuse "laboratory: unknown scenario" 'mode11: no such scenario or file (did you mean mode1?)' mode11
 : >empty
 refuse "a lesson that there is not" 'one-stop: no such lesson or file (did you mean one-step?)' lesson one-stop --script empty
-"$MATVIB" lesson --list >lessons && grep -q '^one-step   One step of MPM$' lessons
+"$MATVIB" lesson --list >lessons && grep -q '^one-step  *One step of MPM$' lessons
 result "lesson --list tells the names" test $? -eq 0
 refuse "a slip in a command" 'rnu: no such command, scenario or file (did you mean run?)' rnu mode1
 refuse "laboratory: two scenarios" 'mode5: is one argument too many ([SCENARIO])' mode1 mode5

@@ -35,6 +35,8 @@ short() {
 	*" run supported-beam"* | *" run notched-beam"*) echo "$1 --steps 10" ;;
 	*" verify") echo "$1 M-fig3" ;;
 	"matvib run"* | "matvib movie"* | "matvib sound"* | "matvib fit"* | "matvib figure"* | "matvib verify"* | "matvib sweep"* | "matvib export-lammps"*) echo "$1" ;;
+	"matvib grade"*) echo "$1" ;;
+	"matvib lesson "*" --record "*) echo "echo key . | $1 --script -" ;;
 	"matvib list"* | "matvib params"* | "matvib show"*) echo "$1" ;;
 	*" --plain") echo "$1 </dev/null" ;;
 	*" --last") echo "mkdir -p ../state/matvib && cp a.session ../state/matvib/last.session && $1 --script - </dev/null" ;;

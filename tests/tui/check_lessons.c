@@ -67,7 +67,7 @@ static const struct {
     {"@title x\n@page y\n@title z\n", "my.lesson:3: @title belongs before the first page"},
     {"@titel x\n",
      "my.lesson:1: @titel is not known (@title | @about | @page | @do | @field | @ask | @choice | "
-     "@right | @reveal | @until)"},
+     "@right | @reveal | @until | @variant | @answer | @words | @goal | @solve)"},
     {"@title x\n@page y\n@field mesh.size\n", "my.lesson:3: mesh.size is no parameter (see: matvib params)"},
     {"@title x\n@page y\n@until then\n",
      "my.lesson:3: until what? (step N | time T | stage N | end | crossing | break | event | command NAME "
@@ -80,9 +80,11 @@ static const struct {
     {"@title x\n@page y\n@choice a\n", "my.lesson:3: a choice comes after its question (@ask)"},
     {"@title x\n@page y\n@ask a\n@right b\n@right c\n", "my.lesson:5: one choice only is right"},
     {"@title x\n@page y\n@ask a\n@right b\n@page z\n",
-     "my.lesson:5: the question of page \"y\" wants two choices at least, one of them @right"},
+     "my.lesson:5: the question of page \"y\" wants two choices at least, one of them @right, or @answer or "
+     "@words"},
     {"@title x\n@page y\n@ask a\n@choice b\n@choice c\n",
-     "my.lesson: the question of page \"y\" wants two choices at least, one of them @right"},
+     "my.lesson: the question of page \"y\" wants two choices at least, one of them @right, or @answer or "
+     "@words"},
     {"@title x\n@page y\n@reveal\n",
      "my.lesson: page \"y\" reveals, but neither asks (@ask) nor waits for anything (@until)"},
     {"@title x\n@page y\n@until end\n@reveal\n@do pin\n",
@@ -104,6 +106,46 @@ static const struct {
      "my.lesson:7: @do: quit: a lesson may not (it changes the laboratory only)"},
     {"@title x\n@page y\n@do suspend\n",
      "my.lesson:3: @do: suspend: a lesson may not (it changes the laboratory only)"},
+    /* exercises */
+    {"@title x\n@page y\n@answer 1 within 1\n", "my.lesson:3: an answer comes after its question (@ask)"},
+    {"@title x\n@page y\n@words\n", "my.lesson:3: an answer comes after its question (@ask)"},
+    {"@title x\n@page y\n@ask a\n@words\n@answer 1 within 1\n", "my.lesson:5: a page has one exercise only"},
+    {"@title x\n@page y\n@ask a\n@answer error\n",
+     "my.lesson:4: @answer: how near is right? (EXPRESSION within NUMBER, or NUMBER %)"},
+    {"@title x\n@page y\n@ask a\n@answer error within 0\n",
+     "my.lesson:4: @answer: within 0: is no tolerance (NUMBER > 0, or NUMBER %)"},
+    {"@title x\n@page y\n@ask a\n@answer error within 2 %%\n",
+     "my.lesson:4: @answer: within 2 %%: is no tolerance (NUMBER > 0, or NUMBER %)"},
+    {"@title x\n@page y\n@ask a\n@answer eror within 2 %\n",
+     "my.lesson:4: @answer: eror is neither a number of a run nor a parameter (see: man 5 matvib)"},
+    {"@title x\n@page y\n@ask a\n@answer error within 2 %\n@choice b\n",
+     "my.lesson: the question of page \"y\" has choices and @answer (one of them)"},
+    {"@title x\n@page y\n@ask a\n@goal error < 1\n@solve pin\n",
+     "my.lesson: page \"y\" asks (@ask) and has a @goal (one of them)"},
+    {"@title x\n@page y\n@goal error < 1\n",
+     "my.lesson: the goal of page \"y\" wants a way to it (@solve LINE)"},
+    {"@title x\n@page y\n@solve pin\n", "my.lesson: page \"y\" solves (@solve) what is no @goal"},
+    {"@title x\n@page y\n@until end\n@goal error < 1\n",
+     "my.lesson:4: a page has one goal (@until or @goal)"},
+    {"@title x\n@page y\n@goal error < 1\n@until end\n",
+     "my.lesson:4: a page has one goal (@until or @goal)"},
+    {"@title x\n@page y\n@goal error\n",
+     "my.lesson:3: @goal: a relation (< <= > >= = !=) is wanted, not: the end of the line"},
+    {"@title x\n@page y\n@goal error < 1\n@solve write a\n",
+     "my.lesson:4: @solve: write: a lesson may not (it changes the laboratory only)"},
+    {"@title x\n@page y\n@variant initial.mode\n",
+     "my.lesson:3: @variant: \"initial.mode\" is no variant (KEY from A to B)"},
+    {"@title x\n@page y\n@variant mode from 1 to 2\n",
+     "my.lesson:3: @variant: mode is no parameter (see: matvib params)"},
+    {"@title x\n@page y\n@variant mpm.shape from 1 to 2\n",
+     "my.lesson:3: @variant: mpm.shape has no numbers to draw from"},
+    {"@title x\n@page y\n@variant initial.mode from 2 to 2\n",
+     "my.lesson:3: @variant: initial.mode: nothing lies between 2 and 2 (the smaller one first)"},
+    {"@title x\n@page y\n@variant bar.density from -1 to 2\n",
+     "my.lesson:3: @variant: bar.density: from -1 to 2 is more than is allowed (see: matvib params)"},
+    {"@title x\n@page y\n@ask a\n@words\n@reveal\n@variant initial.mode from 2 to 3\n",
+     "my.lesson:6: @variant stands before @reveal"},
+    {"@title x\n@page y\n{initial.mode}\n", "my.lesson:3: {initial.mode}: there is no @variant of it above"},
     {"@title x\n@page y\n@do !rm\n",
      "my.lesson:3: @do: !rm: unknown (a command, KEY=VALUE or a time is wanted)"},
 };
@@ -170,6 +212,13 @@ static void satisfy(Bench *bench, const LessonUntil *until)
         snprintf(line, sizeof line, "set %s %s", until->word, until->value);
         ck_assert_msg(line_run(lab, line), "%s", lab->screen.prompt.problem);
         break;
+    case UNTIL_GOAL:
+        for (int i = 0; i < page_of(bench)->solution.n_actions; i++)
+            ck_assert_msg(line_run(lab, page_of(bench)->solution.actions[i]), "%s",
+                          lab->screen.prompt.problem);
+        finish_work(bench);
+        player_seek(lab, experiment_last_step(lab->screen.experiment), 0);
+        break;
     case UNTIL_NOTHING:
         break;
     }
@@ -210,6 +259,31 @@ static void check_page(Bench *bench, const char *name)
                       "%s, page %d (%s) has no box at %dx%d", name, shown->page + 1, page_of(bench)->title,
                       width, height);
     }
+}
+
+static void type(Bench *bench, const char *text)
+{
+    for (char key[2] = ""; (key[0] = *text); text++)
+        press(bench, *text == ' ' ? "Space" : key);
+}
+
+/* Answers the question of the page as it is right. */
+static void answer(Bench *bench, const LessonPage *page)
+{
+    char text[NUMBER_TEXT_MAX] = "because";
+    Status status = {STATUS_DONE, ""};
+    double right;
+    if (lesson_exercise(page) == EXERCISE_CHOICE) {
+        press(bench, (char[]){(char)('1' + page->right), '\0'});
+        return;
+    }
+    if (lesson_exercise(page) == EXERCISE_NUMBER) {
+        ck_assert_msg(lesson_judge_number(&bench->lab, &right, &status), "%s", status.text);
+        exercise_write_number(right, text);
+    }
+    press(bench, "Enter");
+    type(bench, text);
+    press(bench, "Enter");
 }
 
 /* The whole screen, once the page's state is reached. */
@@ -268,9 +342,9 @@ START_TEST(every_page_is_entered_in_one_state)
                                         parameter_find(now->fields[i])),
                           "%s, page %d: %s is not of this problem", name, page + 1, now->fields[i]);
         if (now->question) {
-            char key[2] = {(char)('1' + now->right), '\0'};
-            press(bench, key);
-            ck_assert_int_eq(shown->answer, now->right);
+            answer(bench, now);
+            ck_assert_msg(shown->answer == (now->n_choices > 0 ? now->right : 0), "%s, page %d: %s", name,
+                          page + 1, shown->verdict);
             check_page(bench, name);
         }
         satisfy(bench, &now->until);

@@ -4,6 +4,7 @@
  * that it came from, so rows survive reordering of the sweep but not a change of the run. */
 #include "cli/sweep/sweep_partial.h"
 
+#include "base/hash.h"
 #include "base/input.h"
 #include "base/output.h"
 #include "base/text.h"
@@ -18,14 +19,6 @@
 
 /* --- the number of a combination ------------------------------------------------------------------ */
 
-/* FNV-1a */
-static uint64_t mix(uint64_t number, const char *bytes, size_t size)
-{
-    for (size_t i = 0; i < size; i++)
-        number = (number ^ (unsigned char)bytes[i]) * UINT64_C(1099511628211);
-    return number;
-}
-
 uint64_t sweep_partial_number(const Settings *settings, long steps)
 {
     char *text = NULL, end[24];
@@ -36,7 +29,7 @@ uint64_t sweep_partial_number(const Settings *settings, long steps)
     bool written = scenario_write(stream, settings, NULL, NULL);
     written = text_stream_close(stream, &text) && written;
     int n = snprintf(end, sizeof end, "%ld", steps);
-    uint64_t number = written ? mix(mix(UINT64_C(14695981039346656037), text, size), end, (size_t)n) : 0;
+    uint64_t number = written ? hash_bytes(hash_bytes(HASH_BEGIN, text, size), end, (size_t)n) : 0;
     free(text);
     return !written ? 0 : number ? number : 1;
 }

@@ -4,17 +4,17 @@
  * pages. */
 #include "lab/lessons/lesson.h"
 
+#include "base/hash.h"
 #include "base/input.h"
 #include "base/text.h"
 #include "base/visible.h"
 #include "lab/run/stop.h"
 #include "lab/settings/parameters.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { ACTIONS_MAX = 32, TEXT_BYTES_MAX = 4096, LINE_BYTES_MAX = 4096, LESSON_BYTES_MAX = 4000000 };
+enum { ACTIONS_MAX = 32, TEXT_BYTES_MAX = 4096, LINE_BYTES_MAX = 4096 };
 
 /* Where reading stands. */
 typedef struct Reader {
@@ -50,23 +50,46 @@ static bool read_about(Reader *reader, const char *text)
     return keep(reader, &reader->lesson->about, text);
 }
 
-static bool end_page(Reader *reader)
+/* What must and must not stand on one page. */
+static bool judge_page(const Reader *reader, const LessonPage *page, Status *status)
 {
-    const LessonPage *page = reader->page;
-    if (page && page->question && (page->n_choices < 2 || page->right < 0))
-        return status_fail(reader->status, STATUS_USAGE,
-                           "the question of page \"%.40s\" wants two choices at least, one of them @right",
+    const ExerciseKind exercise = page->exercise ? page->exercise->kind : EXERCISE_NONE;
+    const bool asks = exercise == EXERCISE_NUMBER || exercise == EXERCISE_WORDS;
+    const bool reveals = reader->part == &page->revealed;
+    if (page->question && exercise == EXERCISE_GOAL)
+        return status_fail(status, STATUS_USAGE, "page \"%.40s\" asks (@ask) and has a @goal (one of them)",
                            page->title);
-    if (page && !page->question && reader->part == &page->revealed && page->until.kind == UNTIL_NOTHING)
-        return status_fail(reader->status, STATUS_USAGE,
+    if (page->question && !asks && (page->n_choices < 2 || page->right < 0))
+        return status_fail(
+            status, STATUS_USAGE,
+            "the question of page \"%.40s\" wants two choices at least, one of them @right, or "
+            "@answer or @words",
+            page->title);
+    if (page->question && asks && page->n_choices > 0)
+        return status_fail(status, STATUS_USAGE,
+                           "the question of page \"%.40s\" has choices and @%s (one of them)", page->title,
+                           exercise == EXERCISE_NUMBER ? "answer" : "words");
+    if (exercise == EXERCISE_GOAL && page->solution.n_actions == 0)
+        return status_fail(status, STATUS_USAGE, "the goal of page \"%.40s\" wants a way to it (@solve LINE)",
+                           page->title);
+    if (exercise != EXERCISE_GOAL && page->solution.n_actions > 0)
+        return status_fail(status, STATUS_USAGE, "page \"%.40s\" solves (@solve) what is no @goal",
+                           page->title);
+    if (!page->question && reveals && page->until.kind == UNTIL_NOTHING)
+        return status_fail(status, STATUS_USAGE,
                            "page \"%.40s\" reveals, but neither asks (@ask) nor waits for anything (@until)",
                            page->title);
-    if (page && !page->question && page->revealed.n_actions > 0)
-        return status_fail(reader->status, STATUS_USAGE,
+    if (!page->question && page->revealed.n_actions > 0)
+        return status_fail(status, STATUS_USAGE,
                            "page \"%.40s\" does something after its goal: only an "
                            "answer is followed by @do",
                            page->title);
     return true;
+}
+
+static bool end_page(Reader *reader)
+{
+    return !reader->page || judge_page(reader, reader->page, reader->status);
 }
 
 static bool read_page(Reader *reader, const char *text)
@@ -86,11 +109,10 @@ static bool read_page(Reader *reader, const char *text)
     return keep(reader, &reader->page->title, text);
 }
 
-static bool read_do(Reader *reader, const char *text)
+static bool add_action(Reader *reader, LessonPart *part, const char *word, const char *text)
 {
-    LessonPart *part = reader->part;
     if (!reader->may_do(text, reader->status))
-        return status_prefix(reader->status, "@do");
+        return status_prefix(reader->status, "%s", word);
     if (part->n_actions == ACTIONS_MAX)
         return status_fail(reader->status, STATUS_USAGE, "too many things to do (at most %d)", ACTIONS_MAX);
     char **actions = realloc(part->actions, (size_t)(part->n_actions + 1) * sizeof *actions);
@@ -99,6 +121,74 @@ static bool read_do(Reader *reader, const char *text)
     part->actions = actions;
     actions[part->n_actions] = NULL;
     return keep(reader, &actions[part->n_actions++], text);
+}
+
+static bool read_do(Reader *reader, const char *text)
+{
+    return add_action(reader, reader->part, "@do", text);
+}
+
+static bool read_solve(Reader *reader, const char *text)
+{
+    return add_action(reader, &reader->page->solution, "@solve", text);
+}
+
+/* Until it is known who reads, the parameter stays as it is. */
+static bool read_variant(Reader *reader, const char *text)
+{
+    Lesson *lesson = reader->lesson;
+    LessonPart *part = reader->part;
+    char line[KEY_MAX + 8];
+    if (part != &reader->page->first)
+        return status_fail(reader->status, STATUS_USAGE, "@variant stands before @reveal");
+    if (lesson->n_variants == LESSON_VARIANTS_MAX)
+        return status_fail(reader->status, STATUS_USAGE, "too many variants (at most %d)",
+                           LESSON_VARIANTS_MAX);
+    LessonVariant *variant = &lesson->variants[lesson->n_variants];
+    *variant = (LessonVariant){.page = lesson->n_pages - 1, .action = part->n_actions};
+    if (!variant_read(text, &variant->variant, reader->status))
+        return status_prefix(reader->status, "@variant");
+    lesson->n_variants++;
+    snprintf(line, sizeof line, "set %s 1", variant->variant.key);
+    return add_action(reader, part, "@variant", line);
+}
+
+static bool new_exercise(Reader *reader, bool (*read)(const char *, Exercise *, Status *), const char *word,
+                         const char *text)
+{
+    LessonPage *page = reader->page;
+    if (page->exercise)
+        return status_fail(reader->status, STATUS_USAGE, "a page has one exercise only");
+    page->exercise = calloc(1, sizeof *page->exercise);
+    if (!page->exercise)
+        return no_memory(reader->status);
+    if (!read)
+        page->exercise->kind = EXERCISE_WORDS;
+    return !read || read(text, page->exercise, reader->status) || status_prefix(reader->status, "@%s", word);
+}
+
+static bool has_asked(const Reader *reader)
+{
+    return reader->page->question ||
+           status_fail(reader->status, STATUS_USAGE, "an answer comes after its question (@ask)");
+}
+
+static bool read_answer(Reader *reader, const char *text)
+{
+    return has_asked(reader) && new_exercise(reader, exercise_read_answer, "answer", text);
+}
+
+static bool read_words(Reader *reader, const char *text)
+{
+    return has_asked(reader) && new_exercise(reader, NULL, "words", text);
+}
+
+static bool read_goal(Reader *reader, const char *text)
+{
+    if (reader->page->until.kind != UNTIL_NOTHING)
+        return status_fail(reader->status, STATUS_USAGE, "a page has one goal (@until or @goal)");
+    reader->page->until = (LessonUntil){.kind = UNTIL_GOAL};
+    return new_exercise(reader, exercise_read_goal, "goal", text);
 }
 
 static bool read_field(Reader *reader, const char *text)
@@ -146,6 +236,8 @@ static bool read_reveal(Reader *reader, const char *text)
 
 static bool read_until(Reader *reader, const char *text)
 {
+    if (reader->page->until.kind == UNTIL_GOAL)
+        return status_fail(reader->status, STATUS_USAGE, "a page has one goal (@until or @goal)");
     static const struct {
         const char *word;
         UntilKind kind;
@@ -190,6 +282,9 @@ static const struct {
     {"field", read_field, true, WANTS_TEXT},      {"ask", read_ask, true, WANTS_TEXT},
     {"choice", read_choice, true, WANTS_TEXT},    {"right", read_right, true, WANTS_TEXT},
     {"reveal", read_reveal, true, WANTS_NOTHING}, {"until", read_until, true, WANTS_TEXT},
+    {"variant", read_variant, true, WANTS_TEXT},  {"answer", read_answer, true, WANTS_TEXT},
+    {"words", read_words, true, WANTS_NOTHING},   {"goal", read_goal, true, WANTS_TEXT},
+    {"solve", read_solve, true, WANTS_TEXT},
 };
 
 static bool read_word(Reader *reader, char *line)
@@ -211,7 +306,7 @@ static bool read_word(Reader *reader, char *line)
                                *text ? "takes nothing" : "something is missing behind it");
         return words[i].read(reader, text);
     }
-    char known[160] = "";
+    char known[240] = "";
     for (size_t i = 0, used = 0; i < sizeof words / sizeof *words && used < sizeof known; i++)
         used += (size_t)snprintf(known + used, sizeof known - used, "%s@%s", i ? " | " : "", words[i].word);
     return status_fail(reader->status, STATUS_USAGE, "@%.*s is not known (%s)",
@@ -247,8 +342,12 @@ static bool read_line(Reader *reader, char *line)
         line[--length] = '\0';
     if (!visible_is_clean(line))
         return status_fail(reader->status, STATUS_USAGE, "is not text in UTF-8");
+    Lesson *lesson = reader->lesson;
+    lesson->version = hash_bytes(hash_bytes(lesson->version, line, strlen(line)), "\n", 1);
     if (*line == '#')
         return true;
+    if (!lesson_knows_braces(lesson, line, reader->status))
+        return false;
     return *line == '@' ? read_word(reader, line + 1) : read_text(reader, line);
 }
 
@@ -259,7 +358,7 @@ bool lesson_read(FILE *stream, const char *name, LessonJudge may_do, Lesson *les
     char line[LINE_BYTES_MAX + 1];
     bool sound = true;
     InputGot got;
-    *lesson = (Lesson){0};
+    *lesson = (Lesson){.version = HASH_BEGIN};
     while (sound && (got = input_line(&lines, line, sizeof line, status)) != INPUT_END)
         if (got == INPUT_WRONG)
             sound = false;
@@ -276,39 +375,9 @@ bool lesson_read(FILE *stream, const char *name, LessonJudge may_do, Lesson *les
     return sound;
 }
 
-const BuiltinLesson *lesson_builtin(const char *name)
+ExerciseKind lesson_exercise(const LessonPage *page)
 {
-    for (const BuiltinLesson *builtin = builtin_lessons; builtin->name; builtin++)
-        if (strcmp(builtin->name, name) == 0)
-            return builtin;
-    return NULL;
-}
-
-static bool unknown(const char *name, Status *status)
-{
-    enum { MOST = 60 };
-    const char *names[MOST + 1] = {NULL};
-    int count = 0;
-    for (const BuiltinLesson *builtin = builtin_lessons; builtin->name && count < MOST; builtin++)
-        names[count++] = builtin->name;
-    const char *nearest = parameter_nearest_word(names, name);
-    if (!nearest)
-        return status_fail(status, STATUS_USAGE, "%s: no such lesson or file (see: matvib lesson --list)",
-                           name);
-    return status_fail(status, STATUS_USAGE, "%s: no such lesson or file (did you mean %s?)", name, nearest);
-}
-
-bool lesson_load(const char *name, LessonJudge may_do, Lesson *lesson, Status *status)
-{
-    const BuiltinLesson *builtin = lesson_builtin(name);
-    *lesson = (Lesson){0};
-    FILE *stream =
-        builtin ? input_text(builtin->text, name, status) : input_open(name, LESSON_BYTES_MAX, status);
-    if (!stream)
-        return !builtin && errno == ENOENT && unknown(name, status);
-    bool sound = lesson_read(stream, name, may_do, lesson, status);
-    fclose(stream);
-    return sound;
+    return page->exercise ? page->exercise->kind : page->question ? EXERCISE_CHOICE : EXERCISE_NONE;
 }
 
 static void free_part(LessonPart *part)
@@ -329,6 +398,8 @@ void lesson_free(Lesson *lesson)
             free(page->choices[k]);
         free_part(&page->first);
         free_part(&page->revealed);
+        free_part(&page->solution);
+        free(page->exercise);
     }
     free(lesson->pages);
     free(lesson->title);

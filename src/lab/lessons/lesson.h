@@ -14,6 +14,12 @@
  * asks nothing
  *     @until CONDITION      the goal: step N | time T | end | crossing | break | event | stage N | command
  * NAME | value KEY VALUE
+ *     @variant KEY from A to B   sets a parameter to a value of the student's own; "{KEY}" in a text is that
+ *     @answer EXPRESSION within TOLERANCE   in place of choices: a number (exercise.h)
+ *     @words                in place of choices: free text for the teacher
+ *     @goal EXPRESSION      in place of @until: what the reader's own run is to fulfil at its end
+ * (expression.h)
+ *     @solve LINE           behind it: how it is reached, for the teacher's key and for the pages behind
  *
  * State: a page is entered as the pages before it leave the laboratory that begin with the last that did
  * `open`, each one read, answered rightly and brought to its goal - forwards, backwards, skipping or coming
@@ -34,11 +40,14 @@
 #ifndef LAB_LESSON_H
 #define LAB_LESSON_H
 
+#include "lab/lessons/exercise.h"
+#include "lab/lessons/variant.h"
 #include "lab/settings/settings.h"
 
+#include <stdint.h>
 #include <stdio.h>
 
-enum { LESSON_CHOICES_MAX = 4, LESSON_FIELDS_MAX = 3, LESSON_PAGES_MAX = 64 };
+enum { LESSON_CHOICES_MAX = 4, LESSON_FIELDS_MAX = 3, LESSON_PAGES_MAX = 64, LESSON_VARIANTS_MAX = 16 };
 
 /* A part of a page: shown, and done. */
 typedef struct LessonPart {
@@ -55,7 +64,8 @@ typedef enum UntilKind {
     UNTIL_END,     /* of the run */
     UNTIL_EVENT,   /* something happens to it: word, of stop_event_words */
     UNTIL_COMMAND, /* a command of that name has been used: word */
-    UNTIL_VALUE    /* a parameter has a value: word, value */
+    UNTIL_VALUE,   /* a parameter has a value: word, value */
+    UNTIL_GOAL     /* a run has ended that fulfils the page's exercise */
 } UntilKind;
 
 /* What a page waits for before the next one. */
@@ -74,12 +84,24 @@ typedef struct LessonPage {
     char fields[LESSON_FIELDS_MAX][KEY_MAX];
     int n_fields;
     LessonUntil until;
+    Exercise *exercise;  /* NULL: none, or a choice */
+    LessonPart solution; /* of a goal: actions */
 } LessonPage;
+
+/* Where a variant's value is set. */
+typedef struct LessonVariant {
+    Variant variant;
+    int page, action;
+    char value[NUMBER_TEXT_MAX]; /* once it is drawn */
+} LessonVariant;
 
 typedef struct Lesson {
     char *title, *about; /* one line each */
     LessonPage *pages;
     int n_pages;
+    LessonVariant variants[LESSON_VARIANTS_MAX];
+    int n_variants;
+    uint64_t version; /* of its lines: tells one text of a lesson from another */
 } Lesson;
 
 /* A lesson that is part of the program, from data/lessons. */
@@ -101,6 +123,14 @@ bool lesson_load(const char *name_or_path, LessonJudge, Lesson *lesson, Status *
 
 /* The same from a stream; `name` stands for FILE. */
 bool lesson_read(FILE *stream, const char *name, LessonJudge, Lesson *lesson, Status *status);
+
+/* Draws the variants of a student ("": of nobody in particular) and puts them into the texts; once. */
+bool lesson_draw(Lesson *, const char *student, Status *);
+
+/* Whether each "{KEY}" of a line has a variant; for who reads a lesson. */
+bool lesson_knows_braces(const Lesson *, const char *line, Status *);
+
+ExerciseKind lesson_exercise(const LessonPage *);
 
 void lesson_free(Lesson *lesson); /* also an empty one */
 

@@ -70,7 +70,7 @@ void edit_changed(Laboratory *lab)
     player_forget_rates(&lab->player); /* a step may take longer now */
     laboratory_say(lab, MESSAGE_NONE, "%s", "");
     if (lab->player.pace_automatic)
-        player_choose_pace(&lab->screen);
+        lesson_entry_choose_pace(lab);
     player_settle(lab);
     const char *advice = experiment_advice(lab->screen.experiment);
     if (advice && *advice)

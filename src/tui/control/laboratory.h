@@ -63,6 +63,7 @@ struct Laboratory {
     Prompting prompting;
     Editing editing;
     LessonPlay play;
+    Homework homework;
     Exporting exporting;
     Refining refining;
     Held held;

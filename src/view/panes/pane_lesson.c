@@ -28,9 +28,10 @@ static void write_paragraphs(Pen *pen, const char *text, Style style)
 
 static void write_question(Pen *pen, const LessonShown *lesson, const LessonPage *page)
 {
+    const bool chooses = page->n_choices > 0;
     const int answer = lesson->answer, width = pen->area.rect.width - 2;
     write_paragraphs(pen, page->question, STYLE_HEADING);
-    if (answer < 0)
+    if (answer < 0 && chooses)
         pen->y--; /* the choices stand close to it */
     for (int i = 0; i < page->n_choices && answer < 0; i++) {
         const int lines = area_paragraph_lines(width - 3, page->choices[i]);
@@ -43,7 +44,7 @@ static void write_question(Pen *pen, const LessonShown *lesson, const LessonPage
                        marked ? STYLE_SELECTED : STYLE_NORMAL);
         pen->y += lines;
     }
-    if (answer < 0)
+    if (answer < 0 || !chooses)
         return;
     char text[512];
     if (answer == page->right)
@@ -61,6 +62,8 @@ static void write_page(Pen *pen, const Screen *screen)
     write_paragraphs(pen, page->first.text, STYLE_NORMAL);
     if (page->question)
         write_question(pen, &screen->lesson, page);
+    write_paragraphs(pen, screen->lesson.verdict,
+                     screen->lesson.verdict_right ? STYLE_CHANGED : STYLE_WARNING);
     if (page->question ? screen->lesson.answer >= 0 : screen->lesson.met)
         write_paragraphs(pen, page->revealed.text, STYLE_NORMAL);
     ParameterRow rows[PARAMETER_ROWS_MAX];
@@ -118,7 +121,10 @@ static void footer_text(const Screen *screen, char *out, size_t size)
     char key[COMMAND_KEY_MAX] = "", time[48];
     if (command)
         command_first_key(command, key);
-    if (page->question && shown->answer < 0)
+    if (page->question && page->n_choices == 0 && shown->answer < 0)
+        snprintf(out, size, "Enter: your %s   n goes on",
+                 lesson_exercise(page) == EXERCISE_WORDS ? "words" : "answer");
+    else if (page->question && shown->answer < 0)
         snprintf(out, size, "1 %s %d, or ↑ ↓ Enter: your answer", page->n_choices == 2 ? "or" : "to",
                  page->n_choices);
     else if (until->kind != UNTIL_NOTHING && !shown->met)

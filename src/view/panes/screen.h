@@ -101,9 +101,11 @@ typedef struct LessonShown {
     const Lesson *lesson; /* NULL: the list of lessons */
     int chosen;           /* in the list */
     int page;
-    int answer; /* the choice that was taken; -1: none as yet */
-    int marked; /* the choice that the arrows stand on, which Enter takes; -1: none */
-    bool met;   /* what the page waits for has happened */
+    int answer;        /* the choice that was taken; -1: none as yet */
+    int marked;        /* the choice that the arrows stand on, which Enter takes; -1: none */
+    bool met;          /* what the page waits for has happened */
+    char verdict[320]; /* on the last answer, or the last run; "": none */
+    bool verdict_right;
     int scroll;
     int reached[LESSONS_MAX]; /* per lesson of the program: pages that were turned to */
 } LessonShown;

@@ -50,8 +50,8 @@ static long goal_step(const Laboratory *lab, const LessonUntil *until)
 {
     const Stop stop = goal_stop(lab, until);
     const long last = experiment_last_step(lab->screen.experiment);
-    const long step = until->kind == UNTIL_END     ? last
-                      : stop.kind == STOP_AT_EVENT ? event_step(lab, &stop)
+    const long step = until->kind == UNTIL_END || until->kind == UNTIL_GOAL ? last
+                      : stop.kind == STOP_AT_EVENT                          ? event_step(lab, &stop)
                                                    : stop_step(&stop, lab->screen.experiment);
     return step < last ? step : last;
 }
@@ -69,7 +69,7 @@ static bool has_value(const Laboratory *lab, const LessonUntil *until)
     return strcmp(is, should_be) == 0;
 }
 
-static bool is_met(const Laboratory *lab, const LessonUntil *until)
+static bool is_met(Laboratory *lab, const LessonUntil *until)
 {
     const Experiment *experiment = lab->screen.experiment;
     const Command *command = until->kind == UNTIL_COMMAND ? command_by_name(until->word) : NULL;
@@ -87,6 +87,8 @@ static bool is_met(const Laboratory *lab, const LessonUntil *until)
         return !command || command_set_has(&lab->play.used, command->id);
     case UNTIL_VALUE:
         return has_value(lab, until);
+    case UNTIL_GOAL:
+        return lesson_judge_goal(lab);
     }
     return true;
 }
@@ -117,9 +119,12 @@ static void run_line(Laboratory *lab, const char *line)
     lab->asker = ASKER_LESSON;
     const bool done = lab->run_line(lab, line);
     lab->asker = user;
-    if (!done)
-        laboratory_say(lab, MESSAGE_ERROR, "%s: %s", line, lab->screen.prompt.problem);
-    else if (strncmp(line, "open ", 5) == 0)
+    if (!done) {
+        snprintf(lab->play.refused, sizeof lab->play.refused, "%.80s: %.200s", line,
+                 lab->screen.prompt.problem);
+        laboratory_say(lab, MESSAGE_ERROR, "%s", lab->play.refused);
+    }
+    if (done && strncmp(line, "open ", 5) == 0)
         player_pause(lab); /* a page is read before it is run */
     lab->play.used = used;
     lab->screen.used = hinted;
@@ -153,7 +158,24 @@ static void run_action(Laboratory *lab, const LessonAction *action)
     }
 }
 
-/* Where the page begins its reader's part: from here a goal is run to, so fast that one can follow. */
+/* A goal is run to, and where a number is asked for the end, so fast that one can follow. */
+void lesson_entry_choose_pace(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    const LessonPage *page = lesson_entry_page(lab);
+    player_choose_pace(screen);
+    if (!page)
+        return;
+    const bool to_end = page->exercise && page->exercise->kind == EXERCISE_NUMBER;
+    const long goal = to_end ? experiment_last_step(screen->experiment) : goal_step(lab, &page->until);
+    const long way = goal - experiment_step(screen->experiment);
+    if (way > 0)
+        screen->playback.pace = player_pace_for((double)way, GOAL_SECONDS);
+    else if (page->until.kind == UNTIL_EVENT)
+        screen->playback.pace = fmin(screen->playback.pace, EVENT_PACE);
+}
+
+/* Where the page begins its reader's part: from here a goal is run to. */
 static void arrive(Laboratory *lab)
 {
     LessonPlay *play = &lab->play;
@@ -163,17 +185,13 @@ static void arrive(Laboratory *lab)
     play->arriving = false;
     play->step = experiment_step(screen->experiment);
     play->stage = experiment_stage(screen->experiment);
+    if (lesson_entry_page(lab)->exercise)
+        lesson_judge_enter(lab);
     player_stop_at(lab, &stop);
     if (screen->message.kind == MESSAGE_INFO)
         laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* what the page did is told by its text */
-    if (!lab->player.pace_automatic)
-        return;
-    player_choose_pace(screen);
-    const long way = goal_step(lab, until) - play->step;
-    if (way > 0)
-        screen->playback.pace = player_pace_for((double)way, GOAL_SECONDS);
-    else if (until->kind == UNTIL_EVENT)
-        screen->playback.pace = fmin(screen->playback.pace, EVENT_PACE);
+    if (lab->player.pace_automatic)
+        lesson_entry_choose_pace(lab);
 }
 
 /* Whether the run is on its way to where it should be. */
@@ -257,8 +275,14 @@ static void queue_part(LessonPlay *play, const LessonPart *part, bool with_run)
     }
 }
 
-static void queue_goal(LessonPlay *play, const LessonUntil *until)
+/* Of what the reader finds himself the way that the lesson knows is gone, to the end of its run. */
+static void queue_goal(LessonPlay *play, const LessonPage *page)
 {
+    static const LessonUntil end = {.kind = UNTIL_END};
+    const LessonUntil *until = &page->until;
+    queue_part(play, &page->solution, false);
+    if (until->kind == UNTIL_GOAL)
+        until = &end;
     if (until->kind != UNTIL_NOTHING && until->kind != UNTIL_COMMAND)
         queue_action(play, (LessonAction){.goal = until});
 }
@@ -307,7 +331,7 @@ static bool is_left_well(const Laboratory *lab, const LessonPage *page, const Le
         return false;
     if (page->question && lab->screen.lesson.answer < 0 && page->revealed.n_actions > 0)
         return false;
-    if (page->until.kind == UNTIL_VALUE || page->until.kind == UNTIL_STEP)
+    if (page->until.kind == UNTIL_VALUE || page->until.kind == UNTIL_STEP || page->until.kind == UNTIL_GOAL)
         return false; /* other values before it, or its last stage, are seen still */
     goal_place(lab, &page->until, &step, &stage);
     return experiment_step(experiment) == step && experiment_stage(experiment) == stage &&
@@ -334,7 +358,7 @@ static void queue_page(Laboratory *lab, int page)
     for (int i = goes_on ? page : first_needed(shown->lesson, page); i < page; i++) {
         queue_part(play, &pages[i].first, false);
         queue_part(play, &pages[i].revealed, false);
-        queue_goal(play, &pages[i].until);
+        queue_goal(play, &pages[i]);
     }
     queue_part(play, &pages[page].first, true);
 }
@@ -362,10 +386,12 @@ void lesson_entry_show(Laboratory *lab, int page)
     queue_page(lab, page);
     shown->page = page;
     shown->answer = shown->marked = -1;
+    shown->verdict[0] = '\0';
     shown->scroll = 0;
     shown->met = false;
     play->arriving = true;
     play->touched = false;
+    play->refused[0] = '\0';
     play->used = (CommandSet){{0}};
     play->warned = false;
     play->asker = lab->asker;

@@ -9,6 +9,7 @@
 
 #include "base/output.h"
 #include "lab/lessons/lesson.h"
+#include "tui/control/lesson/lesson_judge.h"
 #include "tui/terminal/keys.h"
 #include "view/help/commands.h"
 
@@ -33,9 +34,11 @@ typedef struct LessonPlay {
     bool touched;  /* since then the reader did more than to run and to step */
     long step;     /* where the page leaves the run, its goal apart */
     int stage;
-    CommandSet used; /* since the page was opened */
-    bool warned;     /* that the page still waits */
-    Asker asker;     /* who turned to the page */
+    CommandSet used;   /* since the page was opened */
+    bool warned;       /* that the page still waits */
+    Asker asker;       /* who turned to the page */
+    char refused[320]; /* what it wanted to do and could not, and why; "": nothing */
+    ExerciseRun run;   /* of a page with an exercise */
     bool busy;
 } LessonPlay;
 
@@ -48,6 +51,9 @@ void lesson_entry_show(Laboratory *, int page);
 /* The row of the parameter pane that the arrows change, so that fields beside a text work as they do there.
  */
 void lesson_entry_select(Laboratory *, const char *key);
+
+/* How fast a run goes under the page that is open; without one, as anywhere. */
+void lesson_entry_choose_pace(Laboratory *);
 
 /* How far one has come in the lesson that is open; NULL: it is a file, whose progress is not kept. */
 int *lesson_entry_reached(Laboratory *);

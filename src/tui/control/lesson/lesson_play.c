@@ -2,6 +2,7 @@
 /* Lessons: pages beside the run, and what the laboratory does when one is opened. */
 #include "tui/control/laboratory.h"
 #include "tui/control/prompt/line.h"
+#include "tui/control/lesson/lesson_exercise.h"
 #include "tui/control/lesson/lesson_progress.h"
 
 #include <stdio.h>
@@ -29,6 +30,10 @@ bool lesson_play_open(Laboratory *lab, const char *name, Status *status)
     Lesson lesson;
     if (!lesson_load(name, command_line_for_lessons, &lesson, status))
         return false;
+    if (!lesson_draw(&lesson, lab->options.student ? lab->options.student : "", status)) {
+        lesson_free(&lesson);
+        return false;
+    }
     forget_lesson(lab);
     lab->play.lesson = lesson;
     snprintf(lab->play.name, sizeof lab->play.name, "%s", name);
@@ -121,6 +126,7 @@ static void turn_page(Laboratory *lab, int direction, bool unasked)
 static void take_answer(Laboratory *lab, int choice)
 {
     lab->screen.lesson.answer = choice;
+    lesson_exercise_choose(lab, choice);
     lab->play.warned = false;
     lesson_entry_reveal(lab);
 }
@@ -150,9 +156,11 @@ void lesson_play_enter(Laboratory *lab)
         open_from_list(lab, shown->chosen);
     else if (page->question && shown->answer < 0 && shown->marked >= 0)
         take_answer(lab, shown->marked);
-    else if (page->question && shown->answer < 0)
+    else if (page->n_choices > 0 && shown->answer < 0)
         laboratory_say(lab, MESSAGE_INFO, "a number answers the question: 1 to %d; n goes on anyway",
                        page->n_choices);
+    else if (page->question && shown->answer < 0)
+        lesson_exercise_ask(lab);
     else if (waits)
         edit_begin(lab);
     else
@@ -164,7 +172,7 @@ void lesson_play_enter(Laboratory *lab)
 static void step_for_space(Laboratory *lab)
 {
     const LessonPage *page = lesson_entry_page(lab);
-    if (page->question && lab->screen.lesson.answer < 0)
+    if (page->n_choices > 0 && lab->screen.lesson.answer < 0)
         laboratory_say(lab, MESSAGE_INFO, "a number answers the question: 1 to %d", page->n_choices);
     else if (page->until.kind == UNTIL_NOTHING || lab->screen.lesson.met)
         laboratory_say(lab, MESSAGE_INFO, "this page waits for nothing more: n goes on");
@@ -198,7 +206,7 @@ bool lesson_play_key(Laboratory *lab, const Key *key)
     }
     if (!page)
         return false;
-    if (page->question && shown->answer < 0 && digit >= 0) {
+    if (page->n_choices > 0 && shown->answer < 0 && digit >= 0) {
         if (digit < page->n_choices)
             take_answer(lab, digit);
         return true;

@@ -15,6 +15,7 @@ typedef struct LaboratoryOptions {
     const Settings *settings; /* resolved: scenario and --set */
     const char *scenario;     /* name or path as the user gave it, for the title line */
     const char *lesson;       /* opened at once, or laboratory_all_lessons; NULL: none */
+    const char *student;      /* whose homework it is: variants are drawn from the name; NULL: nobody's */
     const int *reached; /* per lesson of the program (LESSONS_MAX), pages turned to so far; NULL: none */
     bool first_start;   /* nothing is known of the user yet: the first lesson is offered */
     bool paused;        /* open paused */

@@ -2,6 +2,7 @@
 /* Keeping a session: its keys in memory and, as they come, in a file; and reading such a file. */
 #include "tui/control/session/session.h"
 
+#include "base/hash.h"
 #include "base/input.h"
 #include "base/text.h"
 #include "base/visible.h"
@@ -10,6 +11,7 @@
 #include "lab/settings/scenario_lines.h"
 #include "tui/control/laboratory.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,7 +21,8 @@ enum {
     EVENTS_MAX = 1000000,
     SIZE_MOST = 10000, /* cells */
     LINE_BYTES_MAX = 1100,
-    SESSION_BYTES_MAX = 200000000
+    SESSION_BYTES_MAX = 200000000,
+    PROGRAM_MAX = 64
 };
 
 #define SECONDS_MOST 1e6 /* between two keys: eleven days */
@@ -28,6 +31,10 @@ struct Session {
     Settings settings;
     char scenario[SESSION_NAME_MAX], lesson[SESSION_NAME_MAX];
     int reached[LESSONS_MAX];
+    char student[STUDENT_MAX], program[PROGRAM_MAX];
+    uint64_t version; /* of the lesson's text */
+    uint64_t check;   /* of the lines so far */
+    bool ended, sound;
     bool paused, first;
     SessionEvent *events;
     size_t count, room;
@@ -68,6 +75,9 @@ Session *session_begin(const LaboratoryOptions *options, Status *status)
     session->first = options->first_start;
     visible_text(session->scenario, sizeof session->scenario, options->scenario);
     visible_text(session->lesson, sizeof session->lesson, options->lesson ? options->lesson : "");
+    visible_text(session->student, sizeof session->student, options->student ? options->student : "");
+    snprintf(session->program, sizeof session->program, "%s", PACKAGE_VERSION);
+    session->check = HASH_BEGIN;
     if (options->reached)
         memcpy(session->reached, options->reached, sizeof session->reached);
     return session;
@@ -85,8 +95,8 @@ static SessionEvent event_now(const Session *session, const Laboratory *lab, dou
                           .key = {.x = -1, .y = -1}};
 }
 
-static bool write_head(FILE *, const Session *, Status *);
-static void write_event(FILE *, const SessionEvent *);
+static bool write_head(FILE *, uint64_t *check, const Session *, Status *);
+static void write_event(FILE *, uint64_t *check, const SessionEvent *);
 
 /* A line is in the file before its key does anything, so that what crashed can be done again. */
 static void record_event(Session *session, const SessionEvent *event)
@@ -96,12 +106,12 @@ static void record_event(Session *session, const SessionEvent *event)
     if (!session->begun) {
         session->begun = true;
         if (!output_open(file, ASKER_COMMAND_LINE, session->record, session->replaces, trouble) ||
-            !write_head(file->stream, session, trouble) || !output_publish(file, trouble))
+            !write_head(file->stream, &session->check, session, trouble) || !output_publish(file, trouble))
             output_close(file);
     }
     if (!file->stream)
         return;
-    write_event(file->stream, event);
+    write_event(file->stream, &session->check, event);
     fflush(file->stream);
     if (!output_sound(file, trouble))
         output_close(file);
@@ -147,6 +157,7 @@ bool session_finish(Session *session, Status *status)
 void session_note_start(Session *session, const Laboratory *lab)
 {
     session->last = lab->host.now(lab->host.context);
+    session->version = lab->options.lesson ? lab->play.lesson.version : 0;
 }
 
 void session_note(Session *session, const Laboratory *lab, const Key *key)
@@ -165,17 +176,28 @@ void session_note_end(Session *session, const Laboratory *lab)
     note(session, &event, now);
 }
 
-static void write_event(FILE *file, const SessionEvent *event)
+static void put(FILE *file, uint64_t *check, const char *text)
 {
-    fprintf(file, "%s %s%ld", event->is_end ? "end" : "at", event->on_the_way ? "~" : "", event->step);
+    *check = hash_bytes(*check, text, strlen(text));
+    fputs(text, file);
+}
+
+static void write_event(FILE *file, uint64_t *check, const SessionEvent *event)
+{
+    char line[LINE_BYTES_MAX] = "";
+    text_append(line, sizeof line, "%s %s%ld", event->is_end ? "end" : "at", event->on_the_way ? "~" : "",
+                event->step);
     if (event->stage > 0)
-        fprintf(file, "/%d", event->stage);
-    fprintf(file, " %.3f %dx%d", event->seconds, event->width, event->height);
+        text_append(line, sizeof line, "/%d", event->stage);
+    text_append(line, sizeof line, " %.3f %dx%d", event->seconds, event->width, event->height);
     if (!event->is_end)
-        fprintf(file, " %s", event->key.name);
+        text_append(line, sizeof line, " %s", event->key.name);
     if (!event->is_end && event->key.x >= 0)
-        fprintf(file, " %d %d", event->key.x, event->key.y);
-    fputc('\n', file);
+        text_append(line, sizeof line, " %d %d", event->key.x, event->key.y);
+    text_append(line, sizeof line, "\n");
+    put(file, check, line);
+    if (event->is_end)
+        fprintf(file, "check %016" PRIx64 "\n", *check);
 }
 
 static bool write_scenario_lines(FILE *file, const Session *session, Status *status)
@@ -197,7 +219,7 @@ static bool write_scenario_lines(FILE *file, const Session *session, Status *sta
     return sound;
 }
 
-static bool write_head(FILE *file, const Session *session, Status *status)
+static bool write_head_lines(FILE *file, const Session *session, Status *status)
 {
     fprintf(file, "# matvib session: matvib --replay FILE does it again\nscenario %s\n%s", session->scenario,
             session->paused ? "paused\n" : "");
@@ -205,10 +227,30 @@ static bool write_head(FILE *file, const Session *session, Status *status)
         fputs("first\n", file);
     if (*session->lesson)
         fprintf(file, "lesson %s\n", session->lesson);
+    if (*session->student)
+        fprintf(file, "student %s\n", session->student);
+    if (session->version)
+        fprintf(file, "version %016" PRIx64 " %s\n", session->version, session->program);
     for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
         if (session->reached[i] > 0)
             fprintf(file, "reached %s %d\n", builtin_lessons[i].name, session->reached[i]);
     return write_scenario_lines(file, session, status);
+}
+
+static bool write_head(FILE *file, uint64_t *check, const Session *session, Status *status)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *memory = open_memstream(&text, &size);
+    bool sound = memory && write_head_lines(memory, session, status);
+    if (memory && !text_stream_close(memory, &text))
+        sound = false;
+    if (sound)
+        put(file, check, text);
+    else if (!*status->text)
+        status_fail(status, STATUS_FAILED, "not enough memory for a session");
+    free(text);
+    return sound;
 }
 
 bool session_keep(const Session *session, const char *name, Status *status)
@@ -216,9 +258,10 @@ bool session_keep(const Session *session, const char *name, Status *status)
     OutputFile file;
     if (!output_open_own(&file, ASKER_COMMAND_LINE, name, status))
         return false;
-    bool sound = write_head(file.stream, session, status);
+    uint64_t check = HASH_BEGIN;
+    bool sound = write_head(file.stream, &check, session, status);
     for (size_t i = 0; i < session->count; i++)
-        write_event(file.stream, &session->events[i]);
+        write_event(file.stream, &check, &session->events[i]);
     sound = sound && output_finish(&file, status) && output_commit(&file, status);
     output_close(&file);
     return sound && is_whole(session, name, status);
@@ -231,8 +274,9 @@ bool session_has_keys(const Session *session)
 
 /* --- reading ---------------------------------------------------------------------------------------- */
 
-static const char *const allowed =
-    "scenario NAME | paused | first | lesson NAME | reached NAME PAGE | \"| ...\" | at ... | end ...";
+static const char *const allowed = "scenario NAME | paused | first | lesson NAME | student NAME | version "
+                                   "HASH PROGRAM | reached NAME PAGE | "
+                                   "\"| ...\" | at ... | end ... | check HASH";
 
 static bool read_place(char *word, SessionEvent *event)
 {
@@ -290,10 +334,65 @@ static bool read_reached(Session *session, const char *text, Status *status)
     return true;
 }
 
+/* "HASH REST": sixteen digits; the rest is NULL where there is none. */
+static bool read_hash(const char *text, uint64_t *hash, const char **rest)
+{
+    enum { DIGITS = 16 };
+    if (strspn(text, "0123456789abcdef") != DIGITS || (text[DIGITS] && text[DIGITS] != ' '))
+        return false;
+    *hash = strtoull(text, NULL, 16);
+    *rest = text[DIGITS] ? text + DIGITS + 1 : NULL;
+    return true;
+}
+
+static bool read_version(Session *session, const char *text, Status *status)
+{
+    const char *program;
+    if (!read_hash(text, &session->version, &program) || !program || strlen(program) >= PROGRAM_MAX)
+        return status_fail(status, STATUS_USAGE, "not a version (version HASH PROGRAM)");
+    return strcpy(session->program, program);
+}
+
+static bool read_check(Session *session, const char *text, Status *status)
+{
+    const char *rest;
+    uint64_t check;
+    if (!read_hash(text, &check, &rest) || rest)
+        return status_fail(status, STATUS_USAGE, "not a check (check HASH)");
+    session->sound = session->ended && check == session->check;
+    return true;
+}
+
+static bool read_lesson(Session *session, const char *text, Status *status)
+{
+    return strlen(text) < sizeof session->lesson
+               ? strcpy(session->lesson, text) != NULL
+               : status_fail(status, STATUS_USAGE, "the lesson's name is too long");
+}
+
+static bool read_student(Session *session, const char *text, Status *status)
+{
+    return variant_student(text, session->student, status);
+}
+
+/* What a session says of its origin: a word, then a text. */
+static const struct {
+    const char *word;
+    bool (*read)(Session *, const char *text, Status *);
+} origins[] = {{"lesson ", read_lesson},
+               {"student ", read_student},
+               {"version ", read_version},
+               {"check ", read_check},
+               {"reached ", read_reached}};
+
 /* One line; those of the scenario go on to `scenario`. */
 static bool read_line(Session *session, char *line, FILE *scenario, Status *status)
 {
     SessionEvent event;
+    if (strncmp(line, "check ", 6) != 0) {
+        session->check = hash_bytes(hash_bytes(session->check, line, strlen(line)), "\n", 1);
+        session->sound = false; /* unless the check comes behind it */
+    }
     if (!*line || *line == '#')
         return true;
     if (!visible_is_clean(line))
@@ -306,10 +405,11 @@ static bool read_line(Session *session, char *line, FILE *scenario, Status *stat
     }
     if (strncmp(line, "scenario ", 9) == 0 && line[9] && strlen(line + 9) < sizeof session->scenario)
         return strcpy(session->scenario, line + 9);
-    if (strncmp(line, "lesson ", 7) == 0 && line[7] && strlen(line + 7) < sizeof session->lesson)
-        return strcpy(session->lesson, line + 7);
-    if (strncmp(line, "reached ", 8) == 0)
-        return read_reached(session, line + 8, status);
+    for (size_t i = 0; i < sizeof origins / sizeof *origins; i++) {
+        const size_t length = strlen(origins[i].word);
+        if (strncmp(line, origins[i].word, length) == 0 && line[length])
+            return origins[i].read(session, line + length, status);
+    }
     if (strcmp(line, "paused") == 0)
         return session->paused = true;
     if (strcmp(line, "first") == 0)
@@ -323,6 +423,7 @@ static bool read_line(Session *session, char *line, FILE *scenario, Status *stat
                            is_end ? "end" : "at", is_end ? "" : " KEY [X Y]");
     if (session->count && session->events[session->count - 1].is_end)
         return status_fail(status, STATUS_USAGE, "comes after the end");
+    session->ended = is_end;
     return append_event(session, &event) ||
            status_fail(status, STATUS_FAILED, "not enough memory for a session of this length");
 }
@@ -360,6 +461,8 @@ Session *session_read_stream(FILE *file, const char *name, Status *status)
     size_t size = 0;
     FILE *scenario = open_memstream(&text, &size);
     bool sound = session && scenario;
+    if (session)
+        session->check = HASH_BEGIN;
     if (!sound)
         status_fail(status, STATUS_FAILED, "not enough memory for a session");
     sound = sound && read_lines(session, file, name, scenario, status);
@@ -390,7 +493,18 @@ void session_options(const Session *session, LaboratoryOptions *options)
     options->paused = session->paused;
     options->first_start = session->first;
     options->lesson = *session->lesson ? session->lesson : NULL;
+    options->student = *session->student ? session->student : NULL;
     options->reached = session->reached;
+}
+
+void session_facts(const Session *session, SessionFacts *facts)
+{
+    *facts = (SessionFacts){.student = session->student,
+                            .lesson = session->lesson,
+                            .program = session->program,
+                            .version = session->version,
+                            .ended = session->ended,
+                            .sound = session->sound};
 }
 
 const SessionEvent *session_event(const Session *session, size_t index)

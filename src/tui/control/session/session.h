@@ -4,13 +4,16 @@
  *
  * The file is text. "scenario NAME" and lines "| ..." hold the resolved scenario; "paused" that it opened
  * paused; "first" that it was the first of its user; "lesson NAME" that it opened with a lesson, "reached
- * NAME PAGE" how far one had come in it; then one line a key,
+ * NAME PAGE" how far one had come in it, "student NAME" whose homework it is, "version HASH PROGRAM" of the
+ * lesson's text and the program; then one line a key,
  *
  *     at STEP[/STAGE] SECONDS WIDTHxHEIGHT NAME [X Y]
  *
  * with the seconds since the line before, for those who replay at the same pace, the size of the screen, and
  * the cell of a mouse key; "~" before the step says that the run was on its way elsewhere (the key did not
- * wait for it). "end STEP[/STAGE] SECONDS WIDTHxHEIGHT" says where the session was left. */
+ * wait for it). "end STEP[/STAGE] SECONDS WIDTHxHEIGHT" says where the session was left, "check HASH" behind
+ * it is of all lines before: it tells a file that was changed by mistake, and nothing against somebody who
+ * calculates it anew - what such a session does is judged by doing it again. */
 #ifndef TUI_SESSION_H
 #define TUI_SESSION_H
 
@@ -20,6 +23,7 @@
 #include "tui/control/session/laboratory_main.h"
 
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
 
 typedef struct Laboratory Laboratory;
@@ -70,6 +74,16 @@ void session_options(const Session *, LaboratoryOptions *);
 
 /* What was noted, in order; NULL: there are no more. */
 const SessionEvent *session_event(const Session *, size_t index);
+
+/* What a session says of itself; what it does not say is "" or 0. Valid until it is freed. */
+typedef struct SessionFacts {
+    const char *student, *lesson, *program;
+    uint64_t version; /* of the lesson's text */
+    bool ended;       /* it goes on to its end */
+    bool sound;       /* its check is that of its lines */
+} SessionFacts;
+
+void session_facts(const Session *, SessionFacts *);
 
 void session_free(Session *); /* NULL is allowed */
 

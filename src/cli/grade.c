@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* `matvib grade LESSON SESSION...`: sessions of homework are done again and marked, a row for each exercise.
+ */
+#include "cli/cli.h"
+#include "cli/options.h"
+#include "cli/progress.h"
+
+#include "base/output.h"
+#include "base/text.h"
+#include "figure/leaflet.h"
+#include "lab/export/csv.h"
+#include "tui/control/session/grading.h"
+#include "view/help/commands.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define SECONDS      300.0 /* that a session may take to be done again */
+#define SECONDS_MOST 1e6
+
+/* What goes through all sessions. */
+typedef struct Marking {
+    GradingTask task;
+    Lesson lesson;
+    Progress progress;
+    int session, sessions;
+    FILE *table;
+    Dialect dialect;
+    Leaflet *sheets; /* NULL: none are asked for */
+    int refused;     /* sessions without marks */
+} Marking;
+
+static bool go_on(double share, void *context)
+{
+    Marking *marking = context;
+    return progress_show((marking->session + share) / marking->sessions, &marking->progress);
+}
+
+/* --- the table -------------------------------------------------------------------------------------- */
+
+static const char *const heads[] = {"name",  "exercise", "value",   "right_answer", "mark",
+                                    "tries", "time",     "session", "remark"};
+enum { NAME, EXERCISE, VALUE, RIGHT_ANSWER, MARK, TRIES, TIME, SESSION, REMARK, CELLS };
+
+/* "3 Half a period": the number of its page and what is above it. */
+static void exercise_name(const Lesson *lesson, int page, char *out, size_t size)
+{
+    snprintf(out, size, "%d %s", page + 1, lesson->pages[page].title);
+}
+
+/* What was not tried is not right; what the teacher reads has no mark as yet. */
+static const char *mark_text(const Lesson *lesson, const Grade *grade)
+{
+    const bool is_words = lesson_exercise(&lesson->pages[grade->page]) == EXERCISE_WORDS;
+    if (is_words || (grade->mark.tries > 0 && !grade->mark.judged))
+        return "";
+    return grade->mark.right ? "1" : "0";
+}
+
+static void write_rows(const Marking *marking, const char *file, const Grades *grades)
+{
+    const char *cells[CELLS] = {grades->student, "", "", "", "", "", "", file, grades->remark};
+    if (grades->count == 0)
+        csv_words(marking->table, marking->dialect, cells, CELLS);
+    for (int i = 0; i < grades->count; i++) {
+        const Grade *grade = &grades->grades[i];
+        char name[ANSWER_MAX], tries[NUMBER_TEXT_MAX], seconds[NUMBER_TEXT_MAX] = "";
+        exercise_name(&marking->lesson, grade->page, name, sizeof name);
+        snprintf(tries, sizeof tries, "%d", grade->mark.tries);
+        if (grade->mark.tries > 0)
+            snprintf(seconds, sizeof seconds, "%.0f", grade->seconds);
+        cells[EXERCISE] = name;
+        cells[VALUE] = grade->mark.value;
+        cells[RIGHT_ANSWER] = grade->mark.right_answer;
+        cells[MARK] = mark_text(&marking->lesson, grade);
+        cells[TRIES] = tries;
+        cells[TIME] = seconds;
+        csv_words(marking->table, marking->dialect, cells, CELLS);
+    }
+}
+
+/* --- a page for each student ------------------------------------------------------------------------ */
+
+static void write_sheet(const Marking *marking, const char *file, const Grades *grades)
+{
+    Leaflet *sheet = marking->sheets;
+    int right = 0, marked = 0;
+    leaflet_page(sheet);
+    leaflet_line(sheet, LEAFLET_TITLE, "%s", *grades->student ? grades->student : file);
+    leaflet_line(sheet, LEAFLET_SMALL, "%s   %s", marking->lesson.title, file);
+    if (*grades->remark)
+        leaflet_line(sheet, LEAFLET_TEXT, "No marks: %s.", grades->remark);
+    for (int i = 0; i < grades->count; i++) {
+        const Grade *grade = &grades->grades[i];
+        const ExerciseMark *mark = &grade->mark;
+        const char *text = mark_text(&marking->lesson, grade);
+        char name[ANSWER_MAX];
+        marked += *text != '\0';
+        right += *text == '1';
+        exercise_name(&marking->lesson, grade->page, name, sizeof name);
+        leaflet_line(sheet, LEAFLET_HEADING, "%s   %s", name,
+                     *text == '1'   ? "right"
+                     : *text == '0' ? "not right"
+                                    : "");
+        leaflet_line(sheet, LEAFLET_TEXT, "%s", mark->tries > 0 ? mark->value : "no answer");
+        if (*mark->right_answer && *text == '0')
+            leaflet_line(sheet, LEAFLET_SMALL, "wanted: %s", mark->right_answer);
+        if (mark->tries > 1)
+            leaflet_line(sheet, LEAFLET_SMALL, "%d tries", mark->tries);
+    }
+    if (grades->count > 0)
+        leaflet_line(sheet, LEAFLET_HEADING, "%d of %d right", right, marked);
+}
+
+/* --- all -------------------------------------------------------------------------------------------- */
+
+static bool mark_all(Marking *marking, const Options *options, Status *status)
+{
+    Grades *grades = malloc(sizeof *grades);
+    bool sound = grades || status_fail(status, STATUS_FAILED, "out of memory");
+    csv_header(marking->table, marking->dialect, heads, CELLS);
+    for (int i = 1; i < options->n_words && sound; i++) {
+        marking->session = i - 1;
+        sound = grading_session(&marking->task, options->words[i], grades, status);
+        if (!sound)
+            break;
+        marking->refused += *grades->remark != '\0';
+        write_rows(marking, options->words[i], grades);
+        if (marking->sheets)
+            write_sheet(marking, options->words[i], grades);
+    }
+    free(grades);
+    return sound;
+}
+
+static bool read_limit(const char *text, double *seconds, Status *status)
+{
+    *seconds = SECONDS;
+    return !text || (text_to_double(text, seconds) && *seconds >= 1 && *seconds <= SECONDS_MOST) ||
+           status_fail(status, STATUS_USAGE, "--limit: not a number from 1 to %g: %.60s", SECONDS_MOST, text);
+}
+
+static bool write_all(Marking *marking, const Options *options, Status *status)
+{
+    OutputFile file;
+    Leaflet sheets = {.paper = NULL};
+    const char *name = options->output ? options->output : "-";
+    if (!output_open(&file, ASKER_COMMAND_LINE, name, options->force, status))
+        return false;
+    marking->table = file.stream;
+    marking->sheets = options->sheet ? &sheets : NULL;
+    bool sound = (!options->sheet || leaflet_open(&sheets, ASKER_COMMAND_LINE, options->sheet, options->force,
+                                                  marking->lesson.title, status)) &&
+                 mark_all(marking, options, status) && output_finish(&file, status) &&
+                 (!options->sheet || leaflet_finish(&sheets, status)) && output_commit(&file, status);
+    leaflet_close(&sheets);
+    output_close(&file);
+    return sound;
+}
+
+int cli_grade(int count, char **arguments, Status *status)
+{
+    Options options;
+    Marking marking = {.refused = 0};
+    if (!options_parse("grade", count, arguments, &options, status) ||
+        !options_words(&options, 2, WORDS_MAX, "LESSON SESSION...", status) ||
+        !read_limit(options.limit, &marking.task.seconds, status) ||
+        (options.output && !output_may_begin(options.output, options.force, status)) ||
+        (options.sheet && !leaflet_allowed(options.sheet, options.force, status)) ||
+        !lesson_load(options.words[0], command_line_for_lessons, &marking.lesson, status))
+        return (int)status->code;
+    marking.dialect = options.outputs.dialect;
+    marking.sessions = options.n_words - 1;
+    progress_begin(&marking.progress, options.quiet);
+    marking.task.lesson = options.words[0];
+    marking.task.threads = progress_threads(options.threads);
+    marking.task.patience = (Patience){go_on, &marking};
+    bool sound = write_all(&marking, &options, status);
+    progress_end(&marking.progress);
+    lesson_free(&marking.lesson);
+    if (progress_signal())
+        return 128 + progress_signal();
+    if (sound && marking.refused > 0)
+        sound = status_fail(status, STATUS_FAILED, "%d of %d sessions have no marks (see the remarks)",
+                            marking.refused, marking.sessions);
+    return sound ? STATUS_DONE : (int)status->code;
+}

@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Draws values from names (variant.h). */
+#include "lab/lessons/variant.h"
+
+#include "base/hash.h"
+#include "base/visible.h"
+#include "lab/settings/parameters.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { VALUES_MOST = 50 };
+
+static bool is_allowed(const Parameter *parameter, double value)
+{
+    return value >= parameter->least && value <= parameter->most &&
+           !(parameter->above_least && value == parameter->least);
+}
+
+/* The distance of neighbouring values, 1, 2 or 5 times a power of ten: mantissa x 10^exponent, the finest
+ * with which there are not more than VALUES_MOST. */
+static void find_step(const Variant *variant, int *mantissa, int *exponent)
+{
+    static const int mantissas[] = {1, 2, 5};
+    const double range = variant->to - variant->from;
+    *exponent = (int)floor(log10(range / VALUES_MOST)) - 1;
+    if (variant->whole && *exponent < 0)
+        *exponent = 0;
+    for (;; ++*exponent)
+        for (int i = 0; i < 3; i++) {
+            *mantissa = mantissas[i];
+            if (range / (*mantissa * pow(10, *exponent)) <= VALUES_MOST - 1 + 1e-6)
+                return;
+        }
+}
+
+/* All bits of a hash matter for its remainder (the finish of splitmix64, S. Vigna, public domain). */
+static uint64_t mix(uint64_t hash)
+{
+    hash = (hash ^ hash >> 30) * 0xbf58476d1ce4e5b9u;
+    hash = (hash ^ hash >> 27) * 0x94d049bb133111ebu;
+    return hash ^ hash >> 31;
+}
+
+bool variant_read(const char *text, Variant *variant, Status *status)
+{
+    char from[NUMBER_TEXT_MAX], to[NUMBER_TEXT_MAX], more;
+    *variant = (Variant){.from = NAN};
+    if (sscanf(text, "%39s from %31s to %31s %c", variant->key, from, to, &more) != 3 ||
+        !text_to_double(from, &variant->from) || !text_to_double(to, &variant->to))
+        return status_fail(status, STATUS_USAGE, "\"%.60s\" is no variant (KEY from A to B)", text);
+    const Parameter *parameter = parameter_find(variant->key);
+    if (!parameter)
+        return status_fail(status, STATUS_USAGE, "%s is no parameter (see: matvib params)", variant->key);
+    if (parameter->type != PARAMETER_REAL && parameter->type != PARAMETER_INTEGER)
+        return status_fail(status, STATUS_USAGE, "%s has no numbers to draw from", variant->key);
+    variant->whole = parameter->type == PARAMETER_INTEGER;
+    const double range = variant->to - variant->from;
+    if (!(range > 0) || !(range >= 1e-9 * fmax(fabs(variant->from), fabs(variant->to))) ||
+        fabs(variant->from) > 1e100 || fabs(variant->to) > 1e100 || range < 1e-100 ||
+        (variant->whole && (range < 1 || variant->from != floor(variant->from))))
+        return status_fail(status, STATUS_USAGE, "%s: nothing lies between %s and %s (the smaller one first)",
+                           variant->key, from, to);
+    return (is_allowed(parameter, variant->from) && is_allowed(parameter, variant->to)) ||
+           status_fail(status, STATUS_USAGE, "%s: from %s to %s is more than is allowed (see: matvib params)",
+                       variant->key, from, to);
+}
+
+void variant_draw(const Variant *variant, const char *title, const char *student, char out[NUMBER_TEXT_MAX])
+{
+    int mantissa, exponent;
+    find_step(variant, &mantissa, &exponent);
+    const double step = mantissa * pow(10, exponent);
+    const double first = ceil(variant->from / step - 1e-6), last = floor(variant->to / step + 1e-6);
+    uint64_t hash = HASH_BEGIN;
+    const char *const parts[] = {student, title, variant->key};
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
+        hash = hash_bytes(hash, parts[i], strlen(parts[i]) + 1); /* with the end, so that parts stay parts */
+    const double index = (double)(mix(hash) % (uint64_t)(last - first + 1));
+    /* written as a whole number of steps, so that no rounding of a product is in it */
+    char text[NUMBER_TEXT_MAX];
+    snprintf(text, sizeof text, "%.0fe%d", (first + index) * mantissa, exponent);
+    enum { DIGITS = 6 }; /* more than it has */
+    text_rounded(out, strtod(text, NULL), DIGITS);
+}
+
+bool variant_student(const char *text, char out[STUDENT_MAX], Status *status)
+{
+    enum { CHARACTERS_MAX = 60 };
+    size_t used = 0;
+    int characters = 0;
+    bool space = false, fits = true;
+    if (!visible_is_clean(text))
+        return status_fail(status, STATUS_USAGE, "%.80s: is no name (UTF-8 without control characters)",
+                           text);
+    for (; *text && fits; text++) {
+        if (*text == ' ') {
+            space = used > 0;
+            continue;
+        }
+        characters += ((unsigned char)*text & 0xc0) != 0x80;
+        fits = characters <= CHARACTERS_MAX && used + 2 < STUDENT_MAX;
+        if (space && fits)
+            out[used++] = ' ';
+        space = false;
+        if (fits)
+            out[used++] = *text;
+    }
+    out[used] = '\0';
+    if (used == 0)
+        return status_fail(status, STATUS_USAGE, "the name is empty");
+    return fits || status_fail(status, STATUS_USAGE, "the name is too long (at most %d characters, %d bytes)",
+                               CHARACTERS_MAX, STUDENT_MAX - 2);
+}

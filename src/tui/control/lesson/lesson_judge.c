@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Calculates what is right and holds runs against goals (lesson_judge.h). */
+#include "tui/control/lesson/lesson_judge.h"
+
+#include "lab/answers/summary.h"
+#include "tui/control/laboratory.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const LessonPage *page_of(const Laboratory *lab)
+{
+    return &lab->screen.lesson.lesson->pages[lab->screen.lesson.page];
+}
+
+/* The mark of the page that is open. */
+ExerciseMark *lesson_judge_mark(Laboratory *lab)
+{
+    const char *opened = lab->options.lesson;
+    const bool kept = opened && strncmp(opened, lab->play.name, sizeof lab->play.name - 1) == 0;
+    return kept ? &lab->homework.marks[lab->screen.lesson.page] : &lab->homework.elsewhere;
+}
+
+void lesson_judge_enter(Laboratory *lab)
+{
+    lab->play.run.entered = *experiment_base(lab->screen.experiment);
+    lab->play.run.was_judged = false;
+    lab->homework.elsewhere = (ExerciseMark){0};
+}
+
+void lesson_judge_say(Laboratory *lab, bool right, const char *text)
+{
+    LessonShown *shown = &lab->screen.lesson;
+    snprintf(shown->verdict, sizeof shown->verdict, "%s", text);
+    shown->verdict_right = right;
+}
+
+/* --- the right number ------------------------------------------------------------------------------- */
+
+typedef struct Waiting {
+    Laboratory *lab;
+    double begun;
+} Waiting;
+
+static bool wait_for_run(double share, void *context)
+{
+    const double patient_seconds = 0.15; /* what takes no longer is not worth a picture */
+    const Waiting *waiting = context;
+    Laboratory *lab = waiting->lab;
+    if (lab->host.now(lab->host.context) < waiting->begun + patient_seconds)
+        return true;
+    laboratory_say(lab, MESSAGE_INFO, "looking at your answer: %d %%   ^C gives up", (int)(100 * share));
+    return lab->host.go_on(lab->host.context);
+}
+
+/* The numbers of a run before it begins, for words behind "was". */
+static bool summary_before(const Exercise *exercise, const Settings *entered, RunSummary *before,
+                           Status *status)
+{
+    *before = (RunSummary){0};
+    return !exercise->expression.has_was || run_numbers_beforehand(entered, before, status);
+}
+
+bool lesson_judge_number(Laboratory *lab, double *right, Status *status)
+{
+    const Exercise *exercise = page_of(lab)->exercise;
+    Settings settings = lab->play.run.entered;
+    Waiting waiting = {lab, lab->host.now(lab->host.context)};
+    RunSummary summary, before;
+    settings.patience = (Patience){wait_for_run, &waiting};
+    *right = NAN;
+    if (!export_run(&settings, &(Outputs){0}, lab->options.threads > 0 ? lab->options.threads : 1,
+                    wait_for_run, &waiting, &summary, status) ||
+        !summary_before(exercise, &settings, &before, status))
+        return false;
+    *right = expression_value(&exercise->expression, &(ExpressionRun){&settings, &summary},
+                              &(ExpressionRun){&settings, &before});
+    return true;
+}
+
+/* --- goals ------------------------------------------------------------------------------------------ */
+
+/* A run that was changed on its way is another one at each time: no goal is met by it. */
+static bool fulfils(Laboratory *lab, const Exercise *exercise, char *why, size_t size)
+{
+    Experiment *experiment = lab->screen.experiment;
+    const ExerciseRun *run = &lab->play.run;
+    RunSummary summary, before;
+    Status status = {STATUS_DONE, ""};
+    if (experiment_base(experiment)->n_changes > run->entered.n_changes) {
+        snprintf(why, size, "a value was changed on the way; r begins anew");
+        return false;
+    }
+    if (!summary_before(exercise, &run->entered, &before, &status)) {
+        snprintf(why, size, "%s", status.text);
+        return false;
+    }
+    summary_of(experiment, &summary);
+    return !exercise_failing(exercise, &(ExpressionRun){experiment_settings(experiment), &summary},
+                             &(ExpressionRun){&run->entered, &before}, why, size);
+}
+
+bool lesson_judge_goal(Laboratory *lab)
+{
+    const LessonPage *page = page_of(lab);
+    Experiment *experiment = lab->screen.experiment;
+    ExerciseRun *run = &lab->play.run;
+    const Settings *base = experiment_base(experiment);
+    char why[ANSWER_MAX], verdict[ANSWER_MAX + 20];
+    if (!experiment_at_end(experiment) || experiment_failed(experiment, NULL) ||
+        lab->screen.playback.state == STATE_COMPUTING || settings_same(base, &run->entered) ||
+        (run->was_judged && settings_same(base, &run->judged)))
+        return false;
+    const bool met = fulfils(lab, page->exercise, why, sizeof why);
+    ExerciseMark *mark = lesson_judge_mark(lab);
+    run->judged = *base;
+    run->was_judged = true;
+    snprintf(verdict, sizeof verdict, met ? "Done." : "Not yet: %s.", why);
+    lesson_judge_say(lab, met, verdict);
+    if (mark->right)
+        return met;
+    mark->tries++;
+    mark->judged = true;
+    mark->right = met;
+    settings_name(base, &run->entered, mark->value, sizeof mark->value);
+    snprintf(mark->right_answer, sizeof mark->right_answer, "%s", page->exercise->expression.text);
+    return met;
+}

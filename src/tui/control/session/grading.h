@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Marks for homework: a session is done again without a screen, and what becomes of the exercises on the way
+ * is their mark. Nothing that its file says of marks is believed, for it says nothing.
+ *
+ * Sessions are files from anybody: they are read with bounds, write nothing, see the lesson that the teacher
+ * named and not the one that they name, and are given up after so many steps or so long. */
+#ifndef TUI_GRADING_H
+#define TUI_GRADING_H
+
+#include "base/patience.h"
+#include "lab/lessons/lesson.h"
+
+typedef struct GradingTask {
+    const char *lesson; /* by name or path */
+    int threads;
+    double seconds;    /* that a session may take */
+    Patience patience; /* asked now and then; the share is that of the keys */
+} GradingTask;
+
+/* An exercise of the lesson and what became of it. */
+typedef struct Grade {
+    int page; /* from 0 */
+    ExerciseMark mark;
+    double seconds; /* of the session, when the last answer came; 0: none came */
+} Grade;
+
+enum { GRADING_REMARK_MAX = 256 };
+
+typedef struct Grades {
+    char student[STUDENT_MAX];       /* "": not known */
+    char remark[GRADING_REMARK_MAX]; /* why there are no marks; "": there are */
+    Grade grades[LESSON_PAGES_MAX];
+    int count;
+} Grades;
+
+/* Marks one session. What is wrong with it is the remark; false: given up by the patience, no memory, or the
+ * lesson cannot be read, and the status says so. */
+bool grading_session(const GradingTask *, const char *file, Grades *, Status *);
+
+/* The right answers of a student's variants ("": of nobody's): each mark holds the right answer and, of a
+ * goal, in its value what the way to it of the lesson comes to. */
+bool grading_key(const GradingTask *, const char *student, Grades *, Status *);
+
+#endif

@@ -1,0 +1,359 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Homework from both sides: a student does it and records a session; the teacher marks sessions that are right,
+# wrong, missing, cut, foreign, damaged, edited or hostile, has a key and a handout. Marks come from what keys do.
+# shellcheck source=tests/common.sh
+. "$MATVIB_SRCDIR/tests/common.sh"
+subcommand=grade
+export XDG_STATE_HOME="$scratch/state"
+printf 'leak:libfontconfig\nleak:libcairo\n' >"$scratch/.leaks"
+LSAN_OPTIONS="suppressions=$scratch/.leaks:print_suppressions=0${LSAN_OPTIONS:+:$LSAN_OPTIONS}"
+export LSAN_OPTIONS
+
+cat >own.lesson <<'END'
+@title Own homework
+@about For the test
+@page Frequency
+@do open mode5
+@do set time.end 20
+@variant initial.mode from 3 to 12
+Mode {initial.mode}.
+@ask Its error, in percent?
+@answer error within 2 %
+@page Better
+@do open mode5
+@do set time.end 20
+@field mesh.cell_size
+@goal abs(error) < 2 % and cells <= 60 and time.end >= was time.end
+@solve set mesh.cell_size 0.5
+Below 2 %.
+@page Choose
+@do open mode5
+@ask Which?
+@right this
+@choice that
+@page Words
+@ask Why, in your words?
+@words
+END
+
+# the right number of page 1 for a name
+key_of() { "$MATVIB" lesson own.lesson --key --name "$1" | sed -n 's/^   \([-0-9.e]*\) within .*/\1/p'; }
+# student NAME FILE: does what play.script says
+student() { "$MATVIB" lesson own.lesson --name "$1" --record "$2" --script play.script; }
+# row FILE SESSION PAGE: what stands in the table for it: value, right answer, mark, tries
+row() { grep -e ",$2,[^,]*\$" "$1" | sed -n "s/^[^,]*,$3 [^,]*,//p" | cut -d, -f1-4; }
+row_is() { test "$(row "$1" "$2" "$3")" = "$4"; }
+remark_is() { grep -q -x -e "$3,,,,,,,$2,$4" "$1"; } # FILE SESSION NAME REMARK
+marks() { cut -d, -f2,5,6 "$1" | sort; }
+holds() { grep "$2" "$1" | grep -q "$3"; } # FILE LINE PATTERN: a line of the file has it
+
+# --- the key ---
+"$MATVIB" lesson own.lesson --key --name "Ada Lovelace" >key 2>err
+result "the key has a title and a name" says key '^Own homework   for Ada Lovelace$'
+result "and the variant" says key '^  initial.mode = [0-9]*$'
+result "the right choice" says key '^   this$'
+result "a way to the goal" says key '^   one way: set mesh.cell_size 0.5 '
+ada=$(key_of "Ada Lovelace")
+mode=$(sed -n 's/^  initial.mode = //p' key)
+"$MATVIB" run mode5 --end 20 --set initial.mode="$mode" >run.out
+near() { awk -v key="$ada" '/^error/ { d = $3 - key; found = d < .01 && d > -.01 } END { exit !found }' run.out; }
+result "its number is what a run says" near
+other=
+for name in "Emmy Noether" "Sofia K." "Max" "Lise" "Ida" "Karl"; do
+	test "$(key_of "$name")" = "$ada" || other=$name
+done
+result "another name has another" test -n "$other"
+result "and the same name the same" test "$(key_of '  Ada   Lovelace ')" = "$ada"
+
+# --- sessions ---
+cat >play.script <<END
+wait 1
+key Enter
+type 1e9
+key Enter
+expect Not 1e9. Try again.
+key Enter
+type $ada
+key Enter
+expect Right:
+key n
+wait 1
+reject Done.
+key :
+type set mesh.cell_size 0.5
+key Enter
+key Space
+wait 15
+expect Done.
+key n
+wait 1
+key 1 n
+wait 1
+key Enter
+type =HYPERLINK("x")
+key Enter
+expect Kept for the teacher.
+END
+result "all right" student "Ada Lovelace" right.session
+cat >play.script <<'END'
+wait 1
+key Enter
+type 7,5
+key Enter
+key n
+wait 1
+key :
+type set mesh.particles_per_cell 4
+key Enter
+key Space
+wait 30
+expect Not yet: abs(error) < 2 %:
+key n
+wait 1
+key 2 b n 1
+END
+result "all wrong" student "Emmy Noether" wrong.session
+printf 'wait 1\nkey n n\n' >play.script
+result "nothing done" student "-Max" missing.session
+printf 'wait 1\nkey Enter\ntype four\nkey Enter\nexpect a number is wanted\nkey Esc\n' >play.script
+result "a word is no number" student Max word.session
+cat >play.script <<'END'
+wait 1
+key n
+wait 1
+key :
+type goto 10
+key Enter
+key :
+type set mpm.flip_fraction 0.5
+key Enter
+key Space
+wait 30
+expect Not yet: a value was changed on
+END
+result "what was changed on the way meets no goal" student Max changed.session
+
+expect "three sessions" 0 own.lesson right.session wrong.session missing.session --output marks.csv
+result "nothing else is said" test ! -s out -a ! -s err
+result "the table has a head" test "$(head -n 1 marks.csv)" = "name,exercise,value,right_answer,mark,tries,time,session,remark"
+result "and four rows a session" lines marks.csv 13
+result "the number is right, at the second try" row_is marks.csv right.session 1 "$ada,$ada,1,2"
+result "the goal is reached at once" row_is marks.csv right.session 2 "cell size 0.5,abs(error) < 2 % and cells <= 60 and time.end >= was time.end,1,1"
+result "the choice is right" row_is marks.csv right.session 3 "this,this,1,1"
+result "words have no mark, and are no formula" says marks.csv "^Ada Lovelace,4 Words,\"'=HYPERLINK(\"\"x\"\")\",,,1,"
+result "a wrong number" holds marks.csv '^Emmy Noether,1 ' '^Emmy Noether,1 Frequency,7.5,-[0-9.]*,0,1,'
+result "a goal that is missed" holds marks.csv '^Emmy Noether,2 ' ',0,1,[0-9]*,wrong.session,'
+result "of a choice the first answer counts" row_is marks.csv wrong.session 3 "that,this,0,2"
+result "what is missing" row_is marks.csv missing.session 1 ",,0,0"
+result "a name is no formula" says marks.csv "^'-Max,"
+result "an answer has its time in the session" sh -c "grep '^Ada Lovelace,2 ' marks.csv | cut -d, -f7 | awk '{ exit !(\$1 >= 1 && \$1 <= 40) }'"
+refuse "the table is not overwritten" "marks.csv: exists (--force replaces it)" own.lesson right.session --output marks.csv
+for threads in 1 2; do
+	expect "$threads threads" 0 own.lesson right.session wrong.session missing.session --threads $threads --output "t$threads.csv"
+done
+result "the same marks at any number of threads" cmp t1.csv t2.csv
+result "and the same again" cmp t1.csv marks.csv
+expect "for a spreadsheet with a decimal comma" 0 own.lesson right.session --dialect semicolon
+result "it has semicolons and commas" says out "^Ada Lovelace;1 Frequency;$(echo "$ada" | tr . ,);"
+
+# --- what gets no mark ---
+edited() { sed "$2" "$1" >"$3"; }
+# sealed FILE TO: with the check that its lines have, as somebody who knows how would calculate it (FNV-1a by
+# digits of 16 bits, the lowest first)
+cat >seal.awk <<'END'
+function xor(a, b,    r, p) {
+	r = 0
+	for (p = 1; a > 0 || b > 0; p *= 2) {
+		if (a % 2 != b % 2) r += p
+		a = int(a / 2); b = int(b / 2)
+	}
+	return r
+}
+BEGIN { for (i = 1; i < 256; i++) code[sprintf("%c", i)] = i; split("8997 33826 40164 52210", h, " ") }
+function byte(c,    i, low, out) {
+	low = h[1] % 256
+	h[1] = h[1] - low + xor(low, c)
+	# times 2^40 + 435
+	out[1] = h[1] * 435; out[2] = h[2] * 435
+	out[3] = h[3] * 435 + h[1] * 256; out[4] = h[4] * 435 + h[2] * 256
+	for (i = 1; i <= 4; i++) {
+		if (i < 4) out[i + 1] += int(out[i] / 65536)
+		h[i] = out[i] % 65536
+	}
+}
+/^check / { next }
+{ print; line = $0 "\n"; for (k = 1; k <= length(line); k++) byte(code[substr(line, k, 1)]) }
+END { printf "check %04x%04x%04x%04x\n", h[4], h[3], h[2], h[1] }
+END
+sealed() { LC_ALL=C awk -f seal.awk "$1" >"$2"; }
+sealed right.session same.session
+result "the test knows how a session is sealed" cmp right.session same.session
+
+edited right.session 's/^student .*/student Emmy Noether/' stolen.session
+edited right.session '/^at/{/ 1$/d}' less.session
+edited right.session '/^end/d' cut.session
+edited right.session '/^end/,$d' stopped.session
+edited right.session '/^student/d' nameless.session
+edited right.session 's/^version [0-9a-f]*/version 0123456789abcdef/' text.session
+edited right.session 's/^\(version [0-9a-f]*\).*/\1 0.1/' program.session
+edited right.session '/^version/d' free.session
+edited right.session 's/^end .*/end nowhere/' broken.session
+head -c 120 right.session >half.session
+head -c 3000 /dev/urandom >noise.session
+: >empty.session
+mkfifo pipe.session
+printf 'key . .\n' >two.script
+"$MATVIB" mode1 --record run.session --script two.script >/dev/null
+"$MATVIB" lesson late --name Ada --record late.session --script two.script >/dev/null
+expect "what gets no mark" 1 own.lesson stolen.session less.session cut.session stopped.session nameless.session \
+	text.session program.session free.session broken.session half.session noise.session empty.session none.session \
+	pipe.session . run.session late.session right.session --output bad.csv
+result "it is said how many" says err '^matvib: 17 of 18 sessions have no marks (see the remarks)$'
+result "each has its row" lines bad.csv 22
+result "a changed name" remark_is bad.csv stolen.session "Emmy Noether" "edited: its check is not that of its lines"
+result "a key less" remark_is bad.csv less.session "Ada Lovelace" "edited: its check is not that of its lines"
+result "no end" remark_is bad.csv cut.session "Ada Lovelace" "cut: it has no end"
+result "no end and no check" remark_is bad.csv stopped.session "Ada Lovelace" "cut: it has no end"
+result "no name" remark_is bad.csv nameless.session "" "foreign: it has no name (matvib lesson NAME --name)"
+result "another text" remark_is bad.csv text.session "Ada Lovelace" '"foreign: it is of another lesson, or of another text of this one"'
+result "another version" remark_is bad.csv program.session "Ada Lovelace" "foreign: it is of another version of matvib"
+result "of no version" remark_is bad.csv free.session "Ada Lovelace" "foreign: it is not the session of a lesson"
+result "a broken line" says bad.csv '^,,,,,,,broken.session,damaged: broken.session:[0-9]*: not a place of a session (end STEP'
+for file in half noise empty none pipe; do
+	result "$file" says bad.csv "^,,,,,,,$file.session,\"*damaged: $file.session"
+done
+result "a folder" says bad.csv '^,,,,,,,.,damaged: .: cannot be read: Is a directory$'
+result "the session of a run" remark_is bad.csv run.session "" "foreign: it is not the session of a lesson"
+result "another lesson" remark_is bad.csv late.session "Ada" '"foreign: it is of another lesson, or of another text of this one"'
+result "the good one among them has its marks" row_is bad.csv right.session 1 "$ada,$ada,1,2"
+
+# sealed anew: what the keys do is the defence
+edited right.session "s/^student .*/student $other/" other.raw
+sealed other.raw other.session
+expect "stolen, and sealed anew" 0 own.lesson other.session --output stolen.csv
+result "is wrong, for the name has another number" row_is stolen.csv other.session 1 "$ada,$(key_of "$other"),0,2"
+edited right.session 's/^scenario .*/scenario other/;s/^| cell_size.*/| cell_size = 5/' scenario.raw
+sealed scenario.raw scenario.session
+expect "another scenario at the start, sealed anew" 0 own.lesson scenario.session --output scenario.csv
+{
+	head -n 1 marks.csv
+	grep ,right.session, marks.csv
+} >right.csv
+result "changes no mark" test "$(marks scenario.csv)" = "$(marks right.csv)"
+edited right.session 's/^at \([~0-9]*\) /at 19999999999 /' far.raw
+sealed far.raw far.session
+expect "keys from beyond the end" 0 own.lesson far.session --output far.csv
+result "change no number" row_is far.csv far.session 1 "$ada,$ada,1,2"
+
+# hostile: it writes nothing, and does not last
+cat >play.script <<'END'
+wait 1
+key w
+type spill.ini
+key Enter
+END
+result "a session that writes" student Eve writes.session
+result "has written" test -s spill.ini
+rm -f spill*
+rm -rf state
+expect "is marked" 0 own.lesson writes.session --output w.csv
+result "and writes nothing" test ! -e spill.ini
+"$MATVIB" grade late late.session >out 2>err
+result "the student's progress is not the teacher's" test ! -e state
+cat >play.script <<'END'
+wait 1
+key :
+type set time.courant 1e-9
+key Enter
+END
+result "a session with many steps" student Eve long.raw
+edited long.raw 's/^end .*/end 900000000 1.000 80x24/' longer.raw
+sealed longer.raw long.session
+expect "takes for ever" 1 own.lesson long.session --limit 2 --output long.csv
+result "and gets no mark" remark_is long.csv long.session Eve "it takes too long to be done again"
+{
+	sed '/^at/,$d' right.session
+	yes 'at 0 0.000 1000x1000 h' | head -n 60000
+	echo 'end 0 0.000 80x24'
+} >many.raw
+sealed many.raw many.session
+expect "60000 keys on a large screen" 1 own.lesson many.session --limit 2 --output many.csv
+result "get no mark" remark_is many.csv many.session "Ada Lovelace" "it takes too long to be done again"
+
+# --- paper ---
+if "$MATVIB" lesson own.lesson --handout probe.pdf >out 2>err; then
+	result "a handout" test "$(head -c 5 probe.pdf)" = %PDF-
+	"$MATVIB" lesson own.lesson --handout ada.pdf --name "Ada Lovelace" >out
+	result "says that it was written" says out '^wrote ada.pdf$'
+	"$MATVIB" lesson own.lesson --handout ada2.pdf --name "Ada Lovelace" >out
+	result "the same bytes again" cmp ada.pdf ada2.pdf
+	"$MATVIB" lesson own.lesson --handout ada.pdf >out 2>err
+	result "it is not overwritten" says err '^matvib: ada.pdf: exists (--force replaces it)$'
+	"$MATVIB" lesson own.lesson --handout ada.svg >out 2>err
+	result "it is a PDF" says err '^matvib: ada.svg: is no name for pages (FILE.pdf)$'
+	expect "a page for each" 1 own.lesson right.session cut.session --sheet sheet.pdf --output sheet.csv
+	if command -v pdftotext >/dev/null 2>&1; then
+		pdftotext -layout ada.pdf ada.txt
+		result "with the name" says ada.txt 'Name: Ada Lovelace'
+		result "her variant" says ada.txt "Mode $mode\\."
+		result "the choices" says ada.txt '^ *1 *this$'
+		result "and no answer" sh -c '! grep -e within -e "cell_size 0.5" ada.txt'
+		pdftotext -layout sheet.pdf sheet.txt
+		result "the sheet has what was right" says sheet.txt '3 of 3 right'
+		result "and why there are no marks" says sheet.txt 'No marks: cut: it has no end\.'
+		result "two pages" test "$(tr -cd '\f' <sheet.txt | wc -c)" -eq 2
+	else
+		skip "the words of the pages" "no pdftotext"
+	fi
+else
+	result "without cairo it is said" says err 'need cairo'
+fi
+
+# --- what ships: as a student does it and the teacher marks it ---
+# solve: a script that does the right thing on each page, from the key
+solve() {
+	awk '/^[0-9]+ / { page = $1; for (; at < page - 1; at++) print "key n\nwait 2" }
+	/^   .* within .*\(/ { print "key Enter\ntype " $1 "\nkey Enter\nexpect Right:" }
+	/^   one way: / { sub(/^   one way: /, ""); sub(/   \(.*/, ""); n = split($0, way, "; ")
+		for (i = 1; i <= n; i++) print "key :\ntype " way[i] "\nkey Enter\nwait 1"
+		print "key Space\nwait 15\nexpect Done." }
+	/^   to be read/ { print "key Enter\ntype because\nkey Enter" }' key
+}
+for lesson in late energy crack; do
+	"$MATVIB" lesson homework-$lesson --key --name "Ada Lovelace" >key 2>err
+	result "homework-$lesson: a key" lines err 0
+	{
+		echo 'wait 2'
+		solve
+	} >play.script
+	result "homework-$lesson: all is done as the key says" "$MATVIB" lesson homework-$lesson --name "Ada Lovelace" \
+		--script play.script --record homework-$lesson.session
+	expect "homework-$lesson is marked" 0 homework-$lesson homework-$lesson.session --output $lesson.csv --threads 1
+	"$MATVIB" grade homework-$lesson homework-$lesson.session --threads 2 >two.csv 2>err
+	result "homework-$lesson: the same with two threads" cmp $lesson.csv two.csv
+	wanted=$(grep -c -e ' within .*(' -e '^   one way' key)
+	result "homework-$lesson: every number and goal is right" test "$(grep -c ',1,1,[0-9]*,[^,]*,$' $lesson.csv)" -ge "$wanted"
+done
+
+# --- refusals ---
+refuse "no lesson" "LESSON SESSION... is missing (see: matvib --help)"
+refuse "no session" "LESSON SESSION... is missing (see: matvib --help)" own.lesson
+refuse "no such lesson" "latte: no such lesson or file (did you mean late?)" latte right.session
+refuse "no limit" "--limit: not a number from 1 to 1e+06: soon" own.lesson right.session --limit soon
+refuse "no folder for the table" "none/m.csv: there is no folder none" own.lesson right.session --output none/m.csv
+subcommand=lesson
+refuse "a key of which lesson" "--key: which lesson? (matvib lesson NAME --key)" --key
+refuse "a handout of which lesson" "--handout: which lesson? (matvib lesson NAME --handout FILE.pdf)" --handout a.pdf
+refuse "an empty name" "--name: the name is empty" own.lesson --name " "
+refuse "a name that acts" '--name: \x1b[2J: is no name (UTF-8 without control characters)' own.lesson --name "$(printf '\033[2J')"
+sed 's/^@solve.*/@solve set mesh.cell_size 2.5/' own.lesson >stuck.lesson
+"$MATVIB" lesson stuck.lesson --key >out 2>err
+result "a way that leads elsewhere is told" says err '^matvib: page 2: its own way misses the goal: Not yet: abs(error) < 2 %: it is'
+sed 's/^@variant.*/@variant mesh.cell_size from 0.61 to 0.62/;s/{initial.mode}/m/' own.lesson >odd.lesson
+"$MATVIB" lesson odd.lesson --key >out 2>err
+result "a variant that the scenario cannot have is told" says err '^matvib: page 1: set mesh.cell_size 0.6'
+sed 's/^@answer error/@answer crack_start/' own.lesson >unknown.lesson
+"$MATVIB" lesson unknown.lesson --key >out 2>err
+result "an answer that the run does not have is told" says err '^matvib: page 1: what is right is not known of its run$'
+echo "1..$number"
