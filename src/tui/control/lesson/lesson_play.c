@@ -154,7 +154,7 @@ void lesson_play_enter(Laboratory *lab)
     const bool waits = page && page->n_fields > 0 && (page->until.kind == UNTIL_NOTHING || !shown->met);
     if (!page)
         open_from_list(lab, shown->chosen);
-    else if (page->question && shown->answer < 0 && shown->marked >= 0)
+    else if (page->n_choices > 0 && shown->answer < 0 && shown->marked >= 0)
         take_answer(lab, shown->marked);
     else if (page->n_choices > 0 && shown->answer < 0)
         laboratory_say(lab, MESSAGE_INFO, "a number answers the question: 1 to %d; n goes on anyway",
@@ -239,7 +239,7 @@ void lesson_play_move(Laboratory *lab, int x, int y)
         return;
     }
     const int most = screen_lesson_most(&lab->screen, lab->width, lab->height), to = shown->scroll + y;
-    if (page->question && shown->answer < 0 && most == 0) {
+    if (page->n_choices > 0 && shown->answer < 0 && most == 0) {
         const int last = page->n_choices - 1, marked = shown->marked + y;
         shown->marked = shown->marked < 0 ? (y > 0 ? 0 : last)
                         : marked < 0      ? 0
