@@ -41,7 +41,7 @@ static const VerifyRow periods[] = {
  * ---------------------------------------------------------------------------------------------- */
 
 #define MOVING   "moving-cantilever-mpm-coarse time.end=5.01e-3 output.every=16 "
-#define FINE     "moving-cantilever-mpm time.end=5.01e-3 output.every=32 "
+#define FINE     "moving-cantilever-mpm time.end=5.01e-3 output.every=20 "
 #define ALL_FLIP "mpm.flip_fraction=1 "
 #define RIDING   "mpm.shape=hat mesh.velocity=10 initial.stress=grid "
 
@@ -50,16 +50,20 @@ static const VerifyRow periods[] = {
         .what = label, .scenario = run, .quantity = quantity_distance, .column = "u_probe",                  \
         .other = "u_modal", .to = 5e-3, .decimals = 2, .reference = WITHIN(number, slack), .full = true      \
     }
-#define ENERGY_ROW(label, number, slack)                                                                     \
+/* The mean from a time on. Energy ripples with the waves that run through the height: by 2 % of it where a
+ * beam starts with more of them (initial.stress = grid), so one row says little there. */
+#define ENERGY_ROW(label, since, number, slack)                                                              \
     {                                                                                                        \
-        .what = label, .quantity = quantity_energy_left, .from = 1e-9, .to = 4.999e-3, .decimals = 3,        \
+        .what = label, .quantity = quantity_energy_left, .from = 1e-9, .to = since, .decimals = 3,           \
         .reference = WITHIN(number, slack), .full = true                                                     \
     }
-/* to a thousandth of the widest swing */
+/* The reference wrote a row every 20 steps, and its tip at 1 to 5 ms is that of the nearest row: up to .4 us
+ * beside, in which the tip moves by .004 um. Times are those of its rows; its digits are then ours, all of
+ * them. */
 #define TIP_ROW(label, time, number)                                                                         \
     {                                                                                                        \
         .what = label, .quantity = quantity_value_at, .column = "u_probe", .other = "u_modal", .from = time, \
-        .scale = 1e6, .decimals = 3, .reference = WITHIN(number, 0.0066), .theory = quantity_other_at,       \
+        .scale = 1e6, .decimals = 3, .reference = WITHIN(number, 0.0006), .theory = quantity_other_at,       \
         .full = true                                                                                         \
     }
 
@@ -73,15 +77,16 @@ static const VerifyRow cantilever[] = {
      .decimals = 4,
      .reference = WITHIN(1.007, 6e-4)},
     DISTANCE_ROW("1.25 mm: L2 to 5 ms, %", MOVING ALL_FLIP, 4.2, 0.06),
-    ENERGY_ROW("energy left", 0.90, 0.006),
+    ENERGY_ROW("energy left", 4.999e-3, 0.90, 0.006),
     DISTANCE_ROW("hats on a riding mesh: L2, %", MOVING ALL_FLIP RIDING, 5.2, 0.06),
+    ENERGY_ROW("energy left", 4.9e-3, 1.02, 0.006),
     DISTANCE_ROW("0.5 mm, flip .999: L2, %", FINE, 1.31, 0.01),
-    ENERGY_ROW("energy left", 0.67, 0.006),
-    TIP_ROW("tip at 1 ms, um", 1e-3, -4.609),
-    TIP_ROW("tip at 2 ms, um", 2e-3, -2.191),
-    TIP_ROW("tip at 3 ms, um", 3e-3, 6.593),
-    TIP_ROW("tip at 4 ms, um", 4e-3, 2.754),
-    TIP_ROW("tip at 5 ms, um", 5e-3, -5.470),
+    ENERGY_ROW("energy left", 4.999e-3, 0.67, 0.006),
+    TIP_ROW("tip at 1 ms, um", 1.000173506e-3, -4.609),
+    TIP_ROW("tip at 2 ms, um", 2.000347012e-3, -2.191),
+    TIP_ROW("tip at 3 ms, um", 2.999601241e-3, 6.593),
+    TIP_ROW("tip at 4 ms, um", 3.999774747e-3, 2.754),
+    TIP_ROW("tip at 5 ms, um", 4.999948253e-3, -5.470),
 };
 
 const VerifyCheck verify_plane_checks[] = {
