@@ -166,7 +166,23 @@ result "the shell takes it" test ! -s err
 result "cell sizes as planned" says "it's \$mine-2.csv.ini" '^cell_size = 0.5$'
 result "the end as planned" says "it's \$mine-1.csv.ini" '^end = 20$'
 
+# --- values of the rows of a plate
+
+expect "the pull on a plate" 0 branching-coarse --set pd.spacing=1e-3 --set pd.horizon=4e-3 --set time.step=2e-7 \
+	--vary loads.top.sy=6MPa,12e6 --with loads.bottom.sy=-6MPa,-12e6
+result "is a column" test "$(head -n 1 out | cut -d, -f1,2)" = loads.top.sy,loads.bottom.sy
+result "in its unit, and breaks more bonds" holds out \
+	'v["loads.top.sy", 1] == 6e6 && v["loads.bottom.sy", 2] == -12e6 &&
+	 v["broken_bonds", 1] < v["broken_bonds", 2] && v["broken_bonds", 2] == 4341'
+
 # --- wrong words
+
+refuse "a whole row" '--vary: loads.top: is a whole row (one value of it can be varied, such as loads.NAME.sy)' \
+	branching-coarse --vary 'loads.top=top 0 1cm 0 1'
+refuse "an edge" '--vary: loads.top.edge: is a text (numbers and choices can be varied)' \
+	branching-coarse --vary loads.top.edge=left
+refuse "a row that there is not" '--vary: loads.tip: there is no load of that name (top, bottom)' \
+	branching-coarse --vary loads.tip.sy=1
 
 refuse "nothing to vary" '--vary is missing (--vary KEY=A,B,C or KEY=LO:HI:N)' mode5
 refuse "no scenario" 'SCENARIO is missing (see: matvib --help)' --vary time.end=1

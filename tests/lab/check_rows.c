@@ -44,12 +44,13 @@ static double value_of(const Settings *settings, int kind, int column)
 
 START_TEST(a_row_is_read_and_written_back)
 {
-    const Settings s = rows_of("[cuts]\nnotch = 0 50% 5cm 20 mm\n2 = 100/3mm (1+1)*3mm 0.1 25 %\n"
-                               "[loads]\ntop = top 0% 100% 0 12 MPa ramp 1us until 2e-5\n"
-                               "left_1 = left 10% 90 % -1e6 .5kN/mm^2\n"
-                               "[supports]\nimpact = 0 0 1mm 4cm ux 16.5\nfoot-2 = 99mm 0 100mm 1mm uy 0 ux 0\n"
-                               "[impulses]\ni = 0 0 20mm 20mm 1 -2\n[protected]\np = 0 95% 100% 100%\n"
-                               "[probe]\ny = 1mm\n");
+    const Settings s =
+        rows_of("[cuts]\nnotch = 0 50% 5cm 20 mm\n2 = 100/3mm (1+1)*3mm 0.1 25 %\n"
+                "[loads]\ntop = top 0% 100% 0 12 MPa ramp 1us until 2e-5\n"
+                "left_1 = left 10% 90 % -1e6 .5kN/mm^2\n"
+                "[supports]\nimpact = 0 0 1mm 4cm ux 16.5\nfoot-2 = 99mm 0 100mm 1mm uy 0 ux 0\n"
+                "[impulses]\ni = 0 0 20mm 20mm 1 -2\n[protected]\np = 0 95% 100% 100%\n"
+                "[probe]\ny = 1mm\n");
     expect_row(&s, ROWS_CUTS, 0, "0 50% 0.05 0.02");
     ck_assert_str_eq(s.rows[ROWS_CUTS].rows[1].name, "2");
     expect_row(&s, ROWS_CUTS, 1, "0.03333333333333333 0.006 0.1 25%");
@@ -170,6 +171,20 @@ START_TEST(there_are_at_most_sixteen)
     ck_assert_str_eq(status.text, "probe: cannot be left out (X Y)");
     ck_assert(!settings_row_set(&s, ROWS_CUTS, "a b", "0 0 1mm 1mm", &status));
     ck_assert(!settings_row_set(&s, ROWS_CUTS, "", "0 0 1mm 1mm", &status));
+    /* nothing that acts on a terminal or hides, nothing endless */
+    ck_assert(!settings_row_set(&s, ROWS_CUTS, "\033[2J", "0 0 1mm 1mm", &status));
+    ck_assert(!settings_row_set(&s, ROWS_CUTS, "a\xe2\x80\xae", "0 0 1mm 1mm", &status));
+    ck_assert(!settings_row_set(&s, ROWS_CUTS, "a", "0 0 1mm \033[2J", &status));
+    ck_assert(!strchr(status.text, '\033'));
+    char text[5000];
+    memset(text, '1', sizeof text);
+    text[sizeof text - 1] = '\0';
+    ck_assert(!settings_row_set(&s, ROWS_CUTS, "a", text, &status));
+    ck_assert(!settings_row_set(&s, ROWS_CUTS, text, "0 0 1mm 1mm", &status));
+    ck_assert(!settings_row_key_set(&s, text, "0 0 1mm 1mm", &status));
+    for (int i = 0; i + 1 < (int)sizeof text; i += 2)
+        text[i] = ' ';
+    ck_assert(!settings_row_set(&s, ROWS_CUTS, "a", text, &status));
 }
 END_TEST
 

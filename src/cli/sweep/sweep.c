@@ -58,9 +58,18 @@ static bool check_combinations(Sweep *sweep, Status *status)
     for (int i = 0; i < plan->n_combinations; i++) {
         if (!sweep_plan_load(plan, sweep->options, i, false, &settings, status))
             return false;
-        for (int k = 0; k < plan->n_keys; k++)
-            sweep->keys[(size_t)i * (size_t)plan->n_keys + (size_t)k] =
-                settings_number(&settings, plan->keys[k].parameter);
+        for (int k = 0; k < plan->n_keys; k++) {
+            const SweepKey *key = &plan->keys[k];
+            const bool of_row = settings_row_is_key(&settings, key->key);
+            const double value = of_row ? settings_row_number(&settings, key->key)
+                                        : settings_number(&settings, key->parameter);
+            if (of_row && isnan(value))
+                return status_fail(status, STATUS_USAGE,
+                                   "%s: %s: is a whole row (one value of it can be varied, such as "
+                                   "loads.NAME.sy)",
+                                   key->origin, key->key);
+            sweep->keys[(size_t)i * (size_t)plan->n_keys + (size_t)k] = value;
+        }
         sweep->numbers[i] = sweep_partial_number(&settings, sweep->options->steps);
         if (sweep->numbers[i] == 0)
             return no_memory(status);

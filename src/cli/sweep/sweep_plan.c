@@ -84,8 +84,9 @@ static bool read_range(SweepKey *key, const char *text, Status *status)
 /* A text has no number, and every cell of the table is one. */
 static bool has_a_number(const SweepKey *key, Status *status)
 {
-    bool text = key->parameter ? key->parameter->type == PARAMETER_TEXT : text_key_find(key->key) != NULL;
-    if (text)
+    const RowColumn *of_row = row_key_column(key->key);
+    const bool edge = of_row && of_row->value == ROW_EDGE;
+    if (key->parameter ? key->parameter->type == PARAMETER_TEXT : edge || text_key_find(key->key))
         return status_fail(status, STATUS_USAGE, "%s: %s: is a text (numbers and choices can be varied)",
                            key->origin, key->key);
     return strncmp(key->key, "output.", 7) != 0 ||

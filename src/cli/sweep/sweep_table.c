@@ -62,6 +62,8 @@ void sweep_table_write_csv(const SweepTable *table, Dialect dialect, FILE *strea
 static const char *word_of(const Parameter *parameter, const Problem *problem, double value)
 {
     static const char *const flags[] = {"no", "yes"};
+    if (!parameter)
+        return NULL;
     if (parameter->type == PARAMETER_CHOICE)
         return parameter->choices[(int)value];
     if (parameter->type == PARAMETER_FLAG)
@@ -114,6 +116,12 @@ void sweep_table_write_text(const SweepTable *table, FILE *stream)
 static void describe_key(const SweepTable *table, const SweepKey *key, FILE *stream)
 {
     const Parameter *parameter = key->parameter;
+    if (!parameter) {
+        const RowColumn *column = row_key_column(key->key);
+        fprintf(stream, "%s [%s]: %s of that row of the plate\n", key->key, column ? column->unit : "1",
+                column ? column->word : "value");
+        return;
+    }
     const char *unit = parameter_unit(parameter, table->problem);
     fprintf(stream, "%s [%s]: %s", key->key, unit && *unit ? unit : "1",
             parameter_help(parameter, table->problem));

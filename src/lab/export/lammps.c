@@ -456,6 +456,9 @@ static bool has_its_like(const Settings *settings, Status *status)
 
 bool lammps_export(const Settings *settings, Asker asker, const char *folder, bool force, Status *status)
 {
+    if (settings->problem->concerns & CONCERN_PLATE)
+        return status_fail(status, STATUS_USAGE,
+                           "scenario.problem: plates are not written for LAMMPS (beams are)");
     if (!(settings->problem->concerns & CONCERN_BEAM))
         return status_fail(status, STATUS_USAGE, "scenario.problem: LAMMPS gets beams only (not bar)");
     if (settings->n_changes > 0)

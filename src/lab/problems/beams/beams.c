@@ -112,9 +112,17 @@ const Problem problem_notched_beam = {
 
 /* Glass as the branching experiments have it (Duran 50). */
 static const ParameterUse uses_plate[] = {
-    {USE("plate.length", 0.1)},          {USE("plate.height", 0.04)},      {USE("plate.thickness", 0.001)},
-    {USE("plate.youngs_modulus", 65e9)}, {USE("plate.density", 2235)},     {USE("pd.spacing", 0.5e-3)},
-    {USE("pd.horizon", 2e-3)},           {USE("pd.critical_energy", 204)}, {USE("time.end", 5e-5)},
+    {USE("plate.length", 0.1)},
+    {USE("plate.height", 0.04)},
+    {USE("plate.thickness", 0.001)},
+    {USE("plate.youngs_modulus", 65e9)},
+    {USE("plate.density", 2235)},
+    {USE("pd.spacing", 0.5e-3)},
+    {USE("pd.horizon", 2e-3)},
+    {USE("pd.critical_energy", 204)},
+    {USE("time.end", 5e-5)},
+    {USE("load.body_force", 0), .methods = BY_PD,
+     .help = "force per unit mass on the whole plate, upwards; -9.81: its weight"},
 };
 
 static const Solver *const solvers_plate[] = {&beam_by_pd_plate, NULL};
@@ -122,7 +130,8 @@ static const Solver *const solvers_plate[] = {&beam_by_pd_plate, NULL};
 const Problem problem_plate = {
     .word = "plate",
     .title = "a plate with cuts, loads and supports of your own",
-    .concerns = CONCERN_PLATE | CONCERN_LATTICE | CONCERN_BREAKING | CONCERN_STEP,
+    .concerns = CONCERN_PLATE | CONCERN_LATTICE | CONCERN_BREAKING | CONCERN_STEP | CONCERN_DAMPING |
+                CONCERN_WEIGHT | CONCERN_REST,
     USES(uses_plate),
     .solvers = solvers_plate,
     .alone = "by it nothing breaks",

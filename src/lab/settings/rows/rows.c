@@ -232,6 +232,15 @@ bool settings_row_key_set(Settings *settings, const char *key, const char *text,
     return settings_row_set(settings, at.kind, at.name, text, status);
 }
 
+const RowColumn *row_key_column(const char *key)
+{
+    RowKey at;
+    if (!cut_key(key, &at) || !*at.value)
+        return NULL;
+    const int column = find_column(&row_kinds[at.kind], at.value);
+    return column < 0 ? NULL : &row_kinds[at.kind].columns[column];
+}
+
 double settings_row_number(const Settings *settings, const char *key)
 {
     RowKey at;
