@@ -70,17 +70,21 @@ static void write_arguments(void)
     puts("    esac\n}\n");
 }
 
+enum { IN_LINE = 6 }; /* names in a line of a long list */
+
 /* The words of a command that are no options. */
 static void write_words(void)
 {
+    fputs("_matvib_scenarios() { echo '", stdout);
+    for (int i = 0; builtin_scenarios[i].name; i++)
+        printf("%s%s", !i ? "" : i % IN_LINE ? " " : "\n    ", builtin_scenarios[i].name);
+    puts("'; }\n");
     puts("_matvib_words() { # COMMAND\n    case $1 in");
     for (int c = 0; command_name(c); c++) {
         const char *synopsis = c ? cli_commands[c - 1].synopsis : "SCENARIO";
         printf("    %s) echo '", command_name(c));
         if (strcmp(synopsis, "SCENARIO") == 0) {
-            fputs("@file", stdout);
-            for (const BuiltinScenario *builtin = builtin_scenarios; builtin->name; builtin++)
-                printf(" %s", builtin->name);
+            fputs("@file '\"$(_matvib_scenarios)\"'", stdout);
         } else if (strcmp(synopsis, "[PROBLEM]") == 0) {
             for (int i = 0; problems[i]; i++)
                 printf("%s%s", i ? " " : "", problems[i]->word);
@@ -102,7 +106,7 @@ static void write_keys(void)
 {
     fputs("_matvib_keys() { echo '", stdout);
     for (int i = 0; i < n_parameters; i++)
-        printf("%s%s", i ? " " : "", parameters[i].key);
+        printf("%s%s", !i ? "" : i % IN_LINE ? " " : "\n    ", parameters[i].key);
     puts("'; }\n");
     puts("_matvib_values() { # KEY\n    case $1 in");
     for (int i = 0; i < n_parameters; i++) {

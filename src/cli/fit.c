@@ -2,6 +2,7 @@
 /* `matvib fit SCENARIO --data FILE --vary KEY,...`: the parameters with which a run agrees best with a
  * measured series, how well they are known, and a picture of both. */
 #include "cli/cli.h"
+#include "cli/describe.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 
@@ -151,9 +152,19 @@ static bool draw(const Options *options, Data *data, const FitResult *result, Pr
     return sound;
 }
 
+static Crate crate_of(const Options *options)
+{
+    return (Crate){.tables = {{options->output, "Measured data beside the run that was fitted to them"}},
+                   .command = "matvib fit",
+                   .asker = ASKER_COMMAND_LINE,
+                   .force = options->force};
+}
+
 static bool may_write(const Options *options, Status *status)
 {
-    return (!options->output || output_may_begin(options->output, options->force, status)) &&
+    const Crate crate = crate_of(options);
+    return describe_may_begin(options, &crate, status) &&
+           (!options->output || output_may_begin(options->output, options->force, status)) &&
            (!options->figure || (figure_allowed(options->figure, status) &&
                                  output_may_begin(options->figure, options->force, status)));
 }
@@ -188,6 +199,7 @@ int cli_fit(int count, char **arguments, Status *status)
         return (int)status->code;
     }
     char *keys = strdup(options.sought);
+    const Crate crate = crate_of(&options);
     FitTask task = {.settings = &settings};
     FitResult result = {0};
     Data data = {.table = {.y = -1}};
@@ -197,6 +209,7 @@ int cli_fit(int count, char **arguments, Status *status)
                  take_keys(keys, &task, status) &&
                  solve(&options, &settings, &data, &task, &result, &progress, status) &&
                  (!options.output || write_table(&options, &task, &result, status)) &&
+                 describe(&options, &crate, &result.settings, status) &&
                  (!options.figure || draw(&options, &data, &result, &progress, status));
     progress_end(&progress);
     if (sound) {

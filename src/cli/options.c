@@ -87,7 +87,7 @@ const Option options_table[] = {
      AT(outputs.nodes)},
     {"--bonds", "FILE", " run ", "writes the table of bonds (beams)", OPTION_TEXT, AT(outputs.bonds)},
     {"--vtk", "FILE", " run ", "writes points for ParaView", OPTION_TEXT, AT(outputs.vtk)},
-    {"--crate", NULL, " run ", "describes the tables as research data: ro-crate-metadata.json beside them",
+    {"--crate", NULL, " run sweep fit ", "describes the tables as research data: ro-crate-metadata.json beside them",
      OPTION_FLAG, AT(crate)},
     {"--vtk-data", "D", " run ", "numbers of --vtk as text, or raw: a third of the size, and read faster",
      AT(vtk_data), ONE_OF(vtk_data)},

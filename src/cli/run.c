@@ -4,7 +4,7 @@
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "base/text.h"
-#include "lab/export/crate.h"
+#include "cli/describe.h"
 #include "lab/export/export.h"
 #include "lab/answers/summary.h"
 
@@ -64,22 +64,12 @@ static bool times_are_used(const Options *options, Status *status)
     return true;
 }
 
-/* Today in UTC, YYYY-MM-DD; SOURCE_DATE_EPOCH names another day, for those who want the same bytes again. */
-static void read_date(char date[16])
+/* --vtk is no table, and a folder that is described is described whole. */
+static bool may_describe(const Options *options, const Crate *crate, Status *status)
 {
-    const char *given = getenv("SOURCE_DATE_EPOCH");
-    long seconds;
-    const time_t day = given && text_to_long(given, &seconds) ? (time_t)seconds : time(NULL);
-    struct tm fields;
-    if (!gmtime_r(&day, &fields) || strftime(date, 16, "%Y-%m-%d", &fields) == 0)
-        strcpy(date, "1970-01-01");
-}
-
-static bool describe(const Options *options, const Settings *settings, Status *status)
-{
-    char date[16];
-    read_date(date);
-    return crate_write(&options->outputs, settings, date, status);
+    if (options->crate && options->outputs.vtk)
+        return status_fail(status, STATUS_USAGE, "--crate: describes tables, not --vtk");
+    return describe_may_begin(options, crate, status);
 }
 
 int cli_run(int count, char **arguments, Status *status)
@@ -88,8 +78,10 @@ int cli_run(int count, char **arguments, Status *status)
     Settings settings;
     if (!options_parse("run", count, arguments, &options, status) ||
         !options_words(&options, 1, 1, "SCENARIO", status) ||
-        !options_load(&options, options.words[0], &settings, status) || !times_are_used(&options, status) ||
-        (options.crate && !crate_may_begin(&options.outputs, options.force, status)))
+        !options_load(&options, options.words[0], &settings, status) || !times_are_used(&options, status))
+        return (int)status->code;
+    const Crate crate = crate_of_run(&options.outputs);
+    if (!may_describe(&options, &crate, status))
         return (int)status->code;
     Progress progress;
     progress_begin(&progress, options.quiet);
@@ -97,7 +89,7 @@ int cli_run(int count, char **arguments, Status *status)
     RunSummary summary;
     bool done = export_run(&settings, &options.outputs, progress_threads(options.threads), progress_show,
                            &progress, &summary, status);
-    done = done && (!options.crate || describe(&options, &settings, status));
+    done = done && describe(&options, &crate, &settings, status);
     progress_end(&progress);
     if (progress_signal() != 0 && !done && !summary.failed)
         return 128 + progress_signal();

@@ -26,6 +26,11 @@ printf 't;u\n0;0,0071\n0,1;0,0061\n0,2;0,0035\n0,3;0,0002\n' >own.csv
 expect "a table with names of its own" 0 mode5 --data own.csv --vary initial.velocity --column v_cm
 result "is fitted too" says out '^v_cm, 4 data'
 
+expect "a fit as research data" 0 mode5 --data d.csv --vary bar.youngs_modulus --output described.csv --crate --quiet
+result "names its table" sh -c 'grep -q "\"hasPart\": .{\"@id\": \"described.csv\"}\]" ro-crate-metadata.json'
+result "is JSON" sh -c 'command -v python3 >/dev/null || exit 0; python3 -m json.tool ro-crate-metadata.json'
+refuse "once more" "ro-crate-metadata.json: exists (--force replaces it)" mode5 --data d.csv --vary bar.density --output z.csv --crate
+
 refuse "no data" "fit: --data FILE is missing" mode5 --vary bar.density
 refuse "no parameters" "fit: --vary KEY,... is missing" mode5 --data d.csv
 refuse "a parameter that it has not" "beam.length: this run has no such parameter" mode5 --data d.csv --vary beam.length

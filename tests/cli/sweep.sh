@@ -201,4 +201,13 @@ refuse "--with too short" '--with: mesh.cell_size: has 1 values beside 2 of time
 refuse "too many" '--vary: 1000000 combinations are too many (at most 100000)' \
 	mode5 --vary time.end=1:2:1000 --vary bar.density=1:2:1000
 refuse "two ends" '--vary: time.end: --steps says when the run ends (one of them)' mode5 --vary time.end=1,2 --steps 9
+# --- research data ---
+expect "a sweep as research data" 0 mode1 --end 1 --vary initial.mode=1,2 --output described.csv --crate --quiet
+result "names its table and what stands beside it" sh -c 'grep -q "\"hasPart\": .*described.csv\"}, .*described.csv.ini\"}\]" ro-crate-metadata.json'
+result "and the command" says ro-crate-metadata.json '"name": "matvib sweep"'
+result "is JSON" sh -c 'command -v python3 >/dev/null || exit 0; python3 -m json.tool ro-crate-metadata.json'
+refuse "once more" "ro-crate-metadata.json: exists (--force replaces it)" mode1 --end 1 --vary initial.mode=1,2 --output again.csv --crate
+result "writes nothing" test ! -e again.csv
+refuse "no table" "--crate: there is no table to describe (--output FILE)" mode1 --end 1 --vary initial.mode=1,2 --crate
+
 echo "1..$number"

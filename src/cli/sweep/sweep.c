@@ -4,6 +4,7 @@
 #include "base/threads.h"
 #include "base/visible.h"
 #include "cli/cli.h"
+#include "cli/describe.h"
 #include "cli/options.h"
 #include "cli/sweep/sweep_jobs.h"
 #include "cli/sweep/sweep_partial.h"
@@ -276,6 +277,26 @@ static bool write_files(const Sweep *sweep, const SweepTable *table, int count, 
     return good;
 }
 
+static Crate crate_of(const Options *options)
+{
+    return (Crate){
+        .tables = {{options->output, "Table of a sweep: a row for each combination of parameters"}},
+        .command = "matvib sweep",
+        .source = "Scenario of the first combination; its comments hold the command and the columns",
+        .asker = ASKER_COMMAND_LINE,
+        .force = options->force,
+    };
+}
+
+static bool describe_table(const Sweep *sweep, Status *status)
+{
+    const Crate crate = crate_of(sweep->options);
+    Settings settings;
+    return !sweep->options->crate ||
+           (sweep_plan_load(&sweep->plan, sweep->options, 0, true, &settings, status) &&
+            describe(sweep->options, &crate, &settings, status));
+}
+
 static int write_all(Sweep *sweep, int count, char **arguments, Status *status)
 {
     const Options *options = sweep->options;
@@ -286,7 +307,8 @@ static int write_all(Sweep *sweep, int count, char **arguments, Status *status)
     if (table.rows == 0)
         return status_fail(status, STATUS_FAILED, "no combination has a row (%d left out)", all),
                STATUS_FAILED;
-    if (options->output && !write_files(sweep, &table, count, arguments, status))
+    if (options->output &&
+        !(write_files(sweep, &table, count, arguments, status) && describe_table(sweep, status)))
         return (int)status->code;
     bool terminal = isatty(STDOUT_FILENO);
     if (terminal && !(options->output && output_is_standard(options->output)))
@@ -337,11 +359,12 @@ static int print_plan(const Sweep *sweep, Status *status)
 
 static int sweep_through(Sweep *sweep, int count, char **arguments, Status *status)
 {
+    const Crate crate = crate_of(sweep->options);
     if (!prepare(sweep, status))
         return (int)status->code;
     if (sweep->options->plan)
         return print_plan(sweep, status);
-    if (!open_partial(sweep, status))
+    if (!describe_may_begin(sweep->options, &crate, status) || !open_partial(sweep, status))
         return (int)status->code;
     int result = run_all(sweep, status);
     if (result == STATUS_DONE)

@@ -10,22 +10,18 @@
 
 static const char file_name[] = "ro-crate-metadata.json";
 
-/* A table that may be there, and what it holds. */
-typedef struct Part {
-    const char *file; /* FILE.ini, its scenario, stands beside it */
-    const char *description;
-} Part;
-
-enum { PARTS = 4 };
-
-static void list_parts(const Outputs *outputs, Part parts[PARTS])
+Crate crate_of_run(const Outputs *outputs)
 {
-    const char *const files[PARTS] = {outputs->series, outputs->particles, outputs->nodes, outputs->bonds};
-    static const char *const holds[PARTS] = {
-        "Series of the run: a row for each recorded time step", "Particles at some times of the run",
-        "Nodes of the grid at some times of the run", "Bonds at some times of the run"};
-    for (int i = 0; i < PARTS; i++)
-        parts[i] = (Part){files[i], holds[i]};
+    return (Crate){
+        .tables = {{outputs->series, "Series of the run: a row for each recorded time step"},
+                   {outputs->particles, "Particles at some times of the run"},
+                   {outputs->nodes, "Nodes of the grid at some times of the run"},
+                   {outputs->bonds, "Bonds at some times of the run"}},
+        .command = "matvib run",
+        .source = "Scenario that made it: matvib run with this file writes the same bytes",
+        .asker = outputs->asker,
+        .force = outputs->force,
+    };
 }
 
 static const char *base_name(const char *file)
@@ -35,11 +31,11 @@ static const char *base_name(const char *file)
 }
 
 /* The first table; NULL: there is none. */
-static const char *first_file(const Part parts[PARTS])
+static const char *first_file(const Crate *crate)
 {
-    for (int i = 0; i < PARTS; i++)
-        if (parts[i].file)
-            return parts[i].file;
+    for (int i = 0; i < CRATE_TABLES_MAX; i++)
+        if (crate->tables[i].file)
+            return crate->tables[i].file;
     return NULL;
 }
 
@@ -51,17 +47,14 @@ static char *metadata_name(const char *table)
     return asprintf(&name, "%.*s%s", folder, table, file_name) < 0 ? NULL : name;
 }
 
-bool crate_may_begin(const Outputs *outputs, bool force, Status *status)
+bool crate_may_begin(const Crate *crate, Status *status)
 {
-    Part parts[PARTS];
-    list_parts(outputs, parts);
-    const char *first = first_file(parts);
-    if (!first || outputs->vtk)
-        return status_fail(status, STATUS_USAGE, "--crate: %s",
-                           first ? "describes tables, not --vtk"
-                                 : "there is no table to describe (--series, ...)");
-    for (int i = 0; i < PARTS; i++) {
-        const char *file = parts[i].file;
+    const char *first = first_file(crate);
+    if (!first)
+        return status_fail(status, STATUS_USAGE, "--crate: there is no table to describe (%s)",
+                           strcmp(crate->command, "matvib run") == 0 ? "--series, ..." : "--output FILE");
+    for (int i = 0; i < CRATE_TABLES_MAX; i++) {
+        const char *file = crate->tables[i].file;
         if (file && output_is_direct(file))
             return status_fail(status, STATUS_USAGE, "--crate: %.200s is no file that stays", file);
         if (file && (base_name(file) - file != base_name(first) - first ||
@@ -70,8 +63,8 @@ bool crate_may_begin(const Outputs *outputs, bool force, Status *status)
                                file, first);
     }
     char *name = metadata_name(first);
-    const bool may =
-        name ? output_may_begin(name, force, status) : status_fail(status, STATUS_FAILED, "out of memory");
+    const bool may = name ? output_may_begin(name, crate->force, status)
+                          : status_fail(status, STATUS_FAILED, "out of memory");
     free(name);
     return may;
 }
@@ -81,21 +74,37 @@ static void put(FILE *stream, const char *text)
     text_put_json(stream, text, strlen(text));
 }
 
-/* {"@id": "NAME"}, with what is put behind the name. */
-static void put_reference(FILE *stream, const char *name, const char *behind)
+/* The name of a table, or of the scenario beside it. */
+static void put_name(FILE *stream, const char *table, bool beside)
 {
     char *whole;
-    if (asprintf(&whole, "%s%s", name, behind) < 0)
+    if (asprintf(&whole, "%s%s", base_name(table), beside ? ".ini" : "") < 0)
         return;
-    fputs("{\"@id\": ", stream);
     put(stream, whole);
-    fputc('}', stream);
     free(whole);
 }
 
-static void put_root(FILE *stream, const Part parts[PARTS], const Settings *settings, const char *date)
+static void put_reference(FILE *stream, const char *table, bool beside)
+{
+    fputs("{\"@id\": ", stream);
+    put_name(stream, table, beside);
+    fputc('}', stream);
+}
+
+/* All tables, and what stands beside them, parted by commas. */
+static void put_references(FILE *stream, const Crate *crate, bool beside)
 {
     bool first = true;
+    for (int i = 0; i < CRATE_TABLES_MAX; i++)
+        for (int k = 0; crate->tables[i].file && k <= (beside && crate->source); k++) {
+            fputs(first ? "" : ", ", stream);
+            put_reference(stream, crate->tables[i].file, k > 0);
+            first = false;
+        }
+}
+
+static void put_root(FILE *stream, const Crate *crate, const Settings *settings, const char *date)
+{
     fputs("  {\n   \"@id\": \"./\",\n   \"@type\": \"Dataset\",\n   \"name\": ", stream);
     put(stream, *settings->title ? settings->title : settings->problem->title);
     fputs(",\n   \"description\": ", stream);
@@ -105,50 +114,39 @@ static void put_root(FILE *stream, const Part parts[PARTS], const Settings *sett
         ",\n   \"datePublished\": \"%s\",\n   \"license\": \"not stated: it is for the author to choose\",\n"
         "   \"hasPart\": [",
         date);
-    for (int i = 0; i < PARTS; i++)
-        if (parts[i].file)
-            for (int k = 0; k < 2; k++) {
-                fputs(first ? "" : ", ", stream);
-                put_reference(stream, base_name(parts[i].file), k ? ".ini" : "");
-                first = false;
-            }
+    put_references(stream, crate, true);
     fputs("]\n  },\n", stream);
 }
 
-static void put_file(FILE *stream, const char *name, const char *behind, const char *description,
+static void put_file(FILE *stream, const char *table, bool beside, const char *description,
                      const char *format)
 {
-    char *whole;
-    if (asprintf(&whole, "%s%s", name, behind) < 0)
-        return;
     fputs("  {\n   \"@id\": ", stream);
-    put(stream, whole);
+    put_name(stream, table, beside);
     fputs(",\n   \"@type\": \"File\",\n   \"name\": ", stream);
-    put(stream, whole);
+    put_name(stream, table, beside);
     fprintf(stream, ",\n   \"description\": \"%s\",\n   \"encodingFormat\": \"%s\"\n  },\n", description,
             format);
-    free(whole);
 }
 
 /* How the tables came to be: the program made them of the scenario. */
-static void put_action(FILE *stream, const Part parts[PARTS])
+static void put_action(FILE *stream, const Crate *crate)
 {
-    bool first = true;
-    fputs("  {\n   \"@id\": \"#run\",\n   \"@type\": \"CreateAction\",\n   \"name\": \"matvib run\",\n"
-          "   \"instrument\": {\"@id\": \"#matvib\"},\n   \"object\": ",
-          stream);
-    put_reference(stream, base_name(first_file(parts)), ".ini");
-    fputs(",\n   \"result\": [", stream);
-    for (int i = 0; i < PARTS; i++)
-        if (parts[i].file) {
-            fputs(first ? "" : ", ", stream);
-            put_reference(stream, base_name(parts[i].file), "");
-            first = false;
-        }
+    fprintf(stream,
+            "  {\n   \"@id\": \"#run\",\n   \"@type\": \"CreateAction\",\n   \"name\": \"%s\",\n"
+            "   \"instrument\": {\"@id\": \"#matvib\"},\n",
+            crate->command);
+    if (crate->source) {
+        fputs("   \"object\": ", stream);
+        put_reference(stream, first_file(crate), true);
+        fputs(",\n", stream);
+    }
+    fputs("   \"result\": [", stream);
+    put_references(stream, crate, false);
     fputs("]\n  },\n", stream);
 }
 
-static void put_crate(FILE *stream, const Part parts[PARTS], const Settings *settings, const char *date)
+static void put_crate(FILE *stream, const Crate *crate, const Settings *settings, const char *date)
 {
     fprintf(stream,
             "{\n \"@context\": \"https://w3id.org/ro/crate/1.1/context\",\n \"@graph\": [\n"
@@ -156,30 +154,29 @@ static void put_crate(FILE *stream, const Part parts[PARTS], const Settings *set
             "   \"conformsTo\": {\"@id\": \"https://w3id.org/ro/crate/1.1\"},\n"
             "   \"about\": {\"@id\": \"./\"}\n  },\n",
             file_name);
-    put_root(stream, parts, settings, date);
-    for (int i = 0; i < PARTS; i++)
-        if (parts[i].file) {
-            put_file(stream, base_name(parts[i].file), "", parts[i].description, "text/csv");
-            put_file(stream, base_name(parts[i].file), ".ini",
-                     "Scenario that made it: matvib run with this file writes the same bytes", "text/plain");
-        }
-    put_action(stream, parts);
+    put_root(stream, crate, settings, date);
+    for (int i = 0; i < CRATE_TABLES_MAX; i++) {
+        const CrateTable *table = &crate->tables[i];
+        if (table->file)
+            put_file(stream, table->file, false, table->description, "text/csv");
+        if (table->file && crate->source)
+            put_file(stream, table->file, true, crate->source, "text/plain");
+    }
+    put_action(stream, crate);
     fputs("  {\n   \"@id\": \"#matvib\",\n   \"@type\": \"SoftwareApplication\",\n   \"name\": \"matvib\",\n"
           "   \"softwareVersion\": \"" PACKAGE_VERSION "\"\n  }\n ]\n}\n",
           stream);
 }
 
-bool crate_write(const Outputs *outputs, const Settings *settings, const char *date, Status *status)
+bool crate_write(const Crate *crate, const Settings *settings, const char *date, Status *status)
 {
-    Part parts[PARTS];
     OutputFile file;
-    list_parts(outputs, parts);
-    char *name = metadata_name(first_file(parts));
+    char *name = metadata_name(first_file(crate));
     if (!name)
         return status_fail(status, STATUS_FAILED, "out of memory");
-    bool sound = output_open(&file, outputs->asker, name, outputs->force, status);
+    bool sound = output_open(&file, crate->asker, name, crate->force, status);
     if (sound) {
-        put_crate(file.stream, parts, settings, date);
+        put_crate(file.stream, crate, settings, date);
         sound = output_finish(&file, status) && output_commit(&file, status);
         output_close(&file);
     }
