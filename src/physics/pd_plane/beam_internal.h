@@ -182,7 +182,7 @@ void beam_look_for_rest(Beam *beam, long step);
 bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status);
 bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *status);
 
-/* plate/loads.c: what loads and moving supports do to row j. */
+/* plate/beam_loads.c: what loads and moving supports do to row j. */
 void beam_load_force(const Beam *beam, const Load *, double time, double force[2]); /* on a node, N/m^3 */
 void beam_add_loads(Beam *beam, int j, double time);                                /* to its forces */
 void beam_note_work(Beam *beam, int j, long step); /* in the drift, and ... */
