@@ -27,6 +27,9 @@ run() { # SCENARIO OPTIONS...
 		/^L2 / { after("v", "v_error"); after("cells", "lag") }
 		/^sent back/ { after("R", "reflected"); after("T", "transmitted") }
 		/^invariant/ { print "invariant", $2 }
+		/^middle / { for (i = 1; i < NF; i++) if ($i == "by") print "off", -1e6 * $(i + 1)
+			sub(/.*over Timoshenko/, "over"); print "sag", 100 * ($2 - 1) }
+		/ steps to t = / { print "end", 1e3 * $6 }
 		/^last particle/ { after("u", "u_last") }
 		/^angle / { before("10", "angle10"); before("38", "angle38") }
 		/^tip.s speed / { after("=", "of_rayleigh") }
@@ -182,6 +185,16 @@ run column
 claim $scenario/column.ini "its last particle " 0.315 " lower" u_last
 claim $lesson/hang.lesson "hangs " 0.315 " lower" u_last
 
+run hanging-beam
+claim $lesson/rest.lesson "of its largest, at " 2.1 " ms" end
+claim $lesson/rest.lesson "within " 4 " millionths" off
+claim $lesson/rest.lesson "hangs " 2.4 " % lower" sag
+run hanging-beam --set pd.surface_correction=none
+claim $lesson/rest.lesson "" 48 " % more than theory" sag
+run hanging-beam --set time.rest=no --set damping.rate=0 --end 0.002 --series swing.csv
+awk -F, 'NR > 1 && $3 / $6 > most { most = $3 / $6 } END { print "most", most }' swing.csv >measured
+claim $lesson/rest.lesson "down to " 2.0 " times as far" most
+
 run mode5-peridynamics
 claim $scenario/mode5-peridynamics.ini "The frequency is " 1.2 " % too low" predicted_error
 
@@ -213,6 +226,7 @@ claim $lesson/skin.lesson "The period falls to " 0.865 " ms" measured 1000
 claim $lesson/skin.lesson "That this is " 0.2 " % from theory" period_error
 claim $lesson/skin.lesson "half a millimetre too short (-" 1.0 " %)" size
 claim $lesson/skin.lesson "still a little soft (+" 1.2 " %)" skin
+claim $lesson/rest.lesson "Its period was " 1.2 " % too long" skin
 claim $lesson/skin.lesson "Bending theory says " 0.864 " ms" exact 1000
 claim $scenario/supported-beam.ini "which counts shear, is " 0.864 " ms" exact 1000
 run supported-beam-coarse --set pd.surface_correction=none

@@ -80,6 +80,12 @@ double quantity_predicted_kept(VerifyRun *run, const VerifyRow *row)
     return scaled(row, run->readout.kept_predicted);
 }
 
+double quantity_decay_ratio(VerifyRun *run, const VerifyRow *row)
+{
+    (void)row;
+    return log(run->readout.kept_measured) / log(run->readout.kept_predicted);
+}
+
 static double derived_of(const VerifyRun *run, const char *name)
 {
     for (int i = 0; i < run->n_derived; i++)

@@ -18,6 +18,7 @@ double quantity_period_error(VerifyRun *, const VerifyRow *);
 double quantity_predicted_period_error(VerifyRun *, const VerifyRow *);
 double quantity_kept(VerifyRun *, const VerifyRow *); /* share of the energy that one period keeps */
 double quantity_predicted_kept(VerifyRun *, const VerifyRow *);
+double quantity_decay_ratio(VerifyRun *, const VerifyRow *); /* rate of decay, measured over predicted */
 double quantity_derived_number(VerifyRun *, const VerifyRow *); /* column: its name; scale */
 double quantity_longer_than(VerifyRun *,
                             const VerifyRow *); /* period, percent; other: the scenario of the shorter */
