@@ -98,7 +98,7 @@ static void suspend(void *context)
 }
 
 /* What of the screen changes with a single step goes without saying there, a stage apart. */
-static bool is_due(const Plain *plain, TellPart part, bool moved_far)
+static bool is_due(const Plain *plain, TellPart part, bool still, bool moved_far)
 {
     const Screen *screen = &plain->lab.screen;
     const bool first = !plain->last[TELL_WHERE].text;
@@ -107,6 +107,8 @@ static bool is_due(const Plain *plain, TellPart part, bool moved_far)
         return experiment_stage(screen->experiment) > 0 || rests || (first && !screen->lesson.open);
     if (part == TELL_UPPER || part == TELL_LOWER)
         return moved_far || first;
+    if (part == TELL_BODY)
+        return still && !first;
     if (part == TELL_FOCUS || part == TELL_PARAMETER)
         return !first;
     return true;
@@ -149,7 +151,7 @@ static void tell_changes(Plain *plain)
         tell_part(screen, (TellPart)part, &words);
         const char *text = words.text ? words.text : "", *before = plain->last[part].text;
         const bool is_news = strcmp(text, before ? before : "") != 0;
-        if (is_news && is_due(plain, (TellPart)part, moved_far) &&
+        if (is_news && is_due(plain, (TellPart)part, still, moved_far) &&
             (was_told || part != TELL_STAGE || !before))
             part == TELL_LESSON ? tell_page(plain, text, before ? before : "") : put(plain, text);
         if (words.lost)

@@ -12,7 +12,7 @@
 #include <string.h>
 
 /* As large as what is drawn there asks for; what adapts itself to the room leaves nothing out. */
-enum { TALL = 60, HELP_ROWS = 2000, SKETCH_ROWS = 24, BODY_ROWS = 3 };
+enum { TALL = 60, HELP_ROWS = 2000, SKETCH_ROWS = 24, DIGITS = 5 };
 
 static const struct {
     const char *word;
@@ -111,6 +111,32 @@ static void tell_parameter(const Screen *screen, Words *words)
                                                      : "The next line is its value; Esc leaves it.");
 }
 
+/* "50 particles, 34 nodes.", then what the table has of the chosen one. */
+static void tell_body(const Screen *screen, Words *words)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const int set = screen->chosen.is_node && sim->n_sets > 1;
+    const size_t wanted = set ? screen->chosen.node : screen->chosen.particle;
+    const size_t index = wanted < sim->counts[set] ? wanted : sim->counts[set] - 1;
+    char text[1200] = "";
+    for (int i = 0; i < sim->n_sets; i++)
+        text_append(text, sizeof text, "%s%zu %s", i ? ", " : "", sim->counts[i], sim->sets[i].plural);
+    text_append(text, sizeof text, ". Chosen is %s %zu:", sim->sets[set].name, index);
+    for (int i = 0; i < sim->n_fields; i++) {
+        const Field *field = &sim->fields[i];
+        char value[NUMBER_TEXT_MAX], unit[40];
+        double number = NAN;
+        if (field->set != set || !field->in_table)
+            continue;
+        sim->method->field(sim, i, index, 1, &number);
+        text_rounded(value, number, DIGITS);
+        screen_unit_text(screen, field, unit, sizeof unit);
+        text_append(text, sizeof text, " %s %s%s,", field->quantity.label, value, unit);
+    }
+    text[strlen(text) - 1] = '.';
+    words_say(words, 2, "%s", text);
+}
+
 void tell_view(const Screen *screen, const View *view, Words *words)
 {
     const char *variant = view_variant_word(view, screen, view_variant(view, screen));
@@ -168,7 +194,7 @@ void tell_part(const Screen *screen, TellPart part, Words *words)
         tell_drawn(screen, pane_parameters, PARAMETER_ROWS_MAX, false, words);
         break;
     case TELL_BODY:
-        tell_drawn(screen, pane_mesh, BODY_ROWS, false, words);
+        tell_body(screen, words);
         break;
     case TELL_HELP:
         tell_drawn(screen, help_draw, HELP_ROWS, false, words);

@@ -13,13 +13,13 @@ typedef enum TellPart {
     TELL_WHERE, /* scenario, time, step, state */
     TELL_FOCUS, /* which pane the keys go to */
     TELL_PARAMETER,
+    TELL_BODY,  /* what it is made of, and the chosen particle or node with its numbers */
     TELL_STAGE, /* the stage at hand; between steps what comes, at the end what came out */
     TELL_UPPER,
     TELL_LOWER,
     TELL_INSPECTOR,
     TELL_PARTS, /* so far what is told by itself when it has changed; the others are asked for */
     TELL_PARAMETERS = TELL_PARTS,
-    TELL_BODY, /* the mesh or the lattice */
     TELL_HELP,
     TELL_COUNT
 } TellPart;
