@@ -61,6 +61,47 @@ static void add_joint(BarCase *bar)
     bar->def.joint_density = 2;
 }
 
+/* M(i, j) as the fields tell it against (1 - mu) sum m N_i N_j + mu sum m N_i by the particles' own shape
+ * functions, those of either material with their own mass. */
+START_TEST(rows_across_a_joint)
+{
+    enum { NODES_MAX = 64, SHAPES_MAX = 8 };
+    const double mu = 0.5;
+    BarCase bar = bar_case(3, 0.05);
+    bar.def.shape = (MpmShape)_i;
+    bar.def.mass_blend = mu;
+    add_joint(&bar);
+    Simulation *sim = bar_case_create(&bar);
+    advance(sim, 20);
+    Status status;
+    ck_assert(simulation_stage(sim, &status) && simulation_stage(sim, &status));
+    const size_t n = sim->counts[1];
+    ck_assert_uint_le(n, NODES_MAX);
+    double by_hand[NODES_MAX][NODES_MAX] = {{0}}, *x0 = field_now(sim, 0, "x0");
+    for (size_t p = 0; p < sim->counts[0]; p++) {
+        Link nodes[SHAPES_MAX];
+        const size_t count = sim->method->links(sim, 0, p, nodes, SHAPES_MAX);
+        const double mass = (x0[p] > 12 ? 2 : 1) * 0.5; /* two particles in a cell of length 1 */
+        for (size_t a = 0; a < count; a++) {
+            by_hand[nodes[a].index][nodes[a].index] += mu * mass * nodes[a].weight;
+            for (size_t b = 0; b < count; b++)
+                by_hand[nodes[a].index][nodes[b].index] +=
+                    (1 - mu) * mass * nodes[a].weight * nodes[b].weight;
+        }
+    }
+    static const char *const names[] = {"mass_0", "mass_1", "mass_2", "mass_3"};
+    for (size_t d = 0; d < 4 && simulation_find_field(sim, 1, names[d]) >= 0; d++) {
+        double *mass = field_now(sim, 1, names[d]);
+        for (size_t i = 0; i + d < n; i++)
+            ck_assert_msg(fabs(mass[i] - by_hand[i][i + d]) <= 1e-14, "M(%zu,%zu): %.17g is not %.17g", i,
+                          i + d, mass[i], by_hand[i][i + d]);
+        free(mass);
+    }
+    free(x0);
+    simulation_destroy(sim);
+}
+END_TEST
+
 /* sum m v of the particles. */
 static double momentum_of(const Simulation *sim)
 {
@@ -349,9 +390,11 @@ END_TEST
 
 void add_cases(Suite *suite)
 {
-    TCase *test = tcase_create("mass");
+    TCase *rows = tcase_create("rows"), *test = tcase_create("mass");
+    tcase_add_loop_test(rows, rows_add_up, 0, 7);
+    tcase_add_loop_test(rows, rows_across_a_joint, MPM_HAT, MPM_CPDI + 1);
+    suite_add_tcase(suite, rows);
     tcase_set_timeout(test, 240);
-    tcase_add_loop_test(test, rows_add_up, 0, 7);
     tcase_add_loop_test(test, momentum_is_kept, 0, 2);
     tcase_add_loop_test(test, runs_are_as_predicted, 0, 3);
     tcase_add_loop_test(test, blends_keep_the_sharp_energy, 0, 12);
