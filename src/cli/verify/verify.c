@@ -9,8 +9,8 @@
 
 #include <string.h>
 
-static const VerifyCheck *const subjects[] = {verify_bar_checks, verify_field_checks, verify_beam_checks,
-                                              verify_plane_checks, verify_crack_checks};
+static const VerifyCheck *const subjects[] = {verify_bar_checks,   verify_field_checks, verify_beam_checks,
+                                              verify_plane_checks, verify_crack_checks, verify_plate_checks};
 
 enum { SUBJECTS = sizeof subjects / sizeof *subjects };
 

@@ -21,5 +21,6 @@ extern const VerifyCheck verify_field_checks[]; /* tests of the field on the bar
 extern const VerifyCheck verify_beam_checks[];  /* beams that vibrate: verify_beam.c */
 extern const VerifyCheck verify_plane_checks[]; /* the same by cells: verify_plane.c */
 extern const VerifyCheck verify_crack_checks[]; /* the notched beam: verify_crack.c */
+extern const VerifyCheck verify_plate_checks[]; /* plates: verify_plates.c */
 
 #endif

@@ -343,6 +343,14 @@ double quantity_energy_off_work(VerifyRun *run, const VerifyRow *row)
     return most;
 }
 
+double quantity_energy_gained(VerifyRun *run, const VerifyRow *row)
+{
+    (void)row;
+    const double *total = verify_column(run, "total"), *work = verify_column(run, "work");
+    const size_t last = run->count - 1;
+    return total && work ? 100 * ((at(run, total, last) - at(run, total, 0)) / at(run, work, last) - 1) : NAN;
+}
+
 /* --- by bisection ---------------------------------------------------------------------------------- */
 
 /* Whether a particle enters another cell: *out. */

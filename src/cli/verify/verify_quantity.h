@@ -53,6 +53,9 @@ double quantity_first_above(VerifyRun *, const VerifyRow *); /* time at which co
 double quantity_energy_left(VerifyRun *, const VerifyRow *);
 double quantity_energy_off_work(VerifyRun *, const VerifyRow *);
 
+/* What all energies have gained at the end beyond the start and the work, percent of the work. */
+double quantity_energy_gained(VerifyRun *, const VerifyRow *);
+
 /* The bar: the smallest velocity with which a particle of the scenario leaves its cell, by bisection; the
  * largest courant number with which a motion of all waves stays bounded, likewise, between from and to. */
 double quantity_crossing_velocity(VerifyRun *, const VerifyRow *);

@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Rows of plates: a crack that branches, and Kalthoff and Winkler's blow. Neither is in the two papers.
+ * Reference digits are those of two independent solvers; where every broken bond is the same at any order of
+ * summation the count is held exactly, else within 1 %. */
+#include "cli/verify/verify_checks.h"
+#include "cli/verify/verify_quantity.h"
+
+#define COARSE "branching-coarse"
+#define FINE   "branching"
+
+#define EXACTLY(count)                                                                                       \
+    {                                                                                                        \
+        count, count                                                                                         \
+    }
+#define CUT_ROW(label, run, count, ...)                                                                      \
+    {                                                                                                        \
+        .what = label, .scenario = run, .quantity = quantity_derived_number, .column = "cut_bonds",          \
+        .reference = EXACTLY(count), __VA_ARGS__                                                             \
+    }
+#define BROKEN_ROW(label, time, band, ...)                                                                   \
+    {                                                                                                        \
+        .what = label, .quantity = quantity_value_at, .column = "broken_bonds", .from = time,                \
+        .reference = band, __VA_ARGS__                                                                       \
+    }
+#define FIRST_ROW(label, us, tolerance, ...)                                                                 \
+    {                                                                                                        \
+        .what = label, .quantity = quantity_first_above, .column = "broken_bonds", .from = 1, .scale = 1e6,  \
+        .decimals = 2, .reference = WITHIN(us, tolerance), __VA_ARGS__                                       \
+    }
+/* breaking is of first order in the time step: a bond takes along what it has beyond its critical stretch */
+#define BALANCE_ROW(label, percent, ...)                                                                     \
+    {                                                                                                        \
+        .what = label, .quantity = quantity_energy_gained, .decimals = 2, .reference = {0, percent},         \
+        __VA_ARGS__                                                                                          \
+    }
+
+static const VerifyRow branching[] = {
+    CUT_ROW("coarse: bonds cut", COARSE, 3978, .full = false),
+    FIRST_ROW("first break, us", 6.7, 0.01, .full = false),
+    BROKEN_ROW("broken at 10 us", 10e-6, EXACTLY(188), .full = false),
+    BROKEN_ROW("broken at 25 us", 25e-6, EXACTLY(2659), .full = false),
+    BROKEN_ROW("broken at 50 us", 50e-6, EXACTLY(9622), .full = false),
+    BALANCE_ROW("energy gained, % of the work", 1.2, .full = false),
+    CUT_ROW("spacing 0.25 mm: bonds cut", FINE, 7978, .full = true),
+    FIRST_ROW("first break, us", 6.3, 0.01, .full = true),
+    BROKEN_ROW("broken at 25 us", 25e-6, WITHIN(5443, 54.43), .full = true),
+    BROKEN_ROW("broken at 50 us", 50e-6, WITHIN(19393, 193.93), .full = true),
+    BALANCE_ROW("energy gained, % of the work", 1.2, .full = true),
+};
+
+static const VerifyRow kalthoff[] = {
+    CUT_ROW("coarse: bonds cut", "kalthoff-coarse", 3956, .full = false),
+    FIRST_ROW("first break, us", 14, 0.01, .full = false),
+    BROKEN_ROW("broken at 30 us", 30e-6, EXACTLY(720), .full = false),
+    BROKEN_ROW("broken at 50 us", 50e-6, EXACTLY(5292), .full = false),
+    BROKEN_ROW("broken at 100 us", 100e-6, EXACTLY(16273), .full = false),
+    CUT_ROW("spacing 0.5 mm: bonds cut", "kalthoff", 7956, .full = true),
+    FIRST_ROW("first break, us", 13.5, 0.01, .full = true),
+    BROKEN_ROW("broken at 50 us", 50e-6, WITHIN(10286, 102.86), .full = true),
+    BROKEN_ROW("broken at 100 us", 100e-6, WITHIN(19682, 196.82), .full = true),
+};
+
+const VerifyCheck verify_plate_checks[] = {
+    {"P-branching", "a crack in glass branches: not from the two papers", VERIFY_ROWS(branching),
+     "The reference is that of two independent solvers."},
+    {"P-kalthoff", "cracks turn under a blow: not from the two papers", VERIFY_ROWS(kalthoff),
+     "The reference is that of two independent solvers."},
+    {NULL, NULL, NULL, 0, NULL},
+};
