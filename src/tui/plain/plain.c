@@ -107,8 +107,8 @@ static bool is_due(const Plain *plain, TellPart part, bool still, bool moved_far
         return experiment_stage(screen->experiment) > 0 || rests || (first && !screen->lesson.open);
     if (part == TELL_UPPER || part == TELL_LOWER)
         return moved_far || first;
-    if (part == TELL_BODY)
-        return still && !first;
+    if (part == TELL_BODY) /* within a step the stage tells of the chosen one */
+        return still && !first && experiment_stage(screen->experiment) == 0;
     if (part == TELL_FOCUS || part == TELL_PARAMETER)
         return !first;
     return true;
