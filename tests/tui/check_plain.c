@@ -285,6 +285,45 @@ START_TEST(units_go_with_their_numbers)
 }
 END_TEST
 
+/* 5 by 3 pieces with one that stands out. */
+static Words told_of_map(size_t greatest, double peak)
+{
+    Sketch sketch;
+    Words words = {.text = NULL};
+    const Axis axis = axis_make(0, 1, 5);
+    sketch_open(&sketch);
+    sketch_axes(&sketch, &axis, &axis, "x, mm");
+    sketch_heading(&sketch, "damage");
+    SketchMap *map = sketch_map(&sketch, 5, 3);
+    ck_assert_ptr_nonnull(map);
+    map->enlarged = 10;
+    for (size_t i = 0; i < 15; i++)
+        map->x[i] = map->y[i] = map->value[i] = 0;
+    map->value[greatest] = peak;
+    ck_assert(tell_sketch(&sketch, NAN, &words));
+    sketch_close(&sketch);
+    return words;
+}
+
+START_TEST(a_map_tells_what_stands_out)
+{
+    static const struct {
+        size_t piece;
+        double peak;
+        const char *said;
+    } cases[] = {{13, .5, "greatest: 0.5, 75 % along, at the upper edge."},
+                 {6, .5, "greatest: 0.5, 25 % along, 50 % up."},
+                 {1, -2, "least: -2, 25 % along, at the lower edge."},
+                 {1, 0, "everywhere 0."},
+                 {1, NAN, "1 nodes are too much damaged"}};
+    Words words = told_of_map(cases[_i].piece, cases[_i].peak);
+    ck_assert_msg(strstr(words.text, cases[_i].said), "not '%s' in: %s", cases[_i].said, words.text);
+    ck_assert_ptr_nonnull(strstr(words.text, "5 by 3 nodes, coloured by damage; displacements are drawn 10"));
+    is_plain(words.text);
+    words_close(&words);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("plain");
@@ -298,5 +337,6 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, strange_lines_do_no_harm);
     tcase_add_test(tcase, sentences_tell_what_a_curve_does);
     tcase_add_test(tcase, units_go_with_their_numbers);
+    tcase_add_loop_test(tcase, a_map_tells_what_stands_out, 0, 5);
     suite_add_tcase(suite, tcase);
 }

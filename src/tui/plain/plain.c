@@ -64,6 +64,13 @@ static void echo(Plain *plain, const char *line)
     put_words(plain, &words);
 }
 
+static void tell_where(Plain *plain)
+{
+    Words words = {.text = NULL};
+    tell_part(&plain->lab.screen, TELL_WHERE, &words);
+    put_words(plain, &words);
+}
+
 static void tell_asked(void *context, const char *text)
 {
     put(context, text);
@@ -75,7 +82,10 @@ static bool go_on(void *context)
     Plain *plain = context;
     if (plain->talks && wall() > plain->told_at + PROGRESS_SECONDS) {
         plain->told_at = wall();
-        say(plain, plain->lab.screen.message.text);
+        if (plain->lab.screen.message.text[0])
+            say(plain, plain->lab.screen.message.text);
+        else if (plain->lab.screen.experiment)
+            tell_where(plain);
         fflush(plain->out);
     }
     return signals_ended_by() == 0;
@@ -396,8 +406,13 @@ static bool read_lines(Plain *plain, FILE *in, const char *name, Status *status)
     InputLines lines = {.stream = in, .name = name};
     char line[LINE_BYTES_MAX + 1];
     InputGot got = INPUT_LINE;
-    while (!plain->lab.closed && signals_ended_by() == 0 &&
-           (got = input_line(&lines, line, sizeof line, status)) == INPUT_LINE) {
+    while (!plain->lab.closed && signals_ended_by() == 0) {
+        if (plain->talks) {
+            fputs("> ", plain->out);
+            fflush(plain->out);
+        }
+        if ((got = input_line(&lines, line, sizeof line, status)) != INPUT_LINE)
+            break;
         for (size_t end = strlen(line); end > 0 && line[end - 1] == ' ';)
             line[--end] = '\0';
         if (!plain_line(plain, line + strspn(line, " "), status))
@@ -423,6 +438,8 @@ int plain_play(FILE *in, const char *name, FILE *out, const LaboratoryOptions *o
     }
     free(plain);
     const int ended_by = signals_ended_by();
+    if (ended_by && status)
+        *status = (Status){STATUS_DONE, ""}; /* that reading was interrupted needs no word */
     signals_release();
     return ended_by ? 128 + ended_by : sound ? STATUS_DONE : (int)status->code;
 }

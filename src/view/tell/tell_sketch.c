@@ -318,35 +318,38 @@ static void place_of(const SketchMap *map, size_t piece, char out[NAME_MAX])
         snprintf(out, NAME_MAX, "%.0f %% along, %.0f %% up", along, 100.0 * row / (map->ny - 1));
 }
 
+/* "greatest: 1.2 J/m^3, 37 % along, at the upper edge." */
+static void say_piece(Words *words, const char *what, const SketchMap *map, size_t piece)
+{
+    char place[NAME_MAX], value[NUMBER_TEXT_MAX];
+    place_of(map, piece, place);
+    text_rounded(value, map->value[piece], DIGITS);
+    words_say(words, 4, "  %s: %s%s%s, %s.", what, value, map->unit[0] ? " " : "", map->unit, place);
+}
+
 static void say_map(const Sketch *sketch, Words *words)
 {
     const SketchMap *map = sketch->map;
     const size_t count = (size_t)map->nx * (size_t)map->ny;
     size_t least = count, greatest = count, shown = 0;
-    double sum = 0;
     for (size_t i = 0; i < count; i++) {
         if (!isfinite(map->value[i]))
             continue;
         shown++;
-        sum += fabs(map->value[i]);
         least = least == count || map->value[i] < map->value[least] ? i : least;
         greatest = greatest == count || map->value[i] > map->value[greatest] ? i : greatest;
     }
-    char place[NAME_MAX], value[NUMBER_TEXT_MAX], times[NUMBER_TEXT_MAX];
+    char times[NUMBER_TEXT_MAX], value[NUMBER_TEXT_MAX];
     text_factor(map->enlarged, times);
     words_say(words, 4, "  %d by %d nodes, coloured by %s; displacements are drawn %s times as large.",
               map->nx, map->ny, sketch->heading, times);
-    if (shown == 0)
-        return;
-    const char *gap = map->unit[0] ? " " : "";
-    place_of(map, greatest, place);
-    text_rounded(value, map->value[greatest], DIGITS);
-    words_say(words, 4, "  greatest: %s%s%s, %s.", value, gap, map->unit, place);
-    place_of(map, least, place);
-    text_rounded(value, map->value[least], DIGITS);
-    words_say(words, 4, "  least: %s%s%s, %s.", value, gap, map->unit, place);
-    text_rounded(value, sum / (double)shown, DIGITS);
-    words_say(words, 4, "  mean size: %s%s%s.", value, gap, map->unit);
+    if (shown > 0 && map->value[greatest] == map->value[least]) {
+        text_rounded(value, map->value[least], DIGITS);
+        words_say(words, 4, "  everywhere %s%s%s.", value, map->unit[0] ? " " : "", map->unit);
+    } else if (shown > 0) {
+        say_piece(words, "greatest", map, greatest);
+        say_piece(words, "least", map, least);
+    }
     if (shown < count)
         words_say(words, 4, "  %zu nodes are too much damaged to have a colour.", count - shown);
 }
