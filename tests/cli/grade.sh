@@ -69,6 +69,7 @@ result "and the same name the same" test "$(key_of '  Ada   Lovelace ')" = "$ada
 # --- sessions ---
 cat >play.script <<END
 wait 1
+expect Mode $mode.
 key Enter
 type 1e9
 key Enter
@@ -77,6 +78,12 @@ key Enter
 type $ada
 key Enter
 expect Right:
+key n b
+wait 1
+key Enter
+type 5
+key Enter
+expect Not 5.
 key n
 wait 1
 reject Done.
@@ -138,7 +145,7 @@ expect "three sessions" 0 own.lesson right.session wrong.session missing.session
 result "nothing else is said" test ! -s out -a ! -s err
 result "the table has a head" test "$(head -n 1 marks.csv)" = "name,exercise,value,right_answer,mark,tries,time,session,remark"
 result "and four rows a session" lines marks.csv 13
-result "the number is right, at the second try" row_is marks.csv right.session 1 "$ada,$ada,1,2"
+result "the number is right, at the second try, and stays so" row_is marks.csv right.session 1 "$ada,$ada,1,2"
 result "the goal is reached at once" row_is marks.csv right.session 2 "cell size 0.5,abs(error) < 2 % and cells <= 60 and time.end >= was time.end,1,1"
 result "the choice is right" row_is marks.csv right.session 3 "this,this,1,1"
 result "words have no mark, and are no formula" says marks.csv "^Ada Lovelace,4 Words,\"'=HYPERLINK(\"\"x\"\")\",,,1,"
@@ -232,7 +239,7 @@ result "the good one among them has its marks" row_is bad.csv right.session 1 "$
 edited right.session "s/^student .*/student $other/" other.raw
 sealed other.raw other.session
 expect "stolen, and sealed anew" 0 own.lesson other.session --output stolen.csv
-result "is wrong, for the name has another number" row_is stolen.csv other.session 1 "$ada,$(key_of "$other"),0,2"
+result "is wrong, for the name has another number" row_is stolen.csv other.session 1 "5,$(key_of "$other"),0,3"
 edited right.session 's/^scenario .*/scenario other/;s/^| cell_size.*/| cell_size = 5/' scenario.raw
 sealed scenario.raw scenario.session
 expect "another scenario at the start, sealed anew" 0 own.lesson scenario.session --output scenario.csv

@@ -88,6 +88,56 @@ START_TEST(a_sum_has_a_value)
 }
 END_TEST
 
+/* Each word is the number that it says. */
+START_TEST(a_word_is_its_number)
+{
+    static const struct {
+        const char *word;
+        double value;
+    } rows[] = {{"measured", 1},      {"predicted", 2},       {"exact", 3},          {"error", 4},
+                {"period_error", 5},  {"predicted_error", 6}, {"late", 7},           {"energy_change", 8},
+                {"end", 9},           {"steps", 10},          {"crack_start", 11},   {"crack_angle", 12},
+                {"crack_length", 13}, {"crack_speed", 14},    {"crack_cost", 15},    {"broken_bonds", 16},
+                {"dt", 17},           {"cells", 18},          {"rayleigh_speed", 19}};
+    RunSummary run = {
+        .readout = {.measured_known = true,
+                    .predicted_known = true,
+                    .exact_known = true,
+                    .measured = 1,
+                    .predicted = 2,
+                    .exact = 3,
+                    .error_frequency = 4,
+                    .error_period = 5,
+                    .predicted_error_frequency = 6,
+                    .late = 7},
+        .energy_measure = ENERGY_PERIOD,
+        .energy_change = 8,
+        .time = 9,
+        .steps = 10,
+        .crack_known = true,
+        .price_known = true,
+        .crack = {.measured = {.first_break = 11, .length = 13, .fastest = 14, .broken = 16}, .angle = 12},
+        .price = {.cost = {.total = 30, .area = 2}},
+        .n_derived = 3,
+        .derived = {{.name = "dt", .value = 17},
+                    {.name = "cells", .value = 18},
+                    {.name = "rayleigh_speed", .value = 19}}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const RunNumber *number = run_number_find(rows[i].word);
+        ck_assert_ptr_nonnull(number);
+        ck_assert_msg(number->value(&run, number->word) == rows[i].value, "%s", rows[i].word);
+    }
+    /* without them there is none */
+    run = (RunSummary){
+        .readout = {
+            .error_frequency = NAN, .error_period = NAN, .predicted_error_frequency = NAN, .late = NAN}};
+    for (const RunNumber *number = run_numbers; number->word; number++)
+        ck_assert_msg(strcmp(number->word, "end") == 0 || strcmp(number->word, "steps") == 0 ||
+                          isnan(number->value(&run, number->word)),
+                      "%s", number->word);
+}
+END_TEST
+
 static const struct {
     const char *text;
     bool holds;
@@ -282,6 +332,7 @@ static const struct {
               {"bar.density from 0.333 to 7.77", 0.333, 7.77, 17, 3},
               {"beam.youngs_modulus from 60e9 to 90e9", 60e9, 90e9, 17, 6},
               {"load.stress from 50e6 to 70e6", 50e6, 70e6, 17, 8},
+              {"time.end from 100 to 100.0001", 100, 100.0001, 17, 10},
               {"initial.amplitude from -1e-6 to 1e-6", -1e-6, 1e-6, 17, 7}};
 
 /* Spread over the range, within it, in few digits. */
@@ -375,6 +426,7 @@ void add_cases(Suite *suite)
     TCase *expressions = tcase_create("expressions"), *answers = tcase_create("answers");
     TCase *variants = tcase_create("variants");
     tcase_add_loop_test(expressions, a_sum_has_a_value, 0, (int)(sizeof sums / sizeof *sums));
+    tcase_add_test(expressions, a_word_is_its_number);
     tcase_add_loop_test(expressions, a_goal_holds_or_not, 0, (int)(sizeof truths / sizeof *truths));
     tcase_add_loop_test(expressions, what_is_no_expression_is_told, 0, (int)(sizeof wrong / sizeof *wrong));
     tcase_add_test(expressions, an_endless_one_is_refused);

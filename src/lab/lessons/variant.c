@@ -81,8 +81,11 @@ void variant_draw(const Variant *variant, const char *title, const char *student
     /* written as a whole number of steps, so that no rounding of a product is in it */
     char text[NUMBER_TEXT_MAX];
     snprintf(text, sizeof text, "%.0fe%d", (first + index) * mantissa, exponent);
-    enum { DIGITS = 6 }; /* more than it has */
-    text_rounded(out, strtod(text, NULL), DIGITS);
+    enum { DIGITS = 6 }; /* more than most have; 8.5e10 is read better than 85000000000 */
+    const double value = strtod(text, NULL);
+    text_rounded(out, value, DIGITS);
+    if (strtod(out, NULL) != value)
+        text_shortest(out, value);
 }
 
 bool variant_student(const char *text, char out[STUDENT_MAX], Status *status)
