@@ -74,6 +74,7 @@ static void write_page(Pen *pen, const Screen *screen)
                             rows[screen->parameters.selected].parameter == parameter;
         pane_parameter(screen, pen->area, pen->y++, parameter, chosen);
     }
+    pen->y += page->n_fields > 0; /* as behind a paragraph */
 }
 
 static void write_list(Pen *pen, const Screen *screen)
