@@ -33,6 +33,7 @@ open() {
 	result "$opened: the plot is there" says drawn 'v_cm'
 }
 
+# shellcheck disable=SC2016 # it is for the shell inside
 hidden='mount -t tmpfs none /usr/share/terminfo; for d in /lib/terminfo /etc/terminfo; do test ! -d $d || mount -t tmpfs none $d; done'
 if ! command -v script >/dev/null 2>&1; then
 	skip "terminals without descriptions" "no script(1)"

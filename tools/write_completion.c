@@ -91,8 +91,7 @@ static void write_words(void)
         } else if (strcmp(command_name(c), "verify") == 0) {
             for (int i = 0; verify_name(i); i++)
                 printf("%s%s", i ? " " : "", verify_name(i));
-        } else if (strcmp(command_name(c), "lesson") == 0 ||
-                   strcmp(command_name(c), "grade") == 0) {
+        } else if (strcmp(command_name(c), "lesson") == 0 || strcmp(command_name(c), "grade") == 0) {
             fputs("@file", stdout);
             for (int i = 0; builtin_lessons[i].name; i++)
                 printf(" %s", builtin_lessons[i].name);

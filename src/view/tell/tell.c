@@ -235,7 +235,8 @@ void tell_prompt(const Screen *screen, Words *words)
     if (prompt->yes_no)
         words_say(words, 2, "Answer y or n.");
     else if (prompt->text[0])
-        words_say(words, 2, "The next line is the answer; Esc leaves it; an empty line takes: %s", prompt->text);
+        words_say(words, 2, "The next line is the answer; Esc leaves it; an empty line takes: %s",
+                  prompt->text);
     else
         words_say(words, 2, "The next line is the answer; Esc leaves it.");
     if (prompt->problem[0])
