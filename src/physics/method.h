@@ -232,7 +232,12 @@ struct Simulation {
 
     double kinetic_left; /* of a run that is to end at rest: its kinetic energy over the largest; else 0 */
     bool at_rest; /* the run was to end at rest, and has: nothing moves any more; simulation_steps() stands */
-    bool failed;  /* the run cannot go on; failure says why */
+
+    /* Set by who keeps the rows of the series: of the rows of simulation_steps() only the last of a call need
+     * be whole, what takes long to find may be NAN in the others. */
+    bool spares_rows;
+
+    bool failed; /* the run cannot go on; failure says why */
     Status failure;
 };
 

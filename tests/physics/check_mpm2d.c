@@ -506,6 +506,29 @@ START_TEST(any_width_any_threads)
 }
 END_TEST
 
+/* Who looks at some columns only gets the others alike, and the last row whole. */
+START_TEST(rows_that_are_spared)
+{
+    const PlaneDef def = small(_i);
+    Simulation *whole = create(&def), *spared = create(&def);
+    double rows[20 * 16], again[20 * 16];
+    Status status;
+    long done;
+    const int null = simulation_find_series(whole, "kinetic_null"), n = whole->n_series;
+    spared->spares_rows = true;
+    ck_assert(simulation_steps(whole, 20, rows, &done, &status));
+    ck_assert(simulation_steps(spared, 20, again, &done, &status));
+    for (int k = 0; k < 20 * n; k++)
+        if (k % n == null && k / n != 19)
+            ck_assert(isnan(again[k]));
+        else
+            ck_assert_double_eq(again[k], rows[k]);
+    expect_same_state(whole, spared, "spared");
+    simulation_destroy(whole);
+    simulation_destroy(spared);
+}
+END_TEST
+
 /* A beam bent like a bow: nodes of neighbours do not stand side by side any more, and some particles are so
  * far from the others of their block that they give to the grid by themselves. */
 static PlaneDef bow(int number)
@@ -757,6 +780,7 @@ void add_cases(Suite *suite)
     tcase_add_test(test, an_empty_node_moves_with_the_beam);
     tcase_add_loop_test(test, one_run_one_set_of_bits, 0, VARIANTS);
     tcase_add_loop_test(test, any_width_any_threads, 0, WIDE_ONES);
+    tcase_add_loop_test(test, rows_that_are_spared, 0, 2);
     tcase_add_loop_test(test, bits_of_a_bow, 0, 6);
     tcase_add_test(test, memory_of_a_beam);
     tcase_add_test(test, live_parameters);

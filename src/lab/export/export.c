@@ -153,6 +153,7 @@ static bool prepare(Export *export, int threads, Status *status)
     export->sim = problem_simulate(settings, threads, status);
     if (!export->sim)
         return false;
+    export->sim->spares_rows = !export->outputs->series; /* then nobody reads them column by column */
     export->last = export->planned_last = problem_last_step(export->sim->dt, settings->time.end);
     if (!frames_plan(&export->frames, settings, export->sim->dt, export->last, status) ||
         !export_check_names(export, status))

@@ -64,7 +64,7 @@ static bool whole_steps(Simulation *sim, long count, double *rows, Status *statu
             return false;
         plane->sim.step++;
         if (rows)
-            plane_write_row(plane, rows + n * plane->sim.n_series);
+            plane_write_row(plane, rows + n * sim->n_series, !sim->spares_rows || n + 1 == count);
     }
     return true;
 }
