@@ -109,6 +109,14 @@ static void crack_lines(const CrackFacts *facts, double rayleigh, char first[160
     text_append(second, 160, " µs");
 }
 
+/* What comes to rest has no period, but other numbers. */
+static bool has_findings(const Screen *screen)
+{
+    Finding findings[FINDINGS_MAX];
+    return references_findings(experiment_references(screen->experiment),
+                               experiment_simulation(screen->experiment), findings) > 0;
+}
+
 bool beam_lines(const Screen *screen, int width, char first[160], char second[160])
 {
     const bool leaves = experiment_settings(screen->experiment)->problem->concerns & CONCERN_MOTION;
@@ -117,6 +125,8 @@ bool beam_lines(const Screen *screen, int width, char first[160], char second[16
     if (crack_facts(experiment_simulation(screen->experiment), &facts))
         crack_lines(&facts, crack_rayleigh_speed(experiment_settings(screen->experiment)), first, second);
     else if (!simulation_has(experiment_simulation(screen->experiment), HAS_PLANE))
+        return false;
+    else if (!experiment_readout(screen->experiment)->moving && has_findings(screen))
         return false;
     else if (!experiment_readout(screen->experiment)->moving)
         snprintf(first, 160, "nothing vibrates: no period to measure");

@@ -5,6 +5,7 @@
  */
 #include "view/plots/runs.h"
 #include "view/views/views.h"
+#include "view/views/waves_plane.h"
 
 #include "lab/answers/dispersion.h"
 
@@ -174,7 +175,15 @@ static void add_predicted(Plot *plot, const Run *run, int last, int every)
 /* --- the other ways of a method --- */
 
 enum { WAYS_MAX = 6 };
-static const char way_letters[WAYS_MAX] = {'l', '*', 'c', '2', '4', '6'};
+static const char transfer_letters[WAYS_MAX] = {'l', '*', 'c', '2', '4', '6'};
+static const char shape_letters[WAYS_MAX] = {'c', 'k', 'C', 'K'};
+
+static const char *letters_of(const Screen *screen)
+{
+    return simulation_has(experiment_simulation(screen->experiment), HAS_MESH) ? transfer_letters
+                                                                               : shape_letters;
+}
+
 static const Style way_styles[WAYS_MAX] = {STYLE_GHOST_A, STYLE_GHOST_B, STYLE_GHOST_C,
                                            STYLE_GHOST_D, STYLE_GHOST_E, STYLE_FAINT};
 
@@ -197,24 +206,25 @@ static int count_ways(const Settings *settings)
     return count;
 }
 
-static void add_ways(Plot *plot, const Settings *settings, int n_ways, int last, int every)
+static void add_ways(Plot *plot, const Settings *settings, const char *letters, int n_ways, int last,
+                     int every)
 {
     for (int i = 0; i < n_ways; i++) {
-        plot_begin(plot, STROKE_LINE, LINE_SOLID, way_styles[i], RANK_GHOST, way_letters[i]);
+        plot_begin(plot, STROKE_LINE, LINE_SOLID, way_styles[i], RANK_GHOST, letters[i]);
         for (int n = 1; n <= last; n += every)
             plot_point(plot, n, error_by_way(settings, i, n));
     }
 }
 
 /* A letter on each curve: colour alone tells nobody apart. */
-static void mark_ways(Area inner, const Axis *x, const Axis *y, const Settings *settings, int n_ways,
-                      int last)
+static void mark_ways(Area inner, const Axis *x, const Axis *y, const Settings *settings, const char *letters,
+                      int n_ways, int last)
 {
     for (int i = 0; i < n_ways; i++) {
         const int n = 1 + (last - 1) * (3 + i) / 10;
         const double error = error_by_way(settings, i, n);
         if (isfinite(error))
-            axes_mark(inner, x, y, n, error, (uint32_t)(unsigned char)way_letters[i], way_styles[i]);
+            axes_mark(inner, x, y, n, error, (uint32_t)(unsigned char)letters[i], way_styles[i]);
     }
 }
 
@@ -284,8 +294,8 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
         legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "predicted", NULL};
     for (int i = 0; i < n_ways; i++) {
         double unused;
-        snprintf(keys[i], sizeof keys[i], "%c:", way_letters[i]);
-        legend[n_legend++] = (Legend){LINE_SOLID, way_letters[i], way_styles[i],
+        snprintf(keys[i], sizeof keys[i], "%c:", letters_of(screen)[i]);
+        legend[n_legend++] = (Legend){LINE_SOLID, letters_of(screen)[i], way_styles[i],
                                       dispersion_other_way(settings, i, 1, &unused), keys[i]};
     }
     heading_draw(area, heading,
@@ -300,12 +310,12 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
         plot_point(&plot, 0, 0);
         plot_point(&plot, last, 0);
     }
-    add_ways(&plot, settings, n_ways, last, every);
+    add_ways(&plot, settings, letters_of(screen), n_ways, last, every);
     for (int i = 0; i < n_runs && predicted; i++)
         if (runs[i].experiment)
             add_predicted(&plot, &runs[i], last, every);
     plot_draw(&plot, inner);
-    mark_ways(inner, &x, &y, settings, n_ways, last);
+    mark_ways(inner, &x, &y, settings, letters_of(screen), n_ways, last);
     plot_close(&plot);
     draw_run_dots(inner, &x, &y, dots, n_dots);
 
@@ -472,14 +482,27 @@ static bool shows_ways(const Screen *screen, int variant)
     return variant == 1 + has_near(screen);
 }
 
+/* The bonds of a plane carry waves that know its directions. */
+static bool has_waves(const Screen *screen)
+{
+    return simulation_has(experiment_simulation(screen->experiment), HAS_PLANE | HAS_BONDS);
+}
+
 static int variants_of(const Screen *screen)
 {
+    if (has_waves(screen))
+        return 3;
     return 1 + has_near(screen) + (count_ways(experiment_settings(screen->experiment)) > 0);
 }
 
 static const char *word_of(const Screen *screen, int variant)
 {
-    return shows_ways(screen, variant) ? "transfers" : variant == 1 ? "near" : "all";
+    static const char *const waves[] = {"period", "pressure", "shear"};
+    if (has_waves(screen))
+        return waves[variant];
+    if (shows_ways(screen, variant))
+        return letters_of(screen) == shape_letters ? "shapes" : "transfers";
+    return variant == 1 ? "near" : "all";
 }
 
 static void draw(const Screen *screen, Area area, Style heading, int variant)
@@ -488,6 +511,8 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     if (simulation_has(experiment_simulation(screen->experiment), HAS_LINE))
         draw_bar(screen, area, heading, shows_ways(screen, variant) ? 0 : variant,
                  shows_ways(screen, variant));
+    else if (has_waves(screen) && variant > 0)
+        waves_plane_draw(screen, area, heading, variant == 2);
     else if (settings->problem->concerns & CONCERN_NOTCH)
         say_instead_of_period(area, heading);
     else if (!experiment_readout(screen->experiment)->moving)
@@ -499,7 +524,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
 const View view_dispersion = {
     .word = "dispersion",
     .brief = "errors",
-    .help = "dispersion: the error of every mode of this mesh; beams: period over horizon",
+    .help = "dispersion: error of every mode; beams: period over horizon, waves",
     .digit = 5,
     .home = PANE_LOWER,
     .draw = draw,

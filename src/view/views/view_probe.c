@@ -193,9 +193,11 @@ static void append_kept(const Readout *readout, bool predicted, bool narrow, cha
  * cut. */
 static void frequency_lines(const Screen *screen, int width, char first[160], char second[160])
 {
-    if (beam_lines(screen, width, first, second))
-        return;
     const Readout *readout = experiment_readout(screen->experiment);
+    if (beam_lines(screen, width, first, second)) {
+        append_kept(readout, screen_shows_predicted(screen), width < 52, second);
+        return;
+    }
     const bool exact = readout->exact_known && screen_shows_exact(screen);
     const bool predicted = readout->predicted_known && screen_shows_predicted(screen);
     if (!readout->moving) {

@@ -4,6 +4,7 @@
 #include "lab/problems/solvers.h"
 #include "physics/pd_bar/pd_bar.h"
 #include "theory/pd_bar.h"
+#include "theory/pd_waves.h"
 
 #include <errno.h>
 #include <math.h>
@@ -176,6 +177,23 @@ static const char *const of_continuum[] = {BAR_KEYS, BAR_MESH_KEYS, BAR_LATTICE_
 static const char *const of_lattice[] = {BAR_KEYS, BAR_MESH_KEYS, BAR_LATTICE_KEYS, NULL};
 static const char *const load_changes[] = {"load.body_force", "load.traction", NULL}; /* no frequency */
 
+/* Both shapes of the micromodulus on this lattice, and the integrals that they stand for. */
+static const char *other_way(const Settings *settings, int which, int number, double *frequency)
+{
+    static const char *const names[] = {"constant", "conical", "its integral", "its integral"};
+    BarTheory theory;
+    if (which >= (int)(sizeof names / sizeof *names) || !bar_theory_of(settings, &theory, NULL))
+        return NULL;
+    PdBarTheory lattice = bar_lattice_of(settings);
+    const double wave = bar_wave_number(&theory, number);
+    lattice.conical = which % 2 == 1;
+    const PdShape shape = lattice.conical ? PD_CONICAL : PD_CONSTANT;
+    *frequency = which < 2
+                     ? pd_bar_dispersion(&theory, &lattice, wave).frequency
+                     : wave * bar_wave_speed(&theory) * sqrt(pd_waves_line(shape, wave * lattice.horizon));
+    return names[which];
+}
+
 const Solver bar_by_pd = {
     .method = METHOD_PD,
     .understands = {[REFERENCE_EXACT] = {of_continuum, NULL},
@@ -190,4 +208,5 @@ const Solver bar_by_pd = {
     .readout = bar_read_out,
     .modes = modes,
     .mode = mode,
+    .other_way = other_way,
 };
