@@ -67,6 +67,38 @@ last_row() { # SCENARIO OPTIONS...
 		row.csv >measured
 }
 
+# Of a plate that is pulled, at some times (us): how far the crack has come along x (mm), from where on each of its
+# columns over a horizon has two branches; what it dissipated (mJ); when the first bond broke (us).
+plate() { # "TIMES" SCENARIO OPTIONS...
+	times=$1
+	shift
+	at=$(echo "$times" | sed 's/[0-9][0-9]*/&e-6/g; s/ /,/g')
+	"$MATVIB" run "$@" --particles tips.csv --at "$at" --series row.csv --force --quiet 2>err ||
+		result "matvib run $*" told_and_failed
+	awk -F, '
+		FNR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; file++; next }
+		file == 1 && $at["damage"] > 0.35 {
+			t = sprintf("%.0f", $at["time"] * 1e6); x = $at["x0"] * 1e3; y = $at["y0"] * 1e3
+			if (x > tip[t]) tip[t] = x
+			if (t in low && low[t, x] == "") low[t, x] = y
+			low[t]; if (last[t, x] != "" && y - last[t, x] > 0.75) split_at[t, x]; last[t, x] = y }
+		file == 2 { t = sprintf("%.1f", $at["time"] * 1e6)
+			if (!broke && $at["broken_bonds"] > 0) { broke = 1; print "first", t }
+			if (t + 0 == int(t)) print "cost" int(t), $at["dissipated"] * 1e3 }
+		END { for (t in tip) { print "tip" t, tip[t]
+			for (x = 50.25; x < 98; x += 0.5)
+				if ((t, x) in split_at && (t, x + 0.5) in split_at && (t, x + 1) in split_at && (t, x + 1.5) in split_at) {
+					print "branch" t, x; break } } }' tips.csv row.csv >measured
+}
+# The difference of two of them over the difference of their times or places, as one line more.
+slope() { # NAME OF FROM TO OVER FACTOR: (OF TO - OF FROM)/(OVER TO - OVER FROM), OVER "time": of the numbers themselves
+	awk -v name="$1" -v of="$2" -v from="$3" -v to="$4" -v over="$5" -v factor="$6" '
+		{ value[$1] = $2 }
+		END { length_of = over == "time" ? to - from : value[over to] - value[over from]
+			print name, factor * (value[of to] - value[of from]) / length_of }' measured >>measured.more
+	cat measured.more >>measured && rm measured.more
+}
+
 # What `matvib sound` says: the pitches as they are heard, their beat, the interval in cents.
 heard() { # SCENARIO OPTIONS...
 	"$MATVIB" sound "$@" --seconds 1 --output heard.wav --force >summary 2>err || result "matvib sound $*" told_and_failed
@@ -268,6 +300,32 @@ last_row notched-beam-coarse --set output.every=3000
 claim $lesson/crack.lesson "Of " 2.51 " J the crack" work
 claim $lesson/crack.lesson "the crack took " 0.14 "." dissipated
 claim $lesson/crack.lesson "Motion has " 2.21 ":" kinetic
+
+plate "10 20 22 24 30 34 50" branching-coarse
+slope early tip 10 20 time 1e3
+slope fast tip 20 22 time 1e3
+slope behind tip 24 34 time 1e3
+slope alone cost 10 20 tip 1
+slope branches cost 30 50 tip 1
+claim $lesson/branch.lesson "The first bond broke at " 6.7 " microseconds" first
+claim $lesson/branch.lesson "from 50 to " 63.75 " mm" tip20
+claim $lesson/branch.lesson "at " 1200 " m/s in the last ten" early
+claim $lesson/branch.lesson "and at " 70 " mm it split" branch50
+claim $lesson/branch.lesson "the tip made " 1750 " m/s" fast
+claim $lesson/branch.lesson "less, " 1150 " m/s" behind
+claim $lesson/branch.lesson "each millimetre took " 0.265 " mJ" alone
+claim $lesson/branch.lesson "along x takes " 0.69 " mJ" branches
+plate "20 60" pulled-plate --end 6e-5
+slope alone cost 20 60 tip 1
+claim $lesson/branch.lesson "later, at " 15.8 " microseconds" first
+claim $lesson/branch.lesson "Each millimetre costs " 0.26 " mJ" alone
+result "$lesson/branch.lesson: it stays alone" sh -c '! grep -q ^branch measured'
+plate 60 pulled-plate --end 6e-5 --set loads.top.sy=8e6 --set loads.bottom.sy=-8e6
+claim $lesson/branch.lesson "farther out, at " 74 " mm" branch60
+"$MATVIB" show branching-coarse >summary
+sed -n 's/^# *\([a-z_]*\) = \([^ ]*\).*/\1 \2/p' summary >measured
+claim $lesson/branch.lesson "has " 3036 " m/s in this glass" rayleigh_speed
+claim $lesson/branch.lesson "it is stretched by " 0.148 " %" critical_stretch 100
 
 # what takes longer: with MATVIB_LONG alone
 if [ -n "$MATVIB_LONG" ]; then
