@@ -25,6 +25,11 @@ bool inspector_move(Screen *, int x, int y, int page);
  * the particles. */
 void inspector_choose_across(Screen *, bool node);
 
+/* A node's row of the mass matrix, node by node with their sum, which is the node's mass: the rows that it
+ * takes, 0 where masses are lumped or not mapped yet, and the drawing, from row y on. */
+int inspector_mass_rows(const Simulation *, int set, size_t node);
+void inspector_draw_masses(const Simulation *, int set, size_t node, Area, int y);
+
 /* An end of the first bond, as the lattice counts them, that broke in a step; -1: none that is known. */
 long inspector_broken_node(const Screen *, long step);
 

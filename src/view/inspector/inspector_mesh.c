@@ -15,6 +15,7 @@ enum {
     FACTOR_WIDTH_MAX = 12,
     PRODUCT_WIDTH = 12,
     FACTOR_WIDTH_LEAST = 6,
+    MASSES_FROM = 9,     /* rows, for a node's row of the mass matrix below */
     LEAST_FOR_CELL = 60, /* columns; on fewer the cell is left out of the heading */
     HEAD_ROWS = 3 /* of a block: what it is, fields, formulas; and a row of scales where there are any */
 };
@@ -459,6 +460,10 @@ static void draw(const Screen *screen, Area area)
         y += area_print(area, 1, y, STYLE_NORMAL,
                         "stage %d, %s: nothing is passed on; before that:", sim->stage,
                         sim->stages[latest].name) > 0;
+    const int masses =
+        area.rect.height >= MASSES_FROM ? inspector_mass_rows(sim, subject.set, subject.index) : 0;
+    const int height = area.rect.height - masses; /* of the blocks */
+    bool drawn = false;
     for (int pass = 0; pass < 2; pass++)
         for (int stage = latest; stage >= 0; stage--)
             for (int takes = 1; takes >= 0; takes--) {
@@ -468,12 +473,15 @@ static void draw(const Screen *screen, Area area)
                                                         screen->look.glyphs == GLYPHS_ASCII, area.rect.width))
                     continue;
                 const int begin = y > 1 ? y + 1 : y;
-                const Plan plan = plan_of(screen->experiment, &subject, &block, area.rect.height - begin);
-                if (begin > 1 && (plan.shown < plan.all || begin + block_rows(&plan) > area.rect.height))
+                const Plan plan = plan_of(screen->experiment, &subject, &block, height - begin);
+                if (begin > 1 && ((drawn && plan.shown < plan.all) || begin + block_rows(&plan) > height))
                     continue;
                 draw_block(&subject, area, &block, &plan, begin);
                 y = begin + block_rows(&plan);
+                drawn = true;
             }
+    if (masses > 0)
+        inspector_draw_masses(sim, subject.set, subject.index, area, y < height ? y + 1 : height);
 }
 
 /* Left and right: the next thing; up: the node that the particle shares most with, down: the particle. */

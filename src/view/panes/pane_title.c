@@ -30,6 +30,20 @@ static void method_words_of(const Screen *screen, char *out, size_t size)
     }
 }
 
+/* "mu 0.5" where masses are not lumped; of a duel the runs' names say what differs. */
+static void blend_words_of(const Screen *screen, char *out, size_t size)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const Parameter *blend = parameter_find("mpm.mass_blend");
+    char value[LIST_MAX];
+    out[0] = '\0';
+    if (screen_second_run(screen) || !blend || !settings_have(settings, blend) ||
+        settings->mpm.mass_blend == blend->neutral)
+        return;
+    settings_spell(settings, blend, value);
+    snprintf(out, size, " mu %s", value);
+}
+
 static void pace_text(double pace, char *out, size_t size)
 {
     if (pace > 2.0 / 3 || pace <= 0) /* from here on the other form would say x1/1 */
@@ -116,8 +130,9 @@ static const char *headline_of(const Screen *screen)
 /* False: so much has no room, or would hide where the run stands. */
 static bool fill_title(const Screen *screen, const TitleForm *form, int width, Title *title)
 {
-    char time[48], words[2 * DUEL_NAME_MAX + 8];
+    char time[48], words[2 * DUEL_NAME_MAX + 8], blend[LIST_MAX + 4];
     method_words_of(screen, words, sizeof words);
+    blend_words_of(screen, blend, sizeof blend);
     const char *name = screen->scenario ? screen->scenario : "", *slash = strrchr(name, '/');
     name = slash && slash[1] ? slash + 1 : name;
     const Simulation *sim = experiment_simulation(screen->experiment);
@@ -143,7 +158,9 @@ static bool fill_title(const Screen *screen, const TitleForm *form, int width, T
     if (form->name)
         text_append(out, size, "%s%s", name, gap);
     if (form->words)
-        text_append(out, size, "%s%s", words, gap);
+        text_append(out, size, "%s%s%s", words, blend, gap);
+    else if (form->name && *blend)
+        text_append(out, size, "%s%s", blend + 1, gap);
     if (form->name && !form->close)
         text_append(out, size, " ");
     text_append(out, size, "%s", time);
