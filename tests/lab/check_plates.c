@@ -459,6 +459,25 @@ START_TEST(a_cut_along_nodes_is_told)
 }
 END_TEST
 
+/* Nodes on a cut hang on its right: rightwards on what is below, leftwards on what is above. */
+START_TEST(nodes_on_a_cut_hang_on_its_right)
+{
+    static const char *const cuts[] = {"0 10.5mm 100% 10.5mm", "100% 10.5mm 0 10.5mm"};
+    Settings settings = small_plate();
+    set(&settings, "cuts.a", cuts[_i]);
+    Simulation *sim = simulation_of(&settings, 1);
+    double *low = field_now(sim, BONDS, "y_i"), *high = field_now(sim, BONDS, "y_j"),
+           *cut = field_now(sim, BONDS, "notch");
+    const double row = 10.5e-3, above = _i == 0 ? row + 0.5e-3 : row - 0.5e-3;
+    for (size_t k = 0; k < sim->counts[BONDS]; k++)
+        ck_assert((cut[k] != 0) == ((low[k] < above) != (high[k] < above)));
+    free(low);
+    free(high);
+    free(cut);
+    simulation_destroy(sim);
+}
+END_TEST
+
 static const struct {
     const char *key, *value, *said;
 } refused[] = {
@@ -515,6 +534,7 @@ void add_cases(Suite *suite)
     tcase_add_test(plates, steps_and_stages_have_the_same_bits);
     LOOP(plates, the_probe_is_the_nearest_node, probes);
     LOOP(plates, a_cut_along_nodes_is_told, directions);
+    tcase_add_loop_test(plates, nodes_on_a_cut_hang_on_its_right, 0, 2);
     LOOP(plates, a_plate_that_is_none_is_refused, refused);
     suite_add_tcase(suite, plates);
 }
