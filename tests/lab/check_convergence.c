@@ -65,6 +65,28 @@ START_TEST(horizon_goes_to_nothing)
 }
 END_TEST
 
+/* A cone at m = 4, and the study of a lattice that is braked: its own period all the same. */
+START_TEST(a_cone_converges_faster)
+{
+    static const double none[] = {0.95748677629, 0.9127696879}; /* ms */
+    static const double energy[] = {0.85473345358, 0.84928103662};
+    for (int corrected = 0; corrected < 2; corrected++)
+        for (int braked = 0; braked < 2; braked++) {
+            Settings settings = beam(0.25e-3, corrected ? SURFACE_ENERGY : SURFACE_NONE);
+            settings.lattice.influence = INFLUENCE_CONICAL;
+            settings.damping.rate = braked ? DAMPING_CRITICAL : 0;
+            settings.time.rest = braked;
+            const ConvergenceStudy *study = study_of(&settings, "delta");
+            for (int k = 1; k < 3; k++) {
+                const ConvergencePoint point = point_of(study, &settings, k);
+                ck_assert(point.known);
+                ck_assert_double_eq_tol(1e3 * point.prediction.predicted / (corrected ? energy : none)[k - 1],
+                                        1, 1e-8);
+            }
+        }
+}
+END_TEST
+
 START_TEST(more_nodes_in_the_horizon)
 {
     static const double ratios[] = {0.9710222088639553, 0.9903040921705474, 0.9931990740292188,
@@ -145,6 +167,7 @@ void add_cases(Suite *suite)
 {
     TCase *studies = tcase_create("studies");
     tcase_add_test(studies, horizon_goes_to_nothing);
+    tcase_add_test(studies, a_cone_converges_faster);
     tcase_add_test(studies, more_nodes_in_the_horizon);
     tcase_add_test(studies, table_1_and_its_layers);
     tcase_add_test(studies, cells_of_a_bar_are_of_second_order);

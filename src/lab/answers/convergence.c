@@ -198,7 +198,9 @@ bool convergence_point(const ConvergenceStudy *study, const Settings *settings, 
         return true;
     const Solver *solver = problem_solver(refined.problem, refined.method);
     const bool lattice = refined.method == METHOD_PD;
-    refined.time.step = 0; /* each lattice has its own critical step */
+    refined.time.step = 0;     /* each lattice has its own critical step */
+    refined.time.rest = false; /* and its own period, however it is braked */
+    refined.damping.rate = 0;
     out->size = study->size_of(&refined);
     if (study->paper)
         out->paper = study->paper(k);
