@@ -211,7 +211,7 @@ static bool read_relation(Parser *parser)
 {
     static const struct {
         const char *token;
-        int kind;
+        ExpressionVerb kind;
     } relations[] = {{"<", STEP_LESS},      {"<=", STEP_NOT_MORE}, {">", STEP_MORE},
                      {">=", STEP_NOT_LESS}, {"=", STEP_EQUAL},     {"!=", STEP_UNEQUAL}};
     const int first = parser->out->n_steps;

@@ -23,27 +23,29 @@ enum { EXPRESSION_MAX = 240, EXPRESSION_STEPS_MAX = 96, EXPRESSION_CLAIMS_MAX = 
 
 typedef enum ExpressionKind { EXPRESSION_NUMBER, EXPRESSION_TRUTH } ExpressionKind;
 
+typedef enum ExpressionVerb {
+    STEP_CONSTANT,
+    STEP_WORD,
+    STEP_KEY,
+    STEP_MINUS,
+    STEP_ABS,
+    STEP_ADD,
+    STEP_SUBTRACT,
+    STEP_MULTIPLY,
+    STEP_DIVIDE,
+    STEP_LESS,
+    STEP_NOT_MORE,
+    STEP_MORE,
+    STEP_NOT_LESS,
+    STEP_EQUAL,
+    STEP_UNEQUAL,
+    STEP_AND,
+    STEP_OR
+} ExpressionVerb;
+
 /* One step of a calculation with a stack. */
 typedef struct ExpressionStep {
-    enum {
-        STEP_CONSTANT,
-        STEP_WORD,
-        STEP_KEY,
-        STEP_MINUS,
-        STEP_ABS,
-        STEP_ADD,
-        STEP_SUBTRACT,
-        STEP_MULTIPLY,
-        STEP_DIVIDE,
-        STEP_LESS,
-        STEP_NOT_MORE,
-        STEP_MORE,
-        STEP_NOT_LESS,
-        STEP_EQUAL,
-        STEP_UNEQUAL,
-        STEP_AND,
-        STEP_OR
-    } kind;
+    ExpressionVerb kind;
     bool was;
     double number;
     const RunNumber *word;
