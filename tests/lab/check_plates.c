@@ -349,7 +349,7 @@ START_TEST(supports_keep_their_velocity)
         expect_near("ux", ux[left], 2 * 50e-7, 1e-18);
         ck_assert_double_eq(ux[right], 0);
         ck_assert_double_eq(uy[right], 0);
-        ck_assert(held[left] && held[right] && !held[left + 1]);
+        ck_assert(held[left] == 1 && held[right] == 1 && held[left + 1] == 0);
     }
     free(vx);
     free(ux);
