@@ -32,6 +32,23 @@ bool crack_price(const Simulation *sim, const Settings *settings, CrackPrice *pr
     return crack_cost(sim, &price->cost) && price->cost.area > 0;
 }
 
+bool crack_price_of_fronts(const Simulation *sim, const Settings *settings, const CrackFronts *fronts,
+                           CrackPrice *price)
+{
+    CrackPath paths[CRACK_FRONTS_MAX * CRACK_PATHS_MAX];
+    int count = 0;
+    for (int f = 0; f < fronts->count; f++)
+        for (int k = 0; k < fronts->fronts[f].n_paths; k++)
+            paths[count++] = fronts->fronts[f].paths[k];
+    price->critical_energy = settings->bonds.critical_energy;
+    return crack_cost_along(sim, paths, count, fronts->length, &price->cost) && price->cost.area > 0;
+}
+
+double crack_speed_at(const CrackFronts *fronts, const CrackFront *front, size_t sample)
+{
+    return crack_fronts_speed(fronts, front, sample);
+}
+
 double crack_rayleigh_speed(const Settings *settings)
 {
     return crack_speed_rayleigh(settings->material.youngs_modulus, settings->material.density);

@@ -8,6 +8,7 @@
 #include "lab/settings/settings.h"
 #include "physics/pd_plane/fracture/crack.h"
 #include "physics/pd_plane/fracture/crack_cost.h"
+#include "physics/pd_plane/fracture/fronts.h"
 
 /* Paper P, section 3.3: the crack leaves the notch at about this angle. */
 #define CRACK_PAPER_ANGLE 30.0
@@ -35,6 +36,12 @@ typedef struct CrackPrice {
 /* False: there is no crack as yet, or s0 was changed on the way. It looks at every broken bond: for a table
  * or a summary, not for every row of a run. */
 bool crack_price(const Simulation *, const Settings *, CrackPrice *);
+
+/* The same of a plate, by the paths of its cracks. */
+bool crack_price_of_fronts(const Simulation *, const Settings *, const CrackFronts *, CrackPrice *);
+
+/* The speed of a front at one of the times that are kept, m/s; NAN: too near to the first or last. */
+double crack_speed_at(const CrackFronts *, const CrackFront *, size_t sample);
 
 /* The speed that no crack of this kind reaches, m/s. */
 double crack_rayleigh_speed(const Settings *);

@@ -177,6 +177,11 @@ const Readout *experiment_readout(Experiment *experiment)
     return &experiment->readout;
 }
 
+const CrackFronts *experiment_fronts(Experiment *experiment)
+{
+    return crack_fronts_update(&experiment->fronts, experiment->sim) ? &experiment->fronts : NULL;
+}
+
 const Spectrum *experiment_spectrum(Experiment *experiment, int column, SpectrumSpan span)
 {
     Spectrum *spectrum = &experiment->spectra[span];

@@ -11,6 +11,7 @@
 #define LAB_EXPERIMENT_H
 
 #include "lab/problems/references.h"
+#include "lab/answers/crack.h"
 #include "lab/answers/profile.h"
 #include "lab/run/record.h"
 #include "lab/settings/settings.h"
@@ -46,8 +47,10 @@ const Simulation *experiment_simulation(const Experiment *);
 References *experiment_references(const Experiment *);
 const Record *experiment_record(const Experiment *);
 const Column *experiment_columns(const Experiment *, int *count);
-const Ghost *experiment_ghosts(const Experiment *);                          /* GHOSTS_MAX of them */
-const char *experiment_advice(const Experiment *);                           /* "" or a line to be shown */
+const Ghost *experiment_ghosts(const Experiment *); /* GHOSTS_MAX of them */
+const char *experiment_advice(const Experiment *);  /* "" or a line to be shown */
+/* The cracks of a plate up to the present step, NULL: there are none. */
+const CrackFronts *experiment_fronts(Experiment *);
 const Readout *experiment_readout(Experiment *);                             /* see experiment_rest() */
 const Spectrum *experiment_spectrum(Experiment *, int column, SpectrumSpan); /* NULL: too few rows as yet */
 const Spectrum *experiment_ghost_spectrum(Experiment *, int ghost, int column, SpectrumSpan);

@@ -64,6 +64,7 @@ struct Experiment {
     bool flowing;        /* rows come in: it is worked out now and then only */
     Spectrum spectra[SPECTRUM_SPANS];
     Invariant invariant;
+    CrackFronts fronts;
     EventLog log;
     Derived derived[DERIVED_MAX];
     int n_derived; /* 0: not known */

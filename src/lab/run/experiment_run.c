@@ -128,6 +128,7 @@ void experiment_rewind(Experiment *experiment, Record *old)
 void experiment_close(Experiment *experiment)
 {
     references_destroy(experiment->refs);
+    crack_fronts_free(&experiment->fronts);
     simulation_destroy(experiment->sim);
     record_close(&experiment->record);
     history_close(&experiment->history);

@@ -176,6 +176,14 @@ void edit_nudge(Laboratory *lab, int direction, bool fine)
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
 }
 
+static bool accept_value(Laboratory *lab, Status *status)
+{
+    const Parameter *parameter = edit_selected(&lab->screen);
+    Settings settings = *experiment_settings(lab->screen.experiment);
+    return !parameter || (settings_set(&settings, parameter->key, lab->screen.parameters.edit.text, status) &&
+                          edit_change(lab, &settings, experiment_edit, status));
+}
+
 void edit_begin(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
@@ -195,23 +203,18 @@ void edit_begin(Laboratory *lab)
     screen->parameters.edit.problem[0] = '\0';
     screen->parameters.edit.open = true;
     lab->editing.fresh = true;
+    lab->editing.accept = accept_value;
 }
 
 /* True: taken, the editor is closed. */
 static bool accept_edit(Laboratory *lab)
 {
-    Screen *screen = &lab->screen;
-    const Parameter *parameter = edit_selected(&lab->screen);
-    Settings settings = *experiment_settings(lab->screen.experiment);
+    FieldEdit *edit = &lab->screen.parameters.edit;
     Status status = {STATUS_DONE, ""};
-    if (parameter && (!settings_set(&settings, parameter->key, screen->parameters.edit.text, &status) ||
-                      !edit_change(lab, &settings, experiment_edit, &status))) {
-        snprintf(screen->parameters.edit.problem, sizeof screen->parameters.edit.problem, "%.159s",
-                 status.text);
-        return false;
-    }
-    screen->parameters.edit.open = false;
-    return true;
+    edit->open = !lab->editing.accept(lab, &status);
+    if (edit->open)
+        snprintf(edit->problem, sizeof edit->problem, "%.159s", status.text);
+    return !edit->open;
 }
 
 void edit_key(Laboratory *lab, const Key *key)

@@ -13,11 +13,13 @@ enum { UNDO_MAX = 32 };
 
 typedef struct Editing {
     Settings *undo, *redo; /* UNDO_MAX each, the newest last */
+    Settings *draft;       /* of a row that is being moved: row_edit.h */
     int n_undo, n_redo;
-    bool changed;       /* since the last export: quitting asks */
-    double anchor_time; /* the time that edits in a row come back to, */
-    long anchor_step;   /* and the step that it was at the last of them; -1: none */
-    bool fresh;         /* the text in the field is the old value: a first character replaces it */
+    bool changed;                           /* since the last export: quitting asks */
+    double anchor_time;                     /* the time that edits in a row come back to, */
+    long anchor_step;                       /* and the step that it was at the last of them; -1: none */
+    bool (*accept)(Laboratory *, Status *); /* takes what stands in the open field; false: refused */
+    bool fresh; /* the text in the field is the old value: a first character replaces it */
 } Editing;
 
 /* The parameter in the chosen row; NULL: it has none. */

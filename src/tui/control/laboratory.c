@@ -20,7 +20,8 @@ bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Ho
     lab->utf8 = true;
     lab->editing.undo = calloc(UNDO_MAX, sizeof *lab->editing.undo);
     lab->editing.redo = calloc(UNDO_MAX, sizeof *lab->editing.redo);
-    if (!lab->editing.undo || !lab->editing.redo) {
+    lab->editing.draft = calloc(1, sizeof *lab->editing.draft);
+    if (!lab->editing.undo || !lab->editing.redo || !lab->editing.draft) {
         laboratory_close(lab);
         return status_fail(status, STATUS_FAILED, "out of memory");
     }
@@ -54,8 +55,9 @@ void laboratory_close(Laboratory *lab)
     overlay_close(&lab->overlay);
     free(lab->editing.undo);
     free(lab->editing.redo);
+    free(lab->editing.draft);
     lab->screen.experiment = NULL;
-    lab->editing.undo = lab->editing.redo = NULL;
+    lab->editing.undo = lab->editing.redo = lab->editing.draft = NULL;
 }
 
 bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)

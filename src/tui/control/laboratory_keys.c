@@ -2,6 +2,7 @@
 /* Where a key goes: to the question that is open, the field under edit, the help, or the table of commands.
  */
 #include "tui/control/laboratory.h"
+#include "tui/control/row_edit.h"
 #include "tui/control/session/session.h"
 
 #include <math.h>
@@ -73,6 +74,10 @@ static bool holds(Rect rect, int x, int y)
 static void click(Laboratory *lab, int x, int y)
 {
     Screen *screen = &lab->screen;
+    if (screen->parameters.rows.placing) {
+        row_edit_point(lab, x, y);
+        return;
+    }
     if (y == lab->height - 1) {
         CommandId id = screen_key_command(screen, lab->width, x);
         if (screen->help.open)
@@ -111,11 +116,13 @@ static void click(Laboratory *lab, int x, int y)
 }
 
 /* A value gets smaller to the left and larger to the right; the time follows the mouse. */
-static void drag(Laboratory *lab, int x)
+static void drag(Laboratory *lab, int x, int y)
 {
     enum { CELLS_A_NUDGE = 2 };
     const int nudges = (x - lab->held.drag_x) / CELLS_A_NUDGE;
-    if (lab->held.drag == DRAG_TIME) {
+    if (lab->screen.parameters.rows.placing) {
+        row_edit_point(lab, x, y);
+    } else if (lab->held.drag == DRAG_TIME) {
         player_seek(lab, screen_timeline_nearest(&lab->screen, lab->width, lab->height, x), 0);
     } else if (lab->held.drag == DRAG_VALUE && nudges != 0) {
         lab->screen.parameters.edit.open = false; /* the press began a drag, not an edit */
@@ -145,7 +152,7 @@ static bool mouse_key(Laboratory *lab, const Key *key)
         if (!busy)
             click(lab, key->x, key->y);
     } else if (drags) {
-        drag(lab, key->x);
+        drag(lab, key->x, key->y);
     } else if (strcmp(key->name, "WheelUp") == 0 || strcmp(key->name, "WheelDown") == 0) {
         if (!busy)
             wheel(lab, key->name[5] == 'U' ? -1 : 1, key->x, key->y);
@@ -231,7 +238,7 @@ static void take_key(Laboratory *lab, const Key *key)
     leave_refused(lab, key->name);
     if (command && is_for_everywhere(command->id))
         laboratory_command(lab, command->id);
-    else if (mouse_key(lab, key))
+    else if (mouse_key(lab, key) || (!lab->screen.prompt.open && row_edit_key(lab, key->name)))
         return;
     else if (lab->screen.prompt.open)
         prompt_key(lab, key);

@@ -120,6 +120,9 @@ void map_node_place(const Map *, size_t node, double *column, double *row);
 /* Where a place of the undeformed body is drawn now: it goes with the nodes around it. */
 void map_body_place(const Map *, double x, double y, double *column, double *row);
 
+/* The place of the undeformed body that is drawn in the middle of a cell, m. */
+void map_place_of(const Map *, int x, int y, double place[2]);
+
 /* The node drawn nearest to the middle of a cell; -1: none is near. */
 long map_node_at(const Map *, int x, int y);
 
@@ -135,11 +138,16 @@ typedef struct Pen {
 } Pen;
 void map_line(Map *, double from_x, double from_y, double to_x, double to_y, Pen);
 
+/* A line between two places of the body (m), bent with it. */
+void map_body_line(Map *, const double from[2], const double to[2], Pen);
+
 /* The parts of the picture, in the order in which they are drawn. */
 void map_draw_heat(Map *);
 void map_draw_bonds(Map *);
 void map_draw_mesh(Map *);
-void map_draw_lines(Map *); /* channel, notch, protected zones, crack, with the bonds */
+void map_draw_lines(Map *);           /* channel, notch, protected zones, crack, with the bonds */
+void map_draw_rows(Map *);            /* what a plate has by rows, and its cracks; by map_draw_lines() */
+void map_draw_row_signs(const Map *); /* likewise loads, tips, probe; by map_draw_signs() */
 void map_draw_nodes(Map *);
 void map_draw_mesh_nodes(Map *);
 void map_draw_signs(Map *); /* supports, load, chosen node */

@@ -26,7 +26,7 @@ MapScene map_scene(const Settings *settings)
                       .notched = concerns & CONCERN_NOTCH,
                       .pinned = !(concerns & CONCERN_SUPPORTS) || settings->supports.pinned,
                       .probe = {0.5, 0.5}};
-    scene.around = scene.leaves || scene.pressed;
+    scene.around = scene.leaves || scene.pressed || concerns & CONCERN_PLATE;
     scene.probe[0] = scene.leaves ? 1 : 0.5;  /* the tip */
     scene.probe[1] = scene.pressed ? 1 : 0.5; /* under the load */
     return scene;
@@ -88,6 +88,12 @@ void map_body_place(const Map *map, double x, double y, double *column, double *
     map_place(map, x, y, (map->ux[a] + map->ux[b]) / 2, (map->uy[a] + map->uy[b]) / 2, column, row);
 }
 
+void map_place_of(const Map *map, int x, int y, double place[2])
+{
+    place[0] = map->middle[0] + (x + 0.5 - map->area.rect.width / 2.0) / map->scale_x;
+    place[1] = map->middle[1] - (y + 0.5 - map->area.rect.height / 2.0) / map->scale_y;
+}
+
 long map_node_at(const Map *map, int x, int y)
 {
     long nearest = -1;
@@ -103,6 +109,11 @@ long map_node_at(const Map *map, int x, int y)
     }
     const double reach = 2 + map->body.spacing * map->scale_x;
     return least <= reach * reach ? nearest : -1;
+}
+
+bool map_has_mesh(const Map *map)
+{
+    return map->nodes_seen && simulation_has(map->sim, HAS_MESH);
 }
 
 /* --- scales --------------------------------------------------------------------------------------- */

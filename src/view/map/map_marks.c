@@ -15,68 +15,6 @@ enum { RANK_ZONE = 1, RANK_ANGLE, RANK_WALL, RANK_NOTCH, RANK_PATH };
 
 /* The letters are none of the ramp's. */
 
-/* --- lines ---------------------------------------------------------------------------------------- */
-
-static void mark_dot(Map *map, double x, double y, const Pen *pen, uint32_t letter)
-{
-    static const uint8_t bits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
-    const int column = (int)floor(x), row = (int)floor(y);
-    if (column < 0 || row < 0 || column >= map->area.rect.width || row >= map->area.rect.height)
-        return;
-    MapMark *mark = &map->marks[(size_t)row * (size_t)map->area.rect.width + (size_t)column];
-    mark->dots |= bits[(int)(4 * (y - row))][(int)(2 * (x - column))];
-    if (pen->rank < mark->rank)
-        return;
-    mark->rank = (uint8_t)pen->rank;
-    mark->style = (uint16_t)pen->style;
-    /* where lines cross neither direction stands for both */
-    mark->letter = mark->letter && mark->letter != letter && !pen->letter ? 'x' : letter;
-}
-
-/* A line's direction as a letter; a cell is twice as high as wide. */
-static uint32_t direction(double dx, double dy)
-{
-    const double across = fabs(dx), down = 2 * fabs(dy);
-    return across > 2 * down ? '-' : down > 2 * across ? '|' : (dx > 0) == (dy > 0) ? '\\' : '/';
-}
-
-void map_line(Map *map, double from_x, double from_y, double to_x, double to_y, Pen pen)
-{
-    const double dx = to_x - from_x, dy = to_y - from_y;
-    const double length = fmax(2 * fabs(dx), 4 * fabs(dy));
-    const bool dots = map->area.glyphs == GLYPHS_BRAILLE;
-    const uint32_t letter = pen.letter ? pen.letter : direction(dx, dy);
-    if (!(length < 1e5))
-        return;
-    if (map->area.canvas->sketch) {
-        map_sketch_line(map, from_x, from_y, to_x, to_y, pen.style, pen.every);
-        return;
-    }
-    const int steps = (int)ceil(length), every = dots && pen.every > 1 ? pen.every : 1;
-    for (int i = 0; i <= steps; i += every)
-        mark_dot(map, from_x + dx * i / (steps ? steps : 1), from_y + dy * i / (steps ? steps : 1), &pen,
-                 letter);
-}
-
-/* A line between two places of the body, bent with it. */
-static void body_line(Map *map, const double from[2], const double to[2], Pen pen)
-{
-    const double length = hypot(to[0] - from[0], to[1] - from[1]);
-    /* each piece begins with a dot: one of a dotted line must hold some of its gaps */
-    const double dots = 2 * length * map->scale_x, gaps = 2 * (pen.every > 1 ? pen.every : 1);
-    const int pieces = 1 + (int)fmin(fmin(40, length / (4 * map->body.spacing)), dots / gaps);
-    double x, y;
-    map_body_place(map, from[0], from[1], &x, &y);
-    for (int i = 1; i <= pieces; i++) {
-        const double share = (double)i / pieces;
-        double next_x, next_y;
-        map_body_place(map, from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1]), &next_x,
-                       &next_y);
-        map_line(map, x, y, next_x, next_y, pen);
-        x = next_x, y = next_y;
-    }
-}
-
 static void draw_marks(Map *map)
 {
     const Area area = map->area;
@@ -101,9 +39,9 @@ static void draw_marks(Map *map)
 static void draw_zone(Map *map, double left, double right, double edge, double inner)
 {
     const Pen pen = {STYLE_FRAME, RANK_ZONE, 2, '~'};
-    body_line(map, (double[]){left, edge}, (double[]){left, inner}, pen);
-    body_line(map, (double[]){left, inner}, (double[]){right, inner}, pen);
-    body_line(map, (double[]){right, inner}, (double[]){right, edge}, pen);
+    map_body_line(map, (double[]){left, edge}, (double[]){left, inner}, pen);
+    map_body_line(map, (double[]){left, inner}, (double[]){right, inner}, pen);
+    map_body_line(map, (double[]){right, inner}, (double[]){right, edge}, pen);
 }
 
 static void draw_crack(Map *map)
@@ -115,7 +53,7 @@ static void draw_crack(Map *map)
     double from[2] = {map->settings->notch.position, map->settings->notch.depth};
     for (size_t i = 0; i < count; i++) {
         const double to[2] = {x[i], y[i]};
-        body_line(map, from, to, pen);
+        map_body_line(map, from, to, pen);
         from[0] = to[0], from[1] = to[1];
     }
 }
@@ -135,8 +73,8 @@ static void draw_notch(Map *map)
     const double side = settings->loads.position < end[0] ? -1 : 1, rise = top - depth - end[1];
     const double at[2] = {end[0] + side * rise * tan(CRACK_PAPER_ANGLE * M_PI / 180), end[1] + rise};
     if (screen_shows_exact(map->screen))
-        body_line(map, end, at, (Pen){STYLE_FAINT, RANK_ANGLE, 4, '\''});
-    body_line(map, (double[]){end[0], 0}, end, (Pen){STYLE_HEADING, RANK_NOTCH, 1, '|'});
+        map_body_line(map, end, at, (Pen){STYLE_FAINT, RANK_ANGLE, 4, '\''});
+    map_body_line(map, (double[]){end[0], 0}, end, (Pen){STYLE_HEADING, RANK_NOTCH, 1, '|'});
     /* on paper the damage itself is seen well enough, and the line would hide it */
     if (!map->area.canvas->sketch || strcmp(map->colouring->field, "damage") != 0)
         draw_crack(map);
@@ -199,6 +137,7 @@ void map_draw_lines(Map *map)
         draw_channel(map);
     if (map->scene.notched)
         draw_notch(map);
+    map_draw_rows(map);
     if (!map->area.canvas->sketch)
         draw_marks(map);
 }
@@ -291,12 +230,15 @@ static void draw_chosen(Map *map)
 
 void map_draw_signs(Map *map)
 {
-    draw_load(map);
+    const bool by_rows = settings_have_rows(map->settings, ROWS_PROBE); /* loads and supports too */
+    if (!by_rows)
+        draw_load(map);
     if (map->scene.pressed && !map->nodes_seen && !map->area.canvas->sketch)
         name_lines(map);
-    if (!map->scene.leaves) {
+    if (!map->scene.leaves && !by_rows) {
         draw_supports(map, 0);
         draw_supports(map, (map->body.ny - 1) / 2);
     }
+    map_draw_row_signs(map);
     draw_chosen(map);
 }

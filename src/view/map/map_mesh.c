@@ -26,11 +26,6 @@ typedef struct MeshNodes {
     bool put_back; /* it has just come to its end */
 } MeshNodes;
 
-bool map_has_mesh(const Map *map)
-{
-    return map->nodes_seen && simulation_has(map->sim, HAS_MESH);
-}
-
 /* --- what the nodes have ---------------------------------------------------------------------------- */
 
 /* A field of all nodes, from before the stage where the grid has just been put back; NULL: no memory. */

@@ -39,6 +39,47 @@ static bool is_field(const Derived *derived, const Problem *problem)
     return false;
 }
 
+/* The rows of a plate of one kind under its section's name, and a place for a new one. */
+static int add_rows(const Screen *screen, int kind, ParameterRow *rows, int room)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const RowKind *about = &row_kinds[kind];
+    const RowList *list = &settings->rows[kind];
+    int count = 0;
+    if (!settings_have_rows(settings, kind))
+        return 0;
+    const int places = list->count + (about->fresh && list->count < ROWS_OF_KIND_MAX);
+    for (int row = 0; row < places && count + 1 < room; row++) {
+        const bool is_new = row == list->count;
+        if (!passes(&screen->parameters, is_new ? "" : list->rows[row].name, about->section))
+            continue;
+        if (count == 0)
+            rows[count++] = (ParameterRow){.heading = about->section, .derived = -1};
+        rows[count++] =
+            (ParameterRow){.derived = -1, .is_row = true, .kind = kind, .row = is_new ? ROW_NEW : row};
+    }
+    return count;
+}
+
+const Settings *screen_rows_shown(const Screen *screen, int *kind, int *row)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    const RowsShown *shown = &screen->parameters.rows;
+    *kind = *row = -1;
+    if (shown->placing) {
+        *kind = shown->kind;
+        *row = shown->row;
+        return shown->draft;
+    }
+    const int count = screen_parameter_rows(screen, rows), selected = screen->parameters.selected;
+    if (screen_is_focused(screen, PANE_PARAMETERS) && selected >= 0 && selected < count &&
+        rows[selected].is_row) {
+        *kind = rows[selected].kind;
+        *row = rows[selected].row;
+    }
+    return experiment_settings(screen->experiment);
+}
+
 int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS_MAX])
 {
     const Settings *settings = experiment_settings(screen->experiment);
@@ -53,6 +94,8 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
             rows[count++] = (ParameterRow){.heading = group = parameter->group, .derived = -1};
         rows[count++] = (ParameterRow){.parameter = parameter, .derived = -1};
     }
+    for (int kind = 0; kind < ROW_KINDS; kind++)
+        count += add_rows(screen, kind, rows + count, PARAMETER_ROWS_MAX - count);
     Derived derived[DERIVED_MAX];
     int n_derived = experiment_derived(screen->experiment, derived);
     bool begun = false;
@@ -95,6 +138,53 @@ int pane_parameters_first(const ParametersShown *shown, int count, int room)
     return first > 0 ? first : 0;
 }
 
+/* The field under edit, from column `from` on or, where that leaves too little, farther left. */
+static void draw_field(const Screen *screen, Area area, int y, int from)
+{
+    int room = area.rect.width - from < 12 ? 12 : area.rect.width - from,
+        cursor = screen->parameters.edit.cursor;
+    Area field = area_part(area, area.rect.width - room, y, room, 1);
+    const char *text = screen->parameters.edit.text;
+    for (; cursor >= room && *text; cursor--)
+        glyph_next(&text);
+    for (int x = 0; x < room; x++)
+        area_put(field, x, 0, ' ', STYLE_EDIT);
+    area_text(field, 0, 0, text, STYLE_EDIT);
+    area.canvas->cursor_x = field.rect.x + (cursor < room ? cursor : room - 1);
+    area.canvas->cursor_y = field.rect.y;
+}
+
+/* A row of a plate: its name and its values; while it is edited both are in the field, as in a file. */
+static void draw_row(const Screen *screen, Area area, int y, const ParameterRow *row, bool chosen)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const bool focused = chosen && screen_is_focused(screen, PANE_PARAMETERS);
+    const Style style = focused ? STYLE_SELECTED : row->row == ROW_NEW ? STYLE_FAINT : STYLE_NORMAL;
+    for (int x = 1; focused && x < area.rect.width; x++)
+        area_put(area, x, y, ' ', style);
+    if (focused && screen->parameters.edit.open) {
+        draw_field(screen, area, y, 1);
+        return;
+    }
+    if (row->row == ROW_NEW) {
+        char text[ROW_NAME_MAX + 8];
+        snprintf(text, sizeof text, "+ %s", row_kinds[row->kind].one);
+        area_text(area, 2, y, text, style);
+    } else {
+        char text[ROW_TEXT_MAX];
+        const int label = 2 + area_text(area, 2, y, settings->rows[row->kind].rows[row->row].name, style) +
+                          (row_kinds[row->kind].usual ? -1 : 0);
+        settings_row_show(settings, row->kind, row->row, text);
+        const int columns = glyphs_columns(text), room = area.rect.width - label - 1;
+        area_text(area_part(area, label + 1, y, room, 1), columns < room ? room - columns : 0, 0, text,
+                  style);
+    }
+    if (focused && !screen->prompt.open) {
+        area.canvas->cursor_x = area.rect.x + 1;
+        area.canvas->cursor_y = area.rect.y + y;
+    }
+}
+
 void pane_parameter(const Screen *screen, Area area, int y, const Parameter *parameter, bool chosen)
 {
     const Settings *settings = experiment_settings(screen->experiment);
@@ -118,16 +208,7 @@ void pane_parameter(const Screen *screen, Area area, int y, const Parameter *par
     int label = area_text(area_part(area, 0, y, label_width, 1), indent, 0, parameter->label, style) + indent;
 
     if (focused && screen->parameters.edit.open) {
-        int room = width - label - 1 < 12 ? 12 : width - label - 1, cursor = screen->parameters.edit.cursor;
-        Area field = area_part(area, width - room, y, room, 1);
-        const char *text = screen->parameters.edit.text;
-        for (; cursor >= room && *text; cursor--)
-            glyph_next(&text);
-        for (int x = 0; x < room; x++)
-            area_put(field, x, 0, ' ', STYLE_EDIT);
-        area_text(field, 0, 0, text, STYLE_EDIT);
-        area.canvas->cursor_x = field.rect.x + (cursor < room ? cursor : room - 1);
-        area.canvas->cursor_y = field.rect.y;
+        draw_field(screen, area, y, label + 1);
         return;
     }
     const int columns = glyphs_columns(value), room = width - label - 1;
@@ -185,6 +266,12 @@ static void draw_hint(const Screen *screen, Area area, const ParameterRow *row, 
     } else if (row->derived >= 0) {
         snprintf(unit, sizeof unit, "%s", derived[row->derived].unit);
         snprintf(range, sizeof range, "read only");
+    } else if (row->is_row) {
+        area_text(area, 2, area.rect.height - 2, row_kinds[row->kind].form, STYLE_FAINT);
+        snprintf(range, sizeof range, "%s",
+                 row->row == ROW_NEW          ? "Enter adds one"
+                 : row_kinds[row->kind].usual ? "Enter edits, p moves it"
+                                              : "p move  C copy  D delete");
     }
     if (unit[0] && strcmp(unit, "1") != 0)
         area_print(area, 2, area.rect.height - 2, STYLE_FAINT, real[0] ? "in %s, lattice %s" : "unit: %s",
@@ -209,6 +296,8 @@ void pane_parameters(const Screen *screen, Area area)
             area_text(area, 1, y, row->heading, focused ? STYLE_FOCUS : STYLE_HEADING);
         else if (row->parameter)
             pane_parameter(screen, area, y, row->parameter, chosen);
+        else if (row->is_row)
+            draw_row(screen, area, y, row, chosen);
         else
             draw_derived(area, y, &derived[row->derived], chosen && focused);
     }

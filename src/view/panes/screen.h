@@ -71,16 +71,20 @@ typedef struct Prompt {
     const ScenarioList *scenarios; /* above the line; NULL: none */
 } Prompt;
 
+enum { ROW_NEW = -1 };
+
 /* One row of the parameter pane. */
 typedef struct ParameterRow {
     const char *heading;        /* a heading, or NULL */
     const Parameter *parameter; /* an editable row, or NULL */
     int derived;                /* index of a read-only row, or -1 */
+    bool is_row;                /* a row of a plate (lab/settings/rows/rows.h) */
+    int kind, row;              /* which one, or ROW_NEW: the place for one more */
 } ParameterRow;
 
 enum { LESSONS_MAX = 32 };
 
-enum { PARAMETER_ROWS_MAX = 96 };
+enum { PARAMETER_ROWS_MAX = 192 };
 
 /* A place in the run: by time, for another mesh has other steps. */
 typedef struct Bookmark {
@@ -189,8 +193,19 @@ typedef struct ViewsShown {
     ReferencesShown references;
 } ViewsShown;
 
+/* A row of a plate (lab/settings/rows/rows.h) that is being moved on the map. */
+enum { ROW_FIRST_END, ROW_SECOND_END, ROW_BOTH_ENDS, ROW_ENDS };
+
+typedef struct RowsShown {
+    bool placing;
+    int kind, row;         /* which one */
+    int end;               /* which of its ends the arrows move */
+    const Settings *draft; /* while it is moved: with the row where it is now */
+} RowsShown;
+
 /* The parameter pane. */
 typedef struct ParametersShown {
+    RowsShown rows;
     int selected;    /* row */
     char filter[32]; /* parameters whose label or key holds it */
     FieldEdit edit;
@@ -282,6 +297,10 @@ bool screen_scroll_view(Screen *, int width, int height, int x, int y, int by);
 /* The chosen particle or, where a node is chosen, node: so many on. */
 void selection_next(Selection *, const Simulation *, int direction, size_t by);
 
+/* The settings whose rows the map shows: while one is moved those with it where it is now. Which row is
+ * chosen in the parameter pane, if that has the focus; else kind -1. */
+const Settings *screen_rows_shown(const Screen *, int *kind, int *row);
+
 /* The row of the parameter pane at a place of the screen, for the mouse; -1: none. */
 int screen_parameter_at(const Screen *, int width, int height, int x, int y);
 
@@ -307,6 +326,10 @@ long screen_timeline_nearest(const Screen *, int width, int height, int x);
 
 /* The particle that is looked at first: in the middle of a bar, of a beam's middle row. */
 size_t screen_middle_particle(const Simulation *);
+
+/* The place of the body, m, that is drawn in a cell of the screen as long as nothing has moved. False: no map
+ * is drawn there. */
+bool view_map_place(const Screen *, int width, int height, int x, int y, double place[2]);
 
 /* The factor by which the beam's map draws displacements; 0: it is not shown. */
 double view_map_enlargement(const Screen *, int width, int height);

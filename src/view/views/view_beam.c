@@ -263,6 +263,21 @@ double view_map_enlargement(const Screen *screen, int width, int height)
     return factor;
 }
 
+bool view_map_place(const Screen *screen, int width, int height, int x, int y, double place[2])
+{
+    Map map;
+    bool is_there = false;
+    if (open_shown(&map, screen, width, height)) {
+        const Rect *part = &map.area.rect;
+        x -= part->x;
+        y -= part->y;
+        is_there = x >= 0 && y >= 0 && x < part->width && y < part->height;
+        map_place_of(&map, x, y, place);
+    }
+    map_close(&map);
+    return is_there;
+}
+
 /* The node that is drawn in or near a cell becomes the chosen one. */
 static bool click(Screen *screen, Rect rect, int x, int y)
 {

@@ -73,6 +73,7 @@ typedef struct RowKind {
     const char *form;    /* "X0 Y0 X1 Y1" */
     const char *help;    /* one line */
     int concern;         /* of the problems that have such rows: problems/problem.h */
+    const char *fresh;   /* a new row's values; NULL where none can be added */
     const char *usual;   /* not NULL: there is one row without a name, and this is its usual text */
     bool needs_optional; /* at least one of the optional values must be there */
     RowColumn columns[ROW_VALUES_MAX];

@@ -11,11 +11,6 @@
 
 enum { PATH_MAX_ROWS = 4096 };
 
-typedef struct Path {
-    size_t count; /* places, at least one: the notch's end first */
-    double x[PATH_MAX_ROWS + 1], y[PATH_MAX_ROWS + 1];
-} Path;
-
 /* Twice the signed area of the triangle a b c: positive where c lies left of ab. */
 static double side(double ax, double ay, double bx, double by, double cx, double cy)
 {
@@ -45,7 +40,7 @@ static double at_limit(const Beam *beam, BondPlace bond)
            beam->system.energy_scale;
 }
 
-static void add_bond(CrackCost *cost, const Beam *beam, const Path *path, BondPlace bond)
+static void add_bond(CrackCost *cost, const Beam *beam, const CrackPath *paths, int n_paths, BondPlace bond)
 {
     const Lattice *lattice = &beam->lattice;
     const Offset *offset = &lattice->offsets[bond.offset];
@@ -54,11 +49,12 @@ static void add_bond(CrackCost *cost, const Beam *beam, const Path *path, BondPl
     const double middle[2] = {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
     double nearest = INFINITY;
     bool crosses = false;
-    for (size_t k = 0; k + 1 < path->count && !crosses; k++) {
-        const double c[2] = {path->x[k], path->y[k]}, d[2] = {path->x[k + 1], path->y[k + 1]};
-        crosses = segments_cross(a, b, c, d);
-        nearest = fmin(nearest, distance(middle, c, d));
-    }
+    for (const CrackPath *path = paths; path < paths + n_paths; path++)
+        for (size_t k = 0; k + 1 < path->count && !crosses; k++) {
+            const double c[2] = {path->x[k], path->y[k]}, d[2] = {path->x[k + 1], path->y[k + 1]};
+            crosses = segments_cross(a, b, c, d);
+            nearest = fmin(nearest, distance(middle, c, d));
+        }
     *(crosses                        ? &cost->through
       : nearest <= beam->def.horizon ? &cost->beside
                                      : &cost->far) += at_limit(beam, bond);
@@ -76,23 +72,31 @@ static double plane_energy(const Beam *beam)
     return sum / (lattice->spacing * beam->def.thickness);
 }
 
+bool crack_cost_along(const Simulation *sim, const CrackPath *paths, int n_paths, double length,
+                      CrackCost *cost)
+{
+    const Beam *beam = (const Beam *)sim;
+    const Lattice *lattice = &beam->lattice;
+    if (beam->head->critical_stretch != beam->def.critical_stretch)
+        return false;
+    *cost = (CrackCost){.area = length * beam->def.thickness, .plane = plane_energy(beam)};
+    for (size_t byte = 0; byte < lattice_slots(lattice) / 8; byte++)
+        for (size_t bit = 0; beam->broken[byte] >> bit != 0; bit++)
+            if ((beam->broken[byte] & ~beam->notched[byte]) >> bit & 1)
+                add_bond(cost, beam, paths, n_paths, lattice_slot_place(lattice, 8 * byte + bit));
+    cost->total = beam->head->dissipated;
+    cost->beyond = cost->total - cost->through - cost->beside - cost->far;
+    return true;
+}
+
+/* The path begins at the notch's end. */
 bool crack_cost(const Simulation *sim, CrackCost *cost)
 {
     Crack crack;
     if (!crack_measure(sim, &crack))
         return false;
     const Beam *beam = (const Beam *)sim;
-    const Lattice *lattice = &beam->lattice;
-    if (beam->head->critical_stretch != beam->def.critical_stretch)
-        return false;
-    Path path = {.count = 1, .x = {beam->def.notch_position}, .y = {beam->def.notch_depth}};
-    path.count += crack_path(sim, path.x + 1, path.y + 1, PATH_MAX_ROWS);
-    *cost = (CrackCost){.area = crack.length * beam->def.thickness, .plane = plane_energy(beam)};
-    for (size_t byte = 0; byte < lattice_slots(lattice) / 8; byte++)
-        for (size_t bit = 0; beam->broken[byte] >> bit != 0; bit++)
-            if ((beam->broken[byte] & ~beam->notched[byte]) >> bit & 1)
-                add_bond(cost, beam, &path, lattice_slot_place(lattice, 8 * byte + bit));
-    cost->total = beam->head->dissipated;
-    cost->beyond = cost->total - cost->through - cost->beside - cost->far;
-    return true;
+    double x[PATH_MAX_ROWS + 1] = {beam->def.notch_position}, y[PATH_MAX_ROWS + 1] = {beam->def.notch_depth};
+    const CrackPath path = {1 + crack_path(sim, x + 1, y + 1, PATH_MAX_ROWS), x, y};
+    return crack_cost_along(sim, &path, 1, crack.length, cost);
 }

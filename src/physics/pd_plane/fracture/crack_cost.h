@@ -12,8 +12,14 @@
 
 #include "physics/method.h"
 
+/* Straight pieces from place to place, m. */
+typedef struct CrackPath {
+    size_t count;
+    double *x, *y;
+} CrackPath;
+
 typedef struct CrackCost {
-    double area;    /* length of the path (crack.h) times the thickness, m^2 */
+    double area;    /* length of the path times the thickness, m^2 */
     double plane;   /* what the bonds through a straight upright plane of this lattice take up to s0, J/m^2 */
     double through; /* J: up to s0, of the broken bonds that cross the path */
     double beside;  /* likewise of those that do not, but lie within a horizon of it */
@@ -25,5 +31,9 @@ typedef struct CrackCost {
 /* False: the simulation has no notch that a crack could begin at, or s0 was changed on the way (then no
  * bond's share is known). */
 bool crack_cost(const Simulation *beam, CrackCost *cost);
+
+/* The same of any body by peridynamics in the plane whose cracks run along these paths and are of that length
+ * (m) together. False: s0 was changed on the way. */
+bool crack_cost_along(const Simulation *, const CrackPath *paths, int n_paths, double length, CrackCost *);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands that move: panes, rows, cursors, the inspector; Enter and Esc. */
 #include "tui/control/commands/commands.h"
+#include "tui/control/row_edit.h"
 #include "view/inspector/inspector.h"
 #include "view/views/view.h"
 
@@ -151,6 +152,7 @@ void command_enter(Laboratory *lab)
         lesson_play_enter(lab);
     } else if (screen->panes.focus == PANE_PARAMETERS) {
         edit_begin(lab);
+        row_edit_begin(lab);
     } else if (view && view->has_time_axis && !isnan(screen->time.cursor)) {
         player_pause(lab);
         player_seek(lab, lround(screen->time.cursor / experiment_simulation(screen->experiment)->dt), 0);

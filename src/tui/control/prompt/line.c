@@ -4,6 +4,7 @@
 #include "tui/control/commands/commands.h"
 #include "tui/control/prompt/line.h"
 #include "tui/control/writing.h"
+#include "tui/control/row_edit.h"
 #include "tui/control/second_run.h"
 #include "tui/control/fitting.h"
 #include "tui/control/opening.h"
@@ -297,6 +298,37 @@ static bool plot(Laboratory *lab, const char *words)
     command_show_view(lab, view);
     view_choose_variant(view, screen, variant_of(view, screen, sim->series[sim->n_series - 1].name) - 1);
     return true;
+}
+
+static bool set_row(Laboratory *lab, int kind, const char *words)
+{
+    Status status = {STATUS_DONE, ""};
+    return row_edit_line(lab, kind, words, &status) || prompt_refuse(&lab->prompting, status.text);
+}
+
+static bool cut(Laboratory *lab, const char *words)
+{
+    return set_row(lab, ROWS_CUTS, words);
+}
+
+static bool load(Laboratory *lab, const char *words)
+{
+    return set_row(lab, ROWS_LOADS, words);
+}
+
+static bool support(Laboratory *lab, const char *words)
+{
+    return set_row(lab, ROWS_SUPPORTS, words);
+}
+
+static bool impulse(Laboratory *lab, const char *words)
+{
+    return set_row(lab, ROWS_IMPULSES, words);
+}
+
+static bool protect(Laboratory *lab, const char *words)
+{
+    return set_row(lab, ROWS_PROTECTED, words);
 }
 
 #define LINE(id, function, ...) [LINE_##id] = function,
