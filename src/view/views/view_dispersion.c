@@ -228,6 +228,17 @@ static void mark_ways(Area inner, const Axis *x, const Axis *y, const Settings *
     }
 }
 
+/* "l lumped  * mu*  c consistent" */
+static void name_ways(const Screen *screen, int n_ways, char out[160])
+{
+    out[0] = '\0';
+    for (int i = 0; i < n_ways; i++) {
+        double unused;
+        text_append(out, 160, "%s%c %s", i ? "  " : "", letters_of(screen)[i],
+                    dispersion_other_way(experiment_settings(screen->experiment), i, 1, &unused));
+    }
+}
+
 static int bar_dots(const Screen *screen, Dot dots[RUNS_MAX])
 {
     Run runs[RUNS_MAX];
@@ -284,20 +295,13 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
     Axis x = axis_make(0, last > 1 ? last : 2, area.rect.width / 9);
     Axis y = axis_make_root(low, most > 0.01 ? axis_round_up(1.02 * most) : 0, rows < 10 ? rows : 10);
 
-    Legend legend[3 + WAYS_MAX];
-    char keys[WAYS_MAX][3];
+    Legend legend[3]; /* the other ways have a letter on their curve, and a line below that names them */
     int n_legend = 0;
     legend[n_legend++] = (Legend){LINE_SOLID, 'O', STYLE_MEASURED, "measured", dot_key(area.glyphs)};
     if (screen_shows_exact(screen))
         legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL};
     if (predicted)
         legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "predicted", NULL};
-    for (int i = 0; i < n_ways; i++) {
-        double unused;
-        snprintf(keys[i], sizeof keys[i], "%c:", letters_of(screen)[i]);
-        legend[n_legend++] = (Legend){LINE_SOLID, letters_of(screen)[i], way_styles[i],
-                                      dispersion_other_way(settings, i, 1, &unused), keys[i]};
-    }
     heading_draw(area, heading,
                  area.rect.width >= 70 ? "error of w, % (square-root scale)" : "% error, sqrt scale", "",
                  legend, n_legend);
@@ -328,12 +332,9 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
     if (are_cut(area, "", second))
         memcpy(second, brief[1], sizeof second);
     factor_line(screen->experiment, area.rect.width, factors);
-    if (n_ways > 0)
-        second[0] = '\0';
-    for (int i = 0; i < n_ways; i++) {
-        double unused;
-        text_append(second, sizeof second, "%s%s %s", i ? "  " : "", keys[i],
-                    dispersion_other_way(settings, i, 1, &unused));
+    if (n_ways > 0) {
+        memcpy(second, first, sizeof second);
+        name_ways(screen, n_ways, first);
     }
     const int at = area.rect.height - under;
     if (under > 0)
