@@ -183,6 +183,8 @@ static BarWatch predicted_watch(const Settings *settings, const BarTheory *theor
     return watch;
 }
 
+static const double DIES = 0.9; /* share of the energy that a period keeps */
+
 enum { MODES_FITTED = 6 };
 
 /* The modes that show in the column: the watched one, those that were given a velocity, and the lowest of
@@ -329,8 +331,12 @@ void bar_read_out(const References *refs, const double *rows, size_t n_rows, int
     Swing swing;
     if (n_rows > 2 && watch->n_lines == 1 &&
         swing_fit(rows + n_columns + column, (size_t)n_columns, n_rows - 1,
-                  rows[(size_t)n_columns + 1] - rows[1], expected / watch->times, watch->times > 1, &swing))
+                  rows[(size_t)n_columns + 1] - rows[1], expected / watch->times, watch->times > 1, &swing)) {
         out->kept_measured = swing_kept(swing.decay, watch->exact);
+        /* laid through a swing that dies within some periods, one of constant height is drawn off */
+        if (out->measured_known && watch->kept < DIES)
+            out->measured = swing.frequency;
+    }
 }
 
 bool bar_prediction_is_whole(double count, const char *parts, Status *status)
