@@ -29,7 +29,8 @@ static bool of_nodes(PlaneOp op)
     return op == PLANE_HOLD || op == PLANE_HOLD_AGAIN || op == PLANE_HOLD_FORCE || op == PLANE_INTEGRATE;
 }
 
-/* The stages [0, count) on the particles of one block, as far as they go well. A strain and the force behind
+/* The stages [0, count) on the particles of one block, as far as they go well: a block is 8 P columns of the
+ * beam, some hundred particles in whose 100 bytes each everything happens. A strain and the force behind
  * it are one loop. */
 static void do_block(Plane *plane, int block, int worker, const PlaneTask *tasks, int count)
 {
@@ -198,7 +199,8 @@ bool plane_do(Plane *plane, PlaneOp op, int first, int end, Status *status)
 
 /* --- all of it ---------------------------------------------------------------------------------------- */
 
-/* Stages that are done in one go by everybody. */
+/* Stages that are done in one go by everybody. What a chunk writes (its particles, its patch; its rows of
+ * nodes) no other chunk of the part reads, so their order is free. */
 typedef struct Part {
     Plane *plane;
     const PlaneTask *tasks;

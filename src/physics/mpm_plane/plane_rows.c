@@ -51,6 +51,8 @@ double plane_energy(const Plane *plane)
 }
 
 /* The energy that lumped masses see, J; velocities over the beam's common one. */
+/* Held components are at rest in the frame of the beam: p = m v0 there, and 0 across. A node of no mass has
+ * 1/m = 0 and no share. */
 static double kinetic_grid(const Plane *plane)
 {
     double sum = 0;

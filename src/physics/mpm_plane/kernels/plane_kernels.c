@@ -36,7 +36,10 @@ enum { WIDTH = VECTOR_WIDTH, SUPPORT = PLANE_SUPPORT_MAX };
 
 /* --- shapes ---------------------------------------------------------------------------------------- */
 
-/* N and N' dx along one direction, as plane_shape.h has them, of n nodes: n = 2 are hats, 3 boxes. */
+/* N and N' dx along one direction, as plane_shape.h has them, of n nodes: n = 2 are hats, 3 boxes. They add
+ * up to 1 and to 0 at every place, which is why momentum is kept: a particle's shares of mass are its mass,
+ * and its forces on its nodes cancel. `over` is 0 where a box lies in one cell; then the third node gets
+ * exactly nothing, and a box of a lattice at rest is a hat to the last bit. */
 KERNEL_INLINE void shape_at(const int n, double half, Vector s, Vector N[SUPPORT], Vector dN[SUPPORT])
 {
     if (n == 2) {
@@ -94,7 +97,10 @@ KERNEL_INLINE Vector from_nodes(const Plane *plane, const Lanes *lanes, const do
     return value;
 }
 
-/* Adds values to the slots of node (a, b) of each lane, of one quantity. */
+/* Adds values to the slots of node (a, b) of each lane, of one quantity. Neighbouring lanes share nodes, so
+ * added to the nodes themselves the order of a node's sum would hang on how many lanes are done at once; and
+ * the processor would wait for each store before a load that overlaps it. A slot is met by its own lane
+ * alone, at the same place in memory each time. */
 KERNEL_INLINE void to_nodes(const Plane *plane, Lanes *lanes, double *slots, int quantity, int a, int b,
                             Vector value)
 {
@@ -244,8 +250,9 @@ static void find(Plane *plane, int block, long step)
 
 /* --- map -------------------------------------------------------------------------------------------- */
 
-/* Eqs. 2, 3 with N = N_x N_y: m_i = sum m N, kg/m, and p_i = sum m v N, kg/s. The mass where it is asked for:
- * MUSL's second map has the same. */
+/* Eqs. 2, 3 with N = N_x N_y: m_i = sum m N, kg/m, and p_i = sum m v N, kg/s. With lumped masses p_i/m_i is
+ * the mean of the velocities around a node: what differs from it is hidden from the grid. The mass where it
+ * is asked for: MUSL's second map has the same. */
 KERNEL_INLINE bool map_lanes(Plane *plane, Lanes *lanes, double *slots, const bool with_mass, const int n)
 {
     const Weights w = weights_at(plane, n, lanes->at);
@@ -287,7 +294,8 @@ static bool map(Plane *plane, int block, double *slots, bool with_mass)
  *     sxx += lambda (exx + nu eyy)    syy += lambda (eyy + nu exx)    sxy += G gxy,   lambda = E/(1 - nu^2)
  *
  * Stress in Pa. It is not turned with the material: the beam's sections turn by 1e-4, and with Jaumann's rate
- * no printed digit changes. dt/dx stands once for all terms, as N' is in cells. False: 1 + exx + eyy <= 0 in
+ * no printed digit changes. dt/dx stands once for all terms, as N' is in cells; e is some 1e-9 a step, so V *
+ * (1 + exx + eyy) needs no finer measure of area. False: 1 + exx + eyy <= 0 in
  * a lane (eq. 8 would turn the density negative), or it is no number. */
 KERNEL_INLINE bool strain_lanes(Plane *plane, const Lanes *lanes, const Weights *w, const int n)
 {
@@ -326,8 +334,10 @@ static int first_crushed(const Plane *plane, const Lanes *lanes)
     return -1;
 }
 
-/* Eq. 10: f_i = -sum (N,x sxx + N,y sxy, N,x sxy + N,y syy) V, V = m/rho in m^2, so f is in N/m. With USF
- * stress and V are those of this step, with USL and MUSL the old ones. */
+/* Eq. 10: f_i = -sum (N,x sxx + N,y sxy, N,x sxy + N,y syy) V, V = m/rho in m^2, so f is in N/m. N,x = N'
+ * /dx: V/dx stands once for all nodes. It is the same B that makes the strain, so what forces do to nodes is
+ * what stress does in particles, and strain energy is neither made nor lost but by the step's length. With
+ * USF stress and V are those of this step, with USL and MUSL the old ones. */
 KERNEL_INLINE bool force_lanes(Plane *plane, Lanes *lanes, const Weights *w, double *slots, const int n)
 {
     const int at = lanes->at;
@@ -391,7 +401,7 @@ static bool strain_and_force(Plane *plane, int block, double *slots, int *crushe
 
 /* --- update ------------------------------------------------------------------------------------------ */
 
-/* Whether all numbers lie in [0, limit). */
+/* Whether all numbers lie in [0, limit); one that is none does not. */
 KERNEL_INLINE bool within(Vector x, double limit)
 {
     return vector_is_zero(~((x >= 0) & (x < limit)));
@@ -402,7 +412,9 @@ KERNEL_INLINE bool within(Vector x, double limit)
  *     v = alpha (v + dt sum N f_i/m_i) + (1 - alpha) sum N p_i/m_i        x += dt sum N p_i/m_i
  *
  * Below 1 each step loses a share of what the grid cannot see: .999 keeps a cantilever that leaves its
- * channel from heating. False: a lane leaves the grid as it will lie in the next step. */
+ * channel from heating. Places always go with the nodes' velocity, never with the particle's own: neighbours
+ * cannot overtake each other, as the grid's velocity is continuous. With alpha = 1 the second term is an
+ * exact 0. False: a lane leaves the grid as it will lie in the next step. */
 KERNEL_INLINE bool update_lanes(Plane *plane, const Lanes *lanes, double xmin, const int n)
 {
     const double dt = plane->dt, alpha = plane->head->flip_fraction, inverse = 1 / plane->dx;
@@ -502,7 +514,7 @@ static void gather_force(Plane *plane, int first, int end)
     }
 }
 
-/* 1/m, and 0 of a node with hardly any mass. */
+/* 1/m, and 0 of a node with hardly any mass (1e-12 of a full one): what pulls at it is lost. */
 static void invert(Plane *plane, int first, int end)
 {
     const double *restrict mass = plane->node_mass, floor = plane->floor;
@@ -610,8 +622,10 @@ KERNEL_INLINE void subtract(double *below, const double *row, double factor, int
         vector_store(below + e, vector_load(below + e) - factor * vector_load(row + e));
 }
 
-/* Row by row: after row k what is left of the matrix and of z is that of the nodes behind it, and z_k^2/d_k
- * is this node's part, in units of mass times velocity squared. A row takes width^2/2 products. */
+/* M_C = U' D U, and with U' z = p it is p' M_C^-1 p = sum z_k^2/d_k: so z is eliminated with the matrix, and
+ * nothing has to be solved backwards. Row by row: after row k what is left of the matrix and of z is that of
+ * the nodes behind it, and z_k^2/d_k is this node's part, in units of mass times velocity squared. A row
+ * takes width^2/2 products. */
 static double eliminate(const PlaneNull *work, int column, int place, int which)
 {
     const double rounding = 1e-13;
