@@ -13,7 +13,8 @@ run() { # SCENARIO OPTIONS...
 	awk '
 		function after(word, name,    i) { for (i = 1; i < NF; i++) if ($i == word) print name, $(i + 1) }
 		function before(word, name,    i) { for (i = 4; i <= NF; i++) if ($i == word) print name, $(i - 3) }
-		/^(frequency|period) / { after("measured", "measured"); after("exact", "exact"); after("theory", "exact") }
+		/^(frequency|period) / { after("measured", "measured"); after("exact", "exact"); after("theory", "exact")
+			after("predicted", "predicted"); after("size", "real_size") }
 		/^period .*real size/ { after("measured", "m"); size = $(NF - 1)
 			for (i = 1; i < NF; i++) { if ($i == "measured") m = $(i + 1); if ($i == "theory") theory = $(i + 1) }
 			print "size", 100 * (size / theory - 1); print "skin", 100 * (m / size - 1) }
@@ -108,6 +109,14 @@ heard() { # SCENARIO OPTIONS...
 			if ($(i + 1) == "cents") print "cents", $i } }
 		/^heard .* times as high/ { left = $6; right = $8 }
 		END { print "left", left; print "right", right; print "beat", right - left }' summary >measured
+}
+
+# How many times the energy of a run is what it was at the start, and how far its tip is off theory; what the start has.
+grown() { # SCENARIO OPTIONS...
+	"$MATVIB" run "$@" --series grown.csv --force --quiet 2>err || result "matvib run $*" told_and_failed
+	awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next } NR == 2 { first = $at["total"] }
+		{ last = $at["total"]; off = $at["u_probe"] - $at["u_modal"] }
+		END { print "grown", last / first; print "off", off; print "start", first }' grown.csv >measured
 }
 
 # Whether the text of FILE holds BEFORE NUMBER AFTER, line ends being spaces, and NUMBER is the measured QUANTITY
@@ -227,6 +236,37 @@ claim $lesson/rest.lesson "" 48 " % more than theory" sag
 run hanging-beam --set time.rest=no --set damping.rate=0 --end 0.002 --series swing.csv
 awk -F, 'NR > 1 && $3 / $6 > most { most = $3 / $6 } END { print "most", most }' swing.csv >measured
 claim $lesson/rest.lesson "down to " 2.0 " times as far" most
+
+run supported-beam-mpm-coarse
+claim $lesson/two-methods.lesson "Bending theory says " 0.864 " ms" exact 1000
+claim $lesson/two-methods.lesson "A: " 0.8605 " ms" measured 1000
+claim $lesson/two-methods.lesson "From " 0.36 " to 1.00 %" predicted 115781.98 -100
+claim $lesson/two-methods.lesson "" 0.36 " % become" predicted 115781.98 -100
+claim $lesson/poisson.lesson "With a third this mesh is early by " 0.38 " %" period_error
+run supported-beam-mpm-coarse --end 0.0009 --set mesh.particles_per_cell=3
+claim $lesson/two-methods.lesson "From 0.36 to " 1.00 " %" predicted 115781.98 -100
+run supported-beam-mpm-coarse --end 0.0009 --set mesh.cell_size=0.000625
+claim $lesson/two-methods.lesson "0.36 % become " 0.09 " %" predicted 115781.98 -100
+run supported-beam-mpm-coarse --set beam.poisson=0 --end 0.0009
+claim $lesson/poisson.lesson "Theory: " 0.8631 " ms with 0" exact 1000
+run supported-beam-mpm-coarse --set beam.poisson=0.45
+claim $lesson/poisson.lesson "ms with 0 and " 0.8641 " ms" exact 1000
+claim $lesson/poisson.lesson "Early by " 0.61 " %" period_error
+run supported-beam-coarse
+claim $lesson/two-methods.lesson "B: " 0.8655 " ms" measured 1000
+claim $lesson/two-methods.lesson "So B is right by " 0.2 " %" period_error
+claim $lesson/two-methods.lesson "By " "1.0" " %. But the skin" real_size 115766.92 -100
+grown moving-cantilever-hat-coarse --end 0.004
+claim $lesson/cell-by-cell.lesson "It is " 1.2 " thousand times" grown .001
+claim $lesson/cell-by-cell.lesson "" "0.30" " µm of a swing" off 1e6
+grown moving-cantilever-hat-coarse --end 0.004 --set mpm.shape=gimp
+claim $lesson/cell-by-cell.lesson "" 93 " % of the start" grown 100
+grown moving-cantilever-hat-coarse --end 0.004 --set mesh.velocity=10
+claim $lesson/cell-by-cell.lesson "" 1.5 " % more" grown 100 -100
+grown supported-beam-mpm-coarse --end 1e-7 --set initial.stress=grid
+whole=$(awk '$1 == "start" { print 100 / $2 }' measured)
+grown supported-beam-mpm-coarse --end 1e-7
+claim $lesson/poisson.lesson "It rings with " 10 " % of the energy" start "-$whole" 100
 
 run mode5-peridynamics
 claim $scenario/mode5-peridynamics.ini "The frequency is " 1.2 " % too low" predicted_error

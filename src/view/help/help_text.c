@@ -68,7 +68,7 @@ static const HelpWord beam_words[] = {
               "the straight line through the last 0.1 ms, which has no thickness modes."},
     {"~L^1/2", "how far a swing reaches as the beam grows slowly: the displacement as the root of its "
                "length, the velocity as L^-3/2, for energy over frequency is kept."},
-    {"section", "view 1, the last: the displacement along the beam through its height at the chosen "
+    {"section", ":show section: the displacement along the beam through its height at the chosen "
                 "particle. On the line -y duy/dx sections stay plane and upright."},
     {"force", "view 4: what a bond answers to its stretch s, and s0 where it breaks. Nodes stand where their "
               "most stretched bond is; heights are logarithms of how many."},
@@ -81,6 +81,34 @@ static const HelpWord beam_words[] = {
     {"horizon",
      "view 5: the period over the reach of the bonds, with the two beam theories. Each earlier run with "
      "another horizon leaves its dot."},
+};
+
+static const HelpWord plane_words[] = {
+    {"beam theory",
+     "Euler-Bernoulli's beam, Timoshenko's, or the modes of a cantilever that grows longer, without "
+     "mesh and time step: dotted. They have names of their own."},
+    {"plane",
+     "the exact answer of the plane problem with its ends held as whole sections: Rayleigh and Lamb's "
+     "bending wave. What smaller and smaller cells go to."},
+    {"T", "the period, by least squares. Predicted: the lowest eigenvalue of this very mesh, of what "
+          "stiffness and "
+          "masses become on the way from particles to nodes and back."},
+    {"modal", "the moving cantilever by its first bending modes on the growing length."},
+    {"~L^1/2", "how far a swing reaches as the beam grows slowly: the displacement as the root of its "
+               "length, the velocity as L^-3/2, for energy over frequency is kept."},
+    {"section",
+     ":show section, again: displacement, bending stress and shear through the height at the chosen "
+     "particle. Dashed are the columns of particles of its cell, solid their mean: what is between the "
+     "columns is the false shear of a cell that cannot bend."},
+    {"mesh",
+     ":magnify 16, or Z and + : the cells under the particles, bars of mass and momentum on the nodes while "
+     "a step is under way, arrows from who gives to who takes. The cross on the chosen particle: its "
+     "principal stresses, dotted where they press."},
+    {"null space",
+     "view 3: motion of the particles that no node feels. Lumping: what the nodes' masses, taken as "
+     "single points, leave out."},
+    {"order",
+     ":show convergence: cells, particles, methods. An order of 2: half the cell, a quarter of the error."},
 };
 
 /* --- what is solved -------------------------------------------------------------------------------- */
@@ -189,6 +217,43 @@ static const HelpPassage beam_before[] = {
      "A bond breaks for ever at the critical stretch: s0 = sqrt(4 pi G0/(9 E delta))."},
 };
 
+static const HelpPassage plane_before[] = {
+    {true, "What is solved: a beam in plane stress, by particles and cells", NULL},
+    {false, "ρ dv/dt = div σ      dσ/dt = D dε/dt      D: Young's modulus E and Poisson's ratio ν",
+     "rho dv/dt = div s      ds/dt = D de/dt      D: Young's modulus E and Poisson's ratio nu"},
+    {false,
+     "Each particle carries mass, velocity and stress. In each step they are mapped to the nodes of square "
+     "cells, N = N_x N_y; the nodes feel forces and move; the particles take the change and the mesh is put "
+     "back.",
+     NULL},
+    {false, "Small strains: the stress is not turned with the particle.", NULL},
+    {false,
+     "The stress at the start is the one that the bent beam has when its sections may get thinner "
+     "(relaxed); else it rings through its height.",
+     NULL},
+};
+
+static const HelpPassage plane_after[] = {
+    {true, "The right answers", NULL},
+    {false, "(k² + q²)² tanh(ph/2) = 4k²pq tanh(qh/2)    p² = k² - ω²/c²    q² = k² - ω²ρ/G    k = π/L",
+     "(k^2 + q^2)^2 tanh(ph/2) = 4k^2 pq tanh(qh/2)    p^2 = k^2 - w^2/c^2    q^2 = k^2 - w^2 rho/G    k = "
+     "pi/L"},
+    {false, "Moving cantilever: bending modes of the length outside the channel, L(t) = L0 + v0 t.", NULL},
+    {true, "What this mesh makes of it", NULL},
+    {false, "ω² = lowest eigenvalue of M_L⁻¹ M_C M_L⁻¹ K      sin(ΩΔt/2) = ωΔt/2",
+     "w^2 = lowest eigenvalue of M_L^-1 M_C M_L^-1 K      sin(W dt/2) = w dt/2"},
+    {false,
+     "K adds up over the particles, so it is stiffer the further they lie from the middle of their cells: "
+     "three "
+     "along a side lock more than two.",
+     NULL},
+    {false,
+     "A particle that enters another cell jumps from one slope of a hat to the next. The jump feeds stress "
+     "that no "
+     "node feels, and the energy grows: uGIMP, or a mesh that rides along (mesh.velocity).",
+     NULL},
+};
+
 static const HelpPassage beam_after[] = {
     {true, "The right answers", NULL},
     {false, "Euler-Bernoulli: T = 2L²/π / √(Eh²/12ρ). Timoshenko: the same with shear and rotation, κ = 5/6.",
@@ -221,11 +286,15 @@ const HelpText *help_text_of(const Simulation *sim)
                                     LIST(pd_bar_before), LIST(bar_exact), LIST(pd_bar_after)};
     static const HelpText beam = {
         "One time step (velocity Verlet)", LIST(beam_words), LIST(beam_before), NULL, 0, LIST(beam_after)};
+    static const HelpText plane = {"One time step",  LIST(plane_words), LIST(plane_before), NULL, 0,
+                                   LIST(plane_after)};
     static const struct {
         unsigned has;
         const HelpText *text;
-    } texts[] = {
-        {HAS_LINE | HAS_MESH, &bar}, {HAS_LINE | HAS_BONDS, &pd_bar}, {HAS_PLANE | HAS_BONDS, &beam}};
+    } texts[] = {{HAS_PLANE | HAS_MESH, &plane},
+                 {HAS_LINE | HAS_MESH, &bar},
+                 {HAS_LINE | HAS_BONDS, &pd_bar},
+                 {HAS_PLANE | HAS_BONDS, &beam}};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         if (simulation_has(sim, texts[i].has))
             return texts[i].text;

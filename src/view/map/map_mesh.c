@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A mesh seen from near, under the particles that exchange with it: between steps its nodes alone, as faint
- * marks, for it is forgotten; inside a step its cells, on each node a bar of its mass and one of its
- * momentum, and between the chosen particle and its nodes arrows from who gives to who takes. The chosen
- * particle has its principal stresses on it as a cross. */
+/* A mesh seen from near, under the particles that exchange with it: between steps its cells alone, in faint
+ * dots, for what it knew is forgotten; inside a step on each node a bar of its mass and one of its momentum,
+ * and between the chosen particle and its nodes arrows from who gives to who takes. The chosen particle has
+ * its principal stresses on it as a cross. */
 #include "view/map/map.h"
 #include "view/panes/stage_flow.h"
 
@@ -97,7 +97,7 @@ static bool is_inside(const Map *map, double column, double row)
 
 static void draw_cells(Map *map, const MeshNodes *mesh)
 {
-    const Pen pen = {STYLE_FRAME, RANK_GRID, 2, 0};
+    const Pen pen = {STYLE_FRAME, RANK_GRID, mesh->there ? 2 : 4, mesh->there ? 0 : '.'};
     for (size_t node = 0; node < mesh->count; node++) {
         double column, row, to_column, to_row;
         node_at(map, mesh, node, &column, &row);
@@ -230,8 +230,7 @@ void map_draw_mesh(Map *map)
     if (!map_has_mesh(map) || map->area.canvas->sketch)
         return;
     if (mesh_open(map, &mesh)) {
-        if (mesh.there)
-            draw_cells(map, &mesh);
+        draw_cells(map, &mesh);
         draw_arrows(map, &mesh, false);
         draw_cross(map);
     }

@@ -181,17 +181,31 @@ int pane_lesson_above(const Screen *screen, Area area)
     return to_chosen > rows ? to_chosen - rows : 0;
 }
 
-void pane_lesson(const Screen *screen, Area area)
+/* "── A title  1/7 ──": of a long title the end gives way, not the page. */
+static void draw_heading(const Screen *screen, Area area)
 {
     const LessonShown *shown = &screen->lesson;
+    const Style style = screen_is_focused(screen, PANE_PARAMETERS) ? STYLE_FOCUS : STYLE_HEADING;
+    char heading[160], page[32];
+    if (!shown->lesson) {
+        area_rule(area, 0, "Lessons", style);
+        return;
+    }
+    snprintf(page, sizeof page, "  %d/%d", shown->page + 1, shown->lesson->n_pages);
+    snprintf(heading, sizeof heading, "%.120s%s", shown->lesson->title, page);
+    area_rule(area, 0, heading, style);
+    if (glyphs_columns(heading) + 5 < area.rect.width)
+        return;
+    area_rule(area_part(area, 0, 0, area.rect.width - glyphs_columns(page) - 1, 1), 0, shown->lesson->title,
+              style);
+    area_text_right(area, area.rect.width - 1, 0, page, style);
+}
+
+void pane_lesson(const Screen *screen, Area area)
+{
     const int rows = area.rect.height - MARGIN_ROWS;
-    char heading[160], footer[192];
-    if (shown->lesson)
-        snprintf(heading, sizeof heading, "%.120s  %d/%d", shown->lesson->title, shown->page + 1,
-                 shown->lesson->n_pages);
-    else
-        snprintf(heading, sizeof heading, "Lessons");
-    area_rule(area, 0, heading, screen_is_focused(screen, PANE_PARAMETERS) ? STYLE_FOCUS : STYLE_HEADING);
+    char footer[192];
+    draw_heading(screen, area);
     Pen pen = {area_part(area, 0, 1, area.rect.width, rows), -pane_lesson_above(screen, area)};
     write_all(&pen, screen);
     footer_text(screen, footer, sizeof footer);

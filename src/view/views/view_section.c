@@ -259,7 +259,7 @@ static void draw_section(const Section *section, Area area, Style heading)
     const Axis y = axis_make(bottom, bottom + section->body.size[1], plot_area.rect.height < 6 ? 3 : 5);
     Legend legend[3];
     int n = 0;
-    legend[n++] = (Legend){LINE_SOLID, '*', STYLE_MEASURED, several ? "cell's mean" : "measured", NULL};
+    legend[n++] = (Legend){LINE_SOLID, '*', STYLE_MEASURED, several ? "mean" : "measured", NULL};
     if (several)
         legend[n++] = (Legend){LINE_DASHED, '-', STYLE_SECOND, "columns", NULL};
     if (theory)

@@ -188,8 +188,8 @@ static void arrive(Laboratory *lab)
     if (lesson_entry_page(lab)->exercise)
         lesson_judge_enter(lab);
     player_stop_at(lab, &stop);
-    if (screen->message.kind == MESSAGE_INFO)
-        laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* what the page did is told by its text */
+    if (screen->message.kind != MESSAGE_ERROR)
+        laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* its text tells what the page did, and what is to be feared */
     if (lab->player.pace_automatic)
         lesson_entry_choose_pace(lab);
 }
