@@ -190,6 +190,53 @@ START_TEST(a_run_stops_at_its_end)
 }
 END_TEST
 
+/* A run that is to end at rest ends there, is rewound and walked again, and goes on where it is changed. */
+START_TEST(a_run_ends_at_rest)
+{
+    Settings settings;
+    settings_default(&settings, &problem_supported_beam);
+    set(&settings, "beam.length", "0.04");
+    set(&settings, "pd.spacing", "1e-3");
+    set(&settings, "pd.horizon", "3e-3");
+    set(&settings, "initial.amplitude", "0");
+    set(&settings, "load.body_force", "-9.81");
+    set(&settings, "time.rest", "yes");
+    set(&settings, "time.end", "1");
+    Experiment *experiment = open_experiment(&settings, MEGABYTE);
+    const long planned = experiment_last_step(experiment);
+    experiment_seek(experiment, planned, 0);
+    finish_work(experiment);
+    const long rest = experiment_step(experiment);
+    ck_assert_int_lt(rest, planned / 100);
+    ck_assert(experiment_at_end(experiment));
+    ck_assert_int_eq(experiment_last_step(experiment), rest);
+    int count;
+    const Event *events = experiment_events(experiment, &count);
+    ck_assert_int_eq(events[count - 1].kind, EVENT_REST);
+    ck_assert_int_eq(events[count - 1].step, rest);
+    ck_assert(experiment_advance(experiment, 100, NULL));
+    ck_assert_int_eq(experiment_step(experiment), rest);
+
+    experiment_seek(experiment, rest / 2, 0);
+    finish_work(experiment);
+    ck_assert(!experiment_at_end(experiment));
+    ck_assert(experiment_advance(experiment, planned, NULL));
+    ck_assert_int_eq(experiment_step(experiment), rest);
+
+    experiment_seek(experiment, rest / 2, 0);
+    finish_work(experiment);
+    Settings changed = *experiment_settings(experiment);
+    set(&changed, "load.body_force", "-5");
+    ck_assert(experiment_edit(experiment, &changed, NULL));
+    ck_assert_int_eq(experiment_last_step(experiment), planned);
+    ck_assert(experiment_advance(experiment, planned, NULL));
+    ck_assert(experiment_at_end(experiment));
+    ck_assert_int_gt(experiment_step(experiment), rest / 2 + 100);
+    ck_assert_int_lt(experiment_step(experiment), planned / 100);
+    experiment_destroy(experiment);
+}
+END_TEST
+
 START_TEST(an_edit_recomputes_to_the_time_on_screen)
 {
     static const char *const sizes[] = {"0.5", "0.25", "0.5", "1", "2.5", "1.25", "1", "5", "1", "0.5"};
@@ -768,6 +815,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, any_way_to_a_moment_of_a_bar_by_peridynamics_is_the_same);
     tcase_add_test(tcase, any_way_to_a_moment_of_a_beam_is_the_same);
     tcase_add_test(tcase, a_run_stops_at_its_end);
+    tcase_add_test(tcase, a_run_ends_at_rest);
     tcase_add_test(tcase, an_edit_recomputes_to_the_time_on_screen);
     tcase_add_test(tcase, a_refused_edit_changes_nothing);
     tcase_add_test(tcase, a_live_parameter_changes_in_mid_run);
