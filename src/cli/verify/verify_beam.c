@@ -307,9 +307,8 @@ const VerifyCheck verify_beam_checks[] = {
     {"P-fig6", "tip of the moving cantilever, as in figure 6", VERIFY_ROWS(moving_tip),
      "Guided (uy = 0 alone, the paper's words) the root rotates inside the channel."},
     {"P-fig7", "velocity of its tip, as in figure 7", VERIFY_ROWS(moving_velocity), NULL},
-    {"P-rest", "damping, and the supported beam at rest under its weight: not from the two papers",
-     VERIFY_ROWS(rest),
-     "One solution over Timoshenko's sag at the real span and height: near the skin bonds are\n"
-     "  missing, so the beam is softer the fewer of them a correction gives back."},
+    {"P-rest", "damping, and a beam at rest under its weight: not from the two papers", VERIFY_ROWS(rest),
+     "One solution over Timoshenko's sag at the real span and height. Near the skin\n"
+     "  bonds are missing: the less a correction gives back, the softer the beam."},
     {NULL, NULL, NULL, 0, NULL},
 };
