@@ -34,17 +34,31 @@
         __VA_ARGS__                                                                                          \
     }
 
+#define FRONT_ROW(label, number, scale_, digits, band, ...)                                                  \
+    {                                                                                                        \
+        .what = label, .quantity = number, .scale = scale_, .decimals = digits, .reference = band,           \
+        __VA_ARGS__                                                                                          \
+    }
+/* place, time and speed as the scatter of lattices and steps has them; the angle as all of them together */
+#define BRANCH_ROWS(x, us, speed, is_full)                                                                   \
+    FRONT_ROW("branches at x, mm", quantity_branch_x, 1e3, 1, WITHIN(x, 2), .full = is_full),                \
+        FRONT_ROW("  at t, us", quantity_branch_time, 1e6, 1, WITHIN(us, 1.5), .full = is_full),             \
+        FRONT_ROW("  half angle, degrees", quantity_half_angle, 1, 1, WITHIN(29, 3), .full = is_full),       \
+        FRONT_ROW("largest speed, m/s", quantity_front_speed, 1, 0, WITHIN(speed, 100), .full = is_full)
+
 static const VerifyRow branching[] = {
     CUT_ROW("coarse: bonds cut", COARSE, 3978, .full = false),
     FIRST_ROW("first break, us", 6.7, 0.01, .full = false),
     BROKEN_ROW("broken at 10 us", 10e-6, EXACTLY(188), .full = false),
     BROKEN_ROW("broken at 25 us", 25e-6, EXACTLY(2659), .full = false),
     BROKEN_ROW("broken at 50 us", 50e-6, EXACTLY(9622), .full = false),
+    BRANCH_ROWS(69.8, 26, 1854, false),
     BALANCE_ROW("energy gained, % of the work", 1.2, .full = false),
     CUT_ROW("spacing 0.25 mm: bonds cut", FINE, 7978, .full = true),
     FIRST_ROW("first break, us", 6.3, 0.01, .full = true),
     BROKEN_ROW("broken at 25 us", 25e-6, WITHIN(5443, 54.43), .full = true),
     BROKEN_ROW("broken at 50 us", 50e-6, WITHIN(19393, 193.93), .full = true),
+    BRANCH_ROWS(66.4, 22.8, 1813, true),
     BALANCE_ROW("energy gained, % of the work", 1.2, .full = true),
 };
 
@@ -58,6 +72,18 @@ static const VerifyRow kalthoff[] = {
     FIRST_ROW("first break, us", 13.5, 0.01, .full = true),
     BROKEN_ROW("broken at 50 us", 50e-6, WITHIN(10286, 102.86), .full = true),
     BROKEN_ROW("broken at 100 us", 100e-6, WITHIN(19682, 196.82), .full = true),
+    {.what = "degrees to the cut over 30 mm",
+     .quantity = quantity_front_angle,
+     .from = 30e-3,
+     .decimals = 1,
+     .reference = WITHIN(65.5, 2),
+     .full = true},
+    {.what = "degrees to the cut over 70 mm",
+     .quantity = quantity_front_angle,
+     .from = 70e-3,
+     .decimals = 1,
+     .reference = WITHIN(65.5, 2),
+     .full = true},
 };
 
 const VerifyCheck verify_plate_checks[] = {

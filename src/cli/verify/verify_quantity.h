@@ -18,7 +18,7 @@ double quantity_period_error(VerifyRun *, const VerifyRow *);
 double quantity_predicted_period_error(VerifyRun *, const VerifyRow *);
 double quantity_kept(VerifyRun *, const VerifyRow *); /* share of the energy that one period keeps */
 double quantity_predicted_kept(VerifyRun *, const VerifyRow *);
-double quantity_decay_ratio(VerifyRun *, const VerifyRow *); /* rate of decay, measured over predicted */
+double quantity_decay_ratio(VerifyRun *, const VerifyRow *);    /* rate of decay, measured over predicted */
 double quantity_derived_number(VerifyRun *, const VerifyRow *); /* column: its name; scale */
 double quantity_longer_than(VerifyRun *,
                             const VerifyRow *); /* period, percent; other: the scenario of the shorter */
@@ -74,5 +74,12 @@ double quantity_plane_energy(VerifyRun *,
 double quantity_broken_bonds(VerifyRun *, const VerifyRow *);
 double quantity_angle_over(VerifyRun *, const VerifyRow *);   /* degrees over the height `from` */
 double quantity_angle_turned(VerifyRun *, const VerifyRow *); /* over the height `to` less that over `from` */
+
+/* The first crack of a plate (fronts.h): verify_fronts.c. */
+double quantity_branch_x(VerifyRun *, const VerifyRow *); /* scale */
+double quantity_branch_time(VerifyRun *, const VerifyRow *);
+double quantity_half_angle(VerifyRun *, const VerifyRow *);  /* degrees */
+double quantity_front_speed(VerifyRun *, const VerifyRow *); /* the largest, m/s */
+double quantity_front_angle(VerifyRun *, const VerifyRow *); /* degrees against the cut, over `from` */
 
 #endif
