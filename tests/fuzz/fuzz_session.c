@@ -74,7 +74,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     FUZZ_ASSERT(scenario_load("mode1", &settings, &status));
     LaboratoryOptions options = {
         .settings = &settings, .scenario = "mode1", .paused = true, .history = 1 << 20};
-    Host host = {now, worked, go_on, nothing, nothing, NULL, NULL};
+    Host host = {now, worked, go_on, nothing, nothing, NULL, NULL, NULL};
     time_now = 0;
     FUZZ_ASSERT(laboratory_open(&lab, &options, &host, &status));
     FUZZ_ASSERT(keyboard.picture.curses || keyboard_open(&keyboard, "xterm-256color"));
