@@ -315,7 +315,7 @@ const VerifyCheck verify_bar_checks[] = {
     {"M-hidden", "kinetic energy that the lumped grid has (USF), %", VERIFY_ROWS(seen),
      "The rest is lumping, and motion in the null space of the map to the grid, into\n"
      "  which the run drives it, and only where particles move far."},
-    {"M-crossing", "particles that cross cells (v0 = 1 if not said): energy left at t = 100",
+    {"M-crossing", "particles cross cells (v0 = 1 if not said): energy left at t = 100",
      VERIFY_ROWS(crossings), "Crossings are chaotic with the hat: v0 in its ninth digit moves it by tenths."},
     {"M-load", "body force and traction (eq. 11), from rest", VERIFY_ROWS(loads), NULL},
     {"M-limits", "largest stable courant number, by bisection", VERIFY_ROWS(limits), NULL},
