@@ -321,6 +321,49 @@ static void check_same(Bench *bench, const char *page, const char *how)
     free(dump);
 }
 
+static void check_on_screen(Bench *bench, const char *dump, const char *text)
+{
+    ck_assert_msg(strstr(dump, text), "%s, page %d: \"%s\" is not seen:\n%s", bench->lab.play.name,
+                  bench->lab.screen.lesson.page + 1, text, dump);
+}
+
+/* On a small screen too the page stays when it is answered, with all its choices and its field, and the keys
+ * go to it. */
+START_TEST(every_page_is_seen_on_a_small_screen)
+{
+    const char *name = builtin_lessons[_i].name;
+    Bench *bench = open_lesson(name);
+    bench->width = 60;
+    bench->height = 18;
+    const LessonShown *shown = &bench->lab.screen.lesson;
+    const int count = shown->lesson->n_pages;
+    for (int page = 0; page < count; page++) {
+        const LessonPage *now = page_of(bench);
+        char *dump = entered(bench), text[64];
+        check_on_screen(bench, dump, now->title);
+        for (int i = 0; i < now->n_choices; i++) {
+            snprintf(text, sizeof text, "  %d %.40s", i + 1, now->choices[i]);
+            check_on_screen(bench, dump, text);
+        }
+        for (int i = 0; i < now->n_fields; i++)
+            check_on_screen(bench, dump, parameter_find(now->fields[i])->label);
+        free(dump);
+        if (now->question)
+            answer(bench, now);
+        satisfy(bench, &now->until);
+        dump = entered(bench);
+        if (now->until.kind != UNTIL_COMMAND) {
+            check_on_screen(bench, dump, now->title);
+            check_on_screen(bench, dump, page + 1 < count ? "goes on" : "n next lesson");
+        }
+        free(dump);
+        if (page + 1 < count)
+            press(bench, "n");
+    }
+    close_bench(bench);
+}
+END_TEST
+
 /* Each page does what it says and fits. It is entered in one state: as one reads; backwards; and by somebody
  * who does something else on each page and goes on. */
 START_TEST(every_page_is_entered_in_one_state)
@@ -452,15 +495,19 @@ void add_cases(Suite *suite)
     int count = 0;
     while (builtin_lessons[count].name)
         count++;
-    TCase *format = tcase_create("format"), *own = tcase_create("own"), *turning = tcase_create("turning");
+    TCase *format = tcase_create("format"), *own = tcase_create("own"), *turning = tcase_create("turning"),
+          *small = tcase_create("small");
     tcase_add_test(format, a_lesson_is_read);
     tcase_add_loop_test(format, what_is_wrong_is_told_with_its_line, 0, (int)(sizeof wrong / sizeof *wrong));
     tcase_add_loop_test(own, every_page_is_entered_in_one_state, 0, count);
+    tcase_add_loop_test(small, every_page_is_seen_on_a_small_screen, 0, count);
     tcase_add_test(turning, arrows_choose_an_answer);
     tcase_add_test(turning, a_turned_page_is_not_waited_for);
     tcase_add_test(turning, a_page_can_be_left_out);
     tcase_set_timeout(own, 120);
     suite_add_tcase(suite, format);
     suite_add_tcase(suite, own);
+    tcase_set_timeout(small, 120);
+    suite_add_tcase(suite, small);
     suite_add_tcase(suite, turning);
 }

@@ -34,7 +34,8 @@ static bool lay_out_page(const Screen *screen, int width, int height, Layout *la
 {
     const PaneId focus = screen->panes.focus;
     const bool read = focus == PANE_PARAMETERS;
-    const PaneId other = !read ? focus : experiment_stage(screen->experiment) > 0 ? PANE_BOX : PANE_LOWER;
+    const bool in_step = experiment_stage(screen->experiment) > 0;
+    const PaneId other = !read ? focus : in_step ? PANE_BOX : screen->panes.last_plot;
     const int text = pane_lesson_rows(screen, width), rest = height - 2 - text;
     if (focus == PANE_INSPECTOR || rest < PLOT_ROWS)
         return false;

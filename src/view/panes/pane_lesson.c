@@ -10,6 +10,7 @@
 typedef struct Pen {
     Area area;
     int y;
+    int end; /* of what is written: the row after it, without a gap */
 } Pen;
 
 static void write_paragraphs(Pen *pen, const char *text, Style style)
@@ -21,7 +22,8 @@ static void write_paragraphs(Pen *pen, const char *text, Style style)
         snprintf(paragraph, sizeof paragraph, "%.*s", (int)length, text);
         const int lines = area_paragraph_lines(width, paragraph);
         area_paragraph(pen->area, 1, pen->y, width, lines, paragraph, style);
-        pen->y += lines + 1;
+        pen->end = pen->y + lines;
+        pen->y = pen->end + 1;
         text += length + (text[length] == '\n');
     }
 }
@@ -42,7 +44,7 @@ static void write_question(Pen *pen, const LessonShown *lesson, const LessonPage
         area_print(pen->area, 2, pen->y, marked ? STYLE_SELECTED : STYLE_KEY, "%d", i + 1);
         area_paragraph(pen->area, 4, pen->y, width - 3, lines, page->choices[i],
                        marked ? STYLE_SELECTED : STYLE_NORMAL);
-        pen->y += lines;
+        pen->end = pen->y += lines;
     }
     if (answer < 0 || !chooses)
         return;
@@ -73,8 +75,8 @@ static void write_page(Pen *pen, const Screen *screen)
         const bool chosen = screen->parameters.selected >= 0 && screen->parameters.selected < count &&
                             rows[screen->parameters.selected].parameter == parameter;
         pane_parameter(screen, pen->area, pen->y++, parameter, chosen);
+        pen->end = pen->y;
     }
-    pen->y += page->n_fields > 0; /* as behind a paragraph */
 }
 
 static void write_list(Pen *pen, const Screen *screen)
@@ -95,6 +97,7 @@ static void write_list(Pen *pen, const Screen *screen)
         const int most = pen->area.rect.width - 5 - (*pages ? 1 + glyphs_columns(pages) : 0);
         area_text(area_part(pen->area, 4, pen->y, most, 1), 0, 0, lesson.title, style);
         area_text_right(pen->area, pen->area.rect.width - 1, pen->y++, pages, chosen ? style : STYLE_FAINT);
+        pen->end = pen->y;
         lesson_free(&lesson);
     }
 }
@@ -166,9 +169,9 @@ enum { MARGIN_ROWS = 2 };
 
 static int lines_of(const Screen *screen, Area area)
 {
-    Pen pen = {area_part(area, 0, 0, area.rect.width, 0), 0};
+    Pen pen = {.area = area_part(area, 0, 0, area.rect.width, 0)};
     write_all(&pen, screen);
-    return pen.y;
+    return pen.end;
 }
 
 /* Lines above what is shown: of the list, as many as the chosen one needs to be seen. */
@@ -206,13 +209,13 @@ void pane_lesson(const Screen *screen, Area area)
     const int rows = area.rect.height - MARGIN_ROWS;
     char footer[192];
     draw_heading(screen, area);
-    Pen pen = {area_part(area, 0, 1, area.rect.width, rows), -pane_lesson_above(screen, area)};
+    Pen pen = {.area = area_part(area, 0, 1, area.rect.width, rows), .y = -pane_lesson_above(screen, area)};
     write_all(&pen, screen);
     footer_text(screen, footer, sizeof footer);
     const int last = area.rect.height - 1, end = area.rect.width - 1;
     const int used = area_text(area, 1, last, footer, STYLE_KEY) + 2;
     static const char *const more[] = {"more below", "more", "↓"};
-    for (size_t i = 0; pen.y > rows + 1 && i < sizeof more / sizeof *more; i++)
+    for (size_t i = 0; pen.end > rows && i < sizeof more / sizeof *more; i++)
         if (used + glyphs_columns(more[i]) < end) {
             area_text_right(area, end, last, more[i], STYLE_FAINT);
             break;
@@ -222,7 +225,7 @@ void pane_lesson(const Screen *screen, Area area)
 int pane_lesson_rows(const Screen *screen, int width)
 {
     Canvas none = {.width = width};
-    return lines_of(screen, (Area){&none, {0, 0, width, 0}, screen->look.glyphs}) - 1 + MARGIN_ROWS;
+    return lines_of(screen, (Area){&none, {0, 0, width, 0}, screen->look.glyphs}) + MARGIN_ROWS;
 }
 
 int screen_lesson_count(void)

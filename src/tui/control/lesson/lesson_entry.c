@@ -126,6 +126,11 @@ static void run_line(Laboratory *lab, const char *line)
     }
     if (done && strncmp(line, "open ", 5) == 0)
         player_pause(lab); /* a page is read before it is run */
+    if (screen_view_in(&lab->screen, lab->screen.panes.focus)) {
+        /* on a small screen a view comes to the front: below the page, to which the keys still go */
+        lab->screen.panes.last_plot = lab->screen.panes.focus;
+        lab->screen.panes.focus = PANE_PARAMETERS;
+    }
     lab->play.used = used;
     lab->screen.used = hinted;
     lab->editing.changed = lab->editing.changed && changed;
