@@ -104,6 +104,13 @@ result "which is damage" says own.svg '>damage: '
 expect "or in one that is named" 0 notched-beam-coarse --view beam:uy --end 1e-5 --output named.svg
 result "which is uy" sh -c '! grep -q ">damage: " named.svg && grep -q ">displacement across the beam" named.svg'
 
+sed 's/^colour = .*/colour = mises/' "$MATVIB_SRCDIR/data/scenarios/notched-beam-coarse.ini" >mises.ini
+expect "a colour that the method has not" 2 mises.ini --view beam --output x.svg
+result "is refused by file, line, key and what there is" says err \
+	'^matvib: mises.ini:[0-9]*: view.colour: mises is not allowed (uy | ux | velocity | energy | damage | family |'
+expect "what has no colours" 2 mode5 --set view.colour=uy --view probe --output x.svg
+result "is told so" says err '^matvib: --set: view.colour: uy is not allowed (it is of beams and plates)$'
+
 # the drawing is of the start, so the long run of the fine lattice is not made
 expect "a beam with its dimensions" 0 notched-beam --view beam:drawing --output drawing.svg
 for label in "210 mm" "65 mm" probe "60 MPa on 3 mm" "to scale" "t = 0 ms"; do

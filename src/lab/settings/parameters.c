@@ -15,6 +15,19 @@ const char *const parameter_colour_words[] = {
     "uy",        "ux",        "velocity",  "energy", "damage",  "family",  "surface_factor",
     "stress_xx", "stress_yy", "stress_xy", "mises",  "kinetic", "drawing", NULL};
 
+bool parameter_colour_is_there(const Settings *settings, const char *word)
+{
+    static const char *const of_one_method[][6] = {
+        [METHOD_MPM] = {"stress_xx", "stress_yy", "stress_xy", "mises", "kinetic"},
+        [METHOD_PD] = {"damage", "family", "surface_factor"},
+    };
+    bool there = (settings->problem->concerns & (CONCERN_BEAM | CONCERN_PLATE)) != 0;
+    for (int method = 0; method <= METHOD_PD; method++)
+        for (int i = 0; of_one_method[method][i]; i++)
+            there = there && (method == (int)settings->method || strcmp(of_one_method[method][i], word) != 0);
+    return there;
+}
+
 #define TEXT(member) offsetof(Settings, member), sizeof(((Settings *)NULL)->member)
 
 const TextKey text_keys[] = {

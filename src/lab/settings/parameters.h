@@ -86,6 +86,9 @@ extern const char *const parameter_reference_words[];
 /* The words of view.colour, ended by NULL, in the order in which the beam view goes through them. */
 extern const char *const parameter_colour_words[];
 
+/* Whether what is run with these settings has what the word stands for. */
+bool parameter_colour_is_there(const Settings *, const char *word);
+
 /* What one may look for as a parameter, but follows from the method: it has one value, and a reason for it.
  */
 typedef struct FixedKey {

@@ -236,7 +236,7 @@ static bool can_be_view(const char *text)
 }
 
 /* Empty is always allowed: as the laboratory likes. */
-static bool check_words(const TextKey *key, const char *text, Status *status)
+static bool check_words(const Settings *settings, const TextKey *key, const char *text, Status *status)
 {
     const char *const *words = words_of(key->rule);
     char allowed[160];
@@ -249,9 +249,14 @@ static bool check_words(const TextKey *key, const char *text, Status *status)
     if (key->rule == TEXT_POSITIVE && text_to_double(text, &value))
         sound = value > 0;
     for (size_t used = 0; words && *words; words++) {
+        if (key->rule == TEXT_COLOUR && !parameter_colour_is_there(settings, *words))
+            continue;
         sound |= strcmp(*words, text) == 0;
         used += (size_t)snprintf(allowed + used, sizeof allowed - used, "%s%s", used ? " | " : "", *words);
     }
+    if (!sound && !*allowed)
+        return status_fail(status, STATUS_USAGE, "%s: %.60s is not allowed (it is of beams and plates)",
+                           key->key, text);
     return sound ||
            status_fail(status, STATUS_USAGE, "%s: %.60s is not allowed (%s)", key->key, text, allowed);
 }
@@ -260,7 +265,7 @@ bool settings_set(Settings *settings, const char *key, const char *text, Status 
 {
     const TextKey *words = text_key_find(key);
     if (words)
-        return check_words(words, text, status) &&
+        return check_words(settings, words, text, status) &&
                put_text(settings, key, words->offset, words->size, text, status);
     /* a support of a plate may be called as a parameter of another problem is */
     if (settings_row_is_key(settings, key))
