@@ -122,6 +122,15 @@ static int leave_out_measured(Legend *legend, int n_legend)
     return n_legend;
 }
 
+void legend_draw_short(Area area, int x, int y, const Legend *legend, int n_legend)
+{
+    Legend shown[LEGENDS_MAX];
+    n_legend = n_legend < LEGENDS_MAX ? n_legend : LEGENDS_MAX;
+    memcpy(shown, legend, (size_t)n_legend * sizeof *legend);
+    shorten_legend(legend_room(area) - x, NAME_KINDS, shown, n_legend);
+    legend_draw(area, x, y, shown, n_legend);
+}
+
 int heading_draw(Area area, Style heading, const char *name, const char *scale, const Legend *legend,
                  int n_legend)
 {

@@ -19,6 +19,10 @@ int legend_draw(Area, int x, int y, const Legend *, int n_legend);
 
 enum { LEGENDS_MAX = 32 }; /* under one heading */
 
+/* The same of all entries: names are shortened until there is room, of ghosts to what they are or to the
+ * letter. */
+void legend_draw_short(Area, int x, int y, const Legend *, int n_legend);
+
 /* Draws the heading line of a plot: name, scale, legend as far as there is room. Where it is short names are
  * shortened first; then the solid line of what is measured goes without saying. Returns how many entries of
  * the legend that were. */

@@ -340,7 +340,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     /* a band without a name says nothing: what the heading has no room for stands below it */
     const int named = heading_draw(area, heading, "energy", scale, legend, n_legend),
               top = 1 + (named < n_legend);
-    legend_draw(area, 2, 1, legend + named, n_legend - named);
+    legend_draw_short(area, 2, 1, legend + named, n_legend - named);
     /* of velocities and stresses half a step apart there is more to say; velocity Verlet has none */
     const int lines = screen_column(screen, "kinetic_grid") < 0 ? 1 + (most_work > 0 || is_rigid)
                       : height - top >= 10                      ? 3
