@@ -119,6 +119,21 @@ grown() { # SCENARIO OPTIONS...
 		END { print "grown", last / first; print "off", off; print "start", first }' grown.csv >measured
 }
 
+# What `matvib show` says of a scenario, keys without their section, and what follows from it: how many partners the
+# upper rows of a lattice lack.
+shown() { # SCENARIO
+	"$MATVIB" show "$1" >summary 2>err || result "matvib show $1" told_and_failed
+	awk '
+		$2 == "=" || $3 == "=" { sub(/^# /, ""); print $1, $3; is[$1] = $3 }
+		END {
+			h = is["spacing"] > 0 ? is["horizon"] / is["spacing"] : 0
+			for (y = 1; y <= h; y++)
+				for (x = -int(h); x <= h; x++)
+					if (x * x + y * y <= h * h * (1 + 1e-9)) { top++; if (y > 1) second++ }
+			print "top_lacks", top + 0; print "top_has", is["family"] - top; print "second_lacks", second + 0
+		}' summary >measured
+}
+
 # Whether the text of FILE holds BEFORE NUMBER AFTER, line ends being spaces, and NUMBER is the measured QUANTITY
 # times FACTOR plus OFFSET, without its sign, rounded to the digits that the text gives.
 agrees() { # FILE BEFORE NUMBER AFTER QUANTITY FACTOR OFFSET
@@ -279,6 +294,9 @@ run mode5 --set mpm.algorithm=usl --set time.courant=0.025
 claim $lesson/energy.lesson "(0.025): " 36 " %" lost
 run mode1 --set mpm.algorithm=usl
 claim $lesson/energy.lesson "" 0.03 " %. If you" lost
+run mode1 --set initial.velocity=1 --set mesh.padding=16 --end 1
+awk '$1 == "exact" { print "reach", 1 / $2 }' measured >reach && mv reach measured
+claim $lesson/crossing.lesson "swings by " 1.6 " cells" reach
 run crossing
 claim $lesson/crossing.lesson "+" 24 " %, and" lost
 claim $lesson/cure.lesson "heat it by " 24 " % with lumped" lost
@@ -292,6 +310,18 @@ run crossing --set mesh.cell_size=0.5 --end 60
 claim $lesson/crossing.lesson "" 97 " % more at t = 60" lost
 run crossing --set mpm.shape=gimp
 claim $lesson/crossing.lesson "The energy is back, to " 0.002 " %" lost
+
+shown column
+claim $lesson/hang.lesson "For small strains it would be " 0.312 ":" u_last_linear
+claim $lesson/hang.lesson "stretched by " 2.5 " % at the top" strain_largest 100
+shown notched-beam-coarse
+claim $lesson/crack.lesson "c_R = " 2134 " m/s" rayleigh_speed
+shown supported-beam-coarse
+claim $lesson/skin.lesson "A point inside this beam has " 48 " partners" family
+claim $lesson/bond.lesson "A point inside the beam has " 48 " of them" family
+claim $lesson/skin.lesson "@right " 28 " @choice" top_has
+claim $lesson/skin.lesson "The " 20 " above are missing" top_lacks
+claim $lesson/skin.lesson "The second row still lacks " 13 "," second_lacks
 
 run supported-beam-coarse
 claim $scenario/supported-beam-coarse.ini "The period is " 0.865 " ms" measured 1000
