@@ -92,7 +92,7 @@ static bool refine_particles(const Settings *base, int k, Settings *out)
     return true;
 }
 
-/* Cells that grow smaller, then horizons with m kept: bonds have the one Poisson's ratio that they can have.
+/* Cells that grow smaller, then horizons with m kept.
  */
 enum { SIZES_OF_METHOD = 4 };
 static const char *const method_lines[] = {"MPM", "bonds", NULL};
@@ -108,7 +108,6 @@ static bool refine_methods(const Settings *base, int k, Settings *out)
     if (!refine_horizon(base, k - SIZES_OF_METHOD, out))
         return false;
     out->method = METHOD_PD;
-    out->material.poisson = 1.0 / 3;
     return true;
 }
 
