@@ -100,9 +100,9 @@ colours() { grep -o '<polygon fill="#[0-9a-f]*"' "$1" | sort -u | wc -l; }
 result "damage has many colours" test "$(colours crack.svg)" -gt 60
 
 expect "a beam in the colour of its scenario" 0 notched-beam-coarse --view beam --end 1e-5 --output own.svg
-result "which is damage" says own.svg '>damage: '
+result "which is the energy density" says own.svg '>strain energy density'
 expect "or in one that is named" 0 notched-beam-coarse --view beam:uy --end 1e-5 --output named.svg
-result "which is uy" sh -c '! grep -q ">damage: " named.svg && grep -q ">displacement across the beam" named.svg'
+result "which is uy" sh -c '! grep -q ">strain energy density" named.svg && grep -q ">displacement across the beam" named.svg'
 
 sed 's/^colour = .*/colour = mises/' "$MATVIB_SRCDIR/data/scenarios/notched-beam-coarse.ini" >mises.ini
 expect "a colour that the method has not" 2 mises.ini --view beam --output x.svg

@@ -74,7 +74,8 @@ static void become(Session *session, int frames, const char *const *environment,
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, NULL);
-    signal(SIGHUP, SIG_DFL); /* nohup has it ignored */
+    /* nohup has the first ignored, a shell in the background the others */
+    signal(SIGHUP, SIG_DFL), signal(SIGINT, SIG_DFL), signal(SIGQUIT, SIG_DFL);
     char *arguments[16] = {NULL};
     for (int i = 0; command[i] && i < 15; i++)
         arguments[i] = (char *)(size_t)command[i];

@@ -46,27 +46,27 @@ static double angle_over(const VerifyRun *run, const VerifyRow *row, const Crack
     return fabs(crack_fronts_angle(run->sim, front, row->from));
 }
 
-double quantity_branch_x(VerifyRun *run, const VerifyRow *row)
+double fronts_branch_x(VerifyRun *run, const VerifyRow *row)
 {
     return front_number(run, row, branch_x);
 }
 
-double quantity_branch_time(VerifyRun *run, const VerifyRow *row)
+double fronts_branch_time(VerifyRun *run, const VerifyRow *row)
 {
     return front_number(run, row, branch_time);
 }
 
-double quantity_half_angle(VerifyRun *run, const VerifyRow *row)
+double fronts_half_angle(VerifyRun *run, const VerifyRow *row)
 {
     return front_number(run, row, half_angle);
 }
 
-double quantity_front_speed(VerifyRun *run, const VerifyRow *row)
+double fronts_speed(VerifyRun *run, const VerifyRow *row)
 {
     return front_number(run, row, fastest);
 }
 
-double quantity_front_angle(VerifyRun *run, const VerifyRow *row)
+double fronts_angle(VerifyRun *run, const VerifyRow *row)
 {
     return front_number(run, row, angle_over);
 }

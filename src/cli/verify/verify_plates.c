@@ -41,10 +41,10 @@
     }
 /* place, time and speed as the scatter of lattices and steps has them; the angle as all of them together */
 #define BRANCH_ROWS(x, us, speed, is_full)                                                                   \
-    FRONT_ROW("branches at x, mm", quantity_branch_x, 1e3, 1, WITHIN(x, 2), .full = is_full),                \
-        FRONT_ROW("  at t, us", quantity_branch_time, 1e6, 1, WITHIN(us, 1.5), .full = is_full),             \
-        FRONT_ROW("  half angle, degrees", quantity_half_angle, 1, 1, WITHIN(29, 3), .full = is_full),       \
-        FRONT_ROW("largest speed, m/s", quantity_front_speed, 1, 0, WITHIN(speed, 100), .full = is_full)
+    FRONT_ROW("branches at x, mm", fronts_branch_x, 1e3, 1, WITHIN(x, 2), .full = is_full),                \
+        FRONT_ROW("  at t, us", fronts_branch_time, 1e6, 1, WITHIN(us, 1.5), .full = is_full),             \
+        FRONT_ROW("  half angle, degrees", fronts_half_angle, 1, 1, WITHIN(29, 3), .full = is_full),       \
+        FRONT_ROW("largest speed, m/s", fronts_speed, 1, 0, WITHIN(speed, 100), .full = is_full)
 
 static const VerifyRow branching[] = {
     CUT_ROW("coarse: bonds cut", COARSE, 3978, .full = false),
@@ -73,13 +73,13 @@ static const VerifyRow kalthoff[] = {
     BROKEN_ROW("broken at 50 us", 50e-6, WITHIN(10286, 102.86), .full = true),
     BROKEN_ROW("broken at 100 us", 100e-6, WITHIN(19682, 196.82), .full = true),
     {.what = "degrees to the cut over 30 mm",
-     .quantity = quantity_front_angle,
+     .quantity = fronts_angle,
      .from = 30e-3,
      .decimals = 1,
      .reference = WITHIN(65.5, 2),
      .full = true},
     {.what = "degrees to the cut over 70 mm",
-     .quantity = quantity_front_angle,
+     .quantity = fronts_angle,
      .from = 70e-3,
      .decimals = 1,
      .reference = WITHIN(65.5, 2),

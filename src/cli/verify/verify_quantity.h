@@ -76,10 +76,10 @@ double quantity_angle_over(VerifyRun *, const VerifyRow *);   /* degrees over th
 double quantity_angle_turned(VerifyRun *, const VerifyRow *); /* over the height `to` less that over `from` */
 
 /* The first crack of a plate (fronts.h): verify_fronts.c. */
-double quantity_branch_x(VerifyRun *, const VerifyRow *); /* scale */
-double quantity_branch_time(VerifyRun *, const VerifyRow *);
-double quantity_half_angle(VerifyRun *, const VerifyRow *);  /* degrees */
-double quantity_front_speed(VerifyRun *, const VerifyRow *); /* the largest, m/s */
-double quantity_front_angle(VerifyRun *, const VerifyRow *); /* degrees against the cut, over `from` */
+double fronts_branch_x(VerifyRun *, const VerifyRow *); /* scale */
+double fronts_branch_time(VerifyRun *, const VerifyRow *);
+double fronts_half_angle(VerifyRun *, const VerifyRow *);  /* degrees */
+double fronts_speed(VerifyRun *, const VerifyRow *); /* the largest, m/s */
+double fronts_angle(VerifyRun *, const VerifyRow *); /* degrees against the cut, over `from` */
 
 #endif
