@@ -19,7 +19,7 @@ typedef struct SweepKey {
     const char *origin; /* "--vary" or "--with" */
     char key[KEY_MAX];
     const Parameter *parameter; /* NULL: one value of a row of a plate */
-    char (*values)[VALUE_MAX]; /* as a scenario file would have them */
+    char (*values)[VALUE_MAX];  /* as a scenario file would have them */
     int count;
     int axis; /* the keys of one axis change together */
 } SweepKey;

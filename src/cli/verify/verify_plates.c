@@ -41,9 +41,9 @@
     }
 /* place, time and speed as the scatter of lattices and steps has them; the angle as all of them together */
 #define BRANCH_ROWS(x, us, speed, is_full)                                                                   \
-    FRONT_ROW("branches at x, mm", fronts_branch_x, 1e3, 1, WITHIN(x, 2), .full = is_full),                \
-        FRONT_ROW("  at t, us", fronts_branch_time, 1e6, 1, WITHIN(us, 1.5), .full = is_full),             \
-        FRONT_ROW("  half angle, degrees", fronts_half_angle, 1, 1, WITHIN(29, 3), .full = is_full),       \
+    FRONT_ROW("branches at x, mm", fronts_branch_x, 1e3, 1, WITHIN(x, 2), .full = is_full),                  \
+        FRONT_ROW("  at t, us", fronts_branch_time, 1e6, 1, WITHIN(us, 1.5), .full = is_full),               \
+        FRONT_ROW("  half angle, degrees", fronts_half_angle, 1, 1, WITHIN(29, 3), .full = is_full),         \
         FRONT_ROW("largest speed, m/s", fronts_speed, 1, 0, WITHIN(speed, 100), .full = is_full)
 
 static const VerifyRow branching[] = {

@@ -78,8 +78,8 @@ double quantity_angle_turned(VerifyRun *, const VerifyRow *); /* over the height
 /* The first crack of a plate (fronts.h): verify_fronts.c. */
 double fronts_branch_x(VerifyRun *, const VerifyRow *); /* scale */
 double fronts_branch_time(VerifyRun *, const VerifyRow *);
-double fronts_half_angle(VerifyRun *, const VerifyRow *);  /* degrees */
-double fronts_speed(VerifyRun *, const VerifyRow *); /* the largest, m/s */
-double fronts_angle(VerifyRun *, const VerifyRow *); /* degrees against the cut, over `from` */
+double fronts_half_angle(VerifyRun *, const VerifyRow *); /* degrees */
+double fronts_speed(VerifyRun *, const VerifyRow *);      /* the largest, m/s */
+double fronts_angle(VerifyRun *, const VerifyRow *);      /* degrees against the cut, over `from` */
 
 #endif

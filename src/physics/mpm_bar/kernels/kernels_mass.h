@@ -329,6 +329,14 @@ KERNEL_INLINE void next_terms_of_end(const Bar *bar, const int reach, const doub
     }
 }
 
+/* clang does not take the sum over neighbours apart before it looks for vectors, so it cannot do what the
+ * pragma asks for, and warns. */
+#ifdef __clang__
+#define TERMS_SIMD
+#else
+#define TERMS_SIMD _Pragma("omp simd")
+#endif
+
 KERNEL_INLINE void series_reach(Bar *bar, const int reach, double *x)
 {
     const int n = bar->n_nodes;
@@ -345,7 +353,7 @@ KERNEL_INLINE void series_reach(Bar *bar, const int reach, double *x)
         x[i] = term[i] = 0.0;
     for (int j = 1; j < bar->head->fmpm_order; j++) {
         next_terms_of_end(bar, reach, term, next, x, 0, left);
-#pragma omp simd
+        TERMS_SIMD
         for (int i = left; i < right; i++) {
             next[i] = next_term(bar, reach, true, term, i);
             x[i] += next[i];

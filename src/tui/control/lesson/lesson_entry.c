@@ -194,7 +194,8 @@ static void arrive(Laboratory *lab)
         lesson_judge_enter(lab);
     player_stop_at(lab, &stop);
     if (screen->message.kind != MESSAGE_ERROR)
-        laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* its text tells what the page did, and what is to be feared */
+        laboratory_say(lab, MESSAGE_NONE, "%s",
+                       ""); /* its text tells what the page did, and what is to be feared */
     if (lab->player.pace_automatic)
         lesson_entry_choose_pace(lab);
 }
