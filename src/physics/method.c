@@ -23,12 +23,21 @@ struct Follow {
         char name[FOLLOW_TEXT_MAX], label[FOLLOW_TEXT_MAX], meaning[FOLLOW_TEXT_MAX];
     } things[FOLLOW_MAX];
     Quantity *series; /* all */
+    int holders;      /* the simulation, and who else has its names */
 };
 
-static void follow_free(Follow *follow)
+struct Follow *simulation_hold_names(const Simulation *sim)
 {
-    if (follow)
-        free(follow->series);
+    if (sim->follow)
+        sim->follow->holders++;
+    return sim->follow;
+}
+
+void simulation_release_names(struct Follow *follow)
+{
+    if (!follow || --follow->holders > 0)
+        return;
+    free(follow->series);
     free(follow);
 }
 
@@ -236,7 +245,7 @@ int simulation_find_stage(const Simulation *sim, const char *id)
 void simulation_destroy(Simulation *sim)
 {
     if (sim)
-        follow_free(sim->follow);
+        simulation_release_names(sim->follow);
     if (sim)
         sim->method->destroy(sim);
 }
@@ -314,6 +323,7 @@ bool simulation_follow(Simulation *sim, const char *thing, Status *status)
     if (!sim->follow) {
         memcpy(follow->series, sim->series, (size_t)sim->n_series * sizeof *sim->series);
         follow->own = sim->n_series;
+        follow->holders = 1;
         sim->follow = follow;
         sim->series = follow->series;
     }

@@ -266,6 +266,11 @@ long simulation_steps_a_question(const Simulation *);
 /* The series at the present state; between steps only. */
 void simulation_row(Simulation *, double *row);
 
+/* The names of things that are followed are the simulation's own: who keeps a copy of its series' quantities
+ * for longer than it lives holds them too. NULL, which may be released: nothing is followed. */
+struct Follow *simulation_hold_names(const Simulation *);
+void simulation_release_names(struct Follow *);
+
 /* From now on a field of one thing is one more column of the series, "particle_12_velocity": what is asked
  * for as "particle 12 velocity", with the name of a set, a number, and a field's name or label. Of a set that
  * is ready only after some stages (a grid's nodes) it is the value that these stages of the next step give,

@@ -4,6 +4,7 @@
 #include "suite.h"
 
 #include "lab/problems/problem.h"
+#include "lab/run/experiment.h"
 #include "lab/settings/parameters.h"
 #include "lab/settings/scenario.h"
 
@@ -113,11 +114,36 @@ START_TEST(not_more_than_a_few)
 }
 END_TEST
 
+/* The curves of a run stay when another one takes its place, and so do the names of what it followed. */
+START_TEST(a_ghost_keeps_its_names)
+{
+    Settings settings;
+    Status status = {STATUS_DONE, ""};
+    ck_assert(scenario_load("mode5", &settings, &status));
+    strcpy(settings.output.follow, "particle 12 velocity");
+    Experiment *experiment = experiment_create(&settings, 1 << 20, 1, &status);
+    ck_assert_msg(experiment != NULL, "%s", status.text);
+    ck_assert(experiment_advance(experiment, 20, &status));
+    ck_assert(experiment_pin(experiment, &status));
+    settings = *experiment_settings(experiment);
+    settings.output.follow[0] = '\0';
+    ck_assert(settings_set(&settings, "mesh.cell_size", "0.5", &status));
+    ck_assert_msg(experiment_edit(experiment, &settings, &status), "%s", status.text);
+    const Ghost *ghost = experiment_ghosts(experiment);
+    bool named = false;
+    for (int i = 0; i < ghost->n_columns; i++)
+        named |= strstr(ghost->columns[i].quantity.label, "of particle 12") != NULL;
+    ck_assert(ghost->used && named);
+    experiment_destroy(experiment);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("follow");
     tcase_add_loop_test(tcase, it_is_a_column_and_nothing_else, 0, sizeof cases / sizeof *cases);
     tcase_add_loop_test(tcase, what_is_not_there_is_refused, 0, sizeof bad / sizeof *bad);
     tcase_add_test(tcase, not_more_than_a_few);
+    tcase_add_test(tcase, a_ghost_keeps_its_names);
     suite_add_tcase(suite, tcase);
 }

@@ -31,6 +31,7 @@ typedef struct Ghost {
     Readout readout; /* of its whole record */
     Profile profile; /* as it was last on screen */
     Spectrum spectra[SPECTRUM_SPANS];
+    struct Follow *names; /* of followed columns */
 } Ghost;
 
 typedef struct Experiment Experiment;

@@ -95,7 +95,7 @@ static void rewind_run(Experiment *experiment, bool keep_ghost)
     experiment_rewind(experiment, &old);
     if (kept && old.count > 0)
         experiment_make_ghost(experiment, false, &old, &remains);
-    profile_close(&remains.profile);
+    experiment_drop_remains(&remains);
     record_close(&old);
     experiment->pending = false;
     forget_answers(experiment);
@@ -226,7 +226,7 @@ static bool edit_live(Experiment *experiment, const Settings *wanted, Status *st
         settings_get(wanted, &parameters[i], text);
         if (!experiment_change(experiment, step, parameters[i].key, text, status)) {
             record_close(&old);
-            profile_close(&remains.profile);
+            experiment_drop_remains(&remains);
             return false;
         }
     }

@@ -113,9 +113,12 @@ typedef struct Remains {
     Settings base;
     Column columns[COLUMNS_MAX];
     int n_columns;
-    Readout readout; /* of the whole record */
-    Profile profile; /* empty where memory is short */
+    Readout readout;      /* of the whole record */
+    Profile profile;      /* empty where memory is short */
+    struct Follow *names; /* of followed columns: simulation_hold_names() */
 } Remains;
+
+void experiment_drop_remains(Remains *);
 
 Remains experiment_remains(const Experiment *);
 

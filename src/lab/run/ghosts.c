@@ -9,6 +9,7 @@ void experiment_drop_ghost(Ghost *ghost)
 {
     record_close(&ghost->record);
     profile_close(&ghost->profile);
+    simulation_release_names(ghost->names);
     for (int i = 0; i < SPECTRUM_SPANS; i++)
         spectrum_close(&ghost->spectra[i]);
     memset(ghost, 0, sizeof *ghost);
@@ -39,7 +40,15 @@ Remains experiment_remains(const Experiment *experiment)
         .base = experiment->base, .n_columns = experiment->n_columns, .readout = read_whole(experiment)};
     memcpy(remains.columns, experiment->columns, sizeof remains.columns);
     profile_take(&remains.profile, experiment->sim, NULL);
+    remains.names = simulation_hold_names(experiment->sim);
     return remains;
+}
+
+void experiment_drop_remains(Remains *remains)
+{
+    profile_close(&remains->profile);
+    simulation_release_names(remains->names);
+    memset(remains, 0, sizeof *remains);
 }
 
 /* A place for a ghost; the unpinned one has its place for itself. NULL: all are taken. */
@@ -74,6 +83,7 @@ bool experiment_make_ghost(Experiment *experiment, bool pinned, Record *record, 
     ghost->n_columns = remains->n_columns;
     ghost->readout = remains->readout;
     ghost->profile = remains->profile;
+    ghost->names = remains->names;
     memset(record, 0, sizeof *record);
     memset(remains, 0, sizeof *remains);
     return true;
