@@ -33,12 +33,27 @@ typedef struct CrackPrice {
     double critical_energy; /* G0, J/m^2 */
 } CrackPrice;
 
-/* False: there is no crack as yet, or s0 was changed on the way. It looks at every broken bond: for a table
- * or a summary, not for every row of a run. */
-bool crack_price(const Simulation *, const Settings *, CrackPrice *);
+/* Of the notched beam's crack or, where fronts are given, of theirs. False: there is no crack as yet, or s0
+ * was changed on the way. It looks at every broken bond: for a table or a summary, not for every row of a
+ * run. */
+bool crack_price(const Simulation *, const Settings *, const CrackFronts *, CrackPrice *);
 
-/* The same of a plate, by the paths of its cracks. */
-bool crack_price_of_fronts(const Simulation *, const Settings *, const CrackFronts *, CrackPrice *);
+/* What the cracks of a plate are judged by: the one that runs fastest, and the first that branched. */
+typedef struct FrontsFacts {
+    long broken;
+    int n_tips;
+    double fastest; /* m/s; NAN: too short a time */
+    double angle;   /* of that one from its cut, degrees; NAN */
+    bool branched;
+    double branch[2], branch_time, half_angle;
+    double surface_ratio; /* crack surface made over crack length; NAN: nothing broke */
+} FrontsFacts;
+
+void crack_fronts_facts(const CrackFronts *, FrontsFacts *);
+
+/* Two lines of it, beside Rayleigh's speed; `microseconds` is how these are written. */
+void crack_fronts_lines(const FrontsFacts *, double rayleigh, const char *microseconds, char first[160],
+                        char second[160]);
 
 /* The speed of a front at one of the times that are kept, m/s; NAN: too near to the first or last. */
 double crack_speed_at(const CrackFronts *, const CrackFront *, size_t sample);

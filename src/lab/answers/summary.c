@@ -94,8 +94,15 @@ void summary_rows(RunSummary *summary, const Column *columns, int n_columns, con
 void summary_crack(RunSummary *summary, const Simulation *sim, const Settings *settings)
 {
     summary->crack_known = crack_facts(sim, &summary->crack);
-    summary->price_known = summary->crack_known && crack_price(sim, settings, &summary->price);
-    if (summary->crack_known)
+    CrackFronts fronts = {.count = 0};
+    summary->fronts_known = crack_fronts_update(&fronts, sim);
+    if (summary->fronts_known)
+        crack_fronts_facts(&fronts, &summary->fronts);
+    summary->price_known =
+        (summary->crack_known || summary->fronts_known) &&
+        crack_price(sim, settings, summary->fronts_known ? &fronts : NULL, &summary->price);
+    crack_fronts_free(&fronts);
+    if (summary->crack_known || summary->fronts_known)
         summary->rayleigh_speed = crack_rayleigh_speed(settings);
 }
 
@@ -224,6 +231,13 @@ void summary_crack_text(const RunSummary *summary, const char *microseconds, cha
     Writer writer = {out, 0};
     const Crack *crack = &summary->crack.measured;
     out[0] = '\0';
+    if (summary->fronts_known) {
+        char lines[2][160];
+        crack_fronts_lines(&summary->fronts, summary->rayleigh_speed, microseconds, lines[0], lines[1]);
+        add(&writer, "cracks  %s\n%s%s", lines[0], lines[1], lines[1][0] ? "\n" : "");
+        if (summary->price_known)
+            add_cost(&writer, &summary->price);
+    }
     if (!summary->crack_known)
         return;
     add_time(&writer, "crack  first break", crack->first_break, "none", microseconds);
@@ -277,7 +291,7 @@ void summary_text(const RunSummary *summary, const Settings *settings, char out[
     text_rounded(dt, summary->dt, 6);
     add(&writer, "%ld steps to t = %s%s%s  (dt %s)%s\n", summary->steps, time, facts->si ? " " : "",
         facts->si ? facts->unit_of_time : "", dt, summary->failed ? ", where the run failed" : "");
-    if (!summary->crack_known)
+    if (!summary->crack_known && !summary->fronts_known)
         add_readout(&writer, &summary->readout, facts->answer, summary->n_findings > 0);
     add_kept(&writer, &summary->readout);
     char found[SUMMARY_MAX];

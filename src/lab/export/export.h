@@ -47,6 +47,8 @@ typedef struct RunSummary {
     int n_derived;
     bool crack_known; /* a beam with a notch */
     CrackFacts crack;
+    bool fronts_known; /* a plate with cuts */
+    FrontsFacts fronts;
     bool price_known; /* where the crack's energy went */
     CrackPrice price;
     double rayleigh_speed; /* that of the tip is told beside it */

@@ -117,39 +117,6 @@ static bool has_findings(const Screen *screen)
                                experiment_simulation(screen->experiment), findings) > 0;
 }
 
-/* What the cracks of a plate are judged by: the one that runs fastest, and the first that branched. */
-static void fronts_lines(const CrackFronts *fronts, double rayleigh, char first[160], char second[160])
-{
-    const CrackFront *fastest = NULL, *branched = NULL;
-    int n_tips = 0;
-    for (int f = 0; f < fronts->count; f++) {
-        const CrackFront *front = &fronts->fronts[f];
-        n_tips += front->n_tips;
-        if (isfinite(front->fastest) && (!fastest || front->fastest > fastest->fastest))
-            fastest = front;
-        if (front->branched && (!branched || front->branch_time < branched->branch_time))
-            branched = front;
-    }
-    snprintf(first, 160, "broken bonds %ld", fronts->broken);
-    if (n_tips == 0)
-        text_append(first, 160, "  no crack yet");
-    else
-        text_append(first, 160, "  %d tip%s", n_tips, n_tips == 1 ? "" : "s");
-    if (fastest && fastest->fastest > 0)
-        text_append(first, 160, "  fastest %.0f m/s = %.2f c_R", fastest->fastest,
-                    fastest->fastest / rayleigh);
-    if (branched) {
-        snprintf(second, 160, "branched at x %.1f, y %.1f mm, %.1f µs", branched->branch[0] / 1e-3,
-                 branched->branch[1] / 1e-3, branched->branch_time / 1e-6);
-        if (isfinite(branched->half_angle))
-            text_append(second, 160, "  half angle %.0f deg", branched->half_angle);
-    } else if (fastest && isfinite(fastest->angle))
-        snprintf(second, 160, "%.0f deg from the cut", fastest->angle);
-    if (fronts->broken > 0 && fronts->length > 0 && isfinite(fronts->surface))
-        text_append(second, 160, "%ssurface made / length %.2f", second[0] ? "  " : "",
-                    fronts->surface / fronts->length);
-}
-
 bool beam_lines(const Screen *screen, int width, char first[160], char second[160])
 {
     const bool leaves = experiment_settings(screen->experiment)->problem->concerns & CONCERN_MOTION;
@@ -158,9 +125,12 @@ bool beam_lines(const Screen *screen, int width, char first[160], char second[16
     const CrackFronts *fronts = experiment_fronts(screen->experiment);
     if (crack_facts(experiment_simulation(screen->experiment), &facts))
         crack_lines(&facts, crack_rayleigh_speed(experiment_settings(screen->experiment)), first, second);
-    else if (fronts)
-        fronts_lines(fronts, crack_rayleigh_speed(experiment_settings(screen->experiment)), first, second);
-    else if (!simulation_has(experiment_simulation(screen->experiment), HAS_PLANE))
+    else if (fronts) {
+        FrontsFacts found;
+        crack_fronts_facts(fronts, &found);
+        crack_fronts_lines(&found, crack_rayleigh_speed(experiment_settings(screen->experiment)), "µs", first,
+                           second);
+    } else if (!simulation_has(experiment_simulation(screen->experiment), HAS_PLANE))
         return false;
     else if (!experiment_readout(screen->experiment)->moving && has_findings(screen))
         return false;

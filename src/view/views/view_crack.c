@@ -266,12 +266,18 @@ void crack_draw(const Screen *screen, Area area, Style heading, int variant)
 
 int crack_cost_variants(const Screen *screen)
 {
-    return has_crack(screen) ? 2 : 0;
+    return has_crack(screen) ? 2 : experiment_fronts(screen->experiment) ? 1 : 0;
 }
 
-const char *crack_cost_variant_word(int variant)
+/* What it costs over time is a column's of the notched beam alone. */
+static bool is_over_time(const Screen *screen, int variant)
 {
-    return variant == 0 ? "fracture" : "cost";
+    return has_crack(screen) && variant == 0;
+}
+
+const char *crack_cost_variant_word(const Screen *screen, int variant)
+{
+    return is_over_time(screen, variant) ? "fracture" : "cost";
 }
 
 /* --- where the energy went ------------------------------------------------------------------------- */
@@ -313,8 +319,9 @@ static void draw_cost(const Screen *screen, Area area, Style heading)
     static const Legend targets[] = {{LINE_DOTTED, '.', STYLE_EXACT, "G0", NULL},
                                      {LINE_DASHED, '-', STYLE_PREDICTED, "a plane of this lattice", NULL}};
     CrackPrice price;
-    const bool known = crack_price(experiment_simulation(screen->experiment),
-                                   experiment_settings(screen->experiment), &price);
+    const bool known =
+        crack_price(experiment_simulation(screen->experiment), experiment_settings(screen->experiment),
+                    experiment_fronts(screen->experiment), &price);
     heading_draw(area, heading, "where the energy went, J/m^2", "", targets,
                  known && screen_shows_exact(screen) ? 2 : 0);
     if (!known) {
@@ -352,7 +359,7 @@ void crack_cost_draw(const Screen *screen, Area area, Style heading, int variant
 {
     const CrackCurve cost = {
         "crack's cost, J/m^2", "", "G0", energy_of_crack, screen_derived(screen, "critical_energy"), ""};
-    if (variant == 0)
+    if (is_over_time(screen, variant))
         draw_over_time(screen, area, heading, &cost);
     else
         draw_cost(screen, area, heading);

@@ -282,8 +282,7 @@ static int variants_of(const Screen *screen)
 
 static const char *word_of(const Screen *screen, int variant)
 {
-    (void)screen;
-    return variant > 0 ? crack_cost_variant_word(variant - 1) : "stack";
+    return variant > 0 ? crack_cost_variant_word(screen, variant - 1) : "stack";
 }
 
 static void draw(const Screen *screen, Area area, Style heading, int variant)

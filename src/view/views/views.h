@@ -15,7 +15,7 @@ int crack_variants(const Screen *);
 const char *crack_variant_word(int variant);
 void crack_draw(const Screen *, Area, Style heading, int variant);
 int crack_cost_variants(const Screen *);
-const char *crack_cost_variant_word(int variant);
+const char *crack_cost_variant_word(const Screen *, int variant);
 void crack_cost_draw(const Screen *, Area, Style heading, int variant);
 
 /* A bond's force over its stretch, in the place of shape functions where there is no mesh. */

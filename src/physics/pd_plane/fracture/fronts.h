@@ -53,6 +53,11 @@ typedef struct CrackFront {
     double fastest_at; /* s */
     double *advances;  /* at CrackFronts.n_samples times */
 
+    /* lines that have a cracked node: their distance from the end, and the damage-weighted centre of these
+     * nodes, both m */
+    size_t n_lines;
+    double *away, *centre;
+
     /* from the end on: as far as there is one crack, then its outermost branches; a place for each horizon,
      * the damage-weighted centre of the line's cracked nodes, or of its outermost group */
     int n_paths;
@@ -82,7 +87,7 @@ void crack_fronts_free(CrackFronts *);
 double crack_fronts_speed(const CrackFronts *, const CrackFront *, size_t sample);
 
 /* The angle between the cut and the straight line through the centres of the front's lines, from 2 mm beside
- * its end over `reach` (m), degrees; NAN: fewer than two lines. */
-double crack_fronts_angle(const Simulation *, const CrackFront *, double reach);
+ * its end over `reach` (m) as far as there is one crack, degrees; NAN: fewer than two lines. */
+double crack_fronts_angle(const CrackFront *, double reach);
 
 #endif
