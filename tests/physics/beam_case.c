@@ -36,6 +36,24 @@ BeamDef small_beam(BeamProblem problem)
     return def;
 }
 
+BeamDef struck_plate(void)
+{
+    BeamDef def = beam_default(BEAM_PLATE);
+    def.spacing = 0.5e-3;
+    def.horizon = 2e-3;
+    def.critical_stretch = 0.006;
+    def.dt = 5e-8;
+    def.plate.n_loads = 1;
+    def.plate.loads[0] = (PlateLoad){.name = "blow",
+                                     .edge = PLATE_LEFT,
+                                     .from = 0.01,
+                                     .to = 0.03,
+                                     .sx = 450e6,
+                                     .ramp = 1e-6,
+                                     .until = 3e-6};
+    return def;
+}
+
 Simulation *beam_case_create(const BeamDef *def, const BeamOptions *options)
 {
     Status status = {0};

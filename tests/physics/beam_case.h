@@ -11,6 +11,10 @@
  * notch that cracks within 900 steps. */
 BeamDef small_beam(BeamProblem problem);
 
+/* 200 x 80 nodes, struck at its left edge for 60 steps: a wave of strains for which the series does not do,
+ * before and behind which it does. Some bonds break when it comes back as tension. */
+BeamDef struck_plate(void);
+
 /* The simulation; stops the test if it cannot be made. `options` may be NULL. */
 Simulation *beam_case_create(const BeamDef *def, const BeamOptions *options);
 

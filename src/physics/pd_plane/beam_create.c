@@ -80,6 +80,7 @@ static void destroy(Simulation *sim)
     free(beam->coefficient);
     free(beam->notched);
     free(beam->unbreakable);
+    free(beam->rooted);
     free(beam->state);
     free(beam->broken_at);
     free(beam->damage);
@@ -151,6 +152,7 @@ static bool allocate(Beam *beam, Status *status)
     beam->coefficient = zeroed(beam, slots * sizeof *beam->coefficient);
     beam->notched = zeroed(beam, slots / 8);
     beam->unbreakable = zeroed(beam, nodes);
+    beam->rooted = zeroed(beam, (size_t)lattice->ny * lattice->n_tiles * (size_t)lattice->n_offsets);
     beam->state = zeroed(beam, beam->state_size);
     beam->rescue.state = malloc(beam->state_size);
     beam->broken_at = calloc(slots, sizeof *beam->broken_at);
@@ -163,9 +165,10 @@ static bool allocate(Beam *beam, Status *status)
     beam->row_speeds = zeroed(beam, 2 * (size_t)lattice->ny * sizeof *beam->row_speeds);
     beam->band_logs = zeroed(beam, bands * sizeof *beam->band_logs);
     beam->scratch = zeroed(beam, (size_t)beam->def.threads * BONDS_SCRATCH * sizeof *beam->scratch);
-    if (!beam->coefficient || !beam->notched || !beam->unbreakable || !beam->state || !beam->rescue.state ||
-        !beam->broken_at || !beam->damage || !beam->dirty || !beam->is_dirty || !beam->halo ||
-        !beam->row_energy || !beam->row_work || !beam->row_speeds || !beam->band_logs || !beam->scratch)
+    if (!beam->coefficient || !beam->notched || !beam->unbreakable || !beam->rooted || !beam->state ||
+        !beam->rescue.state || !beam->broken_at || !beam->damage || !beam->dirty || !beam->is_dirty ||
+        !beam->halo || !beam->row_energy || !beam->row_work || !beam->row_speeds || !beam->band_logs ||
+        !beam->scratch)
         return beam_go_on(beam, BUILDING_BONDS, status) &&
                status_fail(status, STATUS_FAILED, "not enough memory for %zu bonds (pd.spacing)",
                            lattice_bonds(lattice));

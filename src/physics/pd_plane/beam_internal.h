@@ -81,6 +81,7 @@ typedef struct Beam {
     double *coefficient;  /* of the intact or broken bonds now: it follows the state's bits */
     uint8_t *notched;     /* per slot one bit: cut by the notch */
     uint8_t *unbreakable; /* per node */
+    uint8_t *rooted;      /* per segment of bonds; see BondSystem */
     PlateCut cuts[PLATE_ROWS_MAX];
     Support supports[PLATE_ROWS_MAX];
     Load loads[PLATE_ROWS_MAX]; /* of the notched beam the pressure alone, at 1 Pa: StateHead.load_stress is

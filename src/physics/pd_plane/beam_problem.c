@@ -70,6 +70,7 @@ bool beam_set_bonds(Beam *beam, Status *status)
         .coefficient = beam->coefficient,
         .broken = beam->broken,
         .unbreakable = beam->unbreakable,
+        .rooted = beam->rooted,
         .energy_scale = beam_volume(beam) / 2 * beam->def.thickness,
     };
     bonds_set_limits(&beam->system, beam->def.critical_stretch);

@@ -11,11 +11,7 @@
  * The file is compiled once for each CpuLevel. Blocks are always eight columns, and every sum keeps eight
  * partial sums, so that the width of the vectors leaves no trace. Units: m, N/m^3 for forces, J for energies.
  */
-#include "physics/pd_plane/bonds/bonds.h"
-#include "physics/vector.h"
-
-#include <math.h>
-#include <stdlib.h>
+#include "physics/pd_plane/bonds/bond_segment.h"
 
 #if defined(__AVX512F__)
 #define LEVEL   CPU_AVX512
@@ -28,180 +24,6 @@
 #define KERNELS bond_kernels_plain
 #endif
 
-enum { LANES = VECTOR_WIDTH, PARTS = LATTICE_BLOCK / LANES };
-
-/* The eight partial sums of a block, always added up in this order. */
-static double sum_lanes(const double *lanes)
-{
-    return ((lanes[0] + lanes[1]) + (lanes[2] + lanes[3])) + ((lanes[4] + lanes[5]) + (lanes[6] + lanes[7]));
-}
-
-/* Bonds of one direction whose owners stand side by side. */
-typedef struct Segment {
-    const Offset *direction;
-    double series_limit, break_limit;
-    const double *ux, *uy; /* of the owners */
-    const double *vx, *vy; /* of the other ends */
-    double *coefficient;
-    size_t count; /* whole blocks */
-} Segment;
-
-/* A segment by the series of bonds.h:
- *
- *     eta = u_j - u_i           d = eta . (xi + (xi + eta))                  = 2 xi.eta + |eta|^2
- *     series = C_0 + C_1 d + ... + C_5 d^5                                   = s / (d |xi + eta|)
- *     f = k d series (xi + eta), k = c G w V                                 eqs. 2, 3, 8 of paper P
- *     k s^2 = k (d series)^2 (|xi|^2 + d), since |xi + eta|^2 = |xi|^2 + d      times V |xi| / 2: its energy
- *
- * Forces go into fx, fy, the sums of k s^2 into eight parts. False: a live bond lies beyond the series' range
- * or may break, and the segment is to be done bond by bond; what was written is of no use. */
-KERNEL_INLINE bool by_series(const Segment *segment, bool with_forces, bool with_energy, double *restrict fx,
-                             double *restrict fy, double *sums)
-{
-    const Offset *direction = segment->direction;
-    const double *restrict coefficient = segment->coefficient;
-    const double *restrict ux = segment->ux, *restrict uy = segment->uy;
-    const double *restrict vx = segment->vx, *restrict vy = segment->vy;
-    const double x = direction->x, y = direction->y, squared = direction->squared;
-    const double c0 = direction->series[0], c1 = direction->series[1], c2 = direction->series[2];
-    const double c3 = direction->series[3], c4 = direction->series[4], c5 = direction->series[5];
-    const Vector limit = (Vector){0} + segment->series_limit * segment->series_limit;
-    VectorMask beyond = {0};
-    Vector sum[PARTS];
-    for (int part = 0; part < PARTS; part++)
-        sum[part] = (Vector){0};
-
-    for (size_t i = 0; i < segment->count; i += LATTICE_BLOCK) {
-#pragma GCC unroll 4
-        for (int part = 0; part < PARTS; part++) {
-            const size_t at = i + (size_t)(part * LANES);
-            const Vector ex = vector_load(vx + at) - vector_load(ux + at),
-                         ey = vector_load(vy + at) - vector_load(uy + at);
-            const Vector rx = x + ex, ry = y + ey;
-            const Vector d = ex * (x + rx) + ey * (y + ry);
-            const Vector k = vector_load(coefficient + at);
-            __builtin_prefetch(coefficient + at + 256);
-            const Vector dd = d * d;
-            /* written so that a d which is no number counts as beyond */
-            beyond |= ~(dd < limit) & (k != 0);
-            const Vector series = c0 + c1 * d + dd * (c2 + c3 * d + dd * (c4 + c5 * d));
-            const Vector g = k * d * series;
-            if (with_forces) {
-                vector_store(fx + at, g * rx);
-                vector_store(fy + at, g * ry);
-            }
-            if (with_energy)
-                sum[part] += g * (d * series) * (squared + d);
-        }
-    }
-    if (with_energy)
-        for (int part = 0; part < PARTS; part++)
-            vector_store(sums + part * LANES, sum[part]);
-    return vector_is_zero(beyond);
-}
-
-/* One bond with the root: xi + eta, d, s = d / (|xi| (|xi + eta| + |xi|)) and |xi + eta|. */
-typedef struct Bond {
-    double rx, ry, d, stretch, length;
-} Bond;
-
-static Bond bond_at(const Segment *segment, size_t i)
-{
-    const Offset *direction = segment->direction;
-    double ex = segment->vx[i] - segment->ux[i], ey = segment->vy[i] - segment->uy[i];
-    Bond bond = {.rx = direction->x + ex, .ry = direction->y + ey};
-    bond.d = ex * (direction->x + bond.rx) + ey * (direction->y + bond.ry);
-    bond.length = sqrt(bond.rx * bond.rx + bond.ry * bond.ry);
-    bond.stretch = bond.d / (direction->length * (bond.length + direction->length));
-    return bond;
-}
-
-/* k s^2; times V |xi|/2 and the thickness it is the bond's energy in J. */
-static double bond_energy(const Segment *segment, size_t i, const Bond *bond)
-{
-    return segment->coefficient[i] * bond->stretch * bond->stretch;
-}
-
-/* Notes a bond that broke, in the band's own list. Without memory for a longer one the step fails afterwards
- * (no_memory). */
-static void log_break(BondLog *log, size_t slot, double energy)
-{
-    if (log->n_breaks == log->capacity) {
-        size_t capacity = log->capacity ? 2 * log->capacity : 256;
-        BondBreak *breaks = realloc(log->breaks, capacity * sizeof *breaks);
-        if (!breaks) {
-            log->no_memory = true;
-            return;
-        }
-        log->breaks = breaks;
-        log->capacity = capacity;
-    }
-    log->breaks[log->n_breaks++] = (BondBreak){(uint32_t)slot, energy};
-}
-
-/* A bond that has reached s0 breaks unless one of its ends is protected. */
-static bool may_break(const BondSystem *system, BondPlace bond)
-{
-    const Offset *direction = &system->lattice->offsets[bond.offset];
-    size_t nx = (size_t)system->lattice->nx;
-    size_t a = (size_t)bond.j * nx + (size_t)bond.i;
-    size_t b = (size_t)(bond.j + direction->q) * nx + (size_t)(bond.i + direction->p);
-    return !system->unbreakable[a] && !system->unbreakable[b];
-}
-
-/* Bond by bond with the root: f = k s (xi + eta) / |xi + eta|. A bond with s >= s0 breaks (eq. 6) unless an
- * end is protected: its coefficient becomes 0, its bit is set, and its energy goes to the log. */
-static void by_root(const BondSystem *system, const Segment *segment, BondPlace first, double *fx, double *fy,
-                    BondLog *log)
-{
-    const Offset *direction = segment->direction;
-    for (size_t i = 0; i < segment->count; i++) {
-        fx[i] = fy[i] = 0;
-        if (segment->coefficient[i] == 0)
-            continue;
-        Bond bond = bond_at(segment, i);
-        BondPlace place = {first.i + (int)i, first.j, first.offset};
-        if (bond.d >= segment->break_limit && may_break(system, place)) {
-            size_t slot = lattice_slot(system->lattice, place);
-            double energy = bond_energy(segment, i, &bond) * direction->length * system->energy_scale;
-            segment->coefficient[i] = 0;
-            system->broken[slot / 8] = (uint8_t)(system->broken[slot / 8] | 1u << slot % 8);
-            log_break(log, slot, energy);
-            continue;
-        }
-        if (!(bond.d < 3 * direction->squared && bond.d > -0.99 * direction->squared) && !log->unstable) {
-            log->unstable = true;
-            log->unstable_slot = lattice_slot(system->lattice, place);
-        }
-        double g = segment->coefficient[i] * bond.stretch / bond.length;
-        fx[i] = g * bond.rx;
-        fy[i] = g * bond.ry;
-    }
-}
-
-/* The sums of k s^2 of a segment that the series cannot do, into the same eight parts. */
-static void energy_by_root(const Segment *segment, double *sums)
-{
-    for (int lane = 0; lane < LATTICE_BLOCK; lane++)
-        sums[lane] = 0;
-    for (size_t i = 0; i < segment->count; i++)
-        if (segment->coefficient[i] != 0) {
-            Bond bond = bond_at(segment, i);
-            sums[i % LATTICE_BLOCK] += bond_energy(segment, i, &bond);
-        }
-}
-
-/* The energy of a segment as a function of displacements and coefficients alone, however it is asked for. */
-static double segment_energy(const BondSystem *system, const Segment *segment, const double *by_series_sums)
-{
-    const Offset *direction = segment->direction;
-    double sums[LATTICE_BLOCK];
-    if (by_series_sums || by_series(segment, false, true, NULL, NULL, sums))
-        return sum_lanes(by_series_sums ? by_series_sums : sums) * direction->length * system->energy_scale;
-    energy_by_root(segment, sums);
-    return sum_lanes(sums) * direction->length * system->energy_scale;
-}
-
 /* The segment of direction o that begins at column `from` of row j: the other ends lie q rows and p columns
  * on, at one fixed distance in memory, which is why no list of indices is needed. */
 KERNEL_INLINE Segment segment_of(const BondSystem *system, int j, int o, size_t from, size_t count,
@@ -211,15 +33,19 @@ KERNEL_INLINE Segment segment_of(const BondSystem *system, int j, int o, size_t 
     const Offset *direction = &lattice->offsets[o];
     size_t own = lattice_at(lattice, 0, j) + from;
     ptrdiff_t shift = (ptrdiff_t)lattice->stride * direction->q + direction->p;
-    return (Segment){direction,
-                     system->series_limit[o],
-                     system->break_limit[o],
-                     system->ux + own,
-                     system->uy + own,
-                     system->ux + own + shift,
-                     system->uy + own + shift,
-                     coefficient,
-                     count};
+    return (Segment){
+        direction,
+        system->series_limit[o],
+        system->break_limit[o],
+        system->ux + own,
+        system->uy + own,
+        system->ux + own + shift,
+        system->uy + own + shift,
+        coefficient,
+        count,
+        system->rooted +
+            ((size_t)j * lattice->n_tiles + from / lattice->tile_columns) * (size_t)lattice->n_offsets + o,
+        {(int)from, j, o}};
 }
 
 /* Where the forces of a row distance come together: two padded arrays with a row of BONDS_SPAN per direction,
@@ -320,11 +146,9 @@ KERNEL_INLINE double tile(const BondSystem *system, int j, int q, size_t from, s
     for (int o = 0; o < parts.n; o++, coefficient += count) {
         Segment segment = segment_of(system, j, first + o, from, count, coefficient);
         double *px = parts.x + o * BONDS_SPAN + BONDS_MARGIN, *py = parts.y + o * BONDS_SPAN + BONDS_MARGIN;
-        bool fine = by_series(&segment, true, with_energy, px, py, sums);
-        if (!fine)
-            by_root(system, &segment, (BondPlace){(int)from, j, first + o}, px, py, log);
+        segment_forces(system, &segment, with_energy, px, py, sums, log);
         if (with_energy)
-            energy += segment_energy(system, &segment, fine ? sums : NULL);
+            energy += sum_lanes(sums) * segment.direction->length * system->energy_scale;
     }
     gather_parts(&parts, fx[0] + from, fy[0] + from, fx[q] + from, fy[q] + from);
     return energy;
@@ -364,12 +188,13 @@ static double energy_of_row(const BondSystem *system, int j)
     for (size_t t = 0; t < lattice->n_tiles; t++) {
         size_t from = lattice_tile(lattice, t), count = lattice_tile(lattice, t + 1) - from;
         for (int q = 0; q <= rows_above(lattice, j); q++) {
-            double part = 0;
+            double part = 0, sums[LATTICE_BLOCK];
             double *coefficient =
                 system->coefficient + lattice_slot(lattice, (BondPlace){(int)from, j, lattice->first[q]});
             for (int o = lattice->first[q]; o < lattice->first[q + 1]; o++, coefficient += count) {
                 Segment segment = segment_of(system, j, o, from, count, coefficient);
-                part += segment_energy(system, &segment, NULL);
+                segment_energy(system, &segment, sums);
+                part += sum_lanes(sums) * segment.direction->length * system->energy_scale;
             }
             sum += part;
         }

@@ -30,6 +30,7 @@ typedef struct BondSystem {
     double *coefficient;                      /* per slot c G w V; 0: empty or broken */
     uint8_t *broken;                          /* per slot one bit */
     const uint8_t *unbreakable;               /* per node: its bonds never break */
+    uint8_t *rooted;                          /* per segment: the root was needed last time; only for speed */
     double series_limit[LATTICE_OFFSETS_MAX]; /* a live bond with |d| from here on is done with the root */
     double break_limit[LATTICE_OFFSETS_MAX];  /* a live bond with d from here on breaks */
     double energy_scale;                      /* V / 2 times the thickness */
