@@ -5,6 +5,7 @@
 #include "cli/cli.h"
 #include "cli/options.h"
 #include "lab/lessons/variant.h"
+#include "lab/settings/parameters.h"
 #include "tui/control/session/laboratory_main.h"
 
 #include <errno.h>
@@ -27,6 +28,23 @@ static bool is_slip(const char *word, Status *status)
     else
         status_fail(status, STATUS_USAGE, "%.60s: no such command, scenario or file (see: matvib --help)",
                     word);
+    return true;
+}
+
+/* The settings that the laboratory opens with: of the coarse form, where the scenario has one for the screen
+ * and no option makes both the same by choosing the size itself. */
+static bool load_for_screen(const Options *options, const char **scenario, Settings *settings, Status *status)
+{
+    Settings coarse;
+    Status ignored = {0};
+    const char *form = scenario_on_screen(*scenario);
+    if (!options_load(options, *scenario, settings, status))
+        return false;
+    if (form != *scenario && options_load(options, form, &coarse, &ignored) &&
+        !settings_same(settings, &coarse)) {
+        *settings = coarse;
+        *scenario = form;
+    }
     return true;
 }
 
@@ -63,15 +81,17 @@ static int open_laboratory(bool for_lesson, int count, char **arguments, Status 
         return (int)status->code;
     }
     const char *word = options.n_words > 0 ? options.words[0] : NULL;
-    const char *scenario = word && !for_lesson ? word : scenario_unnamed;
+    const char *const named = word && !for_lesson ? word : scenario_unnamed;
+    const char *scenario = named;
     const char *lesson = !for_lesson ? NULL : word ? word : laboratory_all_lessons;
     if (is_slip(scenario, status) || !options_words(&options, 0, 1, "[SCENARIO]", status) ||
-        !options_load(&options, scenario, &settings, status))
+        !load_for_screen(&options, &scenario, &settings, status))
         return (int)status->code;
     const int result = laboratory_main(
         &(LaboratoryOptions){
             .settings = &settings,
             .scenario = scenario,
+            .is_coarse = scenario != named,
             .lesson = lesson,
             .student = *student ? student : NULL,
             .paused = options.paused || for_lesson,

@@ -120,7 +120,7 @@ grown() { # SCENARIO OPTIONS...
 }
 
 # What `matvib show` says of a scenario, keys without their section, and what follows from it: how many partners the
-# upper rows of a lattice lack.
+# upper rows of a lattice lack, how many steps there are.
 shown() { # SCENARIO
 	"$MATVIB" show "$1" >summary 2>err || result "matvib show $1" told_and_failed
 	awk '
@@ -130,6 +130,7 @@ shown() { # SCENARIO
 			for (y = 1; y <= h; y++)
 				for (x = -int(h); x <= h; x++)
 					if (x * x + y * y <= h * h * (1 + 1e-9)) { top++; if (y > 1) second++ }
+			if (is["dt"] > 0) print "steps", is["end"] / is["dt"]
 			print "top_lacks", top + 0; print "top_has", is["family"] - top; print "second_lacks", second + 0
 		}' summary >measured
 }
@@ -314,6 +315,9 @@ claim $lesson/crossing.lesson "The energy is back, to " 0.002 " %" lost
 shown column
 claim $lesson/hang.lesson "For small strains it would be " 0.312 ":" u_last_linear
 claim $lesson/hang.lesson "stretched by " 2.5 " % at the top" strain_largest 100
+shown moving-cantilever-mpm
+claim $scenario/moving-cantilever-mpm.ini "It takes " 109 ",000 steps" steps 1e-3
+claim $scenario/moving-cantilever-mpm.ini "steps of 12," 400 " particles" particles 1 -12000
 shown notched-beam-coarse
 claim $lesson/crack.lesson "c_R = " 2134 " m/s" rayleigh_speed
 shown supported-beam-coarse

@@ -346,6 +346,30 @@ bool scenario_load(const char *name_or_path, Settings *settings, Status *status)
     return scenario_load_with(name_or_path, NULL, 0, settings, status);
 }
 
+/* --- coarse forms for the screen -------------------------------------------------------------------- */
+
+static const struct {
+    const char *whole, *coarse;
+} forms[] = {{"moving-cantilever-mpm", "moving-cantilever-mpm-coarse"}};
+
+enum { N_FORMS = sizeof forms / sizeof *forms };
+
+const char *scenario_on_screen(const char *name_or_path)
+{
+    for (int i = 0; i < N_FORMS; i++)
+        if (strcmp(forms[i].whole, name_or_path) == 0)
+            return forms[i].coarse;
+    return name_or_path;
+}
+
+const char *scenario_whole(const char *name)
+{
+    for (int i = 0; i < N_FORMS; i++)
+        if (strcmp(forms[i].coarse, name) == 0)
+            return forms[i].whole;
+    return NULL;
+}
+
 bool scenario_title(const BuiltinScenario *builtin, char title[TITLE_MAX])
 {
     Settings settings;

@@ -46,6 +46,13 @@ bool scenario_write(FILE *stream, const Settings *settings, const char *comment,
 /* The built-in of that name; NULL: there is none. */
 const BuiltinScenario *scenario_builtin(const char *name);
 
+/* What the screen opens first for a scenario that takes long: its coarse form, another built-in. All others
+ * and files are their own. Runs, sweeps, figures, films and lessons are always of what was named. */
+const char *scenario_on_screen(const char *name_or_path);
+
+/* The built-in that has this as its coarse form; NULL: there is none. */
+const char *scenario_whole(const char *name);
+
 /* The title of a built-in, for lists. */
 bool scenario_title(const BuiltinScenario *builtin, char title[TITLE_MAX]);
 

@@ -35,6 +35,8 @@ bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Ho
     }
     opening_name(lab, options->scenario);
     opening_begin(lab);
+    if (options->is_coarse)
+        opening_tell_coarse(lab);
     if (options->paused)
         lab->player.resume = lab->screen.playback.state = STATE_PAUSED;
     if (options->reached)

@@ -126,7 +126,8 @@ Asker laboratory_user(const Laboratory *lab)
     return lab->options.script ? ASKER_SCRIPT : ASKER_KEYBOARD;
 }
 
-bool opening_scenario(Laboratory *lab, const char *name, Status *status)
+/* Another scenario in the place of this one. False: the status says why, and this one stays. */
+static bool open_scenario(Laboratory *lab, const char *name, Status *status)
 {
     Settings *settings = malloc(sizeof *settings);
     if (!settings)
@@ -156,10 +157,35 @@ bool opening_scenario(Laboratory *lab, const char *name, Status *status)
     return experiment != NULL;
 }
 
-bool opening_answer(Laboratory *lab, const char *text)
+static bool open_or_refuse(Laboratory *lab, const char *name)
 {
     Status status = {STATUS_DONE, ""};
+    return open_scenario(lab, name, &status) || prompt_refuse(&lab->prompting, status.text);
+}
+
+void opening_tell_coarse(Laboratory *lab)
+{
+    if (!lab->screen.message.text[0])
+        laboratory_say(lab, MESSAGE_INFO, "coarse form of %s; :full opens the whole",
+                       scenario_whole(lab->scenario));
+}
+
+bool opening_answer(Laboratory *lab, const char *text)
+{
+    const char *form = scenario_on_screen(text);
     if (!text[0])
         return true;
-    return opening_scenario(lab, text, &status) || prompt_refuse(&lab->prompting, status.text);
+    const bool opened = open_or_refuse(lab, form);
+    if (opened && form != text)
+        opening_tell_coarse(lab);
+    return opened;
+}
+
+bool opening_whole(Laboratory *lab, const char *text)
+{
+    const char *whole = text[0] ? text : scenario_whole(lab->scenario);
+    if (!whole)
+        return prompt_refuse(&lab->prompting,
+                             "this is no coarse form (full SCENARIO opens one at full size)");
+    return open_or_refuse(lab, whole);
 }

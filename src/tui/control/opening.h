@@ -16,8 +16,13 @@ Experiment *opening_experiment(const Laboratory *, const Settings *, Status *);
 void opening_begin(Laboratory *);
 void opening_name(Laboratory *, const char *name);
 
-/* Another scenario in the place of this one. False: the status says why, and this one stays. */
-bool opening_scenario(Laboratory *, const char *name, Status *);
+/* Another scenario in the place of this one, or its coarse form, which is then said. */
 bool opening_answer(Laboratory *, const char *text);
+
+/* The same at full size; "": that of which this is the coarse form. */
+bool opening_whole(Laboratory *, const char *text);
+
+/* Says that this is the coarse form of what was asked for. */
+void opening_tell_coarse(Laboratory *);
 
 #endif

@@ -14,6 +14,7 @@
 typedef struct LaboratoryOptions {
     const Settings *settings; /* resolved: scenario and --set */
     const char *scenario;     /* name or path as the user gave it, for the title line */
+    bool is_coarse;           /* the coarse form of what was named */
     const char *lesson;       /* opened at once, or laboratory_all_lessons; NULL: none */
     const char *student;      /* whose homework it is: variants are drawn from the name; NULL: nobody's */
     const int *reached; /* per lesson of the program (LESSONS_MAX), pages turned to so far; NULL: none */
