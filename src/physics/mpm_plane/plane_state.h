@@ -120,7 +120,7 @@ typedef struct Plane {
     const PlaneKernels *kernels;
     Pool *pool;            /* NULL: one thread */
     double *slots;         /* of each thread: by row of nodes, quantity, slot (plane_kernels.h) */
-    double *patches;       /* of each block: by row of nodes, quantity, column */
+    double *patches;       /* of each row of nodes: by block, quantity, column */
     double *push;          /* of each row of nodes: the channel's force, N/m */
     bool *far;             /* of each block: has far particles in the stage under way */
     PlaneTrouble *trouble; /* of each block, in the stage under way */
@@ -152,6 +152,14 @@ static inline int plane_particle(const Plane *plane, int at)
               in_block = vector % plane->n_vectors;
     const int cell = vector / plane->n_vectors * PLANE_LANES + at % PLANE_LANES;
     return in_block / P * plane->nxp + cell * P + in_block % P;
+}
+
+/* A block's patch in a row of nodes: the columns of each quantity, one quantity after the other. Row by row,
+ * and within a row block by block, as a row of nodes gathers them. */
+static inline double *plane_patch(const Plane *plane, int block, int row)
+{
+    return plane->patches +
+           ((size_t)row * (size_t)plane->n_blocks + (size_t)block) * PLANE_GIVEN * PLANE_PATCH;
 }
 
 /* How many lanes of a block have particles. */

@@ -160,23 +160,27 @@ KERNEL_INLINE bool in_run(const Plane *plane, int block, int v)
         }                                                                                                    \
     }
 
+/* How many columns of nodes a block reaches: those of its patch that are at work. */
+KERNEL_INLINE int patch_columns(const PlaneBlock *block)
+{
+    return PLANE_LANES + block->slots - 1;
+}
+
 /* The block's patch from its slots: the node in column k of the patch gets slot c of lane k - c, c = 0, 1, 2
  * ...: each slot is read shifted by c lanes. The slots are zero again afterwards. */
 KERNEL_INLINE void make_patch(Plane *plane, int block, double *slots, const int quantities)
 {
     const PlaneBlock *nodes = &plane->blocks[block];
-    const int lanes = plane_lanes(plane, block);
+    const int lanes = plane_lanes(plane, block), columns = patch_columns(nodes);
     for (int row = nodes->low; row <= nodes->high; row++)
 #pragma GCC unroll 3
         for (int q = 0; q < quantities; q++) {
             double *first = slots + (row * PLANE_GIVEN + q) * PLANE_SLOT_ROW + PLANE_SLOT_FIRST;
-            double *patch =
-                plane->patches +
-                (((size_t)block * (size_t)plane->gy + (size_t)row) * PLANE_GIVEN + (size_t)q) * PLANE_PATCH;
+            double *patch = plane_patch(plane, block, row) + q * PLANE_PATCH;
             if (lanes < PLANE_LANES) /* nobody looks at empty lanes */
                 for (int c = 0; c < nodes->slots; c++)
                     memset(first + c * PLANE_SLOT + lanes, 0, (size_t)(PLANE_LANES - lanes) * sizeof *first);
-            for (int k = 0; k < PLANE_PATCH; k += WIDTH) {
+            for (int k = 0; k < columns; k += WIDTH) {
                 Vector sum = vector_load(first + k);
                 for (int c = 1; c < nodes->slots; c++)
                     sum += vector_load(first + c * PLANE_SLOT + k - c);
@@ -471,47 +475,49 @@ static int update(Plane *plane, int block, long step)
 
 /* --- nodes ------------------------------------------------------------------------------------------- */
 
-/* One row of nodes of one quantity: what the patches of all blocks that reach it have, in their order. A
+/* Rows of nodes: of each quantity what the patches of all blocks that reach the row have, in their order. A
  * patch may hang over the grid's edge, where it is zero. */
-static void gather_row(const Plane *plane, int row, int quantity, double *array)
+KERNEL_INLINE void gather_rows(const Plane *plane, int first_row, int end_row, const int quantities,
+                               double *const *arrays)
 {
-    double *nodes = array + (size_t)row * (size_t)plane->gx;
-    memset(nodes, 0, (size_t)plane->gx * sizeof *nodes);
-    for (int block = 0; block < plane->n_blocks; block++) {
-        const PlaneBlock *of = &plane->blocks[block];
-        if (row < of->low || row > of->high)
-            continue;
-        const double *patch =
-            plane->patches +
-            (((size_t)block * (size_t)plane->gy + (size_t)row) * PLANE_GIVEN + (size_t)quantity) *
-                PLANE_PATCH;
-        double *first = nodes + of->column;
-        if (of->column >= 0 && of->column + PLANE_PATCH <= plane->gx) {
-            for (int k = 0; k < PLANE_PATCH; k += WIDTH)
-                vector_store(first + k, vector_load(first + k) + vector_load(patch + k));
-            continue;
+    for (int row = first_row; row < end_row; row++) {
+        double *nodes[PLANE_GIVEN];
+        for (int q = 0; q < quantities; q++) {
+            nodes[q] = arrays[q] + (size_t)row * (size_t)plane->gx;
+            memset(nodes[q], 0, (size_t)plane->gx * sizeof *nodes[q]);
         }
-        for (int k = of->column < 0 ? -of->column : 0; k < PLANE_PATCH && of->column + k < plane->gx; k++)
-            first[k] += patch[k];
+        const double *patch = plane_patch(plane, 0, row);
+        for (int block = 0; block < plane->n_blocks; block++, patch += PLANE_GIVEN * PLANE_PATCH) {
+            const PlaneBlock *of = &plane->blocks[block];
+            if (row < of->low || row > of->high)
+                continue;
+            const int columns = patch_columns(of);
+            const bool inside = of->column >= 0 && of->column + PLANE_PATCH <= plane->gx;
+#pragma GCC unroll 3
+            for (int q = 0; q < quantities; q++) {
+                double *first = nodes[q] + of->column;
+                const double *given = patch + q * PLANE_PATCH;
+                for (int k = 0; inside && k < columns; k += WIDTH)
+                    vector_store(first + k, vector_load(first + k) + vector_load(given + k));
+                for (int k = of->column < 0 ? -of->column : 0;
+                     !inside && k < columns && of->column + k < plane->gx; k++)
+                    first[k] += given[k];
+            }
+        }
     }
 }
 
 static void gather_map(Plane *plane, int first, int end, bool with_mass)
 {
-    for (int row = first; row < end; row++) {
-        if (with_mass)
-            gather_row(plane, row, 0, plane->node_mass);
-        gather_row(plane, row, with_mass ? 1 : 0, plane->px);
-        gather_row(plane, row, with_mass ? 2 : 1, plane->py);
-    }
+    if (with_mass)
+        gather_rows(plane, first, end, 3, (double *const[]){plane->node_mass, plane->px, plane->py});
+    else
+        gather_rows(plane, first, end, 2, (double *const[]){plane->px, plane->py});
 }
 
 static void gather_force(Plane *plane, int first, int end)
 {
-    for (int row = first; row < end; row++) {
-        gather_row(plane, row, 0, plane->fx);
-        gather_row(plane, row, 1, plane->fy);
-    }
+    gather_rows(plane, first, end, 2, (double *const[]){plane->fx, plane->fy});
 }
 
 /* 1/m, and 0 of a node with hardly any mass (1e-12 of a full one): what pulls at it is lost. */
