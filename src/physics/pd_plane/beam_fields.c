@@ -7,6 +7,7 @@
 #include "physics/pd_plane/beam_internal.h"
 
 #include <math.h>
+#include <string.h>
 
 static const Set sets[N_SETS] = {
     [SET_PARTICLE] = {"particle", "particles", 0},
@@ -134,6 +135,27 @@ static bool is_at_probe(const Beam *beam, int i, int j)
            (j == beam->probe_j[0] || j == beam->probe_j[1]);
 }
 
+/* The padded array of the state that a field is; NULL: it is none. */
+static const double *array_of(const Beam *beam, int field)
+{
+    const NodeArrays *nodes = &beam->nodes;
+    const double *const arrays[N_FIELDS] = {[F_UX] = nodes->ux, [F_UY] = nodes->uy, [F_VX] = nodes->vx,
+                                            [F_VY] = nodes->vy, [F_FX] = nodes->fx, [F_FY] = nodes->fy};
+    return arrays[field];
+}
+
+/* Views read these of all nodes in every frame: row by row. */
+static void copy_array(const Beam *beam, const double *array, size_t first, size_t count, double *out)
+{
+    const size_t nx = (size_t)beam->lattice.nx;
+    for (size_t node = first, part; node < first + count; node += part) {
+        const size_t i = node % nx, left = first + count - node;
+        part = nx - i < left ? nx - i : left;
+        memcpy(out + (node - first), array + lattice_at(&beam->lattice, (int)i, (int)(node / nx)),
+               part * sizeof *out);
+    }
+}
+
 /* The value of one node's field; strain energy and stretch go over bonds (beam_shares.c). */
 static double node_field(const Beam *beam, int field, size_t node)
 {
@@ -146,22 +168,8 @@ static double node_field(const Beam *beam, int field, size_t node)
         return lattice_x(lattice, i);
     case F_Y0:
         return lattice_y(lattice, j);
-    case F_UX:
-        return nodes->ux[at];
-    case F_UY:
-        return nodes->uy[at];
-    case F_VX:
-        return nodes->vx[at];
-    case F_VY:
-        return nodes->vy[at];
-    case F_DAMAGE:
-        return beam->damage[node];
     case F_SURFACE:
         return (lattice->factor_x[node] + lattice->factor_y[node]) / 2;
-    case F_FX:
-        return nodes->fx[at];
-    case F_FY:
-        return nodes->fy[at];
     case F_SPEED:
         return hypot(nodes->vx[at], nodes->vy[at]);
     case F_FAMILY:
@@ -232,6 +240,14 @@ void beam_field(const Simulation *sim, int field, size_t first, size_t count, do
     }
     if (field == F_STRETCH) {
         beam_largest_stretches(beam, first, count, out);
+        return;
+    }
+    if (array_of(beam, field)) {
+        copy_array(beam, array_of(beam, field), first, count, out);
+        return;
+    }
+    if (field == F_DAMAGE) {
+        memcpy(out, beam->damage + first, count * sizeof *out);
         return;
     }
     if (fields[field].set == SET_PARTICLE) {

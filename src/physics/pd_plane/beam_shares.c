@@ -41,20 +41,22 @@ static int larger(int a, int b)
     return a > b ? a : b;
 }
 
-/* In place, from stretches: c G w V s^2 |xi|/2, or s itself. A broken bond has the coefficient zero. */
-static void bond_values_of(FamilyValue what, const double *coefficient, double length, int count,
-                           double *values)
+/* Of `count` bonds in one direction: their energies, or the stretches of those that are left. */
+static void bond_values(const Beam *beam, FamilyValue what, BondPlace first, int count, double *values)
 {
-    if (what == BOND_ENERGY)
-        for (int k = 0; k < count; k++)
-            values[k] = coefficient[k] * values[k] * values[k] * length / 2;
-    else
-        for (int k = 0; k < count; k++)
-            values[k] = coefficient[k] != 0 ? values[k] : NO_STRETCH;
+    if (what == BOND_ENERGY) {
+        beam->kernels->energies(&beam->system, first, (size_t)count, values);
+        return;
+    }
+    const double *coefficient = beam->coefficient + lattice_slot(&beam->lattice, first);
+    beam->kernels->stretches(&beam->system, first, (size_t)count, values);
+    for (int k = 0; k < count; k++)
+        values[k] = coefficient[k] != 0 ? values[k] : NO_STRETCH;
 }
 
 /* Gives the values of `count` bonds to their ends, of which the first is in column `first`. */
-static void share(FamilyValue what, const double *restrict values, int first, int count, RowSlice slice)
+static void share(const Beam *beam, FamilyValue what, const double *restrict values, int first, int count,
+                  RowSlice slice)
 {
     int from = larger(first, slice.from), end = smaller(first + count, slice.end);
     if (from >= end)
@@ -62,8 +64,7 @@ static void share(FamilyValue what, const double *restrict values, int first, in
     double *restrict out = slice.out + (from - slice.from);
     values += from - first;
     if (what == BOND_ENERGY)
-        for (int k = 0; k < end - from; k++)
-            out[k] += values[k];
+        beam->kernels->accumulate(out, values, (size_t)(end - from));
     else
         for (int k = 0; k < end - from; k++)
             out[k] = values[k] > out[k] ? values[k] : out[k];
@@ -87,11 +88,9 @@ static void share_direction(const Beam *beam, FamilyValue what, int j, int o, Ro
         int stop = smaller(end, (from / tile_columns + 1) * tile_columns);
         BondPlace place = {from, j, o};
         double values[LATTICE_TILE];
-        beam->kernels->stretches(&beam->system, place, (size_t)(stop - from), values);
-        bond_values_of(what, beam->coefficient + lattice_slot(lattice, place), lattice->offsets[o].length,
-                       stop - from, values);
-        share(what, values, from, stop - from, owners);
-        share(what, values, from + p, stop - from, others);
+        bond_values(beam, what, place, stop - from, values);
+        share(beam, what, values, from, stop - from, owners);
+        share(beam, what, values, from + p, stop - from, others);
         from = stop;
     }
 }

@@ -8,6 +8,8 @@
 #include "view/panes/panes.h"
 #include "view/panes/stage_flow.h"
 
+#include <math.h>
+
 /* The lattice of nodes: node k lies in column k % nx and row k / nx, row 0 below. */
 typedef struct Body {
     size_t count;
@@ -113,8 +115,20 @@ void map_close(Map *);
 
 bool body_of(const Simulation *, Body *);
 
-/* Where a place is drawn that is displaced by (ux, uy). */
-void map_place(const Map *, double x, double y, double ux, double uy, double *column, double *row);
+#define MAP_FAR 1e6 /* cells */
+
+/* Where a place is drawn that is displaced by (ux, uy). Here, since it is asked for each node of a frame. */
+static inline void map_place(const Map *map, double x, double y, double ux, double uy, double *column,
+                             double *row)
+{
+    const double along = map->scene.leaves ? 1 : map->enlarged;
+    const double right = (x + along * ux - map->middle[0]) * map->scale_x;
+    const double up = (y + map->enlarged * uy - map->middle[1]) * map->scale_y;
+    /* a run that has become unstable has nodes anywhere and nowhere */
+    *column = fabs(right) < MAP_FAR ? map->area.rect.width / 2.0 + right : -MAP_FAR;
+    *row = fabs(up) < MAP_FAR ? map->area.rect.height / 2.0 - up : -MAP_FAR;
+}
+
 void map_node_place(const Map *, size_t node, double *column, double *row);
 
 /* Where a place of the undeformed body is drawn now: it goes with the nodes around it. */

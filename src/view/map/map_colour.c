@@ -114,9 +114,11 @@ bool map_colour(Map *map, MapVariant variant)
         map->open_ended = most > map->high;
     } else {
         const bool density = variant == MAP_ENERGY || variant == MAP_KINETIC;
-        double reach = map_reach(map, field, map->value), scale = 1;
+        double reach, scale = 1;
         if (density)
             scale = 1 / (map->body.spacing * map->body.spacing * map->settings->geometry.thickness);
+        else
+            reach = map_reach(map, field, map->value);
         for (size_t i = 0; i < count && density; i++)
             map->value[i] *= scale;
         if (density)

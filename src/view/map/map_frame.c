@@ -13,7 +13,6 @@
 #define TALL_PART    0.82
 enum { LEGEND_ROOM = 19, LEGEND_ROWS = 4 };
 
-#define FAR           1e6 /* cells */
 #define BENT_PART     0.08
 #define MOST_ENLARGED 1e9
 #define NODE_COLUMNS  3.0 /* from that distance on nodes are drawn one by one */
@@ -50,16 +49,6 @@ bool body_of(const Simulation *sim, Body *body)
 }
 
 /* --- places --------------------------------------------------------------------------------------- */
-
-void map_place(const Map *map, double x, double y, double ux, double uy, double *column, double *row)
-{
-    const double along = map->scene.leaves ? 1 : map->enlarged;
-    const double right = (x + along * ux - map->middle[0]) * map->scale_x;
-    const double up = (y + map->enlarged * uy - map->middle[1]) * map->scale_y;
-    /* a run that has become unstable has nodes anywhere and nowhere */
-    *column = fabs(right) < FAR ? map->area.rect.width / 2.0 + right : -FAR;
-    *row = fabs(up) < FAR ? map->area.rect.height / 2.0 - up : -FAR;
-}
 
 void map_node_place(const Map *map, size_t node, double *column, double *row)
 {

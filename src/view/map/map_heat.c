@@ -23,42 +23,52 @@ int map_step(const Map *map, double value)
 
 /* --- nodes to pixels ------------------------------------------------------------------------------ */
 
-static void cover(Map *map, double x, double y, double wide, double high, float value, float broken)
+/* Pixels from .. end - 1 of a row or a column of pixels. */
+typedef struct Span {
+    int from, end;
+} Span;
+
+/* (int)floor(x), without a call for each node. */
+static inline int whole(double x)
 {
-    const int width = map->area.rect.width * map->across, height = map->area.rect.height * map->down;
-    int left = (int)floor(x), right = left + 1, top = (int)floor(y), bottom = top + 1;
-    if (wide > 1) {
-        left = (int)floor(x - wide / 2 + 0.5);
-        right = (int)floor(x + wide / 2 + 0.5);
-    }
-    if (high > 1) {
-        top = (int)floor(y - high / 2 + 0.5);
-        bottom = (int)floor(y + high / 2 + 0.5);
-    }
-    left = left > 0 ? left : 0;
-    right = right < width ? right : width;
-    top = top > 0 ? top : 0;
-    bottom = bottom < height ? bottom : height;
-    for (int row = top; row < bottom; row++)
-        for (int column = left; column < right; column++) {
-            Pixel *pixel = &map->pixels[(size_t)row * (size_t)width + (size_t)column];
-            pixel->sum += value;
-            pixel->count += 1;
-            pixel->broken += broken;
-        }
+    const int cut = (int)x;
+    return cut - (x < cut);
+}
+
+/* What a node at x covers whose piece is so wide; at least the pixel that it lies in. */
+static inline Span span_of(double x, double wide, int most)
+{
+    Span span = {whole(x), 0};
+    span.end = span.from + 1;
+    if (wide > 1)
+        span = (Span){whole(x - wide / 2 + 0.5), whole(x + wide / 2 + 0.5)};
+    return (Span){span.from > 0 ? span.from : 0, span.end < most ? span.end : most};
 }
 
 static void cover_all(Map *map, bool hide_cracks)
 {
     const Body *body = &map->body;
+    const int width = map->area.rect.width * map->across, height = map->area.rect.height * map->down;
     const double wide = GAPLESS * body->spacing * map->scale_x * map->across;
     const double high = GAPLESS * body->spacing * map->scale_y * map->down;
-    for (size_t node = 0; node < body->count; node++) {
-        double column, row;
-        map_node_place(map, node, &column, &row);
-        cover(map, column * map->across, row * map->down, wide, high, (float)map->value[node],
-              hide_cracks && map->damage[node] > CRACK_DAMAGE);
-    }
+    size_t node = 0;
+    for (int j = 0; j < body->ny; j++)
+        for (int i = 0; i < body->nx; i++, node++) {
+            double column, row;
+            map_place(map, body->first[0] + i * body->spacing, body->first[1] + j * body->spacing,
+                      map->ux[node], map->uy[node], &column, &row);
+            const Span across = span_of(column * map->across, wide, width),
+                       down = span_of(row * map->down, high, height);
+            const float value = (float)map->value[node],
+                        broken = hide_cracks && map->damage[node] > CRACK_DAMAGE;
+            for (int y = down.from; y < down.end; y++)
+                for (int x = across.from; x < across.end; x++) {
+                    Pixel *pixel = &map->pixels[(size_t)y * (size_t)width + (size_t)x];
+                    pixel->sum += value;
+                    pixel->count += 1;
+                    pixel->broken += broken;
+                }
+        }
 }
 
 /* --- pixels to cells ------------------------------------------------------------------------------ */

@@ -100,14 +100,18 @@ int screen_box_stage(const Screen *screen, bool *done)
 
 static double reach_of(Experiment *experiment, int field, const double *now, size_t count)
 {
-    enum { TIMES = 24, PLACES = 8 };
+    enum { TIMES = 24, PLACES = 8, PARTS = 4 }; /* parts: none waits for the one before */
     const Simulation *sim = experiment_simulation(experiment);
     const References *refs = experiment_references(experiment);
     const Readout *readout = experiment_readout(experiment);
     const char *name = sim->fields[field].quantity.name;
-    double reach = 0, length = 0;
-    for (size_t i = 0; i < count; i++)
-        reach = fmax(reach, fabs(now[i]));
+    double reach = 0, length = 0, parts[PARTS] = {0};
+    for (size_t i = 0; i < count; i++) {
+        double *most = &parts[i % PARTS];
+        *most = fabs(now[i]) > *most ? fabs(now[i]) : *most;
+    }
+    for (int part = 0; part < PARTS; part++)
+        reach = fmax(reach, parts[part]);
     if (count > 0)
         sim->method->field(sim, sim->position[0], count - 1, 1, &length);
     double span = experiment_settings(experiment)->time.end;

@@ -202,17 +202,48 @@ static double energy_of_row(const BondSystem *system, int j)
     return sum;
 }
 
-/* s of `count` bonds of one direction that stand side by side, whole or broken. */
+static Segment segment_at(const BondSystem *system, BondPlace first, size_t count)
+{
+    double *coefficient = system->coefficient + lattice_slot(system->lattice, first);
+    return segment_of(system, first.j, first.offset, (size_t)first.i, count, coefficient);
+}
+
+/* s of bonds of one direction that stand side by side, whole or broken. */
 static void stretches(const BondSystem *system, BondPlace first, size_t count, double *restrict out)
 {
-    const Lattice *lattice = system->lattice;
-    const Offset *offset = &lattice->offsets[first.offset];
-    size_t own = lattice_at(lattice, first.i, first.j);
-    size_t other = lattice_at(lattice, first.i + offset->p, first.j + offset->q);
-    const double *own_x = system->ux + own, *other_x = system->ux + other;
-    const double *own_y = system->uy + own, *other_y = system->uy + other;
-    for (size_t k = 0; k < count; k++)
-        out[k] = offset_stretch(offset, other_x[k] - own_x[k], other_y[k] - own_y[k]);
+    const Segment segment = segment_at(system, first, count);
+    for (size_t i = 0; i < count; i++)
+        out[i] = bond_at(&segment, i).stretch;
+}
+
+/* c G w V s^2 |xi|/2; a broken bond has the coefficient zero. */
+static void energies(const BondSystem *system, BondPlace first, size_t count, double *restrict out)
+{
+    const Segment segment = segment_at(system, first, count);
+    const double x = segment.direction->x, y = segment.direction->y, whole = segment.direction->length;
+    size_t i = 0;
+    for (; i + LANES <= count; i += LANES) {
+        const Vector ex = vector_load(segment.vx + i) - vector_load(segment.ux + i),
+                     ey = vector_load(segment.vy + i) - vector_load(segment.uy + i);
+        const Vector rx = x + ex, ry = y + ey;
+        const Vector d = ex * (x + rx) + ey * (y + ry);
+        const Vector s = d / (whole * (vector_root(rx * rx + ry * ry) + whole));
+        __builtin_prefetch(segment.coefficient + i + AHEAD);
+        vector_store(out + i, vector_load(segment.coefficient + i) * s * s * whole * 0.5);
+    }
+    for (; i < count; i++) {
+        const Bond bond = bond_at(&segment, i);
+        out[i] = bond_energy(&segment, i, &bond) * whole * 0.5;
+    }
+}
+
+static void accumulate(double *restrict y, const double *restrict x, size_t count)
+{
+    size_t i = 0;
+    for (; i + LANES <= count; i += LANES)
+        vector_store(y + i, vector_load(y + i) + vector_load(x + i));
+    for (; i < count; i++)
+        y[i] += x[i];
 }
 
 /* y += factor x; count is a multiple of a block, padding included. */
@@ -238,4 +269,4 @@ static double dot(const double *x, const double *y, size_t count)
 }
 
 extern const BondKernels KERNELS;
-const BondKernels KERNELS = {LEVEL, forces, energy_of_row, stretches, add, dot};
+const BondKernels KERNELS = {LEVEL, forces, energy_of_row, stretches, energies, accumulate, add, dot};

@@ -11,6 +11,9 @@
 #include <stdlib.h>
 
 enum { LANES = VECTOR_WIDTH, PARTS = LATTICE_BLOCK / LANES };
+enum {
+    AHEAD = 256
+}; /* coefficients are asked for so many bonds before their turn: all else is in the cache */
 
 /* The eight partial sums of a block, always added up in this order. */
 static double sum_lanes(const double *lanes)
@@ -64,7 +67,7 @@ KERNEL_INLINE bool by_series(const Segment *segment, bool with_forces, bool with
             const Vector rx = x + ex, ry = y + ey;
             const Vector d = ex * (x + rx) + ey * (y + ry);
             const Vector k = vector_load(coefficient + at);
-            __builtin_prefetch(coefficient + at + 256);
+            __builtin_prefetch(coefficient + at + AHEAD);
             const Vector dd = d * d;
             /* written so that a d which is no number counts as beyond */
             beyond |= ~(dd < limit) & (k != 0);

@@ -74,6 +74,12 @@ typedef struct BondKernels {
      * columns that follow it. */
     void (*stretches)(const BondSystem *system, BondPlace first, size_t count, double *out);
 
+    /* Likewise c G w V s^2 |xi|/2, zero where a bond is broken; times V and the thickness it is in J. */
+    void (*energies)(const BondSystem *system, BondPlace first, size_t count, double *out);
+
+    /* y += x, any number of them. */
+    void (*accumulate)(double *y, const double *x, size_t count);
+
     /* y += factor x, and x.y, over whole blocks. */
     void (*add)(double *y, const double *x, double factor, size_t count);
     double (*dot)(const double *x, const double *y, size_t count);
