@@ -78,6 +78,26 @@ result "has its first break and its angle" holds out \
 	'v["first_break", 2] > 5e-5 && v["first_break", 2] < v["first_break", 1] &&
 	 v["crack_angle", 1] > 5 && v["crack_angle", 1] < 60'
 
+# --- a plate: straight at half the load, two branches at the whole
+
+set -- branching-coarse --set pd.spacing=1e-3 --set pd.horizon=4e-3 --set time.step=2e-7
+expect "the cracks of a plate" 0 "$@" --vary loads.top.sy=6e6,12e6 --with loads.bottom.sy=-6e6,-12e6
+result "have columns" test "$(head -n 1 out)" = loads.top.sy,loads.bottom.sy,real_height,crack_angle,tip_speed,tips,branched,\
+branch_x,branch_time,half_angle,crack_cost,broken_bonds,steps,wall
+result "without branches those of branches are empty" holds out \
+	'v["branched", 1] == 0 && v["tips", 1] == 1 && v["branch_x", 1] == "" && v["branch_time", 1] == "" && v["half_angle", 1] == "" && v["crack_cost", 1] > 204'
+result "with branches they say where and when" holds out \
+	'v["branched", 2] == 1 && v["tips", 2] == 2 && (v["branch_x", 2] - .0815) ^ 2 < 1e-8 && v["branch_time", 2] > 2e-5 && v["branch_time", 2] < 4e-5'
+cp out cracks.csv
+"$MATVIB" run "$@" >run.out 2>err
+same() {
+	set -- $(tail -n 1 cracks.csv | cut -d, -f5,6,8-11 | tr , ' ')
+	LC_ALL=C printf '%d tips  fastest %.0f m/s|branched at x %.1f|, %.1f us|half angle %.0f deg|cost  %.1f J|' "$2" "$1" \
+		"$(awk "BEGIN { print 1e3 * $3 }")" "$(awk "BEGIN { print 1e6 * $4 }")" "$5" "$6" | tr '|' '\n' >wanted
+	while read -r part; do grep -q -F -e "$part" run.out || { echo "no: $part"; cat run.out; return 1; }; done <wanted
+}
+result "as one run says" same
+
 # --- combinations without a row
 
 expect "unstable steps" 1 mode5 --vary time.courant=0.1,3,0.5 --end 30

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The columns of the result of a sweep: name, unit and meaning of each, and the numbers of a finished run.
- * A column is a bar's (frequency) or a beam's (period). */
+ * A column is a bar's (frequency), a beam's (period) or of cracks. */
 #include "cli/sweep/sweep_result.h"
 
 #include <math.h>
@@ -29,10 +29,20 @@ static const struct {
     [RESULT_REAL_SPAN] = {"real_span", "m", "length of the lattice that vibrates"},
     [RESULT_FIRST_BREAK] = {"first_break", "s", "time at which the first bond breaks at the notch's end"},
     [RESULT_CRACK_ANGLE] = {"crack_angle", "degree",
-                            "between the notch and the straight line through the whole path of the crack"},
+                            "between the notch and the straight line through the whole path of the crack; of "
+                            "a plate between a cut and the fastest crack from it"},
     [RESULT_CRACK_LENGTH] = {"crack_length", "m", "length of the crack at the end"},
     [RESULT_TIP_SPEED] = {"tip_speed", "m/s",
-                          "of the crack's tip at its fastest, until it came to the protected zone"},
+                          "of the crack's tip at its fastest, until it came to the protected zone; of a "
+                          "plate the fastest of all tips"},
+    [RESULT_TIPS] = {"tips", "1", "plate: tips of cracks at the end"},
+    [RESULT_BRANCHED] = {"branched", "1", "plate: 1 where a crack has branched, else 0"},
+    [RESULT_BRANCH_X] = {"branch_x", "m", "plate: where along it the first crack that branched did so"},
+    [RESULT_BRANCH_TIME] = {"branch_time", "s", "when it did"},
+    [RESULT_HALF_ANGLE] = {"half_angle", "degree", "half of the angle between its two branches"},
+    [RESULT_CRACK_COST] = {"crack_cost", "J/m^2",
+                           "energy of all broken bonds over the area of the cracks; to be set beside "
+                           "pd.critical_energy"},
     [RESULT_BROKEN_BONDS] = {"broken_bonds", "1", "bonds broken at the end"},
     [RESULT_ENERGY_LEFT] =
         {"energy_left", "1",
@@ -99,6 +109,31 @@ static void put_readout(const RunSummary *summary, double cells[RESULT_COLUMNS])
     cells[RESULT_PERIOD_ERROR_EULER] = percent(cells[RESULT_PERIOD_MEASURED], cells[RESULT_PERIOD_EULER]);
 }
 
+/* The notched beam has one crack, a plate any number. */
+static void put_cracks(const RunSummary *summary, double cells[RESULT_COLUMNS])
+{
+    const FrontsFacts *fronts = &summary->fronts;
+    if (summary->crack_known) {
+        cells[RESULT_FIRST_BREAK] = summary->crack.measured.first_break;
+        cells[RESULT_CRACK_ANGLE] = summary->crack.angle;
+        if (summary->crack.measured.fastest > 0)
+            cells[RESULT_TIP_SPEED] = summary->crack.measured.fastest;
+    }
+    if (summary->fronts_known) {
+        cells[RESULT_CRACK_ANGLE] = fronts->angle;
+        cells[RESULT_TIP_SPEED] = fronts->fastest;
+        cells[RESULT_TIPS] = fronts->n_tips;
+        cells[RESULT_BRANCHED] = fronts->branched;
+    }
+    if (summary->fronts_known && fronts->branched) {
+        cells[RESULT_BRANCH_X] = fronts->branch[0];
+        cells[RESULT_BRANCH_TIME] = fronts->branch_time;
+        cells[RESULT_HALF_ANGLE] = fronts->half_angle;
+    }
+    if (summary->price_known)
+        cells[RESULT_CRACK_COST] = summary->price.cost.total / summary->price.cost.area;
+}
+
 void sweep_result_of(const RunSummary *summary, const Settings *settings, double wall, SweepResult *result)
 {
     double *cells = result->cells;
@@ -109,12 +144,7 @@ void sweep_result_of(const RunSummary *summary, const Settings *settings, double
     cells[RESULT_REAL_SPAN] = derived_value(summary, "real_span");
     if (settings->problem->concerns & CONCERN_BREAKING && settings->bonds.critical_stretch > 0)
         cells[RESULT_BROKEN_BONDS] = last_value(summary, "broken_bonds");
-    if (summary->crack_known) {
-        cells[RESULT_FIRST_BREAK] = summary->crack.measured.first_break;
-        cells[RESULT_CRACK_ANGLE] = summary->crack.angle;
-        if (summary->crack.measured.fastest > 0)
-            cells[RESULT_TIP_SPEED] = summary->crack.measured.fastest;
-    }
+    put_cracks(summary, cells);
     cells[RESULT_CRACK_LENGTH] = last_value(summary, "crack_length");
     if (summary->energy_measure != ENERGY_NOT_KNOWN && !summary->energy_of_work)
         cells[RESULT_ENERGY_LEFT] = 1 + summary->energy_change / 100;
