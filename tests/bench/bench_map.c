@@ -4,6 +4,7 @@
  *
  * Usage: bench_map [SCENARIO [STEPS [COLOUR]]] */
 #include "lab/settings/parameters.h"
+#include "physics/pd_plane/fracture/fronts.h"
 #include "view/map/map.h"
 #include "view/views/view.h"
 #include "view/scene.h"
@@ -53,6 +54,24 @@ static void measure_colours(Scene *scene, const char *only)
            1e3 * most * 64000 / (double)sim->counts[0]);
 }
 
+/* What each new state of a plate costs where its cracks are followed. */
+static void measure_fronts(const Simulation *sim)
+{
+    enum { ROUNDS = 10 };
+    CrackFronts fronts = {.count = 0};
+    double least = INFINITY;
+    bool known = false;
+    for (int round = 0; round < ROUNDS; round++) {
+        crack_fronts_free(&fronts);
+        const double begin = now();
+        known = crack_fronts_update(&fronts, sim);
+        least = fmin(least, now() - begin);
+    }
+    crack_fronts_free(&fronts);
+    if (known)
+        printf("  %-16s %6.2f ms of a core a frame\n", "cracks followed", 1e3 * least);
+}
+
 static int bench(const char *scenario, const char *steps, const char *only)
 {
     static const char *const sizes[] = {"80x24", "200x60"};
@@ -68,6 +87,7 @@ static int bench(const char *scenario, const char *steps, const char *only)
         printf("map of %s (%zu nodes) at %s\n", scenario,
                experiment_simulation(scene.screen.experiment)->counts[0], sizes[size]);
         measure_colours(&scene, only);
+        measure_fronts(experiment_simulation(scene.screen.experiment));
         if (!only) {
             view_choose_variant(view_of_map(), &scene.screen, 0);
             scene.screen.look.colours = 0;

@@ -207,6 +207,8 @@ START_TEST(slices_are_stages)
         ck_assert(simulation_slice(sim, cuts[_i], &done, &status));
     }
     expect_same_state(straight, sim, "in slices");
+    ck_assert_double_gt(series_now(sim, "strain"), 0);
+    ck_assert_double_eq(series_now(straight, "strain"), series_now(sim, "strain"));
     simulation_destroy(sim);
     simulation_destroy(straight);
 }

@@ -125,12 +125,12 @@ static void energy_chunk(void *context, int band, int worker)
 }
 
 /* In the order of rows, whatever thread did which: the same bits. */
-static double sum_of_rows(const Beam *beam)
+void beam_keep_strain(Beam *beam)
 {
-    double sum = 0;
+    beam->strain = 0;
     for (int j = 0; j < beam->lattice.ny; j++)
-        sum += beam->row_energy[j];
-    return sum;
+        beam->strain += beam->row_energy[j];
+    beam->strain_known = true;
 }
 
 /* Eq. 8 without the load: f of all rows but for the halos, N/m^3. With the energy, also that of all
@@ -138,10 +138,8 @@ static double sum_of_rows(const Beam *beam)
 void beam_bond_forces(Beam *beam, bool with_energy)
 {
     beam_run(beam, with_energy ? bonds_and_energy_chunk : bonds_chunk, beam->n_bands);
-    if (with_energy) {
-        beam->strain = sum_of_rows(beam);
-        beam->strain_known = true;
-    }
+    if (with_energy)
+        beam_keep_strain(beam);
 }
 
 bool beam_ask_forces(Beam *beam, double share, Status *status)
@@ -157,8 +155,7 @@ double beam_strain(Beam *beam)
 {
     if (!beam->strain_known) {
         beam_run(beam, energy_chunk, beam->n_bands);
-        beam->strain = sum_of_rows(beam);
-        beam->strain_known = true;
+        beam_keep_strain(beam);
     }
     return beam->strain;
 }

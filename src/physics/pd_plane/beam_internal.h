@@ -115,6 +115,8 @@ typedef struct Beam {
     int n_tips;     /* how many of them its speed is taken over */
     double strain;  /* J; valid while strain_known */
     bool strain_known;
+    double kinetic; /* likewise, of a step whose row is taken */
+    bool kinetic_known;
 
     /* bands of rows: what a thread takes at once. Forces on rows above the band go to the band's own halo and
      * are added in the order of bands, so that the number of threads leaves no trace. */
@@ -123,11 +125,12 @@ typedef struct Beam {
     int *band_of_row;
     double *halo; /* per band: reach rows of fx, then of fy */
     double *row_energy;
-    double *row_work;   /* per row the work done in the first half of a step and in the second, J */
-    double *row_speeds; /* per row sum |v|^2 and sum vy at mid-step, for what damping and weight do in it */
-    BondLog *band_logs; /* one per band */
-    double *scratch;    /* one per worker */
-    Pool *pool;         /* NULL: one thread */
+    double *row_squares; /* per row sum vx^2 and sum vy^2 at the end of a step whose row is taken */
+    double *row_work;    /* per row the work done in the first half of a step and in the second, J */
+    double *row_speeds;  /* per row sum |v|^2 and sum vy at mid-step, for what damping and weight do in it */
+    BondLog *band_logs;  /* one per band */
+    double *scratch;     /* one per worker */
+    Pool *pool;          /* NULL: one thread */
     Rescue rescue;
     double built; /* share of the building that is done, for forces meanwhile; see beam_ask_forces() */
     _Atomic bool given_up; /* by BeamDef.patience */
@@ -167,6 +170,7 @@ void beam_bond_forces(Beam *beam, bool with_energy); /* all bands; halos are sti
 /* With halos. While the beam is being built, asking on the way; false: to be given up. */
 bool beam_ask_forces(Beam *beam, double share, Status *status);
 double beam_strain(Beam *beam);
+void beam_keep_strain(Beam *beam); /* the sum of what a sweep over all rows has left, until u changes */
 
 /* beam_damping.c */
 bool beam_set_damping(Beam *beam, Status *status);
@@ -217,7 +221,9 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
 /* beam_series.c */
 void beam_set_series(Beam *beam);
 void beam_row(Simulation *sim, double *row);
-double beam_kinetic(const Beam *beam);
+double beam_kinetic(Beam *beam);
+void beam_note_squares(Beam *beam, int j); /* of row j; and once all rows are there: */
+void beam_keep_kinetic(Beam *beam);
 
 /* beam_fields.c */
 void beam_set_fields(Beam *beam);

@@ -55,7 +55,7 @@ void beam_load(Simulation *sim, const void *bytes)
     sim->at_rest = beam->head->rested;
     sim->kinetic_left = beam->head->kinetic_left;
     beam_rebuild_damage(beam);
-    beam->strain_known = false;
+    beam->strain_known = beam->kinetic_known = false;
     beam->rescue.valid = false;
 }
 

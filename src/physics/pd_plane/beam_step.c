@@ -154,12 +154,14 @@ static bool bonds_stage(Beam *beam, int first, int end, Status *status)
     BondLog *log = &beam->band_logs[0];
     log->scratch = beam->scratch;
     for (int j = first; j < end; j++)
-        beam_bonds_of_row(beam, j, log, false);
+        beam_bonds_of_row(beam, j, log, true);
     if (!take_log(beam, log, beam->sim.step, status))
         return false;
-    if (end == beam->lattice.ny)
-        for (int j = 0; j < beam->lattice.ny; j++)
-            beam_add_halos(beam, j);
+    if (end < beam->lattice.ny)
+        return true;
+    for (int j = 0; j < beam->lattice.ny; j++)
+        beam_add_halos(beam, j);
+    beam_keep_strain(beam); /* whoever goes by stages looks at each step */
     return true;
 }
 
@@ -167,7 +169,9 @@ static bool bonds_stage(Beam *beam, int first, int end, Status *status)
 bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status)
 {
     Beam *beam = (Beam *)sim;
-    beam->strain_known = false;
+    beam->kinetic_known = false;
+    if (stage <= STAGE_BONDS)
+        beam->strain_known = false;
     beam->rescue.valid = false;
     if (stage == STAGE_BONDS)
         return bonds_stage(beam, (int)first, (int)end, status);
@@ -221,6 +225,15 @@ static void end_chunk(void *context, int band, int worker)
         end_row(beam, j, beam->sim.step);
 }
 
+/* Of a step whose row is taken: with what the row needs of the velocities. */
+static void watched_end_chunk(void *context, int band, int worker)
+{
+    Beam *beam = context;
+    end_chunk(context, band, worker);
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
+        beam_note_squares(beam, j);
+}
+
 /* The end of this step and the start of the next, while the row is at hand. */
 static void turn_chunk(void *context, int band, int worker)
 {
@@ -241,7 +254,7 @@ static bool run_steps(Beam *beam, long count, double *rows, long *done, Status *
     Simulation *sim = &beam->sim;
     bool begun = false;
     for (*done = 0; *done < count && !beam->sim.at_rest; ++*done) {
-        beam->strain_known = false;
+        beam->strain_known = beam->kinetic_known = false;
         if (!begun) {
             beam_run(beam, begin_chunk, beam->n_bands);
             beam_add_work(beam, 0);
@@ -256,7 +269,9 @@ static bool run_steps(Beam *beam, long count, double *rows, long *done, Status *
             return false;
 
         bool pause = rows || *done + 1 == count || beam_asks_for_rest(beam, sim->step + 1);
-        beam_run(beam, pause ? end_chunk : turn_chunk, beam->n_bands);
+        beam_run(beam, rows ? watched_end_chunk : pause ? end_chunk : turn_chunk, beam->n_bands);
+        if (rows)
+            beam_keep_kinetic(beam);
         begun = !pause;
         beam_add_work(beam, 1);
         if (begun) {

@@ -24,26 +24,41 @@ static bool is_above_notch(const Beam *beam, int j)
     return lattice_y(&beam->lattice, j) > beam->def.notch_depth + 1e-6 * beam->lattice.spacing;
 }
 
-/* A cracked node of the region where the crack is looked for: from the load to 10 mm beyond the notch,
- * outside the protected zones. Farther out single nodes beside supports and load may be damaged too. */
-static bool is_cracked(const Beam *beam, int i, int j)
+/* Where the crack is looked for: from the load to 10 mm beyond the notch. Farther out single nodes beside
+ * supports and load may be damaged too. */
+typedef struct Region {
+    double low, high;
+    int from, end; /* columns, with one or two to spare */
+} Region;
+
+static Region region_of(const Beam *beam)
+{
+    const double notch = beam->def.notch_position, load = beam->def.load_position;
+    Region region = {load < notch ? load : notch - BEFORE_NOTCH, load < notch ? notch + BEFORE_NOTCH : load,
+                     0, beam->lattice.nx};
+    const double first = beam->lattice.x0, dx = beam->lattice.spacing;
+    region.from = (int)fmax(region.from, (region.low - first) / dx - 2);
+    region.end = (int)fmin(region.end, (region.high - first) / dx + 2);
+    return region;
+}
+
+/* A cracked node of the region, outside the protected zones. */
+static bool is_cracked(const Beam *beam, const Region *region, int i, int j)
 {
     size_t node = (size_t)j * (size_t)beam->lattice.nx + (size_t)i;
     if (beam->damage[node] <= CRACK_DAMAGE || beam->unbreakable[node])
         return false;
     double x = lattice_x(&beam->lattice, i);
-    double notch = beam->def.notch_position, load = beam->def.load_position;
-    double low = load < notch ? load : notch - BEFORE_NOTCH;
-    double high = load < notch ? notch + BEFORE_NOTCH : load;
-    return x >= low && x <= high;
+    return x >= region->low && x <= region->high;
 }
 
 /* sum phi x / sum phi over the row's cracked nodes. False: there are none. */
 static bool row_centre(const Beam *beam, int j, double *centre)
 {
+    const Region region = region_of(beam);
     double sum = 0, weights = 0;
-    for (int i = 0; i < beam->lattice.nx; i++)
-        if (is_cracked(beam, i, j)) {
+    for (int i = region.from; i < region.end; i++)
+        if (is_cracked(beam, &region, i, j)) {
             double damage = beam->damage[(size_t)j * (size_t)beam->lattice.nx + (size_t)i];
             sum += damage * lattice_x(&beam->lattice, i);
             weights += damage;
@@ -66,13 +81,14 @@ size_t crack_path(const Simulation *sim, double *x, double *y, size_t max)
 /* The tip: of the highest row with a cracked node the node with most damage. False: it has not begun. */
 static bool find_tip(const Beam *beam, double *x, double *y)
 {
+    const Region region = region_of(beam);
     *x = beam->def.notch_position;
     *y = beam->def.notch_depth;
     for (int j = beam->lattice.ny - 1; j >= 0 && is_above_notch(beam, j); j--) {
         double most = 0;
-        for (int i = 0; i < beam->lattice.nx; i++) {
+        for (int i = region.from; i < region.end; i++) {
             double damage = beam->damage[(size_t)j * (size_t)beam->lattice.nx + (size_t)i];
-            if (is_cracked(beam, i, j) && damage > most) {
+            if (is_cracked(beam, &region, i, j) && damage > most) {
                 most = damage;
                 *x = lattice_x(&beam->lattice, i);
             }
