@@ -205,6 +205,45 @@ START_TEST(strange_lines_do_no_harm)
 }
 END_TEST
 
+/* What a line brings holds a text, blanks and line ends apart. */
+static void says(Talk *talk, const char *text, const char *wanted)
+{
+    const char *said = line(talk, text);
+    char joined[1 << 16];
+    size_t length = 0;
+    for (const char *at = said; *at && length + 1 < sizeof joined; at++) {
+        const char c = *at == '\n' ? ' ' : *at;
+        if (c != ' ' || (length > 0 && joined[length - 1] != ' '))
+            joined[length++] = c;
+    }
+    joined[length] = '\0';
+    ck_assert_msg(strstr(joined, wanted), "%s: not '%s' in: %.900s", text, wanted, joined);
+}
+
+/* Bars and strokes that are no frame are the physics and the syntax. */
+START_TEST(equations_and_alternatives_keep_their_bars)
+{
+    Talk *talk = open_talk("notched-beam-coarse");
+    says(talk, "help", "s = (|xi+eta| - |xi|)/|xi|");
+    says(talk, "help", "all|exact|predicted|none");
+    close_talk(talk);
+}
+END_TEST
+
+START_TEST(only_curves_of_one_thing_are_compared)
+{
+    Talk *talk = open_talk("notched-beam-coarse");
+    line(talk, "step");
+    says(talk, "show section", "ux over y. ");
+    says(talk, "tell section", "measured lies on -y duy/dx (eq. 14).");
+    ck_assert_ptr_null(strstr(line(talk, "tell shapes"), "lies on"));
+    line(talk, "show dispersion shear");
+    says(talk, "tell dispersion", "k at 45 deg: from");
+    ck_assert_ptr_null(strstr(line(talk, "tell dispersion"), "is away from"));
+    close_talk(talk);
+}
+END_TEST
+
 /* --- sentences --------------------------------------------------------------------------------------- */
 
 /* Told of a curve y(x) from 0 to 10. */
@@ -213,6 +252,7 @@ static Words told_of(double (*curve)(double), double (*exact)(double), const cha
     Sketch sketch;
     Words words = {.text = NULL};
     sketch_open(&sketch);
+    sketch.compares = true;
     const Axis x = axis_make(0, 10, 5), y = axis_make(-2, 2, 5);
     sketch_axes(&sketch, &x, &y, "t");
     sketch_heading(&sketch, heading);
@@ -334,6 +374,8 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, every_view_tells_of_itself);
     tcase_add_test(tcase, answers_go_where_they_are_asked);
     tcase_add_test(tcase, what_never_ends_does);
+    tcase_add_test(tcase, equations_and_alternatives_keep_their_bars);
+    tcase_add_test(tcase, only_curves_of_one_thing_are_compared);
     tcase_add_test(tcase, strange_lines_do_no_harm);
     tcase_add_test(tcase, sentences_tell_what_a_curve_does);
     tcase_add_test(tcase, units_go_with_their_numbers);

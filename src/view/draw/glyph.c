@@ -148,10 +148,10 @@ uint32_t glyph_ascii(uint32_t glyph)
 void glyphs_plain(Glyphs glyphs, const char *text, char *out, size_t size)
 {
     static const char *const spellings[][2] = {
-        {"→", "->"},  {"←", "<-"}, {"Δ", "d"},   {"ε", "e"},    {"σ", "s"},   {"ρ", "rho"},
-        {"φ", "phi"}, {"ξ", "xi"}, {"η", "eta"}, {"μ", "mu"},   {"α", "a"},   {"Σ", "sum"},
-        {"×", "x"},   {"′", "'"},  {"↑", "Up"},  {"↓", "Down"}, {"½", "1/2"}, {"²", "^2"},
-        {"³", "^3"},  {"−", "-"},  {"≥", ">="},  {"…", "..."},
+        {"→", "->"},  {"←", "<-"}, {"Δ", "d"},   {"ε", "e"},    {"σ", "s"},    {"ρ", "rho"},
+        {"φ", "phi"}, {"ξ", "xi"}, {"η", "eta"}, {"μ", "mu"},   {"α", "a"},    {"Σ", "sum"},
+        {"×", "x"},   {"′", "'"},  {"↑", "Up"},  {"↓", "Down"}, {"½", "1/2"},  {"²", "^2"},
+        {"³", "^3"},  {"−", "-"},  {"≥", ">="},  {"…", "..."},  {"°", " deg"},
     };
     enum { SPELLINGS = sizeof spellings / sizeof *spellings };
     size_t used = 0;

@@ -61,6 +61,8 @@ typedef struct Sketch {
     char heading[SKETCH_TEXT_MAX]; /* what is drawn: the name of the vertical axis where there are axes */
     char x_name[SKETCH_TEXT_MAX];
     bool has_axes;  /* if not, the view had nothing to draw and the notes say why */
+    bool compares;  /* its curves are of one quantity: words say how far the measured one is from others */
+    bool upright;   /* what is plotted goes across, over a height */
     bool bare;      /* the axes only say where things are: a drawing, with labels */
     double stretch; /* a length upwards is drawn so many times as long as one across; 0: as there is room */
     Plot plot;      /* its axes, and the strokes of all that was plotted */

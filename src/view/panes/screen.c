@@ -131,6 +131,8 @@ void screen_sketch(const Screen *screen, const View *view, int columns, int rows
     Canvas canvas = {.width = columns, .height = rows, .sketch = sketch};
     sketch_open(sketch);
     sketch->of_moment = view->of_moment;
+    sketch->compares = view->compares;
+    sketch->upright = view->upright;
     screen_time_text(screen, experiment_time(screen->experiment), sketch->time, sizeof sketch->time);
     view_draw(view, screen, (Area){&canvas, {0, 0, columns, rows}, GLYPHS_NONE}, false);
 }

@@ -31,10 +31,12 @@ static Measure measure_of(const Axis *axis, const char *name)
     char *power = strstr(measure.name, " x10^"), *comma = strrchr(measure.name, ',');
     if (power) {
         *power = '\0';
-    } else if (comma && comma[1] == ' ') {
-        const size_t unit = strcspn(comma + 2, " "); /* behind it stands how the axis goes */
+    } else if (comma && (!comma[1] || comma[1] == ' ')) {
+        const char *word = comma + 1 + strspn(comma + 1, " ");
+        const size_t unit = strcspn(word, " "); /* behind it stands how the axis goes */
         measure.scale = pow(10, axis->exponent);
-        snprintf(measure.unit, sizeof measure.unit, " %.*s", unit < 22 ? (int)unit : 22, comma + 2);
+        if (unit > 0)
+            snprintf(measure.unit, sizeof measure.unit, " %.*s", unit < 22 ? (int)unit : 22, word);
         *comma = '\0';
     }
     return measure;
@@ -53,6 +55,7 @@ static const char *number(const Measure *measure, double value, char out[NAME_MA
 typedef struct Curve {
     const double *points; /* x, y, ...; the finite ones count */
     size_t count;
+    bool upright; /* x is plotted over y */
     size_t first, last, least, greatest;
     long crossings; /* of zero */
     double crossed; /* where the last one was */
@@ -65,18 +68,18 @@ static bool is_finite(const Curve *curve, size_t i)
 
 static double x_at(const Curve *curve, size_t i)
 {
-    return curve->points[2 * i];
+    return curve->points[2 * i + curve->upright];
 }
 
 static double y_at(const Curve *curve, size_t i)
 {
-    return curve->points[2 * i + 1];
+    return curve->points[2 * i + !curve->upright];
 }
 
 /* False: nothing of it is a number. */
-static bool look_at(const double *points, size_t count, Curve *curve)
+static bool look_at(const double *points, size_t count, bool upright, Curve *curve)
 {
-    *curve = (Curve){.points = points, .count = count, .first = count};
+    *curve = (Curve){.points = points, .count = count, .upright = upright, .first = count};
     size_t before = count; /* the last one that is not on zero itself */
     for (size_t i = 0; i < count; i++) {
         if (!is_finite(curve, i))
@@ -116,7 +119,7 @@ static double value_at(const Curve *curve, double x)
 static bool ascends(const Curve *curve)
 {
     for (size_t i = curve->first; i < curve->last; i++)
-        if (!(x_at(curve, i) <= x_at(curve, i + 1)))
+        if (!(x_at(curve, i) < x_at(curve, i + 1)))
             return false;
     return true;
 }
@@ -252,12 +255,13 @@ static void say_dots(Words *words, const char *name, const Curve *curve, const M
               number(y, y_at(curve, curve->greatest), c), number(x, x_at(curve, curve->greatest), d));
 }
 
-/* The same thing drawn twice, as a line and as dots, is told once. */
+/* The same thing drawn twice, as a line and as dots, is told once; two cracks that grow alike are two. */
 static bool is_told(const Sketch *sketch, int index)
 {
     const Plot *plot = &sketch->plot;
     for (int i = 0; i < index; i++)
-        if (plot->strokes[i].count == plot->strokes[index].count &&
+        if (plot->strokes[i].kind != plot->strokes[index].kind &&
+            plot->strokes[i].count == plot->strokes[index].count &&
             plot->strokes[i].style == plot->strokes[index].style &&
             memcmp(plot->points + 2 * plot->strokes[i].first, plot->points + 2 * plot->strokes[index].first,
                    2 * plot->strokes[i].count * sizeof(double)) == 0)
@@ -265,10 +269,27 @@ static bool is_told(const Sketch *sketch, int index)
     return false;
 }
 
+/* Whether words can say how far the measured curve is from this one: another curve of the same thing, not a
+ * value that is marked from edge to edge. */
+static bool is_beside(const Sketch *sketch, const Stroke *stroke)
+{
+    const Plot *plot = &sketch->plot;
+    const double *points = plot->points + 2 * stroke->first;
+    const bool marked = stroke->count == 2 && points[0] == plot->x.low && points[2] == plot->x.high;
+    return sketch->compares && stroke->kind == STROKE_LINE && !marked &&
+           (stroke->style == STYLE_EXACT || stroke->style == STYLE_PREDICTED ||
+            stroke->style == STYLE_SECOND);
+}
+
 static void say_strokes(const Sketch *sketch, double cursor, Words *words)
 {
     const Plot *plot = &sketch->plot;
-    const Measure x = measure_of(&plot->x, sketch->x_name), y = measure_of(&plot->y, sketch->heading);
+    const Measure across = measure_of(&plot->x, sketch->x_name);
+    const Measure up = measure_of(&plot->y, sketch->heading);
+    Measure x = sketch->upright ? up : across, y = sketch->upright ? across : up;
+    const char *height = strrchr(up.name, ','); /* "bending, y": the picture, and what goes up in it */
+    if (sketch->upright && height)
+        snprintf(x.name, sizeof x.name, "%s", height + 1 + strspn(height + 1, " "));
     Curve measured = {.count = 0};
     char name[NAME_MAX], whose[NAME_MAX] = "", a[NAME_MAX], b[NAME_MAX];
     words_say(words, 4, "  %s over %s.", y.name, x.name);
@@ -276,7 +297,8 @@ static void say_strokes(const Sketch *sketch, double cursor, Words *words)
         const Stroke *stroke = &plot->strokes[i];
         const double *points = plot->points + 2 * stroke->first;
         Curve curve;
-        if (stroke->count == 0 || is_told(sketch, i) || !look_at(points, stroke->count, &curve))
+        if (stroke->count == 0 || is_told(sketch, i) ||
+            !look_at(points, stroke->count, sketch->upright, &curve))
             continue;
         name_of(sketch, i, name);
         if (stroke->kind == STROKE_BAND)
@@ -296,9 +318,8 @@ static void say_strokes(const Sketch *sketch, double cursor, Words *words)
     for (int i = 0; i < plot->n_strokes && measured.count > 0; i++) {
         const Stroke *stroke = &plot->strokes[i];
         Curve curve;
-        if ((stroke->style != STYLE_EXACT && stroke->style != STYLE_PREDICTED &&
-             stroke->style != STYLE_SECOND) ||
-            stroke->kind != STROKE_LINE || !look_at(plot->points + 2 * stroke->first, stroke->count, &curve))
+        if (!is_beside(sketch, stroke) ||
+            !look_at(plot->points + 2 * stroke->first, stroke->count, sketch->upright, &curve))
             continue;
         name_of(sketch, i, name);
         say_distance(words, whose, name, &measured, &curve, &x, &y);

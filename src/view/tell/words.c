@@ -14,10 +14,12 @@ void words_close(Words *words)
     *words = (Words){.text = NULL};
 }
 
-static void put(Words *words, const char *bytes, size_t count)
+/* A line whole or not at all: who reads what was told counts on the end of its last line. */
+static void put_line(Words *words, const char *head, size_t head_bytes, const char *bytes, size_t count)
 {
-    if (words->used + count + 1 > words->room) {
-        const size_t room = 2 * (words->used + count + 1);
+    const size_t more = head_bytes + count + 1;
+    if (words->used + more + 1 > words->room) {
+        const size_t room = 2 * (words->used + more + 1);
         char *text = realloc(words->text, room);
         words->lost |= !text;
         if (!text)
@@ -25,8 +27,10 @@ static void put(Words *words, const char *bytes, size_t count)
         words->text = text;
         words->room = room;
     }
-    memcpy(words->text + words->used, bytes, count);
-    words->used += count;
+    memcpy(words->text + words->used, head, head_bytes);
+    memcpy(words->text + words->used + head_bytes, bytes, count);
+    words->used += more;
+    words->text[words->used - 1] = '\n';
     words->text[words->used] = '\0';
 }
 
@@ -48,9 +52,7 @@ static void put_paragraph(Words *words, size_t indent, const char *text)
         "                                                                       ";
     for (size_t lead = 0; *text; lead = indent) {
         const size_t bytes = line_bytes(text, WORDS_WIDTH - lead);
-        put(words, blanks, lead);
-        put(words, text, bytes);
-        put(words, "\n", 1);
+        put_line(words, blanks, lead, text, bytes);
         text += bytes;
         text += strspn(text, " ");
     }
@@ -73,18 +75,29 @@ void words_say(Words *words, int indent, const char *format, ...)
 
 /* --- what was drawn --------------------------------------------------------------------------------- */
 
-/* Runs of what frames and rules are drawn with go; so do blanks at the end. */
+/* Bytes at `at` that a frame or a rule is drawn with, and not |x|, A|B or --word: such a run stands between
+ * blanks or the ends of the line, or is longer than a text has it. */
+static size_t frame_bytes(const char *line, const char *at)
+{
+    enum { TEXT_MOST = 2 };
+    const size_t bars = strspn(at, "|"), rule = strspn(at, "-=_"), bytes = bars > 0 ? bars : rule;
+    const bool alone = (at == line || at[-1] == ' ') && (!at[bytes] || at[bytes] == ' ');
+    if (rule > TEXT_MOST)
+        return rule;
+    return alone && (bars == 1 || rule == TEXT_MOST || (rule == 1 && at == line)) ? bytes : 0;
+}
+
+/* Takes frames, rules, and the blanks at both ends that they leave; indentation stays. */
 static void strip(char *line)
 {
     char *out = line;
     for (const char *at = line; *at;) {
-        const size_t rule = strspn(at, "-=_"), bars = strspn(at, "|");
-        const bool frame = rule > 1 || (rule == 1 && at == line && at[1] == ' ') || bars > 0;
-        if (!frame) {
+        const size_t frame = frame_bytes(line, at);
+        if (frame == 0) {
             *out++ = *at++;
             continue;
         }
-        at += rule > 0 ? rule : bars;
+        at += frame;
         if (out == line)
             at += strspn(at, " ");
     }
@@ -113,9 +126,7 @@ void words_canvas(Words *words, const Canvas *canvas, bool numbered)
             continue;
         if (numbered)
             snprintf(head, sizeof head, "%2d ", ++number);
-        put(words, head, strlen(head));
-        put(words, line, strlen(line));
-        put(words, "\n", 1);
+        put_line(words, head, strlen(head), line, strlen(line));
     }
     free(dump);
 }

@@ -437,6 +437,7 @@ const View view_probe = {
     .draw = draw,
     .variants = variants_of,
     .variant_word = word_of,
+    .compares = true,
     .has_time_axis = true,
     .on_paper = true,
     .curve = curve,

@@ -293,6 +293,7 @@ const View view_profile = {
     .variants = variants_of,
     .variant_word = word_of,
     .of_moment = true,
+    .compares = true,
     .on_paper = true,
     .curve = curve,
 };

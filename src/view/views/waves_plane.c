@@ -90,12 +90,19 @@ void waves_plane_draw(const Screen *screen, Area area, Style heading, bool trans
         for (int k = 1; k <= POINTS; k++)
             most = fmax(most, speed(settings, &curves[i], transverse, (double)k / POINTS));
     Axis x = axis_make(0, 1, area.rect.width / 9), y = axis_make(0, axis_round_up(most), rows < 5 ? 3 : 5);
+    /* on screen one entry stands for both dashed curves; paper and words have room for each */
+    const bool roomy = area.canvas->sketch != NULL;
     const Legend legend[] = {{LINE_SOLID, 'c', STYLE_MEASURED, "c constant", NULL},
                              {LINE_SOLID, 'k', STYLE_SECOND, "k conical", NULL},
-                             {LINE_DASHED, '-', STYLE_MEASURED, ascii ? "45 deg" : "45°", NULL},
-                             {LINE_DOTTED, '.', STYLE_EXACT, "integral", NULL}};
+                             {LINE_DASHED, '-', STYLE_MEASURED,
+                              roomy   ? "c at 45°"
+                              : ascii ? "45 deg"
+                                      : "45°",
+                              NULL},
+                             {LINE_DOTTED, '.', STYLE_EXACT, "integral", NULL},
+                             {LINE_DASHED, '-', STYLE_SECOND, "k at 45°", NULL}};
     heading_draw(area, heading, transverse ? "shear waves, % of long" : "pressure waves, % of long", "",
-                 legend, (int)(sizeof legend / sizeof *legend));
+                 legend, (int)(sizeof legend / sizeof *legend) - !roomy);
     Area inner = axes_draw(plot_area, &x, &y, ascii ? "2 dx/wavelength" : "2Δx/wavelength", GUTTER);
     Plot plot;
     plot_open(&plot, x, y);
