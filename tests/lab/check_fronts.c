@@ -5,11 +5,13 @@
  * what its own definition leaves open, less than half a degree and one in a hundred. */
 #include "lab/problems/problem.h"
 #include "lab/lab_case.h"
+#include "physics/pd_plane/fracture/crack_speed.h"
 #include "physics/pd_plane/fracture/fronts.h"
 #include "physics/run_case.h"
 #include "suite.h"
 
 #include <math.h>
+#include <string.h>
 
 static const char *const glass[] = {"plate.length",
                                     ".1",
@@ -50,7 +52,8 @@ static const char *const struck[] = {"plate.length",
                                      "100e-6",
                                      NULL};
 
-static Simulation *plate(const char *const keys[], const char *spacing, const char *horizon, const char *step)
+static Simulation *plate_with(const char *const keys[], const char *spacing, const char *horizon,
+                              const char *step, const char *other_cut)
 {
     Settings settings;
     Status status = {0};
@@ -60,10 +63,17 @@ static Simulation *plate(const char *const keys[], const char *spacing, const ch
     set(&settings, "pd.spacing", spacing);
     set(&settings, "pd.horizon", horizon);
     set(&settings, "time.step", step);
+    if (other_cut)
+        set(&settings, "cuts.other", other_cut);
     ck_assert_msg(settings_check(&settings, &status), "%s", status.text);
     Simulation *sim = problem_simulate(&settings, 1, &status);
     ck_assert_msg(sim != NULL, "%s", status.text);
     return sim;
+}
+
+static Simulation *plate(const char *const keys[], const char *spacing, const char *horizon, const char *step)
+{
+    return plate_with(keys, spacing, horizon, step, NULL);
 }
 
 static void steps(Simulation *sim, long count)
@@ -135,6 +145,57 @@ START_TEST(struck_between_two_cuts_cracks_turn_as_in_the_reference)
 }
 END_TEST
 
+/* A crack that passes the end of another cut at 10 mm is still its own, and none of that cut's; young, it
+ * runs straight on, or no angle is told. */
+START_TEST(a_crack_stays_that_of_its_cut)
+{
+    Simulation *sim = plate_with(glass, ".0005", ".002", "1e-7", ".06 .01 .1 .01");
+    CrackFronts fronts = {0};
+    bool has_begun = false;
+    for (int i = 0; i < 22; i++) {
+        steps(sim, 10);
+        ck_assert(crack_fronts_update(&fronts, sim));
+        ck_assert_int_eq(fronts.count, 2);
+        const CrackFront *own = &fronts.fronts[0], *other = &fronts.fronts[1];
+        ck_assert_str_eq(own->cut, "notch");
+        ck_assert_msg(!(own->angle > 30), "%g degrees at step %ld", own->angle, sim->step);
+        ck_assert_msg(!(own->fastest > .6 * crack_speed_rayleigh(65e9, 2235)), "%g m/s at step %ld",
+                      own->fastest, sim->step);
+        ck_assert_msg(!(other->fastest > .6 * crack_speed_rayleigh(65e9, 2235)), "%g m/s at step %ld",
+                      other->fastest, sim->step);
+        has_begun = has_begun || (own->begun && isnan(own->angle));
+    }
+    ck_assert_msg(has_begun, "never young");
+    expect_within("advance", fronts.fronts[0].advance, .02, .01);
+    crack_fronts_free(&fronts);
+    simulation_destroy(sim);
+}
+END_TEST
+
+/* A front that meets what was torn before did not run there. */
+START_TEST(joining_is_no_speed)
+{
+    const char *torn[sizeof glass / sizeof *glass];
+    memcpy(torn, glass, sizeof glass);
+    for (size_t i = 0; torn[i]; i++)
+        if (strstr(torn[i], "12e6"))
+            torn[i] = strchr(torn[i], '-') ? "bottom 0 100% 0 -40e6" : "top 0 100% 0 40e6";
+    Simulation *sim = plate(torn, ".0005", ".002", "1e-7");
+    CrackFronts fronts = {0};
+    steps(sim, 500);
+    ck_assert(crack_fronts_update(&fronts, sim));
+    const CrackFront *front = &fronts.fronts[0];
+    double jump = 0;
+    for (size_t k = 1; k < fronts.n_samples; k++)
+        jump = fmax(jump, front->advances[k] - front->advances[k - 1]);
+    ck_assert_msg(jump > .002, "nothing is met: %g", jump);
+    ck_assert_msg(front->fastest > 0 && front->fastest < crack_speed_rayleigh(65e9, 2235), "%g m/s",
+                  front->fastest);
+    crack_fronts_free(&fronts);
+    simulation_destroy(sim);
+}
+END_TEST
+
 /* One state later worked out anew, or from nothing: the same. Before anything broke there is nothing, though
  * the nodes beside the cut are damaged from the start. */
 START_TEST(fronts_do_not_remember)
@@ -184,6 +245,8 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(reference, a_crack_branches_where_and_when_the_reference_does, 0,
                         sizeof branches / sizeof *branches);
     tcase_add_test(reference, struck_between_two_cuts_cracks_turn_as_in_the_reference);
+    tcase_add_test(tells, a_crack_stays_that_of_its_cut);
+    tcase_add_test(tells, joining_is_no_speed);
     tcase_add_test(tells, fronts_do_not_remember);
     tcase_add_test(tells, a_speed_needs_its_window);
     suite_add_tcase(suite, reference);

@@ -183,6 +183,8 @@ double crack_fronts_angle(const CrackFront *front, double reach)
         if (front->away[k] >= BESIDE_CUT - tolerance && front->away[k] <= last + tolerance)
             line_add(&fit, front->sign * front->away[k], front->centre[k]);
     const double slope = line_slope(&fit);
+    if (isnan(slope))
+        return NAN;
     double way[2];
     way[front->axis] = front->sign;
     way[1 - front->axis] = front->sign * slope;

@@ -16,12 +16,22 @@ typedef struct Break {
     double weight;
 } Break;
 
+/* A node that cracked in the run and belongs to a front, from this step on. */
+typedef struct CrackedNode {
+    int32_t step;
+    uint32_t node;
+} CrackedNode;
+
 /* A front while it is worked out. */
 typedef struct Growth {
     const Beam *beam;
     CrackFronts *fronts;
-    uint8_t *front_of;    /* per node: index, FRONT_NONE: not cracked now, or of none */
-    uint8_t *cracked;     /* per node, at the step that the second pass has come to */
+    uint8_t *front_of;   /* per node: index, FRONT_NONE: not cracked now, or of none */
+    uint8_t *cracked;    /* per node, at the step that a pass has come to */
+    CrackedNode *cracks; /* in the order in which they came to their fronts */
+    size_t n_cracks;
+    uint32_t *asked, *next; /* nodes that may come to a front in this round, and in the next one */
+    uint8_t *found;         /* and where these came to */
     double *all, *broken; /* per node: weights of its family, and of its broken bonds; all 0: not looked up */
     Break *breaks;
     size_t n_breaks, n_of_cuts; /* those of the cuts come first */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The cracks of a plate (fronts.h). First the cracked nodes as they are now are dealt out to the ends of the
- * cuts; then the run's broken bonds are gone through in the order in which they broke, and each node cracks
- * once more, for the advance over time and the steps at which lines split. Called after whole steps by
- * whoever shows or tabulates the cracks; nothing here changes the motion. */
+/* The cracks of a plate (fronts.h). First the run's broken bonds are gone through in the order in which they
+ * broke, and each node that cracks is dealt to the front that it is connected with; when all are known, each
+ * node cracks once more, for the advance over time and the steps at which lines split. Called after whole
+ * steps by whoever shows or tabulates the cracks; nothing here changes the motion. */
 #include "physics/pd_plane/fracture/front_shape.h"
 
 #include "physics/pd_plane/fracture/crack.h"
@@ -13,6 +13,9 @@
 #include <string.h>
 
 enum { OF_CUT = -1 };
+
+/* A node while the run is gone through. */
+enum { NODE_WHOLE, NODE_CRACKED, NODE_OF_CUT, NODE_ASKED };
 
 /* --- whose node it is ------------------------------------------------------------------------ */
 
@@ -51,40 +54,19 @@ static bool is_beyond(const Beam *beam, const CrackFront *front, double x, doubl
     return along > 1e-6 * beam->lattice.spacing || aside > beam->def.horizon;
 }
 
-static int nearest_front(const CrackFronts *fronts, const Beam *beam, double x, double y)
-{
-    int nearest = FRONT_NONE;
-    double least = INFINITY;
-    for (int f = 0; f < fronts->count; f++) {
-        const double *end = fronts->fronts[f].end, distance = hypot(x - end[0], y - end[1]);
-        if (distance < least)
-            least = distance, nearest = f;
-    }
-    if (nearest == FRONT_NONE)
-        return FRONT_NONE;
-    const CrackFront *front = &fronts->fronts[nearest];
-    return is_beyond(beam, front, x - front->end[0], y - front->end[1]) ? nearest : FRONT_NONE;
-}
-
-/* Deals the cracked nodes out, and turns each front to the axis along which it has come farther. */
-static void deal(Growth *growth)
+/* Each front grows along the axis along which its cracked nodes reach farther from its end. */
+static void turn_fronts(Growth *growth)
 {
     const Beam *beam = growth->beam;
-    const size_t nx = (size_t)beam->lattice.nx;
     double least[CRACK_FRONTS_MAX][2] = {{0}}, most[CRACK_FRONTS_MAX][2] = {{0}};
-    for (size_t node = 0; node < lattice_nodes(&beam->lattice); node++) {
-        growth->front_of[node] = FRONT_NONE;
-        /* what a cut alone has damaged so much is no crack */
-        const bool of_cut = growth->all[node] > 0 && growth->broken[node] > CRACK_DAMAGE * growth->all[node];
-        if (beam->damage[node] <= CRACK_DAMAGE || beam->unbreakable[node] || of_cut)
-            continue;
-        const double place[2] = {lattice_x(&beam->lattice, (int)(node % nx)),
-                                 lattice_y(&beam->lattice, (int)(node / nx))};
-        const int f = nearest_front(growth->fronts, beam, place[0], place[1]);
-        growth->front_of[node] = (uint8_t)f;
-        for (int d = 0; f != FRONT_NONE && d < 2; d++) {
-            least[f][d] = fmin(least[f][d], place[d] - growth->fronts->fronts[f].end[d]);
-            most[f][d] = fmax(most[f][d], place[d] - growth->fronts->fronts[f].end[d]);
+    for (size_t k = 0; k < growth->n_cracks; k++) {
+        const size_t node = growth->cracks[k].node;
+        const int f = growth->front_of[node];
+        for (int d = 0; d < 2; d++) {
+            const double away =
+                front_place(beam, d, front_line_of(beam, d, node)) - growth->fronts->fronts[f].end[d];
+            least[f][d] = fmin(least[f][d], away);
+            most[f][d] = fmax(most[f][d], away);
         }
     }
     for (int f = 0; f < growth->fronts->count; f++) {
@@ -127,7 +109,7 @@ static double weaken(Growth *growth, size_t node, double weight)
 }
 
 /* Each bond that broke up to the state's step, and the weights of the nodes at its ends; the cuts' bonds
- * count in the damage from the start. */
+ * count in the damage from the start, and what they alone have damaged so much is no crack. */
 static bool gather(Growth *growth)
 {
     const Beam *beam = growth->beam;
@@ -157,14 +139,112 @@ static bool gather(Growth *growth)
                           (uint32_t)((size_t)(place.j + offset->q) * nx + (size_t)(place.i + offset->p))},
                 .weight = offset->weight};
         }
-    qsort(growth->breaks, growth->n_breaks, sizeof *growth->breaks, earlier);
+    if (growth->n_breaks > 0)
+        qsort(growth->breaks, growth->n_breaks, sizeof *growth->breaks, earlier);
     for (; growth->n_of_cuts < growth->n_breaks && growth->breaks[growth->n_of_cuts].step == OF_CUT;
          growth->n_of_cuts++)
-        for (int end = 0; end < 2; end++)
-            weaken(growth, growth->breaks[growth->n_of_cuts].nodes[end],
-                   growth->breaks[growth->n_of_cuts].weight);
+        for (int end = 0; end < 2; end++) {
+            const Break *gone = &growth->breaks[growth->n_of_cuts];
+            if (weaken(growth, gone->nodes[end], gone->weight) > CRACK_DAMAGE)
+                growth->cracked[gone->nodes[end]] = NODE_OF_CUT;
+        }
     return true;
 }
+
+/* --- whose node it is ------------------------------------------------------------------------ */
+
+/* A horizon of a cut's end is its front's, and from there on a node is of the front of the nearest node of
+ * its family that is of one: cracks that pass each other by stay two. */
+static int front_of_node(const Growth *growth, uint32_t node)
+{
+    const Beam *beam = growth->beam;
+    const Lattice *lattice = &beam->lattice;
+    const int i = front_line_of(beam, 0, node), j = front_line_of(beam, 1, node);
+    const double x = front_place(beam, 0, i), y = front_place(beam, 1, j);
+    int nearest = FRONT_NONE;
+    double least = (1 + 1e-9) * beam->def.horizon;
+    for (int f = 0; f < growth->fronts->count; f++) {
+        const double *end = growth->fronts->fronts[f].end, away = hypot(x - end[0], y - end[1]);
+        if (away < least)
+            least = away, nearest = f;
+    }
+    for (int k = 0; k < 2 * lattice->n_offsets; k++) {
+        const Offset *offset = &lattice->offsets[k / 2];
+        const int sign = k % 2 ? -1 : 1, other_i = i + sign * offset->p, other_j = j + sign * offset->q;
+        if (other_i < 0 || other_i >= lattice->nx || other_j < 0 || other_j >= lattice->ny)
+            continue;
+        const int f = growth->front_of[(size_t)other_j * (size_t)lattice->nx + (size_t)other_i];
+        const double away = hypot(offset->p, offset->q) * lattice->spacing;
+        if (f != FRONT_NONE && (away < least || (away == least && f < nearest)))
+            least = away, nearest = f;
+    }
+    if (nearest == FRONT_NONE)
+        return FRONT_NONE;
+    const CrackFront *front = &growth->fronts->fronts[nearest];
+    return is_beyond(beam, front, x - front->end[0], y - front->end[1]) ? nearest : FRONT_NONE;
+}
+
+/* For all nodes of a round by what was so before it, so that their order does not matter; those that cracked
+ * before, of no front until one of these reached them, come in the next round. */
+static void take_round(Growth *growth, int32_t step, size_t *count)
+{
+    const Lattice *lattice = &growth->beam->lattice;
+    const size_t first = growth->n_cracks;
+    size_t n_next = 0;
+    for (size_t k = 0; k < *count; k++) {
+        growth->found[k] = (uint8_t)front_of_node(growth, growth->asked[k]);
+        growth->cracked[growth->asked[k]] = NODE_CRACKED;
+    }
+    for (size_t k = 0; k < *count; k++)
+        if (growth->found[k] != FRONT_NONE) {
+            growth->front_of[growth->asked[k]] = growth->found[k];
+            growth->cracks[growth->n_cracks++] = (CrackedNode){step, growth->asked[k]};
+        }
+    for (size_t k = first; k < growth->n_cracks; k++) {
+        BondPlace family[FAMILY_MAX];
+        const uint32_t node = growth->cracks[k].node, nx = (uint32_t)lattice->nx;
+        const size_t n = beam_family(growth->beam, (int)(node % nx), (int)(node / nx), family);
+        for (size_t b = 0; b < n; b++) {
+            const Offset *offset = &lattice->offsets[family[b].offset];
+            const uint32_t owner = (uint32_t)family[b].j * nx + (uint32_t)family[b].i,
+                           other =
+                               (uint32_t)(family[b].j + offset->q) * nx + (uint32_t)(family[b].i + offset->p),
+                           near = owner == node ? other : owner;
+            if (growth->cracked[near] != NODE_CRACKED || growth->front_of[near] != FRONT_NONE)
+                continue;
+            growth->cracked[near] = NODE_ASKED;
+            growth->next[n_next++] = near;
+        }
+    }
+    uint32_t *asked = growth->asked;
+    growth->asked = growth->next;
+    growth->next = asked;
+    *count = n_next;
+}
+
+/* Which nodes cracked, when, and of which front. */
+static void deal(Growth *growth)
+{
+    const Beam *beam = growth->beam;
+    memset(growth->front_of, FRONT_NONE, lattice_nodes(&beam->lattice));
+    for (size_t next = growth->n_of_cuts; next < growth->n_breaks;) {
+        const int32_t step = growth->breaks[next].step;
+        size_t count = 0;
+        for (; next < growth->n_breaks && growth->breaks[next].step == step; next++)
+            for (int end = 0; end < 2; end++) {
+                const uint32_t node = growth->breaks[next].nodes[end];
+                if (weaken(growth, node, growth->breaks[next].weight) <= CRACK_DAMAGE ||
+                    growth->cracked[node] != NODE_WHOLE || beam->unbreakable[node])
+                    continue;
+                growth->cracked[node] = NODE_ASKED;
+                growth->asked[count++] = node;
+            }
+        while (count > 0)
+            take_round(growth, step, &count);
+    }
+}
+
+/* --- how far it has come --------------------------------------------------------------------- */
 
 static void touch_line(Growth *growth, int front, int line)
 {
@@ -174,22 +254,19 @@ static void touch_line(Growth *growth, int front, int line)
     growth->is_touched[at] = 1;
 }
 
-/* One bond of a node is gone in the run: it may have cracked. */
-static void take_break(Growth *growth, size_t node, const Break *gone)
+static void take_crack(Growth *growth, const CrackedNode *crack)
 {
     const Beam *beam = growth->beam;
-    if (weaken(growth, node, gone->weight) <= CRACK_DAMAGE || growth->cracked[node] ||
-        growth->front_of[node] == FRONT_NONE)
-        return;
-    growth->cracked[node] = 1;
-    CrackFront *front = &growth->fronts->fronts[growth->front_of[node]];
-    const int line = front_line_of(beam, front->axis, node);
-    touch_line(growth, growth->front_of[node], line);
+    const int f = growth->front_of[crack->node];
+    CrackFront *front = &growth->fronts->fronts[f];
+    const int line = front_line_of(beam, front->axis, crack->node);
+    growth->cracked[crack->node] = NODE_CRACKED;
+    touch_line(growth, f, line);
     const double advance = front->sign * (front_place(beam, front->axis, line) - front->end[front->axis]);
     if (advance <= 0)
         return;
     if (!front->begun)
-        front->first = gone->step * beam->sim.dt;
+        front->first = crack->step * beam->sim.dt;
     front->begun = true;
     front->advance = fmax(front->advance, advance);
 }
@@ -213,11 +290,11 @@ static void go_through(Growth *growth)
     const Beam *beam = growth->beam;
     CrackFronts *fronts = growth->fronts;
     const long last = beam->sim.step, every = lround(fronts->every / beam->sim.dt);
-    size_t next = growth->n_of_cuts;
+    size_t next = 0;
+    memset(growth->cracked, NODE_WHOLE, lattice_nodes(&beam->lattice));
     for (long step = 0; step <= last; step++) {
-        for (; next < growth->n_breaks && growth->breaks[next].step <= step; next++)
-            for (int end = 0; end < 2; end++)
-                take_break(growth, growth->breaks[next].nodes[end], &growth->breaks[next]);
+        while (next < growth->n_cracks && growth->cracks[next].step <= step)
+            take_crack(growth, &growth->cracks[next++]);
         if (step % CRACK_FRONT_LOOK == 0)
             look_for_splits(growth, (int32_t)step);
         for (int f = 0; step % every == 0 && f < fronts->count; f++)
@@ -240,6 +317,9 @@ double crack_fronts_speed(const CrackFronts *fronts, const CrackFront *front, si
     const size_t half = fronts->window / 2;
     if (sample < half || sample + half >= fronts->n_samples)
         return NAN;
+    for (size_t k = sample - half; k < sample + half; k++)
+        if (front->advances[k + 1] - front->advances[k] > fronts->jump)
+            return NAN;
     double across[CRACK_FRONT_WINDOW_MAX] = {0};
     return crack_speed(front->advances + (sample - half), across, 2 * half + 1, fronts->every);
 }
@@ -270,10 +350,11 @@ static bool plan_samples(CrackFronts *fronts, const Beam *beam)
 {
     const double dt = beam->sim.dt;
     const double window = crack_speed_window(beam->def.horizon, beam->def.youngs_modulus, beam->def.density);
-    const long every = (long)fmax(1, ceil(window / dt / (CRACK_FRONT_WINDOW_MAX - 2)));
+    const long every = (long)fmin(1e9, fmax(1, ceil(window / dt / (CRACK_FRONT_WINDOW_MAX - 2))));
     fronts->every = (double)every * dt;
     fronts->window = 2 * (size_t)fmax(1, round(window / fronts->every / 2)) + 1;
     fronts->n_samples = (size_t)(beam->sim.step / every) + 1;
+    fronts->jump = beam->def.horizon;
     for (int f = 0; f < fronts->count; f++)
         if (!(fronts->fronts[f].advances = calloc(fronts->n_samples, sizeof(double))))
             return false;
@@ -287,6 +368,7 @@ static bool work_out(Growth *growth)
     if (!plan_samples(fronts, beam) || !gather(growth))
         return false;
     deal(growth);
+    turn_fronts(growth);
     memset(growth->split, -1, (size_t)fronts->count * (size_t)growth->lines * sizeof *growth->split);
     go_through(growth);
     for (int f = 0; f < fronts->count; f++) {
@@ -313,16 +395,25 @@ static bool measure(CrackFronts *fronts, const Beam *beam)
     Growth growth = {.beam = beam, .fronts = fronts, .lines = nx > ny ? nx : ny};
     growth.front_of = malloc(nodes);
     growth.cracked = calloc(nodes, 1);
+    growth.cracks = malloc(nodes * sizeof *growth.cracks);
+    growth.asked = malloc(nodes * sizeof *growth.asked);
+    growth.next = malloc(nodes * sizeof *growth.next);
+    growth.found = malloc(nodes);
     growth.all = calloc(nodes, sizeof *growth.all);
     growth.broken = calloc(nodes, sizeof *growth.broken);
     const size_t lines = (size_t)fronts->count * (size_t)growth.lines;
     growth.split = malloc(lines * sizeof *growth.split);
     growth.touched = malloc(lines * sizeof *growth.touched);
     growth.is_touched = calloc(lines, 1);
-    const bool sound = growth.front_of && growth.cracked && growth.all && growth.broken && growth.split &&
-                       growth.touched && growth.is_touched && work_out(&growth);
+    const bool sound = growth.front_of && growth.cracked && growth.cracks && growth.asked && growth.next &&
+                       growth.found && growth.all && growth.broken && growth.split && growth.touched &&
+                       growth.is_touched && work_out(&growth);
     free(growth.front_of);
     free(growth.cracked);
+    free(growth.cracks);
+    free(growth.asked);
+    free(growth.next);
+    free(growth.found);
     free(growth.all);
     free(growth.broken);
     free(growth.split);

@@ -2,7 +2,9 @@
 /* The cracks of a plate: what grows from the ends of its cuts, how far, how fast, and where it branches.
  *
  * Every end of a cut inside the plate is a front. A node is cracked as crack.h has it (damage above
- * CRACK_DAMAGE, not protected); beyond the cut it belongs to the front whose end is nearest. The front grows
+ * CRACK_DAMAGE, not protected). It belongs to a front when it lies within a horizon of the front's end or of
+ * a node of that front, to the nearest of these; what cracks by itself elsewhere is of none, until a crack
+ * reaches it. The front grows
  * along the axis, x or y, along which its cracked nodes reach farther from its end; the lattice's lines
  * across that axis are its lines. Its advance is the distance along the axis from the end to its farthest
  * line that has a cracked node; it never goes back.
@@ -70,6 +72,7 @@ typedef struct CrackFronts {
     size_t n_samples;
     double every;   /* s between two samples, the first at t = 0 */
     size_t window;  /* samples over which a speed is taken */
+    double jump;    /* m; more than this from one sample to the next is no growth */
     double length;  /* of all paths, m */
     double surface; /* broken bonds over the bonds that the cuts took for each metre of theirs, m */
 
@@ -83,7 +86,8 @@ typedef struct CrackFronts {
 bool crack_fronts_update(CrackFronts *, const Simulation *);
 void crack_fronts_free(CrackFronts *);
 
-/* The speed at a sample; NAN nearer to the first or last than half a window. */
+/* The speed at a sample; NAN nearer to the first or last than half a window, or where the front jumped by
+ * more than a horizon: it met what had cracked by itself. */
 double crack_fronts_speed(const CrackFronts *, const CrackFront *, size_t sample);
 
 /* The angle between the cut and the straight line through the centres of the front's lines, from 2 mm beside
