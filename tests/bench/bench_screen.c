@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the moving picture costs: share of a core, bytes and writes for each frame of mode1 at 80x24; and how
- * soon a key is answered while the notched beam runs. Measured on the real program in a pseudo terminal.
+/* What the moving picture costs: share of a core, bytes and writes for each frame of mode1 at 80x24; how soon
+ * a key is answered while the notched beam runs; and whether a plate of four million bonds keeps 30 frames a
+ * second and a key's answer within one, seen as a map over its series and over its cracks. Measured on the
+ * real program in a pseudo terminal.
  *
  * Usage: bench_screen [SECONDS] */
 #include <errno.h>
@@ -36,7 +38,10 @@ typedef struct Program {
     int master, slave, frames;
 } Program;
 
-static pid_t start(int master, int slave, int frames, const char *scenario)
+enum { WORDS_MAX = 16 };
+
+/* The words after "matvib", with spaces between them. */
+static pid_t start(int master, int slave, int frames, const char *words)
 {
     const char *program = getenv("MATVIB");
     pid_t child = fork();
@@ -49,7 +54,12 @@ static pid_t start(int master, int slave, int frames, const char *scenario)
     setenv("LC_ALL", "C.UTF-8", 1);
     close(master);
     login_tty(slave);
-    execl(program ? program : "./matvib", "matvib", scenario, (char *)NULL);
+    char line[400], *arguments[WORDS_MAX] = {"matvib"};
+    int n = 1;
+    snprintf(line, sizeof line, "%s", words);
+    for (char *word = strtok(line, " "); word && n < WORDS_MAX - 1; word = strtok(NULL, " "))
+        arguments[n++] = word;
+    execv(program ? program : "./matvib", arguments);
     _exit(127);
 }
 
@@ -69,7 +79,7 @@ static double cpu_of(const struct rusage *usage)
            1e-6 * (double)(usage->ru_utime.tv_usec + usage->ru_stime.tv_usec);
 }
 
-static bool open_program(Program *program, const char *scenario)
+static bool open_program(Program *program, const char *words)
 {
     struct winsize size = {.ws_row = 24, .ws_col = 80};
     int frames[2];
@@ -77,7 +87,7 @@ static bool open_program(Program *program, const char *scenario)
         return false;
     fcntl(frames[0], F_SETFD, FD_CLOEXEC);
     program->frames = frames[0];
-    program->child = start(program->master, program->slave, frames[1], scenario);
+    program->child = start(program->master, program->slave, frames[1], words);
     close(frames[1]);
     return program->child > 0;
 }
@@ -94,10 +104,10 @@ static bool close_program(Program *program, struct rusage *usage)
     return ended;
 }
 
-static int measure(double seconds, Cost *cost)
+static int measure(const char *words, double seconds, Cost *cost)
 {
     Program program;
-    if (!open_program(&program, "mode1"))
+    if (!open_program(&program, words))
         return 1;
     *cost = (Cost){0};
     double begin = now(), left;
@@ -155,11 +165,11 @@ static int by_size(const void *a, const void *b)
 }
 
 /* Presses Space again and again at odd moments; an answer is the picture that says PAUSED. */
-static int measure_keys(const char *scenario, double answers[], int count)
+static int measure_keys(const char *words, double warm, double answers[], int count)
 {
     Program program;
     struct rusage usage;
-    if (!open_program(&program, scenario) || !listen_until(&program, now() + 1.5, false))
+    if (!open_program(&program, words) || !listen_until(&program, now() + warm, false))
         return 1;
     bool sound = true;
     for (int i = 0; sound && i < count; i++) {
@@ -173,29 +183,61 @@ static int measure_keys(const char *scenario, double answers[], int count)
     return close_program(&program, &usage) && sound ? 0 : 1;
 }
 
+/* The first seconds, in which the program starts, are taken away from a longer run. */
+static int measure_running(const char *words, double warm, double seconds, Cost *cost)
+{
+    Cost first;
+    if (measure(words, warm, &first) != 0 || measure(words, seconds + warm, cost) != 0)
+        return 1;
+    cost->seconds -= first.seconds, cost->cpu -= first.cpu;
+    cost->bytes -= first.bytes, cost->frames -= first.frames, cost->pieces -= first.pieces;
+    return 0;
+}
+
+static int bench_keys(const char *words, const char *title, double warm)
+{
+    enum { KEYS = 24 };
+    double answers[KEYS];
+    if (measure_keys(words, warm, answers, KEYS) != 0) {
+        fprintf(stderr, "bench_screen: %s did not answer\n", title);
+        return 1;
+    }
+    printf("a key while %s runs at 80x24: answered within %.0f ms (median), %.0f ms (worst of %d)\n", title,
+           1e3 * answers[KEYS / 2], 1e3 * answers[KEYS - 1], KEYS);
+    return 0;
+}
+
+/* Frames of a plate whose steps take a good part of a frame each. */
+static int bench_large(const char *view, double seconds)
+{
+    char words[300], title[80];
+    Cost cost;
+    snprintf(words, sizeof words,
+             "branching --set pd.spacing=0.000155 --set pd.horizon=0.00062 --set time.step=3e-8 --set "
+             "view.lower=%s",
+             view);
+    snprintf(title, sizeof title, "a plate of 4e6 bonds over %s", view);
+    if (measure_running(words, 8, seconds, &cost) != 0) {
+        fprintf(stderr, "bench_screen: %s did not run\n", title);
+        return 1;
+    }
+    printf("%s at 80x24 for %.0f s: %.1f frames a second, %.0f %% of a core\n", title, cost.seconds,
+           (double)cost.frames / cost.seconds, 100 * cost.cpu / cost.seconds);
+    return bench_keys(words, title, 8);
+}
+
 int main(int count, char **arguments)
 {
-    double seconds = count > 1 ? atof(arguments[1]) : 10;
-    /* the first second, in which the program starts, is taken away from a longer run */
-    Cost cost, first;
-    if (measure(1, &first) != 0 || measure(seconds + 1, &cost) != 0) {
+    const double seconds = count > 1 ? atof(arguments[1]) : 10;
+    Cost cost;
+    if (measure_running("mode1", 1, seconds, &cost) != 0) {
         fputs("bench_screen: the program did not run\n", stderr);
         return 1;
     }
-    cost.seconds -= first.seconds, cost.cpu -= first.cpu;
-    cost.bytes -= first.bytes, cost.frames -= first.frames, cost.pieces -= first.pieces;
     printf("moving picture, mode1 at 80x24 for %.0f s: %.1f frames a second, %.2f %% of a core,\n"
            "%.0f bytes and %.2f pieces a frame (aims: 30 frames, below 2 %% and 1000 bytes)\n",
            cost.seconds, (double)cost.frames / cost.seconds, 100 * cost.cpu / cost.seconds,
            (double)cost.bytes / (double)cost.frames, (double)cost.pieces / (double)cost.frames);
-    enum { KEYS = 24 };
-    double answers[KEYS];
-    if (measure_keys("notched-beam", answers, KEYS) != 0) {
-        fputs("bench_screen: the notched beam did not answer\n", stderr);
-        return 1;
-    }
-    printf("a key while the notched beam runs at 80x24: answered within %.0f ms (median), %.0f ms (worst of "
-           "%d)\n",
-           1e3 * answers[KEYS / 2], 1e3 * answers[KEYS - 1], KEYS);
-    return 0;
+    return bench_keys("notched-beam", "the notched beam", 1.5) ||
+           bench_large("probe:broken_bonds", seconds) || bench_large("cracks", seconds);
 }

@@ -104,7 +104,9 @@ static bool show_building(double share, void *context)
         lab->built_at = now;
     if (now < lab->built_at + BUILDING_SECONDS)
         return true;
-    laboratory_say(lab, MESSAGE_INFO, "building the run: %d %%   ^C gives up", (int)(100 * share));
+    /* before there is a screen the terminal hands on ^C alone */
+    laboratory_say(lab, MESSAGE_INFO, "building the run: %d %%   %s gives up", (int)(100 * share),
+                   lab->screen.experiment ? "Esc" : "^C");
     return lab->host.go_on(lab->host.context);
 }
 

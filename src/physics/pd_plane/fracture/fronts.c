@@ -82,10 +82,33 @@ static void turn_fronts(Growth *growth)
 
 /* --- once more through the run --------------------------------------------------------------- */
 
-static int earlier(const void *a, const void *b)
+/* Into the order in which they broke, those of a step as they were gathered: digit by digit of the step. */
+static bool sort_breaks(Growth *growth)
 {
-    const Break *one = a, *other = b;
-    return (one->step > other->step) - (one->step < other->step);
+    enum { BITS = 8, DIGITS = 1 << BITS };
+    const size_t n = growth->n_breaks;
+    Break *other = malloc((n + 1) * sizeof *other);
+    size_t places[DIGITS];
+    if (!other)
+        return false;
+    /* the cuts' steps, OF_CUT, become 0 */
+    for (int shift = 0; (growth->beam->sim.step + 1) >> shift > 0; shift += BITS) {
+        memset(places, 0, sizeof places);
+        for (size_t k = 0; k < n; k++)
+            places[(growth->breaks[k].step - OF_CUT) >> shift & (DIGITS - 1)]++;
+        for (size_t digit = 0, place = 0; digit < DIGITS; digit++) {
+            const size_t count = places[digit];
+            places[digit] = place;
+            place += count;
+        }
+        for (size_t k = 0; k < n; k++)
+            other[places[(growth->breaks[k].step - OF_CUT) >> shift & (DIGITS - 1)]++] = growth->breaks[k];
+        Break *sorted = other;
+        other = growth->breaks;
+        growth->breaks = sorted;
+    }
+    free(other);
+    return true;
 }
 
 static double weight_of_family(const Beam *beam, size_t node)
@@ -139,8 +162,8 @@ static bool gather(Growth *growth)
                           (uint32_t)((size_t)(place.j + offset->q) * nx + (size_t)(place.i + offset->p))},
                 .weight = offset->weight};
         }
-    if (growth->n_breaks > 0)
-        qsort(growth->breaks, growth->n_breaks, sizeof *growth->breaks, earlier);
+    if (!sort_breaks(growth))
+        return false;
     for (; growth->n_of_cuts < growth->n_breaks && growth->breaks[growth->n_of_cuts].step == OF_CUT;
          growth->n_of_cuts++)
         for (int end = 0; end < 2; end++) {
