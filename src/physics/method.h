@@ -221,6 +221,10 @@ struct Simulation {
     int displacement[SIMULATION_DIMENSIONS_MAX];
     int velocity[SIMULATION_DIMENSIONS_MAX];
 
+    /* With which the body moves along x as a whole, where the energies of the series leave that out: then the
+     * work of what moves it so is no part of their balance. Else 0. */
+    double common_speed;
+
     double dt;   /* the time step in use */
     long step;   /* whole steps done */
     int stage;   /* stages of the current step done: 0 between steps */

@@ -119,6 +119,12 @@ grown() { # SCENARIO OPTIONS...
 		END { print "grown", last / first; print "off", off; print "start", first }' grown.csv >measured
 }
 
+# When the energy of a run has grown beyond its bound, ms.
+stopped() { # SCENARIO OPTIONS...
+	"$MATVIB" run "$@" --quiet 2>err && result "matvib run $* is stopped" false
+	sed -n 's/.*the energy has grown to more than 10000 times.*, t = \([0-9.e-]*\) s:.*/stopped \1/p' err >measured
+}
+
 # What `matvib show` says of a scenario, keys without their section, and what follows from it: how many partners the
 # upper rows of a lattice lack, how many steps there are.
 shown() { # SCENARIO
@@ -275,6 +281,10 @@ claim $lesson/two-methods.lesson "By " "1.0" " %. But the skin" real_size 115766
 grown moving-cantilever-hat-coarse --end 0.004
 claim $lesson/cell-by-cell.lesson "It is " 1.2 " thousand times" grown .001
 claim $lesson/cell-by-cell.lesson "" "0.30" " µm of a swing" off 1e6
+stopped moving-cantilever-hat-coarse
+claim $lesson/cell-by-cell.lesson "after " 4.41 " ms the energy is ten thousand times" stopped 1000
+stopped moving-cantilever-hat
+claim $scenario/moving-cantilever-hat.ini "ten thousandfold until the run is stopped, " 0.453 " ms after the start" stopped 1000
 grown moving-cantilever-hat-coarse --end 0.004 --set mpm.shape=gimp
 claim $lesson/cell-by-cell.lesson "" 93 " % of the start" grown 100
 grown moving-cantilever-hat-coarse --end 0.004 --set mesh.velocity=10

@@ -49,6 +49,8 @@ for threads in 2 3; do
 done
 expect "every row" 0 moving-cantilever-mpm --steps 30 --series c.csv --quiet
 result "has those of every seventh in it" sh -c 'test "$(grep -c -x -F -f a.csv c.csv)" = 7'
+expect "with a summary" 0 moving-cantilever-mpm-coarse --end 1e-4
+result "the channel's work is no part of its energy" says out 'energy, first tenth to last, .* % of the start'
 rm -f ./*.csv ./*.ini
 
 # --- a change in mid-run, written down and given again ---

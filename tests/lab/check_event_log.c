@@ -104,6 +104,38 @@ START_TEST(energy_that_drifts_is_told_with_its_cause)
 }
 END_TEST
 
+/* A beam that is drawn out of its channel: growth is told where the energies on screen show it, at the first
+ * step that is looked at, whatever the channel's work in the laboratory comes to (it is more than the energy of
+ * the vibration). */
+START_TEST(growth_is_told_when_the_energy_has_grown)
+{
+    Experiment *experiment =
+        run("moving-cantilever-hat-coarse", (const char *const[]){"time.courant", "1", NULL}, 1900);
+    const Event *event = first_of(experiment, EVENT_ENERGY);
+    ck_assert_ptr_nonnull(event);
+    ck_assert_str_eq(event->text, "the energy has grown by 10 %");
+    int n_columns, total = 0, work = 0;
+    const Column *columns = experiment_columns(experiment, &n_columns);
+    for (int i = 0; i < n_columns; i++) {
+        total = strcmp(columns[i].quantity.name, "total") == 0 ? i : total;
+        work = strcmp(columns[i].quantity.name, "work") == 0 ? i : work;
+    }
+    const Record *record = experiment_record(experiment);
+    const double start = record_row(record, 0)[total];
+    long first = -1;
+    double most_work = 0;
+    for (size_t i = 0; i < record->count && first < 0; i++) {
+        const double *row = record_row(record, i);
+        const long step = lround(row[0]);
+        most_work = fmax(most_work, fabs(row[work]));
+        first = step % 64 == 0 && row[total] > 1.1 * start ? step : -1;
+    }
+    ck_assert_int_eq(event->step, first);
+    ck_assert_double_gt(most_work, start);
+    experiment_destroy(experiment);
+}
+END_TEST
+
 START_TEST(advice_changes_and_failure_are_told)
 {
     Experiment *experiment = run("mode5", (const char *const[]){"time.courant", "1.7", NULL}, 0);
@@ -198,6 +230,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, lags_come_at_their_time);
     tcase_add_test(tcase, the_ripple_is_no_drift);
     tcase_add_test(tcase, energy_that_drifts_is_told_with_its_cause);
+    tcase_add_test(tcase, growth_is_told_when_the_energy_has_grown);
     tcase_add_test(tcase, advice_changes_and_failure_are_told);
     tcase_add_test(tcase, many_crossings_hide_nothing);
     tcase_add_test(tcase, asking_often_or_once_gives_the_same);

@@ -103,6 +103,8 @@ static const Picture pictures[] = {
     {"mesh-rides",
      "moving-cantilever-hat-coarse 60x18 900 mesh.velocity=10 zoom focus 2 upper beam magnified 32 stage 4 "
      "at 0.355,0.5 particle 560"},
+    {"mesh-drawn", "moving-cantilever-mpm-coarse 80x24 800 zoom focus 2 upper beam magnified 16 stage 1 at "
+                   "0.9,0.5 particle 560"},
     {"help-plane", "supported-beam-mpm-coarse 80x24 0 help 2"},
     {"help-plane-words", "supported-beam-mpm-coarse 132x43 0 help 1"},
     {"section-shear",

@@ -233,7 +233,8 @@ static bool fill_work(const Standing *run, char *label, char *value)
     const int work = column_of(run, "work");
     const double *row = experiment_row(run->experiment);
     snprintf(label, COMPARISON_TEXT_MAX, "work of the load");
-    return work >= 0 && row && fabs(row[work]) > 0 && put(value, "%.4g", row[work]);
+    return work >= 0 && !(fabs(experiment_simulation(run->experiment)->common_speed) > 0) && row &&
+           fabs(row[work]) > 0 && put(value, "%.4g", row[work]);
 }
 
 /* Where one of the two stands apart: it failed. */

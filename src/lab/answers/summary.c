@@ -47,14 +47,15 @@ static double span_of(RunSummary *summary, double end)
  *
  *     100 (mean of the last span - mean of the first)/(mean of the first)
  *
- * of total less work. A run that begins at rest has nothing at first, one that is struck next to nothing:
- * then it is a share of the largest work done. rows: count x n_columns; nothing is set where there is no
- * energy to speak of. */
-static void take_energy(RunSummary *summary, const Column *columns, int n_columns, const double *rows,
-                        size_t count, const double invariant[2])
+ * of total less work, unless that is no part of its balance. A run that begins at rest has nothing at first,
+ * one that is struck next to nothing: then it is a share of the largest work done. rows: count x n_columns;
+ * nothing is set where there is no energy to speak of. */
+static void take_energy(RunSummary *summary, const Simulation *sim, const Column *columns, int n_columns,
+                        const double *rows, size_t count, const double invariant[2])
 {
     const size_t width = (size_t)n_columns;
-    int total = find(columns, n_columns, "total"), work = find(columns, n_columns, "work");
+    const int total = find(columns, n_columns, "total");
+    const int work = fabs(sim->common_speed) > 0 ? -1 : find(columns, n_columns, "work");
     if (invariant[0] > 0 && isfinite(invariant[1])) {
         summary->energy_measure = ENERGY_INVARIANT;
         summary->energy_change = 100 * (invariant[1] / invariant[0] - 1);
@@ -81,10 +82,10 @@ static void take_energy(RunSummary *summary, const Column *columns, int n_column
 }
 
 /* What a run's rows give: the energy's change, and the last row. */
-void summary_rows(RunSummary *summary, const Column *columns, int n_columns, const double *rows, size_t count,
-                  const double invariant[2])
+void summary_rows(RunSummary *summary, const Simulation *sim, const Column *columns, int n_columns,
+                  const double *rows, size_t count, const double invariant[2])
 {
-    take_energy(summary, columns, n_columns, rows, count, invariant);
+    take_energy(summary, sim, columns, n_columns, rows, count, invariant);
     summary->n_columns = n_columns;
     memcpy(summary->columns, columns, (size_t)n_columns * sizeof *columns);
     if (count > 0)
@@ -125,7 +126,8 @@ void summary_of(Experiment *experiment, RunSummary *summary)
     if (experiment_simulation(experiment)->step != summary->steps ||
         !experiment_invariant(experiment, &invariant[1], &invariant[0]))
         invariant[0] = NAN;
-    summary_rows(summary, columns, n, record->rows, record->count, invariant);
+    summary_rows(summary, experiment_simulation(experiment), columns, n, record->rows, record->count,
+                 invariant);
     summary->n_derived = experiment_derived(experiment, summary->derived);
     /* the findings and the crack are those of the step on screen */
     if (experiment_simulation(experiment)->step == summary->steps)

@@ -10,8 +10,8 @@ enum { SUMMARY_MAX = 1024 };
 
 /* Fills in the columns, the last row and the energy from the rows of a run whose readout is known.
  * `invariant`: E* at the start and at the end, NAN where it is not known. */
-void summary_rows(RunSummary *, const Column *columns, int n_columns, const double *rows, size_t count,
-                  const double invariant[2]);
+void summary_rows(RunSummary *, const Simulation *, const Column *columns, int n_columns, const double *rows,
+                  size_t count, const double invariant[2]);
 
 /* Of a beam with a notch what there is to tell of its crack; else nothing. */
 void summary_crack(RunSummary *, const Simulation *, const Settings *);

@@ -138,7 +138,8 @@ static bool sum_up(const Export *export, RunSummary *summary, Status *status)
     summary->readout.late = readout_late(&summary->readout, summary->time);
     const double invariant[2] = {export->invariant, invariant_of(export)};
     summary->n_findings = references_findings(export->refs, export->sim, summary->findings);
-    summary_rows(summary, export->columns, export->n_columns, record->rows, record->count, invariant);
+    summary_rows(summary, export->sim, export->columns, export->n_columns, record->rows, record->count,
+                 invariant);
     summary->n_derived = problem_derived(export->settings, export->sim, summary->derived);
     summary_crack(summary, export->sim, export->settings);
     return errno != ENOMEM || status_fail(status, STATUS_FAILED, "not enough memory to sum the run up");

@@ -74,12 +74,12 @@ double plane_step(const PlaneDef *);
  * syy sxy density mass (the CSV columns), then what only the screen shows; nodes x y mass px py fx fy, then
  * likewise. vx is that in the laboratory. Series: u_probe v_probe, length (cantilever), kinetic kinetic_grid
  * kinetic_null strain work total; kinetic energies leave the cantilever's common speed out. total = kinetic +
- * strain; less the work, which is that of the channel, it nearly keeps its value.
+ * strain, which changes little: the work is that of the channel in the laboratory, where drawing the beam
+ * along counts too.
  *
- * A run fails, with particle, step and time in its status, when a particle leaves the grid, when 1 + exx +
- * eyy
- * <= 0 for one in a step, and when the energy is more than 1e4 times that of the start: looked at after each
- * step that is a multiple of 64, where growth is reported too.
+ * A run fails, with particle, step and time in its status, when a particle leaves the grid, when
+ * 1 + exx + eyy <= 0 for one in a step, and when the energy is more than 1e4 times that of the start: looked
+ * at after each step that is a multiple of 64, where growth is reported too.
  *
  * Live parameters: mpm.algorithm, mpm.flip_fraction. */
 Simulation *plane_create(const PlaneDef *, Status *);

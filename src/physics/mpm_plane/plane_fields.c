@@ -106,6 +106,7 @@ void plane_set_fields(Plane *plane)
     sim->fields = fields;
     sim->n_fields = FIELDS;
     sim->has = HAS_PLANE | HAS_MESH;
+    sim->common_speed = plane->speed;
     sim->columns = (size_t)plane->nxp;
     sim->rows = (size_t)plane->nyp;
     sim->spacing = plane->spacing;

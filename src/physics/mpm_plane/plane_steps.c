@@ -3,6 +3,7 @@
  * (batch.h). */
 #include "physics/mpm_plane/plane_state.h"
 
+#include <math.h>
 #include <string.h>
 
 static double energy(const Simulation *sim)
@@ -10,9 +11,14 @@ static double energy(const Simulation *sim)
     return plane_energy(plane_of_const(sim));
 }
 
+/* Seen from the beam the channel moves nothing that it holds and does no work: its work in the laboratory,
+ * some times the energy of the vibration, is left out. A beam that does not vibrate has what rounding makes
+ * of its common speed, at most some 1e-20 of 1/2 m v0^2 in a million steps. */
 static bool check_energy(Plane *plane, Status *status)
 {
-    const GrowthNow now = {plane->energy_start, energy, plane->head->work, " s", "other shapes"};
+    const double body = plane->mass * plane->nxp * plane->nyp * plane->def.thickness;
+    const double rounding = 1e-20 * body * plane->speed * plane->speed / 2;
+    const GrowthNow now = {fmax(plane->energy_start, rounding), energy, 0, " s", "other shapes"};
     return batch_check_energy(&plane->sim, &plane->head->growth, &now, status);
 }
 

@@ -102,8 +102,9 @@ static const HelpWord plane_words[] = {
      "columns is the false shear of a cell that cannot bend."},
     {"mesh",
      ":magnify 16, or Z and + : the cells under the particles, bars of mass and momentum on the nodes while "
-     "a step is under way, arrows from who gives to who takes. The cross on the chosen particle: its "
-     "principal stresses, dotted where they press."},
+     "a step is under way, arrows from who gives to who takes; of a beam that leaves its channel its common "
+     "speed v0 is no part of the momentum's bars. The cross on the chosen particle: its principal stresses, "
+     "dotted where they press."},
     {"null space",
      "view 3: motion of the particles that no node feels. Lumping: what the nodes' masses, taken as "
      "single points, leave out."},

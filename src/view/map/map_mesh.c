@@ -39,13 +39,14 @@ static bool take_nodes(const Map *map, const MeshNodes *mesh, const char *name, 
     return true;
 }
 
-/* |p| from its components. */
+/* |p| from its components, without what the body's common speed gives to all nodes alike: it is hundreds of
+ * times as much as the vibration. */
 static void take_momentum(const Map *map, const MeshNodes *mesh, double *spare)
 {
     if (!take_nodes(map, mesh, "px", mesh->momentum) || !take_nodes(map, mesh, "py", spare))
         return;
     for (size_t i = 0; i < mesh->count; i++)
-        mesh->momentum[i] = hypot(mesh->momentum[i], spare[i]);
+        mesh->momentum[i] = hypot(mesh->momentum[i] - mesh->mass[i] * map->sim->common_speed, spare[i]);
 }
 
 Flow map_flow(const Map *map, bool *inside)
@@ -258,7 +259,10 @@ static void draw_bar(const Map *map, const MeshNodes *mesh, int column, int row,
 
 static void draw_mesh_nodes(const Map *map, const MeshNodes *mesh)
 {
-    const double heaviest = largest(mesh->mass, mesh->count), fastest = largest(mesh->momentum, mesh->count);
+    /* of a body that only moves on no rounding is drawn */
+    const double heaviest = largest(mesh->mass, mesh->count);
+    const double fastest =
+        fmax(largest(mesh->momentum, mesh->count), 1e-9 * heaviest * fabs(map->sim->common_speed));
     for (size_t node = 0; node < mesh->count; node++) {
         double column, row;
         node_at(map, mesh, node, &column, &row);

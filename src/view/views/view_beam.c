@@ -141,6 +141,8 @@ static int draw_half_ramp(const Map *map, Area area, int x, int y, int first)
 /* What there is to say beside the ramp, in full or where room is short in a few words. */
 static const char *note_of(const Map *map, bool brief)
 {
+    if (map_has_mesh(map) && fabs(map->sim->common_speed) > 0)
+        return brief ? "bars: m, |p - m v0|" : "bars: mass, |momentum - m v0|";
     if (map_has_mesh(map))
         return brief ? "bars: m, |p|" : "bars: mass, |momentum|";
     if (map->nodes_seen)
