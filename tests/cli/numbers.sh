@@ -35,6 +35,9 @@ run() { # SCENARIO OPTIONS...
 		/^last particle/ { after("u", "u_last") }
 		/^angle / { before("10", "angle10"); before("38", "angle38") }
 		/^tip.s speed / { after("=", "of_rayleigh") }
+		/^cracks / { after("fastest", "fastest"); after("=", "of_rayleigh") }
+		/^branched / { after("mm,", "split") }
+		/ surface made / { after("length", "surface") }
 		/^cost / { after("cost", "cost"); after("path", "path"); after("beside", "beside"); after("s0", "beyond") }
 		/^G0 / { after("G0", "G0"); after("lattice", "plane") }' summary >measured
 }
@@ -411,6 +414,35 @@ claim $lesson/branch.lesson "farther out, at " 74 " mm" branch60
 sed -n 's/^# *\([a-z_]*\) = \([^ ]*\).*/\1 \2/p' summary >measured
 claim $lesson/branch.lesson "has " 3036 " m/s in this glass" rayleigh_speed
 claim $lesson/branch.lesson "it is stretched by " 0.148 " %" critical_stretch 100
+claim $lesson/crack-speed.lesson "sqrt(E/rho): " 3036 " m/s in this glass" rayleigh_speed
+awk -v horizon=0.002 '$1 == "rayleigh_speed" { print "window", 4 * horizon / $2 }' measured >window
+cp window measured
+claim $lesson/crack-speed.lesson "four horizons: " 2.6 " microseconds" window 1e6
+run pulled-plate
+claim $lesson/crack-speed.lesson "" 1471 " m/s at its fastest" fastest
+claim $lesson/crack-speed.lesson "at its fastest, " 0.48 " of c_R" of_rayleigh
+claim $lesson/crack-speed.lesson "6 MPa gave " 1.17 ", once through" surface
+# what a crack makes that is pulled by so many MPa up to so many microseconds
+pulled() { run pulled-plate --set loads.top.sy="$1e6" --set loads.bottom.sy="-$1e6" --end "$2e-6"; }
+pulled 7 50
+claim $lesson/crack-speed.lesson "With 7 MPa it comes to " 1590 " m/s" fastest
+result "$lesson/crack-speed.lesson: from 7 MPa on it splits" grep -q ^split measured
+pulled 8 50
+claim $lesson/crack-speed.lesson "8 MPa: " 1603 "" fastest
+pulled 10 50
+claim $lesson/crack-speed.lesson "hardly more: " 1615 " m/s" fastest
+claim $lesson/crack-speed.lesson "this one was split by " 35 " microseconds" split
+pulled 12 22
+claim $lesson/crack-speed.lesson "" 1862 " m/s, 0.61 of c_R" fastest
+claim $lesson/crack-speed.lesson "1862 m/s, " 0.61 " of c_R" of_rayleigh
+pulled 12 45
+claim $lesson/crack-speed.lesson "Split at " 26 " microseconds" split
+claim $lesson/crack-speed.lesson "It is " 1.41 " now" surface
+plate "24 34" pulled-plate --set loads.top.sy=12e6 --set loads.bottom.sy=-12e6 --end 34e-6
+slope behind tip 24 34 time 1e3
+claim $lesson/crack-speed.lesson "From 24 to 34 it makes " 1150 " m/s" behind
+run kalthoff-coarse
+claim $lesson/crack-speed.lesson "reach " 0.59 " of their c_R" of_rayleigh
 
 # what takes longer: with MATVIB_LONG alone
 if [ -n "$MATVIB_LONG" ]; then
@@ -424,6 +456,8 @@ if [ -n "$MATVIB_LONG" ]; then
 	claim $lesson/skin.lesson "" 0.981 " ms with a horizon of 1 mm" measured 1000
 	claim $lesson/skin.lesson "still " 14 " % too long" period_error
 	claim $lesson/homework-crack.lesson "% to " 14 " %: the skin" period_error
+	run branching --end 30e-6
+	claim $lesson/crack-speed.lesson "the same 12 MPa give " 1810 " m/s" fastest
 	run moving-cantilever --end 0.0024
 	claim $lesson/channel.lesson "in place of 0.5 it is " 0.2 " % early" period_error
 	run notched-beam-coarse --set notch.position=0.105
