@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs as files: what they hold, that they repeat, that they are written whole or not at all. */
+#include "lab/answers/summary.h"
 #include "lab/export/csv.h"
 #include "lab/export/export.h"
 #include "lab/export/frames.h"
@@ -596,6 +597,33 @@ START_TEST(a_summary_tells_what_a_run_came_to)
 }
 END_TEST
 
+/* Rate and frequency of a damped beam, as an independent program has them: the rate half of alpha. */
+START_TEST(damping_is_told_as_a_rate)
+{
+    const double alpha = 1451.9169931853621;
+    Settings settings = read_back("supported-beam-coarse");
+    RunSummary summary;
+    settings.damping.rate = alpha;
+    settings.time.step = 1e-7;
+    settings.time.end = 3e-3;
+    run(&settings, &(Outputs){0}, &summary);
+    const Readout *readout = &summary.readout;
+    ck_assert_double_eq_tol(readout->decay_exact, alpha / 2, 1e-9);
+    ck_assert_double_eq_tol(readout->decay_measured / (alpha / 2), 1 - 5.5e-5, 1e-3);
+    ck_assert_double_eq_tol(readout->measured / readout->predicted, 1, 2e-5);
+    char text[SUMMARY_MAX], wanted[200];
+    summary_text(&summary, &settings, text);
+    snprintf(wanted, sizeof wanted,
+             "\ndecay  measured %.7g  theory 725.9585  1/s, half the damping\nfrequency  ",
+             readout->decay_measured);
+    ck_assert_msg(strstr(text, wanted) != NULL, "%s", text);
+    settings.damping.rate = 0;
+    settings.time.end = 1e-4;
+    run(&settings, &(Outputs){0}, &summary);
+    ck_assert(isnan(summary.readout.decay_exact) && isnan(summary.readout.decay_measured));
+}
+END_TEST
+
 START_TEST(a_zero_keeps_its_sign)
 {
     char *text = NULL;
@@ -624,6 +652,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, paraview_gets_a_collection);
     tcase_add_test(tcase, raw_data_are_those_of_the_text);
     tcase_add_test(tcase, a_summary_tells_what_a_run_came_to);
+    tcase_add_test(tcase, damping_is_told_as_a_rate);
     tcase_add_test(tcase, the_ripple_is_no_loss);
     tcase_add_test(tcase, what_has_decayed_is_told_so);
     tcase_add_test(tcase, a_zero_keeps_its_sign);

@@ -52,9 +52,9 @@ static const struct {
     [RESULT_WALL] = {"wall", "s", "seconds that the run took"},
     [RESULT_KEPT_MEASURED] =
         {"kept_measured", "1",
-         "bar: share of its energy that the motion keeps in one exact period, fitted to the "
+         "share of its energy that the motion keeps in one exact period, fitted to the "
          "series"},
-    [RESULT_KEPT_PREDICTED] = {"kept_predicted", "1", "the same by the equations of this very mesh"},
+    [RESULT_KEPT_PREDICTED] = {"kept_predicted", "1", "the same as predicted: by this very mesh, or by the damping"},
 };
 
 const char *sweep_result_name(ResultColumn column)

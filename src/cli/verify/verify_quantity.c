@@ -83,7 +83,7 @@ double quantity_predicted_kept(VerifyRun *run, const VerifyRow *row)
 double quantity_decay_ratio(VerifyRun *run, const VerifyRow *row)
 {
     (void)row;
-    return log(run->readout.kept_measured) / log(run->readout.kept_predicted);
+    return run->readout.decay_measured / run->readout.decay_exact;
 }
 
 static double derived_of(const VerifyRun *run, const char *name)

@@ -197,6 +197,21 @@ static void add_readout(Writer *writer, const Readout *readout, const char *answ
         strcmp(readout->column, "strain") == 0 ? " (measured on the strain energy)" : "");
 }
 
+/* How fast a damped swing dies, and how fast it swings meanwhile. */
+static void add_decay(Writer *writer, const Readout *readout)
+{
+    if (!isfinite(readout->decay_exact))
+        return;
+    add(writer, "decay");
+    add_known(writer, "measured", isfinite(readout->decay_measured), readout->decay_measured);
+    add_known(writer, "theory", true, readout->decay_exact);
+    add(writer, "  1/s, half the damping\nfrequency");
+    add_known(writer, "measured", readout->measured_known, 1 / readout->measured);
+    add_known(writer, "predicted", readout->predicted_known, 1 / readout->predicted);
+    add_known(writer, "theory", readout->exact_known, 1 / readout->exact);
+    add(writer, "  Hz\n");
+}
+
 /* What a motion that dies keeps; one that theory says is kept has E* for that. */
 static void add_kept(Writer *writer, const Readout *readout)
 {
@@ -295,6 +310,7 @@ void summary_text(const RunSummary *summary, const Settings *settings, char out[
         facts->si ? facts->unit_of_time : "", dt, summary->failed ? ", where the run failed" : "");
     if (!summary->crack_known && !summary->fronts_known)
         add_readout(&writer, &summary->readout, facts->answer, summary->n_findings > 0);
+    add_decay(&writer, &summary->readout);
     add_kept(&writer, &summary->readout);
     char found[SUMMARY_MAX];
     findings_text(summary->findings, summary->n_findings, true, SUMMARY_MAX, found, sizeof found);

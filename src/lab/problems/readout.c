@@ -87,6 +87,8 @@ void references_readout(const References *refs, const double *rows, size_t n_row
                          .overlap = 1,
                          .kept_measured = NAN,
                          .kept_predicted = NAN,
+                         .decay_measured = NAN,
+                         .decay_exact = NAN,
                          .by_zeros = NAN,
                          .column = "",
                          .unmeasured = "",
@@ -102,7 +104,7 @@ void references_readout(const References *refs, const double *rows, size_t n_row
     if (refs->unaccounted[REFERENCE_FREQUENCY]) {
         readout->measured_known = readout->exact_known = false;
         readout->measured = readout->exact = readout->by_zeros = readout->real_size = NAN;
-        readout->kept_measured = NAN;
+        readout->kept_measured = readout->decay_measured = readout->decay_exact = NAN;
         readout->unaccounted = refs->unaccounted[REFERENCE_FREQUENCY];
         readout->unmeasured = "a parameter is at work that it does not account for";
     } else if (readout->moving && !readout->measured_known)

@@ -78,6 +78,8 @@ struct Readout {
                        * modes, and no one frequency can be measured to the last digit */
     double kept_measured, kept_predicted; /* the share of its energy that the watched motion keeps in one
                                            * exact period; NAN: not known */
+    double decay_measured,
+        decay_exact; /* of a damped swing, amplitude ~ exp(-decay t), 1/s; NAN: not known */
     double by_zeros; /* a beam's period once more, from the zeros of its swing; NAN: fewer than two */
     bool drifting;   /* the period itself changes: the three numbers and `late` are those of the last zeros */
     const char *column;      /* the series it was measured on */

@@ -74,7 +74,10 @@ static const HelpWord beam_words[] = {
               "most stretched bond is; heights are logarithms of how many."},
     {"G0", "the energy that a crack should cost for its area, and s0 follow from each other: edit either. "
            "View 3, again: what the crack has cost so far."},
-    {"residual", "kinetic + strain + dissipated energy less the work of the load: 0 but for the time step."},
+    {"residual",
+     "kinetic + strain + dissipated energy less the work of the load: 0 but for the time step. A bond "
+     "breaks at the first step beyond its limit and takes the overshoot along, so breaking is first order in "
+     "time: with half the step the residual halves."},
     {"height", "view 6: the predicted lines are rows of the lattice that ring against each other through "
                "the beam's height."},
     {"damage", "the share of a node's bonds that is broken. A crack right through reads 0.4 to 0.5, not 1."},

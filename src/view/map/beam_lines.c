@@ -53,6 +53,25 @@ static void supported_lines(const Screen *screen, int width, char first[160], ch
                     readout->predicted / 1e-3);
 }
 
+/* A swing that dies: how fast, and how fast it swings meanwhile, beside theory. */
+static void damped_lines(const Screen *screen, char first[160], char second[160])
+{
+    const Readout *readout = experiment_readout(screen->experiment);
+    const bool exact = screen_shows_exact(screen), measured = isfinite(readout->decay_measured);
+    snprintf(first, 160, measured ? "decay %.5g 1/s" : "decay measuring", readout->decay_measured);
+    if (exact)
+        text_append(first, 160, ", theory %.5g%s", readout->decay_exact, measured ? "" : " 1/s");
+    if (readout->measured_known) {
+        text_append(first, 160, "  T %.4f ms", readout->measured / 1e-3);
+        snprintf(second, 160, "f %.1f Hz", 1 / readout->measured);
+    } else
+        snprintf(second, 160, "f measuring");
+    if (screen_shows_predicted(screen) && readout->predicted_known)
+        text_append(second, 160, ", predicted %.1f", 1 / readout->predicted);
+    if (exact)
+        text_append(second, 160, "  Timoshenko %.1f", 1 / readout->exact);
+}
+
 static void moving_lines(const Screen *screen, int width, char first[160], char second[160])
 {
     const bool narrow = width < 52;
@@ -138,6 +157,8 @@ bool beam_lines(const Screen *screen, int width, char first[160], char second[16
         snprintf(first, 160, "nothing vibrates: no period to measure");
     else if (experiment_readout(screen->experiment)->unaccounted)
         snprintf(first, 160, "T: not known with %s", experiment_readout(screen->experiment)->unaccounted);
+    else if (isfinite(experiment_readout(screen->experiment)->decay_exact))
+        damped_lines(screen, first, second);
     else if (leaves)
         moving_lines(screen, width, first, second);
     else

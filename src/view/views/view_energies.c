@@ -259,7 +259,9 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
 }
 
 /* What the balance lacks: kinetic + strain + dissipated less the start and the work of the load, against the
- * largest work so far. */
+ * largest work so far. A bond breaks at the first step beyond its limit and takes along what it then holds
+ * too much, so where bonds break the residual is of first order in the time step, and a share of what they
+ * took. */
 static void residual_phrases(const Screen *screen, double most_work, char out[320])
 {
     const double *now = experiment_row(screen->experiment);
@@ -271,8 +273,12 @@ static void residual_phrases(const Screen *screen, double most_work, char out[32
     char sum[NUMBER_TEXT_MAX], load[NUMBER_TEXT_MAX];
     text_fitted(now[total], 4, 9, sum);
     text_fitted(now[work], 4, 9, load);
-    snprintf(out, 320, "residual %+.2f %% of the work  total %s J  work %s J", 100 * residual / most_work,
-             sum, load);
+    snprintf(out, 320, "residual %+.2f %% of the work", 100 * residual / most_work);
+    const int dissipated = screen_column(screen, "dissipated");
+    if (breaks(screen->experiment) && dissipated >= 0 && now[dissipated] > 0)
+        text_append(out, 320, "  = %.1f %% of what broke  breaking is first order in dt",
+                    100 * residual / now[dissipated]);
+    text_append(out, 320, "  total %s J  work %s J", sum, load);
 }
 
 static int variants_of(const Screen *screen)
@@ -342,9 +348,9 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
               top = 1 + (named < n_legend);
     legend_draw_short(area, 2, 1, legend + named, n_legend - named);
     /* of velocities and stresses half a step apart there is more to say; velocity Verlet has none */
-    const int lines = screen_column(screen, "kinetic_grid") < 0 ? 1 + (most_work > 0 || is_rigid)
-                      : height - top >= 10                      ? 3
-                                                                : 2;
+    const bool staggered = screen_column(screen, "kinetic_grid") >= 0, tall = height - top >= 10;
+    const int lines = (staggered || most_work > 0 || is_rigid ? 2 : 1) +
+                      (tall && (staggered || breaks(screen->experiment)));
     const int under = height - top >= 7 ? lines : height - top >= 5 ? 1 : 0;
     Area plot_area = area_part(area, 0, top, area.rect.width, height - top - under);
     const int width = plot_area.rect.width - GUTTER - 1, dots = width * plot_dots_across(area.glyphs);

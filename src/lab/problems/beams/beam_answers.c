@@ -248,12 +248,14 @@ static void read_damped(const References *refs, const double *rows, size_t n_row
     const double expected = out->predicted_known ? out->predicted : out->real_size;
     const size_t width = (size_t)n_columns;
     Swing swing;
-    out->kept_predicted = swing_kept(own(refs)->body.damping / 2, 2 * M_PI / out->exact);
+    out->decay_exact = own(refs)->body.damping / 2;
+    out->kept_predicted = swing_kept(out->decay_exact, 2 * M_PI / out->exact);
     if (n_rows < 2 || !swing_fit(rows + plan_find(refs, "u_probe"), width, n_rows, rows[width + 1] - rows[1],
                                  2 * M_PI / expected, false, &swing))
         return;
     out->measured = 2 * M_PI / swing.frequency;
     out->measured_known = true;
+    out->decay_measured = swing.decay;
     out->kept_measured = swing_kept(swing.decay, 2 * M_PI / out->exact);
 }
 
