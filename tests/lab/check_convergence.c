@@ -57,9 +57,16 @@ START_TEST(horizon_goes_to_nothing)
             /* 38.0, 21.7, 14.2 %: to a limit that is not 0, so the order falls with the horizon */
             ck_assert_double_eq_tol(convergence_order(&points[0], &points[1]), 0.805, 1e-3);
             ck_assert_double_eq_tol(convergence_fitted_order(points, 3), 0.711, 1e-3);
+            /* the moduli of the sums at m = 4 are .877364 and .887934 of the integrals', added up elsewhere
+             */
+            const double limit = convergence_limit(study, &settings);
+            ck_assert_double_eq_tol(limit, 1.069224991, 1e-7);
+            ck_assert_double_eq_tol(convergence_order_to(limit, &points[0], &points[1]), 1.0674, 1e-4);
+            ck_assert_double_eq_tol(convergence_order_to(limit, &points[1], &points[2]), 1.0323, 1e-4);
         } else {
             ck_assert(isnan(convergence_order(&points[1], &points[2])));
             ck_assert(isnan(convergence_fitted_order(points, 3)));
+            ck_assert(isnan(convergence_limit(study, &settings)));
         }
     }
 }

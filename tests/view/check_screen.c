@@ -121,6 +121,8 @@ static const Picture pictures[] = {
     {"study-cells", "mode5 80x24 0 lower convergence refined"},
     {"study-cells-large", "mode5 132x43 0 lower convergence refined focus 3 zoom"},
     {"study-horizon", "supported-beam-coarse 80x24 0 lower convergence refined focus 3 zoom"},
+    {"study-uncorrected",
+     "supported-beam-coarse 80x24 0 pd.surface_correction=none lower convergence refined focus 3 zoom"},
     {"study-nodes-ascii",
      "supported-beam-coarse 60x18 0 lower convergence refined variant 1 ascii focus 3 zoom"},
     {"study-particles", "supported-beam-mpm-coarse 80x24 0 lower convergence refined variant 1 focus 3 zoom"},

@@ -26,8 +26,9 @@ typedef struct ConvergenceStudy {
     bool (*refine)(const Settings *base, int k, Settings *out);
     double (*paper)(int k); /* ConvergencePoint.paper; NULL: the paper gives none */
     double (*size_of)(const Settings *);
-    const char *const *lines; /* of several: their names, ended by NULL; else NULL */
-    int line_points;          /* of several: so many points in each, one line after the other */
+    const char *const *lines;          /* of several: their names, ended by NULL; else NULL */
+    int line_points;                   /* of several: so many points in each, one line after the other */
+    double (*limit)(const Settings *); /* convergence_limit(); NULL: it is not known */
 } ConvergenceStudy;
 
 typedef struct ConvergencePoint {
@@ -54,6 +55,12 @@ bool convergence_point(const ConvergenceStudy *, const Settings *, int k, Conver
 /* The order of the error between two points, log(e_a/e_b)/log(size_a/size_b); NAN: one is not known, or the
  * error changes its sign. */
 double convergence_order(const ConvergencePoint *a, const ConvergencePoint *b);
+
+/* What a beam's period over theory's tends to in a study, where that is known and not 1; else NAN. */
+double convergence_limit(const ConvergenceStudy *, const Settings *);
+
+/* The order between two points as above, of the difference to such a limit. */
+double convergence_order_to(double limit, const ConvergencePoint *a, const ConvergencePoint *b);
 
 /* The slope of the straight line through log|error| over log(size) of all points that are known. NAN: fewer
  * than three, or the error does not fall from each to the next with the same sign. */

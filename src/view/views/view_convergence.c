@@ -17,6 +17,7 @@ typedef struct Study {
     int known, count;
     int lines, line_points; /* one after the other */
     bool periods;           /* of a beam, in s, and sizes in m; else frequencies, in the bar's own units */
+    double limit;           /* convergence_limit() */
 } Study;
 
 static int studies_of(const Experiment *experiment, const ConvergenceStudy *out[CONVERGENCE_STUDIES_MAX])
@@ -51,7 +52,10 @@ static bool shows_start(const Screen *screen, int variant)
 static Study study_on(const Screen *screen, const ConvergenceStudy *of)
 {
     const Settings *settings = experiment_settings(screen->experiment);
-    Study study = {.of = of, .count = convergence_count(of, settings), .periods = settings->problem->si};
+    Study study = {.of = of,
+                   .count = convergence_count(of, settings),
+                   .periods = settings->problem->si,
+                   .limit = convergence_limit(of, settings)};
     study.line_points = of->lines ? of->line_points : study.count;
     while (of->lines && of->lines[study.lines])
         study.lines++;
@@ -72,7 +76,20 @@ static double shown(const Study *study, double value)
 static double last_order(const Study *study)
 {
     const int n = study->known;
-    return n < 2 ? NAN : convergence_order(&study->points[n - 2], &study->points[n - 1]);
+    return n < 2 ? NAN
+           : isfinite(study->limit)
+               ? convergence_order_to(study->limit, &study->points[n - 2], &study->points[n - 1])
+               : convergence_order(&study->points[n - 2], &study->points[n - 1]);
+}
+
+/* The error does not vanish however small the horizon is: said, lest the curve be taken for one that does not
+ * converge. */
+static void append_limit(const Study *study, double order, char out[160])
+{
+    text_append(out, 160, "  T tends to %.3f of theory, not to 1", study->limit);
+    if (isfinite(order))
+        text_append(out, 160, "  to that with order %.2f", order);
+    text_append(out, 160, "  without correction m has to grow too");
 }
 
 /* How many points of a line are known. */
@@ -110,6 +127,8 @@ static void verdict_of(const Screen *screen, const Study *study, char out[160])
         append_orders(study, out);
     else if (study->of->paper)
         text_append(out, 160, "  the layers make the beam thinner: see its height");
+    else if (isfinite(study->limit))
+        append_limit(study, order, out);
     else if (isfinite(fitted))
         text_append(out, 160, "  fitted order %.2f  the last two %.2f", fitted, order);
     else if (isfinite(order))
