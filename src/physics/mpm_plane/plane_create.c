@@ -36,6 +36,7 @@ static size_t lay_out(Plane *plane, unsigned char *block)
                                  &plane->fx,        &plane->fy,           &plane->node_vx, &plane->node_vy};
     for (size_t k = 0; k < sizeof of_nodes / sizeof *of_nodes; k++)
         ARRAY(*of_nodes[k], nodes);
+    ARRAY(plane->push, (size_t)plane->gx);
     plane->bytes_whole = size;
     /* scratch stands behind */
     ARRAY(plane->slots, plane_slot_numbers(plane) * (size_t)plane->def.threads);
@@ -43,7 +44,6 @@ static size_t lay_out(Plane *plane, unsigned char *block)
     const size_t null = plane_null_pays(plane) ? plane_null_numbers(plane) : 0;
     const size_t patches = blocks * (size_t)plane->gy * PLANE_GIVEN * PLANE_PATCH;
     ARRAY(plane->patches, null > patches ? null : patches);
-    ARRAY(plane->push, (size_t)plane->gy);
     ARRAY(plane->far, blocks);
     ARRAY(plane->trouble, blocks);
     ARRAY(plane->backup, plane->bytes_particles);

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The work of the stages over everything. That of particles is shared out by blocks, that of nodes by rows;
- * the arithmetic is in kernels/plane_kernels.c, the supports are here:
+/* The work of the stages over everything. That of particles is shared out by blocks, that of nodes by
+ * columns; the arithmetic is in kernels/plane_kernels.c, the supports are here:
  *
  *     supports            p_i = m_i (v0, 0) in the components that are held
  *     supports on forces  held: work -= f_x v0 dt, then f = 0
  *
  * Stages that follow each other on particles are done block by block, one after the other while the block is
- * in the cache, those on nodes likewise row by row; in between everybody waits. So a step of USF has four
+ * in the cache, those on nodes likewise; in between everybody waits. So a step of USF has four
  * parts, and its last is the first of the next step: strain and force | gather, supports, integrate | update
  * and map | gather, supports. */
 #include "physics/mpm_plane/kernels/plane_kernels.h"
@@ -85,56 +85,85 @@ static bool judge(Plane *plane, const PlaneTask *tasks, int count, int first, in
 
 /* --- nodes ------------------------------------------------------------------------------------------- */
 
+static PlaneNodes rows_of(const Plane *plane, int first, int end)
+{
+    return (PlaneNodes){first, end, 0, plane->gx};
+}
+
+static int smaller(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+static int larger(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+/* Whether a support reaches into a part of the grid at all: columns are held alike in every row, or not. */
+static bool is_held(const Plane *plane, long step, PlaneNodes part)
+{
+    const PlaneHeldColumns held = plane_held_columns(plane, step, part.row);
+    return part.column < held.left || part.end_column > held.right;
+}
+
 /* Supports, paper M's step 2 and paper P's eqs. 12, 13: p = m v0 along where x is held, 0 across where y is.
  * The mass stays. */
-static void hold(Plane *plane, long step, int first_row, int end_row)
+static void hold(Plane *plane, long step, PlaneNodes part)
 {
-    for (int j = first_row; j < end_row; j++) {
+    const int end_row = is_held(plane, step, part) ? part.end_row : part.row;
+    for (int j = part.row; j < end_row; j++) {
         const PlaneHeldColumns held = plane_held_columns(plane, step, j);
+        const int left = smaller(held.left, part.end_column), right = larger(held.right, part.column);
         double *px = plane->px + j * plane->gx, *py = plane->py + j * plane->gx;
         const double *mass = plane->node_mass + j * plane->gx;
-        for (int i = 0; i < held.left && held.at_left.x; i++)
+        for (int i = part.column; i < left && held.at_left.x; i++)
             px[i] = mass[i] * plane->speed;
-        for (int i = 0; i < held.left && held.at_left.y; i++)
+        for (int i = part.column; i < left && held.at_left.y; i++)
             py[i] = 0;
-        for (int i = held.right; i < plane->gx && held.at_right.y; i++)
+        for (int i = right; i < part.end_column && held.at_right.y; i++)
             py[i] = 0;
     }
-    plane->kernels->velocities(plane, first_row, end_row);
+    plane->kernels->velocities(plane, part);
 }
 
 /* Supports take the force of the nodes that they hold. The one along a channel that moves with
- * v0 does work on the beam: push is its force, N/m, row by row. */
-static void hold_force(Plane *plane, long step, int first_row, int end_row)
+ * v0 does work on the beam: push is its force, N/m, column by column, from the lowest row up. */
+static void hold_force(Plane *plane, long step, PlaneNodes part)
 {
-    for (int j = first_row; j < end_row; j++) {
+    const int end_row = is_held(plane, step, part) ? part.end_row : part.row;
+    for (int i = part.column; i < part.end_column && part.row == 0; i++)
+        plane->push[i] = 0;
+    for (int j = part.row; j < end_row; j++) {
         const PlaneHeldColumns held = plane_held_columns(plane, step, j);
-        double *fx = plane->fx + j * plane->gx, *fy = plane->fy + j * plane->gx, push = 0;
-        for (int i = 0; i < held.left && held.at_left.x; i++) {
-            push += fx[i];
+        const int left = smaller(held.left, part.end_column), right = larger(held.right, part.column);
+        double *fx = plane->fx + j * plane->gx, *fy = plane->fy + j * plane->gx;
+        for (int i = part.column; i < left && held.at_left.x; i++) {
+            plane->push[i] += fx[i];
             fx[i] = 0;
         }
-        for (int i = 0; i < held.left && held.at_left.y; i++)
+        for (int i = part.column; i < left && held.at_left.y; i++)
             fy[i] = 0;
-        for (int i = held.right; i < plane->gx && held.at_right.y; i++)
+        for (int i = right; i < part.end_column && held.at_right.y; i++)
             fy[i] = 0;
-        plane->push[j] = push;
     }
 }
 
-/* -f_x v0 dt times the thickness, J: f_x is the beam's force on the node. In the order of rows. */
-static void add_work(Plane *plane, int first_row, int end_row)
+/* -f_x v0 dt times the thickness, J: f_x is the beam's force on the nodes. In the order of columns. */
+static void add_work(Plane *plane)
 {
-    for (int j = first_row; j < end_row; j++)
-        plane->head->work -= plane->push[j] * plane->speed * plane->dt * plane->def.thickness;
+    double push = 0;
+    for (int i = 0; i < plane->gx; i++)
+        push += plane->push[i];
+    plane->head->work -= push * plane->speed * plane->dt * plane->def.thickness;
 }
 
-static void gather(Plane *plane, PlaneOp op, int first_row, int end_row)
+static void gather(Plane *plane, PlaneOp op, PlaneNodes part)
 {
     if (op == PLANE_FORCE)
-        plane->kernels->gather_force(plane, first_row, end_row);
+        plane->kernels->gather_force(plane, part);
     else
-        plane->kernels->gather_map(plane, first_row, end_row, op == PLANE_MAP);
+        plane->kernels->gather_map(plane, part, op == PLANE_MAP);
 }
 
 static bool any_far(const Plane *plane)
@@ -148,26 +177,26 @@ static bool any_far(const Plane *plane)
 /* All nodes at once, with what particles give that others have left aside. */
 static void gather_all(Plane *plane, PlaneOp op)
 {
-    gather(plane, op, 0, plane->gy);
+    gather(plane, op, rows_of(plane, 0, plane->gy));
     if (any_far(plane))
         plane_add_far(plane, op);
 }
 
-static void do_rows(Plane *plane, PlaneTask task, int first, int end)
+static void do_nodes(Plane *plane, PlaneTask task, PlaneNodes part)
 {
     switch (task.op) {
     case PLANE_HOLD:
-        plane->kernels->invert(plane, first, end);
-        hold(plane, task.step, first, end);
+        plane->kernels->invert(plane, part);
+        hold(plane, task.step, part);
         break;
     case PLANE_HOLD_AGAIN:
-        hold(plane, task.step, first, end);
+        hold(plane, task.step, part);
         break;
     case PLANE_HOLD_FORCE:
-        hold_force(plane, task.step, first, end);
+        hold_force(plane, task.step, part);
         break;
     case PLANE_INTEGRATE:
-        plane->kernels->integrate(plane, first, end);
+        plane->kernels->integrate(plane, part);
         break;
     default:
         break;
@@ -181,13 +210,12 @@ bool plane_do(Plane *plane, PlaneOp op, int first, int end, Status *status)
 {
     const PlaneTask task = {op, plane->sim.step};
     if (of_nodes(op)) {
-        end = end < plane->gy ? end : plane->gy;
-        do_rows(plane, task, first, end);
-        if (op == PLANE_HOLD_FORCE)
-            add_work(plane, first, end);
+        do_nodes(plane, task, rows_of(plane, smaller(first, plane->gy), smaller(end, plane->gy)));
+        if (op == PLANE_HOLD_FORCE && end == (int)plane->sim.stage_items)
+            add_work(plane);
         return true;
     }
-    const int end_block = end < plane->n_blocks ? end : plane->n_blocks;
+    const int end_block = smaller(end, plane->n_blocks);
     for (int block = first; block < end_block; block++)
         do_block(plane, block, 0, &task, 1);
     if (!judge(plane, &task, 1, first, end_block, status))
@@ -205,7 +233,7 @@ typedef struct Part {
     Plane *plane;
     const PlaneTask *tasks;
     int count;
-    int rows;      /* of nodes in a chunk */
+    int columns;   /* of nodes in a chunk */
     PlaneOp given; /* of nodes: the stage whose patches come first; PLANE_OPS: none */
 } Part;
 
@@ -215,16 +243,31 @@ static void block_chunk(void *context, int block, int worker)
     do_block(part->plane, block, worker, part->tasks, part->count);
 }
 
-static void rows_chunk(void *context, int chunk, int worker)
+/* Nodes are shared out by columns, of all rows: then those around the blocks that a thread has done are in
+ * its core's cache. A chunk is done some rows at a time, one stage after the other. */
+static void nodes_chunk(void *context, int chunk, int worker)
 {
+    enum { NODES_AT_A_TIME = 1024 };
     (void)worker;
     const Part *part = context;
-    const int first = chunk * part->rows;
-    const int end = first + part->rows < part->plane->gy ? first + part->rows : part->plane->gy;
-    if (part->given != PLANE_OPS)
-        gather(part->plane, part->given, first, end);
-    for (int k = 0; k < part->count; k++)
-        do_rows(part->plane, part->tasks[k], first, end);
+    Plane *plane = part->plane;
+    const int column = chunk * part->columns, rows = 1 + NODES_AT_A_TIME / part->columns;
+    for (int row = 0; row < plane->gy; row += rows) {
+        const PlaneNodes nodes = {row, smaller(row + rows, plane->gy), column,
+                                  smaller(column + part->columns, plane->gx)};
+        if (part->given != PLANE_OPS)
+            gather(plane, part->given, nodes);
+        for (int k = 0; k < part->count; k++)
+            do_nodes(plane, part->tasks[k], nodes);
+    }
+}
+
+/* One thread goes along whole rows, as they lie in memory. */
+static int columns_of_chunk(const Plane *plane)
+{
+    enum { CHUNKS_A_THREAD = 4, COLUMNS_AT_LEAST = 32 };
+    const int threads = plane->def.threads;
+    return threads == 1 ? plane->gx : larger(plane->gx / (CHUNKS_A_THREAD * threads) + 1, COLUMNS_AT_LEAST);
 }
 
 static void run_part(Part *part, PoolWork *work, int chunks)
@@ -238,14 +281,14 @@ static void run_part(Part *part, PoolWork *work, int chunks)
 
 bool plane_do_all(Plane *plane, const PlaneTask *tasks, int count, Status *status)
 {
-    enum { NODES_A_CHUNK = 1024 };
+    const int columns = columns_of_chunk(plane);
     PlaneOp given = PLANE_OPS;
     for (int end = 0; end < count;) {
         const int first = end;
         const bool nodes = of_nodes(tasks[first].op);
         while (end < count && of_nodes(tasks[end].op) == nodes)
             end++;
-        Part part = {plane, tasks + first, end - first, 1 + NODES_A_CHUNK / plane->gx, given};
+        Part part = {plane, tasks + first, end - first, columns, given};
         if (!nodes) {
             run_part(&part, block_chunk, plane->n_blocks);
             if (!judge(plane, part.tasks, part.count, 0, plane->n_blocks, status))
@@ -257,10 +300,10 @@ bool plane_do_all(Plane *plane, const PlaneTask *tasks, int count, Status *statu
             }
             continue;
         }
-        run_part(&part, rows_chunk, (plane->gy + part.rows - 1) / part.rows);
+        run_part(&part, nodes_chunk, (plane->gx + part.columns - 1) / part.columns);
         for (int k = first; k < end; k++)
             if (tasks[k].op == PLANE_HOLD_FORCE)
-                add_work(plane, 0, plane->gy);
+                add_work(plane);
         given = PLANE_OPS;
     }
     return true;

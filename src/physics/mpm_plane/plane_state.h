@@ -74,6 +74,11 @@ typedef struct PlaneBlock {
     int32_t column, slots, low, high;
 } PlaneBlock;
 
+/* Nodes in rows [row, end_row) and columns [column, end_column). */
+typedef struct PlaneNodes {
+    int row, end_row, column, end_column;
+} PlaneNodes;
+
 /* What went wrong in a block: at which place, in the work of which stage. */
 typedef struct PlaneTrouble {
     int32_t place; /* -1: nothing */
@@ -116,12 +121,12 @@ typedef struct Plane {
     double *node_mass, *px, *py, *fx, *fy;
     double *node_inverse;      /* 1/m; 0 where the node is inactive */
     double *node_vx, *node_vy; /* p/m as of the last stage that wrote p */
+    double *push;              /* of each column of nodes: the channel's force, N/m */
 
     const PlaneKernels *kernels;
     Pool *pool;            /* NULL: one thread */
     double *slots;         /* of each thread: by row of nodes, quantity, slot (plane_kernels.h) */
     double *patches;       /* of each row of nodes: by block, quantity, column */
-    double *push;          /* of each row of nodes: the channel's force, N/m */
     bool *far;             /* of each block: has far particles in the stage under way */
     PlaneTrouble *trouble; /* of each block, in the stage under way */
     double *null;          /* of plane_null.c, when a row is written: the patches' memory */

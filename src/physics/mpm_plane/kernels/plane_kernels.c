@@ -201,38 +201,84 @@ KERNEL_INLINE Vector whole_part(Vector x)
     return nearest - (Vector)((VectorMask)((Vector){0} + 1) & (nearest > x));
 }
 
-/* i = floor(r - l), s = r - l - i in both directions, r = (x - xmin)/dx, and l = 1/(2P) of boxes, 0 of hats:
- * as plane_find() has it. A vector is a run if lane l begins l columns beside lane 0 and in its row. */
+/* r - l of lanes in both directions, r = (x - xmin)/dx, and l = 1/(2P) of boxes, 0 of hats, as plane_find()
+ * has it: the whole part is where a particle's nodes begin, the rest where it lies beside the first. */
+typedef struct Places {
+    Vector x, y;
+} Places;
+
+KERNEL_INLINE Places places_at(const Plane *plane, double xmin, int at)
+{
+    const double inverse = 1 / plane->dx, l = plane->support == 2 ? 0 : plane->half;
+    return (Places){(vector_load(plane->x + at) - xmin) * inverse - l,
+                    (vector_load(plane->y + at) - plane->ymin) * inverse - l};
+}
+
+static const double lane_numbers[PLANE_LANES] = {0, 1, 2, 3, 4, 5, 6, 7};
+
+/* Whether a vector is the run that it was when it was last found, which is nearly always: then there is
+ * nothing new but s. A step's numbers may have been wiped out since: base says whether they have. */
+KERNEL_INLINE bool is_run_still(Plane *plane, int vector, double xmin)
+{
+    const PlaneRun *run = &plane->runs[vector];
+    const int at = vector * PLANE_LANES, last = PLANE_LANES - 1;
+    if (run->row < 0 || plane->base[at + last] != run->row * plane->gx + run->column + last)
+        return false;
+    VectorMask inside = ~(VectorMask){0};
+    for (int k = 0; k < PLANE_LANES; k += WIDTH) {
+        const Places r = places_at(plane, xmin, at + k);
+        const Vector sx = r.x - (vector_load(lane_numbers + k) + run->column), sy = r.y - run->row;
+        vector_store(plane->sx + at + k, sx);
+        vector_store(plane->sy + at + k, sy);
+        inside &= (sx >= 0) & (sx < 1) & (sy >= 0) & (sy < 1);
+    }
+    return vector_is_zero(~inside);
+}
+
+/* A vector's nodes from nothing. It is a run if lane l begins l columns beside lane 0 and in its row. */
+static void find_vector(Plane *plane, int vector, int lanes, double xmin)
+{
+    const int at = vector * PLANE_LANES;
+    const double columns = plane->gx;
+    double column[PLANE_LANES], row[PLANE_LANES];
+    VectorMask apart = {0};
+    for (int k = 0; k < PLANE_LANES; k += WIDTH) {
+        const Places r = places_at(plane, xmin, at + k);
+        const Vector i = whole_part(r.x), j = whole_part(r.y), lane = vector_load(lane_numbers + k);
+        vector_store(plane->sx + at + k, r.x - i);
+        vector_store(plane->sy + at + k, r.y - j);
+        vector_store(column + k, i);
+        vector_store(row + k, j);
+        apart |= ((i - lane != column[0]) | (j != row[0])) & (lane < lanes);
+        const Whole node = __builtin_convertvector(j * columns + i, Whole);
+        memcpy(plane->base + at + k, &node, sizeof node);
+    }
+    for (int k = lanes; k < PLANE_LANES; k++) /* somewhere on the grid */
+        plane->base[at + k] = plane->base[at];
+    plane->runs[vector] = (PlaneRun){(int32_t)column[0], vector_is_zero(apart) ? (int32_t)row[0] : -1};
+}
+
+/* A block's particles on the grid, and the nodes that they reach: the same as in the step before if all
+ * vectors still are the runs that they were. */
 static void find(Plane *plane, int block, long step)
 {
-    const int n = plane->support, lanes = plane_lanes(plane, block);
-    const double inverse = 1 / plane->dx, l = n == 2 ? 0 : plane->half, xmin = plane_xmin(plane, step);
-    const double columns = plane->gx;
-    static const double numbers[PLANE_LANES] = {0, 1, 2, 3, 4, 5, 6, 7};
+    const int n = plane->support, lanes = plane_lanes(plane, block), first = block * plane->n_vectors;
+    const double xmin = plane_xmin(plane, step);
     PlaneBlock nodes = {INT32_MAX, 0, INT32_MAX, 0};
     int last = INT32_MIN;
-    for (int v = 0; v < plane->n_vectors; v++) {
-        const int vector = block * plane->n_vectors + v, at = vector * PLANE_LANES;
-        double column[PLANE_LANES], row[PLANE_LANES];
-        VectorMask apart = {0};
-        for (int k = 0; k < PLANE_LANES; k += WIDTH) {
-            const Vector rx = (vector_load(plane->x + at + k) - xmin) * inverse - l;
-            const Vector ry = (vector_load(plane->y + at + k) - plane->ymin) * inverse - l;
-            const Vector i = whole_part(rx), j = whole_part(ry), lane = vector_load(numbers + k);
-            vector_store(plane->sx + at + k, rx - i);
-            vector_store(plane->sy + at + k, ry - j);
-            vector_store(column + k, i);
-            vector_store(row + k, j);
-            apart |= ((i - lane != column[0]) | (j != row[0])) & (lane < lanes);
-            const Whole node = __builtin_convertvector(j * columns + i, Whole);
-            memcpy(plane->base + at + k, &node, sizeof node);
+    bool same = lanes == PLANE_LANES;
+    for (int vector = first; vector < first + plane->n_vectors; vector++)
+        if (lanes < PLANE_LANES || !is_run_still(plane, vector, xmin)) {
+            find_vector(plane, vector, lanes, xmin);
+            same = false;
         }
-        const bool run = vector_is_zero(apart);
-        for (int k = lanes; k < PLANE_LANES; k++) /* somewhere on the grid */
-            plane->base[at + k] = plane->base[at];
-        plane->runs[vector] = (PlaneRun){(int32_t)column[0], run ? (int32_t)row[0] : -1};
-        for (int k = 0; k < (run ? 1 : lanes); k++) {
-            const int i = (int)column[k] - k, j = (int)row[k];
+    if (same)
+        return;
+    for (int vector = first; vector < first + plane->n_vectors; vector++) {
+        const int each = plane->runs[vector].row >= 0 ? 1 : lanes;
+        for (int k = 0; k < each; k++) {
+            const int node = plane->base[vector * PLANE_LANES + k];
+            const int j = node / plane->gx, i = node % plane->gx - k;
             nodes.column = i < nodes.column ? i : nodes.column;
             last = i > last ? i : last;
             nodes.low = j < nodes.low ? j : nodes.low;
@@ -244,7 +290,7 @@ static void find(Plane *plane, int block, long step)
     if (nodes.slots > PLANE_SLOTS) { /* a run that finds no slots is none */
         nodes.slots = PLANE_SLOTS;
         for (int v = 0; v < plane->n_vectors; v++) {
-            PlaneRun *run = &plane->runs[block * plane->n_vectors + v];
+            PlaneRun *run = &plane->runs[first + v];
             if (run->column - nodes.column + n > PLANE_SLOTS)
                 run->row = -1;
         }
@@ -475,86 +521,119 @@ static int update(Plane *plane, int block, long step)
 
 /* --- nodes ------------------------------------------------------------------------------------------- */
 
-/* Rows of nodes: of each quantity what the patches of all blocks that reach the row have, in their order. A
- * patch may hang over the grid's edge, where it is zero. */
-KERNEL_INLINE void gather_rows(const Plane *plane, int first_row, int end_row, const int quantities,
-                               double *const *arrays)
+/* The blocks whose patches may reach into columns of nodes. */
+static void blocks_at(const Plane *plane, PlaneNodes part, int *first, int *end)
 {
-    for (int row = first_row; row < end_row; row++) {
+    *first = *end = 0;
+    for (int block = 0; block < plane->n_blocks; block++) {
+        const PlaneBlock *of = &plane->blocks[block];
+        if (of->column >= part.end_column || of->column + patch_columns(of) <= part.column)
+            continue;
+        *first = *end == 0 ? block : *first;
+        *end = block + 1;
+    }
+}
+
+/* Of each quantity what the patches of all blocks have for some nodes, in the order of blocks. A patch may
+ * hang over the grid's edge, where it is zero; make_patch() has filled its last vector with zeros. */
+KERNEL_INLINE void gather(const Plane *plane, PlaneNodes part, const int quantities, double *const *arrays)
+{
+    int first_block, end_block;
+    blocks_at(plane, part, &first_block, &end_block);
+    for (int row = part.row; row < part.end_row; row++) {
         double *nodes[PLANE_GIVEN];
         for (int q = 0; q < quantities; q++) {
-            nodes[q] = arrays[q] + (size_t)row * (size_t)plane->gx;
-            memset(nodes[q], 0, (size_t)plane->gx * sizeof *nodes[q]);
+            nodes[q] = arrays[q] + (ptrdiff_t)row * plane->gx;
+            memset(nodes[q] + part.column, 0, (size_t)(part.end_column - part.column) * sizeof *nodes[q]);
         }
-        const double *patch = plane_patch(plane, 0, row);
-        for (int block = 0; block < plane->n_blocks; block++, patch += PLANE_GIVEN * PLANE_PATCH) {
+        const double *patch = plane_patch(plane, first_block, row);
+        for (int block = first_block; block < end_block; block++, patch += PLANE_GIVEN * PLANE_PATCH) {
             const PlaneBlock *of = &plane->blocks[block];
             if (row < of->low || row > of->high)
                 continue;
-            const int columns = patch_columns(of);
-            const bool inside = of->column >= 0 && of->column + PLANE_PATCH <= plane->gx;
+            const int columns = patch_columns(of), left = part.column - of->column,
+                      right = part.end_column - of->column;
+            if (left <= 0 && right >= (columns + WIDTH - 1) / WIDTH * WIDTH) {
+                for (int k = 0; k < columns; k += WIDTH)
 #pragma GCC unroll 3
-            for (int q = 0; q < quantities; q++) {
-                double *first = nodes[q] + of->column;
-                const double *given = patch + q * PLANE_PATCH;
-                for (int k = 0; inside && k < columns; k += WIDTH)
-                    vector_store(first + k, vector_load(first + k) + vector_load(given + k));
-                for (int k = of->column < 0 ? -of->column : 0;
-                     !inside && k < columns && of->column + k < plane->gx; k++)
-                    first[k] += given[k];
+                    for (int q = 0; q < quantities; q++) {
+                        double *at = nodes[q] + of->column + k;
+                        vector_store(at, vector_load(at) + vector_load(patch + q * PLANE_PATCH + k));
+                    }
+                continue;
             }
+            for (int k = left > 0 ? left : 0; k < columns && k < right; k++)
+#pragma GCC unroll 3
+                for (int q = 0; q < quantities; q++)
+                    nodes[q][of->column + k] += patch[q * PLANE_PATCH + k];
         }
     }
 }
 
-static void gather_map(Plane *plane, int first, int end, bool with_mass)
+static void gather_map(Plane *plane, PlaneNodes part, bool with_mass)
 {
     if (with_mass)
-        gather_rows(plane, first, end, 3, (double *const[]){plane->node_mass, plane->px, plane->py});
+        gather(plane, part, 3, (double *const[]){plane->node_mass, plane->px, plane->py});
     else
-        gather_rows(plane, first, end, 2, (double *const[]){plane->px, plane->py});
+        gather(plane, part, 2, (double *const[]){plane->px, plane->py});
 }
 
-static void gather_force(Plane *plane, int first, int end)
+static void gather_force(Plane *plane, PlaneNodes part)
 {
-    gather_rows(plane, first, end, 2, (double *const[]){plane->fx, plane->fy});
+    gather(plane, part, 2, (double *const[]){plane->fx, plane->fy});
 }
 
 /* 1/m, and 0 of a node with hardly any mass (1e-12 of a full one): what pulls at it is lost. */
-static void invert(Plane *plane, int first, int end)
+static void invert(Plane *plane, PlaneNodes part)
 {
-    const double *restrict mass = plane->node_mass, floor = plane->floor;
-    double *restrict inverse = plane->node_inverse;
+    const double floor = plane->floor;
+    for (int row = part.row; row < part.end_row; row++) {
+        const ptrdiff_t at = (ptrdiff_t)row * plane->gx;
+        const double *restrict mass = plane->node_mass + at;
+        double *restrict inverse = plane->node_inverse + at;
 #pragma omp simd
-    for (int i = first * plane->gx; i < end * plane->gx; i++)
-        inverse[i] = mass[i] > floor ? 1 / mass[i] : 0;
+        for (int i = part.column; i < part.end_column; i++)
+            inverse[i] = mass[i] > floor ? 1 / mass[i] : 0;
+    }
 }
 
 /* v = p/m, eq. 4; that of the beam where there is hardly any mass: one at rest would strain a particle that
  * lands on its neighbour to the last bit by v0 dt/dx, and that is an explosion. */
-static void velocities(Plane *plane, int first, int end)
+static void velocities(Plane *plane, PlaneNodes part)
 {
-    const double *restrict inverse = plane->node_inverse, *restrict px = plane->px, *restrict py = plane->py;
     const double speed = plane->speed;
-    double *restrict vx = plane->node_vx, *restrict vy = plane->node_vy;
+    for (int row = part.row; row < part.end_row; row++) {
+        const ptrdiff_t at = (ptrdiff_t)row * plane->gx;
+        const double *restrict inverse = plane->node_inverse + at, *restrict px = plane->px + at,
+                               *restrict py = plane->py + at;
+        double *restrict vx = plane->node_vx + at, *restrict vy = plane->node_vy + at;
 #pragma omp simd
-    for (int i = first * plane->gx; i < end * plane->gx; i++) {
-        vx[i] = inverse[i] > 0 ? px[i] * inverse[i] : speed;
-        vy[i] = py[i] * inverse[i];
+        for (int i = part.column; i < part.end_column; i++) {
+            vx[i] = inverse[i] > 0 ? px[i] * inverse[i] : speed;
+            vy[i] = py[i] * inverse[i];
+        }
     }
 }
 
 /* Eq. 13, p_i += dt f_i; then v_i anew, with which particles move. */
-static void integrate(Plane *plane, int first, int end)
+static void integrate(Plane *plane, PlaneNodes part)
 {
-    const double *restrict fx = plane->fx, *restrict fy = plane->fy, dt = plane->dt;
-    double *restrict px = plane->px, *restrict py = plane->py;
+    const double speed = plane->speed, dt = plane->dt;
+    for (int row = part.row; row < part.end_row; row++) {
+        const ptrdiff_t at = (ptrdiff_t)row * plane->gx;
+        const double *restrict inverse = plane->node_inverse + at, *restrict fx = plane->fx + at,
+                               *restrict fy = plane->fy + at;
+        double *restrict px = plane->px + at, *restrict py = plane->py + at;
+        double *restrict vx = plane->node_vx + at, *restrict vy = plane->node_vy + at;
 #pragma omp simd
-    for (int i = first * plane->gx; i < end * plane->gx; i++) {
-        px[i] += dt * fx[i];
-        py[i] += dt * fy[i];
+        for (int i = part.column; i < part.end_column; i++) {
+            const double x = px[i] + dt * fx[i], y = py[i] + dt * fy[i];
+            px[i] = x;
+            py[i] = y;
+            vx[i] = inverse[i] > 0 ? x * inverse[i] : speed;
+            vy[i] = y * inverse[i];
+        }
     }
-    velocities(plane, first, end);
 }
 
 /* --- energies ---------------------------------------------------------------------------------------- */

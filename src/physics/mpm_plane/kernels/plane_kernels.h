@@ -4,7 +4,7 @@
  * (plane_state.h), and nothing is contracted.
  *
  * Functions over particles do one block; those that give to nodes end with the block's patch. Functions over
- * nodes do rows [first, end). Masses, momenta and forces are per unit thickness. */
+ * nodes do a part of the grid. Masses, momenta and forces are per unit thickness. */
 #ifndef PHYSICS_PLANE_KERNELS_H
 #define PHYSICS_PLANE_KERNELS_H
 
@@ -72,13 +72,13 @@ struct PlaneKernels {
     int (*update)(Plane *, int block, long step);
 
     /* Nodes from the patches of all blocks; what a map gives (3: with mass, or 2), or forces. */
-    void (*gather_map)(Plane *, int first, int end, bool with_mass);
-    void (*gather_force)(Plane *, int first, int end);
+    void (*gather_map)(Plane *, PlaneNodes, bool with_mass);
+    void (*gather_force)(Plane *, PlaneNodes);
 
     /* 1/m; v = p/m; p += dt f. */
-    void (*invert)(Plane *, int first, int end);
-    void (*velocities)(Plane *, int first, int end);
-    void (*integrate)(Plane *, int first, int end);
+    void (*invert)(Plane *, PlaneNodes);
+    void (*velocities)(Plane *, PlaneNodes);
+    void (*integrate)(Plane *, PlaneNodes);
 
     /* Adds M_C of the particles whose nodes begin in a column of the box. */
     void (*assemble)(const Plane *, const PlaneNull *, int column);
