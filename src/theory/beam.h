@@ -68,4 +68,12 @@ void moving_cantilever_free(MovingCantilever *solution);
 double moving_cantilever_tip(const MovingCantilever *solution, double t);
 double moving_cantilever_tip_velocity(const MovingCantilever *solution, double t);
 
+/* Stresses at a distance x from the root (the mouth of the channel; in the channel, x < 0, there are none), y
+ * = 0 on the beam's middle, Pa: bending, straight over y, and shear, a parabola. `beam`: that which was
+ * solved. NAN: beyond the tip, or the motion is too long for its modes to be kept. */
+double moving_cantilever_bending_stress(const MovingCantilever *solution, const BeamTheory *beam, double x,
+                                        double y, double t);
+double moving_cantilever_shear_stress(const MovingCantilever *solution, const BeamTheory *beam, double x,
+                                      double y, double t);
+
 #endif

@@ -13,7 +13,8 @@
  * - (d/L) phi_n'(1) in place of phi_n(1).
  *
  * The solution is kept as displacement, velocity and acceleration of the tip at equal times, close enough
- * that the quintic between two of them is as good as the solver. */
+ * that the quintic between two of them is as good as the solver; beside it the q_n, from which bending moment
+ * and shear force of a section follow, M = E I w'' and Q = E I w'''. */
 #include "theory/beam.h"
 #include "theory/quiet.h"
 
@@ -32,16 +33,12 @@ enum { MODES = 10, GAUSS_POINTS = 64, SAMPLES_PER_FAST_PERIOD = 16 };
 #define SAMPLES_MAX 1e7
 enum { SAMPLES_A_QUESTION = 64, STEPS_A_SAMPLE = 10000 };
 
+/* What bends a section is told of a motion of so many samples at most: 160 MB. */
+#define MODAL_SAMPLES_MAX 1000000
+
 typedef struct Tip {
     double displacement, velocity, acceleration;
 } Tip;
-
-struct MovingCantilever {
-    double end;  /* s */
-    double step; /* between two samples, s */
-    size_t count;
-    Tip samples[];
-};
 
 typedef struct Modes {
     double lambda[MODES];
@@ -50,6 +47,15 @@ typedef struct Modes {
     double from_tip;                 /* d */
     double slope[MODES];             /* phi_n'(1) */
 } Modes;
+
+struct MovingCantilever {
+    Modes modes;
+    double end;  /* s */
+    double step; /* between two samples, s */
+    size_t count;
+    double (*modal)[2 * MODES]; /* of each sample q_n, then q_n', m and m/s; NULL: there are too many */
+    Tip samples[];
+};
 
 /* --- the modes ----------------------------------------------------------------------------------- */
 
@@ -77,8 +83,8 @@ static double clamped_free_root(gsl_root_fsolver *solver, int n)
     return gsl_root_fsolver_root(solver);
 }
 
-/* phi, phi' or phi'' (derivative 0, 1, 2) of the mode with root lambda. cosh - sigma sinh is written with
- * exponentials, for their difference loses its digits towards the tip. */
+/* phi, phi', phi'' or phi''' (derivative 0 to 3) of the mode with root lambda. cosh - sigma sinh is written
+ * with exponentials, for their difference loses its digits towards the tip. */
 static double mode_derivative(double lambda, int derivative, double s)
 {
     double sigma = (sinh(lambda) - sin(lambda)) / (cosh(lambda) + cos(lambda));
@@ -87,11 +93,12 @@ static double mode_derivative(double lambda, int derivative, double s)
     double x = lambda * s;
     double grows = rest / 2 * exp(x), falls = (1 + sigma) / 2 * exp(-x);
     double square = derivative == 0 ? 1 : derivative == 1 ? lambda : lambda * lambda;
-    double hyperbolic = derivative == 1 ? grows - falls : grows + falls;
+    double hyperbolic = derivative % 2 == 1 ? grows - falls : grows + falls;
     double circular = derivative == 0   ? -cos(x) + sigma * sin(x)
                       : derivative == 1 ? sin(x) + sigma * cos(x)
-                                        : cos(x) - sigma * sin(x);
-    return square * (hyperbolic + circular);
+                      : derivative == 2 ? cos(x) - sigma * sin(x)
+                                        : -sin(x) - sigma * cos(x);
+    return (derivative == 3 ? lambda : 1) * square * (hyperbolic + circular);
 }
 
 /* B and C by Gauss-Legendre quadrature over s in [0, 1]: 64 points are about six for each half wave of the
@@ -200,6 +207,8 @@ static bool integrate_motion(const Modes *modes, const BeamTheory *beam, MovingC
         sound = k == 0 || gsl_odeiv2_driver_apply(driver, &t, next, y) == GSL_SUCCESS;
         Tip tip = tip_of(modes, next, y);
         sound = sound && isfinite(tip.displacement) && isfinite(tip.velocity) && isfinite(tip.acceleration);
+        for (int i = 0; solution->modal && i < 2 * MODES; i++)
+            solution->modal[k][i] = amplitude * y[i];
         solution->samples[k] =
             (Tip){amplitude * tip.displacement, amplitude * tip.velocity, amplitude * tip.acceleration};
     }
@@ -245,16 +254,23 @@ static MovingCantilever *solve(const BeamTheory *beam, double speed, double end,
                    steps / SAMPLES_PER_FAST_PERIOD, SAMPLES_MAX / SAMPLES_PER_FAST_PERIOD),
                NULL;
     size_t count = (size_t)steps + 1;
+    const bool tells_sections = count <= MODAL_SAMPLES_MAX;
     MovingCantilever *solution = malloc(sizeof *solution + count * sizeof solution->samples[0]);
-    if (!solution)
-        return status_fail(status, STATUS_FAILED, "not enough memory for the moving cantilever"), NULL;
+    if (solution)
+        solution->modal = tells_sections ? malloc(count * sizeof *solution->modal) : NULL;
+    if (!solution || (tells_sections && !solution->modal)) {
+        free(solution);
+        status_fail(status, STATUS_FAILED, "not enough memory for the moving cantilever");
+        return NULL;
+    }
+    solution->modes = modes;
     /* a beam that comes out is sampled at times that do not depend on the end: the same digits whether the
      * motion is asked for until then or for longer */
     solution->step = end > 0 && speed < 0 ? end / steps : spacing;
     solution->end = end;
     solution->count = end > 0 ? count : 1;
     if (!integrate_motion(&modes, beam, solution, status)) {
-        free(solution);
+        moving_cantilever_free(solution);
         return NULL;
     }
     return solution;
@@ -272,10 +288,23 @@ MovingCantilever *moving_cantilever_solve(const BeamTheory *beam, double speed, 
 
 void moving_cantilever_free(MovingCantilever *solution)
 {
+    if (solution)
+        free(solution->modal);
     free(solution);
 }
 
 /* --- between the samples ------------------------------------------------------------------------- */
+
+/* The sample before a time, and how far behind it the time lies, in samples. */
+static double sample_before(const MovingCantilever *solution, double t, size_t *k)
+{
+    t = fmin(fmax(t, 0), solution->end);
+    const double place = fmin(t / solution->step, (double)(solution->count - 1));
+    *k = (size_t)place;
+    if (*k + 1 >= solution->count)
+        *k = solution->count > 1 ? solution->count - 2 : 0;
+    return place - (double)*k;
+}
 
 /* The quintic p(u), u = (t - t_k)/h, that has displacement, velocity and acceleration of the samples at both
  * its ends; coefficients from u^0 to u^5. From p(1), p'(1) and p''(1) less what the first three coefficients
@@ -287,11 +316,8 @@ void moving_cantilever_free(MovingCantilever *solution)
  * a period 1e-7 of the amplitude of the fastest mode, which hardly moves. Returns u. */
 static double quintic(const MovingCantilever *solution, double t, double coefficients[6])
 {
-    t = fmin(fmax(t, 0), solution->end);
-    double place = fmin(t / solution->step, (double)(solution->count - 1));
-    size_t k = (size_t)place;
-    if (k + 1 >= solution->count)
-        k = solution->count > 1 ? solution->count - 2 : 0;
+    size_t k;
+    const double u = sample_before(solution, t, &k);
     const Tip *from = &solution->samples[k];
     const Tip *to = solution->count > 1 ? from + 1 : from;
     double h = solution->step;
@@ -304,7 +330,7 @@ static double quintic(const MovingCantilever *solution, double t, double coeffic
     coefficients[3] = 10 * rise - 4 * turn + bend;
     coefficients[4] = -15 * rise + 7 * turn - 2 * bend;
     coefficients[5] = 6 * rise - 3 * turn + bend;
-    return place - (double)k;
+    return u;
 }
 
 double moving_cantilever_tip(const MovingCantilever *solution, double t)
@@ -321,4 +347,50 @@ double moving_cantilever_tip_velocity(const MovingCantilever *solution, double t
     double u = quintic(solution, t, c);
     double rate = c[1] + u * (2 * c[2] + u * (3 * c[3] + u * (4 * c[4] + u * 5 * c[5])));
     return rate / solution->step;
+}
+
+/* --- sections ------------------------------------------------------------------------------------- */
+
+/* The cubic that has q_n and q_n' of the samples at both its ends. */
+static double modal_at(const MovingCantilever *solution, size_t k, double u, int n)
+{
+    const double *from = solution->modal[k], *to = solution->modal[solution->count > 1 ? k + 1 : k];
+    const double h = solution->step, v = 1 - u;
+    return v * v * ((1 + 2 * u) * from[n] + u * h * from[MODES + n]) +
+           u * u * ((1 + 2 * v) * to[n] - v * h * to[MODES + n]);
+}
+
+/* w'' or w''' (derivative 2 or 3) at a distance from the root, sum q_n phi_n''(s)/L^2 and so on. What is in
+ * the channel, before the root, is straight. */
+static double bent(const MovingCantilever *solution, int derivative, double x, double t)
+{
+    if (!solution->modal)
+        return NAN;
+    size_t k;
+    const double u = sample_before(solution, t, &k);
+    const double length = solution->modes.length + solution->modes.speed * fmin(fmax(t, 0), solution->end);
+    if (x < 0 || x > length * (1 + 1e-9))
+        return x < 0 ? 0 : NAN;
+    double sum = 0;
+    for (int n = 0; n < MODES; n++)
+        sum += modal_at(solution, k, u, n) *
+               mode_derivative(solution->modes.lambda[n], derivative, fmin(x / length, 1));
+    return sum / pow(length, derivative);
+}
+
+/* sxx = -M y/I = -E y w''. */
+double moving_cantilever_bending_stress(const MovingCantilever *solution, const BeamTheory *beam, double x,
+                                        double y, double t)
+{
+    return -beam->youngs_modulus * y * bent(solution, 2, x, t);
+}
+
+/* From dsxx/dx + dsxy/dy = 0 and no stress at the edges: sxy = -E w''' h^2/8 (1 - (2 y/h)^2), which is
+ * -3 Q/(2 A) in the middle. */
+double moving_cantilever_shear_stress(const MovingCantilever *solution, const BeamTheory *beam, double x,
+                                      double y, double t)
+{
+    const double share = 2 * y / beam->height;
+    return -beam->youngs_modulus * bent(solution, 3, x, t) * beam->height * beam->height / 8 *
+           (1 - share * share);
 }

@@ -196,6 +196,99 @@ START_TEST(standing_still_it_is_a_cantilever)
 END_TEST
 
 /* Slowly lengthened, the amplitude grows as L^(1/2). */
+/* Simpson's rule of f(x, data) from 0 to `end`. */
+static double integral(double (*f)(double x, const void *data), const void *data, double end)
+{
+    enum { PIECES = 400 };
+    double sum = 0;
+    for (int i = 0; i <= PIECES; i++)
+        sum += (i == 0 || i == PIECES ? 1 : i % 2 == 1 ? 4 : 2) * f(end * i / PIECES, data);
+    return sum * end / PIECES / 3;
+}
+
+/* A moment in time of a motion of length L. */
+typedef struct Moment {
+    const MovingCantilever *moving;
+    double t, length;
+} Moment;
+
+static double curvature(double x, const void *data)
+{
+    const Moment *now = data;
+    const double edge = paper.height / 2;
+    return -moving_cantilever_bending_stress(now->moving, &paper, x, edge, now->t) /
+           (paper.youngs_modulus * edge);
+}
+
+static double curvature_with_arm(double x, const void *data)
+{
+    return curvature(x, data) * (((const Moment *)data)->length - x);
+}
+
+/* In the middle sxy = -E w''' h^2/8. */
+static double slope_of_curvature(double x, const void *data)
+{
+    const Moment *now = data;
+    return -8 * moving_cantilever_shear_stress(now->moving, &paper, x, 0, now->t) /
+           (paper.youngs_modulus * paper.height * paper.height);
+}
+
+/* Bent from its root on by w'' the beam has its tip at the integral of (L - x) w'', and at its tip nothing
+ * bends it. */
+START_TEST(what_bends_a_section_adds_up_to_the_tip)
+{
+    MovingCantilever *moving = moving_cantilever_solve(&paper, 10, 5e-3, NULL);
+    ck_assert_ptr_nonnull(moving);
+    Moment now = {.moving = moving};
+    for (now.t = 0; now.t <= 5e-3; now.t += 0.37e-3) {
+        now.length = paper.length + 10 * now.t;
+        const double tip = moving_cantilever_tip(moving, now.t), root = curvature(0, &now);
+        ck_assert_double_eq_tol(integral(curvature_with_arm, &now, now.length), tip, 1e-12);
+        ck_assert_double_eq_tol(curvature(now.length * (1 - 1e-12), &now), 0, 1e-8);
+        ck_assert_double_eq_tol(integral(slope_of_curvature, &now, now.length), -root, 1e-8);
+        ck_assert_double_eq(curvature(-1e-3, &now), 0);
+        ck_assert(isnan(curvature(now.length * 1.001, &now)));
+    }
+    moving_cantilever_free(moving);
+}
+END_TEST
+
+/* The first mode as textbooks have it, with lambda and sigma of their tables. */
+static double first_mode(double x, const void *length)
+{
+    const double sigma = 0.7340955137589, z = 1.8751040687120 * x / *(const double *)length;
+    return cosh(z) - cos(z) - sigma * (sinh(z) - sin(z));
+}
+
+static double first_mode_with_arm(double x, const void *length)
+{
+    return first_mode(x, length) * x;
+}
+
+/* Of a beam that swings in its first mode the moment at the root carries what the mass of the whole needs to
+ * swing, rho A omega^2 integral of w x, and the force rho A omega^2 integral of w. */
+START_TEST(moment_and_force_carry_the_mass)
+{
+    MovingCantilever *still = moving_cantilever_solve(&paper, 0, 5e-3, NULL);
+    ck_assert_ptr_nonnull(still);
+    const double omega = beam_cantilever_frequency(&paper, paper.length), L = paper.length, h = paper.height;
+    const double inertia = paper.density * omega * omega * paper.amplitude;
+    for (double t = 0; t < 5e-3; t += 0.41e-3) {
+        const double swing = inertia * cos(omega * t); /* per volume */
+        const double moment = swing * integral(first_mode_with_arm, &L, L) * h;
+        const double force = swing * integral(first_mode, &L, L) * h;
+        const double edge = moving_cantilever_bending_stress(still, &paper, 0, h / 2, t);
+        const double middle = moving_cantilever_shear_stress(still, &paper, 0, 0, t);
+        ck_assert_double_eq_tol(-edge * h * h / 6, moment, 1e-7 * inertia * L * L * h);
+        ck_assert_double_eq_tol(middle / 1.5 * h, force, 1e-7 * inertia * L * h);
+        ck_assert_double_eq_tol(moving_cantilever_shear_stress(still, &paper, 0, h / 4, t), 0.75 * middle,
+                                1e-6);
+        ck_assert_double_eq_tol(moving_cantilever_shear_stress(still, &paper, 0, h / 2, t), 0, 1e-6);
+    }
+    moving_cantilever_free(still);
+}
+END_TEST
+
 START_TEST(amplitude_grows_with_length)
 {
     MovingCantilever *slow = moving_cantilever_solve(&paper, 0.25, 0.2, NULL);
@@ -291,6 +384,8 @@ void add_cases(Suite *suite)
     tcase_add_test(moving, a_point_before_the_tip);
     tcase_add_test(moving, samples_do_not_matter);
     tcase_add_test(moving, standing_still_it_is_a_cantilever);
+    tcase_add_test(moving, what_bends_a_section_adds_up_to_the_tip);
+    tcase_add_test(moving, moment_and_force_carry_the_mass);
     tcase_add_test(moving, amplitude_grows_with_length);
     tcase_add_test(moving, what_cannot_be_solved);
     tcase_add_test(moving, a_long_motion_can_be_given_up);

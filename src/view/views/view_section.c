@@ -202,6 +202,8 @@ static void section_line(const Section *section, char out[160])
     text_append(out, 160, "  %s %.3g %s", of->resultant, section->resultant, of->resultant_unit);
     if (share < 1)
         text_append(out, 160, "  off %s by %.1f %%", section->known ? "theory" : "the line", 100 * share);
+    if (!section->known)
+        text_append(out, 160, "  theory not known");
     if (section->columns > 1)
         append_quantity(out, "  columns apart", apart(section), of->unit);
 }

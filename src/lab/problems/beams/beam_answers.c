@@ -368,6 +368,18 @@ bool beam_prepare_moving(References *refs, const Settings *settings, const Simul
     return true;
 }
 
+/* x of the beam at t = 0, 0 at the mouth; it moves out of it. */
+double beam_moving_section(const References *refs, const char *field, double x, double y, double time)
+{
+    const BeamAnswers *beam = own(refs);
+    const double from_root = x + beam->speed * time;
+    if (strcmp(field, "sxx") == 0)
+        return moving_cantilever_bending_stress(beam->moving, &beam->theory, from_root, y, time);
+    if (strcmp(field, "sxy") == 0)
+        return moving_cantilever_shear_stress(beam->moving, &beam->theory, from_root, y, time);
+    return NAN;
+}
+
 /* The period grows with the length, so the time between the last two zeros is given (twice, for a whole
  * period), against that between the same zeros of the modal solution. */
 void beam_read_moving(const References *refs, const double *rows, size_t n_rows, int n_columns, Readout *out)

@@ -36,6 +36,7 @@ void beam_read_supported(const References *, const double *rows, size_t n_rows, 
 
 bool beam_prepare_moving(References *, const Settings *, const Simulation *, const BeamBody *, Status *);
 void beam_read_moving(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);
+double beam_moving_section(const References *, const char *field, double x, double y, double time);
 double beam_moving_envelope(const References *, const char *column, double time);
 double beam_moving_frequency(const References *, double time);
 

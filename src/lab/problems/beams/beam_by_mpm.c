@@ -252,6 +252,7 @@ const Solver beam_by_mpm_supported = {
 const Solver beam_by_mpm_moving = {
     ALIKE,
     .prepare = prepare_moving,
+    .section = beam_moving_section,
     .readout = beam_read_moving,
     .envelope = beam_moving_envelope,
     .standing_frequency = beam_moving_frequency,
