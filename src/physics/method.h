@@ -75,7 +75,9 @@ enum {
     HAS_LINE = 1 << 2,     /* set 0 lies along a line: places have one component */
     HAS_PLANE = 1 << 3,    /* set 0 lies in rows and columns of a plane: places have two */
     HAS_BREAKING = 1 << 4, /* bonds can break in this run */
-    HAS_STRETCH = 1 << 5   /* the things of set 0 tell the largest stretch of their bonds: field "stretch" */
+    HAS_STRETCH = 1 << 5,  /* the things of set 0 tell the largest stretch of their bonds: field "stretch" */
+    HAS_ROWS = 1 << 6,     /* its body has any number of cuts, loads, supports ... */
+    HAS_FRONTS = 1 << 7    /* and cracks may run from the ends of its cuts: fronts.h follows them */
 };
 
 /* "set_from[index_from] and the other are linked": a particle and a node of its cell, the two ends of a bond.

@@ -244,6 +244,33 @@ START_TEST(only_curves_of_one_thing_are_compared)
 }
 END_TEST
 
+START_TEST(cracks_have_the_names_of_their_cuts)
+{
+    Talk *talk = open_talk("two-cracks");
+    line(talk, "pd.spacing=2e-3");
+    line(talk, "pd.horizon=8e-3");
+    line(talk, "step");
+    says(talk, "show cracks advance", "a left: 0 mm at t");
+    says(talk, "tell cracks", "b right: 0 mm at t");
+    line(talk, "open notched-beam-coarse");
+    says(talk, "tell cracks", "View cracks: no cut of a plate ends inside");
+    close_talk(talk);
+}
+END_TEST
+
+START_TEST(the_help_of_a_plate_is_of_plates)
+{
+    Talk *talk = open_talk("two-cracks");
+    ck_assert_ptr_nonnull(strstr(line(talk, "help"), "surface"));
+    ck_assert_ptr_null(strstr(talk->text, "antilever:"));
+    ck_assert_ptr_null(strstr(talk->text, "Timoshenko"));
+    line(talk, "Esc");
+    line(talk, "open supported-beam-coarse");
+    says(talk, "help", "Moving cantilever:");
+    close_talk(talk);
+}
+END_TEST
+
 /* --- sentences --------------------------------------------------------------------------------------- */
 
 /* Told of a curve y(x) from 0 to 10. */
@@ -376,6 +403,8 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, what_never_ends_does);
     tcase_add_test(tcase, equations_and_alternatives_keep_their_bars);
     tcase_add_test(tcase, only_curves_of_one_thing_are_compared);
+    tcase_add_test(tcase, cracks_have_the_names_of_their_cuts);
+    tcase_add_test(tcase, the_help_of_a_plate_is_of_plates);
     tcase_add_test(tcase, strange_lines_do_no_harm);
     tcase_add_test(tcase, sentences_tell_what_a_curve_does);
     tcase_add_test(tcase, units_go_with_their_numbers);

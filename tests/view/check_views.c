@@ -23,16 +23,21 @@ static void work(Show *show)
         ck_assert(experiment_work(show->screen.experiment, 1000, &show->status));
 }
 
+static void open_settings(Show *show, const char *scenario, const Settings *settings, long steps)
+{
+    screen_default(&show->screen);
+    show->screen.scenario = scenario;
+    show->screen.experiment = experiment_create(settings, 64 << 20, 1, &show->status);
+    ck_assert_msg(show->screen.experiment != NULL, "%s", show->status.text);
+    ck_assert(experiment_advance(show->screen.experiment, steps, &show->status));
+}
+
 static void open_show(Show *show, const char *scenario, long steps)
 {
     Settings settings;
     *show = (Show){.status = {STATUS_DONE, ""}};
     ck_assert_msg(scenario_load(scenario, &settings, &show->status), "%s", show->status.text);
-    screen_default(&show->screen);
-    show->screen.scenario = scenario;
-    show->screen.experiment = experiment_create(&settings, 64 << 20, 1, &show->status);
-    ck_assert_msg(show->screen.experiment != NULL, "%s", show->status.text);
-    ck_assert(experiment_advance(show->screen.experiment, steps, &show->status));
+    open_settings(show, scenario, &settings, steps);
 }
 
 static void close_show(Show *show)
@@ -447,6 +452,35 @@ START_TEST(strip_shows_domains_as_they_are)
 }
 END_TEST
 
+/* Each of two cracks has its letter where its curve ends and in the legend. */
+START_TEST(cracks_are_told_apart_by_letters)
+{
+    static const char *const sets[][2] = {
+        {"pd.spacing", "2e-3"}, {"pd.horizon", "8e-3"}, {"time.step", "4e-7"}, {"pd.critical_energy", "20"}};
+    Show show = {.status = {STATUS_DONE, ""}};
+    Settings settings;
+    ck_assert(scenario_load("two-cracks", &settings, &show.status));
+    for (size_t i = 0; i < sizeof sets / sizeof *sets; i++)
+        ck_assert_msg(settings_set(&settings, sets[i][0], sets[i][1], &show.status), "%s", show.status.text);
+    open_settings(&show, "two-cracks", &settings, 100);
+    show.screen.views.lower = view_named("cracks");
+    view_choose_variant(show.screen.views.lower, &show.screen, 1);
+    draw(&show, 132, 43);
+    const Rect pane = screen_pane(&show.screen, 132, 43, PANE_LOWER);
+    char text[200];
+    row_text(&show, pane.y, text);
+    ck_assert_msg(strstr(text, "a left") && strstr(text, "b right"), "%s", text);
+    int found[2] = {0, 0};
+    for (int y = pane.y + 1; y < pane.y + pane.height - 3; y++)
+        for (int x = pane.x + 8; x < pane.x + pane.width; x++)
+            for (int which = 0; which < 2; which++)
+                found[which] += cell(&show, x, y)->glyph == (uint32_t)('a' + which) &&
+                                cell(&show, x, y)->style == STYLE_MEASURED;
+    ck_assert_msg(found[0] == 1 && found[1] == 1, "%d a, %d b", found[0], found[1]);
+    close_show(&show);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *timeline = tcase_create("timeline");
@@ -467,4 +501,7 @@ void add_cases(Suite *suite)
     tcase_add_test(dispersion, predicted_curve_is_where_theory_says);
     tcase_add_test(dispersion, earlier_runs_leave_a_dot);
     suite_add_tcase(suite, dispersion);
+    TCase *cracks = tcase_create("cracks");
+    tcase_add_test(cracks, cracks_are_told_apart_by_letters);
+    suite_add_tcase(suite, cracks);
 }

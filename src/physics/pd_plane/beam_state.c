@@ -40,7 +40,7 @@ static void set_breaking(Beam *beam)
 {
     bonds_set_limits(&beam->system, beam->head->critical_stretch);
     if (beam->head->critical_stretch > 0)
-        beam->sim.has |= HAS_BREAKING;
+        beam_set_breaking(beam);
 }
 
 /* Puts a snapshot back: only bonds whose bit differs are touched, so a short way back is cheap; damage and

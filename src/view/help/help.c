@@ -144,7 +144,7 @@ static void write_curves(HelpLines *written, int width, const HelpText *text)
          "dot is where we are. x: a particle crossed into another cell; b: bonds broke, in the plots over "
          "time too; L: late or early by half a period, by whole ones; E: the energy left "
          "its range; c: a "
-         "parameter was changed; !: the run stopped."},
+         "parameter was changed; R: it came to rest; !: the run stopped."},
         {"spectrum",
          "view 6: how large each sine in the record is. A record of the length t shows no line finer than "
          "2 pi/t: a longer one is sharper."},

@@ -51,6 +51,21 @@ static const HelpWord pd_bar_words[] = {
      "itself stays where it is, and sines are exact modes of a bar fixed at both ends."},
 };
 
+/* What bonds that break show, in beams and in plates. */
+static const char of_force[] =
+    "view 4: what a bond answers to its stretch s, and s0 where it breaks. Nodes stand where their most "
+    "stretched bond is; heights are logarithms of how many.";
+static const char of_cost[] =
+    "the energy that a crack should cost for its area, and s0 follow from each other: edit either. View 3, "
+    "again: what the crack has cost so far.";
+static const char of_residual[] =
+    "kinetic + strain + dissipated energy less the work of the load: 0 but for the time step. A bond breaks "
+    "at "
+    "the first step beyond its limit and takes the overshoot along, so breaking is first order in time: with "
+    "half the step the residual halves.";
+static const char of_damage[] =
+    "the share of a node's bonds that is broken. A crack right through reads 0.4 to 0.5, not 1.";
+
 static const HelpWord beam_words[] = {
     {"beam theory",
      "Euler-Bernoulli's beam, Timoshenko's, or the modes of a cantilever that grows longer, without "
@@ -70,20 +85,36 @@ static const HelpWord beam_words[] = {
                "length, the velocity as L^-3/2, for energy over frequency is kept."},
     {"section", ":show section: the displacement along the beam through its height at the chosen "
                 "particle. On the line -y duy/dx sections stay plane and upright."},
-    {"force", "view 4: what a bond answers to its stretch s, and s0 where it breaks. Nodes stand where their "
-              "most stretched bond is; heights are logarithms of how many."},
-    {"G0", "the energy that a crack should cost for its area, and s0 follow from each other: edit either. "
-           "View 3, again: what the crack has cost so far."},
-    {"residual",
-     "kinetic + strain + dissipated energy less the work of the load: 0 but for the time step. A bond "
-     "breaks at the first step beyond its limit and takes the overshoot along, so breaking is first order in "
-     "time: with half the step the residual halves."},
+    {"force", of_force},
+    {"G0", of_cost},
+    {"residual", of_residual},
     {"height", "view 6: the predicted lines are rows of the lattice that ring against each other through "
                "the beam's height."},
-    {"damage", "the share of a node's bonds that is broken. A crack right through reads 0.4 to 0.5, not 1."},
+    {"damage", of_damage},
     {"horizon",
      "view 5: the period over the reach of the bonds, with the two beam theories. Each earlier run with "
      "another horizon leaves its dot."},
+};
+
+static const HelpWord plate_words[] = {
+    {"rows",
+     "cuts, loads, supports, impulses, protected regions and the probe, each a line among the parameters. "
+     "Enter edits it as text, p moves it on the map, Tab takes its other end; A adds one, C copies, D "
+     "deletes."},
+    {"probe", "the node at the place that the row of that name gives. No theory stands beside its curves."},
+    {"cracks",
+     ":show cracks: how fast the tip of each crack runs, again: how far it has come. One is followed "
+     "from each end of a cut inside the plate; where there are several each curve ends in a letter."},
+    {"c_R", "the speed of Rayleigh's wave along an edge, dotted: no crack that is pulled open outruns it."},
+    {"deg",
+     "from the cut: the angle between the cut and the straight line through its crack. Half angle: half "
+     "of that between two branches, over 10 mm behind the place where the crack split."},
+    {"surface", "made / length: as many metres of cut as the broken bonds would make, over the length of the "
+                "cracks. 1 is as clean as a cut; what is more broke beside the crack."},
+    {"force", of_force},
+    {"G0", of_cost},
+    {"residual", of_residual},
+    {"damage", of_damage},
 };
 
 static const HelpWord plane_words[] = {
@@ -201,7 +232,7 @@ static const HelpPassage pd_bar_after[] = {
 };
 
 static const HelpPassage beam_before[] = {
-    {true, "What is solved: a beam of points that pull at each other", NULL},
+    {true, "What is solved: points that pull at each other", NULL},
     {false, "ρ d²u/dt² = Σ c G w s V (ξ+η)/|ξ+η| + b      s = (|ξ+η| - |ξ|)/|ξ|",
      "rho d2u/dt2 = sum c G w s V (xi+eta)/|xi+eta| + b      s = (|xi+eta| - |xi|)/|xi|"},
     {false,
@@ -258,6 +289,22 @@ static const HelpPassage plane_after[] = {
      NULL},
 };
 
+static const HelpPassage plate_after[] = {
+    {true, "What a crack is held against", NULL},
+    {false, "c_R = c_s √(2 - 2/√3)    c_s = √(3E/(8ρ))",
+     "c_R = c_s sqrt(2 - 2/sqrt(3))    c_s = sqrt(3E/(8 rho))"},
+    {false,
+     "Rayleigh's speed in plane stress at ν = 1/3. A speed is taken over the time in which that wave goes "
+     "four "
+     "horizons: over less the tip's jumps from spacing to spacing would show.",
+     "Rayleigh's speed in plane stress at nu = 1/3. A speed is taken over the time in which that wave goes "
+     "four "
+     "horizons: over less the tip's jumps from spacing to spacing would show."},
+    {false,
+     "No formula tells where a crack in a plate goes. What must hold all the way is the sum of the energies.",
+     NULL},
+};
+
 static const HelpPassage beam_after[] = {
     {true, "The right answers", NULL},
     {false, "Euler-Bernoulli: T = 2L²/π / √(Eh²/12ρ). Timoshenko: the same with shear and rotation, κ = 5/6.",
@@ -290,6 +337,8 @@ const HelpText *help_text_of(const Simulation *sim)
                                     LIST(pd_bar_before), LIST(bar_exact), LIST(pd_bar_after)};
     static const HelpText beam = {
         "One time step (velocity Verlet)", LIST(beam_words), LIST(beam_before), NULL, 0, LIST(beam_after)};
+    static const HelpText plate = {
+        "One time step (velocity Verlet)", LIST(plate_words), LIST(beam_before), NULL, 0, LIST(plate_after)};
     static const HelpText plane = {"One time step",  LIST(plane_words), LIST(plane_before), NULL, 0,
                                    LIST(plane_after)};
     static const struct {
@@ -298,6 +347,7 @@ const HelpText *help_text_of(const Simulation *sim)
     } texts[] = {{HAS_PLANE | HAS_MESH, &plane},
                  {HAS_LINE | HAS_MESH, &bar},
                  {HAS_LINE | HAS_BONDS, &pd_bar},
+                 {HAS_PLANE | HAS_BONDS | HAS_ROWS, &plate},
                  {HAS_PLANE | HAS_BONDS, &beam}};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         if (simulation_has(sim, texts[i].has))

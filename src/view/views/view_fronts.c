@@ -11,6 +11,12 @@
 #include <stdio.h>
 
 enum { VARIANT_SPEED, VARIANT_ADVANCE };
+enum { SHOWN_MAX = 15, NAME_BYTES = 32 }; /* curves, and what a legend says of each */
+
+static int shown_of(const CrackFronts *fronts)
+{
+    return fronts->count < SHOWN_MAX ? fronts->count : SHOWN_MAX;
+}
 
 static int variants_of(const Screen *screen)
 {
@@ -40,22 +46,42 @@ static double largest(const CrackFronts *fronts, int variant)
     return most;
 }
 
-/* The curve of a front, and the first letter of its cut where there are several. */
-static void draw_front(Plot *plot, Area inner, const CrackFronts *fronts, const CrackFront *front,
-                       const Axis *x, const Axis *y, int variant)
+static void add_front(Plot *plot, const CrackFronts *fronts, const CrackFront *front, int variant)
 {
-    size_t last = 0;
     plot_begin(plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
     for (size_t k = 0; k < fronts->n_samples; k++) {
         const double value = value_at(fronts, front, k, variant);
-        if (!isfinite(value))
-            continue;
-        plot_point(plot, (double)k * fronts->every, value);
-        last = k;
+        if (isfinite(value))
+            plot_point(plot, (double)k * fronts->every, value);
     }
-    if (fronts->count > 1 && front->begun)
-        axes_mark(inner, x, y, (double)last * fronts->every, value_at(fronts, front, last, variant),
-                  (uint32_t)(unsigned char)front->cut[0], STYLE_MEASURED);
+}
+
+/* Where there are several, a letter near the end of each curve that has risen: a, b, ... as in the legend.
+ * They stand one behind the other, for cracks of one shape grow alike. */
+static void mark_fronts(const Plot *plot, Area inner, const CrackFronts *fronts)
+{
+    enum { PLACES = SHOWN_MAX + 1 }; /* along a curve */
+    for (int i = 0, f = 0; i < plot->n_strokes && fronts->count > 1; i++) {
+        const Stroke *stroke = &plot->strokes[i];
+        if (stroke->style != STYLE_MEASURED)
+            continue;
+        const int front = f++;
+        if (!fronts->fronts[front].begun || stroke->count == 0)
+            continue;
+        const size_t at = stroke->first + stroke->count - 1 - (size_t)front * stroke->count / PLACES;
+        axes_mark(inner, &plot->x, &plot->y, plot->points[2 * at], plot->points[2 * at + 1],
+                  (uint32_t)('a' + front), STYLE_MEASURED);
+    }
+}
+
+/* "a left", "b right": the cuts from whose ends they run; a lone one is measured, and goes without a name. */
+static int name_fronts(const CrackFronts *fronts, char names[SHOWN_MAX][NAME_BYTES], Legend legend[SHOWN_MAX])
+{
+    for (int f = 0; f < shown_of(fronts); f++) {
+        snprintf(names[f], NAME_BYTES, "%c %s", 'a' + f, fronts->fronts[f].cut);
+        legend[f] = (Legend){LINE_SOLID, '*', STYLE_MEASURED, names[f], NULL};
+    }
+    return fronts->count > 1 ? shown_of(fronts) : 0;
 }
 
 static void mark_branch(Area inner, const CrackFront *front, const Axis *x)
@@ -69,13 +95,14 @@ static void mark_branch(Area inner, const CrackFront *front, const Axis *x)
 
 static void draw(const Screen *screen, Area area, Style heading, int variant)
 {
-    static const Legend target = {LINE_DOTTED, '.', STYLE_EXACT, "Rayleigh's c_R", NULL};
+    Legend legend[SHOWN_MAX + 1];
+    char cuts[SHOWN_MAX][NAME_BYTES];
     const CrackFronts *fronts = experiment_fronts(screen->experiment);
     const bool with_target = variant == VARIANT_SPEED && screen_shows_exact(screen);
     if (!fronts) {
         heading_draw(area, heading, "cracks", "", NULL, 0);
         area_paragraph(area, 1, 1, area.rect.width - 2, area.rect.height - 1,
-                       "No cut ends inside this body, so no crack is followed.", STYLE_FAINT);
+                       "Memory is short: the cracks are not followed.", STYLE_FAINT);
         return;
     }
     const int under = area.rect.height < 7 ? 0 : area.rect.width >= 100 ? 1 : 2;
@@ -86,8 +113,11 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     Axis x = time_plot_axis(screen, plot_area.rect.width - GUTTER - 1);
     char scale[TICK_TEXT_MAX], name[32], lines[2][160];
     axis_scale_text(&y, variant == VARIANT_SPEED ? "m/s" : "m", scale);
-    heading_draw(area, heading, variant == VARIANT_SPEED ? "tips' speed" : "cracks' advance", scale, &target,
-                 with_target);
+    int n_legend = name_fronts(fronts, cuts, legend);
+    if (with_target)
+        legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, "Rayleigh's c_R", NULL};
+    heading_draw(area, heading, variant == VARIANT_SPEED ? "tips' speed" : "cracks' advance", scale, legend,
+                 n_legend);
     Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
     Plot plot;
     plot_open(&plot, x, y);
@@ -98,10 +128,11 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     }
     for (int f = 0; f < fronts->count; f++)
         mark_branch(inner, &fronts->fronts[f], &x);
-    for (int f = 0; f < fronts->count; f++)
-        draw_front(&plot, inner, fronts, &fronts->fronts[f], &x, &y, variant);
+    for (int f = 0; f < shown_of(fronts); f++)
+        add_front(&plot, fronts, &fronts->fronts[f], variant);
     time_plot_now(screen, inner, &x);
     plot_draw(&plot, inner);
+    mark_fronts(&plot, inner, fronts);
     plot_close(&plot);
     beam_lines(screen, area.rect.width - 2, lines[0], lines[1]);
     if (under == 1)
@@ -122,7 +153,6 @@ const View view_fronts = {
     .duel = DUEL_APART,
     .has_time_axis = true,
     .on_paper = true,
-    .on_paper_with = HAS_BREAKING,
-    .needs = HAS_BREAKING,
-    .lacking = "nothing breaks here",
+    .needs = HAS_FRONTS,
+    .lacking = "no cut of a plate ends inside, from where a crack would be followed (a notch's: see probe)",
 };

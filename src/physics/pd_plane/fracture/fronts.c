@@ -19,18 +19,11 @@ enum { NODE_WHOLE, NODE_CRACKED, NODE_OF_CUT, NODE_ASKED };
 
 /* --- whose node it is ------------------------------------------------------------------------ */
 
-static bool is_inside(const Beam *beam, const double place[2])
-{
-    const double spacing = beam->lattice.spacing;
-    return place[0] > spacing && place[0] < beam->def.length - spacing && place[1] > spacing &&
-           place[1] < beam->def.height - spacing;
-}
-
 static void add_end(CrackFronts *fronts, const Beam *beam, const PlateCut *cut, const double from[2],
                     const double to[2])
 {
     const double x = to[0] - from[0], y = to[1] - from[1], length = hypot(x, y);
-    if (!is_inside(beam, to) || fronts->count == CRACK_FRONTS_MAX)
+    if (!beam_holds(beam, to[0], to[1]) || fronts->count == CRACK_FRONTS_MAX)
         return;
     CrackFront *front = &fronts->fronts[fronts->count++];
     *front = (CrackFront){.end = {to[0], to[1]},
