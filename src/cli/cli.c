@@ -25,7 +25,7 @@ const CliCommand cli_commands[] = {
     {"verify", "[NAME]...", "the papers' numbers measured anew: reproduced, and agreeing?", verify},
     {"lesson", "[NAME]", "a lesson beside the live laboratory; without a name: all of them", NULL},
     {"grade", "LESSON SESSION...", "marks recorded sessions of a lesson's exercises", cli_grade},
-    {"export-lammps", "SCENARIO", "a beam as input for LAMMPS, for runs on many machines", cli_export_lammps},
+    {"export-lammps", "SCENARIO", "a beam or a plate as input for LAMMPS, for runs on many machines", cli_export_lammps},
     {"list", "", "the built-in scenarios", cli_list},
     {"show", "SCENARIO", "the resolved scenario as a file, derived values as comments", cli_show},
     {"params", "[PROBLEM]", "the parameters: default, unit, what is allowed, meaning", cli_params},

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* `matvib export-lammps SCENARIO --output DIR`: a beam as input for LAMMPS. */
+/* `matvib export-lammps SCENARIO --output DIR`: a beam or a plate as input for LAMMPS. */
 #include "cli/cli.h"
 #include "cli/options.h"
 #include "cli/progress.h"

@@ -102,6 +102,16 @@ typedef struct BeamFacts {
 
 void beam_facts(const Simulation *beam, BeamFacts *facts);
 
+/* What holds and what loads its nodes, with the pressure of now; returns how many there are. The channel of a
+ * moving cantilever is not among them. */
+int beam_supports(const Simulation *beam, Support out[PLATE_ROWS_MAX]);
+int beam_loads(const Simulation *beam, Load out[PLATE_ROWS_MAX]);
+
+/* The motion is at rest when the kinetic energy is below this share of its largest; looked for every so many
+ * steps. */
+enum { BEAM_REST_EVERY = 16 };
+#define BEAM_REST_SHARE 1e-10
+
 /* How the rows hold each other where all columns move alike across the beam, whole bonds and small motion:
  * the force density on row j is minus the sum of matrix[j ny + k] times the displacement of row k, N/m^4. The
  * caller has ny x ny numbers. False: the simulation is no beam. */

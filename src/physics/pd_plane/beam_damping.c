@@ -19,14 +19,12 @@
  * load.
  *
  * Rest: the kinetic energy is below 1e-10 of its largest, and where alpha < 2 omega_1 stays there for half a
- * period, since it vanishes at each turning point too. Looked for every REST_EVERY steps. The displacements
- * are then those of rest to some 4e-6. */
+ * period, since it vanishes at each turning point too. Looked for every BEAM_REST_EVERY steps. The
+ * displacements are then those of rest to some 4e-6. */
 #include "physics/pd_plane/beam_internal.h"
 #include "physics/pd_plane/beam_modes.h"
 
 #include <math.h>
-
-enum { REST_EVERY = 16 };
 
 bool beam_set_damping(Beam *beam, Status *status)
 {
@@ -131,19 +129,18 @@ static void come_to_rest(Beam *beam, long step)
 
 bool beam_asks_for_rest(const Beam *beam, long step)
 {
-    return beam->def.to_rest && step % REST_EVERY == 0;
+    return beam->def.to_rest && step % BEAM_REST_EVERY == 0;
 }
 
 void beam_look_for_rest(Beam *beam, long step)
 {
-    const double small = 1e-10;
     StateHead *head = beam->head;
     if (!beam_asks_for_rest(beam, step) || head->rested)
         return;
     const double kinetic = beam_kinetic(beam);
     head->most_kinetic = fmax(head->most_kinetic, kinetic);
     head->kinetic_left = beam->sim.kinetic_left = kinetic > 0 ? kinetic / head->most_kinetic : 0;
-    if (kinetic > small * head->most_kinetic)
+    if (kinetic > BEAM_REST_SHARE * head->most_kinetic)
         head->moved = step;
     else if (step - head->moved > beam->rest_steps)
         come_to_rest(beam, step);

@@ -7,24 +7,6 @@
 #include "physics/pd_plane/bonds/lattice.h"
 #include "physics/pd_plane/plate/plate.h"
 
-/* Columns i .. i + columns - 1 and rows j .. j + rows - 1. */
-typedef struct Patch {
-    int i, j, columns, rows;
-} Patch;
-
-/* Nodes of which components have a given velocity, m/s; 0 holds them. */
-typedef struct Support {
-    Patch patch;
-    bool x, y;
-    double vx, vy;
-} Support;
-
-/* Nodes along an edge that a traction (sx, sy), Pa, acts on; see PlateLoad. */
-typedef struct Load {
-    Patch patch;
-    double sx, sy, ramp, until;
-} Load;
-
 static inline bool patch_has(const Patch *patch, int i, int j)
 {
     return i >= patch->i && i < patch->i + patch->columns && j >= patch->j && j < patch->j + patch->rows;

@@ -45,4 +45,24 @@ typedef struct PlateDef {
     double probe_x, probe_y;
 } PlateDef;
 
+/* --- the same as nodes of the lattice, of beams too ---------------------------------------------------- */
+
+/* Columns i .. i + columns - 1 and rows j .. j + rows - 1. */
+typedef struct Patch {
+    int i, j, columns, rows;
+} Patch;
+
+/* Nodes of which components have a given velocity, m/s; 0 holds them. */
+typedef struct Support {
+    Patch patch;
+    bool x, y;
+    double vx, vy;
+} Support;
+
+/* Nodes along an edge that a traction (sx, sy), Pa, acts on, as PlateLoad says. */
+typedef struct Load {
+    Patch patch;
+    double sx, sy, ramp, until;
+} Load;
+
 #endif
