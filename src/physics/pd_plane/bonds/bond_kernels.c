@@ -120,14 +120,15 @@ static void gather_parts(const Parts *parts, double *fx, double *fy, double *oth
     }
 }
 
-/* Zeros behind the forces, which subtract_other() reads; those before them are never written. */
-static void clear_margin(const Parts *parts)
+/* Zeros behind the forces of `count` columns, which subtract_other() reads: once for tiles of one width.
+ * Those before them are never written. */
+static void clear_margins(double *scratch, int n, size_t count)
 {
-    for (int o = 0; o < parts->n; o++)
+    for (int o = 0; o < n; o++)
         for (int i = 0; i < BONDS_MARGIN; i += LANES) {
-            size_t at = (size_t)(o * BONDS_SPAN + BONDS_MARGIN + i) + parts->count;
-            vector_store(parts->x + at, (Vector){0});
-            vector_store(parts->y + at, (Vector){0});
+            const size_t at = (size_t)(o * BONDS_SPAN + BONDS_MARGIN + i) + count;
+            vector_store(scratch + at, (Vector){0});
+            vector_store(scratch + BONDS_SCRATCH / 2 + at, (Vector){0});
         }
 }
 
@@ -142,7 +143,6 @@ KERNEL_INLINE double tile(const BondSystem *system, int j, int q, size_t from, s
     double *coefficient = system->coefficient + lattice_slot(lattice, (BondPlace){(int)from, j, first});
     double energy = 0, sums[LATTICE_BLOCK];
 
-    clear_margin(&parts);
     for (int o = 0; o < parts.n; o++, coefficient += count) {
         Segment segment = segment_of(system, j, first + o, from, count, coefficient);
         double *px = parts.x + o * BONDS_SPAN + BONDS_MARGIN, *py = parts.y + o * BONDS_SPAN + BONDS_MARGIN;
@@ -168,8 +168,10 @@ static void forces(const BondSystem *system, int j, double *const *fx, double *c
 {
     const Lattice *lattice = system->lattice;
     double sum = 0;
-    for (size_t t = 0; t < lattice->n_tiles; t++) {
+    for (size_t t = 0, before = 0; t < lattice->n_tiles; t++) {
         size_t from = lattice_tile(lattice, t), count = lattice_tile(lattice, t + 1) - from;
+        if (count != before)
+            clear_margins(log->scratch, 2 * lattice->reach + 1, before = count);
         for (int q = 0; q <= rows_above(lattice, j); q++)
             if (energy)
                 sum += tile(system, j, q, from, count, fx, fy, log, true);

@@ -59,6 +59,7 @@ KERNEL_INLINE bool by_series(const Segment *segment, bool with_forces, bool with
         sum[part] = (Vector){0};
 
     for (size_t i = 0; i < segment->count; i += LATTICE_BLOCK) {
+        __builtin_prefetch(coefficient + i + AHEAD);
 #pragma GCC unroll 4
         for (int part = 0; part < PARTS; part++) {
             const size_t at = i + (size_t)(part * LANES);
@@ -67,10 +68,10 @@ KERNEL_INLINE bool by_series(const Segment *segment, bool with_forces, bool with
             const Vector rx = x + ex, ry = y + ey;
             const Vector d = ex * (x + rx) + ey * (y + ry);
             const Vector k = vector_load(coefficient + at);
-            __builtin_prefetch(coefficient + at + AHEAD);
             const Vector dd = d * d;
-            /* written so that a d which is no number counts as beyond */
-            beyond |= ~(dd < limit) & (k != 0);
+            /* the bits of k are those of zero where there is no bond; written so that a d which is no number
+             * counts as beyond */
+            beyond |= ~(dd < limit) & (VectorMask)k;
             const Vector series = c0 + c1 * d + dd * (c2 + c3 * d + dd * (c4 + c5 * d));
             const Vector g = k * d * series;
             if (with_forces) {
@@ -197,6 +198,7 @@ KERNEL_INLINE Met by_root(const BondSystem *system, const Segment *segment, bool
 
     for (size_t i = 0; i < segment->count; i += LATTICE_BLOCK) {
         VectorMask single = {0};
+        __builtin_prefetch(segment->coefficient + i + AHEAD);
 #pragma GCC unroll 4
         for (int part = 0; part < PARTS; part++) {
             const size_t at = i + (size_t)(part * LANES);
