@@ -115,6 +115,32 @@ result "but writes nothing" sh -c 'test -z "$(ls | grep -E "^w[.-]")" && test "$
 printf 'reject write scenario\nkey w\ntype own.ini\nkey Enter\nexpect wrote own.ini\n' >own.script
 result "what it asked is closed, and the user may write" "$MATVIB" --replay writes.session --script own.script
 
+# a key that came while a loop jumped back, or at a place that its run can never reach
+printf 'key :\ntype loop 1e-6 3e-6\nkey Enter\nwait 0.3\nkey Esc\nwait 0.3\nkey 1\n' >loop.script
+"$MATVIB" supported-beam-mpm-coarse --script loop.script --record loop.session >/dev/null
+echo 'expect step 26 ' >there.script
+result "Esc came in the jump of a loop" grep -q '^at ~26 .* Esc$' loop.session
+result "which is done again" timeout -s KILL 60 "$MATVIB" --replay loop.session --script there.script
+result "and filmed" timeout -s KILL 60 "$MATVIB" movie loop.session --output loop.gif
+sed '/ Esc$/d' loop.session | sed 's/^at 26 /at 40 /' >beyond.session
+result "a place beyond the loop is gone to" timeout -s KILL 60 "$MATVIB" --replay beyond.session --script empty
+# a film of a run that takes long ends when it is told to
+{
+	grep '^[s|p]' loop.session | sed 's/^| end = .*/| end = 10/'
+	printf 'at 0 0 80x24 Space\nat 10000000 0 80x24 1\n'
+} >long.session
+"$MATVIB" movie long.session --output long.gif >out 2>err &
+filming=$!
+for try in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
+	ls long.gif.* >/dev/null 2>&1 && break
+	sleep 0.1
+done
+sleep 0.3
+kill -TERM $filming
+( sleep 30 && kill -KILL $filming ) 2>/dev/null &
+wait $filming
+result "SIGTERM ends a film" test $? -eq 143
+
 # a recording is in its file as it comes; a crash leaves it
 mkfifo keys.pipe
 "$MATVIB" mode1 --paused --script - --record crash.session <keys.pipe >/dev/null 2>&1 &

@@ -3,6 +3,7 @@
  * any plate: symmetry, the balance of energies, loads that end, what moves and what is protected. */
 #include "lab/problems/problem.h"
 #include "lab/lab_case.h"
+#include "lab/settings/scenario.h"
 #include "physics/pd_plane/beam.h"
 #include "physics/pd_plane/fracture/crack.h"
 #include "physics/run_case.h"
@@ -513,6 +514,25 @@ START_TEST(a_plate_that_is_none_is_refused)
 }
 END_TEST
 
+/* What `t` and `d` propose on a plate leaves it one that can be trusted: neighbours as far as is usual. */
+START_TEST(a_question_leaves_the_lattice_usual)
+{
+    for (const BuiltinScenario *builtin = builtin_scenarios; builtin->name; builtin++) {
+        Settings settings;
+        Status status = {0};
+        ck_assert_msg(scenario_load(builtin->name, &settings, &status), "%s", status.text);
+        const Parameter *asked = settings_question(&settings);
+        if (settings.problem != &problem_plate)
+            continue;
+        const double before = settings.lattice.horizon / settings.lattice.spacing;
+        ck_assert_msg(settings_answer_otherwise(&settings, asked), "%s", builtin->name);
+        const double after = settings.lattice.horizon / settings.lattice.spacing;
+        ck_assert_msg(after <= fmax(before, 4) * (1 + 1e-9) && after >= 3 * (1 - 1e-9), "%s: %g spacings",
+                      builtin->name, after);
+    }
+}
+END_TEST
+
 #define LOOP(cases, test, table) tcase_add_loop_test(cases, test, 0, (int)(sizeof table / sizeof *table))
 
 void add_cases(Suite *suite)
@@ -536,5 +556,6 @@ void add_cases(Suite *suite)
     LOOP(plates, a_cut_along_nodes_is_told, directions);
     tcase_add_loop_test(plates, nodes_on_a_cut_hang_on_its_right, 0, 2);
     LOOP(plates, a_plate_that_is_none_is_refused, refused);
+    tcase_add_test(plates, a_question_leaves_the_lattice_usual);
     suite_add_tcase(suite, plates);
 }

@@ -122,11 +122,19 @@ static int leave_out_measured(Legend *legend, int n_legend)
     return n_legend;
 }
 
+/* As many as there is room for; where there are none `legend` may be NULL. Returns how many. */
+static int copy_legend(Legend shown[LEGENDS_MAX], const Legend *legend, int n_legend)
+{
+    n_legend = n_legend < LEGENDS_MAX ? n_legend : LEGENDS_MAX;
+    for (int i = 0; i < n_legend; i++)
+        shown[i] = legend[i];
+    return n_legend;
+}
+
 void legend_draw_short(Area area, int x, int y, const Legend *legend, int n_legend)
 {
     Legend shown[LEGENDS_MAX];
-    n_legend = n_legend < LEGENDS_MAX ? n_legend : LEGENDS_MAX;
-    memcpy(shown, legend, (size_t)n_legend * sizeof *legend);
+    n_legend = copy_legend(shown, legend, n_legend);
     shorten_legend(legend_room(area) - x, NAME_KINDS, shown, n_legend);
     legend_draw(area, x, y, shown, n_legend);
 }
@@ -137,14 +145,13 @@ int heading_draw(Area area, Style heading, const char *name, const char *scale, 
     enum { SHORT_NAME = 1, NO_MEASURED, LETTERS_ONLY }; /* what gives way, one after the other */
     char text[160];
     Legend shown[LEGENDS_MAX];
-    n_legend = n_legend < LEGENDS_MAX ? n_legend : LEGENDS_MAX;
     int n_shown = 0, x = 0;
     for (int pass = 0; pass <= LETTERS_ONLY; pass++) {
         const char *title = pass >= SHORT_NAME ? legend_short_name(name) : name;
         snprintf(text, sizeof text, "%s%s%s", title, !scale[0] ? "" : scale[0] == 'x' ? " " : ", ", scale);
         x = 4 + glyphs_columns(text) + 1;
         const int room = legend_room(area) - x;
-        memcpy(shown, legend, (size_t)n_legend * sizeof *legend);
+        n_legend = copy_legend(shown, legend, n_legend);
         shorten_legend(room, NAME_KINDS - 2, shown, n_legend);
         n_shown = pass >= NO_MEASURED ? leave_out_measured(shown, n_legend) : n_legend;
         shorten_legend(room, pass >= LETTERS_ONLY ? NAME_KINDS : 0, shown, n_shown);

@@ -15,13 +15,28 @@ static bool is_there(const Laboratory *lab, const SessionEvent *event)
     return experiment_step(experiment) == event->step && experiment_stage(experiment) == event->stage;
 }
 
+/* A key that came while a loop jumped back to its beginning comes there again, in whichever round. False: the
+ * run has not come to the end of its stretch. */
+static bool reach_jump(Laboratory *lab, double deadline)
+{
+    while (lab->screen.playback.state == STATE_RUNNING && lab->player.loop.on) {
+        if (lab->host.now(lab->host.context) >= deadline)
+            return false;
+        lab->player.owed = (double)player_steps_ahead(lab);
+        laboratory_frame(lab, deadline);
+    }
+    return true;
+}
+
 /* To the event's place: the run goes on, or else it is gone to, once; a run that ends or fails earlier than
- * it did stands where it is. False: it is on its way. */
+ * it did stands where it is. A loop never runs beyond its end: such a place is gone to. False: it is on its
+ * way. */
 static bool approach(Replay *replay, Laboratory *lab, const SessionEvent *event, double deadline)
 {
     while (lab->screen.playback.state == STATE_COMPUTING || !is_there(lab, event)) {
         const long ahead = event->step - experiment_step(lab->screen.experiment);
-        if (lab->screen.playback.state == STATE_RUNNING && ahead > 0) {
+        if (lab->screen.playback.state == STATE_RUNNING && ahead > 0 &&
+            (!lab->player.loop.on || ahead < player_steps_ahead(lab))) {
             lab->player.run_limit = event->step;
             lab->player.owed = (double)ahead;
         } else if (lab->screen.playback.state != STATE_COMPUTING) {
@@ -46,7 +61,7 @@ static bool takes_text(const Screen *screen)
 bool replay_go_on(Replay *replay, Laboratory *lab, double deadline)
 {
     const SessionEvent *event = replay_next(replay);
-    if (!event->on_the_way && !approach(replay, lab, event, deadline))
+    if (event->on_the_way ? !reach_jump(lab, deadline) : !approach(replay, lab, event, deadline))
         return false;
     replay->next++;
     replay->sought = false;

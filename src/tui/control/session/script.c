@@ -21,6 +21,8 @@
 #define KEY_SECONDS    0.5
 #define LETTER_SECONDS 0.12
 
+#define BEYOND_PATIENCE 1e9 /* seconds: longer than any frame */
+
 enum { SCENE_KEYS = 4, LINE_BYTES_MAX = 4096, SCRIPT_BYTES_MAX = 100000000 };
 
 struct Script {
@@ -40,9 +42,11 @@ struct Script {
     const SessionEvent *awaited; /* of the session that is filmed: the next key */
 };
 
+/* Whatever waits for the clock waits no longer when the camera is told to stop. */
 static double now(void *context)
 {
-    return ((const Script *)context)->time;
+    const Script *script = context;
+    return script->time + (script->camera && !camera_goes_on(script->camera) ? BEYOND_PATIENCE : 0);
 }
 
 static void worked(void *context, long steps)
