@@ -506,6 +506,34 @@ START_TEST(any_width_any_threads)
 }
 END_TEST
 
+/* A box that begins in the last row of cells has its third node beyond the grid: as with rows to spare. */
+START_TEST(beside_the_grids_edge)
+{
+    PlaneDef def = small(false);
+    def.shape = MPM_GIMP;
+    def.amplitude = .6 * def.cell_size;
+    def.padding = 3;
+    Simulation *spare = create(&def);
+    def.padding = 1;
+    def.threads = 1 + _i;
+    Simulation *edge = create(&def);
+    double expected[16], row[16];
+    for (int step = 0; step < 20; step++) {
+        simulation_row(spare, expected);
+        simulation_row(edge, row);
+        for (int k = 0; k < spare->n_series; k++)
+            if (isfinite(expected[k]))
+                ck_assert_msg(fabs(row[k] - expected[k]) <= 1e-9 * fabs(expected[k]) + 1e-12,
+                              "%s is %.12g and not %.12g at step %d", spare->series[k].name, row[k],
+                              expected[k], step);
+        advance(spare, 1);
+        advance(edge, 1);
+    }
+    simulation_destroy(spare);
+    simulation_destroy(edge);
+}
+END_TEST
+
 /* Who looks at some columns only gets the others alike, and the last row whole. */
 START_TEST(rows_that_are_spared)
 {
@@ -757,6 +785,7 @@ START_TEST(definitions_that_are_refused)
     REFUSED(def.courant = 0, "time.courant");
     REFUSED(def.density = NAN, "beam.density");
     REFUSED((def.length = 100, def.channel = 100), "mesh.cell_size");
+    REFUSED((def.height = 20, def.length = 1.25e-3, def.channel = 2.5e-3, def.end = 1e-6), "mesh.cell_size");
     PlaneDef bent = small(false);
     bent.amplitude = 0.01;
     ck_assert_ptr_null(plane_create(&bent, &status));
@@ -779,6 +808,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(test, what_the_grid_cannot_see, 0, 4);
     tcase_add_test(test, an_empty_node_moves_with_the_beam);
     tcase_add_loop_test(test, one_run_one_set_of_bits, 0, VARIANTS);
+    tcase_add_loop_test(test, beside_the_grids_edge, 0, 2);
     tcase_add_loop_test(test, any_width_any_threads, 0, WIDE_ONES);
     tcase_add_loop_test(test, rows_that_are_spared, 0, 2);
     tcase_add_loop_test(test, bits_of_a_bow, 0, 6);

@@ -47,8 +47,9 @@ static bool whole(int value, int low, int high, const char *key, Status *status)
            status_fail(status, STATUS_USAGE, "%s: %d is out of range (%d to %d)", key, value, low, high);
 }
 
-/* A particle takes less than 200 bytes; a step of so many a tenth of a second. */
-enum { PARTICLES_MAX = 2000000, NODES_MAX = 4000000 };
+/* A particle takes less than 200 bytes; a step of so many a tenth of a second. A row of nodes takes some
+ * kilobytes more of each thread. */
+enum { PARTICLES_MAX = 2000000, NODES_MAX = 4000000, ROWS_MAX = 10000 };
 
 /* A length that is a whole number of cells, even ones only if asked. */
 static bool whole_cells(double length, double dx, bool even, const char *what, Status *status)
@@ -140,9 +141,12 @@ bool plane_check(const PlaneDef *def, Status *status)
     if (!(cells * def->particles_per_cell * def->particles_per_cell <= PARTICLES_MAX))
         return status_fail(status, STATUS_USAGE, "mesh.cell_size: %g makes more than %d particles",
                            def->cell_size, PARTICLES_MAX);
+    const double rows = def->height / def->cell_size + 2 * def->padding + 1;
+    if (!(rows <= ROWS_MAX))
+        return status_fail(status, STATUS_USAGE, "mesh.cell_size: %g makes more than %d rows of nodes",
+                           def->cell_size, ROWS_MAX);
     const double way = def->leaves_channel ? (def->speed - def->grid_velocity) * def->end : 0;
-    if (!((length + way) / def->cell_size + 2 * def->padding + 2 <
-          NODES_MAX / (def->height / def->cell_size + 2 * def->padding + 1)))
+    if (!((length + way) / def->cell_size + 2 * def->padding + 2 < NODES_MAX / rows))
         return status_fail(status, STATUS_USAGE, "mesh.padding: the grid has more than %d nodes", NODES_MAX);
     return true;
 }

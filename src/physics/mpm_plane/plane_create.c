@@ -14,7 +14,7 @@ static size_t lay_out(Plane *plane, unsigned char *block)
     size_t size = 0, number = 0;
     const size_t particles = (size_t)plane->n_places, blocks = (size_t)plane->n_blocks;
     /* the empty lanes of a run look beyond the last node */
-    const size_t nodes = (size_t)plane->n_nodes + 2 * PLANE_LANES;
+    const size_t nodes = (size_t)plane_rows_reached(plane) * (size_t)plane->gx + 2 * PLANE_LANES;
 #define ARRAY(pointer, count)                                                                                \
     do {                                                                                                     \
         if (block)                                                                                           \

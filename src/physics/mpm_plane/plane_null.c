@@ -30,9 +30,11 @@ static int stride_of(int width)
 
 size_t plane_null_numbers(const Plane *plane)
 {
-    const size_t nodes = (size_t)plane->n_nodes, stride = (size_t)stride_of(width_of(plane, plane->gy));
+    const int rows = plane_rows_reached(plane);
+    const size_t nodes = (size_t)rows * (size_t)(plane->gx + 1),
+                 stride = (size_t)stride_of(width_of(plane, rows));
     const size_t bytes = (size_t)(plane->n_places + plane->gx) * sizeof(int32_t) + 2 * nodes;
-    return 2 * nodes + 2 * (size_t)(plane->support * plane->gy) * stride + bytes / sizeof(double) + 2;
+    return 2 * nodes + 2 * (size_t)(plane->support * rows) * stride + bytes / sizeof(double) + 2;
 }
 
 /* Some milliseconds a row at most; beyond, kinetic_null is no column of the series. */
@@ -61,11 +63,11 @@ static PlaneBox sort(const Plane *plane, int32_t *heads, int32_t *nexts)
             heads[i] = at;
             left = i < left ? i : left;
             right = i > right ? i : right;
+            low = j < low ? j : low;
+            high = j > high ? j : high;
         }
-        low = plane->blocks[block].low < low ? plane->blocks[block].low : low;
-        high = plane->blocks[block].high > high ? plane->blocks[block].high : high;
     }
-    return (PlaneBox){left, low, right - left + plane->support, high - low + 1};
+    return (PlaneBox){left, low, right - left + plane->support, high - low + plane->support};
 }
 
 /* Shares out plane->null, and says which nodes take part: those with mass that nothing holds, and what
@@ -88,12 +90,13 @@ static PlaneNull prepare(Plane *plane)
         const PlaneHeldColumns held = plane_held_columns(plane, plane->sim.step, box.j + j);
         for (int i = 0; i < box.columns; i++) {
             const int k = i * box.rows + j, column = box.i + i, node = (box.j + j) * plane->gx + column;
-            const bool active = plane->node_mass[node] > plane->floor, left = column < held.left,
+            const bool inside = column < plane->gx && box.j + j < plane->gy,
+                       active = inside && plane->node_mass[node] > plane->floor, left = column < held.left,
                        right = column >= held.right;
             work.out[0][k] = !active || (left && held.at_left.x) || (right && held.at_right.x);
             work.out[1][k] = !active || (left && held.at_left.y) || (right && held.at_right.y);
-            work.z[0][k] = plane->px[node] - plane->node_mass[node] * plane->speed;
-            work.z[1][k] = plane->py[node];
+            work.z[0][k] = inside ? plane->px[node] - plane->node_mass[node] * plane->speed : 0;
+            work.z[1][k] = inside ? plane->py[node] : 0;
         }
     }
     work.columns = plane->support;

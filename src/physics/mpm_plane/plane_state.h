@@ -36,7 +36,7 @@
 
 enum {
     PLANE_LANES = 8,
-    PLANE_SLOTS = 8,               /* of a block at most; three or four in a beam that is hardly bent */
+    PLANE_SLOTS = 7,               /* of a block at most; three or four in a beam that is hardly bent */
     PLANE_PATCH = 2 * PLANE_LANES, /* columns of nodes of a patch: lanes + slots - 1, and some */
     PLANE_GIVEN = 3                /* what a node is given in one stage: m, px, py; or fx, fy */
 };
@@ -157,6 +157,13 @@ static inline int plane_particle(const Plane *plane, int at)
               in_block = vector % plane->n_vectors;
     const int cell = vector / plane->n_vectors * PLANE_LANES + at % PLANE_LANES;
     return in_block / P * plane->nxp + cell * P + in_block % P;
+}
+
+/* Rows of nodes that boxes reach: one that begins in the last row of cells has its third node, with weight 0,
+ * beyond the grid, where it may be read and added to; and so in columns, where it is the next row's first. */
+static inline int plane_rows_reached(const Plane *plane)
+{
+    return plane->gy + plane->support - 2;
 }
 
 /* A block's patch in a row of nodes: the columns of each quantity, one quantity after the other. Row by row,

@@ -286,7 +286,7 @@ static void find(Plane *plane, int block, long step)
         }
     }
     nodes.slots = last - nodes.column + n;
-    nodes.high += n - 1;
+    nodes.high = nodes.high + n > plane->gy ? plane->gy - 1 : nodes.high + n - 1;
     if (nodes.slots > PLANE_SLOTS) { /* a run that finds no slots is none */
         nodes.slots = PLANE_SLOTS;
         for (int v = 0; v < plane->n_vectors; v++) {

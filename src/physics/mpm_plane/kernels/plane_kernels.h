@@ -23,7 +23,7 @@ enum {
 /* Numbers of one thread's slots: by row of nodes, quantity. */
 static inline size_t plane_slot_numbers(const Plane *plane)
 {
-    return (size_t)plane->gy * PLANE_GIVEN * PLANE_SLOT_ROW;
+    return (size_t)plane_rows_reached(plane) * PLANE_GIVEN * PLANE_SLOT_ROW;
 }
 
 /* Columns and rows of the grid that particles touch. */
