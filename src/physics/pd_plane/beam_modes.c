@@ -15,9 +15,10 @@
 #include "physics/pd_plane/beam_internal.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 
-enum { ITERATIONS_MAX = 60 };
+enum { ITERATIONS_MAX = 300 };
 
 /* Unknown number of a component of node (i, j): by columns. */
 static size_t unknown(const Lattice *lattice, int i, int j, int component)
@@ -54,6 +55,7 @@ typedef struct Model {
     const Support *supports;
     int n_supports, held_columns;
     double density;
+    bool half_wave; /* what is known of its lowest vibration */
     const Patience *patience;
 } Model;
 
@@ -111,27 +113,40 @@ static double dot(const double *a, const double *b, size_t count)
     return sum;
 }
 
-/* lambda (N/m^4: rho omega^2) by inverse iteration from half a wave, eq. 16; the held components stay zero.
- * With |x| = 1 and y = K^-1 x the quotient 1/(x . y) has the square of the vector's error, and each turn
- * makes that smaller by lambda_1/lambda_2, 1/16 or less for a slender beam: a handful of turns. The half
- * wave's own quotient x . K x would be of no use (.79 ms in place of .85 at dx .25 mm): it violates the point
- * supports, and K punishes that. NAN: given up. */
-static double lowest_eigenvalue(const CholeskyBand *factor, const Lattice *lattice, const bool *held,
-                                double *x, double *y, const Patience *patience)
+/* The start, 0 in held components: half a wave, eq. 16, which is all but the lowest vibration of a supported
+ * beam. Of any other body the lowest may be of any symmetry, and the iteration never finds what its start has
+ * nothing of: pseudo-random numbers (xorshift) have something of all, the same for every run. */
+static void fill(const Model *model, const bool *held, double *x)
+{
+    const Lattice *lattice = model->lattice;
+    uint32_t hash = 2463534242u;
+    for (int i = 0; i < lattice->nx; i++)
+        for (int j = 0; j < lattice->ny; j++)
+            for (int component = 0; component < 2; component++) {
+                const size_t at = unknown(lattice, i, j, component);
+                hash ^= hash << 13, hash ^= hash >> 17, hash ^= hash << 5;
+                const double wave = component ? sin(M_PI * (i + 0.5) / lattice->nx) : 0,
+                             any = (double)hash / 4294967296.0 - 0.5;
+                x[at] = held[at] ? 0 : model->half_wave ? wave : any;
+            }
+}
+
+/* lambda (N/m^4: rho omega^2) by inverse iteration; the held components stay zero. With |x| = 1 and y =
+ * K^-1 x the quotient 1/(x . y) has the square of the vector's error, and each turn makes that smaller by
+ * lambda_1/lambda_2, 1/16 or less for a slender beam: a handful of turns; where two frequencies lie side by
+ * side it takes more. The half wave's own quotient x . K x would be of no use (.79 ms in place of .85 at dx
+ * .25 mm): it violates the point supports, and K punishes that. NAN: given up. */
+static double lowest_eigenvalue(const CholeskyBand *factor, const Model *model, const bool *held, double *x,
+                                double *y)
 {
     const size_t n = factor->size;
-    for (int i = 0; i < lattice->nx; i++)
-        for (int j = 0; j < lattice->ny; j++) {
-            const size_t at = unknown(lattice, i, j, 1);
-            x[at - 1] = 0;
-            x[at] = held[at] ? 0 : sin(M_PI * (i + 0.5) / lattice->nx);
-        }
+    fill(model, held, x);
     double lambda = 0;
     for (int k = 0; k < ITERATIONS_MAX; k++) {
         const double length = sqrt(dot(x, x, n)), before = lambda;
         for (size_t i = 0; i < n; i++)
             y[i] = x[i] /= length;
-        if (!cholesky_solve(factor, y, patience))
+        if (!cholesky_solve(factor, y, model->patience))
             return NAN;
         lambda = 1 / dot(x, y, n);
         for (size_t i = 0; i < n; i++)
@@ -191,9 +206,8 @@ static bool solve(const Model *model, const Probe *probe, BeamLinear *out, Statu
         hold(model, held);
         const CholeskyEnd end =
             assemble(&band, model, held) ? cholesky_factor(&band, model->patience) : CHOLESKY_GIVEN_UP;
-        const double lambda = end == CHOLESKY_DONE ? lowest_eigenvalue(&band, lattice, held, vectors,
-                                                                       vectors + band.size, model->patience)
-                                                   : NAN;
+        const double lambda =
+            end == CHOLESKY_DONE ? lowest_eigenvalue(&band, model, held, vectors, vectors + band.size) : NAN;
         done = end == CHOLESKY_SINGULAR ||
                (!isnan(lambda) && (!probe || find_sag(&band, model, held, probe, vectors, &out->sag))) ||
                status_fail(status, STATUS_FAILED, "the predicted period was given up");
@@ -214,6 +228,7 @@ bool beam_linear(const Simulation *sim, BeamLinear *out, Status *status)
                          .n_supports = beam->n_supports,
                          .held_columns = beam_held_columns(beam, 0),
                          .density = beam->def.density,
+                         .half_wave = beam->def.problem == BEAM_SIMPLY_SUPPORTED,
                          .patience = &beam->def.patience};
     const Probe probe = {{beam->probe_i[0], beam->probe_i[1]}, {beam->probe_j[0], beam->probe_j[1]}};
     return solve(&model, &probe, out, status);
@@ -238,6 +253,7 @@ bool beam_predicted_period(const BeamDef *definition, double *period, double *sp
                          .supports = supports,
                          .n_supports = 2,
                          .density = definition->density,
+                         .half_wave = true,
                          .patience = &definition->patience};
     BeamLinear linear;
     const bool done = solve(&model, NULL, &linear, status);
