@@ -60,13 +60,35 @@ static void add_bond(CrackCost *cost, const Beam *beam, const CrackPath *paths, 
                                      : &cost->far) += at_limit(beam, bond);
 }
 
+static bool is_whole(const Lattice *lattice, int i, int j)
+{
+    for (const Offset *o = lattice->offsets; o < lattice->offsets + lattice->n_offsets; o++)
+        if (!lattice_has(lattice, i + o->p, j + o->q))
+            return false;
+    return true;
+}
+
+/* What bonds an upright plane through the middle parts from top to bottom, per area. */
+static double whole_plane_energy(const Beam *beam)
+{
+    const Lattice *lattice = &beam->lattice;
+    const int middle = lattice->nx / 2;
+    double sum = 0;
+    for (BondPlace bond = lattice_next_bond(lattice, (BondPlace){0, 0, -1}); bond.j < lattice->ny;
+         bond = lattice_next_bond(lattice, bond))
+        if ((bond.i < middle) != (bond.i + lattice->offsets[bond.offset].p < middle))
+            sum += at_limit(beam, bond);
+    return sum / (lattice->ny * lattice->spacing * beam->def.thickness);
+}
+
 /* Through an upright plane go |p| bonds of direction (p, q) in every row: in the middle of the beam, per
- * area.
- */
+ * area. A body that is smaller than a family there has no such row, and is taken as it is. */
 static double plane_energy(const Beam *beam)
 {
     const Lattice *lattice = &beam->lattice;
     double sum = 0;
+    if (!is_whole(lattice, lattice->nx / 2, lattice->ny / 2))
+        return whole_plane_energy(beam);
     for (int o = 0; o < lattice->n_offsets; o++)
         sum += abs(lattice->offsets[o].p) * at_limit(beam, (BondPlace){lattice->nx / 2, lattice->ny / 2, o});
     return sum / (lattice->spacing * beam->def.thickness);
