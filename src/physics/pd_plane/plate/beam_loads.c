@@ -6,9 +6,9 @@
  * A traction (Pa) on an edge becomes a body force in the one layer of nodes along it, which stands for the
  * depth dx. Its work in a step is that at the middle, b(t^{n+1/2}) v^{n+1/2} V dt times the thickness: of
  * second order like the scheme. What a moving support does to a node is minus the force density that the node
- * has, so its work is
+ * has, and what damping takes from it (beam_damping.c), so its work is
  *
- *     -(f^n + f^{n+1})/2 v V dt
+ *     (alpha rho v - (f^n + f^{n+1})/2) v V dt
  *
  * times the thickness, one half of it in each half of the step, when f^n and f^{n+1} are at hand. Each row
  * notes its own work, and the rows are added in their order: the number of threads leaves no trace. */
@@ -65,18 +65,20 @@ void beam_add_loads(Beam *beam, int j, double time)
     }
 }
 
-/* sum f v over the nodes of row j that supports move, W/m^3: of the components that are given. */
+/* sum (f - alpha rho v) v over the nodes of row j that supports move, W/m^3: of the components that are
+ * given. */
 static double moved_power(const Beam *beam, int j)
 {
+    const double drag = beam->damping * beam->def.density;
     double power = 0;
     for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++) {
         if (!patch_has_row(&s->patch, j))
             continue;
         const size_t from = lattice_at(&beam->lattice, s->patch.i, j), end = from + (size_t)s->patch.columns;
         for (size_t i = from; s->x && s->vx != 0 && i < end; i++)
-            power += beam->nodes.fx[i] * s->vx;
+            power += (beam->nodes.fx[i] - drag * s->vx) * s->vx;
         for (size_t i = from; s->y && s->vy != 0 && i < end; i++)
-            power += beam->nodes.fy[i] * s->vy;
+            power += (beam->nodes.fy[i] - drag * s->vy) * s->vy;
     }
     return power;
 }
