@@ -184,6 +184,9 @@ bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *st
     }
     for (size_t j = first; j < end; j++)
         row_stages[stage](beam, (int)j, sim->step);
+    if (end < sim->stage_items)
+        return true;
+    /* once all rows are there: the sums are then those of whole steps */
     if (stage == STAGE_DRIFT || stage == STAGE_SECOND_KICK)
         beam_add_work(beam, stage == STAGE_SECOND_KICK);
     if (stage == STAGE_DRIFT)
