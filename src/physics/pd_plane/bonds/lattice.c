@@ -4,13 +4,14 @@
  *     family           |xi| <= delta (1 + 1e-9); at delta = 4 dx the tolerance decides which nodes belong
  *     partial areas    w = 1 for |xi| <= delta - dx/2, else (delta + dx/2 - |xi|)/dx
  *     micromodulus     c = 6 E/(pi delta^3 (1 - nu)), nu = 1/3                                 (4)
- *                      or conical, c_1 (1 - |xi|/delta) with c_1 = 4 c
+ *                      or conical, c_1 (1 - |xi|/delta) with c_1 = 4 c; then nodes at the very
+ *                      distance delta are no family, for nothing binds them
  *
  * The correction G of eq. 8, of a bond in direction n between i and j, is one of
  *
  *     energy   g_i = (9/16) E / (sum_j c n^4 |xi| w V/4) for x and for y,  gbar = (g_i + g_j)/2,
  *              G = ((n_x/gbar_x)^2 + (n_y/gbar_y)^2)^(-1/2)
- *     volume   G = 2 pi delta^2/(V_i + V_j),  V_i = sum_j w V
+ *     volume   G = 2 pi delta^2/(V_i + V_j),  V_i = sum_j w V of all nodes within delta
  *
  * (9/16) E is the energy density of a unit uniaxial strain at nu = 1/3 in plane stress, E/(2 (1 - nu^2)); the
  * sum below it is what the family of node i stores. */
@@ -28,6 +29,14 @@ static const double inverse_root_series[LATTICE_SERIES] = {0.5,
                                                            0.2460985445241859,
                                                            -0.22559118152047733};
 
+/* w of a node at this distance. */
+static double partial_area(const BeamDef *def, double length)
+{
+    const double dx = def->spacing, delta = def->horizon;
+    const bool whole = def->volume_correction == VOLUME_NONE || length <= delta - dx / 2;
+    return whole ? 1 : (delta + dx / 2 - length) / dx;
+}
+
 /* One direction of bonds, (p, q) spacings: length, partial area and the coefficients of the series by which
  * the kernels get the stretch. With e = (|xi + eta|^2 - |xi|^2)/|xi|^2 the elongation over the deformed
  * length is e times a power series in e; what is stored is in powers of d = e |xi|^2 itself and over |xi|,
@@ -42,8 +51,7 @@ static void add_offset(Lattice *lattice, const BeamDef *def, int p, int q)
     offset->y = q * dx;
     offset->squared = offset->x * offset->x + offset->y * offset->y;
     offset->length = sqrt(offset->squared);
-    bool whole = def->volume_correction == VOLUME_NONE || offset->length <= delta - dx / 2;
-    offset->weight = whole ? 1 : (delta + dx / 2 - offset->length) / dx;
+    offset->weight = partial_area(def, offset->length);
     offset->influence = def->influence == INFLUENCE_CONICAL ? fmax(0, 1 - offset->length / delta) : 1;
     double scale = 1 / offset->length;
     for (int k = 0; k < LATTICE_SERIES; k++) {
@@ -56,7 +64,8 @@ static void add_offset(Lattice *lattice, const BeamDef *def, int p, int q)
  * through the rows that a node reaches. */
 static void add_offsets(Lattice *lattice, const BeamDef *def)
 {
-    double dx = lattice->spacing, limit = def->horizon * (1 + 1e-9);
+    const double tolerance = def->influence == INFLUENCE_CONICAL ? -1e-9 : 1e-9;
+    double dx = lattice->spacing, limit = def->horizon * (1 + tolerance);
     lattice->reach = (int)(limit / dx);
     for (int q = 0; q <= lattice->reach; q++) {
         lattice->first[q] = lattice->n_offsets;
@@ -90,15 +99,17 @@ static void energy_factors(const Lattice *lattice, int i, int j, double *factor_
 }
 
 /* V_i = sum w V over the nodes that are there, m^2: less than pi delta^2 near the surface. */
-static double family_area(const Lattice *lattice, int i, int j)
+static double family_area(const Lattice *lattice, const BeamDef *def, int i, int j)
 {
+    const double dx = lattice->spacing, limit = def->horizon * (1 + 1e-9);
+    const int reach = (int)(limit / dx);
     double area = 0;
-    for (int o = 0; o < lattice->n_offsets; o++) {
-        const Offset *offset = &lattice->offsets[o];
-        int ends = lattice_has(lattice, i + offset->p, j + offset->q) +
-                   lattice_has(lattice, i - offset->p, j - offset->q);
-        area += ends * offset->weight * lattice->spacing * lattice->spacing;
-    }
+    for (int q = 0; q <= reach; q++)
+        for (int p = q == 0 ? 1 : -reach; p <= reach; p++) {
+            const int ends = lattice_has(lattice, i + p, j + q) + lattice_has(lattice, i - p, j - q);
+            if (hypot(p * dx, q * dx) <= limit)
+                area += ends * partial_area(def, sqrt(p * dx * (p * dx) + q * dx * (q * dx))) * dx * dx;
+        }
     return area;
 }
 
@@ -123,7 +134,7 @@ static bool set_factors(Lattice *lattice, const BeamDef *def, Status *status)
                 energy_factors(lattice, i, j, &lattice->factor_x[node], &lattice->factor_y[node]);
             if (lattice->correction == SURFACE_VOLUME)
                 lattice->factor_x[node] = lattice->factor_y[node] =
-                    M_PI * lattice->horizon * lattice->horizon / family_area(lattice, i, j);
+                    M_PI * lattice->horizon * lattice->horizon / family_area(lattice, def, i, j);
         }
     }
     return true;
