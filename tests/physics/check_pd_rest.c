@@ -206,6 +206,113 @@ START_TEST(a_turning_point_is_no_rest)
 }
 END_TEST
 
+/* 20 x 30 nodes that stand on their foot. */
+static BeamDef post(void)
+{
+    BeamDef def = beam_default(BEAM_PLATE);
+    def.length = 0.04;
+    def.height = 0.06;
+    def.spacing = 2e-3;
+    def.horizon = 6e-3;
+    def.dt = 2e-7;
+    def.plate.n_supports = 1;
+    def.plate.supports[0] =
+        (PlateRegion){.x1 = 0.04, .y1 = 0.004, .gives_x = true, .gives_y = true, .name = "foot"};
+    def.plate.probe_x = 0.02;
+    def.plate.probe_y = 0.06;
+    return def;
+}
+
+/* The way a post sways is not the way a supported beam bends: what it is left to do after a push sideways has
+ * the lowest frequency of all. */
+START_TEST(critical_is_twice_the_lowest_of_a_post)
+{
+    BeamDef def = post();
+    def.plate.n_impulses = 1;
+    def.plate.impulses[0] = (PlateRegion){.x1 = 0.04, .y0 = 0.04, .y1 = 0.06, .vx = 1, .name = "push"};
+    Simulation *sim = beam_case_create(&def, NULL);
+    const int ux = simulation_find_field(sim, SET_PARTICLE, "ux");
+    const size_t top = sim->counts[SET_PARTICLE] - sim->columns / 2;
+    double before = 1, first = 0, last = 0;
+    int turns = 0;
+    while (turns < 7) {
+        go_to(sim, sim->step + 1);
+        const double now = simulation_value(sim, ux, top);
+        if ((now < 0) != (before < 0)) {
+            last = simulation_time(sim);
+            first = turns++ == 0 ? last : first;
+        }
+        before = now;
+    }
+    BeamLinear linear;
+    ck_assert(beam_linear(sim, &linear, NULL));
+    ck_assert_double_eq_tol(linear.period * 3 / (last - first), 1, 0.03);
+    simulation_destroy(sim);
+}
+END_TEST
+
+static long step_of_rest(const BeamDef *def)
+{
+    Simulation *sim = beam_case_create(def, NULL);
+    go_to(sim, 60000);
+    ck_assert(sim->at_rest);
+    const long step = sim->step;
+    simulation_destroy(sim);
+    return step;
+}
+
+/* A load that will be let go, one that still grows and a change that is to come: it waits for them, and is at
+ * rest only then. */
+START_TEST(rest_waits_for_what_was_ordered)
+{
+    BeamDef def = post();
+    def.critically_damped = def.to_rest = true;
+    def.plate.n_loads = 1;
+    def.plate.loads[0] = (PlateLoad){"side", PLATE_RIGHT, 0.04, 0.06, 1e5, 0, 0, INFINITY};
+    const long by_itself = step_of_rest(&def), later = 2 * by_itself;
+    ck_assert_int_gt(by_itself, 500);
+    def.plate.loads[0].until = (double)later * def.dt;
+    ck_assert_int_gt(step_of_rest(&def), later + by_itself / 2);
+    def.plate.loads[0].until = INFINITY;
+    BeamDef slow = def; /* so slowly that beside the push it would pass for rest */
+    slow.plate.n_impulses = 1;
+    slow.plate.impulses[0] = (PlateRegion){.x1 = 0.04, .y0 = 0.04, .y1 = 0.06, .vx = 1, .name = "push"};
+    slow.plate.loads[0].sx = 100;
+    slow.plate.loads[0].ramp = (double)later * def.dt;
+    ck_assert_int_gt(step_of_rest(&slow), later);
+    def.changes_until = later;
+    Simulation *sim = beam_case_create(&def, NULL);
+    go_to(sim, later);
+    ck_assert(!sim->at_rest);
+    ck_assert_double_lt(sim->kinetic_left, 1e-10);
+    ck_assert(sim->method->change(sim, "load.body_force", -9.81, NULL));
+    ck_assert(sim->kinetic_left == 1);
+    go_to(sim, 60000);
+    ck_assert(sim->at_rest);
+    ck_assert_int_gt(sim->step, later + by_itself / 2);
+    simulation_destroy(sim);
+}
+END_TEST
+
+/* At 2/dt the first half kick takes all of the velocity; beyond it what is left turns around. */
+START_TEST(damping_beyond_the_step_is_refused)
+{
+    BeamDef def = post();
+    def.damping = 1.0001e7;
+    Status status = {0};
+    ck_assert(!beam_check(&def, &status));
+    ck_assert_str_eq(status.text, "damping.rate: 1.0001e+07 is too much for the time step 2e-07 (at most "
+                                  "2/time.step = 1e+07)");
+    def.damping = 0.9999e7;
+    ck_assert(beam_check(&def, NULL));
+    def.dt = 0; /* known when the plate is made */
+    def.damping = 1e9;
+    ck_assert(beam_check(&def, NULL));
+    ck_assert_ptr_null(beam_create(&def, &status));
+    ck_assert_ptr_nonnull(strstr(status.text, "damping.rate: 1e+09 is too much for the time step"));
+}
+END_TEST
+
 /* With rows, stage by stage, on two threads and from a snapshot: the same bits, the same end. */
 START_TEST(rest_is_the_same_by_every_way)
 {
@@ -273,6 +380,9 @@ void add_cases(Suite *suite)
     TCase *rest = tcase_create("rest");
     tcase_add_test(rest, comes_to_rest_by_itself);
     tcase_add_test(rest, a_turning_point_is_no_rest);
+    tcase_add_test(rest, critical_is_twice_the_lowest_of_a_post);
+    tcase_add_test(rest, rest_waits_for_what_was_ordered);
+    tcase_add_test(rest, damping_beyond_the_step_is_refused);
     tcase_add_test(rest, rest_is_the_same_by_every_way);
     tcase_add_test(rest, travel_is_not_braked);
     suite_add_tcase(suite, rest);

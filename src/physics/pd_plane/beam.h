@@ -49,7 +49,8 @@ typedef struct BeamDef {
     double body_force; /* on every node from t = 0 on, upwards, m/s^2; -9.81: weight */
     double damping;    /* rate alpha, 1/s: the acceleration is f/rho - alpha v (beam_damping.c); 0: none */
     bool critically_damped; /* alpha is twice the lowest frequency of the lattice instead */
-    bool to_rest;           /* the run is over when the motion is */
+    bool to_rest;           /* the run is over when the motion is ... */
+    long changes_until;     /* ... and this many steps are done: Method.change is to be called till then */
 
     double dt;   /* s; 0: half the critical time step */
     double end;  /* s: the channel must hold the beam until then; moving cantilever */

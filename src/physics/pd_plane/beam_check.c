@@ -143,6 +143,7 @@ bool beam_check(const BeamDef *def, Status *status)
     Lattice measured;
     return check_bounds(def, status) && check_lattice(def, status) &&
            (!of_problem[def->problem] || of_problem[def->problem](def, status)) &&
+           (def->dt == 0 || beam_check_damping(def->damping, def->dt, status)) &&
            lattice_measure(&measured, def, status) &&
            (def->problem != BEAM_PLATE || plate_check(&def->plate, &measured, status));
 }

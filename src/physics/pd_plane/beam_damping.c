@@ -19,12 +19,35 @@
  * load.
  *
  * Rest: the kinetic energy is below 1e-10 of its largest, and where alpha < 2 omega_1 stays there for half a
- * period, since it vanishes at each turning point too. Looked for every BEAM_REST_EVERY steps. The
+ * period, since it vanishes at each turning point too; and nothing that will move it anew lies ahead: a load
+ * that still grows or will be let go, a change that was ordered. Looked for every BEAM_REST_EVERY steps. The
  * displacements are then those of rest to some 4e-6. */
 #include "physics/pd_plane/beam_internal.h"
 #include "physics/pd_plane/beam_modes.h"
 
 #include <math.h>
+
+/* The first half kick takes alpha dt/2 of the velocity: all of it at the limit, and beyond it more than there
+ * is, so that nodes turn at every step and are hardly braked. */
+bool beam_check_damping(double damping, double dt, Status *status)
+{
+    return damping * dt <= 2 || status_fail(status, STATUS_USAGE,
+                                            "damping.rate: %g is too much for the time step %.4g (at most "
+                                            "2/time.step = %.4g)",
+                                            damping, dt, 2 / dt);
+}
+
+/* The last step at which something is ordered that moves the body anew. */
+static long last_order(const Beam *beam)
+{
+    double last = (double)beam->def.changes_until;
+    for (const Load *load = beam->loads; load < beam->loads + beam->n_loads; load++) {
+        last = fmax(last, load->ramp / beam->sim.dt);
+        if (isfinite(load->until))
+            last = fmax(last, load->until / beam->sim.dt + 1);
+    }
+    return (long)fmin(ceil(last), 1e15);
+}
 
 bool beam_set_damping(Beam *beam, Status *status)
 {
@@ -33,7 +56,7 @@ bool beam_set_damping(Beam *beam, Status *status)
     beam->damping = def->damping;
     beam->period = NAN;
     if (!def->critically_damped && !def->to_rest)
-        return true;
+        return beam_check_damping(beam->damping, beam->sim.dt, status);
     if (!beam_linear(&beam->sim, &linear, status))
         return false;
     beam->period = linear.period;
@@ -53,7 +76,8 @@ bool beam_set_damping(Beam *beam, Status *status)
     if (def->to_rest)
         beam->head->kinetic_left = beam->sim.kinetic_left = 1;
     beam->rest_steps = beam->damping < 2 * lowest ? (long)ceil(beam->period / 2 / beam->sim.dt) : 0;
-    return true;
+    beam->last_order = last_order(beam);
+    return beam_check_damping(beam->damping, beam->sim.dt, status);
 }
 
 static void brake(Beam *beam, int j, double keep)
@@ -140,7 +164,7 @@ void beam_look_for_rest(Beam *beam, long step)
     const double kinetic = beam_kinetic(beam);
     head->most_kinetic = fmax(head->most_kinetic, kinetic);
     head->kinetic_left = beam->sim.kinetic_left = kinetic > 0 ? kinetic / head->most_kinetic : 0;
-    if (kinetic > BEAM_REST_SHARE * head->most_kinetic)
+    if (kinetic > BEAM_REST_SHARE * head->most_kinetic || step <= beam->last_order)
         head->moved = step;
     else if (step - head->moved > beam->rest_steps)
         come_to_rest(beam, step);

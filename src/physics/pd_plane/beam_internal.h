@@ -90,8 +90,9 @@ typedef struct Beam {
     int probe_i[2], probe_j[2];
     double damping;  /* alpha */
     double period;   /* the longest of the lattice, s, where damping or rest ask for it; else NAN */
-    long rest_steps; /* so many steps rest has to last */
-    bool free_body;  /* neither supports nor loads; for tests */
+    long rest_steps; /* so many steps rest has to last, after the last that something is ordered for */
+    long last_order;
+    bool free_body; /* neither supports nor loads; for tests */
 
     /* the state: one block that begins with its head; then six node arrays and the bits of broken bonds */
     void *state;
@@ -173,6 +174,7 @@ double beam_strain(Beam *beam);
 void beam_keep_strain(Beam *beam); /* the sum of what a sweep over all rows has left, until u changes */
 
 /* beam_damping.c */
+bool beam_check_damping(double damping, double dt, Status *); /* false: more than the step can follow */
 bool beam_set_damping(Beam *beam, Status *status);
 void beam_brake_first(Beam *beam, int j); /* before the first half kick of row j, and after the second */
 void beam_brake_second(Beam *beam, int j);

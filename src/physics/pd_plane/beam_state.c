@@ -108,6 +108,7 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
         /* it may move anew */
         beam->head->most_kinetic = 0;
         beam->head->moved = sim->step;
+        beam->head->kinetic_left = sim->kinetic_left = beam->def.to_rest ? 1 : 0;
         beam->head->rested = sim->at_rest = false;
         return true;
     }

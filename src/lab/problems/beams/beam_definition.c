@@ -127,6 +127,7 @@ BeamDef beam_definition(const Settings *settings, int threads)
         .critically_damped = settings->damping.rate == DAMPING_CRITICAL ||
                              (settings->time.rest && settings->damping.rate == 0),
         .to_rest = settings->time.rest,
+        .changes_until = settings->n_changes > 0 ? settings->changes[settings->n_changes - 1].step : 0,
         .dt = settings->time.step,
         .end = settings->time.end,
         .threads = threads,
