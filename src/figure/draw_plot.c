@@ -17,10 +17,13 @@
 #define NEAR  0.05  /* share of the axis within which nodes share a sign */
 
 enum {
+    SIGN_SUPPORT = 0x25b2,
     SIGN_LOAD = 0x25bc,
     SIGN_ROLLER = 0x25cb,
-    SIGN_PROBE = 0x25cf
-}; /* as on the screen; else it is a support that holds */
+    SIGN_DOT = 0x25cf, /* a probe, the tip of a crack */
+    SIGN_PROBE = '+',  /* of a plate */
+    SIGN_LEFT = 0x2190 /* then up, right, down: loads of a plate */
+};                     /* as on the screen; else it is a letter */
 
 typedef struct Frame {
     Paper *paper;
@@ -282,36 +285,80 @@ static void draw_letter(const Frame *frame, const SketchMark *mark, double x, do
     frame->paper->kind->text(frame->paper, x + 3, y + 2.5, text, &type);
 }
 
-/* A probe is a dot. Supports hang below their place, loads stand above it. */
-static void draw_sign(const Frame *frame, uint32_t glyph, double x, double y)
+/* Its middle is the place. */
+static void draw_arrow(const Frame *frame, uint32_t glyph, double x, double y, double size)
 {
+    static const double ways[][2] = {{-1, 0}, {0, -1}, {1, 0}, {0, 1}};
+    const double *way = ways[glyph - SIGN_LEFT], half = 4.5 * size, wide = 2.2 * size;
+    const double neck_x = x + 0.1 * half * way[0], neck_y = y + 0.1 * half * way[1];
+    const double shaft[] = {x - half * way[0], y - half * way[1], neck_x, neck_y};
+    const double head[] = {x + half * way[0],      y + half * way[1],      neck_x + wide * way[1],
+                           neck_y + wide * way[0], neck_x - wide * way[1], neck_y - wide * way[0]};
+    frame->paper->kind->line(frame->paper, shaft, 2, &(Pencil){.colour = BLACK, .width = 1.1 * size});
+    frame->paper->kind->fill(frame->paper, head, 3, BLACK);
+}
+
+/* A letter on white, so that it is read on any colour. */
+static void draw_letter_sign(const Frame *frame, const SketchMark *mark, double x, double y, double size)
+{
+    const char text[2] = {(char)mark->glyph, '\0'};
+    const Type type = {
+        .size = SIZE_TICKS, .bold = true, .align = ALIGN_CENTRE, .colour = ink_of(mark->style)};
+    frame->paper->kind->disc(frame->paper, x, y, 4.2 * size, WHITE,
+                             &(Pencil){.colour = type.colour, .width = 0.7 * size});
+    frame->paper->kind->text(frame->paper, x, y + 2.7, text, &type);
+}
+
+static void draw_cross(const Frame *frame, double x, double y, double size)
+{
+    const double half = 4 * size, across[] = {x - half, y, x + half, y}, up[] = {x, y - half, x, y + half};
+    const Pencil pencil = {.colour = ink_of(STYLE_MEASURED), .width = 1.6 * size};
+    frame->paper->kind->line(frame->paper, across, 2, &pencil);
+    frame->paper->kind->line(frame->paper, up, 2, &pencil);
+}
+
+/* Supports hang below their place, loads of beams stand above it. */
+static void draw_sign(const Frame *frame, const SketchMark *mark, double x, double y)
+{
+    const uint32_t glyph = mark->glyph;
     const double size = frame->box.width < SMALL ? 0.7 : 1;
     const double away = size * (glyph == SIGN_LOAD ? -6 : 6), half = 3.2 * size;
     const double corners[] = {x, y, x - half, y + away, x + half, y + away};
-    if (glyph == SIGN_PROBE)
-        frame->paper->kind->disc(frame->paper, x, y, 2.4 * size, ink_of(STYLE_MEASURED), NULL);
+    if (glyph == SIGN_DOT)
+        frame->paper->kind->disc(frame->paper, x, y, 2.4 * size, ink_of(mark->style), NULL);
     else if (glyph == SIGN_ROLLER)
         frame->paper->kind->disc(frame->paper, x, y + 2.8 * size, 2.6 * size, WHITE,
                                  &(Pencil){.colour = BLACK, .width = 0.9 * size});
-    else
+    else if (glyph == SIGN_SUPPORT || glyph == SIGN_LOAD)
         frame->paper->kind->fill(frame->paper, corners, 3, BLACK);
+    else if (glyph >= SIGN_LEFT && glyph < SIGN_LEFT + 4)
+        draw_arrow(frame, glyph, x, y, size);
+    else if (glyph == SIGN_PROBE)
+        draw_cross(frame, x, y, size);
+    else
+        draw_letter_sign(frame, mark, x, y, size);
 }
 
-/* Signs of nodes beside each other are one, in their middle. */
+/* Supports of nodes beside each other are one sign, in their middle, as loads are; of other signs each means
+ * a place. */
+static bool is_shared(const Sketch *sketch, const SketchMark *a, const SketchMark *b)
+{
+    const bool spreads = a->glyph == SIGN_SUPPORT || a->glyph == SIGN_ROLLER || a->glyph == SIGN_LOAD;
+    return a->glyph == b->glyph && spreads && fabs(a->x - b->x) <= NEAR * range_of(&sketch->plot.x);
+}
+
 static size_t draw_signs(const Frame *frame, size_t first)
 {
     const Sketch *sketch = frame->sketch;
     const SketchMark *begin = &sketch->marks[first];
     double sum_x = 0, sum_y = 0;
     size_t end = first;
-    for (; end < sketch->n_marks && sketch->marks[end].glyph == begin->glyph; end++) {
-        const SketchMark *mark = &sketch->marks[end];
-        if (fabs(mark->x - begin->x) > NEAR * range_of(&sketch->plot.x))
-            break;
-        sum_x += x_of(frame, mark->x);
-        sum_y += y_of(frame, mark->y);
-    }
-    draw_sign(frame, begin->glyph, sum_x / (double)(end - first), sum_y / (double)(end - first));
+    do {
+        sum_x += x_of(frame, sketch->marks[end].x);
+        sum_y += y_of(frame, sketch->marks[end].y);
+        end++;
+    } while (end < sketch->n_marks && is_shared(sketch, begin, &sketch->marks[end]));
+    draw_sign(frame, begin, sum_x / (double)(end - first), sum_y / (double)(end - first));
     return end;
 }
 

@@ -111,12 +111,27 @@ void figure_names(const Screen *screen, FILE *stream)
 
 /* --- what stands around the panels ------------------------------------------------------------------ */
 
+/* "cuts: notch 0 50% 50% 50%;  loads: top top 0% 100% 0 1.2e7,  bottom ...". */
+static void tell_rows(const Settings *settings, char *out, size_t size)
+{
+    char text[ROW_TEXT_MAX];
+    for (int kind = 0; kind < ROW_KINDS; kind++)
+        for (int row = 0; settings_have_rows(settings, kind) && row < settings->rows[kind].count; row++) {
+            const char *name = settings->rows[kind].rows[row].name;
+            settings_row_show(settings, kind, row, text);
+            text_append(out, size, "%s%s%s%s%s", row > 0 ? ",  " : ";  ",
+                        row > 0 ? "" : row_kinds[kind].section, row > 0 ? "" : ": ", name, *name ? " " : "");
+            text_append(out, size, "%s", text);
+        }
+}
+
 /* All parameters of the run but where its files go: group by group, "Bar: length 25, density 1;  Start: mode
  * 5". */
 static void tell_parameters(const Settings *settings, char *out, size_t size)
 {
     const char *group = "";
     size_t used = 0;
+    out[0] = '\0';
     for (int i = 0; i < n_parameters; i++) {
         const Parameter *parameter = &parameters[i];
         char value[LIST_MAX];
@@ -139,8 +154,8 @@ static void tell_parameters(const Settings *settings, char *out, size_t size)
                                      unit[0] ? " " : "", unit);
         group = parameter->group;
     }
-    if (used < size)
-        snprintf(out + used, size - used, ".  matvib " PACKAGE_VERSION);
+    tell_rows(settings, out, size);
+    text_append(out, size, ".  matvib " PACKAGE_VERSION);
 }
 
 void figure_open(Figure *figure, double width, double height)

@@ -10,7 +10,7 @@
 #include "base/output.h"
 #include "view/panes/screen.h"
 
-enum { FIGURE_PANELS_MAX = 24, FIGURE_TEXT_MAX = 2048 };
+enum { FIGURE_PANELS_MAX = 24, FIGURE_TEXT_MAX = 12288 };
 
 typedef struct FigurePanel {
     char caption[64]; /* "t 12.3": where a picture is of one moment, or there are several */

@@ -111,6 +111,17 @@ result "is refused by file, line, key and what there is" says err \
 expect "what has no colours" 2 mode5 --set view.colour=uy --view probe --output x.svg
 result "is told so" says err '^matvib: --set: view.colour: uy is not allowed (it is of beams and plates)$'
 
+# a plate tells its rows; each sign of its map is one
+set -- branching-coarse --view beam:damage --at 4e-5
+expect "a plate" 0 "$@" --output plate.svg
+result "its foot names its cut" says plate.svg 'cuts: notch 0 50% 50% 50%'
+result "its loads" says plate.svg 'loads: top top 0% 100% 0 1.2'
+result "and its probe" says plate.svg 'probe: 50% 100%'
+result "two tips, two dots" test "$(grep -c '<circle.* fill="#d55e00"' plate.svg)" -eq 2
+expect "a plate that is pressed" 0 "$@" --set loads.top.sy=-12e6 --set loads.bottom.sy=12e6 --output pressed.svg
+heads() { grep '<polygon fill="#000000"' "$1"; }
+result "arrows point where the load does" sh -c 'test "$1" != "$2"' - "$(heads plate.svg)" "$(heads pressed.svg)"
+
 # the drawing is of the start, so the long run of the fine lattice is not made
 expect "a beam with its dimensions" 0 notched-beam --view beam:drawing --output drawing.svg
 for label in "210 mm" "65 mm" probe "60 MPa on 3 mm" "to scale" "t = 0 ms"; do

@@ -177,7 +177,7 @@ void map_sketch(Map *);
 #define MAP_MILLI 1e-3
 void map_sketch_place(const Map *, double column, double row, double *x, double *y); /* of the body, in mm */
 void map_sketch_line(Map *, double from_x, double from_y, double to_x, double to_y, Style, int every);
-void map_sketch_sign(Map *, double column, double row, uint32_t glyph);
+void map_sketch_sign(Map *, double column, double row, uint32_t glyph, Style);
 
 /* The beam before it moves, with its dimensions. */
 void map_drawing(const Screen *, Area, Style heading);

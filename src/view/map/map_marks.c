@@ -169,7 +169,8 @@ static void draw_supports(Map *map, int row)
         map_node_place(map, (size_t)row * nx + i, &column, &y);
         if (map->area.canvas->sketch) {
             y += row == 0 ? map->body.spacing * map->scale_y / 2 : 0;
-            map_sketch_sign(map, column, y, pinned && i < nx / 2 ? SUPPORT_FIXED : SUPPORT_ROLLER);
+            map_sketch_sign(map, column, y, pinned && i < nx / 2 ? SUPPORT_FIXED : SUPPORT_ROLLER,
+                            STYLE_HEADING);
             continue;
         }
         if (row == 0) /* just below the lowest row of nodes */
@@ -193,7 +194,7 @@ static void draw_load(Map *map)
             continue;
         map_node_place(map, (size_t)(map->body.ny - 1) * nx + i, &column, &y);
         if (map->area.canvas->sketch) {
-            map_sketch_sign(map, column, y - map->body.spacing * map->scale_y / 2, LOAD);
+            map_sketch_sign(map, column, y - map->body.spacing * map->scale_y / 2, LOAD, STYLE_HEADING);
             continue;
         }
         last = (int)floor(column);

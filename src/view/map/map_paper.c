@@ -36,9 +36,9 @@ void map_sketch_line(Map *map, double from_x, double from_y, double to_x, double
     plot_point(plot, x1, y1);
 }
 
-void map_sketch_sign(Map *map, double column, double row, uint32_t glyph)
+void map_sketch_sign(Map *map, double column, double row, uint32_t glyph, Style style)
 {
     double x, y;
     map_sketch_place(map, column, row, &x, &y);
-    sketch_mark(sketch_of(map), x, y, glyph, STYLE_HEADING);
+    sketch_mark(sketch_of(map), x, y, glyph, style);
 }

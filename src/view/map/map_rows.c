@@ -102,10 +102,11 @@ static void sign_at(const Map *map, Place place, double away_x, double away_y, u
 {
     double column, row;
     map_body_place(map, place.x, place.y, &column, &row);
-    column += away_x;
-    row += away_y;
-    if (map->area.canvas->sketch)
-        map_sketch_sign((Map *)map, column, row, glyph);
+    const bool on_paper = map->area.canvas->sketch; /* an arrow is as long as a column is wide */
+    column += (on_paper ? 0.9 : 1) * away_x;
+    row += (on_paper ? 0.5 : 1) * away_y;
+    if (on_paper)
+        map_sketch_sign((Map *)map, column, row, glyph, style);
     else if (column >= 0 && row >= 0 && column < map->area.rect.width && row < map->area.rect.height)
         area_put(map->area, (int)column, (int)row, glyph, style);
 }
