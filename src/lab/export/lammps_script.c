@@ -25,8 +25,9 @@ static void write_body_differences(FILE *file, const LammpsBody *body)
     if (settings->lattice.volume_correction != VOLUME_PARTIAL)
         fputs("# - volumes near the horizon count in part; compare with pd.volume_correction=partial\n",
               file);
-    fputs("# - nodes that come nearer than nine tenths of their first distance push each other away\n"
-          "#   (short-range forces), though not across a cut\n"
+    fputs("# - nodes that come nearer than nine tenths of their first distance, and than 1.35 dx, push each "
+          "other\n"
+          "#   away (short-range forces), though not across a cut\n"
           "# - a bond whose length differs from its first by less than 2.2e-16 m does not pull\n"
           "# - the volume of a node is dx^3 where matvib has dx^2 and unit thickness; the micromodulus is "
           "that\n"

@@ -178,9 +178,11 @@ static bool sort_nodes(Sorting *sorting, LammpsBody *body, Status *status)
         const size_t node = sorting->number[k] - 1;
         body->type[k] = find_type(sorting, node, is_protected);
         if (body->type[k] < 0)
-            return status_fail(status, STATUS_FAILED, "%s: LAMMPS would need more than %d types of atoms",
-                               body->settings->problem->concerns & CONCERN_PLATE ? "cuts" : "notch",
-                               TYPES_MAX);
+            return sorting->n_types < TYPES_MAX
+                       ? status_fail(status, STATUS_FAILED, "not enough memory for the cuts")
+                       : status_fail(
+                             status, STATUS_FAILED, "%s: LAMMPS would need more than %d types of atoms",
+                             body->settings->problem->concerns & CONCERN_PLATE ? "cuts" : "notch", TYPES_MAX);
         join(sorting, node, body->type[k]);
     }
     return true;
