@@ -13,8 +13,6 @@
 
 typedef enum FamilyValue { BOND_ENERGY, LARGEST_STRETCH } FamilyValue;
 
-#define NO_STRETCH (-1.0) /* what no live bond has */
-
 /* The wanted nodes of one row: columns from .. end - 1, and where their values go. */
 typedef struct RowSlice {
     int from, end;
@@ -41,33 +39,16 @@ static int larger(int a, int b)
     return a > b ? a : b;
 }
 
-/* Of `count` bonds in one direction: their energies, or the stretches of those that are left. */
-static void bond_values(const Beam *beam, FamilyValue what, BondPlace first, int count, double *values)
-{
-    if (what == BOND_ENERGY) {
-        beam->kernels->energies(&beam->system, first, (size_t)count, values);
-        return;
-    }
-    const double *coefficient = beam->coefficient + lattice_slot(&beam->lattice, first);
-    beam->kernels->stretches(&beam->system, first, (size_t)count, values);
-    for (int k = 0; k < count; k++)
-        values[k] = coefficient[k] != 0 ? values[k] : NO_STRETCH;
-}
-
 /* Gives the values of `count` bonds to their ends, of which the first is in column `first`. */
-static void share(const Beam *beam, FamilyValue what, const double *restrict values, int first, int count,
+static void share(const Beam *beam, FamilyValue what, const double *values, int first, int count,
                   RowSlice slice)
 {
     int from = larger(first, slice.from), end = smaller(first + count, slice.end);
     if (from >= end)
         return;
-    double *restrict out = slice.out + (from - slice.from);
-    values += from - first;
-    if (what == BOND_ENERGY)
-        beam->kernels->accumulate(out, values, (size_t)(end - from));
-    else
-        for (int k = 0; k < end - from; k++)
-            out[k] = values[k] > out[k] ? values[k] : out[k];
+    double *out = slice.out + (from - slice.from);
+    (what == BOND_ENERGY ? beam->kernels->accumulate : beam->kernels->raise_to)(out, values + (from - first),
+                                                                                (size_t)(end - from));
 }
 
 /* The bonds from row j in direction o that end in a slice. */
@@ -88,7 +69,8 @@ static void share_direction(const Beam *beam, FamilyValue what, int j, int o, Ro
         int stop = smaller(end, (from / tile_columns + 1) * tile_columns);
         BondPlace place = {from, j, o};
         double values[LATTICE_TILE];
-        bond_values(beam, what, place, stop - from, values);
+        (what == BOND_ENERGY ? beam->kernels->energies
+                             : beam->kernels->stretches)(&beam->system, place, (size_t)(stop - from), values);
         share(beam, what, values, from, stop - from, owners);
         share(beam, what, values, from + p, stop - from, others);
         from = stop;
@@ -101,7 +83,7 @@ static void family_field(const Beam *beam, FamilyValue what, size_t first, size_
     const Lattice *lattice = &beam->lattice;
     const RowSlice none = {0, 0, NULL};
     for (size_t k = 0; k < count; k++)
-        out[k] = what == BOND_ENERGY ? 0 : NO_STRETCH;
+        out[k] = what == BOND_ENERGY ? 0 : BONDS_NO_STRETCH;
     size_t nx = (size_t)lattice->nx;
     int last = (int)((first + count - 1) / nx);
     for (int j = larger(0, (int)(first / nx) - lattice->reach); j <= last; j++) {
@@ -130,6 +112,6 @@ void beam_largest_stretches(const Beam *beam, size_t first, size_t count, double
 {
     family_field(beam, LARGEST_STRETCH, first, count, out);
     for (size_t k = 0; k < count; k++)
-        if (out[k] <= NO_STRETCH)
+        if (out[k] <= BONDS_NO_STRETCH)
             out[k] = 0;
 }

@@ -210,28 +210,43 @@ static Segment segment_at(const BondSystem *system, BondPlace first, size_t coun
     return segment_of(system, first.j, first.offset, (size_t)first.i, count, coefficient);
 }
 
-/* s of bonds of one direction that stand side by side, whole or broken. */
+/* The stretches of bonds that stand side by side, by the root, and their coefficients. */
+KERNEL_INLINE Vector stretches_at(const Segment *segment, size_t i, Vector *k)
+{
+    const double x = segment->direction->x, y = segment->direction->y, whole = segment->direction->length;
+    const Vector ex = vector_load(segment->vx + i) - vector_load(segment->ux + i),
+                 ey = vector_load(segment->vy + i) - vector_load(segment->uy + i);
+    const Vector rx = x + ex, ry = y + ey;
+    const Vector d = ex * (x + rx) + ey * (y + ry);
+    __builtin_prefetch(segment->coefficient + i + AHEAD);
+    *k = vector_load(segment->coefficient + i);
+    return d / (whole * (vector_root(rx * rx + ry * ry) + whole));
+}
+
 static void stretches(const BondSystem *system, BondPlace first, size_t count, double *restrict out)
 {
     const Segment segment = segment_at(system, first, count);
-    for (size_t i = 0; i < count; i++)
-        out[i] = bond_at(&segment, i).stretch;
+    size_t i = 0;
+    for (; i + LANES <= count; i += LANES) {
+        Vector k;
+        const Vector s = stretches_at(&segment, i, &k), none = (Vector){0} + BONDS_NO_STRETCH;
+        const VectorMask live = k != 0;
+        vector_store(out + i, (Vector)(((VectorMask)s & live) | ((VectorMask)none & ~live)));
+    }
+    for (; i < count; i++)
+        out[i] = segment.coefficient[i] != 0 ? bond_at(&segment, i).stretch : BONDS_NO_STRETCH;
 }
 
 /* c G w V s^2 |xi|/2; a broken bond has the coefficient zero. */
 static void energies(const BondSystem *system, BondPlace first, size_t count, double *restrict out)
 {
     const Segment segment = segment_at(system, first, count);
-    const double x = segment.direction->x, y = segment.direction->y, whole = segment.direction->length;
+    const double whole = segment.direction->length;
     size_t i = 0;
     for (; i + LANES <= count; i += LANES) {
-        const Vector ex = vector_load(segment.vx + i) - vector_load(segment.ux + i),
-                     ey = vector_load(segment.vy + i) - vector_load(segment.uy + i);
-        const Vector rx = x + ex, ry = y + ey;
-        const Vector d = ex * (x + rx) + ey * (y + ry);
-        const Vector s = d / (whole * (vector_root(rx * rx + ry * ry) + whole));
-        __builtin_prefetch(segment.coefficient + i + AHEAD);
-        vector_store(out + i, vector_load(segment.coefficient + i) * s * s * whole * 0.5);
+        Vector k;
+        const Vector s = stretches_at(&segment, i, &k);
+        vector_store(out + i, k * s * s * whole * 0.5);
     }
     for (; i < count; i++) {
         const Bond bond = bond_at(&segment, i);
@@ -246,6 +261,18 @@ static void accumulate(double *restrict y, const double *restrict x, size_t coun
         vector_store(y + i, vector_load(y + i) + vector_load(x + i));
     for (; i < count; i++)
         y[i] += x[i];
+}
+
+static void raise_to(double *restrict y, const double *restrict x, size_t count)
+{
+    size_t i = 0;
+    for (; i + LANES <= count; i += LANES) {
+        const Vector a = vector_load(x + i), b = vector_load(y + i);
+        const VectorMask more = a > b;
+        vector_store(y + i, (Vector)(((VectorMask)a & more) | ((VectorMask)b & ~more)));
+    }
+    for (; i < count; i++)
+        y[i] = x[i] > y[i] ? x[i] : y[i];
 }
 
 /* y += factor x; count is a multiple of a block, padding included. */
@@ -271,4 +298,5 @@ static double dot(const double *x, const double *y, size_t count)
 }
 
 extern const BondKernels KERNELS;
-const BondKernels KERNELS = {LEVEL, forces, energy_of_row, stretches, energies, accumulate, add, dot};
+const BondKernels KERNELS = {LEVEL,      forces,   energy_of_row, stretches, energies,
+                             accumulate, raise_to, add,           dot};

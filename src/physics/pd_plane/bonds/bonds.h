@@ -59,6 +59,8 @@ enum {
     BONDS_SCRATCH = 2 * (2 * LATTICE_REACH_MAX + 1) * BONDS_SPAN
 };
 
+#define BONDS_NO_STRETCH (-1.0) /* what no live bond has */
+
 typedef struct BondKernels {
     CpuLevel level;
 
@@ -71,14 +73,15 @@ typedef struct BondKernels {
     double (*energy)(const BondSystem *system, int j);
 
     /* The stretches of `count` bonds of one direction, by the root: of `first` and of the owners in the
-     * columns that follow it. */
+     * columns that follow it. Of a broken one BONDS_NO_STRETCH. */
     void (*stretches)(const BondSystem *system, BondPlace first, size_t count, double *out);
 
     /* Likewise c G w V s^2 |xi|/2, zero where a bond is broken; times V and the thickness it is in J. */
     void (*energies)(const BondSystem *system, BondPlace first, size_t count, double *out);
 
-    /* y += x, any number of them. */
+    /* y += x, and y = max(x, y), any number of them. */
     void (*accumulate)(double *y, const double *x, size_t count);
+    void (*raise_to)(double *y, const double *x, size_t count);
 
     /* y += factor x, and x.y, over whole blocks. */
     void (*add)(double *y, const double *x, double factor, size_t count);
