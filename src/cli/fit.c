@@ -2,6 +2,7 @@
 /* `matvib fit SCENARIO --data FILE --vary KEY,...`: the parameters with which a run agrees best with a
  * measured series, how well they are known, and a picture of both. */
 #include "cli/cli.h"
+#include "cli/distinct.h"
 #include "cli/describe.h"
 #include "cli/options.h"
 #include "cli/progress.h"
@@ -163,10 +164,12 @@ static Crate crate_of(const Options *options)
 static bool may_write(const Options *options, Status *status)
 {
     const Crate crate = crate_of(options);
+    const char *const outputs[] = {options->output, options->figure};
     return describe_may_begin(options, &crate, status) &&
            (!options->output || output_may_begin(options->output, options->force, status)) &&
            (!options->figure || (figure_allowed(options->figure, status) &&
-                                 output_may_begin(options->figure, options->force, status)));
+                                 output_may_begin(options->figure, options->force, status))) &&
+           distinct_files(outputs, 2, &options->data, options->data ? 1 : 0, status);
 }
 
 /* The run goes as far as the data do. */
@@ -207,18 +210,18 @@ int cli_fit(int count, char **arguments, Status *status)
     progress_begin(&progress, options.quiet);
     bool sound = (keys || status_fail(status, STATUS_FAILED, "out of memory")) &&
                  take_keys(keys, &task, status) &&
-                 solve(&options, &settings, &data, &task, &result, &progress, status) &&
-                 (!options.output || write_table(&options, &task, &result, status)) &&
-                 describe(&options, &crate, &result.settings, status) &&
-                 (!options.figure || draw(&options, &data, &result, &progress, status));
+                 solve(&options, &settings, &data, &task, &result, &progress, status);
+    const bool found = sound; /* what took long is told, whatever becomes of the files */
+    sound = sound && (!options.output || write_table(&options, &task, &result, status)) &&
+            describe(&options, &crate, &result.settings, status) &&
+            (!options.figure || draw(&options, &data, &result, &progress, status));
     progress_end(&progress);
-    if (sound) {
+    if (found)
         print_result(&task, &result);
-        if (options.output)
-            printf("wrote %s\n", options.output);
-        if (options.figure)
-            printf("wrote %s\n", options.figure);
-    }
+    if (sound && options.output)
+        printf("wrote %s\n", options.output);
+    if (sound && options.figure)
+        printf("wrote %s\n", options.figure);
     fit_free(&result);
     close_data(&data);
     free(keys);

@@ -2,11 +2,13 @@
 /* `matvib grade LESSON SESSION...`: sessions of homework are done again and marked, a row for each exercise.
  */
 #include "cli/cli.h"
+#include "cli/distinct.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 
 #include "base/output.h"
 #include "base/text.h"
+#include "base/visible.h"
 #include "figure/leaflet.h"
 #include "lab/export/csv.h"
 #include "tui/control/session/grading.h"
@@ -18,6 +20,8 @@
 
 #define SECONDS      300.0 /* that a session may take to be done again */
 #define SECONDS_MOST 1e6
+
+enum { NAME_SHOWN_MAX = 1024 };
 
 /* What goes through all sessions. */
 typedef struct Marking {
@@ -125,10 +129,12 @@ static bool mark_all(Marking *marking, const Options *options, Status *status)
         sound = grading_session(&marking->task, options->words[i], grades, status);
         if (!sound)
             break;
+        char file[NAME_SHOWN_MAX]; /* the table goes to a terminal too */
+        visible_text(file, sizeof file, options->words[i]);
         marking->refused += *grades->remark != '\0';
-        write_rows(marking, options->words[i], grades);
+        write_rows(marking, file, grades);
         if (marking->sheets)
-            write_sheet(marking, options->words[i], grades);
+            write_sheet(marking, file, grades);
     }
     free(grades);
     return sound;
@@ -159,15 +165,22 @@ static bool write_all(Marking *marking, const Options *options, Status *status)
     return sound;
 }
 
+static bool may_write(const Options *options, Status *status)
+{
+    const char *const outputs[] = {options->output ? options->output : "-", options->sheet};
+    const char *const *sessions = (const char *const *)options->words + 1;
+    return (!options->output || output_may_begin(options->output, options->force, status)) &&
+           (!options->sheet || leaflet_allowed(options->sheet, options->force, status)) &&
+           distinct_files(outputs, 2, sessions, options->n_words - 1, status);
+}
+
 int cli_grade(int count, char **arguments, Status *status)
 {
     Options options;
     Marking marking = {.refused = 0};
     if (!options_parse("grade", count, arguments, &options, status) ||
         !options_words(&options, 2, WORDS_MAX, "LESSON SESSION...", status) ||
-        !read_limit(options.limit, &marking.task.seconds, status) ||
-        (options.output && !output_may_begin(options.output, options.force, status)) ||
-        (options.sheet && !leaflet_allowed(options.sheet, options.force, status)) ||
+        !read_limit(options.limit, &marking.task.seconds, status) || !may_write(&options, status) ||
         !lesson_load(options.words[0], command_line_for_lessons, &marking.lesson, status))
         return (int)status->code;
     marking.dialect = options.outputs.dialect;

@@ -31,6 +31,9 @@ result "names its table" sh -c 'grep -q "\"hasPart\": .{\"@id\": \"described.csv
 result "is JSON" sh -c 'command -v python3 >/dev/null || exit 0; python3 -m json.tool ro-crate-metadata.json'
 refuse "once more" "ro-crate-metadata.json: exists (--force replaces it)" mode5 --data d.csv --vary bar.density --output z.csv --crate
 
+refuse "table and picture in one file" "./t.svg: two outputs cannot be the same file" mode5 --data d.csv --vary bar.density --output t.svg --figure ./t.svg
+refuse "over its data" "d.csv: it is read, so it cannot be written too" mode5 --data d.csv --vary bar.density --output d.csv --force
+refuse "a table where the metadata are to stand" "ro-crate-metadata.json: is the name of the metadata that --crate writes" mode5 --data d.csv --vary bar.density --output ro-crate-metadata.json --crate --force
 refuse "no data" "fit: --data FILE is missing" mode5 --vary bar.density
 refuse "no parameters" "fit: --vary KEY,... is missing" mode5 --data d.csv
 refuse "a parameter that it has not" "beam.length: this run has no such parameter" mode5 --data d.csv --vary beam.length

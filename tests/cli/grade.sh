@@ -343,6 +343,38 @@ for lesson in late energy crack; do
 	result "homework-$lesson: every number and goal is right" test "$(grep -c ',1,1,[0-9]*,[^,]*,$' $lesson.csv)" -ge "$wanted"
 done
 
+# --- names of files ---
+cp cut.session "$(printf 'x\033[31mred\nline')"
+expect "a name that acts" 1 own.lesson "$(printf 'x\033[31mred\nline')"
+result "is written out" says out 'x\\x1b\[31mred\\x0aline'
+result "and breaks no line" lines out 2
+refuse "table and pages in one file" "./m.pdf: two outputs cannot be the same file" own.lesson right.session --output m.pdf --sheet ./m.pdf
+refuse "over a session" "right.session: it is read, so it cannot be written too" own.lesson right.session --output right.session --force
+
+# --- goals ---
+cat >goal.lesson <<'END'
+@title A goal
+@about For the test
+@page Better
+@do open mode5
+@do set time.end 20
+@field mesh.cell_size
+@goal abs(error) < 2 %
+@solve set mesh.cell_size 0.5
+Below 2 %.
+END
+cat >play.script <<'END'
+wait 1
+key :
+type initial.mode=1
+key Enter
+key Space
+wait 15
+reject Done.
+expect Not yet: initial.mode was changed
+END
+result "another run meets no goal" "$MATVIB" lesson goal.lesson --name "Lise" --script play.script
+
 # --- refusals ---
 refuse "no lesson" "LESSON SESSION... is missing (see: matvib --help)"
 refuse "no session" "LESSON SESSION... is missing (see: matvib --help)" own.lesson

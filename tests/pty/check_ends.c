@@ -294,7 +294,7 @@ START_TEST(a_study_shows_how_far_it_is_and_can_be_stopped)
     session_open(&session, 80, 24, NULL, (const char *const[]){matvib(), "supported-beam", "--paused", NULL});
     session_idle(&session);
     session_send(&session, ":show convergence\r");
-    session_wait_for(&session, "   Esc stops");
+    session_wait_for(&session, "   ^C stops");
     if (!keys[_i]) {
         ends_by_signal(&session, SIGHUP);
     } else {

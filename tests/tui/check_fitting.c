@@ -5,6 +5,8 @@
 #include "tui/tui_case.h"
 
 #include "lab/settings/parameters.h"
+#include "tui/control/session/replay.h"
+#include "tui/control/session/session.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -118,11 +120,51 @@ START_TEST(what_cannot_be_fitted_is_refused)
 }
 END_TEST
 
+/* What was given up is given up when the session is done again, however fast that goes. */
+START_TEST(a_fit_that_was_stopped_is_stopped_again)
+{
+    char folder[64];
+    Status status = {STATUS_DONE, ""};
+    enter_folder(folder);
+    write_data("data.csv");
+    Bench *bench = open_bench("mode1", true);
+    const LaboratoryOptions options = {.settings = &bench->settings, .scenario = "mode1", .paused = true};
+    Session *session = session_begin(&options, &status);
+    ck_assert_ptr_nonnull(session);
+    session_record(session, "s.session", false);
+    bench->lab.recording = session;
+    session_note_start(session, &bench->lab);
+    enter(bench, "overlay data.csv");
+    bench->gives_up = true;
+    enter(bench, "fit bar.youngs_modulus");
+    ck_assert_double_eq(modulus(bench), 100);
+    bench->gives_up = false;
+    press(bench, "]");
+    session_note_end(session, &bench->lab);
+    ck_assert_msg(session_finish(session, &status), "%s", status.text);
+    session_free(session);
+    close_bench(bench);
+
+    Session *read = session_read("s.session", &status);
+    ck_assert_msg(read != NULL, "%s", status.text);
+    bench = open_bench("mode1", true);
+    Replay replay = {.session = read};
+    while (replay_next(&replay))
+        replay_go_on(&replay, &bench->lab, bench->time + FRAME_SECONDS);
+    ck_assert_double_eq(modulus(bench), 100);
+    ck_assert_int_eq(experiment_stage(bench->lab.screen.experiment), 1);
+    close_bench(bench);
+    session_free(read);
+    leave_folder(folder);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("fitting");
     tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, the_modulus_is_found);
+    tcase_add_test(tcase, a_fit_that_was_stopped_is_stopped_again);
     tcase_add_test(tcase, two_at_once_tell_how_they_hang_together);
     tcase_add_test(tcase, who_gives_up_keeps_the_run);
     tcase_add_test(tcase, what_cannot_be_fitted_is_refused);

@@ -4,12 +4,15 @@
 #include "suite.h"
 #include "tui/tui_case.h"
 
+#include "base/signals.h"
 #include "lab/settings/scenario.h"
+#include "tui/control/session/session.h"
 #include "tui/plain/plain.h"
 #include "view/draw/sketch.h"
 #include "view/views/view.h"
 
 #include <math.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -65,6 +68,21 @@ static void is_plain(const char *text)
     }
 }
 
+/* What a line brings holds a text, blanks and line ends apart. */
+static void says(Talk *talk, const char *text, const char *wanted)
+{
+    const char *said = line(talk, text);
+    char joined[1 << 16];
+    size_t length = 0;
+    for (const char *at = said; *at && length + 1 < sizeof joined; at++) {
+        const char c = *at == '\n' ? ' ' : *at;
+        if (c != ' ' || (length > 0 && joined[length - 1] != ' '))
+            joined[length++] = c;
+    }
+    joined[length] = '\0';
+    ck_assert_msg(strstr(joined, wanted), "%s: not '%s' in: %.900s", text, wanted, joined);
+}
+
 START_TEST(every_command_is_reached)
 {
     for (int i = 0; i < n_commands; i++) {
@@ -73,7 +91,6 @@ START_TEST(every_command_is_reached)
         const char *said = line(talk, commands[i].name);
         ck_assert_msg(command_set_has(&talk->plain.lab.screen.used, commands[i].id), "%s: %s",
                       commands[i].name, said);
-        ck_assert_msg(*said, "%s says nothing", commands[i].name);
         is_plain(talk->text);
         close_talk(talk);
     }
@@ -188,7 +205,17 @@ END_TEST
 START_TEST(strange_lines_do_no_harm)
 {
     enum { LINES = 300, MOST = 700 };
+    char folder[64];
+    enter_folder(folder);
     Talk *talk = open_talk("mode1");
+    Status status = {STATUS_DONE, ""};
+    Session *session = session_begin(&talk->plain.lab.options, &status);
+    ck_assert_ptr_nonnull(session);
+    session_record(session, "kept.session", false);
+    talk->plain.lab.recording = session;
+    session_note_start(session, &talk->plain.lab);
+    ck_assert_ptr_nonnull(strstr(line(talk, "fo\xf6"), "no text in UTF-8"));
+    ck_assert_ptr_nonnull(strstr(line(talk, "tell\twhere"), "step 0"));
     unsigned seed = 1;
     for (int i = 0; i < LINES && !talk->plain.lab.closed; i++) {
         char text[MOST + 1];
@@ -201,24 +228,72 @@ START_TEST(strange_lines_do_no_harm)
         line(talk, text);
     }
     is_plain(talk->text);
+    session_note_end(session, &talk->plain.lab);
+    ck_assert_msg(session_finish(session, &status), "%s", status.text);
+    session_free(session);
+    Session *again = session_read("kept.session", &status);
+    ck_assert_msg(again != NULL, "%s", status.text);
+    session_free(again);
+    close_talk(talk);
+    leave_folder(folder);
+}
+END_TEST
+
+/* Each row of the parameter pane says what it is, and a field that is open what it waits for. */
+START_TEST(rows_of_a_plate_are_told)
+{
+    Talk *talk = open_talk("two-cracks");
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    const Screen *screen = &talk->plain.lab.screen;
+    line(talk, "pd.spacing=2e-3");
+    line(talk, "pd.horizon=8e-3");
+    for (int i = 0, count = screen_parameter_rows(screen, rows); i < count; i++) {
+        const int before = screen->parameters.selected;
+        const char *said = line(talk, "Down");
+        ck_assert_msg(screen->parameters.selected == before || !strstr(said, "Done."), "%d: %s", i, said);
+    }
+    line(talk, "/");
+    line(talk, "cuts");
+    says(talk, "Enter", "The next line is its value; Esc leaves it.");
+    says(talk, "nonsense", "Refused: a cut is NAME = X0 Y0 X1 Y1");
+    says(talk, "nonsense", "The next line is its value; Esc leaves it.");
+    says(talk, "left = 0 26e-3 50e-3 26e-3", "Row cut left (X0 Y0 X1 Y1): 0 0.026 0.05 0.026;");
+    says(talk, "cut right 50e-3 34e-3 0.1 34e-3", "cut right: x0 0.05 x1 0.1, before: x0 0.048 x1 100%.");
+    says(talk, "p", "first end: arrows");
+    says(talk, "show shapes", "A row is being moved:");
+    says(talk, "tell", "A row is being moved:");
+    line(talk, "Esc");
+    says(talk, "tell shapes", "View shapes");
     close_talk(talk);
 }
 END_TEST
 
-/* What a line brings holds a text, blanks and line ends apart. */
-static void says(Talk *talk, const char *text, const char *wanted)
+/* ^C of somebody who sits there stops the work, not the program; a file's lines end with it. */
+START_TEST(an_interrupt_means_the_work)
 {
-    const char *said = line(talk, text);
-    char joined[1 << 16];
-    size_t length = 0;
-    for (const char *at = said; *at && length + 1 < sizeof joined; at++) {
-        const char c = *at == '\n' ? ' ' : *at;
-        if (c != ' ' || (length > 0 && joined[length - 1] != ' '))
-            joined[length++] = c;
-    }
-    joined[length] = '\0';
-    ck_assert_msg(strstr(joined, wanted), "%s: not '%s' in: %.900s", text, wanted, joined);
+    char folder[64];
+    enter_folder(folder);
+    Talk *talk = open_talk("mode1");
+    signal(SIGINT, SIG_DFL); /* the test's own handler ends it */
+    signals_catch();
+    line(talk, "until t 1");
+    line(talk, "x");
+    line(talk, "");
+    line(talk, "overlay mode1-series.csv");
+    talk->plain.talks = true;
+    raise(SIGINT);
+    says(talk, "fit bar.density", "interrupted");
+    ck_assert_int_eq(signals_ended_by(), 0);
+    talk->plain.talks = false;
+    raise(SIGINT);
+    line(talk, "until end");
+    ck_assert_int_eq(signals_ended_by(), SIGINT);
+    ck_assert(!experiment_at_end(talk->plain.lab.screen.experiment));
+    signals_release();
+    close_talk(talk);
+    leave_folder(folder);
 }
+END_TEST
 
 /* Bars and strokes that are no frame are the physics and the syntax. */
 START_TEST(equations_and_alternatives_keep_their_bars)
@@ -406,6 +481,8 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, cracks_have_the_names_of_their_cuts);
     tcase_add_test(tcase, the_help_of_a_plate_is_of_plates);
     tcase_add_test(tcase, strange_lines_do_no_harm);
+    tcase_add_test(tcase, rows_of_a_plate_are_told);
+    tcase_add_test(tcase, an_interrupt_means_the_work);
     tcase_add_test(tcase, sentences_tell_what_a_curve_does);
     tcase_add_test(tcase, units_go_with_their_numbers);
     tcase_add_loop_test(tcase, a_map_tells_what_stands_out, 0, 5);

@@ -62,6 +62,10 @@ bool crate_may_begin(const Crate *crate, Status *status)
             return status_fail(status, STATUS_USAGE, "--crate: %.200s lies in another folder than %.200s",
                                file, first);
     }
+    for (int i = 0; i < CRATE_TABLES_MAX; i++)
+        if (crate->tables[i].file && strcmp(base_name(crate->tables[i].file), file_name) == 0)
+            return status_fail(status, STATUS_USAGE, "%s: is the name of the metadata that --crate writes",
+                               crate->tables[i].file);
     char *name = metadata_name(first);
     const bool may = name ? output_may_begin(name, crate->force, status)
                           : status_fail(status, STATUS_FAILED, "out of memory");

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What one set of settings is as against another. */
-#include "lab/settings/parameters.h"
+#include "lab/settings/compare.h"
 
 #include "base/text.h"
 #include "lab/problems/problem.h"
 #include "lab/settings/changes.h"
+#include "lab/settings/parameters.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -39,6 +40,26 @@ bool settings_same(const Settings *a, const Settings *b)
         if (differ_in(a, b, &parameters[i]))
             return false;
     return a->problem == b->problem && settings_rows_same(a, b) && changes_same(a, b);
+}
+
+bool settings_differ_beyond(const Settings *a, const Settings *b, const char (*allowed)[KEY_MAX],
+                            int n_allowed, char key[KEY_MAX])
+{
+    bool rows_may = false;
+    if (a->problem != b->problem)
+        return snprintf(key, KEY_MAX, "scenario.problem") > 0;
+    for (int i = 0; i < n_parameters; i++) {
+        bool may = !differ_in(a, b, &parameters[i]);
+        for (int k = 0; k < n_allowed && !may; k++)
+            may = strcmp(allowed[k], parameters[i].key) == 0;
+        if (!may)
+            return snprintf(key, KEY_MAX, "%s", parameters[i].key) > 0;
+    }
+    char about[64], in_a[ROW_TEXT_MAX], in_b[ROW_TEXT_MAX];
+    for (int k = 0; k < n_allowed; k++)
+        rows_may = rows_may || settings_row_is_key(a, allowed[k]);
+    return !rows_may && settings_rows_difference(a, b, 0, about, in_a, in_b) &&
+           snprintf(key, KEY_MAX, "%s", about) > 0;
 }
 
 /* Those whose values are known by themselves. */

@@ -38,7 +38,8 @@ bool edit_answer_filter(Laboratory *lab, const char *text)
     snprintf(lab->screen.parameters.filter, sizeof lab->screen.parameters.filter, "%.31s", text);
     int count = screen_parameter_rows(&lab->screen, rows);
     lab->screen.parameters.selected = 0;
-    while (lab->screen.parameters.selected < count && !rows[lab->screen.parameters.selected].parameter)
+    while (lab->screen.parameters.selected < count && !rows[lab->screen.parameters.selected].parameter &&
+           !rows[lab->screen.parameters.selected].is_row)
         lab->screen.parameters.selected++;
     if (lab->screen.parameters.selected < count)
         return true;

@@ -37,10 +37,10 @@ static bool wait_for_fit(double share, void *context)
     Waiting *waiting = context;
     Laboratory *lab = waiting->lab;
     (void)share; /* of one run; how many it takes nobody knows */
-    laboratory_say(lab, MESSAGE_INFO, "fitting %d parameter%s to %zu data, %ld blocks of steps   Esc stops",
+    laboratory_say(lab, MESSAGE_INFO, "fitting %d parameter%s to %zu data, %ld blocks of steps   ^C stops",
                    waiting->task->n_keys, waiting->task->n_keys == 1 ? "" : "s", waiting->task->count,
                    ++waiting->asked);
-    return lab->host.go_on(lab->host.context);
+    return laboratory_go_on(lab);
 }
 
 /* "bar.density 1.02 +- 0.01, ...; residuals 3e-3, before 2e-2; correlation 0.4" */

@@ -58,6 +58,7 @@ struct Laboratory {
     Session *recording; /* notes every key; NULL: none */
     bool utf8;          /* glyphs beyond ASCII can be shown */
     bool closed;        /* the user has left */
+    bool given_up;      /* work of this key or frame is: ^C, or a session that is done again says so */
 
     Player player;
     Prompting prompting;
@@ -99,6 +100,10 @@ bool laboratory_active(const Laboratory *);
  * is nothing new to be drawn, for a step that takes longer than the frame goes on; to draw now would throw
  * away what has been done of it. */
 bool laboratory_frame(Laboratory *, double deadline);
+
+/* Of work that cannot be cut into frames: asks the host, and notes in the session that is recorded if it is
+ * to be given up. */
+bool laboratory_go_on(Laboratory *);
 
 /* Draws on a canvas of this size. */
 bool laboratory_draw(Laboratory *, Canvas *, int width, int height);

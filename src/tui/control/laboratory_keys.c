@@ -2,6 +2,8 @@
 /* Where a key goes: to the question that is open, the field under edit, the help, or the table of commands.
  */
 #include "tui/control/laboratory.h"
+
+#include "base/visible.h"
 #include "tui/control/row_edit.h"
 #include "tui/control/session/session.h"
 
@@ -258,7 +260,10 @@ static void take_key(Laboratory *lab, const Key *key)
 
 void laboratory_key(Laboratory *lab, const Key *key)
 {
+    if (!visible_is_clean(key->name))
+        return; /* no text, and no session could keep it */
     lesson_entry_note(lab, key);
     take_key(lab, key);
     lesson_play_continue(lab);
+    lab->given_up = false;
 }

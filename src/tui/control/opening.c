@@ -102,12 +102,12 @@ static bool show_building(double share, void *context)
     double now = lab->host.now(lab->host.context);
     if (share <= 0)
         lab->built_at = now;
-    if (now < lab->built_at + BUILDING_SECONDS)
+    if (!lab->given_up && now < lab->built_at + BUILDING_SECONDS)
         return true;
     /* before there is a screen the terminal hands on ^C alone */
     laboratory_say(lab, MESSAGE_INFO, "building the run: %d %%   %s gives up", (int)(100 * share),
                    lab->screen.experiment ? "Esc" : "^C");
-    return lab->host.go_on(lab->host.context);
+    return laboratory_go_on(lab);
 }
 
 void opening_show_progress(Laboratory *lab, Settings *settings)

@@ -46,9 +46,9 @@ static bool wait_for_point(double share, void *context)
         return false;
     if (host->now(host->context) < waiting->begun + patient_seconds)
         return true;
-    laboratory_say(lab, MESSAGE_INFO, "%s: point %d of %d, %d %%   Esc stops", waiting->study->title,
+    laboratory_say(lab, MESSAGE_INFO, "%s: point %d of %d, %d %%   ^C stops", waiting->study->title,
                    waiting->point, waiting->count, (int)(100 * share));
-    waiting->stopped = !host->go_on(host->context);
+    waiting->stopped = !laboratory_go_on(lab);
     return !waiting->stopped;
 }
 

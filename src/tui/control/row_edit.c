@@ -80,6 +80,34 @@ bool row_edit_line(Laboratory *lab, int kind, const char *words, Status *status)
     return sound && apply(lab, &settings, status);
 }
 
+/* What was shown is rounded: a word that was left as it stood there means the value that it stands for. */
+static void keep_digits(const Settings *settings, int kind, int row, const char *typed,
+                        char out[ROW_TEXT_MAX])
+{
+    char shown[ROW_TEXT_MAX], exact[ROW_TEXT_MAX], words[ROW_TEXT_MAX];
+    char *show, *get, *type;
+    settings_row_show(settings, kind, row, shown);
+    settings_row_get(settings, kind, row, exact);
+    snprintf(words, sizeof words, "%s", typed);
+    const char *was = strtok_r(shown, " ", &show), *is = strtok_r(exact, " ", &get);
+    out[0] = '\0';
+    for (char *word = strtok_r(words, " ", &type); word; word = strtok_r(NULL, " ", &type)) {
+        text_append(out, ROW_TEXT_MAX, "%s%s", out[0] ? " " : "",
+                    was && is && strcmp(word, was) == 0 ? is : word);
+        was = was ? strtok_r(NULL, " ", &show) : NULL;
+        is = is ? strtok_r(NULL, " ", &get) : NULL;
+    }
+}
+
+/* The last row of a kind comes to a place further up. */
+static void put_in_place(Settings *settings, int kind, int row)
+{
+    RowList *list = &settings->rows[kind];
+    const Row moved = list->rows[list->count - 1];
+    memmove(&list->rows[row + 1], &list->rows[row], (size_t)(list->count - 1 - row) * sizeof moved);
+    list->rows[row] = moved;
+}
+
 /* Under another name it is another row in the place of the old one. */
 static bool accept(Laboratory *lab, Status *status)
 {
@@ -92,17 +120,19 @@ static bool accept(Laboratory *lab, Status *status)
     if (!part(kind, text, name, &values))
         return status_fail(status, STATUS_USAGE, "a %s is NAME = %s", row_kinds[kind].one,
                            row_kinds[kind].form);
-    char old[ROW_NAME_MAX], before[ROW_TEXT_MAX];
+    char old[ROW_NAME_MAX], meant[ROW_TEXT_MAX];
     snprintf(old, sizeof old, "%s", settings.rows[kind].rows[row].name);
-    settings_row_show(&settings, kind, row, before);
-    if (strcmp(old, name) == 0 && strcmp(before, values) == 0)
-        return true; /* what was shown is rounded: untouched it stays as it is */
-    if (strcmp(old, name) != 0 && settings_row_find(&settings, kind, name) >= 0)
+    keep_digits(&settings, kind, row, values, meant);
+    const bool renamed = strcmp(old, name) != 0;
+    if (renamed && settings_row_find(&settings, kind, name) >= 0)
         return status_fail(status, STATUS_USAGE, "%s.%s: there is one of that name already",
                            row_kinds[kind].section, name);
-    if (strcmp(old, name) != 0 && !settings_row_remove(&settings, kind, old, status))
+    if ((renamed && !settings_row_remove(&settings, kind, old, status)) ||
+        !settings_row_set(&settings, kind, name, meant, status))
         return false;
-    if (!settings_row_set(&settings, kind, name, values, status) || !apply(lab, &settings, status))
+    if (renamed)
+        put_in_place(&settings, kind, row);
+    if (!apply(lab, &settings, status))
         return false;
     select_row(&lab->screen, kind,
                settings_row_find(experiment_settings(lab->screen.experiment), kind, name));
@@ -161,12 +191,17 @@ static double extent(const Settings *settings, int axis)
     return axis == 0 ? settings->geometry.length : settings->geometry.height;
 }
 
-static void put_value(Settings *settings, int kind, int row, int column, double value)
+/* A place of an end, m; what was a share of the plate stays one. */
+static void put_place(Settings *settings, const RowsShown *shown, int column, int axis, double place)
 {
+    const Row *row = &settings->rows[shown->kind].rows[shown->row];
     char key[KEY_MAX], text[32];
-    const char *name = settings->rows[kind].rows[row].name, *word = row_kinds[kind].columns[column].word;
-    snprintf(key, sizeof key, "%s%s%s.%s", row_kinds[kind].section, *name ? "." : "", name, word);
-    snprintf(text, sizeof text, "%.15g", value);
+    snprintf(key, sizeof key, "%s%s%s.%s", row_kinds[shown->kind].section, *row->name ? "." : "", row->name,
+             row_kinds[shown->kind].columns[column].word);
+    if (row->shares >> column & 1)
+        snprintf(text, sizeof text, "%.13g%%", 100 * place / extent(settings, axis));
+    else
+        snprintf(text, sizeof text, "%.15g", place);
     settings_row_key_set(settings, key, text, NULL);
 }
 
@@ -185,11 +220,19 @@ static void shift(Laboratory *lab, const double by[2])
             const double at = settings_row_value(draft, shown->kind, shown->row, columns[end][axis]);
             way = fmin(fmax(way, -at), extent(draft, axis) - at);
         }
-        for (int end = 0; end < 2; end++)
+        for (int end = 0; end < 2 && way != 0; end++)
             if (columns[end][axis] >= 0 && (shown->end == end || shown->end == ROW_BOTH_ENDS))
-                put_value(draft, shown->kind, shown->row, columns[end][axis],
+                put_place(draft, shown, columns[end][axis], axis,
                           settings_row_value(draft, shown->kind, shown->row, columns[end][axis]) + way);
     }
+}
+
+/* What is one place, as the probe, has no other end. */
+static bool has_ends(const Settings *settings, const RowsShown *shown)
+{
+    int columns[2];
+    columns_of_end(settings, shown->kind, shown->row, 1, columns);
+    return columns[0] >= 0 || columns[1] >= 0;
 }
 
 static void say_place(Laboratory *lab)
@@ -198,8 +241,11 @@ static void say_place(Laboratory *lab)
     const RowsShown *shown = &lab->screen.parameters.rows;
     char values[ROW_TEXT_MAX];
     settings_row_show(lab->editing.draft, shown->kind, shown->row, values);
-    laboratory_say(lab, MESSAGE_INFO, "%s   %s: arrows   Tab the other   Enter take   Esc drop", values,
-                   ends[shown->end]);
+    if (has_ends(lab->editing.draft, shown))
+        laboratory_say(lab, MESSAGE_INFO, "%s   %s: arrows   Tab the other   Enter take   Esc drop", values,
+                       ends[shown->end]);
+    else
+        laboratory_say(lab, MESSAGE_INFO, "%s   arrows move it   Enter take   Esc drop", values);
 }
 
 static void show_map(Laboratory *lab)
@@ -265,7 +311,8 @@ bool row_edit_key(Laboratory *lab, const char *key)
     } else if (strcmp(key, "Esc") == 0 || strcmp(key, "F10") == 0 || strcmp(key, "q") == 0) {
         end_placing(lab);
     } else if (strcmp(key, "Tab") == 0) {
-        shown->end = (shown->end + 1) % ROW_ENDS;
+        if (has_ends(lab->editing.draft, shown))
+            shown->end = (shown->end + 1) % ROW_ENDS;
         say_place(lab);
     } else
         say_place(lab);
@@ -305,8 +352,9 @@ static bool have_rows(Laboratory *lab)
 /* A row that is there; false: none is chosen, and that is said. */
 static bool chosen(Laboratory *lab, int *kind, int *row)
 {
-    const bool any = row_edit_selected(&lab->screen, kind, row) && *row != ROW_NEW;
-    if (!any)
+    const bool any = lab->screen.panes.focus == PANE_PARAMETERS && !lab->screen.lesson.open &&
+                     row_edit_selected(&lab->screen, kind, row) && *row != ROW_NEW;
+    if (!any) /* where it is not marked nobody sees which one it is */
         laboratory_say(lab, MESSAGE_INFO, "choose a cut, load, support ... among the parameters first");
     return any;
 }

@@ -4,6 +4,7 @@
 
 #include "base/input.h"
 #include "base/signals.h"
+#include "base/visible.h"
 #include "tui/control/session/session.h"
 
 #include <signal.h>
@@ -15,7 +16,7 @@
 #define PROGRESS_SECONDS 5.0 /* of the wall, between two words about work that takes long */
 
 /* Everything has room on such a screen. */
-enum { WIDTH = 132, HEIGHT = 43, LINE_BYTES_MAX = 4096 };
+enum { WIDTH = 132, HEIGHT = 43, PLAIN_LINE_MAX = 4096 };
 
 static double now(void *context)
 {
@@ -126,7 +127,7 @@ static bool is_due(const Plain *plain, TellPart part, bool still, bool moved_far
 
 static bool has_line(const char *text, const char *line, size_t length)
 {
-    for (const char *at = text; at && *at; at = strchr(at, '\n') + 1)
+    for (const char *at = text; at && *at; at = strchr(at, '\n') + 1) /* each line has an end: words.c */
         if (strncmp(at, line, length) == 0)
             return true;
     return false;
@@ -190,6 +191,13 @@ static void tell_edits(Plain *plain)
                       *is ? is : "-", *was ? was : "-");
         put_words(plain, &words);
     }
+    char about[64], was[ROW_TEXT_MAX], is[ROW_TEXT_MAX];
+    const bool both = experiment == plain->of && settings->problem == plain->settings.problem;
+    for (int i = 0; both && settings_rows_difference(settings, &plain->settings, i, about, is, was); i++) {
+        Words words = {.text = NULL};
+        words_say(&words, 2, "%s: %s, before: %s.", about, is, was);
+        put_words(plain, &words);
+    }
     plain->of = experiment;
     plain->settings = *settings;
 }
@@ -216,21 +224,41 @@ static void press(Plain *plain, const char *name)
     Key key = {.x = -1, .y = -1};
     if (plain->lab.closed)
         return;
-    snprintf(key.name, sizeof key.name, "%s", name);
+    snprintf(key.name, sizeof key.name, "%.15s", name);
     laboratory_key(&plain->lab, &key);
+}
+
+/* Presses the first character of a text, and returns what is behind it. */
+static const char *press_character(Plain *plain, const char *text)
+{
+    char name[8];
+    size_t length = 1;
+    while (((unsigned char)text[length] & 0xc0) == 0x80 && length < 4)
+        length++;
+    snprintf(name, sizeof name, "%.*s", (int)length, text);
+    press(plain, strcmp(name, " ") == 0 ? "Space" : name);
+    return text + length;
 }
 
 static void type(Plain *plain, const char *text)
 {
-    while (*text) {
-        char name[8];
-        size_t length = 1;
-        while (((unsigned char)text[length] & 0xc0) == 0x80 && length < 4)
-            length++;
-        snprintf(name, sizeof name, "%.*s", (int)length, text);
-        press(plain, strcmp(name, " ") == 0 ? "Space" : name);
-        text += length;
-    }
+    while (*text)
+        text = press_character(plain, text);
+}
+
+/* ^C of somebody who sits there meant the work, not the program. */
+static void forget_interrupt(const Plain *plain)
+{
+    if (plain->talks && signals_ended_by() == SIGINT)
+        signals_forget();
+}
+
+/* The clock of a run by lines goes on by frames; of somebody who sits there it is that of the wall. */
+static void pass_time(Plain *plain)
+{
+    const double at = wall();
+    plain->time += plain->talks ? at - plain->seen_at : FRAME_SECONDS;
+    plain->seen_at = at;
 }
 
 /* Frames until nothing is under way: a run to where it stops, a stretch of time once, slow motion through one
@@ -244,7 +272,7 @@ static void let_it_work(Plain *plain)
     bool came_back = false;
     plain->told_at = wall();
     while (laboratory_active(lab)) {
-        plain->time += FRAME_SECONDS;
+        pass_time(plain);
         laboratory_frame(lab, plain->time);
         const Experiment *experiment = lab->screen.experiment;
         came_back |= experiment_time(experiment) < before && lab->screen.playback.looping;
@@ -253,8 +281,7 @@ static void let_it_work(Plain *plain)
             tell_changes(plain);
         stage = experiment_stage(experiment);
         if (!go_on(plain)) {
-            if (signals_ended_by() == SIGINT)
-                signals_forget(); /* it meant the work, not the program */
+            forget_interrupt(plain);
             press(plain, lab->screen.playback.state == STATE_RUNNING ? "Space" : "^C");
             return;
         }
@@ -278,7 +305,7 @@ static void answer(Plain *plain, const char *line)
     if (line[0] && line[1] && keys_known(line)) {
         press(plain, line); /* Esc, Down, Tab, ... */
     } else if (prompt->open && prompt->yes_no) {
-        press(plain, !*line ? "Enter" : (char[]){line[0], '\0'});
+        *line ? (void)press_character(plain, line) : press(plain, "Enter");
     } else {
         if (*line) {
             press(plain, "End");
@@ -295,6 +322,12 @@ static void command(Plain *plain, const char *line)
     const Prompt *prompt = &plain->lab.screen.prompt;
     if (strlen(line) >= sizeof prompt->text) {
         say(plain, "The line is too long for a command.");
+        return;
+    }
+    if (plain->lab.screen.parameters.rows.placing) {
+        say(plain,
+            "A row is being moved: Left, Right, Up and Down do it, Tab takes its other end, Enter takes "
+            "it, Esc drops it.");
         return;
     }
     press(plain, ":");
@@ -343,12 +376,22 @@ static bool draw(Plain *plain, Status *status)
            status_fail(status, STATUS_FAILED, "out of memory");
 }
 
-bool plain_line(Plain *plain, const char *line, Status *status)
+bool plain_line(Plain *plain, const char *typed, Status *status)
 {
+    char line[PLAIN_LINE_MAX + 1];
+    snprintf(line, sizeof line, "%s", typed);
+    for (char *tab = line; (tab = strchr(tab, '\t'));)
+        *tab = ' ';
     if (plain->echo)
         echo(plain, line);
     plain->said = false;
-    take(plain, line);
+    if (plain->talks)
+        pass_time(plain);
+    if (visible_is_clean(line))
+        take(plain, line);
+    else
+        say(plain, "This line is no text in UTF-8, or holds characters that cannot be seen.");
+    forget_interrupt(plain);
     tell_message(plain); /* it would not outlast the work */
     let_it_work(plain);
     if (!draw(plain, status))
@@ -372,7 +415,7 @@ bool plain_open(Plain *plain, const LaboratoryOptions *options, FILE *out, Statu
     const Host host = {now, worked, go_on, forget_told, suspend, plain, NULL, tell_asked};
     LaboratoryOptions how = *options;
     how.paused = true;
-    *plain = (Plain){.out = out};
+    *plain = (Plain){.out = out, .seen_at = wall()};
     if (!laboratory_open(&plain->lab, &how, &host, status))
         return false;
     plain->lab.screen.look.glyphs = GLYPHS_ASCII;
@@ -404,7 +447,7 @@ void plain_close(Plain *plain)
 static bool read_lines(Plain *plain, FILE *in, const char *name, Status *status)
 {
     InputLines lines = {.stream = in, .name = name};
-    char line[LINE_BYTES_MAX + 1];
+    char line[PLAIN_LINE_MAX + 1];
     InputGot got = INPUT_LINE;
     while (!plain->lab.closed && signals_ended_by() == 0) {
         if (plain->talks) {

@@ -21,9 +21,10 @@ typedef struct Plain {
     Laboratory lab;
     Canvas canvas; /* drawn on as everywhere: what panes can show decides what some keys do */
     FILE *out;
-    double time; /* virtual */
-    bool echo;   /* input is no terminal: each line is repeated before what it did */
-    bool talks;  /* progress of long work is told */
+    double time;    /* virtual, unless somebody sits there */
+    double seen_at; /* on the wall: so far it has gone on */
+    bool echo;      /* input is no terminal: each line is repeated before what it did */
+    bool talks;     /* progress of long work is told */
     double told_at;
     Words last[TELL_PARTS]; /* what was told of each */
     long step, stage;       /* where that was */

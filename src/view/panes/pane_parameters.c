@@ -271,7 +271,7 @@ static void draw_hint(const Screen *screen, Area area, const ParameterRow *row, 
         snprintf(range, sizeof range, "%s",
                  row->row == ROW_NEW          ? "Enter adds one"
                  : row_kinds[row->kind].usual ? "Enter edits, p moves it"
-                                              : "p move  C copy  D delete");
+                                              : "Enter edits  p C D: ?");
     }
     if (unit[0] && strcmp(unit, "1") != 0)
         area_print(area, 2, area.rect.height - 2, STYLE_FAINT, real[0] ? "in %s, lattice %s" : "unit: %s",

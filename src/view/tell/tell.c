@@ -92,23 +92,47 @@ static void tell_focus(const Screen *screen, Words *words)
                                                                                 : panes[screen->panes.focus]);
 }
 
+static void tell_row(const Settings *settings, int kind, int row, Words *words)
+{
+    const RowKind *about = &row_kinds[kind];
+    char values[ROW_TEXT_MAX];
+    if (row == ROW_NEW) {
+        words_say(words, 2, "A new %s (%s): Enter adds one.", about->one, about->form);
+        return;
+    }
+    settings_row_show(settings, kind, row, values);
+    words_say(words, 2, "Row %s %s (%s): %s; Enter edits it, p moves it%s.", about->one,
+              settings->rows[kind].rows[row].name, about->form, values,
+              about->usual ? "" : ", C copies, D deletes");
+}
+
+static void tell_derived(const Screen *screen, int index, Words *words)
+{
+    Derived derived[DERIVED_MAX];
+    char value[NUMBER_TEXT_MAX];
+    experiment_derived(screen->experiment, derived);
+    text_rounded(value, derived[index].value, DIGITS);
+    words_say(words, 2, "%s: %s %s; it follows from the parameters.", derived[index].label, value,
+              derived[index].unit);
+}
+
 static void tell_parameter(const Screen *screen, Words *words)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
     const int count = screen_parameter_rows(screen, rows), selected = screen->parameters.selected;
-    if (selected < 0 || selected >= count || !rows[selected].parameter)
-        return;
     const Settings *settings = experiment_settings(screen->experiment);
-    const Parameter *parameter = rows[selected].parameter;
+    const ParameterRow *row = selected >= 0 && selected < count ? &rows[selected] : NULL;
+    if (row && row->is_row)
+        tell_row(settings, row->kind, row->row, words);
+    else if (row && row->derived >= 0)
+        tell_derived(screen, row->derived, words);
+    if (!row || !row->parameter)
+        return;
     char value[LIST_MAX], range[160];
-    settings_show(settings, parameter, value);
-    parameter_range(parameter, settings->problem, range, sizeof range);
-    words_say(words, 2, "Parameter %s (%s): %s; allowed: %s.", parameter->label, parameter->key,
+    settings_show(settings, row->parameter, value);
+    parameter_range(row->parameter, settings->problem, range, sizeof range);
+    words_say(words, 2, "Parameter %s (%s): %s; allowed: %s.", row->parameter->label, row->parameter->key,
               *value ? value : "-", range);
-    if (screen->parameters.edit.open)
-        words_say(words, 2, "%s",
-                  screen->parameters.edit.problem[0] ? screen->parameters.edit.problem
-                                                     : "The next line is its value; Esc leaves it.");
 }
 
 /* "50 particles, 34 nodes.", then what the table has of the chosen one. */
@@ -229,6 +253,11 @@ void tell_names(char *out, size_t size)
 void tell_prompt(const Screen *screen, Words *words)
 {
     const Prompt *prompt = &screen->prompt;
+    const FieldEdit *edit = &screen->parameters.edit;
+    if (!prompt->open && edit->open && edit->problem[0])
+        words_say(words, 2, "Refused: %s", edit->problem);
+    if (!prompt->open && edit->open)
+        words_say(words, 2, "The next line is its value; Esc leaves it.");
     if (!prompt->open)
         return;
     words_say(words, 2, "Asked: %s", prompt->question);

@@ -31,7 +31,7 @@ void tell_part(const Screen *, TellPart, Words *);
 bool tell_named(const Screen *, const char *word, Words *);
 void tell_names(char *out, size_t size);
 
-/* A question that is open, and what may be answered. */
+/* A question or a field that is open, and what may be answered. */
 void tell_prompt(const Screen *, Words *);
 
 /* One view: from what it plots, and by its own function what stands out. */

@@ -79,7 +79,7 @@ static bool show_progress(double share, void *context)
 {
     Laboratory *lab = context;
     laboratory_say(lab, MESSAGE_INFO, "exporting %d %%   ^C cancels", (int)(100 * share));
-    return lab->host.go_on(lab->host.context);
+    return laboratory_go_on(lab);
 }
 
 /* One run. False: it could not be written, which has been said. */

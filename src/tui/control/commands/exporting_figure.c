@@ -27,7 +27,7 @@ static bool write_figure(Laboratory *lab, bool force)
     if (!writing_allowed(lab, lab->exporting.name))
         return true;
     laboratory_say(lab, MESSAGE_INFO, "drawing %s", lab->exporting.name); /* a large map takes a moment */
-    if (!lab->host.go_on(lab->host.context)) {
+    if (!laboratory_go_on(lab)) {
         laboratory_say(lab, MESSAGE_INFO, "cancelled");
         return true;
     }

@@ -3,6 +3,7 @@
 #include "tui/control/lesson/lesson_judge.h"
 
 #include "lab/answers/summary.h"
+#include "lab/settings/compare.h"
 #include "tui/control/laboratory.h"
 
 #include <math.h>
@@ -48,10 +49,10 @@ static bool wait_for_run(double share, void *context)
     const double patient_seconds = 0.15; /* what takes no longer is not worth a picture */
     const Waiting *waiting = context;
     Laboratory *lab = waiting->lab;
-    if (lab->host.now(lab->host.context) < waiting->begun + patient_seconds)
+    if (!lab->given_up && lab->host.now(lab->host.context) < waiting->begun + patient_seconds)
         return true;
     laboratory_say(lab, MESSAGE_INFO, "looking at your answer: %d %%   ^C gives up", (int)(100 * share));
-    return lab->host.go_on(lab->host.context);
+    return laboratory_go_on(lab);
 }
 
 /* The numbers of a run before it begins, for words behind "was". */
@@ -81,7 +82,8 @@ bool lesson_judge_number(Laboratory *lab, double *right, Status *status)
 
 /* --- goals ------------------------------------------------------------------------------------------ */
 
-/* A run that was changed on its way is another one at each time: no goal is met by it. */
+/* A run that was changed on its way is another one at each time: no goal is met by it. Nor by a run that
+ * differs in something else than what the page gives to be changed: what a goal asks is asked of its run. */
 static bool fulfils(Laboratory *lab, const Exercise *exercise, char *why, size_t size)
 {
     Experiment *experiment = lab->screen.experiment;
@@ -97,8 +99,16 @@ static bool fulfils(Laboratory *lab, const Exercise *exercise, char *why, size_t
         return false;
     }
     summary_of(experiment, &summary);
-    return !exercise_failing(exercise, &(ExpressionRun){experiment_settings(experiment), &summary},
-                             &(ExpressionRun){&run->entered, &before}, why, size);
+    if (exercise_failing(exercise, &(ExpressionRun){experiment_settings(experiment), &summary},
+                         &(ExpressionRun){&run->entered, &before}, why, size))
+        return false;
+    const LessonPage *page = page_of(lab);
+    char key[KEY_MAX];
+    if (page->n_fields == 0 || !settings_differ_beyond(experiment_base(experiment), &run->entered,
+                                                       page->fields, page->n_fields, key))
+        return true;
+    snprintf(why, size, "%s was changed too", key);
+    return false;
 }
 
 bool lesson_judge_goal(Laboratory *lab)

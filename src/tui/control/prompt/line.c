@@ -122,7 +122,7 @@ static bool reading(double share, void *context)
 {
     Laboratory *lab = context;
     laboratory_say(lab, MESSAGE_INFO, "reading %d %%   ^C cancels", (int)(100 * share));
-    return lab->host.go_on(lab->host.context);
+    return laboratory_go_on(lab);
 }
 
 static void drop_overlay(Laboratory *lab)

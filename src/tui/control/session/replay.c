@@ -61,6 +61,12 @@ static bool takes_text(const Screen *screen)
 bool replay_go_on(Replay *replay, Laboratory *lab, double deadline)
 {
     const SessionEvent *event = replay_next(replay);
+    if (event->is_stop) { /* what it stopped has been given up, with the key before it */
+        replay->next++;
+        if (lab->recording)
+            session_note_stop(lab->recording, lab);
+        return true;
+    }
     if (event->on_the_way ? !reach_jump(lab, deadline) : !approach(replay, lab, event, deadline))
         return false;
     replay->next++;
@@ -75,6 +81,8 @@ bool replay_go_on(Replay *replay, Laboratory *lab, double deadline)
         lab->width = event->width;
         lab->height = event->height;
     }
+    const SessionEvent *behind = replay_next(replay);
+    lab->given_up = behind && behind->is_stop;
     laboratory_key(lab, key);
     lab->closed = false; /* it is the end of the session, not of this one */
     return true;

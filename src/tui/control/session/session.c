@@ -140,6 +140,14 @@ void session_note(Session *session, const Laboratory *lab, const Key *key)
     note(session, &event, now);
 }
 
+void session_note_stop(Session *session, const Laboratory *lab)
+{
+    double now = lab->host.now(lab->host.context);
+    SessionEvent event = event_now(session, lab, now);
+    event.is_stop = true;
+    note(session, &event, now);
+}
+
 void session_note_end(Session *session, const Laboratory *lab)
 {
     double now = lab->host.now(lab->host.context);
@@ -157,14 +165,17 @@ static void put(FILE *file, uint64_t *check, const char *text)
 static void write_event(FILE *file, uint64_t *check, const SessionEvent *event)
 {
     char line[SESSION_LINE_MAX] = "";
-    text_append(line, sizeof line, "%s %s%ld", event->is_end ? "end" : "at", event->on_the_way ? "~" : "",
-                event->step);
+    text_append(line, sizeof line, "%s %s%ld",
+                event->is_end    ? "end"
+                : event->is_stop ? "stop"
+                                 : "at",
+                event->on_the_way ? "~" : "", event->step);
     if (event->stage > 0)
         text_append(line, sizeof line, "/%d", event->stage);
     text_append(line, sizeof line, " %.3f %dx%d", event->seconds, event->width, event->height);
-    if (!event->is_end)
+    if (!event->is_end && !event->is_stop)
         text_append(line, sizeof line, " %s", event->key.name);
-    if (!event->is_end && event->key.x >= 0)
+    if (event->key.x >= 0)
         text_append(line, sizeof line, " %d %d", event->key.x, event->key.y);
     text_append(line, sizeof line, "\n");
     put(file, check, line);

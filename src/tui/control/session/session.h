@@ -11,9 +11,11 @@
  *
  * with the seconds since the line before, for those who replay at the same pace, the size of the screen, and
  * the cell of a mouse key; "~" before the step says that the run was on its way elsewhere (the key did not
- * wait for it). "end STEP[/STAGE] SECONDS WIDTHxHEIGHT" says where the session was left, "check HASH" behind
- * it is of all lines before: it tells a file that was changed by mistake, and nothing against somebody who
- * calculates it anew - what such a session does is judged by doing it again. */
+ * wait for it). "stop STEP[/STAGE] SECONDS WIDTHxHEIGHT" says that what the key before it began, and what is
+ * not cut into frames (a fit, an export, an answer that is looked at), was given up. "end STEP[/STAGE]
+ * SECONDS WIDTHxHEIGHT" says where the session was left, "check HASH" behind it is of all lines before: it
+ * tells a file that was changed by mistake, and nothing against somebody who calculates it anew - what such a
+ * session does is judged by doing it again. */
 #ifndef TUI_SESSION_H
 #define TUI_SESSION_H
 
@@ -33,7 +35,8 @@ enum { SESSION_NAME_MAX = 256 };
 
 /* One key, and where it came. */
 typedef struct SessionEvent {
-    bool is_end; /* no key: the session was left here */
+    bool is_end;  /* no key: the session was left here */
+    bool is_stop; /* no key: what the one before began was given up */
     bool on_the_way;
     long step;
     int stage;
@@ -50,6 +53,9 @@ void session_note_start(Session *, const Laboratory *);
 
 /* Notes a key that comes now; where memory is short or the session very long, no more keys are noted. */
 void session_note(Session *, const Laboratory *, const Key *);
+
+/* Notes that the work of the last key is given up. */
+void session_note_stop(Session *, const Laboratory *);
 
 /* Notes that the session is left now. */
 void session_note_end(Session *, const Laboratory *);

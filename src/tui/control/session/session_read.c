@@ -16,7 +16,7 @@ enum { SIZE_MOST = 10000 /* cells */, SESSION_BYTES_MAX = 200000000 };
 
 static const char *const allowed = "scenario NAME | paused | first | lesson NAME | student NAME | version "
                                    "HASH PROGRAM | reached NAME PAGE | "
-                                   "\"| ...\" | at ... | end ... | check HASH";
+                                   "\"| ...\" | at ... | stop ... | end ... | check HASH";
 
 static bool read_place(char *word, SessionEvent *event)
 {
@@ -33,15 +33,16 @@ static bool read_place(char *word, SessionEvent *event)
     return true;
 }
 
-static bool read_event(char *line, bool is_end, SessionEvent *event)
+/* Behind its first word. */
+static bool read_event(char *line, bool has_key, SessionEvent *event)
 {
     enum { PLACE, SECONDS, SIZE, NAME, X, Y, WORDS };
     char *words[WORDS + 1] = {NULL}, *rest;
     int count = 0, size[2];
     for (char *word = strtok_r(line, " ", &rest); word && count <= WORDS; word = strtok_r(NULL, " ", &rest))
         words[count++] = word;
-    *event = (SessionEvent){.is_end = is_end, .key = {.x = -1, .y = -1}};
-    if (is_end ? count != NAME : count != X && count != WORDS)
+    *event = (SessionEvent){.key = {.x = -1, .y = -1}};
+    if (has_key ? count != X && count != WORDS : count != NAME)
         return false;
     if (!read_place(words[PLACE], event) || !text_to_double(words[SECONDS], &event->seconds) ||
         event->seconds < 0 || event->seconds > SESSION_SECONDS_MOST ||
@@ -49,7 +50,7 @@ static bool read_event(char *line, bool is_end, SessionEvent *event)
         return false;
     event->width = size[0];
     event->height = size[1];
-    if (is_end)
+    if (!has_key)
         return true;
     long x = -1, y = -1;
     if (strlen(words[NAME]) >= sizeof event->key.name || !visible_is_clean(words[NAME]) ||
@@ -155,16 +156,21 @@ static bool read_line(Session *session, char *line, FILE *scenario, Status *stat
         return session->paused = true;
     if (strcmp(line, "first") == 0)
         return session->first = true;
-    bool is_end = strncmp(line, "end ", 4) == 0;
-    if (!is_end && strncmp(line, "at ", 3) != 0)
+    static const char *const words[] = {"at ", "stop ", "end "};
+    enum { AT, STOP, END, EVENT_WORDS } word = AT;
+    while (word < EVENT_WORDS && strncmp(line, words[word], strlen(words[word])) != 0)
+        word++;
+    if (word == EVENT_WORDS)
         return status_fail(status, STATUS_USAGE, "unknown line: %.40s (%s)", line, allowed);
-    if (!read_event(line + (is_end ? 4 : 3), is_end, &event))
+    if (!read_event(line + strlen(words[word]), word == AT, &event))
         return status_fail(status, STATUS_USAGE,
-                           "not a place of a session (%s STEP[/STAGE] SECONDS WIDTHxHEIGHT%s)",
-                           is_end ? "end" : "at", is_end ? "" : " KEY [X Y]");
+                           "not a place of a session (%sSTEP[/STAGE] SECONDS WIDTHxHEIGHT%s)", words[word],
+                           word == AT ? " KEY [X Y]" : "");
+    event.is_stop = word == STOP;
+    event.is_end = word == END;
     if (session->count && session->events[session->count - 1].is_end)
         return status_fail(status, STATUS_USAGE, "comes after the end");
-    session->ended = is_end;
+    session->ended = event.is_end;
     return session_append(session, &event) ||
            status_fail(status, STATUS_FAILED, "not enough memory for a session of this length");
 }
