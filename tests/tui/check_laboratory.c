@@ -875,6 +875,25 @@ START_TEST(the_command_line_takes_commands_values_and_times)
 }
 END_TEST
 
+/* A row that gets another name keeps its place and all digits; one value that is edited is the only one. */
+START_TEST(rows_keep_their_digits)
+{
+    Bench *bench = open_bench("two-cracks", true);
+    char text[ROW_TEXT_MAX];
+    press_all(bench, ": c u t Space l e f t Space 0 Space 2 6 m m Space 1 0 0 / 3 m m Space 2 6 m m Enter");
+    press_all(bench, "/ c u t s Enter");
+    press_all(bench,
+              "Enter ^U n e w Space = Space 0 Space 0 . 0 2 6 Space 0 . 0 3 3 3 3 3 3 Space 0 . 0 2 7 Enter");
+    ck_assert_msg(!bench->lab.screen.parameters.edit.open, "%s", bench->lab.screen.parameters.edit.problem);
+    const Settings *settings = experiment_settings(bench->lab.screen.experiment);
+    ck_assert_str_eq(settings->rows[ROWS_CUTS].rows[0].name, "new");
+    ck_assert_str_eq(settings->rows[ROWS_CUTS].rows[1].name, "right");
+    settings_row_get(settings, ROWS_CUTS, 0, text);
+    ck_assert_str_eq(text, "0 0.026 0.03333333333333333 0.027");
+    close_bench(bench);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("laboratory");
@@ -910,6 +929,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, export_writes_and_does_not_overwrite);
     tcase_add_test(tcase, a_full_disk_costs_nothing_that_was_there);
     tcase_add_test(tcase, scenarios_are_written_and_opened);
+    tcase_add_test(tcase, rows_keep_their_digits);
     tcase_add_test(tcase, who_does_a_session_again_is_not_suspended_again);
     tcase_add_test(tcase, the_command_line_takes_commands_values_and_times);
     suite_add_tcase(suite, tcase);
