@@ -46,6 +46,14 @@ static void follow_row(Simulation *, double *row);
 
 /* --- steps --------------------------------------------------------------------------------------------- */
 
+double simulation_carried(const Simulation *sim, int field)
+{
+    return field < 0                       ? 0
+           : field == sim->displacement[0] ? sim->common_speed * simulation_time(sim)
+           : field == sim->velocity[0]     ? sim->common_speed
+                                           : 0;
+}
+
 bool simulation_has(const Simulation *sim, unsigned what)
 {
     return (sim->has & what) == what;

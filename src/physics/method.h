@@ -77,7 +77,10 @@ enum {
     HAS_BREAKING = 1 << 4, /* bonds can break in this run */
     HAS_STRETCH = 1 << 5,  /* the things of set 0 tell the largest stretch of their bonds: field "stretch" */
     HAS_ROWS = 1 << 6,     /* its body has any number of cuts, loads, supports ... */
-    HAS_FRONTS = 1 << 7    /* and cracks may run from the ends of its cuts: fronts.h follows them */
+    HAS_FRONTS = 1 << 7,   /* and cracks may run from the ends of its cuts: fronts.h follows them */
+    /* The energies of the series are those beside the body's common speed: the work of what moves it so is no
+     * part of their balance. */
+    HAS_RELATIVE_ENERGY = 1 << 8
 };
 
 /* "set_from[index_from] and the other are linked": a particle and a node of its cell, the two ends of a bond.
@@ -223,9 +226,7 @@ struct Simulation {
     int displacement[SIMULATION_DIMENSIONS_MAX];
     int velocity[SIMULATION_DIMENSIONS_MAX];
 
-    /* With which the body moves along x as a whole, where the energies of the series leave that out: then the
-     * work of what moves it so is no part of their balance. Else 0. */
-    double common_speed;
+    double common_speed; /* with which the body moves along x as a whole; else 0 */
 
     double dt;   /* the time step in use */
     long step;   /* whole steps done */
@@ -246,6 +247,10 @@ struct Simulation {
     bool failed; /* the run cannot go on; failure says why */
     Status failure;
 };
+
+/* What of a field of set 0 comes of the common speed alone: v0 t of the displacement along x, v0 of the
+ * velocity. */
+double simulation_carried(const Simulation *, int field);
 
 /* Whether it has all of these (HAS_...). */
 bool simulation_has(const Simulation *, unsigned what);

@@ -233,7 +233,7 @@ static bool fill_work(const Standing *run, char *label, char *value)
     const int work = column_of(run, "work");
     const double *row = experiment_row(run->experiment);
     snprintf(label, COMPARISON_TEXT_MAX, "work of the load");
-    return work >= 0 && !(fabs(experiment_simulation(run->experiment)->common_speed) > 0) && row &&
+    return work >= 0 && !simulation_has(experiment_simulation(run->experiment), HAS_RELATIVE_ENERGY) && row &&
            fabs(row[work]) > 0 && put(value, "%.4g", row[work]);
 }
 

@@ -63,9 +63,13 @@ static bool take_all(Profile *profile, const Simulation *sim, const char *field,
             continue;
         const int n = profile->n_fields++;
         profile->names[n] = name;
-        profile->values[n] = take(sim, simulation_find_field(sim, 0, name), y, &profile->count);
+        const int wanted = simulation_find_field(sim, 0, name);
+        profile->values[n] = take(sim, wanted, y, &profile->count);
         if (!profile->values[n])
             return false;
+        const double carried = simulation_carried(sim, wanted);
+        for (size_t k = 0; k < profile->count; k++)
+            profile->values[n][k] -= carried;
     }
     return profile->n_fields > 0;
 }

@@ -20,7 +20,8 @@ typedef struct Profile {
 /* The fields worth a picture, the first is shown first; NULL: there are no more of them. */
 const char *profile_field(const Simulation *, int i);
 
-/* One field of these by name, or all of them if it is NULL. False: no memory, or there is no such field; the
+/* Of a body that moves along as a whole what it does beside that: values are without simulation_carried().
+ * One field of these by name, or all of them if it is NULL. False: no memory, or there is no such field; the
  * profile is empty then. */
 bool profile_take(Profile *, const Simulation *, const char *field);
 void profile_close(Profile *);

@@ -55,7 +55,7 @@ static void take_energy(RunSummary *summary, const Simulation *sim, const Column
 {
     const size_t width = (size_t)n_columns;
     const int total = find(columns, n_columns, "total");
-    const int work = fabs(sim->common_speed) > 0 ? -1 : find(columns, n_columns, "work");
+    const int work = simulation_has(sim, HAS_RELATIVE_ENERGY) ? -1 : find(columns, n_columns, "work");
     if (invariant[0] > 0 && isfinite(invariant[1])) {
         summary->energy_measure = ENERGY_INVARIANT;
         summary->energy_change = 100 * (invariant[1] / invariant[0] - 1);

@@ -105,7 +105,7 @@ void plane_set_fields(Plane *plane)
     Simulation *sim = &plane->sim;
     sim->fields = fields;
     sim->n_fields = FIELDS;
-    sim->has = HAS_PLANE | HAS_MESH;
+    sim->has = HAS_PLANE | HAS_MESH | (plane->speed > 0 ? HAS_RELATIVE_ENERGY : 0);
     sim->common_speed = plane->speed;
     sim->columns = (size_t)plane->nxp;
     sim->rows = (size_t)plane->nyp;

@@ -292,6 +292,7 @@ void beam_set_fields(Beam *beam)
     sim->counts[SET_BOND] = lattice_bonds(&beam->lattice);
     sim->fields = fields;
     sim->n_fields = N_FIELDS;
+    sim->common_speed = beam->def.problem == BEAM_MOVING_CANTILEVER ? beam->def.speed : 0;
     sim->has = HAS_PLANE | HAS_BONDS | HAS_STRETCH | (beam->def.problem == BEAM_PLATE ? HAS_ROWS : 0u);
     if (beam->def.critical_stretch > 0)
         beam_set_breaking(beam);

@@ -20,6 +20,10 @@ static const Colouring colourings[MAP_COLOURINGS] = {
     [MAP_KINETIC] = {"kinetic_energy", "kinetic density", "kinetic energy density", "J/m³", false},
 };
 
+/* Of a body that moves along as a whole. */
+static const Colouring beside_travel = {"ux", "ux - v0 t", "displacement along the beam beside v0 t", "m",
+                                        true};
+
 static bool is_there(const Simulation *sim, int variant)
 {
     return variant == MAP_DRAWING || simulation_find_field(sim, 0, colourings[variant].field) >= 0;
@@ -95,6 +99,12 @@ bool map_colour(Map *map, MapVariant variant)
     if (field < 0)
         return false;
     map->sim->method->field(map->sim, field, 0, count, map->value);
+    const bool travels = variant == MAP_UX && fabs(map->sim->common_speed) > 0;
+    const double carried = simulation_carried(map->sim, field);
+    for (size_t i = 0; i < count && travels; i++)
+        map->value[i] -= carried;
+    if (travels)
+        map->colouring = &beside_travel;
     double least = INFINITY, most = -INFINITY;
     for (size_t i = 0; i < count; i++) {
         least = map->value[i] < least ? map->value[i] : least;
@@ -117,6 +127,9 @@ bool map_colour(Map *map, MapVariant variant)
         double reach, scale = 1;
         if (density)
             scale = 1 / (map->body.spacing * map->body.spacing * map->settings->geometry.thickness);
+        else if (travels) /* of a section that turns about its middle by the slope of the swing */
+            reach = fmax(fmax(-least, most), map_reach(map, map->sim->displacement[1], map->uy) *
+                                                 map->body.size[1] / (2 * map->settings->geometry.length));
         else
             reach = map_reach(map, field, map->value);
         for (size_t i = 0; i < count && density; i++)
@@ -124,7 +137,7 @@ bool map_colour(Map *map, MapVariant variant)
         if (density)
             reach = most_values(map, scale * most);
         map->high = reach > 0 ? axis_round_up(reach) : 1;
-        map->low = colouring->is_signed ? -map->high : 0;
+        map->low = map->colouring->is_signed ? -map->high : 0;
         map->open_ended = most * scale > map->high;
     }
     return true;

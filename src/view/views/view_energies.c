@@ -299,7 +299,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     }
     const Stack stack = stack_of(screen);
     const Record *record = stack.record;
-    const bool apart = fabs(experiment_simulation(screen->experiment)->common_speed) > 0;
+    const bool apart = simulation_has(experiment_simulation(screen->experiment), HAS_RELATIVE_ENERGY);
     const int work = apart ? -1 : screen_column(screen, "work");
     double most = 0, most_work = 0;
     for (size_t i = 0; i < record->count; i += time_plot_stride(record)) {

@@ -227,6 +227,15 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     }
     const Profile *present = curves[n_curves - 1].profile;
     const Quantity *quantity = &sim->fields[simulation_find_field(sim, 0, name)].quantity;
+    /* beside the common motion of the body; a foreign series has that in it */
+    const bool carried =
+        fabs(sim->common_speed) > 0 && (quantity == &sim->fields[sim->displacement[0]].quantity ||
+                                        quantity == &sim->fields[sim->velocity[0]].quantity);
+    char label[64];
+    snprintf(label, sizeof label, "%s%s", quantity->label,
+             !carried                                              ? ""
+             : quantity == &sim->fields[sim->velocity[0]].quantity ? " - v0"
+                                                                   : " - v0 t");
     const int rows = area.rect.height - 2;
     Axis y = value_axis(screen, sim, name, curves, n_curves, rows);
     Axis x = place_axis(curves, n_curves, area.rect.width / 9);
@@ -240,7 +249,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     axis_scale_text(&x, sim->fields[sim->position[0]].quantity.unit, x_scale);
     strcpy(x_name, x_scale[0] ? "x, " : "x");
     strcat(x_name, x_scale);
-    draw_legends(screen, area, heading, quantity->label, scale, curves, n_curves, exact);
+    draw_legends(screen, area, heading, label, scale, curves, n_curves, exact);
     Area inner =
         axes_draw(area_part(area, 0, 1, area.rect.width, area.rect.height - 1), &x, &y, x_name, GUTTER);
 
@@ -259,7 +268,8 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         for (size_t i = 0; i < curves[k].profile->count; i++)
             plot_point(&plot, curves[k].profile->x[i], curves[k].values[i]);
     }
-    overlay_stroke(screen, &plot, name, true, dots);
+    if (!carried)
+        overlay_stroke(screen, &plot, name, true, dots);
     plot_draw(&plot, inner);
     for (int k = 0; k < n_curves; k++) {
         const Profile *profile = curves[k].profile;
@@ -277,7 +287,8 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
                 run_letter(curves[k].run, &plot, inner, profile->x[i], curves[k].values[i]);
         }
     }
-    overlay_marks(screen, inner, &plot, name, true);
+    if (!carried)
+        overlay_marks(screen, inner, &plot, name, true);
     plot_close(&plot);
     close_curves(curves, n_curves);
 }
