@@ -122,6 +122,11 @@ expect "a plate that is pressed" 0 "$@" --set loads.top.sy=-12e6 --set loads.bot
 heads() { grep '<polygon fill="#000000"' "$1"; }
 result "arrows point where the load does" sh -c 'test "$1" != "$2"' - "$(heads plate.svg)" "$(heads pressed.svg)"
 
+expect "the struck plate" 0 kalthoff-coarse --view beam:damage --end 1e-6 --output struck.svg
+result "is drawn as it is, for it comes apart" sh -c "! grep -q \">u × \" struck.svg"
+expect "the period of a beam without bonds" 0 supported-beam-mpm-coarse --view dispersion --end 1e-6 --output period.svg
+result "depends on its cells" has_word period.svg "cell size, mm"
+
 # the drawing is of the start, so the long run of the fine lattice is not made
 expect "a beam with its dimensions" 0 notched-beam --view beam:drawing --output drawing.svg
 for label in "210 mm" "65 mm" probe "60 MPa on 3 mm" "to scale" "t = 0 ms"; do

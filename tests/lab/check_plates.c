@@ -551,6 +551,12 @@ static const struct {
     {"pd.spacing", "1um", "pd.horizon: 0.003 is 3e+03 spacings (at most 8 times pd.spacing)"},
     {"plate.length", "20m", "pd.spacing: 2e+06 nodes with 14 bonds each are too many"},
     {"plate.height", "1mm", "pd.spacing: the plate is only 1 nodes high (at least 2; plate.height is 0.001)"},
+    {"impulses.a", "0 0 1mm 1mm 3301 -4401",
+     "impulses.a: 5501.4 m/s is faster than waves in the plate (at most "
+     "sqrt(youngs_modulus/density) = 5392.84 m/s)"},
+    {"supports.a", "5mm 5mm 6mm 6mm ux 5393",
+     "supports.a: 5393 m/s is faster than waves in the plate (at most "
+     "sqrt(youngs_modulus/density) = 5392.84 m/s)"},
 };
 
 START_TEST(a_plate_that_is_none_is_refused)

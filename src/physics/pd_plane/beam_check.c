@@ -145,7 +145,8 @@ bool beam_check(const BeamDef *def, Status *status)
            (!of_problem[def->problem] || of_problem[def->problem](def, status)) &&
            (def->dt == 0 || beam_check_damping(def->damping, def->dt, status)) &&
            lattice_measure(&measured, def, status) &&
-           (def->problem != BEAM_PLATE || plate_check(&def->plate, &measured, status));
+           (def->problem != BEAM_PLATE ||
+            plate_check(&def->plate, &measured, sqrt(def->youngs_modulus / def->density), status));
 }
 
 int beam_one_sided_cut(const BeamDef *def)

@@ -360,15 +360,25 @@ static double beam_answer(const Readout *readout)
     return readout->drifting ? readout->error_period : milliseconds(readout->measured);
 }
 
+/* What a period depends on: how far bonds reach or, where there are none, the cells. */
+static double reach_of(const Screen *screen, const Settings *settings)
+{
+    return simulation_has(experiment_simulation(screen->experiment), HAS_BONDS) ? settings->lattice.horizon
+                                                                                : settings->mesh.cell_size;
+}
+
 static int beam_dots(const Screen *screen, Dot dots[RUNS_MAX])
 {
     Run runs[RUNS_MAX];
     const int n_runs = runs_of(screen, runs);
-    const Problem *problem = experiment_settings(screen->experiment)->problem;
+    const Settings *own = experiment_settings(screen->experiment);
     int count = 0;
-    for (int i = 0; i < n_runs; i++)
-        if (runs[i].settings->problem == problem && runs[i].readout->measured_known)
-            dots[count++] = dot_of(&runs[i], runs[i].settings->lattice.horizon, beam_answer(runs[i].readout));
+    for (int i = 0; i < n_runs; i++) {
+        const Settings *settings = runs[i].settings;
+        if (settings->problem == own->problem && settings->method == own->method &&
+            runs[i].readout->measured_known)
+            dots[count++] = dot_of(&runs[i], reach_of(screen, settings), beam_answer(runs[i].readout));
+    }
     return count;
 }
 
@@ -417,7 +427,7 @@ static void draw_beam(const Screen *screen, Area area, Style heading)
 
     Dot dots[RUNS_MAX];
     const int n_dots = beam_dots(screen, dots);
-    double least = INFINITY, most = -INFINITY, furthest = settings->lattice.horizon;
+    double least = INFINITY, most = -INFINITY, furthest = reach_of(screen, settings);
     for (int i = 0; i < 2; i++)
         widen(theories[i].value, &least, &most);
     for (int i = 0; i < n_dots; i++) {
@@ -437,7 +447,9 @@ static void draw_beam(const Screen *screen, Area area, Style heading)
                  n_legend);
     char scale[TICK_TEXT_MAX], name[TICK_TEXT_MAX + 12];
     axis_scale_text(&x, "m", scale);
-    snprintf(name, sizeof name, "horizon, %s", scale);
+    snprintf(name, sizeof name, "%s, %s",
+             simulation_has(experiment_simulation(screen->experiment), HAS_BONDS) ? "horizon" : "cell size",
+             scale);
     Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
     Plot plot;
     plot_open(&plot, x, y);
@@ -525,7 +537,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
 const View view_dispersion = {
     .word = "dispersion",
     .brief = "errors",
-    .help = "dispersion: error of every mode; beams: period over horizon, waves",
+    .help = "dispersion: error of every mode; beams: period over horizon or cell size, waves",
     .digit = 5,
     .home = PANE_LOWER,
     .draw = draw,

@@ -44,6 +44,22 @@ static bool check_regions(const PlateRegion *regions, int count, const char *sec
     return true;
 }
 
+/* What moves faster than waves do presses its surroundings to nothing before they feel it: the strain that a
+ * velocity v brings is v/c. */
+static bool check_speeds(const PlateRegion *regions, int count, const char *section, double fastest,
+                         Status *status)
+{
+    for (const PlateRegion *region = regions; region < regions + count; region++) {
+        const double speed = hypot(region->vx, region->vy);
+        if (!(speed <= fastest))
+            return status_fail(status, STATUS_USAGE,
+                               "%s.%s: %g m/s is faster than waves in the plate (at most "
+                               "sqrt(youngs_modulus/density) = %.6g m/s)",
+                               section, region->name, speed, fastest);
+    }
+    return true;
+}
+
 /* A velocity that two supports give to the same nodes; two that hold them are no trouble. */
 static bool disagree(bool a_gives, double a, bool b_gives, double b)
 {
@@ -64,11 +80,13 @@ static bool check_overlaps(const PlateDef *plate, const Lattice *lattice, Status
     return true;
 }
 
-bool plate_check(const PlateDef *plate, const Lattice *lattice, Status *status)
+bool plate_check(const PlateDef *plate, const Lattice *lattice, double wave_speed, Status *status)
 {
     return check_cuts(plate, lattice, status) && check_loads(plate, lattice, status) &&
            check_regions(plate->supports, plate->n_supports, "supports", false, lattice, status) &&
            check_regions(plate->impulses, plate->n_impulses, "impulses", false, lattice, status) &&
            check_regions(plate->unbreakable, plate->n_unbreakable, "protected", true, lattice, status) &&
+           check_speeds(plate->supports, plate->n_supports, "supports", wave_speed, status) &&
+           check_speeds(plate->impulses, plate->n_impulses, "impulses", wave_speed, status) &&
            check_overlaps(plate, lattice, status);
 }

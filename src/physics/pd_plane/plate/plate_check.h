@@ -5,8 +5,8 @@
 
 #include "physics/pd_plane/plate/patches.h"
 
-/* Do all rows hold nodes of this lattice, and move no node in two ways? Else the status names the row, what
- * is wrong, what is allowed. Of the lattice its measures alone are read. */
-bool plate_check(const PlateDef *, const Lattice *, Status *);
+/* Do all rows hold nodes of this lattice, move no node in two ways, and none faster than waves, m/s? Else the
+ * status names the row, what is wrong, what is allowed. Of the lattice its measures alone are read. */
+bool plate_check(const PlateDef *, const Lattice *, double wave_speed, Status *);
 
 #endif
