@@ -50,6 +50,17 @@ result "then it is another" sh -c '! cmp -s a.csv b.csv'
 rm -f ./*.csv ./*.ini
 
 # --- what cannot be measured, and what is kept ---
+printf '[scenario]\nproblem = plate\n[plate]\nlength = 40mm\nheight = 20mm\n[pd]\nspacing = 1mm\nhorizon = 4mm\n' >plate.ini
+expect "a plate that comes to rest" 0 plate.ini --set 'loads.l=top 0 100% 0 1e4' --set 'supports.s=0 0 1mm 100% ux 0 uy 0' \
+	--set time.rest=yes --end 0.01
+result "says so" says out '^1248 steps to .*, where it came to rest$'
+result "and not that nothing vibrates" sh -c '! grep -q "nothing vibrates" out'
+expect "a plate that is struck too hard" 0 plate.ini --set 'impulses.i=0 0 1mm 100% 4000 0' --end 2e-5
+result "tells what its energy was on the way" says out '^energy, .* of the start; at most [+]15.2 % on the way$'
+expect "a beam by bonds that leaves its channel" 0 moving-cantilever-coarse --end 2e-5
+result "says what its energy is" says out '^energy, .* of the start, nearly all of it feed motion$'
+expect "by points" 0 moving-cantilever-mpm-coarse --end 2e-5
+result "it is that of the swing" says out '^energy, .* of the start$'
 expect "a bar at rest" 0 mode5 --set initial.velocity=0 --end 1
 result "has no frequency" says out '^nothing vibrates: no frequency to measure$'
 result "and no energy to keep" sh -c '! grep -q energy out'

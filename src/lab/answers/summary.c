@@ -10,6 +10,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#define ENERGY_TOLD 10.0 /* per cent that a sound run does not swing by */
+
 static int find(const Column *columns, int n_columns, const char *name)
 {
     for (int i = 0; i < n_columns; i++)
@@ -79,6 +81,13 @@ static void take_energy(RunSummary *summary, const Simulation *sim, const Column
     const double before = mean_energy(rows, first, n_columns, total, work);
     const double after = mean_energy(rows + (count - last) * width, last, n_columns, total, work);
     summary->energy_change = 100 * (after - before) / (summary->energy_of_work ? largest : before);
+    const int kinetic = find(columns, n_columns, "kinetic");
+    summary->energy_of_feed =
+        summary->readout.drifting && kinetic >= 0 && rows[kinetic] > 0.5 * fabs(rows[total]);
+    double most = rows[total];
+    for (size_t i = 0; i < count; i++)
+        most = fmax(most, mean_energy(rows + i * width, 1, n_columns, total, work));
+    summary->energy_most = summary->energy_of_work ? 0 : 100 * (most / rows[total] - 1);
 }
 
 /* What a run's rows give: the energy's change, and the last row. */
@@ -86,6 +95,7 @@ void summary_rows(RunSummary *summary, const Simulation *sim, const Column *colu
                   const double *rows, size_t count, const double invariant[2])
 {
     take_energy(summary, sim, columns, n_columns, rows, count, invariant);
+    summary->at_rest = sim->at_rest;
     summary->n_columns = n_columns;
     memcpy(summary->columns, columns, (size_t)n_columns * sizeof *columns);
     if (count > 0)
@@ -295,7 +305,12 @@ void summary_energy_text(const RunSummary *summary, char out[SUMMARY_MAX])
         return;
     add(&writer, fabs(change) < 5e-4 ? "%s %.3f %% of the %s" : "%s %+.3g %% of the %s",
         names[summary->energy_measure], fabs(change) < 5e-4 ? 0 : change,
-        summary->energy_of_work ? "work" : "start");
+        summary->energy_of_work   ? "work"
+        : summary->energy_of_feed ? "start, nearly all of it feed motion"
+                                  : "start");
+    /* what came within the first tenth is not in the change from it to the last */
+    if (summary->energy_most > ENERGY_TOLD && summary->energy_most > 2 * change)
+        add(&writer, "; at most %+.3g %% on the way", summary->energy_most);
 }
 
 void summary_text(const RunSummary *summary, const Settings *settings, char out[SUMMARY_MAX])
@@ -307,9 +322,12 @@ void summary_text(const RunSummary *summary, const Settings *settings, char out[
     text_rounded(time, summary->time, 8);
     text_rounded(dt, summary->dt, 6);
     add(&writer, "%ld steps to t = %s%s%s  (dt %s)%s\n", summary->steps, time, facts->si ? " " : "",
-        facts->si ? facts->unit_of_time : "", dt, summary->failed ? ", where the run failed" : "");
+        facts->si ? facts->unit_of_time : "", dt,
+        summary->failed    ? ", where the run failed"
+        : summary->at_rest ? ", where it came to rest"
+                           : "");
     if (!summary->crack_known && !summary->fronts_known)
-        add_readout(&writer, &summary->readout, facts->answer, summary->n_findings > 0);
+        add_readout(&writer, &summary->readout, facts->answer, summary->n_findings > 0 || summary->at_rest);
     add_decay(&writer, &summary->readout);
     add_kept(&writer, &summary->readout);
     char found[SUMMARY_MAX];

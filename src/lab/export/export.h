@@ -37,6 +37,8 @@ typedef struct RunSummary {
     Finding findings[FINDINGS_MAX]; /* of the last step */
     int n_findings;
     EnergyMeasure energy_measure;
+    bool energy_of_feed;  /* of the start's energy the motion that all of a body has in common is most */
+    double energy_most;   /* per cent of the start: the largest change on the way; 0: not of the start */
     bool energy_of_work;  /* it begins at rest, or next to it: the change is a share of the largest work */
     double energy_change; /* from the start to the end, in percent of the start */
     long rows;            /* of the series */
@@ -52,6 +54,7 @@ typedef struct RunSummary {
     bool price_known; /* where the crack's energy went */
     CrackPrice price;
     double rayleigh_speed; /* that of the tip is told beside it */
+    bool at_rest;          /* it ended where it had come to rest */
     bool failed;
     Status failure;
 } RunSummary;
