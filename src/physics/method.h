@@ -240,9 +240,10 @@ struct Simulation {
     double kinetic_left; /* of a run that is to end at rest: its kinetic energy over the largest; else 0 */
     bool at_rest; /* the run was to end at rest, and has: nothing moves any more; simulation_steps() stands */
 
-    /* Set by who keeps the rows of the series: of the rows of simulation_steps() only the last of a call need
-     * be whole, what takes long to find may be NAN in the others. */
-    bool spares_rows;
+    /* Set by who keeps the rows of the series and does not need all of them whole: what takes long to find
+     * may be NAN in the others. */
+    bool spares_rows; /* whole is the last one of a call of simulation_steps() */
+    long whole_rows;  /* whole are those of steps that are multiples of it; 0: of all */
 
     bool failed; /* the run cannot go on; failure says why */
     Status failure;

@@ -272,6 +272,36 @@ START_TEST(rewind_and_changes)
 }
 END_TEST
 
+/* What takes longer than a step is in every eighth row, the same as in a run that has it in all, by every way
+ * there; in between the last one stands for it. */
+START_TEST(rows_are_whole_now_and_then)
+{
+    const Settings settings = cells(_i ? &problem_moving_cantilever : &problem_supported_beam);
+    Experiment *experiment = open_experiment(&settings, 1 << 20);
+    Simulation *sim = problem_simulate(&settings, 1, NULL);
+    double *rows = malloc(50 * (size_t)sim->n_series * sizeof *rows);
+    ck_assert(simulation_steps(sim, 50, rows, NULL, NULL));
+    ck_assert(experiment_advance(experiment, 43, NULL));
+    experiment_seek(experiment, 45, 3);
+    finish_work(experiment);
+    ck_assert(experiment_advance(experiment, 4, NULL));
+    const Record *record = experiment_record(experiment);
+    const int null = simulation_find_series(sim, "kinetic_null"),
+              column = column_of(experiment, "kinetic_null");
+    for (size_t k = 1; k < record->count; k++) {
+        const double value = record_row(record, k)[column];
+        ck_assert_int_eq(isnan(value), k % 8 != 0);
+        if (k % 8 == 0)
+            ck_assert_double_eq(value, rows[(k - 1) * (size_t)sim->n_series + (size_t)null]);
+        ck_assert_double_eq(record_known(record, k, column), record_row(record, k - k % 8)[column]);
+    }
+    ck_assert_uint_gt(record->count, 40);
+    free(rows);
+    simulation_destroy(sim);
+    experiment_destroy(experiment);
+}
+END_TEST
+
 /* Whatever number of threads is asked for. */
 START_TEST(threads_leave_no_trace)
 {
@@ -299,6 +329,7 @@ void add_cases(Suite *suite)
     tcase_add_test(plane, principal_stresses_do_not_turn);
     tcase_add_test(plane, what_is_refused);
     tcase_add_loop_test(plane, rewind_and_changes, 0, 2);
+    tcase_add_loop_test(plane, rows_are_whole_now_and_then, 0, 2);
     tcase_add_test(plane, threads_leave_no_trace);
     suite_add_tcase(suite, plane);
 }

@@ -126,8 +126,8 @@ static bool fill_total(const Standing *run, char *label, char *value)
 }
 
 /* A part of the kinetic energy that the grid's own does not hold, as a mean over a tenth of the run, or over
- * what there is of it: `word` says which, and `part` takes it from a row. */
-typedef double HiddenPart(const double *row, int kinetic, int grid, int null);
+ * what there is of it: `word` says which, and `part` takes it from a row's energies. */
+typedef double HiddenPart(double kinetic, double grid, double null);
 
 static bool fill_part(const Standing *run, const char *word, HiddenPart *part, char *label, char *value)
 {
@@ -149,22 +149,22 @@ static bool fill_part(const Standing *run, const char *word, HiddenPart *part, c
          i++) {
         const double *row = record_row(record, i);
         all += row[kinetic];
-        hidden += part(row, kinetic, grid, null);
+        hidden += part(row[kinetic], row[grid], record_known(record, i, null));
     }
     return all > 0 && put(value, "%.2f %%", 100 * hidden / all);
 }
 
 /* Motion that no nodal velocities represent. */
-static double in_null_space(const double *row, int kinetic, int grid, int null)
+static double in_null_space(double kinetic, double grid, double null)
 {
     (void)kinetic, (void)grid;
-    return row[null];
+    return null;
 }
 
 /* What the nodes would have more of, were their mass not lumped. */
-static double by_lumping(const double *row, int kinetic, int grid, int null)
+static double by_lumping(double kinetic, double grid, double null)
 {
-    return row[kinetic] - row[grid] - row[null];
+    return kinetic - grid - null;
 }
 
 static bool fill_null(const Standing *run, char *label, char *value)

@@ -13,6 +13,10 @@
 static const size_t record_budget = (size_t)32 << 20;
 enum { BLOCK = 256 }; /* rows that a method writes at once */
 
+/* What takes longer than a step is found every so many steps: no picture is as wide as a run has steps. A
+ * power of two, so that a record that is thinned keeps these rows. */
+enum { WHOLE_ROWS = 8 };
+
 /* --- life ----------------------------------------------------------------------------------------- */
 
 static bool take_row(Experiment *experiment, const double *method_row, long step)
@@ -94,6 +98,8 @@ bool experiment_open(Experiment *experiment, const Settings *settings, size_t hi
         !changes_advice(settings, experiment->advice, sizeof experiment->advice, status))
         return false;
     experiment->sim = problem_simulate(settings, threads, status);
+    if (experiment->sim)
+        experiment->sim->whole_rows = WHOLE_ROWS;
     if (experiment->sim)
         experiment->refs = problem_references(settings, experiment->sim, status);
     if (!experiment->refs || !begin(experiment, history, status))

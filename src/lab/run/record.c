@@ -5,6 +5,7 @@
 
 #include "base/assertion.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -120,6 +121,15 @@ const double *record_row(const Record *record, size_t i)
 {
     ASSERT_INT(i, <, record->count);
     return record->rows + i * (size_t)record->n_columns;
+}
+
+double record_known(const Record *record, size_t i, int column)
+{
+    enum { LOOK_BACK = 64 };
+    double value = record_row(record, i)[column];
+    for (int k = 0; k < LOOK_BACK && isnan(value) && i > 0; k++)
+        value = record_row(record, --i)[column];
+    return value;
 }
 
 const double *record_of_step(const Record *record, long step)

@@ -33,6 +33,10 @@ bool record_copy(Record *to, const Record *from);
 
 const double *record_row(const Record *, size_t i);
 
+/* A column in row i, or in the last of some rows before it that has it: what takes long to find is NAN in
+ * most. NAN: none has it. */
+double record_known(const Record *, size_t i, int column);
+
 /* The row of a step; NULL: it is not kept. */
 const double *record_of_step(const Record *, long step);
 

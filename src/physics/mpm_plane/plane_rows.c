@@ -122,7 +122,9 @@ void plane_set_series(Plane *plane)
 void plane_write_row(Plane *plane, double *row, bool whole)
 {
     const Energies energy = energies(plane);
-    for (int k = 0; k < plane->sim.n_series; k++)
+    const Simulation *sim = &plane->sim;
+    const bool is_due = sim->whole_rows == 0 || sim->step % sim->whole_rows == 0;
+    for (int k = 0; k < sim->n_series; k++)
         switch ((enum Entry)plane->series_entry[k]) {
         case U_PROBE:
             row[k] = u_probe(plane);
@@ -140,7 +142,7 @@ void plane_write_row(Plane *plane, double *row, bool whole)
             row[k] = kinetic_grid(plane);
             break;
         case KINETIC_NULL:
-            row[k] = whole ? plane_null_energy(plane, energy.kinetic) : NAN;
+            row[k] = whole && is_due ? plane_null_energy(plane, energy.kinetic) : NAN;
             break;
         case STRAIN:
             row[k] = energy.strain;

@@ -318,8 +318,8 @@ bool plane_steps(Simulation *, long count, double *rows, long *done, Status *);
 /* plane_rows.c */
 double plane_energy(const Plane *);
 void plane_row(Simulation *, double *row);
-/* With the grid as it stands after map and supports; a row that is not whole has no kinetic_null (NAN), which
- * takes several times as long as a step. */
+/* With the grid as it stands after map and supports; a row that is not whole, or not due to be
+ * (Simulation.whole_rows), has no kinetic_null (NAN), which takes several times as long as a step. */
 void plane_write_row(Plane *, double *row, bool whole);
 void plane_set_series(Plane *);
 double plane_strain_at(const Plane *, int place); /* strain energy, J */

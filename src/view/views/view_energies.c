@@ -25,12 +25,13 @@ typedef struct Stack {
 
 static double stack_height(const Stack *stack, size_t index, int upto)
 {
-    const double *row = record_row(stack->record, index);
+    const Record *record = stack->record;
     double sum = 0;
     for (int i = 0; i < upto; i++) {
         const Layer *layer = &stack->layers[i];
-        sum += row[layer->column] - (layer->minus >= 0 ? row[layer->minus] : 0) -
-               (layer->less >= 0 ? row[layer->less] : 0);
+        sum += record_known(record, index, layer->column) -
+               (layer->minus >= 0 ? record_known(record, index, layer->minus) : 0) -
+               (layer->less >= 0 ? record_known(record, index, layer->less) : 0);
     }
     return sum;
 }
@@ -205,9 +206,10 @@ static bool unseen_shares(const Screen *screen, const Record *record, const Axis
         return false;
     for (size_t i = record_find(record, x->low); i < record->count && record_row(record, i)[1] <= x->high;
          i++) {
-        all += record_row(record, i)[kinetic];
-        seen += record_row(record, i)[grid];
-        blind += null >= 0 ? record_row(record, i)[null] : 0;
+        const double *row = record_row(record, i);
+        all += row[kinetic];
+        seen += row[grid];
+        blind += null >= 0 ? record_known(record, i, null) : 0;
     }
     *lumping = 1 - (seen + blind) / all;
     *hidden = null >= 0 ? blind / all : NAN;
