@@ -23,6 +23,7 @@ struct Follow {
         char name[FOLLOW_TEXT_MAX], label[FOLLOW_TEXT_MAX], meaning[FOLLOW_TEXT_MAX];
     } things[FOLLOW_MAX];
     Quantity *series; /* all */
+    void *present;    /* room for a snapshot, where what is followed is not ready between steps */
     int holders;      /* the simulation, and who else has its names */
 };
 
@@ -38,6 +39,7 @@ void simulation_release_names(struct Follow *follow)
     if (!follow || --follow->holders > 0)
         return;
     free(follow->series);
+    free(follow->present);
     free(follow);
 }
 
@@ -302,7 +304,9 @@ static bool find_thing(const Simulation *sim, const char *thing, int *field, siz
     char word[16] = "";
     unsigned long number = 0;
     int end = 0;
-    const bool whole = sscanf(thing, "%15s %9lu %n", word, &number, &end) == 2 && end > 0 && thing[end];
+    int digits = 0; /* %lu would take a sign */
+    const bool whole = sscanf(thing, "%15s %n%9lu %n", word, &digits, &number, &end) == 2 && end > 0 &&
+                       thing[end] && isdigit((unsigned char)thing[digits]);
     const int set = whole ? find_set(sim, word) : -1;
     if (set < 0)
         return status_fail(status, STATUS_USAGE,
@@ -338,6 +342,9 @@ bool simulation_follow(Simulation *sim, const char *thing, Status *status)
     if (follow->count == FOLLOW_MAX)
         return status_fail(status, STATUS_USAGE, "too many things are followed (at most %d)", FOLLOW_MAX);
     const Field *row = &sim->fields[field];
+    if (sim->sets[row->set].ready_after > 0 && !follow->present &&
+        !(follow->present = malloc(simulation_snapshot_size(sim))))
+        return status_fail(status, STATUS_FAILED, "not enough memory to follow a thing");
     const char *set = sim->sets[row->set].name;
     char name[FOLLOW_TEXT_MAX];
     snprintf(name, sizeof name, "%s_%zu_%s", set, index, row->quantity.name);
@@ -360,18 +367,17 @@ bool simulation_follow(Simulation *sim, const char *thing, Status *status)
 static double value_of(Simulation *sim, int field, size_t index)
 {
     const int stages = sim->sets[sim->fields[field].set].ready_after;
-    double value = 0;
-    void *bytes = stages > 0 ? malloc(simulation_snapshot_size(sim)) : NULL;
-    if (bytes)
-        simulation_snapshot(sim, bytes);
-    for (int i = 0; bytes && i < stages; i++)
+    void *present = sim->follow->present;
+    double value = NAN;
+    if (stages > 0)
+        simulation_snapshot(sim, present);
+    for (int i = 0; i < stages; i++)
         if (!simulation_stage(sim, NULL))
             break; /* the run will fail by itself, in its own time */
     sim->method->field(sim, field, index, 1, &value);
-    if (bytes)
-        simulation_restore(sim, bytes);
-    free(bytes);
-    return isfinite(value) ? value : 0;
+    if (stages > 0)
+        simulation_restore(sim, present);
+    return value;
 }
 
 /* The method sees its own columns only, for it may go by their number. */

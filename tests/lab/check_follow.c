@@ -82,7 +82,8 @@ static const char *const bad[][2] = {
     {"particle", "is nothing to follow"},
     {"particle 12", "is nothing to follow"},
     {"bond 3 stretch", "is nothing to follow"},
-    {"particle -1 v", "there is no particle"},
+    {"particle -1 v", "\"particle -1 v\" is nothing to follow"},
+    {"particle +1 v", "\"particle +1 v\" is nothing to follow"},
     {"particle 50 v", "there is no particle 50 (0 to 49)"},
     {"particle 12 colour", "colour is no field of a particle (x0 |"},
 };

@@ -69,8 +69,89 @@ START_TEST(the_links_of_nothing)
 }
 END_TEST
 
+/* --- what is followed --- */
+
+static bool no_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status)
+{
+    (void)sim, (void)stage, (void)first, (void)end, (void)status;
+    return true;
+}
+
+static void no_row(Simulation *sim, double *row)
+{
+    (void)sim;
+    row[0] = 1;
+}
+
+static void not_a_number(const Simulation *sim, int field, size_t first, size_t count, double *out)
+{
+    (void)sim, (void)first;
+    for (size_t i = 0; i < count; i++)
+        out[i] = field == 0 ? NAN : INFINITY;
+}
+
+static size_t no_state(const Simulation *sim)
+{
+    (void)sim;
+    return 0;
+}
+
+static void save_nothing(const Simulation *sim, void *bytes)
+{
+    (void)sim, (void)bytes;
+}
+
+static void load_nothing(Simulation *sim, const void *bytes)
+{
+    (void)sim, (void)bytes;
+}
+
+static void free_nothing(Simulation *sim)
+{
+    (void)sim;
+}
+
+/* What has no value is told as having none, not as 0; of a set that is not ready between steps too. */
+START_TEST(what_is_no_number_stays_none)
+{
+    static const Method method = {.stage = no_stage,
+                                  .row = no_row,
+                                  .field = not_a_number,
+                                  .state_size = no_state,
+                                  .save = save_nothing,
+                                  .load = load_nothing,
+                                  .destroy = free_nothing};
+    const Set set = {"thing", "things", _i};
+    static const Field two_fields[] = {{{"a", "a", "1", "none"}, 0, true, false},
+                                       {{"b", "b", "1", "too large"}, 0, true, false}};
+    static const Stage stages[2] = {{.id = "one"}, {.id = "two"}};
+    static const Quantity series[] = {{"c", "c", "1", "a column"}};
+    Simulation sim = {.method = &method,
+                      .sets = &set,
+                      .n_sets = 1,
+                      .counts = {3},
+                      .fields = two_fields,
+                      .n_fields = 2,
+                      .stages = stages,
+                      .n_stages = 2,
+                      .stage_items = 1,
+                      .series = series,
+                      .n_series = 1};
+    double row[3] = {0};
+    ck_assert(simulation_follow(&sim, "thing 2 a", NULL));
+    ck_assert(simulation_follow(&sim, "thing 0 b", NULL));
+    simulation_row(&sim, row);
+    ck_assert(row[0] == 1 && isnan(row[1]) && isinf(row[2]));
+    ck_assert(sim.step == 0 && sim.stage == 0);
+    simulation_destroy(&sim);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
+    TCase *follow = tcase_create("follow");
+    tcase_add_loop_test(follow, what_is_no_number_stays_none, 0, 2);
+    suite_add_tcase(suite, follow);
     TCase *contract = tcase_create("contract");
     tcase_add_test(contract, promises_kept_are_silent);
     tcase_add_test_raise_signal(contract, a_row_in_mid_step, SIGABRT);
