@@ -144,6 +144,17 @@ START_TEST(overrides_stand_above_the_file)
     Override handles[] = {{"--set", "pd.critical_energy", "30"}, {"--set", "pd.critical_stretch", "0.001"}};
     ck_assert(scenario_load_with("notched-beam", handles, 1, &settings, NULL) && settings.bonds.energy_given);
     ck_assert(!scenario_load_with("notched-beam", handles, 2, &settings, &status));
+    /* of several values of a row the one that is wrong, and no line that is merely named */
+    Override rows[] = {{"--set 1", "cuts.edge.x0", "7"}, {"--set 2", "cuts.edge.y1", "0.01"}};
+    ck_assert(!scenario_load_with("pulled-plate", rows, 2, &settings, &status));
+    ck_assert_str_eq(status.text, "--set 1: cuts.edge: x0 = 7 is off the plate (0 to plate.length = 0.1)");
+    rows[0] = (Override){"--probe", "probe.x", "1"};
+    ck_assert(!scenario_load_with("pulled-plate", rows, 1, &settings, &status));
+    ck_assert_str_eq(status.text, "--probe: probe: x = 1 is off the plate (0 to plate.length = 0.1)");
+    rows[0] = (Override){"--from", "cuts.edge.x0", "0.05"};
+    rows[1] = (Override){"--end", "time.end", "1e-5"};
+    ck_assert(!scenario_load_with("pulled-plate", rows, 2, &settings, &status));
+    ck_assert_str_eq(status.text, "--from: cuts.edge: has no length (two places: X0 Y0 X1 Y1)");
     ck_assert(!scenario_load("mode11", &settings, &status));
     ck_assert_str_eq(status.text, "mode11: no such scenario or file (did you mean mode1?)");
     ck_assert(!scenario_load("/", &settings, &status));

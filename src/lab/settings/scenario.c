@@ -209,6 +209,28 @@ static bool names(const char *message, const char *key, bool at_start)
     return false;
 }
 
+/* Or, of one value of a row, whether it is about that row and names this value, or none of its values. */
+static bool is_about(const char *message, const char *key, bool at_start)
+{
+    char row[KEY_MAX], section[KEY_MAX];
+    const RowColumn *column = row_key_column(key);
+    if (names(message, key, at_start))
+        return true;
+    if (!column)
+        return false;
+    snprintf(row, sizeof row, "%.*s", (int)(strrchr(key, '.') - key), key);
+    if (!names(message, row, at_start))
+        return false;
+    if (names(message, column->word, false))
+        return true;
+    snprintf(section, sizeof section, "%.*s", (int)strcspn(key, "."), key);
+    const RowKind *kind = &row_kinds[row_kind_find(section)];
+    for (int k = 0; k < kind->n_columns; k++)
+        if (names(message, kind->columns[k].word, false))
+            return false;
+    return true;
+}
+
 /* As messages spell it. */
 static void spelled_key(const Entry *entry, char out[80])
 {
@@ -224,7 +246,7 @@ static bool find_origin(const Source *source, Status *status)
 {
     for (int at_start = 1; at_start >= 0; at_start--) {
         for (int i = source->n_overrides - 1; i >= 0; i--)
-            if (names(status->text, source->overrides[i].key, at_start)) {
+            if (is_about(status->text, source->overrides[i].key, at_start)) {
                 status_prefix(status, "%s", source->overrides[i].origin);
                 return true;
             }
@@ -232,7 +254,7 @@ static bool find_origin(const Source *source, Status *status)
             const Entry *entry = &source->entries.all[i];
             char key[80];
             spelled_key(entry, key);
-            if (!names(status->text, key, at_start))
+            if (!is_about(status->text, key, at_start))
                 continue;
             at_line(source, entry, status);
             return true;
