@@ -2,6 +2,7 @@
 /* Plates: against runs of independent programs (tests/golden/plates.txt), digit by digit; and what holds of
  * any plate: symmetry, the balance of energies, loads that end, what moves and what is protected. */
 #include "lab/problems/problem.h"
+#include "lab/answers/summary.h"
 #include "lab/lab_case.h"
 #include "lab/settings/scenario.h"
 #include "physics/pd_plane/beam.h"
@@ -362,6 +363,23 @@ START_TEST(supports_keep_their_velocity)
 }
 END_TEST
 
+/* It swings for all to see; there is no theory of its period, and that is no rest. */
+START_TEST(a_plate_that_swings_is_not_at_rest)
+{
+    Settings settings = small_plate();
+    char out[SUMMARY_MAX];
+    RunSummary summary;
+    set(&settings, "impulses.a", "0 0 50% 100% 0 1");
+    set(&settings, "time.end", "1e-5");
+    Experiment *experiment = open_experiment(&settings, 1 << 20);
+    ck_assert(experiment_advance(experiment, 100, NULL));
+    summary_of(experiment, &summary);
+    summary_text(&summary, &settings, out);
+    ck_assert_msg(strstr(out, "energy") && !strstr(out, "nothing vibrates"), "%s", out);
+    experiment_destroy(experiment);
+}
+END_TEST
+
 /* Strictly inside: a region that ends on a row of nodes leaves that row out. */
 START_TEST(protected_nodes_keep_their_bonds)
 {
@@ -613,6 +631,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(plates, energies_balance, 0, 12);
     tcase_add_test(plates, loads_give_their_impulse);
     tcase_add_test(plates, supports_keep_their_velocity);
+    tcase_add_test(plates, a_plate_that_swings_is_not_at_rest);
     tcase_add_test(plates, protected_nodes_keep_their_bonds);
     tcase_add_test(plates, steps_and_stages_have_the_same_bits);
     tcase_add_loop_test(plates, a_cone_binds_nothing_at_its_horizon, 0, 2);

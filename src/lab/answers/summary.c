@@ -179,7 +179,7 @@ static void add_readout(Writer *writer, const Readout *readout, const char *answ
 {
     const char *what = readout->is_period ? "period" : "frequency";
     if (!readout->moving) {
-        if (!found)
+        if (!found && !readout->unjudged)
             add(writer, "nothing vibrates: no %s to measure\n", what);
         return;
     }

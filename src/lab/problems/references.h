@@ -65,7 +65,8 @@ double references_standing_frequency(const References *, double time);
 
 /* What the run is judged by: a frequency (bar, radians per time) or a period (beams, s). */
 struct Readout {
-    bool moving; /* false: at rest or rigid motion; there is no frequency */
+    bool moving;   /* false: at rest or rigid motion; there is no frequency */
+    bool unjudged; /* nothing here is judged by a frequency, however it moves */
     bool measured_known, predicted_known, exact_known;
     bool is_period; /* the three numbers are periods, not frequencies */
     double measured, predicted, exact;

@@ -151,7 +151,8 @@ bool beam_lines(const Screen *screen, int width, char first[160], char second[16
                            second);
     } else if (!simulation_has(experiment_simulation(screen->experiment), HAS_PLANE))
         return false;
-    else if (!experiment_readout(screen->experiment)->moving && has_findings(screen))
+    else if (!experiment_readout(screen->experiment)->moving &&
+             (has_findings(screen) || experiment_readout(screen->experiment)->unjudged))
         return false;
     else if (!experiment_readout(screen->experiment)->moving)
         snprintf(first, 160, "nothing vibrates: no period to measure");

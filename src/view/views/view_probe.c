@@ -207,7 +207,7 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
         const bool with_exact = screen_shows_exact(screen);
         const int fitted = findings_text(findings, n, with_exact, width, first, 160);
         findings_text(findings + fitted, n - fitted, with_exact, width, second, 160);
-        if (n == 0)
+        if (n == 0 && !readout->unjudged)
             snprintf(first, 160, "nothing vibrates: no frequency to measure");
         return;
     }

@@ -421,7 +421,7 @@ bool beam_prepare_notched(References *refs, const Settings *settings, const Simu
 void beam_read_nothing(const References *refs, const double *rows, size_t n_rows, int n_columns, Readout *out)
 {
     (void)refs, (void)rows, (void)n_rows, (void)n_columns;
-    out->is_period = true;
+    out->is_period = out->unjudged = true;
     out->column = "u_probe";
 }
 
