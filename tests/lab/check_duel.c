@@ -2,8 +2,11 @@
 /* Two runs side by side: they stand at the same time whatever their steps are, and each is what it would be
  * alone. */
 #include "lab/run/duel.h"
+#include "lab/answers/comparison.h"
+#include "lab/answers/crack.h"
 #include "lab/run/experiment_internal.h"
 #include "lab/lab_case.h"
+#include "lab/settings/scenario.h"
 #include "suite.h"
 
 #include <math.h>
@@ -171,6 +174,45 @@ START_TEST(it_can_begin_in_the_middle)
     ck_assert_ptr_null(duel.b);
     ck_assert(!duel_pending(&duel, NULL));
     ck_assert(!experiment_ghosts(duel.a)[0].used);
+    end(&duel);
+}
+END_TEST
+
+static const char *in_table(const Comparison *rows, int count, const char *label, int run)
+{
+    for (int i = 0; i < count; i++)
+        if (strcmp(rows[i].label, label) == 0)
+            return rows[i].values[run];
+    return "";
+}
+
+/* Values of rows are keys like others: they have their names and their line in the table; and a plate is
+ * told by its cracks. */
+START_TEST(plates_differ_by_a_row)
+{
+    Settings settings;
+    Status status = {0};
+    ck_assert_msg(scenario_load("pulled-plate", &settings, &status), "%s", status.text);
+    set(&settings, "pd.spacing", "2e-3");
+    set(&settings, "pd.horizon", "6e-3");
+    Duel duel = begin(&settings, "loads.top.sy=9e6 pd.critical_energy=50", 1 << 20);
+    duel_seek(&duel, 400, 0);
+    finish(&duel);
+    ck_assert_str_eq(duel.names[0], "6e6, 204");
+    ck_assert_str_eq(duel.names[1], "9e6, 50");
+    Comparison rows[COMPARISONS_MAX];
+    const int count = comparison_of_duel(&duel, rows);
+    ck_assert_str_eq(in_table(rows, count, "loads.top.sy", 0), "6e6");
+    ck_assert_str_eq(in_table(rows, count, "loads.top.sy", 1), "9e6");
+    for (int run = 0; run < 2; run++) {
+        const CrackFronts *fronts = experiment_fronts(run ? duel.b : duel.a);
+        FrontsFacts facts;
+        ck_assert_ptr_nonnull(fronts);
+        crack_fronts_facts(fronts, &facts);
+        ck_assert_int_eq(atol(in_table(rows, count, "broken bonds", run)), facts.broken);
+        ck_assert_int_eq(atol(in_table(rows, count, "tips of cracks", run)), facts.n_tips);
+        ck_assert_double_eq_tol(atof(in_table(rows, count, "fastest, m/s", run)), facts.fastest, 0.5);
+    }
     end(&duel);
 }
 END_TEST
@@ -400,6 +442,7 @@ void add_cases(Suite *suite)
     tcase_set_timeout(tcase, 60);
     tcase_add_loop_test(tcase, both_stand_at_one_time, 0, 7);
     tcase_add_test(tcase, it_can_begin_in_the_middle);
+    tcase_add_test(tcase, plates_differ_by_a_row);
     tcase_add_test(tcase, wrong_keys_are_refused);
     tcase_add_test(tcase, the_question_suggests_the_next_choice);
     tcase_add_test(tcase, further_suggestions_are_all_good_for_a_duel);

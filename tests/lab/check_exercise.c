@@ -127,6 +127,31 @@ START_TEST(a_word_is_its_number)
         ck_assert_ptr_nonnull(number);
         ck_assert_msg(number->value(&run, number->word) == rows[i].value, "%s", rows[i].word);
     }
+    static const struct {
+        const char *word;
+        double value;
+    } of_plates[] = {{"crack_angle", 20}, {"crack_speed", 21},  {"broken_bonds", 22},
+                     {"branch_time", 23}, {"branch_angle", 24}, {"crack_tips", 25}};
+    run.crack_known = false;
+    run.fronts_known = true;
+    run.fronts = (FrontsFacts){.angle = 20,
+                               .fastest = 21,
+                               .broken = 22,
+                               .branch_time = 23,
+                               .half_angle = 24,
+                               .n_tips = 25,
+                               .branched = true};
+    for (size_t i = 0; i < sizeof of_plates / sizeof *of_plates; i++)
+        ck_assert_msg(run_number_find(of_plates[i].word)->value(&run, "") == of_plates[i].value, "%s",
+                      of_plates[i].word);
+    run.fronts.branched = false;
+    ck_assert(isnan(run_number_find("branch_time")->value(&run, "")));
+    /* bonds break without a cut too */
+    run.fronts_known = false;
+    run.n_columns = 1;
+    run.columns[0].quantity.name = "broken_bonds";
+    run.last_row[0] = 26;
+    ck_assert(run_number_find("broken_bonds")->value(&run, "") == 26);
     /* without them there is none */
     run = (RunSummary){
         .readout = {

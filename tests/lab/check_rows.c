@@ -201,6 +201,18 @@ START_TEST(rows_and_their_values_are_keys)
     expect_row(&s, ROWS_LOADS, 0, "top 0% 100% 0 7000000 ramp 1e-6");
     ck_assert(!settings_set(&s, "loads.top.ramp", "-1us", &status));
     ck_assert(settings_set(&s, "supports.left", "0 0 1mm 100% ux 0", &status));
+    static const char *const shown[][2] = {{"loads.top.sy", "7e6"},
+                                           {"loads.top.edge", "top"},
+                                           {"loads.top.to", "0.1"},
+                                           {"loads.top.until", "none"},
+                                           {"loads.low.sy", "none"},
+                                           {"probe.y", "0.02"},
+                                           {"supports.left", "0 0 0.001 100% ux 0"}};
+    for (size_t i = 0; i < sizeof shown / sizeof *shown; i++) {
+        char text[ROW_TEXT_MAX];
+        settings_row_key_show(&s, shown[i][0], text);
+        ck_assert_str_eq(text, shown[i][1]);
+    }
     ck_assert(settings_set(&s, "loads.top", "none", &status));
     ck_assert_int_eq(s.rows[ROWS_LOADS].count, 0);
     /* other problems have none */

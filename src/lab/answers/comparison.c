@@ -17,6 +17,8 @@ typedef struct Standing {
     const Readout *readout;
     CrackFacts crack;
     bool breaks; /* `crack` is known */
+    FrontsFacts fronts;
+    bool follows; /* `fronts` are known */
 } Standing;
 
 /* A row: its label for this run and, if there is one, its value. False: the run has no such number. */
@@ -197,7 +199,26 @@ static bool fill_crossing(const Standing *run, char *label, char *value)
 static bool fill_broken(const Standing *run, char *label, char *value)
 {
     snprintf(label, COMPARISON_TEXT_MAX, "broken bonds");
-    return run->breaks && put(value, "%.0f", (double)run->crack.measured.broken);
+    return (run->breaks || run->follows) &&
+           put(value, "%.0f", (double)(run->breaks ? run->crack.measured.broken : run->fronts.broken));
+}
+
+static bool fill_tips(const Standing *run, char *label, char *value)
+{
+    snprintf(label, COMPARISON_TEXT_MAX, "tips of cracks");
+    return run->follows && put(value, "%.0f", run->fronts.n_tips);
+}
+
+static bool fill_fastest(const Standing *run, char *label, char *value)
+{
+    snprintf(label, COMPARISON_TEXT_MAX, "fastest, m/s");
+    return run->follows && isfinite(run->fronts.fastest) && put(value, "%.0f", run->fronts.fastest);
+}
+
+static bool fill_branch(const Standing *run, char *label, char *value)
+{
+    snprintf(label, COMPARISON_TEXT_MAX, "branched at t, µs");
+    return run->follows && run->fronts.branched && put(value, "%.1f", run->fronts.branch_time / 1e-6);
 }
 
 static bool fill_first_break(const Standing *run, char *label, char *value)
@@ -261,12 +282,14 @@ static const struct {
     {fill_stop, COLUMN_MEASURED, false},       {fill_measured, COLUMN_MEASURED, false},
     {fill_predicted, COLUMN_PREDICTED, false}, {fill_exact, COLUMN_EXACT, false},
     {fill_broken, COLUMN_MEASURED, false},     {fill_first_break, COLUMN_MEASURED, false},
-    {fill_length, COLUMN_MEASURED, false},     {fill_tip_x, COLUMN_MEASURED, false},
-    {fill_tip_y, COLUMN_MEASURED, false},      {fill_loss, COLUMN_MEASURED, false},
-    {fill_null, COLUMN_MEASURED, false},       {fill_crossing, COLUMN_MEASURED, false},
-    {fill_error, COLUMN_EXACT, false},         {fill_late, COLUMN_EXACT, false},
-    {fill_lumping, COLUMN_MEASURED, false},    {fill_total, COLUMN_MEASURED, false},
-    {fill_work, COLUMN_MEASURED, false},       {fill_step, COLUMN_MEASURED, true},
+    {fill_tips, COLUMN_MEASURED, false},       {fill_fastest, COLUMN_MEASURED, false},
+    {fill_branch, COLUMN_MEASURED, false},     {fill_length, COLUMN_MEASURED, false},
+    {fill_tip_x, COLUMN_MEASURED, false},      {fill_tip_y, COLUMN_MEASURED, false},
+    {fill_loss, COLUMN_MEASURED, false},       {fill_null, COLUMN_MEASURED, false},
+    {fill_crossing, COLUMN_MEASURED, false},   {fill_error, COLUMN_EXACT, false},
+    {fill_late, COLUMN_EXACT, false},          {fill_lumping, COLUMN_MEASURED, false},
+    {fill_total, COLUMN_MEASURED, false},      {fill_work, COLUMN_MEASURED, false},
+    {fill_step, COLUMN_MEASURED, true},
 };
 enum { QUANTITIES = sizeof quantities / sizeof *quantities };
 
@@ -277,6 +300,10 @@ static Standing standing_of(Experiment *experiment)
 {
     Standing run = {.experiment = experiment, .readout = experiment_readout(experiment)};
     run.breaks = crack_facts(experiment_simulation(experiment), &run.crack);
+    const CrackFronts *fronts = experiment_fronts(experiment);
+    run.follows = fronts != NULL;
+    if (fronts)
+        crack_fronts_facts(fronts, &run.fronts);
     return run;
 }
 
@@ -287,14 +314,18 @@ static int add_keys(const Duel *duel, Comparison *rows)
     int count = 0;
     for (int i = 0; i < duel->n_keys; i++) {
         const Parameter *parameter = parameter_find(duel->keys[i].key);
+        const char *key = duel->keys[i].key;
         char value[LIST_MAX];
-        if (!parameter)
+        if (!parameter && !settings_row_is_key(settings[0], key))
             continue;
         Comparison *row = &rows[count++];
         *row = (Comparison){.kind = COLUMN_MEASURED};
-        snprintf(row->label, sizeof row->label, "%s", parameter->label);
+        snprintf(row->label, sizeof row->label, "%s", parameter ? parameter->label : key);
         for (int run = 0; run < 2; run++) {
-            settings_show(settings[run], parameter, value);
+            if (parameter)
+                settings_show(settings[run], parameter, value);
+            else
+                settings_row_key_show(settings[run], key, value);
             snprintf(row->values[run], sizeof row->values[run], "%.*s", COMPARISON_TEXT_MAX - 1, value);
         }
     }

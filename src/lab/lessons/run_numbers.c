@@ -75,9 +75,15 @@ static double derived(const RunSummary *run, const char *word)
     return NAN;
 }
 
+/* Of the notched beam's crack; of a plate what its cracks have. */
 static double crack(const RunSummary *run, double value)
 {
     return run->crack_known ? value : NAN;
+}
+
+static double either(const RunSummary *run, double of_crack, double of_fronts)
+{
+    return run->fronts_known ? of_fronts : crack(run, of_crack);
 }
 
 static double crack_start(const RunSummary *run, const char *word)
@@ -89,7 +95,7 @@ static double crack_start(const RunSummary *run, const char *word)
 static double crack_angle_all(const RunSummary *run, const char *word)
 {
     (void)word;
-    return crack(run, run->crack.angle);
+    return either(run, run->crack.angle, run->fronts.angle);
 }
 
 static double crack_length(const RunSummary *run, const char *word)
@@ -101,13 +107,41 @@ static double crack_length(const RunSummary *run, const char *word)
 static double crack_speed(const RunSummary *run, const char *word)
 {
     (void)word;
-    return crack(run, run->crack.measured.fastest);
+    return either(run, run->crack.measured.fastest, run->fronts.fastest);
 }
 
 static double broken_bonds(const RunSummary *run, const char *word)
 {
     (void)word;
-    return crack(run, (double)run->crack.measured.broken);
+    if (run->crack_known || run->fronts_known)
+        return either(run, (double)run->crack.measured.broken, (double)run->fronts.broken);
+    for (int i = 0; i < run->n_columns; i++)
+        if (strcmp(run->columns[i].quantity.name, "broken_bonds") == 0)
+            return run->last_row[i];
+    return NAN;
+}
+
+static double of_branch(const RunSummary *run, double value)
+{
+    return run->fronts_known && run->fronts.branched ? value : NAN;
+}
+
+static double branch_time(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return of_branch(run, run->fronts.branch_time);
+}
+
+static double branch_angle(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return of_branch(run, run->fronts.half_angle);
+}
+
+static double crack_tips(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return run->fronts_known ? (double)run->fronts.n_tips : NAN;
 }
 
 static double crack_cost_of(const RunSummary *run, const char *word)
@@ -138,11 +172,16 @@ const RunNumber run_numbers[] = {
     {"critical_energy", "energy that an area of crack should cost, J/m^2", derived, true},
     {"rayleigh_speed", "speed of Rayleigh's wave, m/s", derived, true},
     {"crack_start", "time of the first break at the notch, s", crack_start, false},
-    {"crack_angle", "angle of the crack's path against the upright, degrees", crack_angle_all, false},
+    {"crack_angle",
+     "angle of the crack's path against the upright, of a plate's fastest against its cut, degrees",
+     crack_angle_all, false},
     {"crack_length", "length of the crack's path, m", crack_length, false},
     {"crack_speed", "largest speed of the crack's tip, m/s", crack_speed, false},
     {"crack_cost", "energy that an area of crack took, J/m^2", crack_cost_of, false},
-    {"broken_bonds", "bonds that broke, the notch's apart", broken_bonds, false},
+    {"broken_bonds", "bonds that broke, those of notch and cuts apart", broken_bonds, false},
+    {"crack_tips", "tips that the cracks of a plate have", crack_tips, false},
+    {"branch_time", "time at which a plate's crack branched first, s", branch_time, false},
+    {"branch_angle", "half of the angle between its branches, degrees", branch_angle, false},
     {NULL, NULL, NULL, false},
 };
 

@@ -121,9 +121,12 @@ static void write_names(Duel *duel)
         for (int i = 0; i < duel->n_keys; i++) {
             const Parameter *parameter = parameter_find(duel->keys[i].key);
             char value[LIST_MAX];
-            if (!parameter)
+            if (parameter)
+                settings_spell(settings[run], parameter, value);
+            else if (settings_row_is_key(settings[run], duel->keys[i].key))
+                settings_row_key_show(settings[run], duel->keys[i].key, value);
+            else
                 continue;
-            settings_spell(settings[run], parameter, value);
             if (!text_list_add(name, DUEL_NAME_MAX, value))
                 break;
         }

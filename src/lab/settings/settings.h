@@ -18,7 +18,7 @@ typedef enum MethodKind { METHOD_MPM, METHOD_PD } MethodKind;
 enum {
     TITLE_MAX = 80, /* bytes, with the final zero; so the others */
     ABOUT_MAX = 1024,
-    LIST_MAX = 256,  /* overtones, times of frames */
+    LIST_MAX = 256,  /* overtones, times of frames; a row */
     KEY_MAX = 40,    /* "pd.surface_correction" */
     VALUE_MAX = 64,  /* the text of a value */
     DUEL_MAX = 8,    /* keys in which the second run of a duel differs */

@@ -250,3 +250,21 @@ double settings_row_number(const Settings *settings, const char *key)
               column = find_column(&row_kinds[at.kind], at.value);
     return row >= 0 && column >= 0 ? settings_row_value(settings, at.kind, row, column) : NAN;
 }
+
+void settings_row_key_show(const Settings *settings, const char *key, char out[ROW_TEXT_MAX])
+{
+    RowKey at;
+    _Static_assert((int)ROW_TEXT_MAX == (int)LIST_MAX, "whatever a key stands for has room in either");
+    const int row = cut_key(key, &at) ? settings_row_find(settings, at.kind, at.name) : -1,
+              column = row >= 0 ? find_column(&row_kinds[at.kind], at.value) : -1;
+    strcpy(out, "none");
+    if (row >= 0 && !*at.value)
+        settings_row_show(settings, at.kind, row, out);
+    if (column < 0)
+        return;
+    const double value = settings_row_value(settings, at.kind, row, column);
+    if (row_kinds[at.kind].columns[column].value == ROW_EDGE)
+        strcpy(out, row_edge_words[(int)value]);
+    else if (isfinite(value))
+        text_rounded(out, value, 6);
+}

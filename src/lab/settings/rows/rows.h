@@ -127,6 +127,10 @@ const RowColumn *row_key_column(const char *key);
 /* The number behind the key of one value, NAN: the key is none; to be varied like a parameter. */
 double settings_row_number(const Settings *, const char *key);
 
+/* What a key stands for, to be read: a row's text, a value in SI units, an edge's word; "none": there is
+ * none. */
+void settings_row_key_show(const Settings *, const char *key, char out[ROW_TEXT_MAX]);
+
 /* Do all rows lie on the plate? Else the status names the row, what is wrong and what is allowed. */
 bool settings_rows_check(const Settings *, Status *);
 
