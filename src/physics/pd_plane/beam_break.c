@@ -168,3 +168,24 @@ void beam_rebuild_damage(Beam *beam)
     beam->n_dirty = n_due;
     beam->crack.valid = false;
 }
+
+bool beam_holds(const Beam *beam, double x, double y)
+{
+    const double spacing = beam->lattice.spacing;
+    return x > spacing && x < beam->def.length - spacing && y > spacing && y < beam->def.height - spacing;
+}
+
+static bool has_fronts(const Beam *beam)
+{
+    bool any = false;
+    for (int i = 0; beam->def.problem == BEAM_PLATE && i < beam->def.plate.n_cuts; i++) {
+        const PlateCut *cut = &beam->def.plate.cuts[i];
+        any = any || beam_holds(beam, cut->x0, cut->y0) || beam_holds(beam, cut->x1, cut->y1);
+    }
+    return any;
+}
+
+void beam_set_breaking(Beam *beam)
+{
+    beam->sim.has |= HAS_BREAKING | (has_fronts(beam) ? HAS_FRONTS : 0u);
+}

@@ -202,6 +202,13 @@ void beam_update_damage(Beam *beam, long step);
 void beam_rebuild_damage(Beam *beam);
 void beam_report(Beam *beam, EventKind, long step, const char *text); /* at the end of that step */
 
+/* Whether a place is inside, more than a spacing from the edges: a crack runs on from a cut that ends there.
+ */
+bool beam_holds(const Beam *beam, double x, double y);
+
+/* Bonds can break from now on. */
+void beam_set_breaking(Beam *beam);
+
 /* crack.c: called after every change of damage; keeps the crack's length at its longest */
 void crack_follow(Beam *beam);
 
@@ -229,12 +236,6 @@ void beam_keep_kinetic(Beam *beam);
 
 /* beam_fields.c */
 void beam_set_fields(Beam *beam);
-
-/* Whether a place is inside, more than a spacing from the edges: a crack runs on from a cut that ends there. */
-bool beam_holds(const Beam *beam, double x, double y);
-
-/* Bonds can break from now on. */
-void beam_set_breaking(Beam *beam);
 void beam_field(const Simulation *sim, int field, size_t first, size_t count, double *out);
 
 /* beam_shares.c: half of the energy of the bonds of nodes [first, first + count), J; the largest stretch of
