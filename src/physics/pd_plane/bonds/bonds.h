@@ -8,8 +8,8 @@
  *
  * which needs neither root nor division, and keeps all digits at strains of 1e-6. The squared stretch that
  * the energy needs is (1 - (1 + e)^(-1/2))^2 (1 + e). A segment (a tile's bonds of one direction) with a live
- * bond beyond that range, or stretched so far that it may break, is done again bond by bond with the root. A
- * bond breaks where d >= |xi|^2 (2 s0 + s0^2), which is s >= s0, and then carries nothing; a broken bond has
+ * bond beyond that range, or stretched so far that it may break, is done with the root instead. A bond breaks
+ * where d >= |xi|^2 (2 s0 + s0^2), which is s >= s0, and then carries nothing; a broken bond has
  * the coefficient zero. Each bond is computed once, by its owner's row.
  *
  * The source is compiled once per vector width. Every sum runs in the same order at every width. */
@@ -18,10 +18,6 @@
 
 #include "physics/cpu.h"
 #include "physics/pd_plane/bonds/lattice.h"
-
-enum {
-    BONDS_TILE = 128
-}; /* columns: the forces of all directions of a row distance stay in the first cache */
 
 /* What the kernels read of a simulation, and the coefficients and bits that they clear and set. */
 typedef struct BondSystem {
