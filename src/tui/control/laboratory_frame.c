@@ -6,7 +6,6 @@
  * frame has room for. Steps are done in pieces short enough to look at the clock between them, judged by what
  * the last ones took, and a step that is longer than a frame in parts. */
 #include "tui/control/laboratory.h"
-#include "tui/control/session/session.h"
 
 #include <math.h>
 
@@ -219,14 +218,4 @@ bool laboratory_frame(Laboratory *lab, double deadline)
     lesson_play_continue(lab);
     lab->given_up = false;
     return news;
-}
-
-bool laboratory_go_on(Laboratory *lab)
-{
-    if (lab->given_up || lab->host.go_on(lab->host.context))
-        return !lab->given_up;
-    lab->given_up = true;
-    if (lab->recording)
-        session_note_stop(lab->recording, lab);
-    return false;
 }
