@@ -5,6 +5,8 @@
  * reader. */
 #include "cli/options.h"
 
+#include "cli/distinct.h"
+
 #include "base/threads.h"
 #include "base/text.h"
 #include "view/views/view.h"
@@ -403,9 +405,21 @@ static bool load_run(const Options *options, const char *scenario, Settings *set
 }
 
 /* Which views there are no scenario file knows. */
+/* Not even --force writes over the scenario that is read. */
+static bool spares_scenario(const Options *options, const char *scenario, Status *status)
+{
+    const char *const outputs[] = {options->outputs.series, options->outputs.particles,
+                                   options->outputs.nodes,  options->outputs.bonds,
+                                   options->outputs.vtk,    options->output};
+    for (size_t i = 0; i < sizeof outputs / sizeof *outputs && !scenario_builtin(scenario); i++)
+        if (!distinct_files(&outputs[i], 1, &scenario, 1, status))
+            return false;
+    return true;
+}
+
 bool options_load(const Options *options, const char *scenario, Settings *settings, Status *status)
 {
-    if (!load_run(options, scenario, settings, status))
+    if (!spares_scenario(options, scenario, status) || !load_run(options, scenario, settings, status))
         return false;
     if (view_check(&settings->view, status))
         return true;

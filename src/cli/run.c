@@ -7,6 +7,7 @@
 #include "cli/describe.h"
 #include "lab/export/export.h"
 #include "lab/answers/summary.h"
+#include "lab/settings/changes.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -40,9 +41,14 @@ static void print_summary(const Options *options, const Settings *settings, cons
 {
     FILE *to = writes_to_standard_output(&options->outputs) ? stderr : stdout;
     char text[SUMMARY_MAX];
+    char advice[240] = "";
+    Status ignored = {STATUS_DONE, ""};
     summary_text(summary, settings, text);
+    changes_advice(settings, advice, sizeof advice, &ignored);
     if (*settings->title)
         fprintf(to, "%s\n", settings->title);
+    if (*advice)
+        fprintf(to, "%s\n", advice);
     fprintf(to, "%swall time %.3g s\n", text, took);
     print_files(to, &options->outputs);
 }

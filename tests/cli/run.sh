@@ -55,6 +55,16 @@ expect "a plate that comes to rest" 0 plate.ini --set 'loads.l=top 0 100% 0 1e4'
 	--set time.rest=yes --end 0.01
 result "says so" says out '^1248 steps to .*, where it came to rest$'
 result "and not that nothing vibrates" sh -c '! grep -q "nothing vibrates" out'
+expect "a cut along nodes" 0 plate.ini --set 'cuts.a=0 10.5mm 100% 10.5mm' --end 1e-6
+result "is told of" says out '^cut a runs along nodes'
+cp plate.ini own.ini
+for option in --series --particles --nodes --vtk; do
+	expect "$option onto the scenario" 2 own.ini --end 1e-6 $option own.ini --force
+	result "is refused" says err '^matvib: own.ini: it is read, so it cannot be written too$'
+done
+result "which stays" cmp plate.ini own.ini
+"$MATVIB" sweep own.ini --vary plate.height=20mm,30mm --output own.ini --force >out 2>err
+result "so by a sweep" says err '^matvib: own.ini: it is read'
 expect "a plate that is struck too hard" 0 plate.ini --set 'impulses.i=0 0 1mm 100% 4000 0' --end 2e-5
 result "tells what its energy was on the way" says out '^energy, .* of the start; at most [+]15.2 % on the way$'
 expect "a beam by bonds that leaves its channel" 0 moving-cantilever-coarse --end 2e-5

@@ -522,6 +522,17 @@ static const struct {
                   {"0.5mm 0.5mm 9mm 9mm", true},    {"1mm 0.5mm 9mm 8.5mm", false},
                   {"0.5mm 10mm 0.9mm 10mm", false}, {"0 10.5mm 0.9mm 10.5mm", false}};
 
+START_TEST(a_cut_along_an_edge_is_told)
+{
+    static const char *const cuts[] = {"0 0 100% 0", "100% 0 100% 100%", "0 19.6mm 100% 20mm", "0 0 0 100%"};
+    Settings settings = small_plate();
+    char advice[160];
+    set(&settings, "cuts.edge", cuts[_i]);
+    ck_assert(problem_advice(&settings, advice, sizeof advice, NULL));
+    ck_assert_str_eq(advice, "cut edge runs along an edge and parts no bond");
+}
+END_TEST
+
 START_TEST(a_cut_along_nodes_is_told)
 {
     Settings settings = small_plate();
@@ -638,6 +649,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(plates, a_plane_through_a_low_plate_is_what_is_there, 0, 2);
     LOOP(plates, the_probe_is_the_nearest_node, probes);
     LOOP(plates, a_cut_along_nodes_is_told, directions);
+    tcase_add_loop_test(plates, a_cut_along_an_edge_is_told, 0, 4);
     tcase_add_loop_test(plates, nodes_on_a_cut_hang_on_its_right, 0, 2);
     LOOP(plates, a_plate_that_is_none_is_refused, refused);
     tcase_add_test(plates, a_question_leaves_the_lattice_usual);

@@ -135,7 +135,13 @@ static const struct {
     {"[impulses]\na = 0 0 1cm 1cm 1e999 0\n", "f.ini:4: impulses.a: vx: 1e999 is not a number (in m/s)"},
     {"[probe]\nz = 1\n", "f.ini:4: probe.z: a probe has no such value (x, y)"},
     {"[probe]\nx = none\n", "f.ini:4: probe: x: none is not a number (a place in m, or a share such as 50%)"},
-    {"[probe]\nx = 0.2\n", "f.ini:4: probe: x = 0.2 is off the plate (0 to plate.length = 0.1)"},
+    {"[plate]\nlength = 0.1\n[probe]\nx = 0.2\n",
+     "f.ini:6: probe.x = 0.2 is off the plate (0 to plate.length = 0.1)"},
+    {"[loads]\nl = top 0 100% 0 10%\n",
+     "f.ini:4: loads.l: sy: 10% is a share, which only a place can be (in Pa)"},
+    {"[supports]\ns = 0 0 1mm 100% ux 5%\n",
+     "f.ini:4: supports.s: ux: 5% is a share, which only a place can be (in m/s)"},
+    {"[probe]\nx = 0.2\n", "f.ini:4: probe.x = 0.2 is off the plate (0 to plate.length = 0.1)"},
     {"[cut]\na = 0 0 1 1\n", "f.ini:3: [cut]: unknown section (did you mean [cuts]?)"},
 };
 

@@ -70,6 +70,9 @@ bool beam_check(const BeamDef *definition, Status *status);
  */
 int beam_one_sided_cut(const BeamDef *definition);
 
+/* The first cut that parts nothing, for it runs along an edge; -1: there is none. */
+int beam_outer_cut(const BeamDef *definition);
+
 /* Builds the simulation at t = 0. NULL: the status names the scenario key that is wrong ("notch.position:
  * ..."), or says that there is not enough memory.
  *

@@ -149,13 +149,23 @@ bool beam_check(const BeamDef *def, Status *status)
             plate_check(&def->plate, &measured, sqrt(def->youngs_modulus / def->density), status));
 }
 
-int beam_one_sided_cut(const BeamDef *def)
+static int cut_that(const BeamDef *def, bool (*holds)(const PlateCut *, const Lattice *))
 {
     Lattice lattice;
     if (def->problem != BEAM_PLATE || !lattice_measure(&lattice, def, NULL))
         return -1;
     for (int k = 0; k < def->plate.n_cuts; k++)
-        if (cut_runs_along_nodes(&def->plate.cuts[k], &lattice))
+        if (holds(&def->plate.cuts[k], &lattice))
             return k;
     return -1;
+}
+
+int beam_one_sided_cut(const BeamDef *def)
+{
+    return cut_that(def, cut_runs_along_nodes);
+}
+
+int beam_outer_cut(const BeamDef *def)
+{
+    return cut_that(def, cut_runs_outside);
 }

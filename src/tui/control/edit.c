@@ -2,6 +2,7 @@
 /* The parameter pane: choosing, nudging and editing in place. */
 #include "tui/control/laboratory.h"
 #include "tui/control/prompt/line_edit.h"
+#include "tui/control/row_edit.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -162,8 +163,16 @@ bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Sta
 void edit_nudge(Laboratory *lab, int direction, bool fine)
 {
     const Parameter *parameter = edit_selected(&lab->screen);
-    if (!parameter)
+    int kind, row;
+    if (!parameter) {
+        if (row_edit_selected(&lab->screen, &kind, &row))
+            laboratory_say(lab, MESSAGE_INFO,
+                           row == ROW_NEW          ? "Enter adds a %s"
+                           : row_kinds[kind].usual ? "the %s: Enter edits, p moves it"
+                                                   : "a %s: Enter edits, p moves, C copies, D deletes it",
+                           row_kinds[kind].one);
         return;
+    }
     Settings settings = *experiment_settings(lab->screen.experiment);
     Status status = {STATUS_DONE, ""};
     if (!settings_nudge(&settings, parameter, direction, fine)) {

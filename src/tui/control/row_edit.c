@@ -77,7 +77,14 @@ bool row_edit_line(Laboratory *lab, int kind, const char *words, Status *status)
     const bool sound = strcmp(values, "none") == 0 && !row_kinds[kind].usual
                            ? settings_row_remove(&settings, kind, name, status)
                            : settings_row_set(&settings, kind, name, values, status);
-    return sound && apply(lab, &settings, status);
+    if (!sound || !apply(lab, &settings, status))
+        return false;
+    const int row = settings_row_find(&settings, kind, name);
+    if (row >= 0) { /* the keys that edit rows mean it now */
+        lab->screen.panes.focus = PANE_PARAMETERS;
+        select_row(&lab->screen, kind, row);
+    }
+    return true;
 }
 
 /* What was shown is rounded: a word that was left as it stood there means the value that it stands for. */

@@ -165,9 +165,13 @@ static bool advice(const Settings *settings, char *text, size_t size, Status *st
 static bool advice_plate(const Settings *settings, char *text, size_t size, Status *status)
 {
     const BeamDef plate = beam_definition(settings, 1);
-    const int cut = beam_one_sided_cut(&plate);
-    if (cut < 0)
+    const int cut = beam_one_sided_cut(&plate), outer = beam_outer_cut(&plate);
+    if (cut < 0 && outer < 0)
         return advice(settings, text, size, status);
+    if (cut < 0) {
+        snprintf(text, size, "cut %s runs along an edge and parts no bond", plate.plate.cuts[outer].name);
+        return true;
+    }
     snprintf(text, size, "cut %s runs along nodes, which hang on its right: shift it by half a spacing, %g m",
              plate.plate.cuts[cut].name, plate.spacing / 2);
     return true;

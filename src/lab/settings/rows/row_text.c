@@ -89,8 +89,8 @@ static bool read_number(const RowColumn *column, const char *word, bool share, d
     char why[QUANTITY_WHY_MAX], number[WORD_MAX];
     snprintf(number, sizeof number, "%.*s", (int)(strlen(word) - share), word);
     const bool place = is_place(column->value);
-    if (place && !share && strchr(word, '%'))
-        snprintf(why, sizeof why, "is no share");
+    if (!share && strchr(word, '%'))
+        snprintf(why, sizeof why, place ? "is no share" : "is a share, which only a place can be");
     else if (quantity_read(number, share ? "" : column->unit, value, why))
         return true;
     return status_fail(status, STATUS_USAGE, "%s: %s: %s %s (%s %s%s)", about, column->word, word, why,

@@ -47,6 +47,15 @@ bool cut_parts(const PlateCut *cut, const Lattice *lattice, BondPlace bond)
     return crossing >= -tolerance && crossing <= cut_length(cut) + tolerance;
 }
 
+bool cut_runs_outside(const PlateCut *cut, const Lattice *lattice)
+{
+    const double tolerance = 1e-6 * lattice->spacing;
+    return fmax(cut->x0, cut->x1) < lattice_x(lattice, 0) - tolerance ||
+           fmin(cut->x0, cut->x1) > lattice_x(lattice, lattice->nx - 1) + tolerance ||
+           fmax(cut->y0, cut->y1) < lattice_y(lattice, 0) - tolerance ||
+           fmin(cut->y0, cut->y1) > lattice_y(lattice, lattice->ny - 1) + tolerance;
+}
+
 /* Columns are looked at for a cut that is rather level, rows for one that is rather upright: the node nearest
  * to the line in each. */
 bool cut_runs_along_nodes(const PlateCut *cut, const Lattice *lattice)

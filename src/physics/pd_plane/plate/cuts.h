@@ -9,6 +9,9 @@
 /* Whether the cut parts the bond. */
 bool cut_parts(const PlateCut *, const Lattice *, BondPlace);
 
+/* Whether all nodes lie on one side of it because it runs along an edge: it parts no bond. */
+bool cut_runs_outside(const PlateCut *, const Lattice *);
+
 /* Whether two or more nodes lie on the cut, so that it is one-sided. */
 bool cut_runs_along_nodes(const PlateCut *, const Lattice *);
 
