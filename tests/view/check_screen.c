@@ -106,6 +106,7 @@ static const Picture pictures[] = {
     {"travel-ux", "moving-cantilever-mpm-coarse 60x18 1740 zoom focus 2 upper beam variant 1"},
     {"travel-profile", "moving-cantilever-mpm-coarse 60x18 1740 zoom focus 2 upper profile variant 2"},
     {"travel-velocity", "moving-cantilever-coarse 60x18 1740 zoom focus 2 upper profile variant 3"},
+    {"inspect-plane", "moving-cantilever-mpm-coarse 60x18 100 stage 3 inspect particle 560"},
     {"mesh-drawn", "moving-cantilever-mpm-coarse 80x24 800 zoom focus 2 upper beam magnified 16 stage 1 at "
                    "0.9,0.5 particle 560"},
     {"help-plane", "supported-beam-mpm-coarse 80x24 0 help 2"},

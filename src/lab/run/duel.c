@@ -121,7 +121,8 @@ static void write_names(Duel *duel)
         for (int i = 0; i < duel->n_keys; i++) {
             const Parameter *parameter = parameter_find(duel->keys[i].key);
             char value[LIST_MAX];
-            if (parameter)
+            /* the spacing of a lattice says nothing of cells */
+            if (parameter && settings_have(settings[run], parameter))
                 settings_spell(settings[run], parameter, value);
             else if (settings_row_is_key(settings[run], duel->keys[i].key))
                 settings_row_key_show(settings[run], duel->keys[i].key, value);

@@ -309,24 +309,31 @@ static int block_rows(const Plan *plan)
     return HEAD_ROWS + plan->scaled + (int)plan->shown + (plan->shown < plan->all) + plan->totals;
 }
 
-static void draw_head(const Subject *subject, Area area, const Block *block, const Plan *plan, int y)
+/* What is given to whom, in full or in short. */
+static void title_of(const Subject *subject, const Block *block, bool in_full, char out[200])
 {
     const Simulation *sim = subject->sim;
     const Set *other = &sim->sets[1 - subject->set], *own = &sim->sets[subject->set];
-    const int formulas = y + 2 + plan->scaled;
-    char text[200];
-    snprintf(text, sizeof text, "%sstage %d, %s: what ", sim->stage == 0 ? "next, " : "", block->stage + 1,
-             sim->stages[block->stage].name);
-    if (block->takes)
-        text_append(text, sizeof text, "its %s give to this %s", other->plural, own->name);
-    else
-        text_append(text, sizeof text, "this %s gives to its %s", own->name, other->plural);
-    if (1 + glyphs_columns(text) > area.rect.width)
-        snprintf(text, sizeof text, "%sstage %d: %s to %s", sim->stage == 0 ? "next, " : "", block->stage + 1,
+    const char *next = sim->stage == 0 ? "next, " : "";
+    if (!in_full)
+        snprintf(out, 200, "%sstage %d: %s to %s", next, block->stage + 1,
                  block->takes ? other->plural : own->name, block->takes ? own->name : other->plural);
-    area_text(area, 1, y, text, STYLE_HEADING);
-    area_text(area, 1, y + 1, block->notes, STYLE_FAINT);
-    area_text_right(area, INDEX_WIDTH - 1, formulas, other->name, STYLE_HEADING);
+    else if (block->takes)
+        snprintf(out, 200, "%sstage %d, %s: what its %s give to this %s", next, block->stage + 1,
+                 sim->stages[block->stage].name, other->plural, own->name);
+    else
+        snprintf(out, 200, "%sstage %d, %s: what this %s gives to its %s", next, block->stage + 1,
+                 sim->stages[block->stage].name, own->name, other->plural);
+}
+
+/* Names the columns; returns where the first label above them begins. */
+static int draw_columns_head(const Subject *subject, Area area, const Block *block, const Plan *plan, int y)
+{
+    const Simulation *sim = subject->sim;
+    const int formulas = y + 1 + plan->scaled;
+    int begin = area.rect.width;
+    char text[16];
+    area_text_right(area, INDEX_WIDTH - 1, formulas, sim->sets[1 - subject->set].name, STYLE_HEADING);
     bool beside_factors = true; /* where a long label has room */
     for (int c = 0; c < block->n_columns; c++) {
         const BlockColumn *column = &block->columns[c];
@@ -339,12 +346,31 @@ static void draw_head(const Subject *subject, Area area, const Block *block, con
             sim->fields[simulation_find_field(sim, exchange->to, exchange->field)].quantity.label;
         if (!beside_factors && glyphs_columns(label) >= PRODUCT_WIDTH)
             label = exchange->field;
-        area_text_right(area, end, y + 1, label, STYLE_HEADING);
+        area_text_right(area, end, y, label, STYLE_HEADING);
+        begin = beside_factors ? end - glyphs_columns(label) : begin;
         beside_factors = false;
         snprintf(text, sizeof text, "x10^%d", plan->writings[c].exponent);
         if (plan->writings[c].exponent != 0)
-            area_text_right(area, end, y + 2, text, STYLE_HEADING);
+            area_text_right(area, end, y + 1, text, STYLE_HEADING);
     }
+    return begin;
+}
+
+/* What factors stand for stands before the labels or, where there is no room for all of it, behind a short
+ * title. */
+static void draw_head(const Subject *subject, Area area, const Block *block, const Plan *plan, int y)
+{
+    char title[200];
+    const int width = area.rect.width, notes = glyphs_columns(block->notes);
+    const bool before = 1 + notes < draw_columns_head(subject, area, block, plan, y + 1);
+    title_of(subject, block, true, title);
+    if (1 + glyphs_columns(title) > width || !before)
+        title_of(subject, block, false, title);
+    const int end = 1 + area_text(area, 1, y, title, STYLE_HEADING) + 2;
+    if (before)
+        area_text(area, 1, y + 1, block->notes, STYLE_FAINT);
+    else if (end + notes < width)
+        area_text(area, end, y, block->notes, STYLE_FAINT);
 }
 
 /* The rows under a product column: its sum and, right after the stage, the field that it makes. */

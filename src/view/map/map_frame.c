@@ -107,6 +107,18 @@ bool map_has_mesh(const Map *map)
 
 /* --- scales --------------------------------------------------------------------------------------- */
 
+/* How far a column of the other run of a duel has reached: two maps are compared by one scale. */
+static double reach_beside(const Screen *screen, const char *name)
+{
+    Experiment *other = screen_other_run(screen);
+    int count = 0;
+    const Column *columns = other ? experiment_columns(other, &count) : NULL;
+    for (int i = 0; i < count; i++)
+        if (strcmp(columns[i].quantity.name, name) == 0)
+            return time_plot_reach(experiment_record(other), i);
+    return 0;
+}
+
 double map_reach(const Map *map, int field, const double *now)
 {
     static const char *const probes[][2] = {{"uy", "u_probe"}, {"vy", "v_probe"}};
@@ -122,6 +134,7 @@ double map_reach(const Map *map, int field, const double *now)
             reach = fmax(reach, time_plot_reach(experiment_record(map->screen->experiment), column));
         if (isfinite(envelope))
             reach = fmax(reach, envelope);
+        reach = fmax(reach, reach_beside(map->screen, probes[i][1]));
     }
     return reach;
 }

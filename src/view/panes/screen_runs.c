@@ -126,14 +126,19 @@ static double reach_of(Experiment *experiment, int field, const double *now, siz
     return isfinite(reach) ? reach : 0;
 }
 
+Experiment *screen_other_run(const Screen *screen)
+{
+    Experiment *second = screen_second_run(screen);
+    return second && screen->experiment == second ? screen->duel->a : second;
+}
+
 /* Two runs are compared by one scale. */
 double screen_field_reach(const Screen *screen, int field, const double *now, size_t count)
 {
     double reach = reach_of(screen->experiment, field, now, count);
-    Experiment *second = screen_second_run(screen);
-    if (!second)
+    Experiment *other = screen_other_run(screen);
+    if (!other)
         return reach;
-    Experiment *other = screen->experiment == second ? screen->duel->a : second;
     const Simulation *sim = experiment_simulation(other);
     const char *name = experiment_simulation(screen->experiment)->fields[field].quantity.name;
     const int same = simulation_find_field(sim, 0, name);

@@ -8,6 +8,9 @@
 /* The second run of a duel; NULL: there is none. */
 Experiment *screen_second_run(const Screen *);
 
+/* The run beside the one on this screen, A of B and B of A; NULL: there is one alone. */
+Experiment *screen_other_run(const Screen *);
+
 /* Both runs of a duel share the picture: what only one of them can have is left to the pictures of one run.
  */
 bool screen_is_shared(const Screen *);
