@@ -81,11 +81,9 @@ static void put(FILE *stream, const char *text)
 /* The name of a table, or of the scenario beside it. */
 static void put_name(FILE *stream, const char *table, bool beside)
 {
-    char *whole;
-    if (asprintf(&whole, "%s%s", base_name(table), beside ? ".ini" : "") < 0)
-        return;
-    put(stream, whole);
-    free(whole);
+    fputc('"', stream);
+    text_put_escaped(stream, base_name(table), strlen(base_name(table)));
+    fputs(beside ? ".ini\"" : "\"", stream);
 }
 
 static void put_reference(FILE *stream, const char *table, bool beside)
