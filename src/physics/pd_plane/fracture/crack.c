@@ -138,7 +138,7 @@ void crack_begin(Beam *beam)
 {
     const double dt = beam->sim.dt,
                  window = crack_speed_window(beam->def.horizon, beam->def.youngs_modulus, beam->def.density);
-    beam->tip_every = (long)fmax(1, ceil(window / dt / (CRACK_TIPS - 1)));
+    beam->tip_every = (long)fmin(1e9, fmax(1, ceil(window / dt / (CRACK_TIPS - 1))));
     beam->n_tips = (int)fmax(2, fmin(CRACK_TIPS, round(window / ((double)beam->tip_every * dt)) + 1));
     beam->head->tip_x = beam->def.notch_position;
     beam->head->tip_y = beam->def.notch_depth;

@@ -32,6 +32,14 @@ static double distance(const double at[2], const double c[2], const double d[2])
     return hypot(c[0] + along * x - at[0], c[1] + along * y - at[1]);
 }
 
+/* Whether a place is farther from the rectangle about a segment than this, and so from the segment: for most
+ * of a long path that answers all. */
+static bool is_off(const double c[2], const double d[2], const double at[2], double reach)
+{
+    return at[0] < fmin(c[0], d[0]) - reach || at[0] > fmax(c[0], d[0]) + reach ||
+           at[1] < fmin(c[1], d[1]) - reach || at[1] > fmax(c[1], d[1]) + reach;
+}
+
 /* The energy of a whole bond at s0, J: c G w V s0^2 |xi| V/2 times the thickness. */
 static double at_limit(const Beam *beam, BondPlace bond)
 {
@@ -52,6 +60,8 @@ static void add_bond(CrackCost *cost, const Beam *beam, const CrackPath *paths, 
     for (const CrackPath *path = paths; path < paths + n_paths; path++)
         for (size_t k = 0; k + 1 < path->count && !crosses; k++) {
             const double c[2] = {path->x[k], path->y[k]}, d[2] = {path->x[k + 1], path->y[k + 1]};
+            if (is_off(c, d, middle, 1.01 * beam->def.horizon))
+                continue;
             crosses = segments_cross(a, b, c, d);
             nearest = fmin(nearest, distance(middle, c, d));
         }
