@@ -380,6 +380,29 @@ START_TEST(a_plate_that_swings_is_not_at_rest)
 }
 END_TEST
 
+static const Stage *body_force_of(const Simulation *sim)
+{
+    return &sim->stages[simulation_find_stage(sim, "body-force")];
+}
+
+/* The stage says that the nodes are weighed while they are. */
+START_TEST(a_stage_tells_of_the_weight)
+{
+    Settings settings = small_plate();
+    set(&settings, "loads.a", "top 0 100% 0 1");
+    Simulation *sim = simulation_of(&settings, 1);
+    ck_assert(!strstr(body_force_of(sim)->ascii, "rho b"));
+    unsigned char *before = snapshot_now(sim);
+    ck_assert(sim->method->change(sim, "load.body_force", -9.81, NULL));
+    ck_assert_str_eq(body_force_of(sim)->ascii,
+                     "f(i) += rho b on every node,   + (sx, sy) min(1, t/t0)/dx on loaded ones");
+    simulation_restore(sim, before);
+    ck_assert(!strstr(body_force_of(sim)->ascii, "rho b"));
+    free(before);
+    simulation_destroy(sim);
+}
+END_TEST
+
 /* Strictly inside: a region that ends on a row of nodes leaves that row out. */
 START_TEST(protected_nodes_keep_their_bonds)
 {
@@ -643,6 +666,7 @@ void add_cases(Suite *suite)
     tcase_add_test(plates, loads_give_their_impulse);
     tcase_add_test(plates, supports_keep_their_velocity);
     tcase_add_test(plates, a_plate_that_swings_is_not_at_rest);
+    tcase_add_test(plates, a_stage_tells_of_the_weight);
     tcase_add_test(plates, protected_nodes_keep_their_bonds);
     tcase_add_test(plates, steps_and_stages_have_the_same_bits);
     tcase_add_loop_test(plates, a_cone_binds_nothing_at_its_horizon, 0, 2);

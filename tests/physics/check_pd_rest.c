@@ -364,6 +364,13 @@ START_TEST(travel_is_not_braked)
         ck_assert_double_eq_tol(vx[k], def.speed, 1e-9);
     ck_assert_double_eq_tol(of_series(sim, "damped"), 0, 1e-15);
     free(vx);
+    unsigned char *before = malloc(sim->method->state_size(sim));
+    char text[512];
+    sim->method->save(sim, before);
+    ck_assert(simulation_stage(sim, NULL));
+    sim->method->explain(sim, 0, SET_PARTICLE, sim->counts[SET_PARTICLE] - 1, before, 4, text, sizeof text);
+    ck_assert_msg(strstr(text, "α (vx − v0)") != NULL, "%s", text);
+    free(before);
     simulation_destroy(sim);
 }
 END_TEST

@@ -64,9 +64,10 @@ bool beam_set_damping(Beam *beam, Status *status)
         return status_fail(status, STATUS_USAGE,
                            def->critically_damped
                                ? "damping.rate: critical is twice a lowest frequency that is not known here: "
-                                 "nothing holds the beam, or the lattice is too fine (a number, 1/s)"
-                               : "time.rest: the lowest frequency is not known here: nothing holds the beam, "
-                                 "or the lattice is too fine (no)");
+                                 "nothing holds the %s, or the lattice is too fine (a number, 1/s)"
+                               : "time.rest: the lowest frequency is not known here: nothing holds the %s, "
+                                 "or the lattice is too fine (no)",
+                           beam_word(def));
     const double lowest = 2 * M_PI / beam->period;
     if (def->critically_damped)
         beam->damping = 2 * lowest;

@@ -65,6 +65,11 @@ void beam_set_stages(Beam *beam)
         force->sentence = "The tractions act on the one layer of nodes along their edges.";
         force->reads = "loaded fx fy";
         force->writes = "fx fy";
+        if (beam->head->body_force != 0) {
+            force->equation = "f(i) += ρ b on every node,   + (sx, sy) min(1, t/t0)/Δx on loaded ones";
+            force->ascii = "f(i) += rho b on every node,   + (sx, sy) min(1, t/t0)/dx on loaded ones";
+            force->sentence = "The weight pulls at every node, tractions at the one layer along their edges.";
+        }
     }
     if (beam->damping > 0) {
         Stage *first = &beam->stages[STAGE_HALF_KICK], *second = &beam->stages[STAGE_SECOND_KICK];
@@ -73,6 +78,10 @@ void beam_set_stages(Beam *beam)
         first->sentence = "The last force adds half a step's worth of velocity, and damping takes its share.";
         second->equation = "v(n+1) = (v(n+½) + Δt/2 f/ρ)/(1 + α Δt/2)";
         second->ascii = "v(n+1) = (v(n+1/2) + dt/2 f/rho)/(1 + alpha dt/2)";
+        if (beam->def.problem == BEAM_MOVING_CANTILEVER)
+            first->sentence =
+                "The last force adds half a step's worth of velocity, and damping takes its share: of "
+                "vx what differs from v0.";
     }
     if (beam->def.problem == BEAM_SIMPLY_SUPPORTED || beam->def.problem == BEAM_MOVING_CANTILEVER) {
         Stage *body_force = &beam->stages[STAGE_BODY_FORCE];
@@ -136,9 +145,13 @@ static void explain_damped(const Beam *beam, Calculation *calculation, bool seco
     const double half = beam->sim.dt / 2, alpha = beam->damping, density = beam->def.density;
     const double factor = second ? half / (1 + alpha * half) : half;
     const double ahead = beam->def.problem == BEAM_MOVING_CANTILEVER ? beam->def.speed : 0;
-    write_change(calculation,
-                 second ? "vx = vx + Δt/2/(1 + α Δt/2) (fx/ρ − α vx) = " : "vx = vx + Δt/2 (fx/ρ − α vx) = ",
-                 was->vx, factor, was->fx / density - alpha * (was->vx - ahead), now->vx, "m/s");
+    const char *along =
+        second ? "vx = vx + Δt/2/(1 + α Δt/2) (fx/ρ − α vx) = " : "vx = vx + Δt/2 (fx/ρ − α vx) = ";
+    if (beam->def.problem == BEAM_MOVING_CANTILEVER)
+        along = second ? "vx = vx + Δt/2/(1 + α Δt/2) (fx/ρ − α (vx − v0)) = "
+                       : "vx = vx + Δt/2 (fx/ρ − α (vx − v0)) = ";
+    write_change(calculation, along, was->vx, factor, was->fx / density - alpha * (was->vx - ahead), now->vx,
+                 "m/s");
     write_change(calculation,
                  second ? "vy = vy + Δt/2/(1 + α Δt/2) (fy/ρ − α vy) = " : "vy = vy + Δt/2 (fy/ρ − α vy) = ",
                  was->vy, factor, was->fy / density - alpha * was->vy, now->vy, "m/s");

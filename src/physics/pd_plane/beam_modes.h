@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The predicted period of a simply supported beam: that of the lowest vibration of this very lattice, with
- * its supports and its surface correction. It is what the discretisation gives for small motion, before any
+/* The lowest vibration of this very lattice, with its supports and its surface correction: the predicted
+ * period of a simply supported beam, and of any beam or plate what critical damping and rest go by. It is
+ * what the discretisation gives for small motion, before any
  * step is taken: what a run measures differs by the step (dt^2) and by how well the record can be fitted. */
 #ifndef PHYSICS_PD_BEAM_MODES_H
 #define PHYSICS_PD_BEAM_MODES_H
@@ -19,8 +20,8 @@ enum { BEAM_MODES_NUMBERS_MAX = 1 << 25 };
 bool beam_predicted_period(const BeamDef *definition, double *period, double *span, double *height,
                            Status *status);
 
-/* What small motion of a beam is, by the factor of its stiffness as it stands: with the supports and the
- * notch of its problem, and the clamp of t = 0. NAN: nothing holds it, or the factor would not fit. */
+/* What small motion of a beam or a plate is, by the factor of its stiffness as it stands: with its supports,
+ * its notch or cuts, and the clamp of t = 0. NAN: nothing holds it, or the factor would not fit. */
 typedef struct BeamLinear {
     double period; /* the longest, s */
     double sag;    /* of the probe at rest under a body force of 1 m/s^2 upwards, m */

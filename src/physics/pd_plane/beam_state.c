@@ -55,6 +55,7 @@ void beam_load(Simulation *sim, const void *bytes)
     sim->at_rest = beam->head->rested;
     sim->kinetic_left = beam->head->kinetic_left;
     beam_rebuild_damage(beam);
+    beam_set_stages(beam);
     beam->strain_known = beam->kinetic_known = false;
     beam->rescue.valid = false;
 }
@@ -110,6 +111,7 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
         beam->head->moved = sim->step;
         beam->head->kinetic_left = sim->kinetic_left = beam->def.to_rest ? 1 : 0;
         beam->head->rested = sim->at_rest = false;
+        beam_set_stages(beam);
         return true;
     }
     return status_fail(

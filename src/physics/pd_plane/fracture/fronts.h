@@ -4,10 +4,11 @@
  * Every end of a cut inside the plate is a front. A node is cracked as crack.h has it (damage above
  * CRACK_DAMAGE, not protected). It belongs to a front when it lies within a horizon of the front's end or of
  * a node of that front, to the nearest of these; what cracks by itself elsewhere is of none, until a crack
- * reaches it. The front grows
- * along the axis, x or y, along which its cracked nodes reach farther from its end; the lattice's lines
- * across that axis are its lines. Its advance is the distance along the axis from the end to its farthest
- * line that has a cracked node; it never goes back.
+ * reaches it, and so is a node beside the cut, behind its end and within a horizon of its line, whose bonds
+ * the cut itself has parted. The front grows along the axis, x or y, along which its cracked nodes reach
+ * farther from its end, and to the side on which they do; along the axis nearer to the cut's it goes on as
+ * the cut does. The lattice's lines across that axis are its lines. Its advance is the distance along the
+ * axis from the end to its farthest line that has a cracked node; it never goes back.
  *
  * A line is split when its cracked nodes form two groups or more. The crack has branched at the first line
  * from which on all lines over a horizon are split, at the time at which the first and the last of these were
