@@ -86,7 +86,7 @@ static void print_result(const FitTask *task, const FitResult *result)
     printf("%-24s %14s %14s %14s\n", "", "fitted", "+- (95 %)", "began at");
     for (int i = 0; i < task->n_keys; i++)
         printf("%-24s %14.8g %14.3g %14.8g\n", task->keys[i], result->values[i], result->half_widths[i],
-               settings_number(task->settings, parameter_find(task->keys[i])));
+               fit_value(task->settings, task->keys[i]));
     for (int i = 0; i < task->n_keys; i++)
         for (int j = 0; j < i; j++)
             printf("correlation of %s and %s: %.3f\n", task->keys[j], task->keys[i],

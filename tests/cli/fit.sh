@@ -20,6 +20,12 @@ result "a table" test "$(head -n 1 f.csv)" = time,v_cm,fitted,residual
 result "with a line for each datum" lines f.csv "$(wc -l <d.csv)"
 result "a picture" grep -q '<svg' f.svg
 result "with the data's name" grep -q 'd.csv' f.svg
+printf '[scenario]\nproblem = plate\n[plate]\nlength = 40mm\nheight = 20mm\n[pd]\nspacing = 1mm\nhorizon = 4mm\n[loads]\nl = top 0 100%% 0 1e4\n[supports]\ns = 0 0 1mm 100%% ux 0 uy 0\n[time]\nend = 2e-5\n' >plate.ini
+"$MATVIB" run plate.ini --series p.csv --quiet
+expect "the load of a plate" 0 plate.ini --set loads.l.sy=2e4 --data p.csv --vary loads.l.sy
+result "is found" says out '^loads.l.sy  *10000 '
+expect "an edge" 2 plate.ini --data p.csv --vary loads.l.edge
+result "is no number" says err 'loads.l.edge: is no real number and cannot be fitted'
 expect "two parameters that only their ratio tells" 0 mode5 --data d.csv --vary bar.youngs_modulus,bar.density
 result "are told by their correlation" says out '^correlation of bar.youngs_modulus and bar.density: 1.000$'
 printf 't;u\n0;0,0071\n0,1;0,0061\n0,2;0,0035\n0,3;0,0002\n' >own.csv

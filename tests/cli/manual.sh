@@ -17,6 +17,17 @@ if command -v groff >/dev/null 2>&1; then
 	done
 fi
 
+# problems and methods are those of the program
+printf '[scenario]\nproblem = x\n' >x.ini
+problems=$("$MATVIB" show x.ini 2>&1 | sed 's/.*(\(.*\)).*/\1/')
+result "the problems" sh -c 'grep -q -F -x ".B scenario.problem = $1"' - "$problems" <<END
+$(plain "$man/matvib.5.in")
+END
+both=$(echo "$problems" | tr -d '|' | tr ' ' '\n' | while read -r word; do
+	"$MATVIB" params "$word" 2>/dev/null | sed -n '1s/^\([a-z-]*\) (mpm | pd).*/\1/p'
+done | tr '\n' ' ')
+result "those that both methods solve" test "$both" = "bar simply-supported-beam moving-cantilever "
+
 # every command that stands in an example runs, in the order of the page
 PATH=$(dirname "$MATVIB"):$PATH
 examples "$man/matvib.1" | grep '^[a-z]' >commands

@@ -11,6 +11,7 @@
  * one after the other; it is asked between blocks of steps whether to go on. */
 #include "lab/answers/fit.h"
 
+#include "base/text.h"
 #include "lab/settings/parameters.h"
 #include "theory/quiet.h"
 
@@ -18,6 +19,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit_nlinear.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -29,7 +31,6 @@ enum { BLOCK = 256, ITERATIONS_MAX = 60 };
 typedef struct Search {
     const FitTask *task;
     FitResult *result;
-    const Parameter *parameters[FIT_KEYS_MAX];
     double starts[FIT_KEYS_MAX];
     double *rows;  /* BLOCK of the series */
     double *model; /* of the run that is made */
@@ -107,15 +108,34 @@ static bool run(Search *search, const Settings *settings)
     return sound;
 }
 
+double fit_value(const Settings *settings, const char *key)
+{
+    const Parameter *parameter = parameter_find(key);
+    return parameter ? settings_number(settings, parameter) : settings_row_number(settings, key);
+}
+
+bool fit_put(Settings *settings, const char *key, double value)
+{
+    const Parameter *parameter = parameter_find(key);
+    char text[NUMBER_TEXT_MAX];
+    if (!parameter) {
+        snprintf(text, sizeof text, "%.17g", value);
+        return settings_row_key_set(settings, key, text, NULL);
+    }
+    if (!settings_in_range(parameter, settings->problem, value))
+        return false;
+    settings_put(settings, parameter, value);
+    return true;
+}
+
 /* Parameters are sought as multiples of what they are to begin with. */
 static bool place(const Search *search, const gsl_vector *scaled, Settings *settings)
 {
     *settings = *search->task->settings;
     for (int i = 0; i < search->task->n_keys; i++) {
         const double value = search->starts[i] * gsl_vector_get(scaled, (size_t)i);
-        if (!settings_in_range(search->parameters[i], settings->problem, value))
+        if (!fit_put(settings, search->task->keys[i], value))
             return false;
-        settings_put(settings, search->parameters[i], value);
     }
     return true;
 }
@@ -149,15 +169,16 @@ static bool find_parameters(Search *search, Status *status)
     for (int i = 0; i < task->n_keys; i++) {
         const char *key = task->keys[i];
         const Parameter *parameter = parameter_find(key);
-        if (!parameter || !settings_have(task->settings, parameter))
+        const RowColumn *of_row = row_key_column(key);
+        if (of_row ? !isfinite(settings_row_number(task->settings, key))
+                   : !parameter || !settings_have(task->settings, parameter))
             return status_fail(status, STATUS_USAGE, "%.80s: this run has no such parameter", key);
-        if (parameter->type != PARAMETER_REAL)
+        if (of_row ? of_row->value == ROW_EDGE : parameter->type != PARAMETER_REAL)
             return status_fail(status, STATUS_USAGE, "%s: is no real number and cannot be fitted", key);
         for (int j = 0; j < i; j++)
-            if (search->parameters[j] == parameter)
+            if (strcmp(task->keys[j], key) == 0)
                 return status_fail(status, STATUS_USAGE, "%s: is named twice", key);
-        search->parameters[i] = parameter;
-        search->starts[i] = settings_number(task->settings, parameter);
+        search->starts[i] = fit_value(task->settings, key);
         if (search->starts[i] == 0)
             return status_fail(status, STATUS_USAGE,
                                "%s: is 0 at the start, so a relative change does nothing (give it a value)",
@@ -233,7 +254,7 @@ static bool search_best(Search *search, gsl_multifit_nlinear_workspace *work, gs
     const Settings *begun = task->settings;
     result->settings = *begun;
     for (int i = 0; i < task->n_keys; i++)
-        settings_put(&result->settings, search->parameters[i], result->values[i]);
+        fit_put(&result->settings, task->keys[i], result->values[i]);
     if (run(search, &result->settings))
         return true;
     if (status)

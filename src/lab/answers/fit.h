@@ -41,4 +41,9 @@ typedef struct FitResult {
 bool fit_solve(const FitTask *, FitResult *, Status *);
 void fit_free(FitResult *);
 
+/* What is sought, by its key: a parameter, or a value of a row such as "loads.top.sy". False: out of range.
+ */
+double fit_value(const Settings *, const char *key);
+bool fit_put(Settings *, const char *key, double value);
+
 #endif

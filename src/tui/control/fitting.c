@@ -69,7 +69,7 @@ static bool solve(Laboratory *lab, FitTask *task, Settings *settings, Status *st
     task->patience = (Patience){wait_for_fit, &waiting};
     bool sound = fit_solve(task, &result, status);
     for (int i = 0; i < task->n_keys && sound; i++)
-        settings_put(settings, parameter_find(task->keys[i]), result.values[i]);
+        fit_put(settings, task->keys[i], result.values[i]);
     sound = sound && edit_change(lab, settings, experiment_rerun, status);
     if (sound)
         say_result(lab, task, &result);
