@@ -109,8 +109,8 @@ static int film(const Options *options, LaboratoryOptions *laboratory, Camera *c
     if (result == STATUS_DONE &&
         !(output_sound(&file, status) && output_finish(&file, status) && output_commit(&file, status)))
         result = (int)status->code;
+    camera_close(camera); /* it may still end the film: before its file goes */
     output_close(&file);
-    camera_close(camera);
     return progress_signal() ? 128 + progress_signal() : result;
 }
 

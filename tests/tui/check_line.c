@@ -143,6 +143,10 @@ START_TEST(tab_completes_words_keys_values_and_files)
         {"set algorithm us", "set algorithm us", "usf  usl"},
         {"until ", "until ", "crossing  break  event  t   end  first"},
         {"until first c", "until first crossing", ""},
+        {"tell whe", "tell where", ""},
+        {"tell prob", "tell probe", ""},
+        {"fit mesh.ce", "fit mesh.cell_size", ""},
+        {"fit bar.density,bar.y", "fit bar.density,bar.youngs_modulus", ""},
         {"figure pro", "figure pro", "profile  probe"},
         {"figure probe da", "figure probe data/", ""},
     };

@@ -301,6 +301,10 @@ START_TEST(equations_and_alternatives_keep_their_bars)
     Talk *talk = open_talk("notched-beam-coarse");
     says(talk, "help", "s = (|xi+eta| - |xi|)/|xi|");
     says(talk, "help", "all|exact|predicted|none");
+    line(talk, "Esc");
+    line(talk, "/");
+    line(talk, "follow");
+    says(talk, "tell", "(output.follow): -; allowed: particle 12 velocity, ...");
     close_talk(talk);
 }
 END_TEST

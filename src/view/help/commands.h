@@ -40,11 +40,13 @@ typedef struct Command {
 typedef enum LineArgument {
     ARGUMENT_OTHER,
     ARGUMENT_KEY,
-    ARGUMENT_KEYS, /* KEY=VALUE, several of them */
+    ARGUMENT_KEYS,     /* KEY=VALUE, several of them */
+    ARGUMENT_KEY_LIST, /* KEY,KEY,... */
     ARGUMENT_SCENARIO,
     ARGUMENT_FILE,
     ARGUMENT_SERIES, /* a file, rather one of CSV */
     ARGUMENT_VIEW,
+    ARGUMENT_TELL,   /* a view or a part of the screen */
     ARGUMENT_FIGURE, /* a view if one likes, then a file */
     ARGUMENT_REFERENCES,
     ARGUMENT_LESSON,

@@ -243,6 +243,11 @@ bool tell_named(const Screen *screen, const char *word, Words *words)
     return view || !*word;
 }
 
+const char *tell_word(int i)
+{
+    return i < (int)(sizeof names / sizeof *names) ? names[i].word : NULL;
+}
+
 void tell_names(char *out, size_t size)
 {
     view_names(out, size);

@@ -31,6 +31,9 @@ void tell_part(const Screen *, TellPart, Words *);
 bool tell_named(const Screen *, const char *word, Words *);
 void tell_names(char *out, size_t size);
 
+/* The word of a part by its number, from 0 on; NULL: there are no more. */
+const char *tell_word(int i);
+
 /* A question or a field that is open, and what may be answered. */
 void tell_prompt(const Screen *, Words *);
 

@@ -179,6 +179,9 @@ static void follow(const Screen *screen, char out[FOLLOW_TEXT_MAX])
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     const Table table = table_of(screen, view_variant(&view_table, screen), 0, 0);
+    out[0] = '\0';
+    if (table.n_columns == 0)
+        return; /* no field of the set stands in a table */
     snprintf(out, FOLLOW_TEXT_MAX, "%.16s %zu %.30s", sim->sets[table.set].name, table.chosen,
              sim->fields[table.columns[table.chosen_column].field].quantity.name);
 }

@@ -138,7 +138,7 @@ static void follow(Laboratory *lab, const View *view)
 {
     char line[FOLLOW_TEXT_MAX + 8] = "plot ";
     view->follow(&lab->screen, line + strlen(line));
-    if (!lab->run_line(lab, line)) {
+    if (line[strlen("plot ")] && !lab->run_line(lab, line)) {
         laboratory_say(lab, MESSAGE_ERROR, "%s", lab->screen.prompt.problem);
         prompt_close(&lab->prompting);
     }

@@ -5,6 +5,7 @@
 
 #include "base/visible.h"
 #include "lab/settings/scenario.h"
+#include "view/tell/tell.h"
 #include "view/views/view.h"
 
 #include <dirent.h>
@@ -233,6 +234,11 @@ static void offer_arguments(Completion *completion, const Laboratory *lab, LineA
         completion->start = words + key + strspn(words + key, " =");
         offer_values(completion, experiment_settings(lab->screen.experiment), words, key);
         break;
+    case ARGUMENT_KEY_LIST:
+        completion->start = strrchr(words, ',') ? strrchr(words, ',') + 1 : words;
+        completion->start += strspn(completion->start, " ");
+        offer_keys(completion, lab, "");
+        break;
     case ARGUMENT_KEYS:
         complete_assignments(completion, lab);
         break;
@@ -245,6 +251,12 @@ static void offer_arguments(Completion *completion, const Laboratory *lab, LineA
         break;
     case ARGUMENT_VIEW:
         offer_views(completion, &lab->screen);
+        break;
+    case ARGUMENT_TELL:
+        if (*words)
+            offer_views(completion, &lab->screen);
+        for (int i = 0; tell_word(i); i++)
+            offer(completion, tell_word(i), "");
         break;
     case ARGUMENT_FIGURE:
         if (!strchr(words, ' '))

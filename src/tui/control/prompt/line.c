@@ -205,7 +205,6 @@ static bool tell(Laboratory *lab, const char *words)
     Words told = {.text = NULL};
     char known[256], why[300];
     tell_names(known, sizeof known);
-    tell_names(known, sizeof known);
     snprintf(why, sizeof why, "tell what? (%s)", known);
     if (!tell_named(&lab->screen, words, &told))
         return prompt_refuse(&lab->prompting, why);
