@@ -234,8 +234,13 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
     text_append(out, 320, "total %s", number);
     /* what is kept is told once: the total as a share of the start would tell its ripple as well */
     const bool known = experiment_invariant(screen->experiment, &sharp, &first) && first > 0;
-    if (start[total] != 0 && !known)
-        text_append(out, 320, " = %.2f %%%s", 100 * now[total] / start[total], wide ? " of the start" : "");
+    if (start[total] != 0 && !known) {
+        const double share = now[total] / start[total];
+        if (share > 100) /* a run that blows up */
+            text_append(out, 320, " = %.0f times the start", share);
+        else
+            text_append(out, 320, " = %.2f %%%s", 100 * share, wide ? " of the start" : "");
+    }
     if (known) {
         const double loss = 100 * (1 - sharp / first);
         text_fitted(sharp, 4, 10, number);
