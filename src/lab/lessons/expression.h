@@ -10,9 +10,10 @@
  *     factor   NUMBER ["%"] | ["was"] WORD | ["was"] KEY | "abs" "(" sum ")" | "(" sum ")" | "-" factor
  *
  * WORD is a number of a run (run_numbers.h), KEY a parameter ("mesh.cell_size"); a parameter with choices is
- * compared with one of them. `was` takes the value that a parameter, the mesh or the step had as the page was
- * opened. "or" binds closer than "and", so that what a goal asks for can be read off as a list. A % behind a
- * number only says its unit: errors are in percent already. What is not known fulfils no relation. */
+ * compared with one of them. The rows of a plate ("loads.top.sy") are no parameters and cannot be asked for.
+ * `was` takes the value that a parameter, the mesh or the step had as the page was opened. "or" binds closer
+ * than "and", so that what a goal asks for can be read off as a list. A % behind a number only says its unit:
+ * errors are in percent already. What is not known fulfils no relation. */
 #ifndef LAB_EXPRESSION_H
 #define LAB_EXPRESSION_H
 
