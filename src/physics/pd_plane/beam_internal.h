@@ -152,7 +152,7 @@ Simulation *beam_create_with(const BeamDef *definition, const BeamOptions *optio
  * afterwards. */
 bool beam_critical_step(Beam *beam, double *step, Status *status);
 
-/* beam_state.c: asks BeamDef.patience. False: the building is to be given up, from now on. */
+/* beam_patience.c: asks BeamDef.patience. False: the building is to be given up, from now on. */
 bool beam_go_on(Beam *beam, double share, Status *status);
 
 /* beam_problem.c */

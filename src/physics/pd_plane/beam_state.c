@@ -118,11 +118,3 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
         status, STATUS_USAGE,
         "%s: cannot change in mid-run (load.stress, load.body_force and pd.critical_stretch can)", key);
 }
-
-/* Asks whoever waits for the beam whether it is still wanted, and remembers a no for all threads. */
-bool beam_go_on(Beam *beam, double share, Status *status)
-{
-    if (!beam->given_up)
-        beam->given_up = !patience_lasts(&beam->def.patience, share);
-    return !beam->given_up || status_fail(status, STATUS_FAILED, "the building of the beam was given up");
-}

@@ -165,7 +165,7 @@ void edit_nudge(Laboratory *lab, int direction, bool fine)
     const Parameter *parameter = edit_selected(&lab->screen);
     int kind, row;
     if (!parameter) {
-        if (row_edit_selected(&lab->screen, &kind, &row))
+        if (screen_selected_row(&lab->screen, &kind, &row))
             laboratory_say(lab, MESSAGE_INFO,
                            row == ROW_NEW          ? "Enter adds a %s"
                            : row_kinds[kind].usual ? "the %s: Enter edits, p moves it"

@@ -9,17 +9,6 @@
 #include <stdio.h>
 #include <string.h>
 
-bool row_edit_selected(const Screen *screen, int *kind, int *row)
-{
-    ParameterRow rows[PARAMETER_ROWS_MAX];
-    const int count = screen_parameter_rows(screen, rows), selected = screen->parameters.selected;
-    if (selected < 0 || selected >= count || !rows[selected].is_row)
-        return false;
-    *kind = rows[selected].kind;
-    *row = rows[selected].row;
-    return true;
-}
-
 static void select_row(Screen *screen, int kind, int row)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
@@ -121,7 +110,7 @@ static bool accept(Laboratory *lab, Status *status)
     int kind, row;
     char name[KEY_MAX];
     const char *values, *text = lab->screen.parameters.edit.text;
-    if (!row_edit_selected(&lab->screen, &kind, &row) || row == ROW_NEW)
+    if (!screen_selected_row(&lab->screen, &kind, &row) || row == ROW_NEW)
         return true;
     Settings settings = *experiment_settings(lab->screen.experiment);
     if (!part(kind, text, name, &values))
@@ -166,7 +155,7 @@ static void open_field(Laboratory *lab, int kind, int row)
 void row_edit_begin(Laboratory *lab)
 {
     int kind, row;
-    if (!row_edit_selected(&lab->screen, &kind, &row))
+    if (!screen_selected_row(&lab->screen, &kind, &row))
         return;
     if (row == ROW_NEW)
         row_edit_add(lab);
@@ -360,7 +349,7 @@ static bool have_rows(Laboratory *lab)
 static bool chosen(Laboratory *lab, int *kind, int *row)
 {
     const bool any = lab->screen.panes.focus == PANE_PARAMETERS && !lab->screen.lesson.open &&
-                     row_edit_selected(&lab->screen, kind, row) && *row != ROW_NEW;
+                     screen_selected_row(&lab->screen, kind, row) && *row != ROW_NEW;
     if (!any) /* where it is not marked nobody sees which one it is */
         laboratory_say(lab, MESSAGE_INFO, "choose a cut, load, support ... among the parameters first");
     return any;
@@ -384,7 +373,7 @@ void row_edit_add(Laboratory *lab)
     int kind = ROWS_CUTS, row;
     if (!have_rows(lab))
         return;
-    if (!row_edit_selected(&lab->screen, &kind, &row) || !row_kinds[kind].fresh)
+    if (!screen_selected_row(&lab->screen, &kind, &row) || !row_kinds[kind].fresh)
         kind = ROWS_CUTS;
     *lab->editing.draft = *experiment_settings(lab->screen.experiment);
     place_new(lab, kind, row_kinds[kind].fresh);

@@ -7,9 +7,6 @@
 
 #include "tui/control/laboratory.h"
 
-/* Whether a row, or the place for a new one, is chosen in the parameter pane. */
-bool row_edit_selected(const Screen *, int *kind, int *row);
-
 /* Enter in the pane: a new row is put on the map, another one opens as the field "NAME = VALUES". */
 void row_edit_begin(Laboratory *);
 

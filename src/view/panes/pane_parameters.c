@@ -111,6 +111,17 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
     return count;
 }
 
+bool screen_selected_row(const Screen *screen, int *kind, int *row)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    const int count = screen_parameter_rows(screen, rows), selected = screen->parameters.selected;
+    if (selected < 0 || selected >= count || !rows[selected].is_row)
+        return false;
+    *kind = rows[selected].kind;
+    *row = rows[selected].row;
+    return true;
+}
+
 /* A size of a beam as the lattice has it, where that is another one than asked for; "" where it is not. */
 static void real_text(const Screen *screen, const Parameter *parameter, char out[NUMBER_TEXT_MAX])
 {

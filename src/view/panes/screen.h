@@ -280,6 +280,9 @@ void screen_sketch(const Screen *, const View *, int columns, int rows, Sketch *
 /* The rows of the parameter pane, for drawing and for moving in it. Returns how many. */
 int screen_parameter_rows(const Screen *, ParameterRow rows[PARAMETER_ROWS_MAX]);
 
+/* Whether a row of a plate, or the place for a new one, is chosen among them. */
+bool screen_selected_row(const Screen *, int *kind, int *row);
+
 /* Where a pane lies at this size; width 0: it is not shown. For focus and mouse. */
 Rect screen_pane(const Screen *, int width, int height, PaneId);
 
