@@ -9,6 +9,7 @@
 
 #include <math.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -598,6 +599,81 @@ START_TEST(bits_of_a_bow)
 }
 END_TEST
 
+/* The cells of all particles, by the definition: floor((x - xmin)/dx) in both directions. */
+static void cells_of(Simulation *sim, int *cells)
+{
+    const Plane *plane = (const Plane *)sim;
+    double *x = field_now(sim, 0, "x"), *y = field_now(sim, 0, "y");
+    for (int p = 0; p < plane->n_particles; p++)
+        cells[p] = (int)floor((y[p] - plane->ymin) / plane->dx) * plane->gx +
+                   (int)floor((x[p] - plane_xmin(plane, sim->step)) / plane->dx);
+    free(x);
+    free(y);
+}
+
+/* The first crossing of each particle is an event, one a step, by every way through the steps. */
+START_TEST(crossings_are_told)
+{
+    enum { STEPS = 90 };
+    PlaneDef def = plane_default(true);
+    def.cell_size = 1.25e-3;
+    def.length = .025;
+    def.channel = 5e-3;
+    def.speed = 40;
+    def.end = 1e-4;
+    def.shape = _i % 2 ? MPM_GIMP : MPM_HAT;
+    def.algorithm = _i < 2 ? MPM_USF : MPM_MUSL;
+    Simulation *sim = create(&def), *fast = create(&def), *riding;
+    const int n = ((Plane *)sim)->n_particles;
+    int *before = calloc((size_t)n, sizeof *before), *after = calloc((size_t)n, sizeof *after);
+    bool *crossed = calloc((size_t)n, sizeof *crossed);
+    Status status;
+    int told = 0;
+    for (int step = 0; step < STEPS; step++) {
+        int count = 0, first = -1;
+        bool stage_done;
+        cells_of(sim, before);
+        do
+            ck_assert(simulation_slice(sim, 3, &stage_done, &status));
+        while (sim->stage != 0 || sim->item != 0);
+        cells_of(sim, after);
+        for (int p = 0; p < n; p++)
+            if (before[p] != after[p] && !crossed[p]) {
+                crossed[p] = true;
+                first = count++ == 0 ? p : first;
+            }
+        ck_assert_int_eq(sim->n_events, told + (count > 0));
+        if (count == 0)
+            continue;
+        const Event *event = &sim->events[told++];
+        char text[120];
+        int used = snprintf(text, sizeof text, "particle %d crossed into cell (%d, %d)", first,
+                            after[first] % ((Plane *)sim)->gx, after[first] / ((Plane *)sim)->gx);
+        if (count > 1)
+            snprintf(text + used, sizeof text - (size_t)used, ", %d others with it", count - 1);
+        ck_assert_int_eq(event->kind, EVENT_CROSSING);
+        ck_assert_int_eq(event->step, step + 1);
+        ck_assert_str_eq(event->text, text);
+    }
+    ck_assert_int_gt(told, 1);
+    ck_assert(simulation_steps(fast, STEPS, NULL, NULL, &status));
+    ck_assert_int_eq(fast->n_events, told);
+    for (int k = 0; k < told; k++)
+        ck_assert_str_eq(fast->events[k].text, sim->events[k].text);
+    expect_same_state(sim, fast, "whole steps");
+    def.grid_velocity = def.speed;
+    riding = create(&def);
+    ck_assert(simulation_steps(riding, STEPS, NULL, NULL, &status));
+    ck_assert_int_eq(riding->n_events, 0);
+    simulation_destroy(riding);
+    simulation_destroy(fast);
+    simulation_destroy(sim);
+    free(before);
+    free(after);
+    free(crossed);
+}
+END_TEST
+
 START_TEST(memory_of_a_beam)
 {
     static const struct {
@@ -813,6 +889,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(test, rows_that_are_spared, 0, 2);
     tcase_add_loop_test(test, bits_of_a_bow, 0, 6);
     tcase_add_test(test, memory_of_a_beam);
+    tcase_add_loop_test(test, crossings_are_told, 0, 4);
     tcase_add_test(test, live_parameters);
     tcase_add_loop_test(test, terms_add_up, 0, VARIANTS + 6);
     tcase_add_test(test, runs_that_fail);

@@ -181,6 +181,17 @@ static bool fill_lumping(const Standing *run, char *label, char *value)
 
 /* --- what happened --------------------------------------------------------------------------------- */
 
+/* Of a bar in its own unit, of a beam in seconds, which are few. */
+static bool put_time(char *value, double time)
+{
+    char number[NUMBER_TEXT_MAX];
+    if (time >= 0.01)
+        return put(value, "t %.2f", time);
+    text_rounded(number, time, 3);
+    snprintf(value, COMPARISON_TEXT_MAX, "t %.12s", number);
+    return true;
+}
+
 static bool fill_crossing(const Standing *run, char *label, char *value)
 {
     int count;
@@ -191,7 +202,7 @@ static bool fill_crossing(const Standing *run, char *label, char *value)
         return false; /* there is no grid */
     for (int i = 0; i < count; i++)
         if (events[i].kind == EVENT_CROSSING && events[i].step <= sim->step)
-            return put(value, "t %.2f", (double)events[i].step * sim->dt);
+            return put_time(value, (double)events[i].step * sim->dt);
     snprintf(value, COMPARISON_TEXT_MAX, "none yet");
     return true;
 }

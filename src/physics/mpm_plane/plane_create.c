@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where each array stands in the block; called twice: to measure, then to set pointers. Arrays begin at
- * different distances from a multiple of 4096 bytes. */
+/* Where each array stands in the block; called twice: to measure, then to set pointers. Large arrays
+ * begin at different distances from a multiple of 4096 bytes. */
 static size_t lay_out(Plane *plane, unsigned char *block)
 {
     size_t size = 0, number = 0;
@@ -19,19 +19,22 @@ static size_t lay_out(Plane *plane, unsigned char *block)
     do {                                                                                                     \
         if (block)                                                                                           \
             (pointer) = (void *)(block + size);                                                              \
-        size += ((count) * sizeof *(pointer) + 63) / 64 * 64 + 64 * (++number % 3);                          \
+        const size_t bytes_ = ((count) * sizeof *(pointer) + 63) / 64 * 64;                                  \
+        size += bytes_ + (bytes_ < 4096 ? 0 : 64 * (++number % 3));                                          \
     } while (0)
     ARRAY(plane->head, 1);
     double **const of_particles[] = {&plane->x,   &plane->y,   &plane->vx,  &plane->vy,
                                      &plane->sxx, &plane->syy, &plane->sxy, &plane->volume};
     for (size_t k = 0; k < sizeof of_particles / sizeof *of_particles; k++)
         ARRAY(*of_particles[k], particles);
+    ARRAY(plane->crossed, particles / PLANE_LANES);
     plane->bytes_particles = size;
     ARRAY(plane->sx, particles);
     ARRAY(plane->sy, particles);
     ARRAY(plane->base, particles);
     ARRAY(plane->runs, particles / PLANE_LANES);
     ARRAY(plane->blocks, blocks);
+    ARRAY(plane->crossings, blocks);
     double **const of_nodes[] = {&plane->node_mass, &plane->node_inverse, &plane->px,      &plane->py,
                                  &plane->fx,        &plane->fy,           &plane->node_vx, &plane->node_vy};
     for (size_t k = 0; k < sizeof of_nodes / sizeof *of_nodes; k++)

@@ -11,6 +11,8 @@
  * and map | gather, supports. */
 #include "physics/mpm_plane/kernels/plane_kernels.h"
 
+#include <stdio.h>
+
 /* --- particles --------------------------------------------------------------------------------------- */
 
 static double *slots_of(const Plane *plane, int worker)
@@ -81,6 +83,28 @@ static bool judge(Plane *plane, const PlaneTask *tasks, int count, int first, in
                 tasks[k].op == PLANE_UPDATE ? "left the grid" : "was crushed (1 + exx + eyy <= 0)", " s");
         }
     return true;
+}
+
+/* One event a step, of particles that cross for the first time: those of a lattice cross many at once. */
+static void report_crossings(Plane *plane)
+{
+    PlaneCrossing all = {0, 0};
+    for (int block = 0; block < plane->n_blocks; block++) {
+        const PlaneCrossing *of = &plane->crossings[block];
+        if (of->count > 0 && (all.count == 0 || of->first < all.first))
+            all.first = of->first;
+        all.count += of->count;
+    }
+    if (all.count == 0)
+        return;
+    char text[120];
+    const int at = plane_at(plane, all.first);
+    const int column = plane_cell(plane, plane->x[at], plane_xmin(plane, plane->sim.step + 1));
+    int used = snprintf(text, sizeof text, "particle %d crossed into cell (%d, %d)", all.first, column,
+                        plane_cell(plane, plane->y[at], plane->ymin));
+    if (all.count > 1)
+        snprintf(text + used, sizeof text - (size_t)used, ", %d others with it", all.count - 1);
+    batch_report(&plane->sim, EVENT_CROSSING, text);
 }
 
 /* --- nodes ------------------------------------------------------------------------------------------- */
@@ -222,6 +246,8 @@ bool plane_do(Plane *plane, PlaneOp op, int first, int end, Status *status)
         return false;
     if (gives(op) && end == (int)plane->sim.stage_items)
         gather_all(plane, op);
+    if (op == PLANE_UPDATE && end == (int)plane->sim.stage_items)
+        report_crossings(plane);
     return true;
 }
 
@@ -293,6 +319,9 @@ bool plane_do_all(Plane *plane, const PlaneTask *tasks, int count, Status *statu
             run_part(&part, block_chunk, plane->n_blocks);
             if (!judge(plane, part.tasks, part.count, 0, plane->n_blocks, status))
                 return false;
+            for (int k = first; k < end; k++)
+                if (tasks[k].op == PLANE_UPDATE)
+                    report_crossings(plane);
             given = gives(tasks[end - 1].op) ? tasks[end - 1].op : PLANE_OPS;
             if (given != PLANE_OPS && any_far(plane)) {
                 gather_all(plane, given);

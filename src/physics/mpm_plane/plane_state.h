@@ -85,6 +85,11 @@ typedef struct PlaneTrouble {
     int32_t op;
 } PlaneTrouble;
 
+/* The particles of a block that have entered another cell in a step for the first time. */
+typedef struct PlaneCrossing {
+    int32_t count, first; /* the smallest number of a particle */
+} PlaneCrossing;
+
 typedef struct PlaneKernels PlaneKernels;
 
 typedef struct Plane {
@@ -114,10 +119,12 @@ typedef struct Plane {
     size_t bytes_particles, bytes_whole, bytes_memory; /* the last with all scratch */
     PlaneHead *head;
     double *x, *y, *vx, *vy, *sxx, *syy, *sxy, *volume; /* volume: m/rho */
+    uint8_t *crossed;                                   /* of each vector: lanes that have crossed */
     double *sx, *sy;                                    /* beside the first node, in cells */
     int32_t *base;                                      /* the first node */
     PlaneRun *runs;                                     /* of each vector */
     PlaneBlock *blocks;
+    PlaneCrossing *crossings; /* of each block, in the update under way */
     double *node_mass, *px, *py, *fx, *fy;
     double *node_inverse;      /* 1/m; 0 where the node is inactive */
     double *node_vx, *node_vy; /* p/m as of the last stage that wrote p */
@@ -265,6 +272,12 @@ static inline bool plane_find(const Plane *plane, double xmin, double x, double 
     *sx = rx - i;
     *sy = ry - j;
     return true;
+}
+
+/* The column or row of cells in which a coordinate lies; `edge` is the grid's. */
+static inline int plane_cell(const Plane *plane, double coordinate, double edge)
+{
+    return (int)floor((coordinate - edge) * (1 / plane->dx));
 }
 
 /* Where a particle is on the grid: as found by the step that goes on, else as it would be found. For what is

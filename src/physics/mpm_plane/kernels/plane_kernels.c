@@ -457,6 +457,42 @@ KERNEL_INLINE bool within(Vector x, double limit)
     return vector_is_zero(~((x >= 0) & (x < limit)));
 }
 
+/* Whether all lanes certainly are in their cell still: s is where they lie in it, and not at its edge within
+ * rounding. */
+KERNEL_INLINE bool stay(Vector s)
+{
+    const double edge = 1e-9;
+    return vector_is_zero(~((s > edge) & (s < 1 - edge)));
+}
+
+/* The same of boxes, of which s counts from the cell of the first node: half of them lie in the next one.
+ * `from` is where they were, less l. */
+KERNEL_INLINE bool stay_of_box(const double *from, double l, Vector s)
+{
+    const VectorMask beyond = vector_load(from) + l >= 1;
+    return stay(s - (Vector)((VectorMask)((Vector){0} + 1) & beyond));
+}
+
+/* Of lanes that may have: those that entered another cell, the first time that they do. Exact: the cells are
+ * those of the old and of the new place as the steps before and after have them. */
+static void note_crossings(Plane *plane, const Lanes *lanes, Vector old_x, Vector old_y, double old_xmin,
+                           double xmin)
+{
+    const int vector = lanes->at / PLANE_LANES;
+    PlaneCrossing *crossing = &plane->crossings[vector / plane->n_vectors];
+    for (int l = 0; l < WIDTH && l < lanes->count; l++) {
+        const int at = lanes->at + l, bit = 1 << at % PLANE_LANES;
+        if ((plane->crossed[vector] & bit) ||
+            (plane_cell(plane, old_x[l], old_xmin) == plane_cell(plane, plane->x[at], xmin) &&
+             plane_cell(plane, old_y[l], plane->ymin) == plane_cell(plane, plane->y[at], plane->ymin)))
+            continue;
+        const int particle = plane_particle(plane, at);
+        plane->crossed[vector] = (uint8_t)(plane->crossed[vector] | bit);
+        if (crossing->count++ == 0 || particle < crossing->first)
+            crossing->first = particle;
+    }
+}
+
 /* Eqs. 14, 15 with flip fraction alpha:
  *
  *     v = alpha (v + dt sum N f_i/m_i) + (1 - alpha) sum N p_i/m_i        x += dt sum N p_i/m_i
@@ -465,7 +501,7 @@ KERNEL_INLINE bool within(Vector x, double limit)
  * channel from heating. Places always go with the nodes' velocity, never with the particle's own: neighbours
  * cannot overtake each other, as the grid's velocity is continuous. With alpha = 1 the second term is an
  * exact 0. False: a lane leaves the grid as it will lie in the next step. */
-KERNEL_INLINE bool update_lanes(Plane *plane, const Lanes *lanes, double xmin, const int n)
+KERNEL_INLINE bool update_lanes(Plane *plane, const Lanes *lanes, double old_xmin, double xmin, const int n)
 {
     const double dt = plane->dt, alpha = plane->head->flip_fraction, inverse = 1 / plane->dx;
     const double l = n == 2 ? 0 : plane->half;
@@ -485,11 +521,17 @@ KERNEL_INLINE bool update_lanes(Plane *plane, const Lanes *lanes, double xmin, c
             uy += N * from_nodes(plane, lanes, plane->node_vy, offset);
         }
     const Vector vx = vector_load(plane->vx + at), vy = vector_load(plane->vy + at);
-    const Vector x = vector_load(plane->x + at) + dt * ux, y = vector_load(plane->y + at) + dt * uy;
+    const Vector old_x = vector_load(plane->x + at), old_y = vector_load(plane->y + at);
+    const Vector x = old_x + dt * ux, y = old_y + dt * uy;
     vector_store(plane->vx + at, alpha * (vx + dt * ax) + (1 - alpha) * ux);
     vector_store(plane->vy + at, alpha * (vy + dt * ay) + (1 - alpha) * uy);
     vector_store(plane->x + at, x);
     vector_store(plane->y + at, y);
+    const Vector sx = vector_load(plane->sx + at) + l + ((x - old_x) - (xmin - old_xmin)) * inverse;
+    const Vector sy = vector_load(plane->sy + at) + l + (y - old_y) * inverse;
+    if (n == 2 ? !(stay(sx) & stay(sy))
+               : !(stay_of_box(plane->sx + at, l, sx) & stay_of_box(plane->sy + at, l, sy)))
+        note_crossings(plane, lanes, old_x, old_y, old_xmin, xmin);
     /* as plane_find() will look for it */
     return within((x - xmin) * inverse - l, plane->gx - 1 - 2 * l) &&
            within((y - plane->ymin) * inverse - l, plane->gy - 1 - 2 * l);
@@ -507,10 +549,12 @@ static int first_lost(const Plane *plane, const Lanes *lanes, double xmin)
 
 KERNEL_INLINE int update_block(Plane *plane, int block, long step, const int n)
 {
-    const double xmin = plane_xmin(plane, step + 1);
+    const double old_xmin = plane_xmin(plane, step), xmin = plane_xmin(plane, step + 1);
     int lost = -1;
+    plane->crossings[block] = (PlaneCrossing){0, 0};
     EACH_LANES(plane, block, lanes,
-               if (!update_lanes(plane, &lanes, xmin, n) && lost < 0) lost = first_lost(plane, &lanes, xmin))
+               if (!update_lanes(plane, &lanes, old_xmin, xmin, n) && lost < 0) lost =
+                   first_lost(plane, &lanes, xmin))
     return lost;
 }
 
