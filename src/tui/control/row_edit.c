@@ -69,7 +69,8 @@ bool row_edit_line(Laboratory *lab, int kind, const char *words, Status *status)
     if (!sound || !apply(lab, &settings, status))
         return false;
     const int row = settings_row_find(&settings, kind, name);
-    if (row >= 0) { /* the keys that edit rows mean it now */
+    if (row >= 0) { /* the keys that edit rows mean it now, so it is to be seen */
+        lab->screen.parameters.filter[0] = '\0';
         lab->screen.panes.focus = PANE_PARAMETERS;
         select_row(&lab->screen, kind, row);
     }

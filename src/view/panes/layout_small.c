@@ -5,6 +5,7 @@
  * together, a page of a lesson with a plot below it, and in the middle of a step, at the end and of a duel
  * the box with its numbers. */
 #include "view/panes/panes.h"
+#include "view/views/view.h"
 
 enum {
     PAIR_WIDTH = 60, /* from here on both plots are seen, without parameters */
@@ -46,7 +47,10 @@ static bool lay_out_page(const Screen *screen, int width, int height, Layout *la
 
 void layout_small(const Screen *screen, int width, int height, Layout *layout)
 {
-    const PaneId focus = screen->panes.focus < PANE_COUNT ? screen->panes.focus : PANE_PARAMETERS;
+    const PaneId given = screen->panes.focus < PANE_COUNT ? screen->panes.focus : PANE_PARAMETERS;
+    /* what is moved on the map is looked at there, though the keys go to the parameters */
+    const PaneId map = screen->views.upper->is_map ? PANE_UPPER : PANE_LOWER;
+    const PaneId focus = screen->parameters.rows.placing ? map : given;
     const bool whole = screen->panes.zoomed, roomy = width >= BOX_WIDTH && height >= BOX_HEIGHT;
     layout->kind = LAYOUT_ONE_PANE;
     if (!whole && roomy && screen->lesson.open && screen->lesson.lesson &&

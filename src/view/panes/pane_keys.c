@@ -42,6 +42,13 @@ static int offers_of(const Screen *screen, const Offer **offers)
         {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},     {COMMAND_ZOOM, COMMAND_NONE, NULL},
         {COMMAND_UNDO, COMMAND_NONE, NULL},
     };
+    static const Offer rows_of_plate[] = {
+        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},  {COMMAND_ENTER, COMMAND_NONE, "edit"},
+        {COMMAND_ROW_MOVE, COMMAND_NONE, NULL},   {COMMAND_ROW_COPY, COMMAND_NONE, NULL},
+        {COMMAND_ROW_DELETE, COMMAND_NONE, NULL}, {COMMAND_ROW_ADD, COMMAND_NONE, NULL},
+        {COMMAND_HELP, COMMAND_NONE, NULL},       {COMMAND_QUIT, COMMAND_NONE, NULL},
+        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},  {COMMAND_UNDO, COMMAND_NONE, NULL},
+    };
     static const Offer running_parameters[] = {
         {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},  {COMMAND_LEFT, COMMAND_RIGHT, "change"},
         {COMMAND_ENTER, COMMAND_NONE, "edit"},    {COMMAND_FASTER, COMMAND_SLOWER, "speed"},
@@ -128,6 +135,10 @@ static int offers_of(const Screen *screen, const Offer **offers)
             GIVE(lesson_stages);
         GIVE(lesson);
     }
+    int kind, row;
+    screen_rows_shown(screen, &kind, &row);
+    if (in_fields && kind >= 0 && !screen->lesson.open)
+        GIVE(rows_of_plate);
     if (screen->playback.state == STATE_RUNNING) {
         if (in_fields)
             GIVE(running_parameters);

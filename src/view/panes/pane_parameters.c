@@ -265,6 +265,35 @@ static int room_of(int height)
     return height > HINT_ROWS ? height - HINT_ROWS : height;
 }
 
+/* A text in both rows of the hint, parted at a space. False: it fits into the first, and stands there. */
+static bool draw_wrapped(Area area, const char *text)
+{
+    const int room = area.rect.width - 2, top = area.rect.height - HINT_ROWS;
+    size_t cut = strlen(text);
+    while (cut > 0 && (cut > (size_t)room || (text[cut] && text[cut] != ' ')))
+        cut--;
+    if (cut == 0)
+        cut = strlen(text); /* one word */
+    area_print(area, 2, top, STYLE_FAINT, "%.*s", (int)cut, text);
+    if (!text[cut])
+        return false;
+    area_text(area, 2, top + 1, text + cut + 1, STYLE_FAINT);
+    return true;
+}
+
+/* The values of a row that have no room beside its name or, while it is edited, what they are. */
+static bool draw_row_hint(const Screen *screen, Area area, const ParameterRow *row)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const RowKind *kind = &row_kinds[row->kind];
+    char values[ROW_TEXT_MAX];
+    if (row->row == ROW_NEW || screen->parameters.edit.open)
+        return draw_wrapped(area, kind->form);
+    settings_row_show(settings, row->kind, row->row, values);
+    const int label = glyphs_columns(settings->rows[row->kind].rows[row->row].name);
+    return draw_wrapped(area, 2 + label + 1 + glyphs_columns(values) > area.rect.width ? values : kind->form);
+}
+
 static void draw_hint(const Screen *screen, Area area, const ParameterRow *row, const Derived *derived)
 {
     char unit[96] = "", range[96] = "", real[NUMBER_TEXT_MAX] = "";
@@ -278,7 +307,8 @@ static void draw_hint(const Screen *screen, Area area, const ParameterRow *row, 
         snprintf(unit, sizeof unit, "%s", derived[row->derived].unit);
         snprintf(range, sizeof range, "read only");
     } else if (row->is_row) {
-        area_text(area, 2, area.rect.height - 2, row_kinds[row->kind].form, STYLE_FAINT);
+        if (draw_row_hint(screen, area, row))
+            return;
         snprintf(range, sizeof range, "%s",
                  row->row == ROW_NEW          ? "Enter adds one"
                  : row_kinds[row->kind].usual ? "Enter edits, p moves it"
