@@ -50,9 +50,9 @@ double plane_energy(const Plane *plane)
     return sum.kinetic + sum.strain;
 }
 
-/* The energy that lumped masses see, J; velocities over the beam's common one. */
-/* Held components are at rest in the frame of the beam: p = m v0 there, and 0 across. A node of no mass has
- * 1/m = 0 and no share. */
+/* b sum |p_i - m_i v0|^2/(2 m_i), J: the energy that lumped masses see, of velocities over the beam's common
+ * one. Held components are at rest in the frame of the beam: p = m v0 there, and 0 across. A node of no mass
+ * has 1/m = 0 and no share. */
 static double kinetic_grid(const Plane *plane)
 {
     double sum = 0;

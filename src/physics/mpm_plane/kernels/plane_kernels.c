@@ -682,7 +682,9 @@ static void integrate(Plane *plane, PlaneNodes part)
 
 /* --- energies ---------------------------------------------------------------------------------------- */
 
-/* As plane_strain_at() has it: s.D^-1 s/2 V b, J. A lane's sum runs over the block's vectors. */
+/* sum |v - v0|^2, of which m b/2 is the kinetic energy, and sum s.D^-1 s/2 V b, J, with D^-1 of plane stress,
+ * ((sxx^2 + syy^2 - 2 nu sxx syy)/E + sxy^2/G)/2, as plane_strain_at() has it. A lane's sum runs over the
+ * block's vectors. */
 static void energies(const Plane *plane, int block, double *squares, double *strain)
 {
     const PlaneDef *def = &plane->def;
