@@ -86,8 +86,8 @@ static const Solver *const large_solvers[] = {&large, NULL}, *const torn_solvers
 static const ParameterUse uses[] = {{.key = "time.end", .usual = 50}};
 
 #define PLATE(name)                                                                                          \
-    .word = name, .title = "a plate of springs", .uses = uses, .n_uses = 1, .unit_of_time = "time",          \
-    .shown_time = 1, .shown_time_unit = ""
+    .word = name, .title = "a plate of springs", .body = "plate", .uses = uses, .n_uses = 1,                 \
+    .unit_of_time = "time", .shown_time = 1, .shown_time_unit = ""
 
 static const Problem large_problem = {PLATE("large"), .solvers = large_solvers},
                      torn_problem = {PLATE("torn"), .solvers = torn_solvers};

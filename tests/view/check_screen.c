@@ -180,6 +180,8 @@ static const Picture pictures[] = {
     {"drawing-cantilever-ascii", "moving-cantilever-coarse 60x18 0 upper 8 focus 2 zoom variant 7 ascii"},
     {"lecture", "mode5 80x24 1310 running lecture"},
     {"lecture-stage-large", "mode5 132x43 1310 stage 3 lecture focus 2"},
+    {"drawing-plate", "branching-coarse 80x24 0 upper 8 focus 2 zoom variant 7"},
+    {"drawing-plate-struck", "kalthoff-coarse 60x18 0 upper 8 focus 2 zoom variant 7"},
     {"drawing-beam", "supported-beam-coarse 132x43 0 upper 8 focus 2 zoom variant 7"},
 };
 

@@ -131,6 +131,7 @@ typedef struct Solver {
 struct Problem {
     const char *word;  /* in a scenario file: "bar" */
     const char *title; /* "axial vibration of a bar" */
+    const char *body;  /* what it is solved for: "bar" */
     int concerns;
     const ParameterUse *uses;
     int n_uses;

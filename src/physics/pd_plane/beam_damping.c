@@ -61,13 +61,11 @@ bool beam_set_damping(Beam *beam, Status *status)
         return false;
     beam->period = linear.period;
     if (!isfinite(beam->period))
-        return status_fail(status, STATUS_USAGE,
-                           def->critically_damped
-                               ? "damping.rate: critical is twice a lowest frequency that is not known here: "
-                                 "nothing holds the %s, or the lattice is too fine (a number, 1/s)"
-                               : "time.rest: the lowest frequency is not known here: nothing holds the %s, "
-                                 "or the lattice is too fine (no)",
-                           beam_word(def));
+        return status_fail(status, STATUS_USAGE, "%s: nothing holds the %s, or the lattice is too fine (%s)",
+                           def->to_rest
+                               ? "time.rest: the lowest frequency is not known here"
+                               : "damping.rate: critical is twice a lowest frequency that is not known here",
+                           beam_word(def), def->to_rest ? "no" : "a number, 1/s");
     const double lowest = 2 * M_PI / beam->period;
     if (def->critically_damped)
         beam->damping = 2 * lowest;

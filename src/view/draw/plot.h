@@ -33,7 +33,7 @@ typedef struct Stroke {
     size_t first, count; /* its points */
 } Stroke;
 
-enum { STROKES_MAX = 24 };
+enum { STROKES_MAX = 96 };
 
 typedef struct Plot {
     Axis x, y;

@@ -22,7 +22,8 @@ typedef struct Body {
 /* What the nodes are coloured by: a row of the table in map_colour.c. */
 typedef struct Colouring {
     const char *field, *label, *meaning, *unit;
-    bool is_signed; /* zero in the middle of the ramp */
+    bool is_signed;   /* zero in the middle of the ramp */
+    const char *flat; /* its meaning where the body is neither long nor thin; NULL: the same */
 } Colouring;
 
 /* What lies over a cell: dots of lines, or the letter that stands for them where there are no dots. */
@@ -36,6 +37,9 @@ typedef struct Map Map;
 
 /* What the run is made of that its picture shows besides the body itself, by the concerns of its problem. */
 typedef struct MapScene {
+    bool slender; /* a beam: along it and across it mean something */
+    bool bent;    /* it begins bent, held at its ends */
+    bool by_rows; /* cuts, loads and supports are rows of the scenario */
     bool leaves;  /* it comes out of a channel: the picture has room for its way, and displacements along it
                    * are drawn as they are */
     bool pressed; /* a load above, supports below: it is deep, and keeps its shape when it bends */
@@ -107,6 +111,7 @@ MapVariant map_variant(const Simulation *, int number);
 
 /* Fills values and range of the ramp, whose ends are round. False: the nodes have no such field. */
 bool map_colour(Map *, MapVariant);
+const char *map_meaning(const Map *); /* what the colours stand for, in words */
 
 /* Lattice, fields but map->value, and scales. False: this is no beam, or no memory. map_close() in any case.
  */
@@ -154,6 +159,11 @@ void map_line(Map *, double from_x, double from_y, double to_x, double to_y, Pen
 
 /* A line between two places of the body (m), bent with it. */
 void map_body_line(Map *, const double from[2], const double to[2], Pen);
+
+/* Both ends of a row as places in the body, m: of a load along its edge; of the probe twice the same; and the
+ * arrow of a traction. */
+void map_row_ends(const Settings *, int kind, int row, double ends[2][2]);
+uint32_t map_arrow(double sx, double sy);
 
 /* The parts of the picture, in the order in which they are drawn. */
 void map_draw_heat(Map *);

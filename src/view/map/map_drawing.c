@@ -2,50 +2,32 @@
 /* The beam before it moves, as in the papers' figures of the problems: dimensions in mm, supports, channel,
  * notch, load, probe. On paper it is laid out in the same columns and rows, a row twice as high as a column
  * is wide, but for rounding. */
-#include "view/map/map.h"
-#include "view/draw/sketch.h"
+#include "view/map/map_drawing.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { MARGIN_RIGHT = 11, DIMENSIONS_MAX = 4, LEAST_ROWS = 3 };
+enum { MARGIN_RIGHT = 11, LEAST_ROWS = 3 };
 
 #define WORTH_IT 0.6 /* of the width: a drawing to scale may lose so much, else its height is squeezed */
 #define APART    1.3 /* rows from one dimension to the next, on paper */
 
-/* A length between two places, with its row below the beam. */
-typedef struct Dimension {
-    double from, to; /* m */
-    int row;
-} Dimension;
-
-typedef struct Drawing {
-    const Settings *settings;
-    MapScene scene;
-    const Body *body;
-    Area area;
-    double low, scale;  /* column = 1 + (x - low) scale */
-    double top, bottom; /* rows of the upper and lower edge */
-    Dimension lengths[DIMENSIONS_MAX];
-    int n_dimensions, dimension_rows;
-} Drawing;
-
-static Sketch *paper_of(const Drawing *drawing)
+Sketch *drawing_paper(const Drawing *drawing)
 {
     return drawing->area.canvas->sketch;
 }
 
-static double column_of(const Drawing *drawing, double x)
+double drawing_column(const Drawing *drawing, double x)
 {
     const double column = 1 + (x - drawing->low) * drawing->scale;
-    return paper_of(drawing) ? column : round(column);
+    return drawing_paper(drawing) ? column : round(column);
 }
 
-static double row_of(const Drawing *drawing, double share)
+double drawing_row(const Drawing *drawing, double share)
 {
     const double up = share * (drawing->bottom - drawing->top);
-    return drawing->bottom - (paper_of(drawing) ? up : round(up));
+    return drawing->bottom - (drawing_paper(drawing) ? up : round(up));
 }
 
 static void add(Drawing *drawing, double from, double to, int row)
@@ -63,28 +45,25 @@ static void millimetres(double metres, char *out, size_t size)
 
 /* --- on paper, or in cells --------------------------------------------------------------------------- */
 
-/* Through places on paper, in columns and rows; `kind` as in plot.h. */
-static void trace(const Drawing *drawing, StrokeKind kind, Style style, int count, const double (*places)[2])
+void drawing_trace(const Drawing *drawing, StrokeKind kind, Style style, int count, const double (*places)[2])
 {
-    Plot *plot = &paper_of(drawing)->plot;
+    Plot *plot = &drawing_paper(drawing)->plot;
     plot_begin(plot, kind, LINE_SOLID, style, RANK_EXACT, '|');
     for (int i = 0; i < count; i++)
         plot_point(plot, places[i][0], -places[i][1]);
 }
 
-static void put(const Drawing *drawing, double x, double y, uint32_t glyph, Style style)
+void drawing_put(const Drawing *drawing, double x, double y, uint32_t glyph, Style style)
 {
-    if (paper_of(drawing))
-        sketch_mark(paper_of(drawing), x, -y, glyph, style);
+    if (drawing_paper(drawing))
+        sketch_mark(drawing_paper(drawing), x, -y, glyph, style);
     else
         area_put(drawing->area, (int)x, (int)y, glyph, style);
 }
 
-/* Words that begin (side 1), have their middle (0) or end (-1) at a place; those in the middle break a line.
- * The spaces around them are for cells. */
-static void label(const Drawing *drawing, double x, double y, int side, const char *text, Style style)
+void drawing_label(const Drawing *drawing, double x, double y, int side, const char *text, Style style)
 {
-    if (!paper_of(drawing)) {
+    if (!drawing_paper(drawing)) {
         const int columns = glyphs_columns(text);
         const int from = side > 0 ? (int)x : side < 0 ? (int)x - columns : ((int)(2 * x) + 1 - columns) / 2;
         area_text(drawing->area, from, (int)y, text, style);
@@ -96,7 +75,7 @@ static void label(const Drawing *drawing, double x, double y, int side, const ch
     while (length > 0 && text[length - 1] == ' ')
         length--;
     snprintf(out.text, sizeof out.text, "%.*s", (int)length, text);
-    sketch_label(paper_of(drawing), &out);
+    sketch_label(drawing_paper(drawing), &out);
 }
 
 /* "├────┤", or upright. */
@@ -104,38 +83,38 @@ static void draw_span(const Drawing *drawing, double from, double to, double y)
 {
     const double places[][2] = {{from, y - 0.25}, {from, y + 0.25}, {from, y},
                                 {to, y},          {to, y - 0.25},   {to, y + 0.25}};
-    if (paper_of(drawing))
-        trace(drawing, STROKE_LINE, STYLE_FAINT, 6, places);
+    if (drawing_paper(drawing))
+        drawing_trace(drawing, STROKE_LINE, STYLE_FAINT, 6, places);
     else
         for (double x = from; x <= to; x++)
-            put(drawing, x, y, x == from ? 0x251c : x == to ? 0x2524 : 0x2500, STYLE_FRAME);
+            drawing_put(drawing, x, y, x == from ? 0x251c : x == to ? 0x2524 : 0x2500, STYLE_FRAME);
 }
 
 static void draw_rise(const Drawing *drawing, double x, double top, double bottom)
 {
     const double places[][2] = {{x - 0.5, top}, {x + 0.5, top},    {x, top},
                                 {x, bottom},    {x - 0.5, bottom}, {x + 0.5, bottom}};
-    if (paper_of(drawing))
-        trace(drawing, STROKE_LINE, STYLE_FAINT, 6, places);
+    if (drawing_paper(drawing))
+        drawing_trace(drawing, STROKE_LINE, STYLE_FAINT, 6, places);
     else
         for (double y = top; y <= bottom; y++)
-            put(drawing, x, y, y == top ? 0x252c : y == bottom ? 0x2534 : 0x2502, STYLE_FRAME);
+            drawing_put(drawing, x, y, y == top ? 0x252c : y == bottom ? 0x2534 : 0x2502, STYLE_FRAME);
 }
 
 static void draw_box(const Drawing *drawing, double left, double right, double top, double bottom)
 {
     const double places[][2] = {{left, top}, {right, top}, {right, bottom}, {left, bottom}, {left, top}};
-    if (paper_of(drawing)) {
-        trace(drawing, STROKE_LINE, STYLE_NORMAL, 5, places);
+    if (drawing_paper(drawing)) {
+        drawing_trace(drawing, STROKE_LINE, STYLE_NORMAL, 5, places);
         return;
     }
     for (double x = left; x <= right; x++) {
-        put(drawing, x, top, x == left ? 0x250c : x == right ? 0x2510 : 0x2500, STYLE_NORMAL);
-        put(drawing, x, bottom, x == left ? 0x2514 : x == right ? 0x2518 : 0x2500, STYLE_NORMAL);
+        drawing_put(drawing, x, top, x == left ? 0x250c : x == right ? 0x2510 : 0x2500, STYLE_NORMAL);
+        drawing_put(drawing, x, bottom, x == left ? 0x2514 : x == right ? 0x2518 : 0x2500, STYLE_NORMAL);
     }
     for (double y = top + 1; y < bottom; y++) {
-        put(drawing, left, y, 0x2502, STYLE_NORMAL);
-        put(drawing, right, y, 0x2502, STYLE_NORMAL);
+        drawing_put(drawing, left, y, 0x2502, STYLE_NORMAL);
+        drawing_put(drawing, right, y, 0x2502, STYLE_NORMAL);
     }
 }
 
@@ -144,24 +123,24 @@ static void draw_wall(const Drawing *drawing, double from, double to, double edg
 {
     const double near = edge + 0.15 * side, far = edge + 0.8 * side;
     const double places[][2] = {{from, near}, {from, far}, {to, near}, {to, far}};
-    if (paper_of(drawing)) {
-        Plot *plot = &paper_of(drawing)->plot;
-        trace(drawing, STROKE_BAND, STYLE_FRAME, 4, places);
+    if (drawing_paper(drawing)) {
+        Plot *plot = &drawing_paper(drawing)->plot;
+        drawing_trace(drawing, STROKE_BAND, STYLE_FRAME, 4, places);
         plot->strokes[plot->n_strokes - 1].fill = 2; /* no darker than the beam's outline */
         return;
     }
     for (double x = from; x <= to; x++)
-        put(drawing, x, edge + side, side < 0 ? 0x2584 : 0x2580, STYLE_FRAME);
+        drawing_put(drawing, x, edge + side, side < 0 ? 0x2584 : 0x2580, STYLE_FRAME);
 }
 
 static void draw_notch(const Drawing *drawing, double x, double end)
 {
     const double places[][2] = {{x, drawing->bottom}, {x, end}};
-    if (paper_of(drawing))
-        trace(drawing, STROKE_LINE, STYLE_HEADING, 2, places);
+    if (drawing_paper(drawing))
+        drawing_trace(drawing, STROKE_LINE, STYLE_HEADING, 2, places);
     else
         for (double y = end; y <= drawing->bottom; y++)
-            put(drawing, x, y, y == drawing->bottom ? 0x2534 : 0x2502, STYLE_HEADING);
+            drawing_put(drawing, x, y, y == drawing->bottom ? 0x2534 : 0x2502, STYLE_HEADING);
 }
 
 /* A load that presses on a part of the upper edge. */
@@ -169,71 +148,72 @@ static void draw_load(const Drawing *drawing, double from, double to)
 {
     const double x = (from + to) / 2, y = drawing->top - 1;
     const double across[][2] = {{from, y}, {to, y}}, shaft[][2] = {{x, y}, {x, drawing->top - 0.5}};
-    if (!paper_of(drawing)) {
+    if (!drawing_paper(drawing)) {
         for (double column = from; column <= to; column++)
-            put(drawing, column, y, 0x25bc, STYLE_HEADING);
+            drawing_put(drawing, column, y, 0x25bc, STYLE_HEADING);
         return;
     }
-    trace(drawing, STROKE_LINE, STYLE_HEADING, 2, across);
-    trace(drawing, STROKE_LINE, STYLE_HEADING, 2, shaft);
-    put(drawing, x, drawing->top, 0x25bc, STYLE_HEADING);
+    drawing_trace(drawing, STROKE_LINE, STYLE_HEADING, 2, across);
+    drawing_trace(drawing, STROKE_LINE, STYLE_HEADING, 2, shaft);
+    drawing_put(drawing, x, drawing->top, 0x25bc, STYLE_HEADING);
 }
 
 /* Below the beam; a sign on paper hangs from its place. */
 static void draw_support(const Drawing *drawing, double x, bool pinned)
 {
-    put(drawing, column_of(drawing, x), drawing->bottom + !paper_of(drawing), pinned ? 0x25b2 : 0x25cb,
-        STYLE_HEADING);
+    drawing_put(drawing, drawing_column(drawing, x), drawing->bottom + !drawing_paper(drawing),
+                pinned ? 0x25b2 : 0x25cb, STYLE_HEADING);
 }
 
 /* --- parts ------------------------------------------------------------------------------------------- */
 
 static void draw_dimension(const Drawing *drawing, const Dimension *dimension, double y)
 {
-    const double from = column_of(drawing, dimension->from), to = column_of(drawing, dimension->to);
+    const double from = drawing_column(drawing, dimension->from), to = drawing_column(drawing, dimension->to);
     char text[NUMBER_TEXT_MAX + 8];
     millimetres(dimension->to - dimension->from, text, sizeof text);
     draw_span(drawing, from, to, y);
     if (to - from - 1 >= glyphs_columns(text))
-        label(drawing, (from + to) / 2, y, 0, text, STYLE_NORMAL);
+        drawing_label(drawing, (from + to) / 2, y, 0, text, STYLE_NORMAL);
     else
-        label(drawing, to + 1, y, 1, text, STYLE_NORMAL);
+        drawing_label(drawing, to + 1, y, 1, text, STYLE_NORMAL);
 }
 
 static void draw_outline(const Drawing *drawing)
 {
-    const double left = column_of(drawing, drawing->body->low[0]);
-    const double right = column_of(drawing, drawing->body->low[0] + drawing->body->size[0]);
+    const double left = drawing_column(drawing, drawing->body->low[0]);
+    const double right = drawing_column(drawing, drawing->body->low[0] + drawing->body->size[0]);
     char text[NUMBER_TEXT_MAX + 8];
     draw_box(drawing, left, right, drawing->top, drawing->bottom);
     millimetres(drawing->settings->geometry.height, text, sizeof text);
     draw_rise(drawing, right + 2, drawing->top, drawing->bottom);
-    label(drawing, right + 3, row_of(drawing, 0.5), 1, text, STYLE_NORMAL);
+    drawing_label(drawing, right + 3, drawing_row(drawing, 0.5), 1, text, STYLE_NORMAL);
 }
 
 /* The body behind the clamp goes through a channel with walls. */
 static void draw_channel(const Drawing *drawing)
 {
-    const double from = column_of(drawing, -drawing->settings->motion.channel), to = column_of(drawing, 0);
+    const double from = drawing_column(drawing, -drawing->settings->motion.channel),
+                 to = drawing_column(drawing, 0);
     draw_wall(drawing, from, to, drawing->top, -1);
     draw_wall(drawing, from, to, drawing->bottom, 1);
     char text[48], number[NUMBER_TEXT_MAX];
     text_rounded(number, drawing->settings->motion.speed, 4);
     snprintf(text, sizeof text, "→ %s m/s", number);
-    label(drawing, from + 2, row_of(drawing, 0.5), 1, text, STYLE_HEADING);
+    drawing_label(drawing, from + 2, drawing_row(drawing, 0.5), 1, text, STYLE_HEADING);
 }
 
 /* A cut from below, with its depth. */
 static void draw_cut(const Drawing *drawing)
 {
     const Settings *settings = drawing->settings;
-    const double notch = column_of(drawing, settings->notch.position);
-    const double end = fmin(row_of(drawing, settings->notch.depth / settings->geometry.height),
-                            drawing->bottom - !paper_of(drawing)); /* seen in any case */
+    const double notch = drawing_column(drawing, settings->notch.position);
+    const double end = fmin(drawing_row(drawing, settings->notch.depth / settings->geometry.height),
+                            drawing->bottom - !drawing_paper(drawing)); /* seen in any case */
     char text[NUMBER_TEXT_MAX + 8];
     draw_notch(drawing, notch, end);
     millimetres(settings->notch.depth, text, sizeof text);
-    label(drawing, notch + 1, fmin(end, drawing->bottom - 1), 1, text, STYLE_NORMAL);
+    drawing_label(drawing, notch + 1, fmin(end, drawing->bottom - 1), 1, text, STYLE_NORMAL);
 }
 
 /* A load on the top between two supports below. */
@@ -241,13 +221,13 @@ static void draw_pressure(const Drawing *drawing)
 {
     const Settings *settings = drawing->settings;
     char text[96], number[NUMBER_TEXT_MAX], width[NUMBER_TEXT_MAX];
-    const double from = column_of(drawing, settings->loads.position - settings->loads.width / 2);
-    const double to = column_of(drawing, settings->loads.position + settings->loads.width / 2);
+    const double from = drawing_column(drawing, settings->loads.position - settings->loads.width / 2);
+    const double to = drawing_column(drawing, settings->loads.position + settings->loads.width / 2);
     draw_load(drawing, from, to);
     text_rounded(number, 1e-6 * settings->loads.stress, 4);
     text_rounded(width, 1e3 * settings->loads.width, 4);
     snprintf(text, sizeof text, "%s MPa on %s mm", number, width);
-    label(drawing, to + 2, drawing->top - 1, 1, text, STYLE_NORMAL);
+    drawing_label(drawing, to + 2, drawing->top - 1, 1, text, STYLE_NORMAL);
     draw_support(drawing, settings->supports.left, settings->supports.pinned);
     draw_support(drawing, settings->supports.right, false);
 }
@@ -256,13 +236,13 @@ static void draw_probe(const Drawing *drawing)
 {
     const Body *body = drawing->body;
     const double *probe = drawing->scene.probe;
-    const double column = column_of(drawing, body->low[0] + probe[0] * body->size[0]);
-    const double row = row_of(drawing, probe[1]);
+    const double column = drawing_column(drawing, body->low[0] + probe[0] * body->size[0]);
+    const double row = drawing_row(drawing, probe[1]);
     const bool above = probe[1] >= 1;
-    put(drawing, column, row, 0x25cf, STYLE_MEASURED);
+    drawing_put(drawing, column, row, 0x25cf, STYLE_MEASURED);
     /* a line of cells makes room for words, one on paper does not */
-    label(drawing, above ? column + 1 : column - 1, row + (above && paper_of(drawing)), above ? 1 : -1,
-          "probe", STYLE_MEASURED);
+    drawing_label(drawing, above ? column + 1 : column - 1, row + (above && drawing_paper(drawing)),
+                  above ? 1 : -1, "probe", STYLE_MEASURED);
 }
 
 /* "E 71 GPa  density 2700  thickness 5 mm  u(0) 3 µm" */
@@ -274,9 +254,13 @@ static void draw_words(const Drawing *drawing, int y)
     text_rounded(b, settings->material.density, 5);
     text_rounded(c, 1e3 * settings->geometry.thickness, 4);
     snprintf(text, sizeof text, "E %s GPa  density %s kg/m³  thickness %s mm", a, b, c);
-    if (!drawing->scene.pressed) {
+    if (drawing->scene.bent && settings->start.amplitude != 0) {
         text_rounded(a, 1e6 * settings->start.amplitude, 4);
         text_append(text, sizeof text, "  U %s µm", a);
+    }
+    if (settings->loads.body_force != 0) {
+        text_rounded(a, settings->loads.body_force, 4);
+        text_append(text, sizeof text, "  body force %s m/s²", a);
     }
     area_phrases(drawing->area, 1, y, drawing->area.rect.width - 2, 1, text, STYLE_FAINT);
 }
@@ -285,9 +269,9 @@ static void draw_words(const Drawing *drawing, int y)
 static void draw_supports(const Drawing *drawing)
 {
     const Body *body = drawing->body;
-    const double row = row_of(drawing, 0.5);
-    put(drawing, column_of(drawing, body->low[0]), row, 0x25b2, STYLE_HEADING);
-    put(drawing, column_of(drawing, body->low[0] + body->size[0]), row, 0x25cb, STYLE_HEADING);
+    const double row = drawing_row(drawing, 0.5);
+    drawing_put(drawing, drawing_column(drawing, body->low[0]), row, 0x25b2, STYLE_HEADING);
+    drawing_put(drawing, drawing_column(drawing, body->low[0] + body->size[0]), row, 0x25cb, STYLE_HEADING);
 }
 
 /* --- what the run is made of -------------------------------------------------------------------------- */
@@ -317,8 +301,10 @@ static void draw_parts(const Drawing *drawing)
         draw_pressure(drawing);
     else if (drawing->scene.leaves)
         draw_channel(drawing);
-    else
+    else if (drawing->scene.bent)
         draw_supports(drawing);
+    if (drawing->scene.by_rows)
+        drawing_rows(drawing);
 }
 
 /* --- the whole ---------------------------------------------------------------------------------------- */
@@ -347,7 +333,7 @@ static void scale_words(double stretch, bool to_scale, const char *times, char *
 /* The page has as much height as the drawing takes. */
 static void draw_on_paper(Drawing *drawing, const Screen *screen)
 {
-    Sketch *sketch = paper_of(drawing);
+    Sketch *sketch = drawing_paper(drawing);
     const int columns = drawing->area.rect.width;
     const double rise = drawing->body->size[1] * drawing->scale / 2;
     char words[64];
@@ -406,7 +392,7 @@ void map_drawing(const Screen *screen, Area area, Style heading)
     const double stretch = rise / (body.size[1] * drawing.scale / 2);
     char title[96], scale[64];
     scale_words(stretch, fabs(log(stretch)) < 0.2, "x", scale, sizeof scale);
-    snprintf(title, sizeof title, "the beam at t = 0  %s", scale);
+    snprintf(title, sizeof title, "the %s at t = 0  %s", settings->problem->body, scale);
     area_rule(area, 0, title, heading);
     draw_all(&drawing, 1);
     if (words)

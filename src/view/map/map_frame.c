@@ -20,14 +20,21 @@ enum { LEGEND_ROOM = 19, LEGEND_ROWS = 4 };
 MapScene map_scene(const Settings *settings)
 {
     const int concerns = settings->problem->concerns;
-    MapScene scene = {.leaves = concerns & CONCERN_MOTION,
+    MapScene scene = {.slender = concerns & CONCERN_BEAM,
+                      .bent = concerns & CONCERN_DEFLECTION,
+                      .by_rows = concerns & CONCERN_PLATE,
+                      .leaves = concerns & CONCERN_MOTION,
                       .pressed = concerns & CONCERN_PRESSURE,
                       .notched = concerns & CONCERN_NOTCH,
                       .pinned = !(concerns & CONCERN_SUPPORTS) || settings->supports.pinned,
                       .probe = {0.5, 0.5}};
-    scene.around = scene.leaves || scene.pressed || concerns & CONCERN_PLATE;
+    scene.around = scene.leaves || scene.pressed || scene.by_rows;
     scene.probe[0] = scene.leaves ? 1 : 0.5;  /* the tip */
     scene.probe[1] = scene.pressed ? 1 : 0.5; /* under the load */
+    if (scene.by_rows) {
+        scene.probe[0] = settings_row_value(settings, ROWS_PROBE, 0, 0) / settings->geometry.length;
+        scene.probe[1] = settings_row_value(settings, ROWS_PROBE, 0, 1) / settings->geometry.height;
+    }
     return scene;
 }
 

@@ -37,6 +37,19 @@ static void ends_of(const Settings *settings, int kind, int row, Place ends[2])
     }
 }
 
+void map_row_ends(const Settings *settings, int kind, int row, double ends[2][2])
+{
+    Place places[2];
+    ends_of(settings, kind, row, places);
+    for (int i = 0; i < 2; i++)
+        ends[i][0] = places[i].x, ends[i][1] = places[i].y;
+}
+
+uint32_t map_arrow(double sx, double sy)
+{
+    return fabs(sx) > fabs(sy) ? (sx > 0 ? 0x2192 : 0x2190) : sy > 0 ? 0x2191 : 0x2193;
+}
+
 static void line_between(Map *map, Place a, Place b, Pen pen)
 {
     map_body_line(map, (double[]){a.x, a.y}, (double[]){b.x, b.y}, pen);
@@ -120,7 +133,7 @@ static void draw_load(const Map *map, const Settings *settings, int row, Style s
     const double sx = settings_row_value(settings, ROWS_LOADS, row, 3),
                  sy = settings_row_value(settings, ROWS_LOADS, row, 4);
     const int edge = (int)settings_row_value(settings, ROWS_LOADS, row, 0);
-    const uint32_t arrow = fabs(sx) > fabs(sy) ? (sx > 0 ? 0x2192u : 0x2190u) : sy > 0 ? 0x2191u : 0x2193u;
+    const uint32_t arrow = map_arrow(sx, sy);
     const double away_x = edge == ROW_LEFT    ? -1
                           : edge == ROW_RIGHT ? 1
                                               : 0,

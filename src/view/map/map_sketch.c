@@ -75,5 +75,5 @@ void map_sketch(Map *map)
     map_draw_lines(map);
     map_draw_signs(map);
     name_lines(sketch, map);
-    sketch_heading(sketch, map->colouring->meaning);
+    sketch_heading(sketch, map_meaning(map));
 }

@@ -385,8 +385,11 @@ static void draw_beam(const Screen *screen, Area area)
             plot_point(&plot, at[0][i] + at[2][i], at[1][i] + k * at[3][i]);
     plot_draw(&plot, part);
     plot_close(&plot);
-    if (tall)
-        area_rule(area, 0, "the beam", screen_is_focused(screen, PANE_MESH) ? STYLE_FOCUS : STYLE_HEADING);
+    if (tall) {
+        char title[48];
+        snprintf(title, sizeof title, "the %s", screen_problem(screen)->body);
+        area_rule(area, 0, title, screen_is_focused(screen, PANE_MESH) ? STYLE_FOCUS : STYLE_HEADING);
+    }
     Area words = area_part(area, part.rect.x + part.rect.width + 1, 0, area.rect.width, rows);
     char number[NUMBER_TEXT_MAX];
     text_factor(k, number);

@@ -115,10 +115,10 @@ static void draw_title(const Map *map, Area area, Style heading)
         area_text(area, 0, 0, title, STYLE_NORMAL);
         return;
     }
-    int columns = glyphs_columns(colouring->meaning);
+    int columns = glyphs_columns(map_meaning(map));
     for (int i = 0; i < PARTS; i++)
         columns += parts[i][0] ? 2 + glyphs_columns(parts[i]) : 0;
-    snprintf(title, sizeof title, "%s", columns <= room ? colouring->meaning : colouring->label);
+    snprintf(title, sizeof title, "%s", columns <= room ? map_meaning(map) : colouring->label);
     for (int i = 0; i < PARTS; i++)
         add_part(title, sizeof title, room, parts[order[i]]);
     area_rule(area, 0, title, heading);
@@ -217,7 +217,9 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     }
     Map map;
     if (!map_open(&map, screen, map_part(area)) || !map_colour(&map, shown(screen, variant))) {
-        area_rule(area, 0, "the beam", heading);
+        char title[48];
+        snprintf(title, sizeof title, "the %s", screen_problem(screen)->body);
+        area_rule(area, 0, title, heading);
         map_close(&map);
         return;
     }
@@ -338,7 +340,7 @@ static void tell(const Screen *screen, struct Words *words)
 const View view_beam = {
     .word = "beam",
     .brief = "beam",
-    .help = "the beam as it lies, coloured; again: by another field",
+    .help = "the beam or plate as it lies, coloured; again: by another field",
     .digit = 8,
     .home = PANE_UPPER,
     .opens = OPENS_IN_PLANE,

@@ -149,6 +149,12 @@ static bool take_section(Section *section, const Screen *screen, const Picture *
     return true;
 }
 
+/* Sections of a beam stay plane; of a plate nothing of the kind is known. */
+static bool is_beam(const Screen *screen)
+{
+    return screen_problem(screen)->concerns & CONCERN_BEAM;
+}
+
 /* --- words ------------------------------------------------------------------------------------------ */
 
 /* How far the section is from the line, root mean square, and against how far the line reaches. */
@@ -190,6 +196,8 @@ static void section_line(const Section *section, char out[160])
     const Picture *of = section->of;
     double share, away = off_line(section, &share);
     snprintf(out, 160, "at x %.2f mm", section->x / 1e-3);
+    if (!is_beam(section->screen))
+        return;
     if (!of->resultant) {
         char slope[NUMBER_TEXT_MAX];
         append_quantity(out, "  off the line by", away, of->unit);
@@ -253,7 +261,8 @@ static void draw_strokes(const Section *section, Plot *plot, bool theory)
 
 static void draw_section(const Section *section, Area area, Style heading)
 {
-    const bool theory = screen_shows_exact(section->screen), several = section->columns > 1;
+    const bool theory = screen_shows_exact(section->screen) && is_beam(section->screen),
+               several = section->columns > 1;
     const int under = area.rect.height < 8 ? 0 : 1;
     Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
     const double bottom = section->body.low[1];
@@ -320,7 +329,8 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     } else {
         area_rule(area, 0, "section", heading);
         area_paragraph(area, 1, 1, area.rect.width - 2, area.rect.height - 1,
-                       "A bar has no height: only beams have a section to look at.", STYLE_FAINT);
+                       "A bar has no height: only a body in the plane has a section to look at.",
+                       STYLE_FAINT);
     }
     free(section.y);
 }
@@ -328,7 +338,8 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
 const View view_section = {
     .word = "section",
     .brief = "section",
-    .help = "a beam through its height at the chosen particle: displacement; again: bending stress, shear",
+    .help = "a beam or plate through its height at the chosen particle: displacement; again: bending stress, "
+            "shear",
     .home = PANE_UPPER,
     .draw = draw,
     .variants = variants_of,

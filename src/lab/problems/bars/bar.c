@@ -23,6 +23,7 @@ static const Solver *const solvers[] = {&bar_by_mpm, &bar_by_pd, NULL};
 
 const Problem problem_bar = {
     .word = "bar",
+    .body = "bar",
     .answer = "exact",
     .title = "axial vibration of a bar",
     .concerns = CONCERN_BAR | CONCERN_MODES | CONCERN_MESH | CONCERN_METHODS | CONCERN_LATTICE |

@@ -150,6 +150,7 @@ static const Solver *const solvers[] = {&hanging_column_by_mpm, NULL};
 
 const Problem problem_hanging_column = {
     .word = "hanging-column",
+    .body = "column",
     .answer = "exact",
     .title = "a bar that hangs at rest",
     .concerns = CONCERN_BAR | CONCERN_MESH | CONCERN_WEIGHT,

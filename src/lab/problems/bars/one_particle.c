@@ -197,6 +197,7 @@ static const Solver *const solvers[] = {&one_particle_by_mpm, NULL};
 
 const Problem problem_one_particle = {
     .word = "one-particle",
+    .body = "particle",
     .answer = "exact",
     .title = "one particle in one cell",
     .concerns = CONCERN_POINT | CONCERN_MESH,

@@ -19,7 +19,8 @@
         USE("time.courant", 0.5), .methods = BY_MPM                                                          \
     }
 #define BEAM_COMMON                                                                                          \
-    .answer = "beam theory", .si = true, .unit_of_time = "s", .shown_time = 1e-3, .shown_time_unit = " ms"
+    .body = "beam", .answer = "beam theory", .si = true, .unit_of_time = "s", .shown_time = 1e-3,            \
+    .shown_time_unit = " ms"
 #define USES(rows) .uses = rows, .n_uses = sizeof rows / sizeof *rows
 
 /* --- simply supported ----------------------------------------------------------------------------- */
@@ -135,6 +136,7 @@ const Problem problem_plate = {
     USES(uses_plate),
     .solvers = solvers_plate,
     .alone = "by it nothing breaks",
+    .body = "plate",
     .answer = "theory",
     .si = true,
     .unit_of_time = "s",

@@ -73,7 +73,7 @@ void command_map_zoom(Laboratory *lab)
     Screen *screen = &lab->screen;
     if (!simulation_has(experiment_simulation(screen->experiment), HAS_PLANE)) {
         laboratory_say(lab, MESSAGE_INFO,
-                       "Z magnifies the map of a beam; n and N change the time window of a plot");
+                       "Z magnifies the map of a beam or plate; n and N change the time window of a plot");
         return;
     }
     if (screen->eye.open) {
@@ -93,7 +93,7 @@ bool command_answer_magnify(Laboratory *lab, const char *text)
     Screen *screen = &lab->screen;
     double times;
     if (!simulation_has(experiment_simulation(screen->experiment), HAS_PLANE))
-        return prompt_refuse(&lab->prompting, "there is no map of a bar (only of a beam)");
+        return prompt_refuse(&lab->prompting, "there is no map of a bar (only of a beam or plate)");
     if (!text_to_double(text, &times) || !(times >= 1 && times <= MOST_MAGNIFIED))
         return prompt_refuse(&lab->prompting, "a number from 1 to 1024, as in 16");
     if (!screen->views.upper->is_map && !screen->views.lower->is_map)
