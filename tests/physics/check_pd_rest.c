@@ -144,6 +144,10 @@ START_TEST(nothing_holds_a_free_body)
     Status status = {0};
     ck_assert_ptr_null(beam_create_with(&def, &(BeamOptions){.free_body = true}, &status));
     ck_assert_ptr_nonnull(strstr(status.text, "damping.rate: critical"));
+    ck_assert_ptr_nonnull(strstr(status.text, "nothing holds the beam,"));
+    def.to_rest = true;
+    ck_assert_ptr_null(beam_create_with(&def, &(BeamOptions){.free_body = true}, &status));
+    ck_assert_ptr_nonnull(strstr(status.text, "time.rest: the lowest"));
 }
 END_TEST
 

@@ -69,11 +69,11 @@ static const struct {
      "my.lesson:1: @titel is not known (@title | @about | @page | @do | @field | @ask | @choice | "
      "@right | @reveal | @until | @variant | @answer | @words | @goal | @solve)"},
     {"@title x\n@page y\n@field mesh.size\n", "my.lesson:3: mesh.size is no parameter (see: matvib params)"},
-    {"@title x\n@page y\n@until then\n",
-     "my.lesson:3: until what? (step N | time T | stage N | end | crossing | break | event | command NAME "
-     "| value KEY VALUE)"},
+    {"@title x\n@page y\n@until then\n", "my.lesson:3: until what? (step N | time T | stage N | end | "
+                                         "crossing | break | event | rest | command NAME "
+                                         "| value KEY VALUE)"},
     {"@title x\n@page y\n@until step -1\n",
-     "my.lesson:3: until what? (step N | time T | stage N | end | crossing | break | event | command "
+     "my.lesson:3: until what? (step N | time T | stage N | end | crossing | break | event | rest | command "
      "NAME | value KEY VALUE)"},
     {"@title x\n@page y\n@ask a\nb?\n",
      "my.lesson:4: a question is one line (text comes before @ask, or after @reveal)"},

@@ -2,7 +2,9 @@
 /* What a run stops at by itself: it stands at the very step, and nothing beyond has been computed. */
 #include "suite.h"
 #include "tui/tui_case.h"
+#include "view/panes/panes.h"
 
+#include <math.h>
 #include <string.h>
 
 static void enter_line(Bench *bench, const char *text)
@@ -183,11 +185,50 @@ START_TEST(slow_motion_shows_every_stage)
 }
 END_TEST
 
+/* Where the kinetic energy has gone and stays away: not at a turning point, and by whichever way it is
+ * damped. */
+static const struct {
+    const char *line;
+    double from, to;
+} rests[] = {{"time.rest=yes", 2.0e-3, 2.2e-3},
+             {"time.rest=no", 2.25e-3, 2.4e-3},
+             {"damping.rate=7260", 3.0e-3, 3.8e-3}};
+
+START_TEST(a_damped_run_stops_at_rest)
+{
+    Bench *bench = open_bench("hanging-beam", true);
+    const Laboratory *lab = &bench->lab;
+    if (_i > 0)
+        enter_line(bench, "time.rest=no");
+    enter_line(bench, rests[_i].line);
+    enter_line(bench, "r");
+    bench->lab.screen.playback.pace = 500;
+    enter_line(bench, "until rest");
+    ck_assert_int_eq(lab->screen.playback.state, STATE_RUNNING);
+    for (int i = 0; i < 100000 && lab->screen.playback.state == STATE_RUNNING; i++)
+        frame(bench);
+    const double time = experiment_time(lab->screen.experiment);
+    ck_assert_msg(time >= rests[_i].from && time <= rests[_i].to, "%s: %g", rests[_i].line, time);
+    const int kinetic = screen_column(&lab->screen, "kinetic");
+    double most = 0;
+    const Record *record = experiment_record(lab->screen.experiment);
+    for (size_t i = 0; i < record->count; i++)
+        most = fmax(most, record_row(record, i)[kinetic]);
+    ck_assert_double_lt(experiment_row(lab->screen.experiment)[kinetic], 1e-10 * most);
+    enter_line(bench, "time.rest=no");
+    enter_line(bench, "damping.rate=0");
+    enter_line(bench, "until rest");
+    ck_assert(shows(bench, "nothing comes to rest without damping"));
+    close_bench(bench);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("until");
     tcase_add_loop_test(tcase, a_run_stops_at_the_step_of_its_event, 0, sizeof hunts / sizeof *hunts);
     tcase_add_test(tcase, a_run_stops_at_an_event_that_is_not_kept);
+    tcase_add_loop_test(tcase, a_damped_run_stops_at_rest, 0, sizeof rests / sizeof *rests);
     tcase_add_test(tcase, a_run_stops_at_a_time_and_at_a_step);
     tcase_add_test(tcase, a_stretch_comes_again);
     tcase_add_test(tcase, slow_motion_shows_every_stage);

@@ -265,7 +265,7 @@ static bool read_until(Reader *reader, const char *text)
             return true;
     }
     return status_fail(reader->status, STATUS_USAGE,
-                       "until what? (step N | time T | stage N | end | crossing | break | event | "
+                       "until what? (step N | time T | stage N | end | crossing | break | event | rest | "
                        "command NAME | value KEY VALUE)");
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/quantity.h"
 #include "base/text.h"
+#include "lab/problems/problem.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -22,19 +23,38 @@ static const struct {
      {HAS_MESH, HAS_BREAKING},
      "an event",
      "nothing of the kind happens in this run"},
+    {1u << EVENT_REST,
+     {0, 0},
+     "rest",
+     "nothing comes to rest without damping (damping.rate, or time.rest = yes)"},
 };
-const char *const stop_event_words[] = {"crossing", "break", "event", NULL};
+const char *const stop_event_words[] = {"crossing", "break", "event", "rest", NULL};
+enum { REST_WORD = 3 };
+#define REST_KINETIC 1e-10
+#define REST_SPAN    0.1 /* of the time */
 
-static bool read_event(Stop *stop, const char *word, const Simulation *sim, bool *sound, Status *status)
+static bool is_damped(const Experiment *experiment)
 {
+    const Settings *settings = experiment_settings(experiment);
+    return settings->problem->concerns & CONCERN_DAMPING && settings->damping.rate != 0;
+}
+
+static bool read_event(Stop *stop, const char *word, const Experiment *experiment, bool *sound,
+                       Status *status)
+{
+    const Simulation *sim = experiment_simulation(experiment);
+    const bool reports = experiment_settings(experiment)->time.rest;
     int i = 0;
     while (stop_event_words[i] && strcmp(stop_event_words[i], word) != 0)
         i++;
     if (!stop_event_words[i])
         return false;
-    *stop = (Stop){.kind = STOP_AT_EVENT, .events = kinds[i].events};
-    *sound = simulation_has(sim, kinds[i].needs[0]) || simulation_has(sim, kinds[i].needs[1]) ||
-             status_fail(status, STATUS_USAGE, "%s", kinds[i].lacking);
+    *stop = (Stop){
+        .kind = STOP_AT_EVENT, .events = kinds[i].events, .rests = i == REST_WORD && !reports, .since = -1};
+    *sound =
+        (i == REST_WORD ? reports || is_damped(experiment)
+                        : simulation_has(sim, kinds[i].needs[0]) || simulation_has(sim, kinds[i].needs[1])) ||
+        status_fail(status, STATUS_USAGE, "%s", kinds[i].lacking);
     return true;
 }
 
@@ -91,10 +111,11 @@ bool stop_read(Stop *stop, const char *text, const Experiment *experiment, Statu
     } else if (strcmp(text, "end") == 0) {
         *stop = (Stop){.kind = STOP_AT_STEP, .step = experiment_last_step(experiment)};
         return true;
-    } else if (read_event(stop, next ? next : text, experiment_simulation(experiment), &sound, status))
+    } else if (read_event(stop, next ? next : text, experiment, &sound, status))
         return sound;
-    return status_fail(status, STATUS_USAGE,
-                       "until what? (t TIME | step N | end | crossing | break | event, first or next)");
+    return status_fail(
+        status, STATUS_USAGE,
+        "until what? (t TIME | step N | end | crossing | break | event | rest, first or next)");
 }
 
 void stop_words(const Stop *stop, char out[STOP_WORDS_MAX])
@@ -131,18 +152,49 @@ static long events_of(const Simulation *sim)
     return sim->n_events + sim->events_beyond;
 }
 
+static int kinetic_column(const Experiment *experiment)
+{
+    int count;
+    const Column *columns = experiment_columns(experiment, &count);
+    for (int i = 0; i < count; i++)
+        if (strcmp(columns[i].quantity.name, "kinetic") == 0)
+            return i;
+    return -1;
+}
+
+/* Whether a damped run has come to rest; the rows that went before are looked through once. */
+static bool is_at_rest(Stop *stop, Experiment *experiment)
+{
+    const int column = kinetic_column(experiment);
+    const Record *record = experiment_record(experiment);
+    const double *now = experiment_row(experiment);
+    if (!stop->rests || column < 0 || !now)
+        return false;
+    for (size_t i = 0; stop->most == 0 && i < record->count; i++)
+        stop->most = fmax(stop->most, record_row(record, i)[column]);
+    stop->most = fmax(stop->most, now[column]);
+    const bool still = now[column] < REST_KINETIC * stop->most;
+    if (!still)
+        stop->since = -1;
+    else if (stop->since < 0)
+        stop->since = now[1];
+    return still && now[1] - stop->since >= REST_SPAN * now[1];
+}
+
 void stop_look(Stop *stop, const Experiment *experiment)
 {
     stop->seen = events_of(experiment_simulation(experiment));
 }
 
-bool stop_happened(Stop *stop, const Experiment *experiment)
+bool stop_happened(Stop *stop, Experiment *experiment)
 {
     const Simulation *sim = experiment_simulation(experiment);
     const long before = stop->seen;
     stop_look(stop, experiment);
     if (stop->kind != STOP_AT_EVENT)
         return false;
+    if (is_at_rest(stop, experiment))
+        return true;
     for (long i = before; i < sim->n_events; i++)
         if (stop->events >> sim->events[i].kind & 1)
             return true;

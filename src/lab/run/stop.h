@@ -3,7 +3,11 @@
  *
  * A step or time is known beforehand (stop_step()). Whether something happened is seen only while the run
  * goes on, so whoever drives it does one step after the other and asks stop_happened() after each: then it
- * stands at the very step and nothing beyond has been computed. */
+ * stands at the very step and nothing beyond has been computed.
+ *
+ * A run with time.rest reports that it is at rest, and ends. Of one that is damped only it is looked for
+ * here: the kinetic energy is below 1e-10 of its largest, and has been for a tenth of the time, longer than
+ * any turning point. */
 #ifndef LAB_STOP_H
 #define LAB_STOP_H
 
@@ -19,6 +23,9 @@ typedef struct Stop {
     double time;     /* STOP_AT_TIME: the first whole step that is not before it */
     unsigned events; /* STOP_AT_EVENT: any of these, 1 << EventKind */
     long seen;       /* events of the run that were there when it was looked at last */
+    bool rests;      /* at rest too, of a damped run that does not end there by itself */
+    double most;     /* the largest kinetic energy so far */
+    double since;    /* the kinetic energy has been next to nothing since that time */
 } Stop;
 
 /* The kinds of events that a run reports while it goes on, by their words; ended by NULL. */
@@ -42,6 +49,6 @@ long stop_step(const Stop *, const Experiment *);
 void stop_look(Stop *, const Experiment *);
 
 /* Whether one of its events has happened since stop_look() or the last call. */
-bool stop_happened(Stop *, const Experiment *);
+bool stop_happened(Stop *, Experiment *);
 
 #endif

@@ -155,8 +155,13 @@ bool beam_critical_step(Beam *beam, double *step, Status *status);
 /* beam_patience.c: asks BeamDef.patience. False: the building is to be given up, from now on. */
 bool beam_go_on(Beam *beam, double share, Status *status);
 
+/* The section of its sizes in a scenario file, and what it is called. */
+static inline const char *beam_word(const BeamDef *def)
+{
+    return def->problem == BEAM_PLATE ? "plate" : "beam";
+}
+
 /* beam_problem.c */
-const char *beam_word(const BeamDef *);    /* the section of its sizes in a scenario file: "beam" */
 bool beam_set_bonds(Beam *beam, Status *); /* coefficients, and the notch */
 bool beam_set_problem(Beam *beam, Status *status);
 void beam_simple_supports(const Lattice *, Support supports[2]); /* one node at each end, at mid-height */

@@ -10,11 +10,6 @@
 #include <math.h>
 #include <string.h>
 
-const char *beam_word(const BeamDef *def)
-{
-    return def->problem == BEAM_PLATE ? "plate" : "beam";
-}
-
 /* The notch is a cut from below. */
 static void set_cuts(Beam *beam)
 {

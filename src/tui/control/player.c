@@ -157,7 +157,9 @@ static void tell_stop(Laboratory *lab)
     int event = sim->n_events - 1;
     while (event > 0 && sim->events[event - 1].step == sim->events[event].step)
         event--;
-    if (lab->player.stop.kind == STOP_AT_EVENT && event >= 0)
+    if (lab->player.stop.rests)
+        laboratory_say(lab, MESSAGE_INFO, "stopped at t = %s: at rest", time);
+    else if (lab->player.stop.kind == STOP_AT_EVENT && event >= 0)
         laboratory_say(lab, MESSAGE_INFO, "stopped at t = %s: %s", time, sim->events[event].text);
     else
         laboratory_say(lab, MESSAGE_INFO, "stopped at t = %s, step %ld", time, sim->step);
@@ -166,7 +168,7 @@ static void tell_stop(Laboratory *lab)
 bool player_arrive(Laboratory *lab)
 {
     Player *player = &lab->player;
-    const Experiment *experiment = lab->screen.experiment;
+    Experiment *experiment = lab->screen.experiment;
     const long step = experiment_step(experiment), stop = stop_step(&player->stop, experiment);
     const Stop never = {.kind = STOP_NEVER};
     long first;

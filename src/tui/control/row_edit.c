@@ -239,10 +239,13 @@ static void say_place(Laboratory *lab)
     char values[ROW_TEXT_MAX];
     settings_row_show(lab->editing.draft, shown->kind, shown->row, values);
     if (has_ends(lab->editing.draft, shown))
-        laboratory_say(lab, MESSAGE_INFO, "%s   %s: arrows   Tab the other   Enter take   Esc drop", values,
-                       ends[shown->end]);
+        laboratory_say(
+            lab, MESSAGE_INFO,
+            "%s   %s: arrows one spacing, ( ) PgUp PgDn ten   Tab the other   Enter take   Esc drop", values,
+            ends[shown->end]);
     else
-        laboratory_say(lab, MESSAGE_INFO, "%s   arrows move it   Enter take   Esc drop", values);
+        laboratory_say(lab, MESSAGE_INFO,
+                       "%s   arrows move it one spacing, ( ) PgUp PgDn ten   Enter take   Esc drop", values);
 }
 
 static void show_map(Laboratory *lab)
