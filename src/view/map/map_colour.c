@@ -8,21 +8,21 @@ static const Colouring colourings[MAP_COLOURINGS] = {
     [MAP_UY] = {"uy", "uy", "displacement across the beam", "m", true, "displacement along y"},
     [MAP_UX] = {"ux", "ux", "displacement along the beam", "m", true, "displacement along x"},
     [MAP_VELOCITY] = {"vy", "vy", "velocity across the beam", "m/s", true, "velocity along y"},
-    [MAP_ENERGY] = {"strain_energy", "energy density", "strain energy density", "J/m³", false},
-    [MAP_DAMAGE] = {"damage", "damage", "damage: broken share of the family", "", false},
-    [MAP_FAMILY] = {"family", "family", "share of a whole family that is left", "", false},
-    [MAP_SURFACE] = {"surface_factor", "surface factor", "surface factor: the soft skin stiffened", "",
-                     false},
+    [MAP_ENERGY] = {"strain_energy", "energy density", "strain energy density", "J/m³", false, NULL},
+    [MAP_DAMAGE] = {"damage", "damage", "damage: broken share of the family", "", false, NULL},
+    [MAP_FAMILY] = {"family", "family", "share of a whole family that is left", "", false, NULL},
+    [MAP_SURFACE] = {"surface_factor", "surface factor", "surface factor: the soft skin stiffened", "", false,
+                     NULL},
     [MAP_SXX] = {"sxx", "stress xx", "stress along the beam", "Pa", true, "stress xx"},
     [MAP_SYY] = {"syy", "stress yy", "stress across the beam", "Pa", true, "stress yy"},
-    [MAP_SXY] = {"sxy", "stress xy", "shear stress", "Pa", true},
-    [MAP_MISES] = {"mises", "von Mises", "von Mises' stress", "Pa", false},
-    [MAP_KINETIC] = {"kinetic_energy", "kinetic density", "kinetic energy density", "J/m³", false},
+    [MAP_SXY] = {"sxy", "stress xy", "shear stress", "Pa", true, NULL},
+    [MAP_MISES] = {"mises", "von Mises", "von Mises' stress", "Pa", false, NULL},
+    [MAP_KINETIC] = {"kinetic_energy", "kinetic density", "kinetic energy density", "J/m³", false, NULL},
 };
 
 /* Of a body that moves along as a whole. */
-static const Colouring beside_travel = {"ux", "ux - v0 t", "displacement along the beam beside v0 t", "m",
-                                        true};
+static const Colouring beside_travel = {"ux", "ux - v0 t", "displacement along the beam beside v0 t",
+                                        "m",  true,        NULL};
 
 static bool is_there(const Simulation *sim, int variant)
 {
