@@ -296,7 +296,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
 const View view_profile = {
     .word = "profile",
     .brief = "profile",
-    .help = "along the bar or beam: displacement; again: velocity, stress",
+    .help = "along the bar or beam: displacement; again: velocity and other fields",
     .digit = 1,
     .home = PANE_UPPER,
     .opens = OPENS_ALWAYS,

@@ -403,7 +403,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
 const View view_spectrum = {
     .word = "spectrum",
     .brief = "spectrum",
-    .help = "amplitude spectrum of the probe; again: all frequencies, logarithmic",
+    .help = "amplitude spectrum of the probe; again: other frequencies, logarithmic",
     .digit = 6,
     .home = PANE_LOWER,
     .draw = draw,
