@@ -114,7 +114,7 @@ START_TEST(a_crack_branches_where_and_when_the_reference_does)
     expect_within("the tips' heights together", front->tips[0][1] + front->tips[1][1], .04, 1e-9);
     if (isfinite(branches[_i].time)) {
         expect_within("time of the branch", front->branch_time, branches[_i].time, 1e-12);
-        expect_within("half angle", front->half_angle, branches[_i].half_angle, .5);
+        expect_within("half angle", front->half_angle, branches[_i].half_angle, .05);
         expect_within("largest speed", front->fastest, branches[_i].fastest, .01 * branches[_i].fastest);
     }
     /* three paths: as far as there is one crack, and the branches */

@@ -194,7 +194,8 @@ double crack_fronts_angle(const CrackFront *front, double reach)
 
 /* --- branches -------------------------------------------------------------------------------- */
 
-/* Half the angle between the outermost groups of the lines over BRANCH_REACH from the branch on. */
+/* Half the angle between the outermost groups of the lines over BRANCH_REACH from the branch on, the first
+ * one among them and the last one not. */
 static double half_angle(const Growth *growth, int f, int from)
 {
     const Beam *beam = growth->beam;
@@ -202,7 +203,7 @@ static double half_angle(const Growth *growth, int f, int from)
     Group groups[FRONT_GROUPS_MAX];
     Line low = {0}, high = {0};
     const int lines = (int)lround(BRANCH_REACH / beam->lattice.spacing);
-    for (int k = 0; k <= lines; k++) {
+    for (int k = 0; k < lines; k++) {
         const int line = from + k * front->sign;
         const int n = front_has_line(beam, front, line) ? front_groups(growth, f, line, groups) : 0;
         if (n == 0)
@@ -212,7 +213,8 @@ static double half_angle(const Growth *growth, int f, int from)
         line_add(&low, k * beam->lattice.spacing, groups[0].centre);
         line_add(&high, k * beam->lattice.spacing, groups[n - 1].centre);
     }
-    return (atan(line_slope(&high)) - atan(line_slope(&low))) / 2 * 180 / M_PI;
+    const double angle = (atan(line_slope(&high)) - atan(line_slope(&low))) / 2 * 180 / M_PI;
+    return angle > 0 ? angle : NAN; /* branches that meet again have none */
 }
 
 void front_find_branch(const Growth *growth, int f)

@@ -49,7 +49,8 @@ typedef struct CrackFront {
     bool branched;
     double branch[2];   /* the middle of the branch's first line */
     double branch_time; /* s */
-    double half_angle;  /* degrees between the branches, halved, over 10 mm from there; NAN: not so long */
+    double half_angle;  /* degrees between the branches, halved, over 10 mm from there; NAN: not so long, or
+                         * they meet again */
     double angle; /* degrees between the cut and the line through the centres of the front's lines, from 2 mm
                    * on and as far as there is one crack; NAN: fewer than two lines */
     double fastest;    /* largest speed, m/s; NAN: too short a time */
