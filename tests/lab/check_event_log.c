@@ -105,8 +105,8 @@ START_TEST(energy_that_drifts_is_told_with_its_cause)
 END_TEST
 
 /* A beam that is drawn out of its channel: growth is told where the energies on screen show it, at the first
- * step that is looked at, whatever the channel's work in the laboratory comes to (it is more than the energy of
- * the vibration). */
+ * step that is looked at, whatever the channel's work in the laboratory comes to (it is more than the energy
+ * of the vibration). */
 START_TEST(growth_is_told_when_the_energy_has_grown)
 {
     Experiment *experiment =

@@ -150,7 +150,7 @@ START_TEST(overrides_stand_above_the_file)
     ck_assert_str_eq(status.text, "--set 1: cuts.edge: x0 = 7 is off the plate (0 to plate.length = 0.1)");
     rows[0] = (Override){"--probe", "probe.x", "1"};
     ck_assert(!scenario_load_with("pulled-plate", rows, 1, &settings, &status));
-    ck_assert_str_eq(status.text, "--probe: probe: x = 1 is off the plate (0 to plate.length = 0.1)");
+    ck_assert_str_eq(status.text, "--probe: probe.x = 1 is off the plate (0 to plate.length = 0.1)");
     rows[0] = (Override){"--from", "cuts.edge.x0", "0.05"};
     rows[1] = (Override){"--end", "time.end", "1e-5"};
     ck_assert(!scenario_load_with("pulled-plate", rows, 2, &settings, &status));

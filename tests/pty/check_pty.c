@@ -382,7 +382,8 @@ START_TEST(no_text_leaves_its_cells)
     session_open_paused(&session, 80, 24, NULL);
     session_keys(&session, ":梁の振動e\xcc\x81\xc2\x9b"
                            "31m\xe2\x80\xaex");
-    ck_assert_msg(session_shows(&session, ": 梁の振動e? 31m?x"), "%s", session_row(&session, 23));
+    /* what is no text does not arrive, so that a session that is recorded can be read */
+    ck_assert_msg(session_shows(&session, ": 梁の振動e?31mx"), "%s", session_row(&session, 23));
     for (int i = 0; i < 50; i++) /* up to the end of the row, and beyond */
         session_keys(&session, "梁");
     ck_assert(!session_wrote(&session, "\xc2\x9b") && !session_wrote(&session, "\xcc\x81"));

@@ -50,11 +50,11 @@ static const struct {
          "means of total less the work of loads over the first and the last period"},
     [RESULT_STEPS] = {"steps", "1", "time steps done"},
     [RESULT_WALL] = {"wall", "s", "seconds that the run took"},
-    [RESULT_KEPT_MEASURED] =
-        {"kept_measured", "1",
-         "share of its energy that the motion keeps in one exact period, fitted to the "
-         "series"},
-    [RESULT_KEPT_PREDICTED] = {"kept_predicted", "1", "the same as predicted: by this very mesh, or by the damping"},
+    [RESULT_KEPT_MEASURED] = {"kept_measured", "1",
+                              "share of its energy that the motion keeps in one exact period, fitted to the "
+                              "series"},
+    [RESULT_KEPT_PREDICTED] = {"kept_predicted", "1",
+                               "the same as predicted: by this very mesh, or by the damping"},
 };
 
 const char *sweep_result_name(ResultColumn column)

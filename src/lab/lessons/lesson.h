@@ -12,8 +12,8 @@
  *     @choice TEXT          @right TEXT
  *     @reveal               what follows waits: text and @do for the answer, text for the goal of a page that
  * asks nothing
- *     @until CONDITION      the goal: step N | time T | end | crossing | break | event | rest | stage N | command
- * NAME | value KEY VALUE
+ *     @until CONDITION      the goal: step N | time T | end | crossing | break | event | rest | stage N |
+ * command NAME | value KEY VALUE
  *     @variant KEY from A to B   sets a parameter to a value of the student's own; "{KEY}" in a text is that
  *     @answer EXPRESSION within TOLERANCE   in place of choices: a number (exercise.h)
  *     @words                in place of choices: free text for the teacher

@@ -479,8 +479,7 @@ static void say_instead_of_period(Area area, Style heading)
 {
     char text[96];
     snprintf(text, sizeof text,
-             "What breaks has no period to be compared. The log (%d) tells when and where.",
-             view_log.digit);
+             "What breaks has no period to be compared. The log (%d) tells when and where.", view_log.digit);
     say_instead(area, heading, "convergence", text);
 }
 

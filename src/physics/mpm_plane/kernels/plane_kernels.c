@@ -529,8 +529,8 @@ KERNEL_INLINE bool update_lanes(Plane *plane, const Lanes *lanes, double old_xmi
     vector_store(plane->y + at, y);
     const Vector sx = vector_load(plane->sx + at) + l + ((x - old_x) - (xmin - old_xmin)) * inverse;
     const Vector sy = vector_load(plane->sy + at) + l + (y - old_y) * inverse;
-    if (n == 2 ? !(stay(sx) & stay(sy))
-               : !(stay_of_box(plane->sx + at, l, sx) & stay_of_box(plane->sy + at, l, sy)))
+    if (n == 2 ? !(stay(sx) && stay(sy))
+               : !(stay_of_box(plane->sx + at, l, sx) && stay_of_box(plane->sy + at, l, sy)))
         note_crossings(plane, lanes, old_x, old_y, old_xmin, xmin);
     /* as plane_find() will look for it */
     return within((x - xmin) * inverse - l, plane->gx - 1 - 2 * l) &&
