@@ -36,7 +36,7 @@ run() { # SCENARIO OPTIONS...
 		/^angle / { before("10", "angle10"); before("38", "angle38") }
 		/^tip.s speed / { after("=", "of_rayleigh") }
 		/^cracks / { after("fastest", "fastest"); after("=", "of_rayleigh") }
-		/^branched / { after("mm,", "split") }
+		/^branch / { after("mm,", "split") }
 		/ surface made / { after("length", "surface") }
 		/^cost / { after("cost", "cost"); after("path", "path"); after("beside", "beside"); after("s0", "beyond") }
 		/^G0 / { after("G0", "G0"); after("lattice", "plane") }' summary >measured

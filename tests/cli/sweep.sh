@@ -92,7 +92,7 @@ cp out cracks.csv
 "$MATVIB" run "$@" >run.out 2>err
 same() {
 	set -- $(tail -n 1 cracks.csv | cut -d, -f5,6,8-11 | tr , ' ')
-	LC_ALL=C printf '%d tips  fastest %.0f m/s|branched at x %.1f|, %.1f us|half angle %.0f deg|cost  %.1f J|' "$2" "$1" \
+	LC_ALL=C printf '%d tips  fastest %.0f m/s|branch x %.1f|, %.1f us|half angle %.0f deg|cost  %.1f J|' "$2" "$1" \
 		"$(awk "BEGIN { print 1e3 * $3 }")" "$(awk "BEGIN { print 1e6 * $4 }")" "$5" "$6" | tr '|' '\n' >wanted
 	while read -r part; do grep -q -F -e "$part" run.out || { echo "no: $part"; cat run.out; return 1; }; done <wanted
 }

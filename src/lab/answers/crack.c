@@ -71,15 +71,15 @@ void crack_fronts_lines(const FrontsFacts *facts, double rayleigh, const char *m
                         char second[160])
 {
     first[0] = second[0] = '\0';
-    text_append(first, 160, "broken bonds %ld", facts->broken);
     if (facts->n_tips == 0)
-        text_append(first, 160, "  no crack yet");
+        text_append(first, 160, "no crack yet");
     else
-        text_append(first, 160, "  %d tip%s", facts->n_tips, facts->n_tips == 1 ? "" : "s");
+        text_append(first, 160, "%d tip%s", facts->n_tips, facts->n_tips == 1 ? "" : "s");
     if (facts->fastest > 0)
         text_append(first, 160, "  fastest %.0f m/s = %.2f c_R", facts->fastest, facts->fastest / rayleigh);
+    text_append(first, 160, "  broken bonds %ld", facts->broken);
     if (facts->branched) {
-        text_append(second, 160, "branched at x %.1f, y %.1f mm, %.1f %s", facts->branch[0] / 1e-3,
+        text_append(second, 160, "branch x %.1f, y %.1f mm, %.1f %s", facts->branch[0] / 1e-3,
                     facts->branch[1] / 1e-3, facts->branch_time / 1e-6, microseconds);
         if (isfinite(facts->half_angle))
             text_append(second, 160, "  half angle %.0f deg", facts->half_angle);
