@@ -220,7 +220,10 @@ bool settings_row_key_set(Settings *settings, const char *key, const char *text,
     RowKey at;
     if (!cut_key(key, &at)) {
         const char *rest = key;
-        const RowKind *kind = &row_kinds[kind_of(&rest)];
+        const int index = kind_of(&rest);
+        if (index < 0)
+            return status_fail(status, STATUS_USAGE, "%s: no such rows", key);
+        const RowKind *kind = &row_kinds[index];
         return status_fail(status, STATUS_USAGE,
                            "%s: this is no name for a %s (1 to %d letters, digits, _ and -)", key, kind->one,
                            ROW_NAME_MAX - 1);
