@@ -107,7 +107,8 @@ static bool run_frame(Laboratory *lab, double deadline)
     if (!lab->player.in_parts)
         lab->player.owed -= (double)wanted;
     const long ahead = player_steps_ahead(lab);
-    wanted = wanted < ahead ? wanted : ahead;
+    if (!lab->player.in_parts && ahead < wanted)
+        wanted = ahead; /* of a duel A may be there: the step is whole when B is too */
     bool sound = true, in_time = true, arrived = false;
     const bool watched = lab->player.stop.kind == STOP_AT_EVENT;
     if (!lab->player.in_parts) {
@@ -115,7 +116,8 @@ static bool run_frame(Laboratory *lab, double deadline)
         arrived = player_arrive(lab); /* other keys may have brought it there */
     }
     double *rate = &lab->player.rates[RATE_RUN];
-    while (sound && in_time && !arrived && done < wanted && !experiment_at_end(screen->experiment)) {
+    while (sound && in_time && !arrived && done < wanted &&
+           (lab->player.in_parts || !experiment_at_end(screen->experiment))) {
         if (done > 0 && key_waits(&lab->host)) {
             lab->player.owed += fmin((double)(wanted - done), screen->playback.pace);
             break;
