@@ -384,7 +384,10 @@ claim $lesson/crack.lesson "cross the path took " 61 " of the 82" path
 claim $lesson/crack.lesson "broke beside it: " 17 "" beside
 claim $lesson/crack.lesson "all held " 4 " too much" beyond
 claim $lesson/crack.lesson "At " 246 " microseconds" through
-last_row notched-beam-coarse --set output.every=3000
+last_row notched-beam-coarse --set output.every=10
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+	$at["crack_y"] > .0694 { print "edge", 1e6 * $at["time"]; exit }' row.csv >>measured
+claim $lesson/crack.lesson "beside that zone, at " 300 ":" edge
 claim $lesson/crack.lesson "Of " 2.51 " J the crack" work
 claim $lesson/crack.lesson "the crack took " 0.14 "." dissipated
 claim $lesson/crack.lesson "Motion has " 2.21 ":" kinetic
