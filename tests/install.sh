@@ -30,9 +30,13 @@ result "the manual is of this version" grep -q "$version" "$scratch/root/usr/sha
 result "NEWS begins with it" grep -q -x "matvib $version" "$scratch/root/usr/share/doc/matvib/NEWS"
 # the package is no part of the tarball, as Debian asks
 test ! -e "$MATVIB_SRCDIR/debian" || result "so does the Debian package" grep -q "^matvib ($version-" "$MATVIB_SRCDIR/debian/changelog"
-for file in CITATION.cff codemeta.json data/org.example.matvib.metainfo.xml; do
+for file in CITATION.cff codemeta.json; do
 	result "so does $file" grep -q -F "$version" "$MATVIB_SRCDIR/$file"
 done
+# releases stand there newest first
+released=$(sed -n 's/.*"dateModified": "\(.*\)".*/\1/p' "$MATVIB_SRCDIR/codemeta.json")
+newest=$(sed -n '/<release /{s/^ *//p;q;}' "$MATVIB_SRCDIR/data/org.example.matvib.metainfo.xml")
+result "the newest release of software centres is this one" test "$newest" = "<release version=\"$version\" date=\"$released\"/>"
 if python3 -c 'import yaml' 2>/dev/null; then
 	result "the papers about it are read by machines" env -C "$MATVIB_SRCDIR" python3 -c '
 import json, sys, yaml
