@@ -444,17 +444,125 @@ static bool write_run_numbers(const char *unused)
     return true;
 }
 
+/* --- stages ---------------------------------------------------------------------------------------- */
+
+/* The simulation of "SCENARIO KEY=VALUE ...": the caller destroys it. */
+static Simulation *simulation_of(const char *argument)
+{
+    char words[256];
+    Settings settings;
+    Status status = {0};
+    snprintf(words, sizeof words, "%s", argument);
+    char *rest, *word = strtok_r(words, " ", &rest);
+    if (!word || !scenario_load(word, &settings, &status))
+        return NULL;
+    while ((word = strtok_r(NULL, " ", &rest))) {
+        char *value = strchr(word, '=');
+        if (!value)
+            return NULL;
+        *value++ = '\0';
+        if (!settings_set(&settings, word, value, &status))
+            return NULL;
+    }
+    return problem_simulate(&settings, 1, &status);
+}
+
+static void write_stage(const Stage *stage)
+{
+    enum { PAGE = 80, INDENT = 7 };
+    size_t widest = 0;
+    for (const char *line = stage->ascii; *line; line += strspn(line, "\n")) {
+        const size_t length = strcspn(line, "\n");
+        widest = length > widest ? length : widest;
+        line += length;
+    }
+    puts(".PP");
+    say_in("B", stage->id);
+    fputs(" (", stdout);
+    say(stage->source);
+    puts("):");
+    say_line(stage->sentence);
+    puts(".PP\n.nf");
+    if (widest > PAGE - INDENT) /* it stands further out than the text */
+        printf(".in %zun\n", PAGE - widest);
+    for (const char *line = stage->ascii; *line; line += strspn(line, "\n")) {
+        char one[128];
+        const size_t length = strcspn(line, "\n");
+        snprintf(one, sizeof one, "%.*s", (int)length, line);
+        say_line(one);
+        line += length;
+    }
+    puts(widest > PAGE - INDENT ? ".in\n.fi" : ".fi");
+}
+
+/* "SCENARIO KEY=VALUE ...": the stages of a step, in their order. */
+static bool write_stages(const char *argument)
+{
+    Simulation *simulation = simulation_of(argument);
+    for (int i = 0; simulation && i < simulation->n_stages; i++)
+        write_stage(&simulation->stages[i]);
+    simulation_destroy(simulation);
+    return simulation != NULL;
+}
+
+/* "SCENARIO KEY=VALUE ... | KEY=VALUE ...": the stages that the values behind the bar change or add. */
+static bool write_changed_stages(const char *argument)
+{
+    char base[128], whole[256];
+    const char *bar = strstr(argument, " | ");
+    if (!bar)
+        return false;
+    snprintf(base, sizeof base, "%.*s", (int)(bar - argument), argument);
+    snprintf(whole, sizeof whole, "%.127s %.127s", base, bar + 3);
+    Simulation *changed = simulation_of(whole), *usual = simulation_of(base);
+    for (int i = 0; changed && usual && i < changed->n_stages; i++) {
+        const Stage *stage = &changed->stages[i];
+        const int other = simulation_find_stage(usual, stage->id);
+        if (other < 0 || strcmp(usual->stages[other].ascii, stage->ascii) != 0)
+            write_stage(stage);
+    }
+    const bool good = changed && usual;
+    simulation_destroy(changed);
+    simulation_destroy(usual);
+    return good;
+}
+
+/* The names of the stages alone. */
+static bool write_order(const char *argument)
+{
+    Simulation *simulation = simulation_of(argument);
+    for (int i = 0; simulation && i < simulation->n_stages; i++) {
+        fputs(i ? ", " : "", stdout);
+        say(simulation->stages[i].id);
+    }
+    puts(".");
+    simulation_destroy(simulation);
+    return simulation != NULL;
+}
+
 /* --- the frame ------------------------------------------------------------------------------------ */
 
 static const struct {
     const char *name;
     bool (*write)(const char *argument);
 } tables[] = {
-    {"commands", write_commands},       {"keys", write_keys},       {"options", write_options},
-    {"parameters", write_parameters},   {"results", write_results}, {"scenarios", write_scenarios},
-    {"lessons", write_lessons},         {"script", write_script},   {"series", write_series},
-    {"choices", write_choices},         {"tables", write_tables},   {"rows", write_rows},
-    {"run-numbers", write_run_numbers}, {"texts", write_texts},
+    {"commands", write_commands},
+    {"keys", write_keys},
+    {"options", write_options},
+    {"parameters", write_parameters},
+    {"results", write_results},
+    {"scenarios", write_scenarios},
+    {"lessons", write_lessons},
+    {"script", write_script},
+    {"series", write_series},
+    {"choices", write_choices},
+    {"tables", write_tables},
+    {"rows", write_rows},
+    {"run-numbers", write_run_numbers},
+    {"texts", write_texts},
+    {"stages", write_stages},
+    {"order", write_order},
+    {"changed-stages", write_changed_stages},
 };
 
 static bool fill(char *line)

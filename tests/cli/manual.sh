@@ -11,7 +11,7 @@ examples() { plain "$1" | awk '/^\.EE/ { on = 0; print "" } on { print } /^\.EX/
 quiet() { test ! -s "$1" || { cat "$1" && false; }; }
 
 if command -v groff >/dev/null 2>&1; then
-	for page in matvib.1 matvib.5; do
+	for page in matvib.1 matvib.5 matvib-equations.7; do
 		groff -ww -K utf8 -man -Tutf8 "$man/$page" >page.txt 2>warnings
 		result "$page is formatted without a warning" quiet warnings
 	done

@@ -306,6 +306,77 @@ START_TEST(a_change_of_the_load_is_taken_back)
 }
 END_TEST
 
+/* --- the manual ----------------------------------------------------------------------------------- */
+
+/* matvib-equations(7) as it is read: without the escapes of roff. */
+static char *page_of_equations(void)
+{
+    FILE *file = fopen(source_path("man/matvib-equations.7"), "r");
+    ck_assert_ptr_nonnull(file);
+    enum { MOST = 1 << 18 };
+    char *page = calloc(1, MOST);
+    size_t n = 0;
+    for (int c; (c = getc(file)) != EOF && n < MOST - 1;)
+        if (c != '\\')
+            page[n++] = (char)c;
+        else if ((c = getc(file)) == '(') /* an apostrophe or a caret: \(aq, \(ha */
+            page[n++] = getc(file) == 'a' ? '\'' : '^', (void)getc(file);
+        else
+            page[n++] = (char)c;
+    fclose(file);
+    ck_assert_uint_lt(n, MOST - 1);
+    return page;
+}
+
+static void expect_stages(const char *page, const Settings *settings, const char *scenario)
+{
+    Status status = {0};
+    Simulation *sim = problem_simulate(settings, 1, &status);
+    ck_assert_msg(sim, "%s: %s", scenario, status.text);
+    for (int i = 0; i < sim->n_stages; i++) {
+        char text[256];
+        snprintf(text, sizeof text, "%s", sim->stages[i].ascii);
+        for (char *rest, *line = strtok_r(text, "\n", &rest); line; line = strtok_r(NULL, "\n", &rest))
+            ck_assert_msg(strstr(page, line), "%s: matvib-equations(7) has no \"%s\"", scenario, line);
+        ck_assert_msg(strstr(page, sim->stages[i].sentence), "%s: it does not say \"%s\"", scenario,
+                      sim->stages[i].sentence);
+    }
+    simulation_destroy(sim);
+}
+
+/* Made from the same tables, but by a frame that names each wording; so a new one is missed here. */
+START_TEST(the_manual_has_every_stage)
+{
+    static const char *const changes[][4] = {
+        {"mode1", NULL},
+        {"mode1", "mpm.flip_fraction", "0.5"},
+        {"mode1", "mpm.transfer", "apic"},
+        {"mode1", "mpm.transfer", "fmpm"},
+        {"mode1", "mpm.mass_blend", "0.5"},
+    };
+    static const char *const algorithms[] = {"usf", "usl", "musl"};
+    char *page = page_of_equations();
+    for (size_t i = 0; i < sizeof changes / sizeof *changes; i++) {
+        Settings settings;
+        ck_assert(scenario_load(changes[i][0], &settings, NULL));
+        if (changes[i][1])
+            set(&settings, changes[i][1], changes[i][2]);
+        for (size_t k = 0; k < 3; k++) {
+            set(&settings, "mpm.algorithm", algorithms[k]);
+            expect_stages(page, &settings, changes[i][0]);
+        }
+        if (settings.mpm.transfer == MPM_APIC) {
+            set(&settings, "mpm.shape", "bspline2");
+            expect_stages(page, &settings, changes[i][0]);
+        } else if (settings.mpm.mass_blend != 1) {
+            set(&settings, "mpm.flip_fraction", "0.5");
+            expect_stages(page, &settings, changes[i][0]);
+        }
+    }
+    free(page);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("methods");
@@ -321,5 +392,6 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, too_large_a_step_is_refused_with_both_numbers);
     tcase_add_test(tcase, derived_numbers_of_the_lattice);
     tcase_add_test(tcase, a_change_of_the_load_is_taken_back);
+    tcase_add_test(tcase, the_manual_has_every_stage);
     suite_add_tcase(suite, tcase);
 }
