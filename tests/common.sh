@@ -44,15 +44,20 @@ refuse() {
 says() { grep -q -e "$2" "$1"; } # FILE PATTERN
 lines() { test "$(wc -l <"$1")" -eq "$2"; }
 
-# within TENTHS COMMAND...: asked again every tenth of a second until it holds, so many times; then it fails
-within() {
-	tries=$1
-	shift
+# soon COMMAND...: asked again every twentieth of a second until it holds; what does not come in two minutes, on
+# whatever machine, does not come
+soon() {
+	tries=2400
 	until "$@"; do
 		tries=$((tries - 1))
 		test "$tries" -gt 0 || return 1
-		sleep 0.1
+		sleep 0.05
 	done
+}
+# ends PID: its status; what is deaf is killed, and has that one
+ends() {
+	soon gone "$1" || kill -s KILL "$1"
+	wait "$1"
 }
 # works PID HUNDREDTHS: the process has had so much of a processor, or is no more; where this is not told, it has
 works() { test ! -r "/proc/$1/stat" || awk -v most="$2" '{ exit $14 + $15 < most }' "/proc/$1/stat" || gone "$1"; }

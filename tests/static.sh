@@ -27,7 +27,9 @@ fi
 # open NAME TERM COMMAND...: a terminal on which the laboratory is opened and left by q; what it drew is in `drawn`
 open() {
 	opened=$1
-	(sleep 2 && printf q && sleep 1) | TERM=$2 timeout 60 script -qec "$3" "$scratch/typescript" >drawn 2>&1
+	: >drawn
+	(soon says drawn 'v_cm' && printf q && soon says typescript 'COMMAND_EXIT_CODE\|Script done') |
+		TERM=$2 timeout 600 script -qfec "$3" typescript >drawn 2>&1
 	got=$?
 	result "$opened: left in peace" test "$got" -eq 0
 	result "$opened: the plot is there" says drawn 'v_cm'

@@ -121,7 +121,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *files = tcase_create("input");
-    tcase_set_timeout(files, 5);
     tcase_add_checked_fixture(files, begin, end);
     tcase_add_test(files, what_is_no_file_is_refused_at_once);
     tcase_add_test(files, a_file_has_a_size);

@@ -282,7 +282,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *gate = tcase_create("output");
-    tcase_set_timeout(gate, 10);
     tcase_add_checked_fixture(gate, begin, end);
     tcase_add_test(gate, who_asks_decides);
     tcase_add_test(gate, file_and_folder_reach_the_disk);

@@ -100,7 +100,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("sound");
-    tcase_set_timeout(tcase, 60);
     tcase_add_checked_fixture(tcase, enter_folder, leave_folder);
     tcase_add_test(tcase, a_bar_is_transposed_at_its_true_ratio);
     tcase_add_test(tcase, a_beam_has_its_real_pitch);

@@ -301,7 +301,6 @@ void add_cases(Suite *suite)
     tcase_add_test(words, the_list_names_what_the_papers_show);
     suite_add_tcase(suite, words);
     TCase *runs = tcase_create("runs");
-    tcase_set_timeout(runs, 60);
     tcase_add_test(runs, the_bar_is_reproduced);
     tcase_add_test(runs, the_bar_by_peridynamics_is_reproduced);
     tcase_add_test(runs, beams_are_reproduced);

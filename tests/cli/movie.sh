@@ -94,9 +94,9 @@ result "and no remains" test -z "$(find . -name '*.part*')"
 # a signal ends it, and takes the file back
 "$MATVIB" movie notched-beam --output long.cast >out 2>err &
 child=$!
-sleep 1
+soon works $child 50
 kill -TERM $child
-wait $child
+ends $child
 result "a signal ends it" test $? -eq 143
 result "without a file" test -z "$(find . -name 'long*')"
 

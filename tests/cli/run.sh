@@ -286,13 +286,10 @@ rm -f ./*.csv ./*.ini
 # --- interrupted --- (a shell starts what runs behind it with SIGINT ignored, nohup with SIGHUP; env gives both back)
 for signal in HUP INT QUIT TERM PIPE ALRM USR1 USR2 XCPU XFSZ VTALRM PROF SYS TRAP; do
 	env --default-signal=HUP,INT,QUIT "$MATVIB" run mode1 --end 1e6 --series i.csv --particles p.csv >out 2>err &
-	for try in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
-		test -e "i.csv.$!-0.part" && test -e "p.csv.$!-0.part" && break
-		sleep 0.1
-	done
-	sleep 0.05
+	soon test -e "p.csv.$!-0.part"
+	soon test -e "i.csv.$!-0.part"
 	kill -s "$signal" $!
-	wait $!
+	ends $!
 	got=$?
 	env --default-signal=HUP,INT,QUIT sh -c "kill -s $signal \$\$" # which number that is, this shell knows
 	result "interrupted by $signal" test "$got" -eq $?
@@ -311,12 +308,10 @@ result "and nothing is written" nothing_else
 # what the run is judged by is solved before it: a motion of minutes
 env --default-signal=INT "$MATVIB" run moving-cantilever-coarse --set motion.speed=1e-6 --end 2 --series i.csv >out 2>err &
 motion=$!
-sleep 0.7
+soon works $motion 40
 kill -s INT $motion
-(sleep 5 && kill -s KILL $motion) 2>/dev/null & # so that a deaf one ends too
-wait $motion
+ends $motion
 result "a motion is given up by ^C" test $? -eq 130
-kill $! 2>/dev/null
 result "it says so" says err "motion was given up$"
 result "and leaves nothing" nothing_else
 

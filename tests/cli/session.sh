@@ -131,14 +131,10 @@ result "a place beyond the loop is gone to" timeout -s KILL 60 "$MATVIB" --repla
 } >long.session
 "$MATVIB" movie long.session --output long.gif >out 2>err &
 filming=$!
-for try in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
-	ls long.gif.* >/dev/null 2>&1 && break
-	sleep 0.1
-done
-sleep 0.3
+soon sh -c 'ls long.gif.* >/dev/null 2>&1'
+soon works $filming 30
 kill -TERM $filming
-( sleep 30 && kill -KILL $filming ) 2>/dev/null &
-wait $filming
+ends $filming
 result "SIGTERM ends a film" test $? -eq 143
 
 # a recording is in its file as it comes; a crash leaves it
@@ -147,10 +143,8 @@ mkfifo keys.pipe
 crashed=$!
 exec 3>keys.pipe
 printf 'key . . ,\n' >&3
-for try in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
-	test "$(grep -c '^at' crash.session 2>/dev/null)" = 3 && break
-	sleep 0.1
-done
+keys_kept() { test "$(grep -c '^at' crash.session 2>/dev/null)" = 3; }
+soon keys_kept
 kill -KILL $crashed
 wait $crashed 2>/dev/null
 exec 3>&-

@@ -142,14 +142,11 @@ else
 	"$MATVIB" "$@" --vary time.end=20,30,1e8 >out 2>err &
 fi
 sweep=$!
-for try in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
-	test "$(wc -l 2>/dev/null <long.csv.partial)" -eq 4 2>/dev/null && break
-	sleep 0.25
-done
+soon lines long.csv.partial 4 2>/dev/null
 refuse "a second sweep beside it" 'long.csv.partial: another sweep is writing it' \
 	mode5 --vary time.end=20,30 --output long.csv
 kill -$signal $sweep
-wait $sweep
+ends $sweep
 got=$?
 result "the signal's status" test $got -eq $ended
 result "the rows are kept" test "$(wc -l <long.csv.partial)" -eq 4

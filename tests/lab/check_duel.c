@@ -439,7 +439,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("duel");
-    tcase_set_timeout(tcase, 60);
     tcase_add_loop_test(tcase, both_stand_at_one_time, 0, 7);
     tcase_add_test(tcase, it_can_begin_in_the_middle);
     tcase_add_test(tcase, plates_differ_by_a_row);

@@ -226,7 +226,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("events");
-    tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, lags_come_at_their_time);
     tcase_add_test(tcase, the_ripple_is_no_drift);
     tcase_add_test(tcase, energy_that_drifts_is_told_with_its_cause);

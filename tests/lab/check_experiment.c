@@ -809,7 +809,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("experiment");
-    tcase_set_timeout(tcase, 120);
     tcase_add_test(tcase, any_way_to_a_moment_of_a_bar_is_the_same);
     tcase_add_test(tcase, keyframes_are_given_up_under_a_small_budget);
     tcase_add_test(tcase, any_way_to_a_moment_of_a_bar_by_peridynamics_is_the_same);

@@ -639,7 +639,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("export");
-    tcase_set_timeout(tcase, 60);
     tcase_add_checked_fixture(tcase, make_folder, remove_folder);
     tcase_add_test(tcase, columns_are_those_of_the_contract);
     tcase_add_test(tcase, rows_are_those_of_the_laboratory);

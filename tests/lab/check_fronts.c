@@ -241,7 +241,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *reference = tcase_create("reference"), *tells = tcase_create("tells");
-    tcase_set_timeout(reference, 120);
     tcase_add_loop_test(reference, a_crack_branches_where_and_when_the_reference_does, 0,
                         sizeof branches / sizeof *branches);
     tcase_add_test(reference, struck_between_two_cuts_cracks_turn_as_in_the_reference);

@@ -380,7 +380,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("methods");
-    tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, each_method_has_its_keys);
     tcase_add_test(tcase, a_scenario_goes_over_to_the_other_method);
     tcase_add_test(tcase, a_duel_may_change_the_method);

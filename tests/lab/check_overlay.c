@@ -263,7 +263,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("overlay");
-    tcase_set_timeout(tcase, 60);
     tcase_add_loop_test(tcase, every_dialect_reads_to_the_same, 0,
                         (int)(sizeof same_tables / sizeof *same_tables));
     tcase_add_test(tcase, a_table_without_names_goes_by_numbers);

@@ -318,7 +318,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *plane = tcase_create("plane");
-    tcase_set_timeout(plane, 60);
     tcase_add_test(plane, columns_of_the_supported_beam);
     tcase_add_test(plane, columns_of_the_cantilever);
     tcase_add_test(plane, measured_predicted_and_theory);

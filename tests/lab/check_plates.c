@@ -653,14 +653,12 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *golden = tcase_create("golden");
-    tcase_set_timeout(golden, 120);
     LOOP(golden, histories_agree, histories);
     tcase_add_test(golden, an_example_of_others_begins_alike);
     tcase_add_test(golden, an_initial_velocity_agrees);
     tcase_add_test(golden, cuts_part_the_bonds_that_they_should);
     suite_add_tcase(suite, golden);
     TCase *plates = tcase_create("plates");
-    tcase_set_timeout(plates, 60);
     tcase_add_test(plates, what_is_the_same_above_and_below_stays_so);
     tcase_add_loop_test(plates, energies_balance, 0, 12);
     tcase_add_test(plates, loads_give_their_impulse);

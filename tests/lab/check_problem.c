@@ -618,7 +618,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("problem");
-    tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, a_column_that_a_run_has_not_is_absent);
     tcase_add_test(tcase, answers_stand_beside_what_they_answer);
     tcase_add_test(tcase, exact_profiles_are_the_theory);

@@ -872,7 +872,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *test = tcase_create("plane");
-    tcase_set_timeout(test, 60);
     tcase_add_test(test, predicted_periods);
     tcase_add_test(test, the_run_swings_as_predicted);
     tcase_add_loop_test(test, the_largest_step, 0, 4);

@@ -55,7 +55,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("energy");
-    tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, boxes_lose_a_tenth);
     tcase_add_test(tcase, hats_that_cross_nothing_keep_it);
     suite_add_tcase(suite, tcase);

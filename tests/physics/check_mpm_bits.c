@@ -389,7 +389,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *test = tcase_create("bits");
-    tcase_set_timeout(test, 60);
     tcase_add_loop_test(test, replay_from_every_stage, 0, VARIANTS);
     tcase_add_loop_test(test, slices_of_stages, 0, VARIANTS);
     tcase_add_loop_test(test, watched_or_not, 0, VARIANTS);

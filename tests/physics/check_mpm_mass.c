@@ -394,7 +394,6 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(rows, rows_add_up, 0, 7);
     tcase_add_loop_test(rows, rows_across_a_joint, MPM_HAT, MPM_CPDI + 1);
     suite_add_tcase(suite, rows);
-    tcase_set_timeout(test, 240);
     tcase_add_loop_test(test, momentum_is_kept, 0, 2);
     tcase_add_loop_test(test, runs_are_as_predicted, 0, 3);
     tcase_add_loop_test(test, blends_keep_the_sharp_energy, 0, 12);

@@ -176,7 +176,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *test = tcase_create("null space");
-    tcase_set_timeout(test, 60);
     tcase_add_loop_test(test, particles_anywhere, 0, 80);
     tcase_add_loop_test(test, after_crossings, 0, 80);
     suite_add_tcase(suite, test);

@@ -269,7 +269,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *test = tcase_create("parts");
-    tcase_set_timeout(test, 60);
     tcase_add_loop_test(test, a_joint_between_equals_is_none, 0, VARIANTS);
     tcase_add_loop_test(test, bits_are_the_same_everywhere, 0, VARIANTS);
     tcase_add_loop_test(test, sums_hold_every_particle_at_its_own, 0, VARIANTS);

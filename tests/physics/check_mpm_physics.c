@@ -592,7 +592,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *test = tcase_create("physics");
-    tcase_set_timeout(test, 60);
     tcase_add_loop_test(test, paper_frequencies, 0, 3);
     tcase_add_loop_test(test, predicted_frequencies, 0, 2);
     tcase_add_test(test, second_order_in_the_cell_size);

@@ -668,7 +668,6 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(bits, vector_width_leaves_no_trace, 0, CPU_LEVELS);
     tcase_add_loop_test(bits, steep_waves_leave_no_trace, 0, CPU_LEVELS);
     tcase_add_loop_test(bits, watching_leaves_no_trace, 0, 2);
-    tcase_set_timeout(bits, 30);
     suite_add_tcase(suite, bits);
 
     TCase *told = tcase_create("told");

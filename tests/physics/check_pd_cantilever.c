@@ -74,6 +74,5 @@ void add_cases(Suite *suite)
     TCase *moving = tcase_create("moving");
     tcase_add_test(moving, a_full_clamp_is_the_theorys);
     tcase_add_test(moving, a_guide_is_not);
-    tcase_set_timeout(moving, 600);
     suite_add_tcase(suite, moving);
 }

@@ -106,6 +106,5 @@ void add_cases(Suite *suite)
     tcase_add_test(paper, the_crack_goes_as_the_paper_says);
     tcase_add_test(paper, a_wider_load_cracks_earlier);
     tcase_add_test(paper, half_the_step_overshoots_half);
-    tcase_set_timeout(paper, 240);
     suite_add_tcase(suite, paper);
 }

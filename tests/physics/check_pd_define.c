@@ -287,12 +287,10 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(facts, critical_steps, 0, TABLE_ROWS);
     tcase_add_test(facts, the_edge_of_stability);
     tcase_add_loop_test(facts, horizons_of_all_sizes, 2, 17);
-    tcase_set_timeout(facts, 30);
     suite_add_tcase(suite, facts);
 
     TCase *periods = tcase_create("periods");
     tcase_add_loop_test(periods, periods_of_table_1, 0, PERIOD_ROWS);
-    tcase_set_timeout(periods, 60);
     suite_add_tcase(suite, periods);
 
     TCase *refused = tcase_create("refused");

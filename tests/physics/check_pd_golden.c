@@ -291,6 +291,5 @@ void add_cases(Suite *suite)
     suite_add_tcase(suite, start);
     TCase *histories = tcase_create("histories");
     tcase_add_loop_test(histories, histories_agree, 0, CASES);
-    tcase_set_timeout(histories, 60);
     suite_add_tcase(suite, histories);
 }

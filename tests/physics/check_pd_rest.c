@@ -382,7 +382,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *digits = tcase_create("digits");
-    tcase_set_timeout(digits, 120);
     tcase_add_test(digits, golden_decay);
     tcase_add_test(digits, golden_rest);
     tcase_add_test(digits, golden_sags);

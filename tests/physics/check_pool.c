@@ -50,7 +50,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *pool = tcase_create("pool");
-    tcase_set_timeout(pool, 120);
     tcase_add_loop_test(pool, each_chunk_is_done_once, 0, THREADS_MAX);
     suite_add_tcase(suite, pool);
 }

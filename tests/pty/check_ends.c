@@ -10,7 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 static const char *matvib(void)
@@ -129,13 +128,6 @@ START_TEST(a_terminal_that_hangs_can_be_left)
 }
 END_TEST
 
-static double seconds(void)
-{
-    struct timespec time;
-    ck_assert_int_eq(clock_gettime(CLOCK_MONOTONIC, &time), 0);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
-
 /* In the middle of a line or a value. */
 START_TEST(a_signal_goes_before_what_is_typed)
 {
@@ -164,10 +156,10 @@ START_TEST(a_signal_goes_before_keys_that_wait)
             _exit(0);
     session_frame(&session);
     kill(session.child, SIGTERM);
-    const int status = session_exit(&session);
-    kill(typist, SIGKILL);
+    session_gone(&session);
+    kill(typist, SIGKILL); /* the restored terminal echoes what is typed, so that reading would have no end */
     waitpid(typist, NULL, 0);
-    ck_assert_int_eq(status, 128 + SIGTERM);
+    ck_assert_int_eq(session_exit(&session), 128 + SIGTERM);
     session_check_restored(&session);
     session_close(&session);
 }
@@ -221,6 +213,20 @@ START_TEST(a_signal_during_an_export_leaves_no_file)
 }
 END_TEST
 
+/* All bytes that it has read; 0 where the system does not tell. */
+static long bytes_read(pid_t child)
+{
+    char path[64], line[256];
+    long count = 0;
+    snprintf(path, sizeof path, "/proc/%ld/io", (long)child);
+    FILE *file = fopen(path, "r");
+    while (file && fgets(line, sizeof line, file))
+        sscanf(line, "rchar: %ld", &count);
+    if (file)
+        fclose(file);
+    return count;
+}
+
 START_TEST(a_signal_during_the_reading_of_an_overlay_ends_it)
 {
     char folder[] = "/tmp/matvib-XXXXXX", name[64];
@@ -233,22 +239,20 @@ START_TEST(a_signal_during_the_reading_of_an_overlay_ends_it)
     for (int i = 0; i < 4000000; i++)
         fputs("1234.56789,0.123456789\n", file);
     ck_assert_int_eq(fclose(file), 0);
-    double took = 0;
-    for (int ended = 0; ended < 2; ended++) {
-        open_long_run(&session, folder);
-        session_send(&session, ":overlay big.csv\r");
-        session_wait_for(&session, "reading");
-        const double begin = seconds();
-        if (ended) {
-            kill(session.child, SIGALRM);
-            ck_assert_int_eq(session_exit(&session), 128 + SIGALRM);
-            ck_assert_double_lt(seconds() - begin, took / 2);
-            break;
-        }
-        session_wait_for(&session, "4000000 rows");
-        took = seconds() - begin;
-        session_close(&session);
-    }
+    open_long_run(&session, folder);
+    session_send(&session, ":overlay big.csv\r");
+    session_wait_for(&session, "reading");
+    /* stopped, so that what it reads after the signal can be told from what it read before */
+    kill(session.child, SIGSTOP);
+    ck_assert_int_eq(waitpid(session.child, NULL, WUNTRACED), session.child);
+    const long before = bytes_read(session.child);
+    kill(session.child, SIGALRM);
+    kill(session.child, SIGCONT);
+    session_gone(&session);
+    siginfo_t info;
+    ck_assert_int_eq(waitid(P_PID, (id_t)session.child, &info, WEXITED | WNOWAIT), 0);
+    ck_assert_int_lt(bytes_read(session.child) - before, 10000000);
+    ck_assert_int_eq(session_exit(&session), 128 + SIGALRM);
     session_check_restored(&session);
     session_close(&session);
     ck_assert_int_eq(unlink(name), 0);
@@ -258,10 +262,8 @@ END_TEST
 
 static void ends_by_signal(Session *session, int number)
 {
-    const double begin = seconds();
     kill(session->child, number);
     ck_assert_int_eq(session_exit(session), 128 + number);
-    ck_assert_double_lt(seconds() - begin, 2);
     session_check_restored(session);
 }
 
@@ -308,7 +310,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("ends");
-    tcase_set_timeout(tcase, 60);
     tcase_add_loop_test(tcase, signals_end_it_and_restore_the_terminal, 0, N_ENDS + 1);
     tcase_add_test(tcase, a_running_one_ends_by_signal_too);
     tcase_add_loop_test(tcase, a_terminal_that_goes_away_ends_it, 0, 2);

@@ -176,7 +176,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("film");
-    tcase_set_timeout(tcase, 60);
     tcase_add_checked_fixture(tcase, enter_folder, leave_folder);
     tcase_add_test(tcase, cast_equals_the_scripts_screen);
 #if defined HAVE_CAIRO && defined HAVE_GIF

@@ -3,13 +3,13 @@
 #include "pty/session.h"
 #include "suite.h"
 
+#include <dirent.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 static const char *matvib(void)
@@ -83,52 +83,68 @@ START_TEST(pasted_text_runs_no_commands)
 }
 END_TEST
 
-static double cpu_seconds(pid_t child)
+/* Whether all threads of a program sleep, and how often they have gone to sleep so far. Where the system does
+ * not tell, they do. */
+static bool asleep(pid_t child, long *times)
 {
-    clockid_t clock;
-    struct timespec time;
-    ck_assert_int_eq(clock_getcpuclockid(child, &clock), 0);
-    ck_assert_int_eq(clock_gettime(clock, &time), 0);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+    char path[300], line[256], state = 'S';
+    long switches = 0;
+    bool all = true;
+    *times = 0;
+    snprintf(path, sizeof path, "/proc/%ld/task", (long)child);
+    DIR *tasks = opendir(path);
+    for (const struct dirent *task; tasks && (task = readdir(tasks)) != NULL;) {
+        snprintf(path, sizeof path, "/proc/%ld/task/%.20s/status", (long)child, task->d_name);
+        FILE *file = fopen(path, "r");
+        while (file && fgets(line, sizeof line, file)) {
+            if (sscanf(line, "State: %c", &state) == 1)
+                all = all && state == 'S';
+            if (sscanf(line, "voluntary_ctxt_switches: %ld", &switches) == 1)
+                *times += switches;
+        }
+        if (file)
+            fclose(file);
+    }
+    if (tasks)
+        closedir(tasks);
+    return all;
+}
+
+/* From when it sleeps nothing wakes it, and nothing comes. */
+static void expect_quiet(const Session *session)
+{
+    struct pollfd both[2] = {{.fd = session->master, .events = POLLIN},
+                             {.fd = session->frames, .events = POLLIN}};
+    long before, after;
+    while (!asleep(session->child, &before))
+        usleep(1000);
+    ck_assert_int_eq(poll(both, 2, 500), 0);
+    ck_assert(asleep(session->child, &after));
+    ck_assert_int_eq(after, before);
 }
 
 START_TEST(idle_costs_nothing)
 {
     Session session;
     session_open_paused(&session, 80, 24, NULL);
-    double before = cpu_seconds(session.child);
-    struct pollfd quiet[2] = {{.fd = session.master, .events = POLLIN},
-                              {.fd = session.frames, .events = POLLIN}};
-    ck_assert_int_eq(poll(quiet, 2, 1000), 0); /* a second in which nothing must come */
-    ck_assert(cpu_seconds(session.child) - before < 0.005);
+    expect_quiet(&session);
     session_close(&session);
 }
 END_TEST
 
-static double seconds(void)
-{
-    struct timespec time;
-    ck_assert_int_eq(clock_gettime(CLOCK_MONOTONIC, &time), 0);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
-
-/* The aim is 50 ms, which make bench measures; here even a busy machine must be far from a second. */
+/* At all: after how many milliseconds is what make bench measures. */
 START_TEST(a_key_is_answered_while_a_crack_runs)
 {
     Session session;
-    double answers = 0;
     session_open(&session, 80, 24, NULL, (const char *const[]){matvib(), "notched-beam", NULL});
     for (int i = 0; i < 8; i++) {
         session_frame(&session);
         ck_assert(!session_shows(&session, "PAUSED"));
-        double begin = seconds();
-        session_keys(&session, " "); /* to the picture after which it waits */
-        answers += seconds() - begin;
-        ck_assert(session_shows(&session, "PAUSED"));
+        session_send(&session, " ");
+        session_wait_for(&session, "PAUSED");
         session_send(&session, " ");
         session_wait_for(&session, "RUNNING");
     }
-    ck_assert_msg(answers / 8 < 0.4, "%.3f s for a key", answers / 8);
     session_close(&session);
 }
 END_TEST
@@ -143,8 +159,7 @@ START_TEST(escape_is_answered_while_a_crack_runs)
     session_send(&session, "g");
     session_wait_for(&session, "go to time");
     session_send(&session, "\033");
-    const double begin = seconds();
-    while (session_shows(&session, "go to time") && seconds() - begin < 5)
+    while (session_shows(&session, "go to time"))
         session_frame(&session);
     ck_assert(!session_shows(&session, "go to time"));
     session_close(&session);
@@ -456,11 +471,7 @@ START_TEST(several_threads_are_as_quiet_as_one)
     for (int i = 0; i < 3; i++)
         session_frame(&session);
     session_keys(&session, " ");
-    double before = cpu_seconds(session.child);
-    struct pollfd quiet[2] = {{.fd = session.master, .events = POLLIN},
-                              {.fd = session.frames, .events = POLLIN}};
-    ck_assert_int_eq(poll(quiet, 2, 1000), 0);
-    ck_assert(cpu_seconds(session.child) - before < 0.005);
+    expect_quiet(&session);
     for (int i = 0; i < 10; i++) {
         session_resize(&session, 81 - i % 2, 24);
         session_idle(&session);
@@ -503,7 +514,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("terminal");
-    tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, opens_answers_keys_and_leaves);
     tcase_add_test(tcase, opens_running);
     tcase_add_test(tcase, a_still_picture_writes_nothing);

@@ -39,7 +39,7 @@ void session_close(Session *); /* kills what still runs */
 void session_send(Session *, const char *bytes);
 void session_resize(Session *, int columns, int rows);
 
-/* Reads until the program has drawn and sleeps. Fails the test after ten seconds. */
+/* Reads until the program has drawn and sleeps. Fails the test when nothing comes for a minute. */
 void session_idle(Session *);
 
 /* The same; false: the program is gone. */
@@ -51,11 +51,14 @@ void session_frame(Session *);
 /* Sends keys and waits until they have been answered. */
 void session_keys(Session *, const char *bytes);
 
-/* Reads until a text is on the screen; fails the test after ten seconds. */
+/* Reads until a text is on the screen; fails the test when nothing comes for a minute. */
 void session_wait_for(Session *, const char *text);
 
 void session_hang_up(Session *); /* the terminal goes away */
 void session_ignore(Session *);  /* nothing that the program writes is read from now on */
+
+/* Waits until the program is gone, and leaves what it wrote last to session_exit(). */
+void session_gone(Session *);
 
 /* Waits for the end; the exit status, or 128 + n after signal n as a shell would say. */
 int session_exit(Session *);

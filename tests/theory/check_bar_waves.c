@@ -165,7 +165,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *test = tcase_create("waves");
-    tcase_set_timeout(test, 60);
     tcase_add_loop_test(test, a_joint_between_equals, 0, SUPPORTS);
     tcase_add_loop_test(test, a_pulse_comes_back, 0, SUPPORTS);
     tcase_add_loop_test(test, two_materials_obey, 0, 2 * SUPPORTS);

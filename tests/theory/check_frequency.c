@@ -271,7 +271,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *fit = tcase_create("fit");
-    tcase_set_timeout(fit, 60);
     tcase_add_test(fit, modes_of_the_paper);
     tcase_add_test(fit, short_records);
     tcase_add_test(fit, few_samples);

@@ -178,7 +178,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *predicted = tcase_create("predicted");
-    tcase_set_timeout(predicted, 60);
     tcase_add_loop_test(predicted, hat_whatever_the_supports, 0, 4);
     tcase_add_test(predicted, other_shapes);
     tcase_add_loop_test(predicted, centre_velocity, 0, 2);

@@ -518,7 +518,6 @@ void add_cases(Suite *suite)
     suite_add_tcase(suite, limit);
 
     TCase *mode = tcase_create("mode");
-    tcase_set_timeout(mode, 60);
     tcase_add_loop_test(mode, modes_with_ends, 0, (int)(sizeof modes / sizeof *modes));
     tcase_add_test(mode, waves_that_share_a_frequency);
     tcase_add_test(mode, thirteen_cells);

@@ -233,12 +233,10 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tables = tcase_create("every");
-    tcase_set_timeout(tables, 120);
     tcase_add_loop_test(tables, every_key_in_every_view, 0, N_SCENARIOS);
     tcase_add_loop_test(tables, every_key_in_every_prompt, 0, N_SCENARIOS);
     suite_add_tcase(suite, tables);
     TCase *random = tcase_create("random");
-    tcase_set_timeout(random, 120);
     tcase_add_test(random, random_keys);
     suite_add_tcase(suite, random);
 }

@@ -162,7 +162,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("fitting");
-    tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, the_modulus_is_found);
     tcase_add_test(tcase, a_fit_that_was_stopped_is_stopped_again);
     tcase_add_test(tcase, two_at_once_tell_how_they_hang_together);

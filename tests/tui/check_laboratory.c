@@ -897,7 +897,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("laboratory");
-    tcase_set_timeout(tcase, 120);
     tcase_add_loop_test(tcase, a_table_is_followed_over_time, 0, 2);
     tcase_add_loop_test(tcase, a_refused_answer_gives_way_to_the_next_key, 0, 5);
     tcase_add_test(tcase, every_row_of_the_table_is_carried_out);

@@ -506,7 +506,6 @@ void add_cases(Suite *suite)
     tcase_add_test(turning, arrows_choose_an_answer);
     tcase_add_test(turning, a_turned_page_is_not_waited_for);
     tcase_add_test(turning, a_page_can_be_left_out);
-    tcase_set_timeout(own, 120);
     suite_add_tcase(suite, format);
     suite_add_tcase(suite, own);
     suite_add_tcase(suite, turning);

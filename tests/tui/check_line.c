@@ -475,7 +475,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("line");
-    tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, verbs_take_arguments);
     tcase_add_loop_test(tcase, bad_lines_say_why, 0, (int)(sizeof bad_lines / sizeof *bad_lines));
     tcase_add_test(tcase, tab_completes_words_keys_values_and_files);

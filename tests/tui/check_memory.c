@@ -301,7 +301,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("memory");
-    tcase_set_timeout(tcase, 300);
     tcase_add_loop_test(tcase, each_allocation_may_fail, 0, 2);
     suite_add_tcase(suite, tcase);
 }

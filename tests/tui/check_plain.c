@@ -473,7 +473,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("plain");
-    tcase_set_timeout(tcase, 120);
     tcase_add_test(tcase, every_command_is_reached);
     tcase_add_test(tcase, every_key_is_reached);
     tcase_add_test(tcase, every_word_with_arguments_is_reached);

@@ -194,7 +194,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("energies");
-    tcase_set_timeout(tcase, 60);
     tcase_add_loop_test(tcase, the_hidden_share_is_that_of_the_reference, 0,
                         (int)(sizeof hidden_shares / sizeof *hidden_shares));
     tcase_add_loop_test(tcase, the_sharp_energy_does_not_ripple, 0, (int)(sizeof kept / sizeof *kept));

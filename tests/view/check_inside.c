@@ -427,6 +427,5 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(sums, forces_of_bonds_add_up, 0, 2);
     tcase_add_loop_test(sums, no_box_is_cut, 0, sizeof everything / sizeof *everything);
     tcase_add_test(sums, strain_moves_in_the_list);
-    tcase_set_timeout(sums, 60);
     suite_add_tcase(suite, sums);
 }

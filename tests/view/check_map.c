@@ -453,7 +453,6 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *map = tcase_create("map");
-    tcase_set_timeout(map, 60);
     tcase_add_loop_test(map, a_node_is_found_where_it_is_drawn, 0, 3);
     tcase_add_test(map, factors_are_those_that_are_stated);
     tcase_add_test(map, what_is_drawn_far_too_large_stays_in_the_picture);
@@ -465,7 +464,6 @@ void add_cases(Suite *suite)
     tcase_add_test(map, the_drawing_has_its_dimensions);
     suite_add_tcase(suite, map);
     TCase *family = tcase_create("family");
-    tcase_set_timeout(family, 60);
     tcase_add_loop_test(family, the_forces_add_up, 0, 7);
     tcase_add_test(family, the_most_stretched_bond_is_named);
     tcase_add_test(family, the_bond_that_breaks_is_named);

@@ -491,11 +491,9 @@ void add_cases(Suite *suite)
     setlocale(LC_CTYPE, "C.UTF-8");
     const int count = sizeof pictures / sizeof *pictures;
     TCase *golden = tcase_create("pictures");
-    tcase_set_timeout(golden, 30);
     tcase_add_loop_test(golden, screens_look_as_they_did, 0, count);
     suite_add_tcase(suite, golden);
     TCase *sound = tcase_create("sound");
-    tcase_set_timeout(sound, 30);
     tcase_add_loop_test(sound, every_screen_is_sound, 0, count);
     tcase_add_loop_test(sound, nothing_leaves_its_pane, 0, 4);
     tcase_add_test(sound, panes_do_not_overlap);

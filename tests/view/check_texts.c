@@ -193,7 +193,6 @@ void add_cases(Suite *suite)
     while (builtin_scenarios[count].name)
         count++;
     TCase *texts = tcase_create("texts");
-    tcase_set_timeout(texts, 120);
     tcase_add_loop_test(texts, captions_are_shown_whole, 0, count);
     tcase_add_loop_test(texts, help_is_shown_whole, 0, 4);
     tcase_add_test(texts, what_matters_has_room);
