@@ -169,7 +169,7 @@ edited() { sed "$2" "$1" >"$3"; }
 # sealed FILE TO: with the check that its lines have, as somebody who knows how would calculate it (FNV-1a by
 # digits of 16 bits, the lowest first)
 cat >seal.awk <<'END'
-function xor(a, b,    r, p) {
+function exclusive_or(a, b,    r, p) {
 	r = 0
 	for (p = 1; a > 0 || b > 0; p *= 2) {
 		if (a % 2 != b % 2) r += p
@@ -180,7 +180,7 @@ function xor(a, b,    r, p) {
 BEGIN { for (i = 1; i < 256; i++) code[sprintf("%c", i)] = i; split("8997 33826 40164 52210", h, " ") }
 function byte(c,    i, low, out) {
 	low = h[1] % 256
-	h[1] = h[1] - low + xor(low, c)
+	h[1] = h[1] - low + exclusive_or(low, c)
 	# times 2^40 + 435
 	out[1] = h[1] * 435; out[2] = h[2] * 435
 	out[3] = h[3] * 435 + h[1] * 256; out[4] = h[4] * 435 + h[2] * 256
