@@ -9,13 +9,13 @@
 #define ERROR_ROW(label, run, reference_error, claim)                                                        \
     {                                                                                                        \
         .what = label, .scenario = run " time.end=20", .quantity = quantity_frequency_error, .decimals = 3,  \
-        .reference = WITHIN(reference_error, 0.001), .theory = quantity_predicted_frequency_error,           \
+        .reference = WITHIN(reference_error, 0.001), .eigenvalue = quantity_predicted_frequency_error,       \
         .paper = claim                                                                                       \
     }
 #define PERIOD_ROW(claim, reference_error)                                                                   \
     {                                                                                                        \
         .what = "error of the period, %", .quantity = quantity_period_error, .decimals = 3,                  \
-        .reference = WITHIN(reference_error, 0.0015), .theory = quantity_predicted_period_error,             \
+        .reference = WITHIN(reference_error, 0.0015), .eigenvalue = quantity_predicted_period_error,         \
         .paper = claim                                                                                       \
     }
 #define EARLY_AMPLITUDE_ROW(reference_share, claim)                                                          \
@@ -37,39 +37,39 @@
     {                                                                                                        \
         .what = "1000 v_cm at step 1000", .quantity = quantity_value_at, .column = "v_cm",                   \
         .other = "v_cm_predicted", .from = 10, .scale = 1000, .decimals = 6,                                 \
-        .reference = WITHIN(1000 * (reference_v_cm), 1e-10), .theory = quantity_other_at                     \
+        .reference = WITHIN(1000 * (reference_v_cm), 1e-10), .predicted = quantity_other_at                  \
     }
-#define TINY_ROW(run)                                                                                        \
+/* Small motions have the frequency of the eigenvalue, to 1e-8 of it. */
+#define TINY_ROW(run, omega)                                                                                 \
     {                                                                                                        \
-        .what = "v0 1e-6: off theory, 1e-9", .scenario = run " initial.velocity=1e-6 time.end=20",           \
-        .quantity = quantity_measured_over_predicted, .scale = 1e9, .decimals = 1, .reference = {            \
-            -10,                                                                                             \
-            10                                                                                               \
-        }                                                                                                    \
+        .what = "omega, v0 1e-6", .scenario = run " initial.velocity=1e-6 time.end=20",                      \
+        .quantity = quantity_measured, .decimals = 7, .reference = WITHIN(omega, 1e-8 * (omega)),            \
+        .eigenvalue = quantity_predicted, .tolerance = 1e-8 * (omega)                                        \
     }
 
+/* What the abstract prints, 5 and 20 %, section 3 calls "approximately" and "something around": so do we. */
 static const VerifyRow mode1[] = {
     ERROR_ROW("error of omega, %", "mode1", -0.053, CLAIM("the same", -0.5, 0.5)),
     PERIOD_ROW(NOTHING, 0.053),
-    EARLY_AMPLITUDE_ROW(1.000, PRINTS("the same", 1)),
+    EARLY_AMPLITUDE_ROW(1.0001, CLAIM("The two curves overlap", 0.98, 1.02)),
     LATE_ROWS("mode1", 1.000, 0.06366305385680329),
-    TINY_ROW("mode1"),
+    TINY_ROW("mode1", 0.6279837381),
 };
 
 static const VerifyRow mode5[] = {
-    ERROR_ROW("error of omega, %", "mode5", -4.239, ABOUT("about 5 % too low", -5)),
-    PERIOD_ROW(ABOUT("5 % out of phase", 5), 4.427),
-    EARLY_AMPLITUDE_ROW(1.002, ABOUT("similar", 1)),
+    ERROR_ROW("error of omega, %", "mode5", -4.239, ABOUT("approximately 5% of the analytical value", -5)),
+    PERIOD_ROW(ABOUT("5% for the fifth mode", 5), 4.427),
+    EARLY_AMPLITUDE_ROW(1.0021, CLAIM("considerably similar amplitudes", 0.9, 1.1)),
     LATE_ROWS("mode5", 0.935, -0.0049916966356108716),
-    TINY_ROW("mode5"),
+    TINY_ROW("mode5", 5.4151680880),
 };
 
 static const VerifyRow mode10[] = {
-    ERROR_ROW("error of omega, %", "mode10", -17.723, ABOUT("about 20 % too low", -20)),
-    PERIOD_ROW(ABOUT("20 % out of phase", 20), 21.541),
-    EARLY_AMPLITUDE_ROW(0.988, ABOUT("similar", 1)),
+    ERROR_ROW("error of omega, %", "mode10", -17.723, ABOUT("something around 20%", -20)),
+    PERIOD_ROW(ABOUT("20% to the tenth mode", 20), 21.541),
+    EARLY_AMPLITUDE_ROW(0.9880, CLAIM("curves with similar amplitudes", 0.9, 1.1)),
     LATE_ROWS("mode10", 0.383, -0.0022030804348109096),
-    TINY_ROW("mode10"),
+    TINY_ROW("mode10", 9.8238325197),
 };
 
 /* --- cells, particles, steps ------------------------------------------------------------------------------
@@ -77,8 +77,9 @@ static const VerifyRow mode10[] = {
 
 static const VerifyRow cells[] = {
     ERROR_ROW("n = 1, cell 1/2", "mode1 mesh.cell_size=0.5", -0.062, NOTHING),
-    ERROR_ROW("n = 5, cell 1/2", "mode5 mesh.cell_size=0.5", -1.087, ABOUT("about 1 %", -1)),
-    ERROR_ROW("n = 10, cell 1/2", "mode10 mesh.cell_size=0.5", -4.721, ABOUT("5 %", -5)),
+    ERROR_ROW("n = 5, cell 1/2", "mode5 mesh.cell_size=0.5", -1.087,
+              ABOUT("about 1% for the fifth mode", -1)),
+    ERROR_ROW("n = 10, cell 1/2", "mode10 mesh.cell_size=0.5", -4.721, ABOUT("5% for the tenth", -5)),
 };
 
 static const VerifyRow particles[] = {
@@ -86,18 +87,17 @@ static const VerifyRow particles[] = {
     ERROR_ROW("n = 5, 1", "mode5 mesh.particles_per_cell=1", -5.235, NOTHING),
     ERROR_ROW("n = 10, 1", "mode10 mesh.particles_per_cell=1", -22.100, NOTHING),
     ERROR_ROW("n = 1, 4", "mode1 mesh.particles_per_cell=4", -0.050, NOTHING),
-    ERROR_ROW("n = 5, 4", "mode5 mesh.particles_per_cell=4", -3.991, ABOUT("as with 2: -4.239", -4.239)),
-    ERROR_ROW("n = 10, 4", "mode10 mesh.particles_per_cell=4", -16.662, ABOUT("as with 2: -17.723", -17.723)),
+    ERROR_ROW("n = 5, 4", "mode5 mesh.particles_per_cell=4", -3.991, NOTHING),
+    ERROR_ROW("n = 10, 4", "mode10 mesh.particles_per_cell=4", -16.662, NOTHING),
     ERROR_ROW("n = 1, 6", "mode1 mesh.particles_per_cell=6", -0.007, NOTHING),
-    ERROR_ROW("n = 5, 6", "mode5 mesh.particles_per_cell=6", -3.946, ABOUT("as with 2: -4.239", -4.239)),
-    ERROR_ROW("n = 10, 6", "mode10 mesh.particles_per_cell=6", -16.468, ABOUT("as with 2: -17.723", -17.723)),
+    ERROR_ROW("n = 5, 6", "mode5 mesh.particles_per_cell=6", -3.946, NOTHING),
+    ERROR_ROW("n = 10, 6", "mode10 mesh.particles_per_cell=6", -16.468, NOTHING),
 };
 
 static const VerifyRow steps[] = {
     ERROR_ROW("n = 1, step 1/2", "mode1 time.courant=0.05", -0.054, NOTHING),
     ERROR_ROW("n = 5, step 1/2", "mode5 time.courant=0.05", -4.247, NOTHING),
-    ERROR_ROW("n = 10, step 1/2", "mode10 time.courant=0.05", -17.743,
-              ABOUT("as with the whole: -17.723", -17.723)),
+    ERROR_ROW("n = 10, step 1/2", "mode10 time.courant=0.05", -17.743, NOTHING),
 };
 
 /* --- shapes
@@ -107,7 +107,8 @@ static const VerifyRow steps[] = {
 #define SHAPE_ROW(label, keys, omega, slack)                                                                 \
     {                                                                                                        \
         .what = label, .scenario = keys " initial.velocity=1e-6 time.end=20", .quantity = quantity_measured, \
-        .decimals = 6, .reference = WITHIN(omega, slack), .theory = quantity_predicted, .tolerance = slack   \
+        .decimals = 6, .reference = WITHIN(omega, slack), .eigenvalue = quantity_predicted,                  \
+        .tolerance = slack                                                                                   \
     }
 
 static const VerifyRow shapes[] = {
@@ -209,7 +210,7 @@ static const VerifyRow crossings[] = {
 #define STILL_ROW(label, run)                                                                                \
     {                                                                                                        \
         .what = label, .scenario = run, .quantity = quantity_furthest, .column = "v_cm",                     \
-        .other = "v_cm_exact", .scale = 1e12, .decimals = 2, .reference = {                                  \
+        .other = "v_cm_exact", .scale = 1e12, .decimals = 2, .bound = {                                      \
             0,                                                                                               \
             1                                                                                                \
         }                                                                                                    \
@@ -244,7 +245,7 @@ static const VerifyRow loads[] = {
         .what = label, .scenario = "mode10 initial.velocity=1e-8 time.end=1 " keys,                          \
         .quantity = quantity_courant_limit, .column = "largest_courant", .from = 0.8 * (limit),              \
         .to = 1.15 * (limit), .decimals = 4, .reference = WITHIN(limit, 0.004 * (limit)),                    \
-        .theory = quantity_derived_number, .tolerance = 0.004 * (limit), .full = true                        \
+        .predicted = quantity_derived_number, .tolerance = 0.004 * (limit), .full = true                     \
     }
 
 static const VerifyRow limits[] = {
@@ -268,7 +269,7 @@ static const VerifyRow limits[] = {
 #define LATTICE_ROW(label, keys, off)                                                                        \
     {                                                                                                        \
         .what = label, .scenario = "mode5-peridynamics time.end=60 " keys, .quantity = quantity_measured,    \
-        .decimals = 7, .theory = quantity_predicted, .tolerance = off                                        \
+        .decimals = 7, .theory = quantity_exact, .eigenvalue = quantity_predicted, .tolerance = off          \
     }
 #define FIXED "bar.supports=fixed-fixed "
 #define PLAIN "pd.surface_correction=none "
@@ -276,7 +277,7 @@ static const VerifyRow limits[] = {
 #define CENTRE_ROW(label)                                                                                    \
     {                                                                                                        \
         .what = label, .quantity = quantity_furthest, .column = "v_cm", .other = "v_cm_predicted",           \
-        .scale = 1e13, .decimals = 2, .reference = {                                                         \
+        .scale = 1e13, .decimals = 2, .bound = {                                                             \
             0,                                                                                               \
             10                                                                                               \
         }                                                                                                    \
@@ -285,12 +286,12 @@ static const VerifyRow limits[] = {
 static const VerifyRow lattice[] = {
     LATTICE_ROW("fixed-fixed, n = 1", FIXED "initial.mode=1", 1.3e-9),
     LATTICE_ROW("n = 5", FIXED, 6.2e-9),
-    CENTRE_ROW("v_cm off theory, 1e-12 v0"),
+    CENTRE_ROW("v_cm off prediction, 1e-12 v0"),
     LATTICE_ROW("n = 9", FIXED "initial.mode=9", 1.06e-8),
     LATTICE_ROW("n = 5, fine, no correction", FIXED PLAIN FINE, 6.3e-9),
     LATTICE_ROW("fixed-free, n = 1", "initial.mode=1", 6.3e-7),
     LATTICE_ROW("n = 5", "", 5.6e-5),
-    CENTRE_ROW("v_cm off theory, 1e-12 v0"),
+    CENTRE_ROW("v_cm off prediction, 1e-12 v0"),
     LATTICE_ROW("n = 10", "initial.mode=10", 1.2e-3),
     LATTICE_ROW("n = 5, no correction", PLAIN, 5.6e-5),
     LATTICE_ROW("n = 10, no correction", PLAIN "initial.mode=10", 1.2e-3),
@@ -302,14 +303,17 @@ static const VerifyRow lattice[] = {
 
 const VerifyCheck verify_bar_checks[] = {
     {"M-fig2", "mode 1 of the bar: v_cm as in figure 2", VERIFY_ROWS(mode1), NULL},
-    {"M-fig3", "mode 5 of the bar: v_cm as in figure 3", VERIFY_ROWS(mode5), NULL},
+    {"M-fig3", "mode 5 of the bar: v_cm as in figure 3", VERIFY_ROWS(mode5),
+     "The paper's 5 % may be of omega or of the period: it speaks of both."},
     {"M-fig4", "mode 10 of the bar: v_cm as in figure 4", VERIFY_ROWS(mode10),
      "The paper's 20 % may be of omega or of the period: it speaks of both."},
     {"M-cell", "error of omega (%) with half the cell size", VERIFY_ROWS(cells),
-     "n = 1: particles cross cells, which theory does not know."},
+     "n = 1: particles cross cells, which the eigenvalue does not know."},
     {"M-particles", "error of omega (%) with 1, 4 and 6 particles in a cell", VERIFY_ROWS(particles),
-     "n = 1 with 6: they cross cells, which theory does not know."},
-    {"M-dt", "error of omega (%) with half the time step", VERIFY_ROWS(steps), NULL},
+     "n = 1 with 6: they cross cells, which the eigenvalue does not know. The paper\n"
+     "  names no number: more of them \"did not result in better convergence\"."},
+    {"M-dt", "error of omega (%) with half the time step", VERIFY_ROWS(steps),
+     "The paper names no number: it \"did not result in significant differences\"."},
     {"M-shape", "omega with other shapes and transfers: eigenvalues of the step", VERIFY_ROWS(shapes), NULL},
     {"M-usl", "share of the energy left at t = 100", VERIFY_ROWS(algorithms), NULL},
     {"M-hidden", "kinetic energy that the lumped grid has (USF), %", VERIFY_ROWS(seen),

@@ -30,8 +30,7 @@
 /* breaking is of first order in the time step: a bond takes along what it has beyond its critical stretch */
 #define BALANCE_ROW(label, percent, ...)                                                                     \
     {                                                                                                        \
-        .what = label, .quantity = quantity_energy_gained, .decimals = 2, .reference = {0, percent},         \
-        __VA_ARGS__                                                                                          \
+        .what = label, .quantity = quantity_energy_gained, .decimals = 2, .bound = {0, percent}, __VA_ARGS__ \
     }
 
 #define FRONT_ROW(label, number, scale_, digits, band, ...)                                                  \

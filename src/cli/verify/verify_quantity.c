@@ -41,11 +41,6 @@ double quantity_predicted(VerifyRun *run, const VerifyRow *row)
     return run->readout.predicted_known ? scaled(row, run->readout.predicted) : NAN;
 }
 
-double quantity_measured_over_predicted(VerifyRun *run, const VerifyRow *row)
-{
-    return scaled(row, run->readout.measured / run->readout.predicted - 1);
-}
-
 double quantity_frequency_error(VerifyRun *run, const VerifyRow *row)
 {
     (void)row;
@@ -122,6 +117,11 @@ double quantity_derived_number(VerifyRun *run, const VerifyRow *row)
 double quantity_measured_over(VerifyRun *run, const VerifyRow *row)
 {
     return quantity_measured(run, row) / derived_of(run, row->column);
+}
+
+double quantity_percent_over(VerifyRun *run, const VerifyRow *row)
+{
+    return 100 * (quantity_measured_over(run, row) - 1);
 }
 
 double quantity_longer_than(VerifyRun *run, const VerifyRow *row)

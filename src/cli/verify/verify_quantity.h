@@ -7,11 +7,11 @@
 #include "cli/verify/verify_row.h"
 
 /* The readout, as `matvib run` prints it. */
-double quantity_measured(VerifyRun *, const VerifyRow *);                /* frequency or period; scale */
-double quantity_predicted(VerifyRun *, const VerifyRow *);               /* likewise */
-double quantity_exact(VerifyRun *, const VerifyRow *);                   /* likewise */
-double quantity_measured_over_predicted(VerifyRun *, const VerifyRow *); /* less 1; scale */
+double quantity_measured(VerifyRun *, const VerifyRow *);        /* frequency or period; scale */
+double quantity_predicted(VerifyRun *, const VerifyRow *);       /* likewise */
+double quantity_exact(VerifyRun *, const VerifyRow *);           /* likewise */
 double quantity_measured_over(VerifyRun *, const VerifyRow *);   /* a derived number; column: its name */
+double quantity_percent_over(VerifyRun *, const VerifyRow *);    /* the same less 1, percent */
 double quantity_frequency_error(VerifyRun *, const VerifyRow *); /* against exact, percent */
 double quantity_predicted_frequency_error(VerifyRun *, const VerifyRow *);
 double quantity_period_error(VerifyRun *, const VerifyRow *);

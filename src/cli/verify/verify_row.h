@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A row of a verification: one number of one run, its reference and tolerance, and the paper's claim about
- * it. */
+/* A row of a verification: one number of one run beside what theory, the mesh's eigenvalue and its prediction
+ * say; the reference that it has to reproduce, the bounds that must hold, and the paper's claim about it. */
 #ifndef CLI_VERIFY_ROW_H
 #define CLI_VERIFY_ROW_H
 
@@ -18,12 +18,13 @@ typedef struct Band {
         (value) - (tolerance), (value) + (tolerance)                                                         \
     }
 
-/* The paper's claim about a number, in its words. */
+/* The paper's claim about a number. */
 typedef struct Claim {
-    const char *words;   /* NULL: no claim */
+    const char
+        *words; /* the paper's own, letter by letter: they are printed in quotation marks; NULL: no claim */
     double number;       /* that the words name, printed with our distance from it; NAN: they name none */
     double agrees, near; /* off by no more than such a share of the number */
-    Band range;          /* where they name none: what agrees with them */
+    Band range;          /* where they name none: what we take them for, printed behind them */
     const char *remark;  /* printed after the verdict; NULL: none */
 } Claim;
 
@@ -54,28 +55,51 @@ typedef struct VerifyRow VerifyRow;
 /* A number of a run; `row` has the column, the time and so on. NAN: there is none. */
 typedef double (*VerifyQuantity)(VerifyRun *, const VerifyRow *row);
 
-/* A row needs a reference, or a theory with a tolerance: something that it can miss. */
+/* What numbers are printed under. */
+typedef enum VerifyColumn {
+    VERIFY_THEORY,     /* of the continuum: exact, or beam theory */
+    VERIFY_EIGENVALUE, /* of the step on this very mesh or lattice, or what follows from it at once */
+    VERIFY_PREDICTED,  /* what else the equations of this discretisation give beforehand: a series, a limit */
+    VERIFY_MEASURED,
+    VERIFY_COLUMNS
+} VerifyColumn;
+
+/* The row's own number is the last one that it has; reference, bound and claims are of it. A row needs a
+ * reference, a bound or a tolerance: something that it can miss. */
 struct VerifyRow {
     const char *what;     /* with its unit */
     const char *scenario; /* and KEY=VALUE ..., as `matvib run` takes them; NULL: as in the row above */
-    VerifyQuantity quantity;
-    const char *column, *other; /* what the quantity takes: columns, names */
-    double from, to;            /* times, or what else it takes */
-    double scale;               /* the number is printed times this; 0: 1 */
+    VerifyQuantity quantity, theory, eigenvalue, predicted; /* quantity: measured */
+    const char *column, *other;                             /* what the quantity takes: columns, names */
+    double from, to;                                        /* times, or what else it takes */
+    double scale;                                           /* the number is printed times this; 0: 1 */
     int decimals;
-    Band reference; /* around the digits of our reference solvers; unused where both ends are 0 */
+    Band reference;   /* around the digits of an independent solver; unused where both ends are 0 */
+    Band bound;       /* what must hold without one: a law, a ripple; likewise */
+    double tolerance; /* of the own number less the one that is printed before it; 0: that is shown only */
 
-    VerifyQuantity theory;
-    double tolerance; /* of measured - theory, as printed; 0: theory is shown only */
-
-    Claim paper;
-    bool full; /* --full only */
+    Claim paper, also; /* a sentence may say two things */
+    bool full;         /* --full only */
 };
 
 typedef enum Agreement { PAPER_SILENT, PAPER_AGREES, PAPER_NEAR, PAPER_DIFFERS, AGREEMENTS } Agreement;
 
-/* Whether a number is within the tolerances of our reference and theory; NAN is not. */
-bool verify_reproduces(const VerifyRow *row, double measured, double theory);
+typedef enum Verdict { VERDICT_NONE, VERDICT_MISSED, VERDICT_GOOD } Verdict;
+
+/* What a row prints, NAN where it has nothing. */
+typedef struct VerifyNumbers {
+    double values[VERIFY_COLUMNS];
+    VerifyColumn own, beside; /* equal: there is none beside it */
+} VerifyNumbers;
+
+/* The run may be NULL: then all values are NAN. */
+VerifyNumbers verify_numbers(VerifyRun *, const VerifyRow *);
+
+/* Whether the own number reproduces the reference, lies within the bound, is as near to the one beside it as
+ * it should be. NAN misses; VERDICT_NONE: the row does not ask for it. */
+Verdict verify_reproduces(const VerifyRow *, const VerifyNumbers *);
+Verdict verify_is_bounded(const VerifyRow *, const VerifyNumbers *);
+Verdict verify_is_near(const VerifyRow *, const VerifyNumbers *);
 
 /* The verdict of the paper's claim on a number; NAN differs. */
 Agreement verify_agreement(const Claim *claim, double measured);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The runner of verify: makes the runs that rows name, one run for consecutive rows of the same scenario, and
- * prints each number with its two verdicts, against our reference and against the paper (verify_row.h). */
+ * prints each number, and under it its verdicts: against our reference, its bounds, the paper (verify_row.h).
+ */
 #include "cli/verify/verify_runner.h"
 
 #include <string.h>
@@ -14,54 +15,92 @@ static void print_number(char out[32], double value, int decimals)
         snprintf(out, 32, "%.*f", decimals, value);
 }
 
-enum { REFERENCE_WIDTH = 18 };
-
-/* "2..3", ">= 2", "<= 3", or "2" alone; where that has no room, the middle and how far it may be off. */
-static void print_reference(char out[64], const VerifyRow *row)
+/* "2..3", ">= 2", "<= 3", or "2" alone; where that is long, the middle and how far it may be off. */
+static void print_band(char out[64], Band band, int decimals)
 {
-    double low = row->reference.low, high = row->reference.high;
-    int decimals = row->decimals, length = 0;
+    enum { LONG = 18 };
+    const int of_number = decimals;
+    int length = 0;
     /* more digits than the number has, where both ends would look the same */
-    while (high > low && high - low < 1.9 * pow(10, -decimals) && decimals < 12)
+    while (band.high > band.low && band.high - band.low < 1.9 * pow(10, -decimals) && decimals < 12)
         decimals++;
-    out[0] = '\0';
-    if (low == 0 && high == 0)
-        return;
-    if (low == high)
-        snprintf(out, 64, "%.*f", decimals, low);
-    else if (isinf(low) || isinf(high))
-        snprintf(out, 64, isinf(low) ? "<= %.*f" : ">= %.*f", decimals, isinf(low) ? high : low);
+    if (band.low == band.high)
+        snprintf(out, 64, "%.*f", decimals, band.low);
+    else if (isinf(band.low) || isinf(band.high))
+        snprintf(out, 64, isinf(band.low) ? "<= %.*f" : ">= %.*f", decimals,
+                 isinf(band.low) ? band.high : band.low);
     else
-        length = snprintf(out, 64, "%.*f..%.*f", decimals, low, decimals, high);
-    if (length > REFERENCE_WIDTH)
-        snprintf(out, 64, "%.*f +- %.0e", row->decimals, (low + high) / 2, (high - low) / 2);
+        length = snprintf(out, 64, "%.*f..%.*f", decimals, band.low, decimals, band.high);
+    if (length > LONG)
+        snprintf(out, 64, "%.*f +- %.0e", of_number, (band.low + band.high) / 2, (band.high - band.low) / 2);
 }
 
-static void print_head(FILE *out)
+static const char *const column_words[VERIFY_COLUMNS] = {[VERIFY_THEORY] = "theory",
+                                                         [VERIFY_EIGENVALUE] = "eigenvalue",
+                                                         [VERIFY_PREDICTED] = "predicted",
+                                                         [VERIFY_MEASURED] = "measured"};
+
+/* A label, and under each column its number; nothing behind the last. */
+static void print_columns(FILE *out, const char *label, const char *const numbers[VERIFY_COLUMNS])
 {
-    fprintf(out, "  %-26s %10s %10s  %-18s  %s\n", "", "theory", "measured", "our reference", "");
+    int last = VERIFY_COLUMNS - 1;
+    while (last > 0 && !*numbers[last])
+        last--;
+    fprintf(out, "  %-30s", label);
+    for (int i = 0; i <= last; i++)
+        fprintf(out, " %10s", numbers[i]);
+    fputc('\n', out);
 }
 
-static void print_row(FILE *out, const VerifyRow *row, double measured, double theory, bool reproduced)
+static void print_row(FILE *out, const VerifyRow *row, const VerifyNumbers *numbers)
 {
-    char numbers[2][32], reference[64];
-    print_number(numbers[0], theory, row->decimals);
-    print_number(numbers[1], measured, row->decimals);
-    print_reference(reference, row);
-    fprintf(out, "  %-26s %10s %10s  %-18s  %s\n", row->what, numbers[0],
-            isnan(measured) ? "none" : numbers[1], reference, reproduced ? "yes" : "MISSED");
+    char texts[VERIFY_COLUMNS][32];
+    const char *words[VERIFY_COLUMNS];
+    for (int i = 0; i < VERIFY_COLUMNS; i++) {
+        print_number(texts[i], numbers->values[i], row->decimals);
+        words[i] = texts[i];
+    }
+    if (isnan(numbers->values[numbers->own]))
+        words[numbers->own] = "none";
+    print_columns(out, row->what, words);
 }
 
-static void print_agreement(FILE *out, const Claim *claim, double measured, Agreement agreement)
+static void print_verdicts(FILE *out, const VerifyRow *row, const VerifyNumbers *numbers, Verdict reproduces,
+                           Verdict bounded, Verdict near)
+{
+    static const char *const good[] = {"MISSED", "reproduces", "holds"};
+    static const char *const beside[VERIFY_COLUMNS] = {[VERIFY_THEORY] = "theory",
+                                                       [VERIFY_EIGENVALUE] = "the eigenvalue",
+                                                       [VERIFY_PREDICTED] = "the prediction"};
+
+    char band[64];
+    if (reproduces != VERDICT_NONE) {
+        print_band(band, row->reference, row->decimals);
+        fprintf(out, "    our reference: %s: %s\n", band, good[reproduces == VERDICT_GOOD ? 1 : 0]);
+    }
+    if (bounded != VERDICT_NONE) {
+        print_band(band, row->bound, row->decimals);
+        fprintf(out, "    bound: %s: %s\n", band, good[bounded == VERDICT_GOOD ? 2 : 0]);
+    }
+    if (near != VERDICT_NONE)
+        fprintf(out, "    off %s by %.1e (at most %.1e): %s\n", beside[numbers->beside],
+                fabs(numbers->values[numbers->own] - numbers->values[numbers->beside]), row->tolerance,
+                good[near == VERDICT_GOOD ? 2 : 0]);
+}
+
+static void print_agreement(FILE *out, const Claim *claim, double number, Agreement agreement)
 {
     static const char *const words[AGREEMENTS] = {
         [PAPER_AGREES] = "agrees", [PAPER_NEAR] = "near", [PAPER_DIFFERS] = "differs"};
     if (agreement == PAPER_SILENT)
         return;
-    fprintf(out, "    the paper: \"%s\": %s", claim->words, words[agreement]);
-    if (!isnan(claim->number) && !isnan(measured))
-        fprintf(out, fabs(measured / claim->number - 1) < 0.1 ? ", %+.1f %%" : ", %+.0f %%",
-                100 * (measured / claim->number - 1));
+    fprintf(out, "    the paper: \"%s\"", claim->words);
+    if (isnan(claim->number))
+        fprintf(out, " (taken as %g..%g)", claim->range.low, claim->range.high);
+    fprintf(out, ": %s", words[agreement]);
+    if (!isnan(claim->number) && !isnan(number))
+        fprintf(out, fabs(number / claim->number - 1) < 0.1 ? ", %+.1f %%" : ", %+.0f %%",
+                100 * (number / claim->number - 1));
     if (claim->remark)
         fprintf(out, "\n      (%s)", claim->remark);
     fputc('\n', out);
@@ -77,7 +116,7 @@ static bool same_run(const VerifyRun *run, const char *scenario)
 static bool show_progress(double share, void *context)
 {
     const Verify *verify = context;
-    const double done = (double)(verify->reproduced + verify->missed) + share;
+    const double done = (double)verify->rows + share;
     return progress_show(done / (double)verify->to_do, verify->progress);
 }
 
@@ -89,32 +128,37 @@ static void run_row(Verify *verify, const VerifyRow *row, const char *scenario)
         const Patience patience = {verify->progress ? show_progress : NULL, verify};
         verify_run_open(run, scenario, verify->threads, patience);
     }
-    double measured = NAN, theory = NAN;
-    if (run->failure.code == STATUS_DONE) {
-        measured = row->quantity(run, row);
-        theory = row->theory ? row->theory(run, row) : NAN;
-    }
+    const VerifyNumbers numbers = verify_numbers(run->failure.code == STATUS_DONE ? run : NULL, row);
     if (progress_signal())
         return;
     if (verify->progress)
         progress_end(verify->progress);
-    bool reproduced = verify_reproduces(row, measured, theory);
-    Agreement agreement = verify_agreement(&row->paper, measured);
-    print_row(verify->out, row, measured, theory, reproduced);
-    print_agreement(verify->out, &row->paper, measured, agreement);
+    const double number = numbers.values[numbers.own];
+    const Verdict reproduces = verify_reproduces(row, &numbers), bounded = verify_is_bounded(row, &numbers),
+                  near = verify_is_near(row, &numbers);
+    const Agreement paper = verify_agreement(&row->paper, number),
+                    also = verify_agreement(&row->also, number);
+    print_row(verify->out, row, &numbers);
+    print_verdicts(verify->out, row, &numbers, reproduces, bounded, near);
+    print_agreement(verify->out, &row->paper, number, paper);
+    print_agreement(verify->out, &row->also, number, also);
     if (run->failure.code != STATUS_DONE)
         fprintf(verify->out, "    %s\n", run->failure.text);
     fflush(verify->out);
-    verify->reproduced += reproduced;
-    verify->missed += !reproduced;
-    verify->papers[agreement]++;
+    verify->rows++;
+    verify->references[reproduces]++;
+    verify->bounds[bounded]++;
+    verify->bounds[near]++;
+    verify->papers[paper]++;
+    if (also != PAPER_SILENT)
+        verify->papers[also]++;
 }
 
 void verify_check_run(Verify *verify, const VerifyCheck *check, bool full)
 {
     const char *scenario = NULL;
     fprintf(verify->out, "%s  %s\n", check->name, check->title);
-    print_head(verify->out);
+    print_columns(verify->out, "", column_words);
     fflush(verify->out);
     for (int i = 0; i < check->n_rows && !ferror(verify->out) && !progress_signal(); i++) {
         scenario = check->rows[i].scenario ? check->rows[i].scenario : scenario;
@@ -129,22 +173,25 @@ void verify_check_run(Verify *verify, const VerifyCheck *check, bool full)
 int verify_end(Verify *verify, Status *status)
 {
     verify_run_close(&verify->run);
-    long all = verify->reproduced + verify->missed;
+    const long *references = verify->references, *bounds = verify->bounds, *papers = verify->papers;
+    const long missed = references[VERDICT_MISSED] + bounds[VERDICT_MISSED];
     if (progress_signal()) {
         if (verify->progress)
             progress_end(verify->progress);
-        status_fail(status, STATUS_FAILED, "verify: interrupted after %ld rows", all);
+        status_fail(status, STATUS_FAILED, "verify: interrupted after %ld rows", verify->rows);
         return 128 + progress_signal();
     }
     if (ferror(verify->out))
         return STATUS_DONE; /* not all was run; closing the stream reports the error */
-    fprintf(verify->out,
-            "ours: %ld of %ld reproduced; paper: %ld agree, %ld near, %ld differ%s, %ld not given\n",
-            verify->reproduced, all, verify->papers[PAPER_AGREES], verify->papers[PAPER_NEAR],
-            verify->papers[PAPER_DIFFERS], verify->papers[PAPER_DIFFERS] == 1 ? "s" : "",
-            verify->papers[PAPER_SILENT]);
-    if (verify->missed == 0)
+    fprintf(verify->out, "ours: %ld of %ld reproduced; %ld of %ld bounds hold\n", references[VERDICT_GOOD],
+            references[VERDICT_GOOD] + references[VERDICT_MISSED], bounds[VERDICT_GOOD],
+            bounds[VERDICT_GOOD] + bounds[VERDICT_MISSED]);
+    fprintf(verify->out, "paper: %ld agree, %ld near, %ld differ%s, %ld not given\n", papers[PAPER_AGREES],
+            papers[PAPER_NEAR], papers[PAPER_DIFFERS], papers[PAPER_DIFFERS] == 1 ? "s" : "",
+            papers[PAPER_SILENT]);
+    if (missed == 0)
         return STATUS_DONE;
-    status_fail(status, STATUS_FAILED, "verify: %ld of %ld missed", verify->missed, all);
+    status_fail(status, STATUS_FAILED, "verify: %ld of %ld missed", missed,
+                missed + references[VERDICT_GOOD] + bounds[VERDICT_GOOD]);
     return STATUS_FAILED;
 }

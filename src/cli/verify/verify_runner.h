@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The one runner of checks, and its two counts: what reproduces our reference or theory, and what agrees with
- * the paper. */
+/* The one runner of checks, and its counts: what reproduces our reference, what is bounded as it should be,
+ * and what agrees with the paper. */
 #ifndef CLI_VERIFY_RUNNER_H
 #define CLI_VERIFY_RUNNER_H
 
@@ -16,7 +16,8 @@ typedef struct Verify {
     Progress *progress; /* NULL: not shown, and nothing stops it */
     long to_do;         /* rows, for the progress */
     VerifyRun run;      /* the last one, which following rows may use again */
-    long reproduced, missed;
+    long rows;
+    long references[VERDICT_GOOD + 1], bounds[VERDICT_GOOD + 1];
     long papers[AGREEMENTS];
 } Verify;
 
@@ -24,7 +25,7 @@ typedef struct Verify {
  * its rows. After a signal nothing more is run or printed. */
 void verify_check_run(Verify *, const VerifyCheck *, bool full);
 
-/* The last line, with both counts, and the exit status: 1, with a status that says so, if anything was
+/* The last lines, with all counts, and the exit status: 1, with a status that says so, if anything was
  * missed; what differs from the paper is only printed. 0 where nothing can be written any more: closing
  * the stream reports that. 128 + n after signal n. */
 int verify_end(Verify *, Status *);
