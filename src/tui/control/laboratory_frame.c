@@ -219,5 +219,7 @@ bool laboratory_frame(Laboratory *lab, double deadline)
     const bool news = do_frame(lab, deadline);
     lesson_play_continue(lab);
     lab->given_up = false;
+    for (Key key; lesson_entry_next_key(lab, &key);)
+        laboratory_key(lab, &key);
     return news;
 }

@@ -262,6 +262,8 @@ void laboratory_key(Laboratory *lab, const Key *key)
 {
     if (!visible_is_clean(key->name))
         return; /* no text, and no session could keep it */
+    if (lesson_entry_keeps(lab, key))
+        return;
     lesson_entry_note(lab, key);
     take_key(lab, key);
     lesson_play_continue(lab);

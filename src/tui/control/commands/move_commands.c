@@ -229,9 +229,6 @@ bool command_close_top(Laboratory *lab)
 
 void command_cancel(Laboratory *lab)
 {
-    if (lab->screen.playback.state == STATE_COMPUTING) {
-        duel_cancel(&lab->player.duel);
-        player_pause(lab);
-    } else if (!refining_stop(lab))
+    if (!lesson_entry_cancel(lab) && !refining_stop(lab))
         command_close_top(lab);
 }

@@ -57,11 +57,9 @@ void command_quit(Laboratory *lab)
 
 void command_interrupt(Laboratory *lab)
 {
-    if (lab->screen.playback.state == STATE_COMPUTING) {
-        duel_cancel(&lab->player.duel);
-        player_pause(lab);
+    if (lesson_entry_cancel(lab))
         laboratory_say(lab, MESSAGE_INFO, "cancelled");
-    } else if (lab->screen.prompt.open && lab->prompting.answer == answer_quit)
+    else if (lab->screen.prompt.open && lab->prompting.answer == answer_quit)
         lab->closed = true; /* pressed twice it needs no answer */
     else if (!refining_stop(lab) && !command_close_top(lab))
         command_quit(lab);

@@ -231,6 +231,67 @@ void lesson_play_continue(Laboratory *lab)
     play->busy = false;
 }
 
+/* --- keys on its way --------------------------------------------------------------------------------- */
+
+static bool is_arriving(const Laboratory *lab)
+{
+    return lab->play.arriving && lesson_entry_page(lab);
+}
+
+/* Turning to another page, closing the lesson or the program does not wait, unless something before it does.
+ */
+static bool leaves(const Laboratory *lab, const Key *key)
+{
+    static const CommandId leaving[] = {COMMAND_PAGE_UP, COMMAND_PAGE_DOWN, COMMAND_LESSONS, COMMAND_QUIT};
+    const Command *command = command_by_key(key->name);
+    bool known = strcmp(key->name, "n") == 0 || strcmp(key->name, "b") == 0;
+    for (size_t i = 0; command && i < sizeof leaving / sizeof *leaving; i++)
+        known = known || command->id == leaving[i];
+    return known && lab->play.n_waiting == 0;
+}
+
+bool lesson_entry_keeps(Laboratory *lab, const Key *key)
+{
+    static const CommandId always[] = {COMMAND_INTERRUPT, COMMAND_CANCEL, COMMAND_REDRAW, COMMAND_SUSPEND};
+    LessonPlay *play = &lab->play;
+    const Command *command = command_by_key(key->name);
+    if (!is_arriving(lab) || leaves(lab, key) || (lab->screen.prompt.open && lab->screen.prompt.yes_no))
+        return false;
+    for (size_t i = 0; command && i < sizeof always / sizeof *always; i++)
+        if (command->id == always[i])
+            return false;
+    if (key->x < 0 && play->n_waiting < LESSON_KEYS_MAX)
+        play->waiting[play->n_waiting++] = *key;
+    laboratory_say(lab, MESSAGE_INFO, "the page is on its way, and keys wait for it; ^C gives it up");
+    return true;
+}
+
+bool lesson_entry_next_key(Laboratory *lab, Key *key)
+{
+    LessonPlay *play = &lab->play;
+    if (play->n_waiting == 0 || is_arriving(lab) || lab->closed)
+        return false;
+    *key = play->waiting[0];
+    memmove(play->waiting, play->waiting + 1, (size_t)--play->n_waiting * sizeof *play->waiting);
+    return true;
+}
+
+bool lesson_entry_cancel(Laboratory *lab)
+{
+    LessonPlay *play = &lab->play;
+    const bool computes = lab->screen.playback.state == STATE_COMPUTING, arrives = is_arriving(lab);
+    if (computes)
+        duel_cancel(&lab->player.duel);
+    if (arrives) {
+        play->n_queue = play->next = play->n_waiting = 0;
+        play->arriving = play->hurries = play->run.known = false;
+        play->touched = true;
+    }
+    if (computes || arrives)
+        player_pause(lab);
+    return computes || arrives;
+}
+
 /* --- the state of a page ---------------------------------------------------------------------------- */
 
 static bool opens(const char *line)
@@ -396,6 +457,7 @@ void lesson_entry_show(Laboratory *lab, int page)
     shown->scroll = 0;
     shown->met = false;
     play->arriving = true;
+    play->run.known = false;
     play->touched = false;
     play->refused[0] = '\0';
     play->used = (CommandSet){{0}};

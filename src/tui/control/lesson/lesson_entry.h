@@ -15,7 +15,7 @@
 
 typedef struct Laboratory Laboratory;
 
-enum { LESSON_QUEUE_MAX = 256, LESSON_NAME_MAX = 256 };
+enum { LESSON_QUEUE_MAX = 256, LESSON_NAME_MAX = 256, LESSON_KEYS_MAX = 64 };
 
 /* What is still to be done: a line as behind `:`, or to come where the goal of a page is. */
 typedef struct LessonAction {
@@ -29,10 +29,12 @@ typedef struct LessonPlay {
     char name[LESSON_NAME_MAX];
     LessonAction queue[LESSON_QUEUE_MAX];
     int n_queue, next;
-    bool arriving; /* the page's state is not reached as yet */
-    bool hurries;  /* the run goes on to what the goal of a page before waits for */
-    bool touched;  /* since then the reader did more than to run and to step */
-    long step;     /* where the page leaves the run, its goal apart */
+    bool arriving;                /* the page's state is not reached as yet */
+    Key waiting[LESSON_KEYS_MAX]; /* for it: keys that came meanwhile */
+    int n_waiting;
+    bool hurries; /* the run goes on to what the goal of a page before waits for */
+    bool touched; /* since then the reader did more than to run and to step */
+    long step;    /* where the page leaves the run, its goal apart */
     int stage;
     CommandSet used;   /* since the page was opened */
     bool warned;       /* that the page still waits */
@@ -66,6 +68,18 @@ bool lesson_entry_is_stepping(const Laboratory *);
 
 /* To be told of each key that the reader presses. */
 void lesson_entry_note(Laboratory *, const Key *);
+
+/* An answer or an edit means the run that the page asks about, so that while the page is on its way keys wait
+ * for it, but for those that leave it. True: this one does, or is for nothing (of the mouse: what it points
+ * at goes). */
+bool lesson_entry_keeps(Laboratory *, const Key *);
+
+/* The next key that has waited, once the page is there. */
+bool lesson_entry_next_key(Laboratory *, Key *);
+
+/* What is on its way, to a time or a page to its state, stays where it is; nothing is asked about the run of
+ * such a page until it is entered again. False: nothing is. */
+bool lesson_entry_cancel(Laboratory *);
 
 /* What is left to be done, once the run has come to where it should be. */
 void lesson_play_continue(Laboratory *);

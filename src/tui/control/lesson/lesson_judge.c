@@ -25,6 +25,7 @@ ExerciseMark *lesson_judge_mark(Laboratory *lab)
 
 void lesson_judge_enter(Laboratory *lab)
 {
+    lab->play.run.known = true;
     lab->play.run.entered = *experiment_base(lab->screen.experiment);
     lab->play.run.was_judged = false;
     lab->homework.elsewhere = (ExerciseMark){0};
@@ -71,6 +72,9 @@ bool lesson_judge_number(Laboratory *lab, double *right, Status *status)
     RunSummary summary, before;
     settings.patience = (Patience){wait_for_run, &waiting};
     *right = NAN;
+    if (!lab->play.run.known)
+        return status_fail(status, STATUS_USAGE,
+                           "this page was given up on its way: turn to another one and back");
     if (!export_run(&settings, &(Outputs){0}, lab->options.threads > 0 ? lab->options.threads : 1,
                     wait_for_run, &waiting, &summary, status) ||
         !summary_before(exercise, &settings, &before, status))
@@ -118,7 +122,7 @@ bool lesson_judge_goal(Laboratory *lab)
     ExerciseRun *run = &lab->play.run;
     const Settings *base = experiment_base(experiment);
     char why[ANSWER_MAX], verdict[ANSWER_MAX + 20];
-    if (!experiment_at_end(experiment) || experiment_failed(experiment, NULL) ||
+    if (!run->known || !experiment_at_end(experiment) || experiment_failed(experiment, NULL) ||
         lab->screen.playback.state == STATE_COMPUTING || settings_same(base, &run->entered) ||
         (run->was_judged && settings_same(base, &run->judged)))
         return false;

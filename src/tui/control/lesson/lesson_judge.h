@@ -17,6 +17,7 @@ typedef struct Homework {
 
 /* What a page leaves its reader with: the run that is asked about. */
 typedef struct ExerciseRun {
+    bool known; /* not of a page that was given up on its way */
     Settings entered;
     Settings judged; /* the last run that was held against a goal */
     bool was_judged;

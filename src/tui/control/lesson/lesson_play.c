@@ -14,7 +14,7 @@
 static void forget_lesson(Laboratory *lab)
 {
     lesson_free(&lab->play.lesson);
-    lab->play.n_queue = lab->play.next = 0;
+    lab->play.n_queue = lab->play.next = lab->play.n_waiting = 0;
     lab->play.name[0] = '\0';
     lab->screen.lesson.lesson = NULL;
 }

@@ -153,8 +153,6 @@ static bool press_all(Grader *grader, const Session *session, Grades *grades, St
         goes_on = go_on(grader);
         if (goes_on && replay_go_on(&replay, &grader->lab, grader->time + FRAME_SECONDS)) {
             seconds += event->seconds;
-            if (grader->lab.screen.playback.state == STATE_COMPUTING)
-                goes_on = frame(grader);
         } else {
             grader->time += FRAME_SECONDS;
         }
