@@ -81,17 +81,20 @@ static bool take_keys(char *list, FitTask *task, Status *status)
 
 static void print_result(const FitTask *task, const FitResult *result)
 {
-    printf("%s, %zu data, %ld runs in %d iterations\n", task->column, task->count, result->runs,
+    char told[1024];
+    printf("%s, %zu data, %ld runs: %d beginnings, %d search%s, %d iterations\n", task->column, task->count,
+           result->runs, result->beginnings, result->searches, result->searches == 1 ? "" : "es",
            result->iterations);
     printf("%-24s %14s %14s %14s\n", "", "fitted", "+- (95 %)", "began at");
     for (int i = 0; i < task->n_keys; i++)
-        printf("%-24s %14.8g %14.3g %14.8g\n", task->keys[i], result->values[i], result->half_widths[i],
+        printf("%-24s %14.8g %14.3g %14.8g\n", task->keys[i], result->values[i], result->noise.half_widths[i],
                fit_value(task->settings, task->keys[i]));
     for (int i = 0; i < task->n_keys; i++)
         for (int j = 0; j < i; j++)
             printf("correlation of %s and %s: %.3f\n", task->keys[j], task->keys[i],
-                   result->correlation[i][j]);
-    printf("residuals, root mean square: %.4g (began at %.4g)\n", result->rms, result->rms_before);
+                   result->noise.correlations[i][j]);
+    fit_tell(result, told, sizeof told);
+    printf("%s%s\n", told, fit_not_covered);
 }
 
 static bool write_table(const Options *options, const FitTask *task, const FitResult *result, Status *status)

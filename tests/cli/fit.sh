@@ -12,14 +12,31 @@ export LSAN_OPTIONS
 
 "$MATVIB" run mode5 --end 5 --set bar.youngs_modulus=93 --every 10 --series d.csv --quiet
 expect "a series of a softer bar" 0 mode5 --data d.csv --vary bar.youngs_modulus --output f.csv --figure f.svg
-result "says which column" says out '^v_cm, 5[0-9] data, [0-9]* runs in [0-9]* iterations$'
+result "says which column" says out '^v_cm, 5[0-9] data, [0-9]* runs: [0-9]* beginnings, 1 search, [0-9]* iterations$'
 result "finds what it was made with" says out '^bar.youngs_modulus  *93  '
 result "says where it began" says out ' 100$'
+result "what is left" says out '^that is round-off: the run goes through all data, and there is no noise'
+result "what no interval covers" says out '^Intervals cover noise in the data. They do not cover the error of mesh and time step'
 result "and what it wrote" says out '^wrote f.svg$'
 result "a table" test "$(head -n 1 f.csv)" = time,v_cm,fitted,residual
 result "with a line for each datum" lines f.csv "$(wc -l <d.csv)"
 result "a picture" grep -q '<svg' f.svg
 result "with the data's name" grep -q 'd.csv' f.svg
+"$MATVIB" show mode1 >load.ini && printf '[changes]\n300 = load.body_force=0.01\n' >>load.ini
+"$MATVIB" run load.ini --end 6 --every 20 --series l.csv --quiet
+expect "a load that comes in mid-run" 0 load.ini --set bar.youngs_modulus=105 --data l.csv --vary bar.youngs_modulus
+result "comes in each run" says out '^bar.youngs_modulus  *100  '
+"$MATVIB" run hanging-beam --set pd.spacing=2.5e-3 --set pd.horizon=8e-3 --set time.step=auto --every 500 --series h.csv --quiet
+awk -F, 'NR > 1 { u = $3 } { print $2 "," $3 } END { print "0.004," u }' h.csv >still.csv
+expect "data beyond rest" 0 hanging-beam --set pd.spacing=2.5e-3 --set pd.horizon=8e-3 --set time.step=auto --set load.body_force=-9 --data still.csv --vary load.body_force
+result "are of a body that hangs still" says out '^load.body_force  *-9.81  '
+"$MATVIB" run mode5 --set bar.youngs_modulus=90 --end 20 --every 20 --series s.csv --quiet
+expect "data that swing once less" 0 mode5 --data s.csv --vary bar.youngs_modulus
+result "are not taken for those beside them" says out '^bar.youngs_modulus  *90  '
+awk -F, 'NR == 1 { print "time,v_cm" } NR > 1 { print $2 "," 0.007 * sin(3 * $2 * $2) }' s.csv >wild.csv
+expect "data of something else" 0 mode5 --data wild.csv --vary bar.youngs_modulus
+result "are no noise" says out '^they are no noise: .* the intervals do not hold$'
+result "and no fit" says out '^nearly as large as the data: that is a minimum, and no fit$'
 printf '[scenario]\nproblem = plate\n[plate]\nlength = 40mm\nheight = 20mm\n[pd]\nspacing = 1mm\nhorizon = 4mm\n[loads]\nl = top 0 100%% 0 1e4\n[supports]\ns = 0 0 1mm 100%% ux 0 uy 0\n[time]\nend = 2e-5\n' >plate.ini
 "$MATVIB" run plate.ini --series p.csv --quiet
 expect "the load of a plate" 0 plate.ini --set loads.l.sy=2e4 --data p.csv --vary loads.l.sy

@@ -3,130 +3,36 @@
  *
  *     chi^2(p) = sum_k f_k^2,  f_k(p) = s(t_k; p) - y_k              residuals, one run for each p
  *     d f_k/d p_i by central differences, two runs each
- *     cov(p) = chi^2/(n - m) (J^T J)^-1                              n data, m parameters
+ *     cov(p) from J and the noise that f looks like                  theory/noise.h
  *
  * The parameters are sought as multiples of their values at the start, so that a modulus of 1e11 and a
- * fraction of 1 weigh alike. A run must be smooth in them: a change of dt in mid-series, or a particle that
- * crosses a cell in one run and not in the other, leaves a step in chi^2 that the search may stop at. Runs go
- * one after the other; it is asked between blocks of steps whether to go on. */
-#include "lab/answers/fit.h"
+ * fraction of 1 weigh alike. A run must be smooth in them: a particle that crosses a cell in one run and not
+ * in the other leaves a step in chi^2 that the search may stop at. Runs go one after the other; it is asked
+ * between blocks of steps whether to go on. */
+#include "lab/answers/fit_internal.h"
 
 #include "base/text.h"
 #include "lab/settings/parameters.h"
 #include "theory/quiet.h"
 
-#include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit_nlinear.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { BLOCK = 256, ITERATIONS_MAX = 60 };
+enum { ITERATIONS_MAX = 60, SEARCHES_MAX = 3 };
 
 #define DIFFERENCE 1e-4 /* of a parameter, relative, for its derivative */
 #define TOLERANCE  1e-8 /* relative change of the parameters at which the search has settled */
+#define ROUND_OFF  1e-6 /* residuals of so little of the data are none */
+#define NOT_WHITE  0.05 /* the chance below which residuals are not called so */
+#define NO_NOISE   1e-3
+#define NO_FIT     0.5 /* the share of the data that is left */
 
-typedef struct Search {
-    const FitTask *task;
-    FitResult *result;
-    double starts[FIT_KEYS_MAX];
-    double *rows;  /* BLOCK of the series */
-    double *model; /* of the run that is made */
-    bool began;    /* a run has been made: what fails from here on is a step too far */
-    bool interrupted;
-    Status why; /* the last run could not be made */
-} Search;
-
-/* --- a run --------------------------------------------------------------------------------------- */
-
-/* Fills in the model between one row and the next: times of data up to `time`. Returns the data behind. */
-static size_t take(const Search *search, size_t done, double before, double before_value, double time,
-                   double value)
-{
-    const FitTask *task = search->task;
-    for (; done < task->count && task->times[done] <= time; done++) {
-        const double share = time > before ? (task->times[done] - before) / (time - before) : 1;
-        search->model[done] = before_value + share * (value - before_value);
-    }
-    return done;
-}
-
-/* Runs the simulation over all times of the data, block by block; s(t_k) linearly between two steps. False:
- * it failed on the way, or was given up. */
-static bool follow(Search *search, Simulation *simulation, int column)
-{
-    const FitTask *task = search->task;
-    const double margin = 1e-9 * simulation->dt; /* the last time may be rounded up */
-    simulation_row(simulation, search->rows);
-    double before = 0, value = search->rows[column];
-    size_t done = take(search, 0, 0, value, 0, value);
-    while (done < task->count) {
-        long count = simulation_steps_a_question(simulation), got = 0;
-        count = count < BLOCK ? count : BLOCK;
-        if (!simulation_steps(simulation, count, search->rows, &got, &search->why))
-            return false;
-        for (long k = 0; k < got; k++) {
-            const double time = (double)(simulation->step - got + k + 1) * simulation->dt;
-            const double next = search->rows[k * simulation->n_series + column];
-            done = take(search, done, before, value, time + margin, next);
-            before = time;
-            value = next;
-        }
-        if (!patience_lasts(&task->patience, 0)) {
-            search->interrupted = true;
-            return status_fail(&search->why, STATUS_FAILED, "interrupted");
-        }
-    }
-    return true;
-}
-
-/* s(t_k; p) into search->model, `count` numbers. False: the settings are unsound, the run failed or was given
- * up. */
-static bool run(Search *search, const Settings *settings)
-{
-    search->why = (Status){0};
-    search->result->runs++;
-    if (!settings_check(settings, &search->why))
-        return false;
-    Simulation *simulation = problem_simulate(settings, search->task->threads, &search->why);
-    if (!simulation)
-        return false;
-    const int column = simulation_find_series(simulation, search->task->column);
-    double *rows = column >= 0 ? malloc(BLOCK * (size_t)simulation->n_series * sizeof *rows) : NULL;
-    search->rows = rows;
-    bool sound = rows != NULL;
-    if (column < 0)
-        status_fail(&search->why, STATUS_USAGE, "%s: the method's series has no such column",
-                    search->task->column);
-    else if (!rows)
-        status_fail(&search->why, STATUS_FAILED, "out of memory");
-    sound = sound && follow(search, simulation, column);
-    free(rows);
-    simulation_destroy(simulation);
-    return sound;
-}
-
-double fit_value(const Settings *settings, const char *key)
-{
-    const Parameter *parameter = parameter_find(key);
-    return parameter ? settings_number(settings, parameter) : settings_row_number(settings, key);
-}
-
-bool fit_put(Settings *settings, const char *key, double value)
-{
-    const Parameter *parameter = parameter_find(key);
-    char text[NUMBER_TEXT_MAX];
-    if (!parameter) {
-        snprintf(text, sizeof text, "%.17g", value);
-        return settings_row_key_set(settings, key, text, NULL);
-    }
-    if (!settings_in_range(parameter, settings->problem, value))
-        return false;
-    settings_put(settings, parameter, value);
-    return true;
-}
+const char fit_not_covered[] =
+    "Intervals cover noise in the data. They do not cover the error of mesh and time step, for which the\n"
+    "values make up (fit again on a finer mesh), what the model lacks, or a minimum that was not found.";
 
 /* Parameters are sought as multiples of what they are to begin with. */
 static bool place(const Search *search, const gsl_vector *scaled, Settings *settings)
@@ -146,7 +52,7 @@ static int residuals(const gsl_vector *scaled, void *context, gsl_vector *out)
     Search *search = context;
     const FitTask *task = search->task;
     Settings settings;
-    const bool sound = place(search, scaled, &settings) && run(search, &settings);
+    const bool sound = place(search, scaled, &settings) && fit_run_at_data(search, &settings);
     if (search->interrupted || (!sound && !search->began))
         return GSL_EFAILED;
     search->began = true;
@@ -187,60 +93,92 @@ static bool find_parameters(Search *search, Status *status)
     return true;
 }
 
-/* sqrt(chi^2/n), in the unit of the data. */
-static double rms(const gsl_vector *f)
+/* What the search has for its work. */
+typedef struct Space {
+    gsl_multifit_nlinear_workspace *work;
+    gsl_vector *start;
+    double *slopes, *left; /* J and f row by row */
+} Space;
+
+/* rms of the data about their mean, or of a datum that never changes. */
+static double spread_of(const FitTask *task)
 {
-    double sum = 0;
-    for (size_t k = 0; k < f->size; k++)
-        sum += gsl_vector_get(f, k) * gsl_vector_get(f, k);
-    return sqrt(sum / (double)f->size);
+    double mean = 0, squares = 0;
+    for (size_t k = 0; k < task->count; k++)
+        mean += task->values[k] / (double)task->count;
+    for (size_t k = 0; k < task->count; k++)
+        squares += pow(task->values[k] - mean, 2) / (double)task->count;
+    return squares > 0 ? sqrt(squares) : fabs(mean);
 }
 
-/* cov(p) = s^2 (J^T J)^-1 with s^2 = chi^2/(n - m), s^2 standing for the unknown error of the data; the
- * interval is p +- t(.975, n - m) sqrt(cov_ii), Student's t. It is right as far as residuals are independent
- * and the model linear over the interval: where the model itself is wrong (a mesh too coarse) it is too
- * narrow. */
-static void judge(const Search *search, gsl_multifit_nlinear_workspace *work, gsl_matrix *covariance)
+/* J has no column of zeros. */
+static bool all_matter(const FitTask *task, const gsl_matrix *jacobian, Status *status)
 {
-    FitResult *result = search->result;
-    const int m = search->task->n_keys;
-    const double freedom = (double)search->task->count - m;
-    const gsl_vector *f = gsl_multifit_nlinear_residual(work);
-    result->rms = rms(f);
-    const double variance = result->rms * result->rms * (double)f->size / freedom;
-    gsl_multifit_nlinear_covar(gsl_multifit_nlinear_jac(work), 0, covariance);
-    const double t = gsl_cdf_tdist_Pinv(0.975, freedom);
-    for (int i = 0; i < m; i++) {
-        const double own = gsl_matrix_get(covariance, (size_t)i, (size_t)i);
-        result->values[i] =
-            search->starts[i] * gsl_vector_get(gsl_multifit_nlinear_position(work), (size_t)i);
-        result->half_widths[i] = fabs(search->starts[i]) * t * sqrt(variance * own);
-        for (int j = 0; j < m; j++) {
-            const double other = gsl_matrix_get(covariance, (size_t)j, (size_t)j);
-            result->correlation[i][j] = gsl_matrix_get(covariance, (size_t)i, (size_t)j) / sqrt(own * other);
-        }
+    for (int i = 0; i < task->n_keys; i++) {
+        size_t k = 0;
+        while (k < task->count && gsl_matrix_get(jacobian, k, (size_t)i) == 0)
+            k++;
+        if (k == task->count)
+            return status_fail(status, STATUS_USAGE, "%s: changes nothing of %s in these data", task->keys[i],
+                               task->column);
     }
+    return true;
 }
 
-/* Levenberg and Marquardt by trust regions until p changes by less than TOLERANCE, then one more run at the
- * best p. */
-static bool search_best(Search *search, gsl_multifit_nlinear_workspace *work, gsl_vector *start,
-                        gsl_matrix *covariance, Status *status)
+/* Takes over where a search has ended, if it is the best so far. */
+static bool judge(const Search *search, Space *space, Status *status)
 {
     const FitTask *task = search->task;
     FitResult *result = search->result;
-    gsl_multifit_nlinear_fdf functions = {
-        .f = residuals, .n = task->count, .p = (size_t)task->n_keys, .params = search};
-    int info = 0;
-    gsl_vector_set_all(start, 1);
-    if (gsl_multifit_nlinear_init(start, &functions, work) != GSL_SUCCESS) {
-        if (status)
-            *status = search->why;
-        return false;
+    const int m = task->n_keys;
+    const gsl_matrix *jacobian = gsl_multifit_nlinear_jac(space->work);
+    const gsl_vector *f = gsl_multifit_nlinear_residual(space->work);
+    const gsl_vector *position = gsl_multifit_nlinear_position(space->work);
+    double values[FIT_KEYS_MAX], squares = 0;
+    for (int i = 0; i < m; i++)
+        values[i] = search->starts[i] * gsl_vector_get(position, (size_t)i);
+    for (size_t k = 0; k < task->count; k++) {
+        space->left[k] = gsl_vector_get(f, k);
+        squares += space->left[k] * space->left[k];
+        for (int i = 0; i < m; i++)
+            space->slopes[k * (size_t)m + (size_t)i] =
+                gsl_matrix_get(jacobian, k, (size_t)i) / search->starts[i];
     }
-    result->rms_before = rms(gsl_multifit_nlinear_residual(work));
-    const int outcome = gsl_multifit_nlinear_driver(ITERATIONS_MAX, TOLERANCE, 0, 0, NULL, NULL, &info, work);
-    result->iterations = (int)gsl_multifit_nlinear_niter(work);
+    if (!all_matter(task, jacobian, status))
+        return false;
+    const double rms = sqrt(squares / (double)task->count);
+    if (result->searches++ > 0 && rms >= result->rms)
+        return true;
+    memcpy(result->values, values, sizeof values);
+    result->rms = rms;
+    result->share = rms > 0 ? rms / spread_of(task) : 0;
+    if (!noise_judge(task->times, space->left, space->slopes, task->count, m, &result->noise))
+        return status_fail(status, STATUS_FAILED, "not enough memory for a fit");
+    const Noise *noise = &result->noise;
+    result->left = result->share < ROUND_OFF                              ? FIT_NOTHING
+                   : noise->white >= NOT_WHITE || noise->correlation == 0 ? FIT_WHITE
+                                                                          : FIT_LASTING;
+    if (result->left != FIT_NOTHING && fmax(noise->chance, noise->white) < NO_NOISE)
+        result->left = FIT_NO_NOISE;
+    return true;
+}
+
+/* Levenberg and Marquardt by trust regions until p changes by less than TOLERANCE. */
+static bool search_from(Search *search, const Beginning *from, Space *space, Status *status)
+{
+    gsl_multifit_nlinear_fdf functions = {
+        .f = residuals, .n = search->task->count, .p = (size_t)search->task->n_keys, .params = search};
+    int info = 0;
+    gsl_vector_set_all(space->start, 1);
+    gsl_vector_set(space->start, (size_t)from->key, from->factor);
+    int outcome = gsl_multifit_nlinear_init(space->start, &functions, space->work);
+    if (outcome == GSL_SUCCESS && !all_matter(search->task, gsl_multifit_nlinear_jac(space->work), status))
+        return false;
+    if (outcome == GSL_SUCCESS)
+        outcome =
+            gsl_multifit_nlinear_driver(ITERATIONS_MAX, TOLERANCE, 0, 0, NULL, NULL, &info, space->work);
+    const int iterations = (int)gsl_multifit_nlinear_niter(space->work);
+    search->result->iterations += iterations;
     if (search->interrupted) {
         if (status)
             *status = search->why;
@@ -249,46 +187,77 @@ static bool search_best(Search *search, gsl_multifit_nlinear_workspace *work, gs
     /* no step downhill is left to the last digit: that is a minimum too */
     if (outcome != GSL_SUCCESS && outcome != GSL_ENOPROG)
         return status_fail(status, STATUS_FAILED, "the fit does not settle after %d iterations (%s)",
-                           result->iterations, gsl_strerror(outcome));
-    judge(search, work, covariance);
-    const Settings *begun = task->settings;
-    result->settings = *begun;
+                           iterations, gsl_strerror(outcome));
+    return judge(search, space, status);
+}
+
+/* From one beginning after the other, until what is left looks like noise; one more run at the best p. */
+static bool search_best(Search *search, Space *space, Status *status)
+{
+    const FitTask *task = search->task;
+    FitResult *result = search->result;
+    Beginning list[BEGINNINGS_MAX];
+    Status why = {0};
+    result->beginnings = fit_beginnings(search, list);
+    if (result->beginnings == 0) {
+        if (status)
+            *status = search->why;
+        return false;
+    }
+    for (int i = 0; i < SEARCHES_MAX && i < result->beginnings && isfinite(list[i].chi2); i++) {
+        search_from(search, &list[i], space, result->searches > 0 ? NULL : &why);
+        if (search->interrupted || (result->searches > 0 && result->left != FIT_NO_NOISE))
+            break;
+    }
+    if (search->interrupted || result->searches == 0) {
+        if (status)
+            *status = search->interrupted ? search->why : why;
+        return false;
+    }
+    result->settings = *task->settings;
     for (int i = 0; i < task->n_keys; i++)
         fit_put(&result->settings, task->keys[i], result->values[i]);
-    if (run(search, &result->settings))
+    if (fit_run_at_data(search, &result->settings))
         return true;
     if (status)
         *status = search->why;
     return false;
 }
 
-/* Takes some 2 m + 1 runs in each iteration. */
+/* Takes some 10 runs for each parameter to find where to begin, then 2 m + 1 in each iteration. */
 bool fit_solve(const FitTask *task, FitResult *result, Status *status)
 {
     *result = (FitResult){0};
-    Search search = {.task = task, .result = result};
-    if (!find_parameters(&search, status))
+    Search *search = calloc(1, sizeof *search);
+    if (!search)
+        return status_fail(status, STATUS_FAILED, "not enough memory for a fit");
+    search->task = task;
+    search->result = result;
+    if (!find_parameters(search, status)) {
+        free(search);
         return false;
-    result->model = search.model = calloc(task->count, sizeof *search.model);
+    }
+    const size_t m = (size_t)task->n_keys;
     gsl_multifit_nlinear_parameters options = gsl_multifit_nlinear_default_parameters();
     options.fdtype = GSL_MULTIFIT_NLINEAR_CTRDIFF;
     options.h_df = DIFFERENCE;
     quiet_begin();
-    const size_t m = (size_t)task->n_keys;
-    gsl_multifit_nlinear_workspace *work =
-        gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &options, task->count, m);
-    gsl_vector *start = gsl_vector_alloc(m);
-    gsl_matrix *covariance = gsl_matrix_alloc(m, m);
-    bool sound = search.model && work && start && covariance;
+    Space space = {.work = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &options, task->count, m),
+                   .start = gsl_vector_alloc(m),
+                   .slopes = malloc(task->count * m * sizeof(double)),
+                   .left = malloc(task->count * sizeof(double))};
+    result->model = search->model = calloc(task->count, sizeof *search->model);
+    bool sound = search->model && space.work && space.start && space.slopes && space.left;
     if (!sound)
         status_fail(status, STATUS_FAILED, "not enough memory for a fit");
-    sound = sound && search_best(&search, work, start, covariance, status);
-    if (work)
-        gsl_multifit_nlinear_free(work);
-    if (start)
-        gsl_vector_free(start);
-    if (covariance)
-        gsl_matrix_free(covariance);
+    sound = sound && search_best(search, &space, status);
+    if (space.work)
+        gsl_multifit_nlinear_free(space.work);
+    if (space.start)
+        gsl_vector_free(space.start);
+    free(space.slopes);
+    free(space.left);
+    free(search);
     quiet_end();
     return sound;
 }
@@ -297,4 +266,42 @@ void fit_free(FitResult *result)
 {
     free(result->model);
     result->model = NULL;
+}
+
+/* --- in words ------------------------------------------------------------------------------------ */
+
+/* In a few words, and in a sentence. */
+static const struct {
+    const char *brief, *sentence;
+} left_words[] = {
+    [FIT_NOTHING] = {"the run goes through all data",
+                     "that is round-off: the run goes through all data, and there is no noise to judge by"},
+    [FIT_WHITE] = {"they look like noise", "they look like noise of which each datum has its own"},
+    [FIT_LASTING] = {"they look like noise that lasts, the intervals allow for it",
+                     "they look like noise that lasts from datum to datum; the intervals allow for it"},
+    [FIT_NO_NOISE] = {"they are no noise: the intervals do not hold",
+                      "they are no noise: the data have something that the run has not, and the intervals do "
+                      "not hold"},
+};
+
+static bool is_fit(const FitResult *result)
+{
+    return result->share < NO_FIT;
+}
+
+const char *fit_verdict(const FitResult *result)
+{
+    return is_fit(result) ? left_words[result->left].brief : "nearly as large as the data: that is no fit";
+}
+
+void fit_tell(const FitResult *result, char *out, size_t size)
+{
+    *out = '\0';
+    text_append(out, size, "residuals, root mean square: %.4g (began at %.4g), %.3g %% of the data\n",
+                result->rms, result->rms_before, 100 * result->share);
+    text_append(out, size, "%s\n", left_words[result->left].sentence);
+    if (result->left == FIT_LASTING)
+        text_append(out, size, "correlation of neighbours: %.3f\n", result->noise.correlation);
+    if (!is_fit(result))
+        text_append(out, size, "nearly as large as the data: that is a minimum, and no fit\n");
 }
