@@ -16,18 +16,16 @@
 
 /* --- the endless lattice -------------------------------------------------------------------------- */
 
-/* Neighbours at one side: m h <= delta, decided with a tolerance of 1e-9 as the solver does, for delta/h is
- * whole as a rule. */
+/* Neighbours at one side. A cone binds nothing beyond the horizon. */
 static int reach_of(const PdBarTheory *lattice)
 {
-    return (int)floor(lattice->horizon / lattice->spacing * (1 + 1e-9));
+    return (int)pd_volumes_reach(lattice->conical ? PD_PARTIAL_VOLUMES : lattice->volumes,
+                                 lattice->horizon / lattice->spacing);
 }
 
-/* w_m: the cell at distance m h reaches from (m - 1/2) h to (m + 1/2) h, the horizon to delta. */
 static double weight(const PdBarTheory *lattice, int m)
 {
-    double within = lattice->horizon / lattice->spacing + 0.5 - m;
-    return lattice->partial_volumes && within < 1 ? within : 1;
+    return pd_volumes_factor(lattice->volumes, lattice->horizon / lattice->spacing, m);
 }
 
 /* w_m times what the micromodulus is there, over 2E/delta^2. */

@@ -2,7 +2,7 @@
 /* The lattice's answer for the bar by bond-based peridynamics: predicted frequencies.
  *
  * A wave u_j = U exp(i (k j h - omega t)) on an endless lattice of spacing h, horizon delta, c = 2E/(A
- * delta^2) and w_m the share of a cell at distance m h that lies within the horizon (m = 1 .. M):
+ * delta^2) and w_m the factor of the volume at distance m h (m = 1 .. M; pd_waves.h):
  *
  *     rho u_j'' = sum_m c w_m V (u_{j+m} - 2 u_j + u_{j-m})/(m h),   V = A h
  *     u_{j+m} + u_{j-m} - 2 u_j = -4 sin^2(m theta/2) u_j,           theta = k h
@@ -10,9 +10,9 @@
  *     omega_h^2 = 8E/(rho delta^2) sum_m (w_m/m) sin^2(m theta/2)
  *
  * For long waves sin^2(m theta/2) ~ (m theta/2)^2 and omega_h^2 ~ (E/rho) k^2 2 sum_m w_m m / (delta/h)^2,
- * which is c^2 k^2 exactly where partial volumes make sum w_m m = M^2/2 (delta = M h). To the next order,
- * with sum w_m m^3 = M^2 (M^2 + 1)/4, the frequency is too low by k^2 (delta^2 + h^2)/48: the horizon, more
- * than the spacing, sets the dispersion. With the energy correction every bond of a whole family has the
+ * which is c^2 k^2 exactly where partial volumes (or hhb) make sum w_m m = M^2/2 (delta = M h). To the next
+ * order, with sum w_m m^3 = M^2 (M^2 + 1)/4, the frequency is too low by k^2 (delta^2 + h^2)/48: the horizon,
+ * more than the spacing, sets the dispersion. With the energy correction every bond of a whole family has the
  * factor g = (delta/h)^2 / (2 sum_m w_m m), which takes out what the sum over the family has too much or too
  * little.
  *
@@ -36,10 +36,11 @@
 
 #include "base/patience.h"
 #include "theory/bar.h"
+#include "theory/pd_waves.h"
 
 typedef struct PdBarTheory {
     double spacing, horizon; /* h, delta */
-    bool partial_volumes;    /* w_m; false: 1 */
+    PdVolumes volumes;       /* w_m */
     bool conical;            /* c falls to 0 at the horizon, and is scaled so that the sum gives E */
     bool energy_correction;  /* bonds near a free end are scaled by the energy of their families */
     double dt;

@@ -93,20 +93,31 @@ double pd_waves_plane(PdShape shape, bool transverse, double z)
     return sum / (longest * z * z);
 }
 
-/* c w V/|xi| of a bond (p, q) in units of E/delta^2 and of spacings; 0: beyond the horizon. */
+/* A tolerance decides where m or m + 1/2 is whole. */
+double pd_volumes_reach(PdVolumes volumes, double m)
+{
+    return volumes == PD_HHB_VOLUMES ? (m + 0.5) * (1 - 1e-9) : m * (1 + 1e-9);
+}
+
+double pd_volumes_factor(PdVolumes volumes, double m, double length)
+{
+    return volumes == PD_WHOLE_VOLUMES ? 1 : fmin(1, m + 0.5 - length);
+}
+
+/* c w V/|xi| of a bond (p, q) in units of E/delta^2 and of spacings; 0: not of the family. */
 static double stiffness(const PdWaveLattice *lattice, int p, int q)
 {
     const double length = hypot(p, q), m = lattice->ratio;
-    if (length == 0 || length > m * (1 + 1e-9))
+    if (length == 0 || length > pd_volumes_reach(lattice->volumes, m))
         return 0;
-    const double within = lattice->partial_volumes ? fmin(1, m + 0.5 - length) : 1;
+    const double within = pd_volumes_factor(lattice->volumes, m, length);
     const double c = lattice->shape == PD_CONICAL ? 36 * fmax(0, 1 - length / m) : 9;
     return c / M_PI * within / (m * length);
 }
 
 double pd_waves_lattice(const PdWaveLattice *lattice, bool transverse, double angle, double z)
 {
-    const int reach = (int)(lattice->ratio * (1 + 1e-9));
+    const int reach = (int)pd_volumes_reach(lattice->volumes, lattice->ratio);
     const double x = cos(angle), y = sin(angle), step = z / lattice->ratio; /* k dx */
     const double longest = transverse ? 3.0 / 8 : 9.0 / 8;
     double sum = 0;
@@ -125,7 +136,7 @@ double pd_waves_lattice(const PdWaveLattice *lattice, bool transverse, double an
 
 double pd_waves_energy_factor(const PdWaveLattice *lattice)
 {
-    const int reach = (int)(lattice->ratio * (1 + 1e-9));
+    const int reach = (int)pd_volumes_reach(lattice->volumes, lattice->ratio);
     double sum = 0; /* of c n_x^4 |xi| w V/4 over (9/16) E */
     for (int q = -reach; q <= reach; q++)
         for (int p = -reach; p <= reach; p++)
@@ -136,13 +147,13 @@ double pd_waves_energy_factor(const PdWaveLattice *lattice)
 
 double pd_waves_area_factor(const PdWaveLattice *lattice)
 {
-    const int reach = (int)(lattice->ratio * (1 + 1e-9));
+    const int reach = (int)pd_volumes_reach(lattice->volumes, lattice->ratio);
     double area = 0;
     for (int q = -reach; q <= reach; q++)
         for (int p = -reach; p <= reach; p++) {
             const double length = hypot(p, q);
-            if (length > 0 && length <= lattice->ratio * (1 + 1e-9))
-                area += lattice->partial_volumes ? fmin(1, lattice->ratio + 0.5 - length) : 1;
+            if (length > 0 && length <= pd_volumes_reach(lattice->volumes, lattice->ratio))
+                area += pd_volumes_factor(lattice->volumes, lattice->ratio, length);
         }
     return M_PI * lattice->ratio * lattice->ratio / area;
 }

@@ -18,11 +18,20 @@ typedef enum PdShape { PD_CONSTANT, PD_CONICAL } PdShape;
 double pd_waves_line(PdShape, double z);
 double pd_waves_plane(PdShape, bool transverse, double z);
 
+/* How the nodes of a lattice stand for volume, lengths in spacings, m the horizon: whole, |xi| <= m; by the
+ * rule of PDLAMMPS, the same nodes times min(1, m + 1/2 - |xi|); or as Hu, Ha and Bobaru, the same line for
+ * all |xi| < m + 1/2. Source: P. Seleson (2014). */
+typedef enum PdVolumes { PD_WHOLE_VOLUMES, PD_PARTIAL_VOLUMES, PD_HHB_VOLUMES } PdVolumes;
+
+/* The members' largest |xi|, and the factor of one. */
+double pd_volumes_reach(PdVolumes, double m);
+double pd_volumes_factor(PdVolumes, double m, double length);
+
 typedef struct PdWaveLattice {
     PdShape shape;
-    double ratio;         /* horizon over spacing */
-    bool partial_volumes; /* nodes near the horizon count with the part of their cell within it */
-    double factor;        /* on every bond, as a surface correction has it far from surfaces; 1: none */
+    double ratio; /* horizon over spacing */
+    PdVolumes volumes;
+    double factor; /* on every bond, as a surface correction has it far from surfaces; 1: none */
 } PdWaveLattice;
 
 /* The sum over a square lattice of a wave that runs at an angle (radians) to its rows, by its place between

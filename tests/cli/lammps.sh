@@ -35,6 +35,8 @@ result "and leaves nothing" test ! -e bar
 refuse "cells are refused" 'scenario.method: LAMMPS gets nodes with bonds only (pd)' supported-beam-mpm-coarse --output cells
 refuse "bonds that soften with their length are refused" \
 	'pd.influence: LAMMPS has bonds of one stiffness for every length (constant)' branching-coarse --set pd.influence=conical --output conical
+refuse "bonds beyond the horizon are refused" \
+	'pd.volume_correction: LAMMPS has no bonds longer than the horizon (none | partial)' branching-coarse --set pd.volume_correction=hhb --output beyond
 printf '[changes]\n10 = load.stress=1e6\n' | cat resolved.ini - >changed.ini
 refuse "changes in mid-run are refused" 'changes: LAMMPS gets runs without changes in mid-run only' changed.ini --output changed
 refuse "a folder must be named" '--output: is missing (a folder)' notched-beam-coarse

@@ -266,6 +266,8 @@ START_TEST(threads_leave_no_trace)
     def = small_beam(BEAM_MOVING_CANTILEVER);
     def.threads = _i;
     same_with(&def, NULL, "threads, moving");
+    def.volume_correction = VOLUME_HHB;
+    same_with(&def, NULL, "threads, moving, to half a spacing beyond the horizon");
 }
 END_TEST
 
@@ -278,6 +280,9 @@ START_TEST(vector_width_leaves_no_trace)
     same_with(&def, &options, cpu_name((CpuLevel)_i));
     def = small_beam(BEAM_SIMPLY_SUPPORTED);
     def.dt = 0; /* the power iteration too */
+    same_with(&def, &options, cpu_name((CpuLevel)_i));
+    def.volume_correction = VOLUME_HHB;
+    def.horizon = 4e-3; /* the largest family there is */
     same_with(&def, &options, cpu_name((CpuLevel)_i));
 }
 END_TEST

@@ -63,7 +63,8 @@ typedef struct Cloud {
 
 static double share(const PdBarDef *def, double distance)
 {
-    if (distance > def->horizon * (1 + 1e-9))
+    if (distance > def->horizon * (1 + 1e-9) &&
+        !(def->volume_correction == VOLUME_HHB && distance < def->horizon + def->spacing / 2))
         return 0;
     if (def->volume_correction == VOLUME_NONE)
         return 1;
@@ -87,9 +88,9 @@ static void make_cloud(const PdBarDef *def, Cloud *cloud)
     cloud->real = n;
     for (int i = 0; i < n; i++) {
         double x = cloud->place[i];
-        if (def->left_fixed && x < def->horizon)
+        if (def->left_fixed && x < def->horizon + def->spacing)
             add_point(cloud, -x, i);
-        if (def->right_fixed && def->length - x < def->horizon)
+        if (def->right_fixed && def->length - x < def->horizon + def->spacing)
             add_point(cloud, 2 * def->length - x, i);
     }
     for (int i = 0; i < n; i++) {
@@ -166,7 +167,7 @@ START_TEST(every_pair)
 {
     for (int ends = 0; ends < 4; ends++)
         for (int correction = SURFACE_NONE; correction <= SURFACE_ENERGY; correction++)
-            for (int volume = VOLUME_NONE; volume <= VOLUME_PARTIAL; volume++) {
+            for (int volume = VOLUME_NONE; volume <= VOLUME_HHB; volume++) {
                 PdBarDef def = standard(ends & 1, ends & 2);
                 def.surface_correction = (SurfaceCorrection)correction;
                 def.volume_correction = (VolumeCorrection)volume;

@@ -23,13 +23,10 @@ static BarTheory theory(bool left, bool right, int mode)
                        .modes = {{mode, 0.1}}};
 }
 
-static PdBarTheory lattice(double spacing, double horizon, bool partial, bool energy, double dt)
+static PdBarTheory lattice(double spacing, double horizon, PdVolumes volumes, bool energy, double dt)
 {
-    return (PdBarTheory){.spacing = spacing,
-                         .horizon = horizon,
-                         .partial_volumes = partial,
-                         .energy_correction = energy,
-                         .dt = dt};
+    return (PdBarTheory){
+        .spacing = spacing, .horizon = horizon, .volumes = volumes, .energy_correction = energy, .dt = dt};
 }
 
 static double velocity(double x, const void *context)
@@ -47,7 +44,7 @@ static Simulation *lattice_bar(const BarTheory *bar, const PdBarTheory *on)
                     .spacing = on->spacing,
                     .horizon = on->horizon,
                     .surface_correction = on->energy_correction ? SURFACE_ENERGY : SURFACE_NONE,
-                    .volume_correction = on->partial_volumes ? VOLUME_PARTIAL : VOLUME_NONE,
+                    .volume_correction = (VolumeCorrection)on->volumes,
                     .influence = on->conical ? INFLUENCE_CONICAL : INFLUENCE_CONSTANT,
                     .dt = on->dt,
                     .initial_velocity = velocity,
@@ -83,10 +80,11 @@ START_TEST(fixed_ends)
     static const double horizons[] = {0.5, 1, 1.5, 2, 1.4};
     for (int m = 0; m < 5; m++)
         for (int h = 0; h < 5; h++)
-            for (int flags = 0; flags < 4; flags++) {
-                const bool partial = flags & 1, energy = flags & 2;
+            for (int flags = 0; flags < 6; flags++) {
+                const PdVolumes volumes = (PdVolumes)(flags / 2);
+                const bool energy = flags % 2;
                 const BarTheory bar = theory(true, true, modes[m]);
-                const PdBarTheory on = lattice(0.5, horizons[h], partial, energy, 0.01);
+                const PdBarTheory on = lattice(0.5, horizons[h], volumes, energy, 0.01);
                 const double predicted = pd_bar_frequency(&bar, &on, modes[m]);
                 ck_assert_double_eq_tol(measured(&bar, &on, predicted) / predicted, 1, 1e-9);
             }
@@ -118,7 +116,7 @@ START_TEST(centre_of_mass)
             BarTheory bar = theory(ends & 1, ends & 2, 5);
             bar.n_modes = 2;
             bar.modes[1].number = 3, bar.modes[1].velocity = 0.02;
-            const PdBarTheory on = lattice(0.5, 1.5, true, energy, 0.03);
+            const PdBarTheory on = lattice(0.5, 1.5, PD_PARTIAL_VOLUMES, energy, 0.03);
             ck_assert_double_lt(furthest(&bar, &on, 3000), 1e-11);
         }
 }
@@ -130,7 +128,7 @@ START_TEST(a_cone_runs_as_predicted)
 {
     for (int ends = 0; ends < 4; ends++) {
         BarTheory bar = theory(ends & 1, ends & 2, 5);
-        PdBarTheory on = lattice(0.5, 1.5, true, true, 0.03);
+        PdBarTheory on = lattice(0.5, 1.5, PD_PARTIAL_VOLUMES, true, 0.03);
         on.conical = true;
         ck_assert_double_lt(furthest(&bar, &on, 1000), 1e-11);
         Simulation *sim = lattice_bar(&bar, &on);
@@ -140,7 +138,7 @@ START_TEST(a_cone_runs_as_predicted)
         simulation_destroy(sim);
     }
     const BarTheory bar = theory(true, true, 1);
-    PdBarTheory fine = lattice(0.01, 0.2, true, false, 1e-6);
+    PdBarTheory fine = lattice(0.01, 0.2, PD_PARTIAL_VOLUMES, false, 1e-6);
     fine.conical = true;
     for (double z = 0.5; z < 8; z += 0.5) {
         const double w = pd_bar_dispersion(&bar, &fine, z / 0.2).space_only, c = bar_wave_speed(&bar);
@@ -182,7 +180,7 @@ END_TEST
 START_TEST(free_end_measured)
 {
     const BarTheory bar = theory(true, false, 5);
-    const PdBarTheory on = lattice(0.5, 1.5, true, true, 0.01);
+    const PdBarTheory on = lattice(0.5, 1.5, PD_PARTIAL_VOLUMES, true, 0.01);
     const double predicted = pd_bar_frequency(&bar, &on, 5), found = measured(&bar, &on, predicted);
     const double endless = pd_bar_dispersion(&bar, &on, bar_wave_number(&bar, 5)).frequency;
     ck_assert_double_lt(fabs(found / predicted - 1), 2e-4);
@@ -208,7 +206,7 @@ START_TEST(long_waves_and_time)
         ck_assert(!pd_bar_dispersion(&bar, &on, 1.001 * M_PI / h).known);
     }
     /* a reach of one is the chain of springs */
-    const PdBarTheory on = lattice(0.5, 0.5, false, true, 1e-6);
+    const PdBarTheory on = lattice(0.5, 0.5, PD_WHOLE_VOLUMES, true, 1e-6);
     ck_assert_double_eq_tol(pd_bar_dispersion(&bar, &on, 2).space_only, 10 / 0.5 * 2 * sin(0.5), 1e-12);
 }
 END_TEST
@@ -216,10 +214,10 @@ END_TEST
 START_TEST(not_predicted)
 {
     BarTheory bar = theory(true, false, 1);
-    PdBarTheory on = lattice(0.05, 0.15, true, true, 1e-3);
+    PdBarTheory on = lattice(0.05, 0.15, PD_PARTIAL_VOLUMES, true, 1e-3);
     ck_assert(pd_bar_modes_create(&bar, &on) == NULL); /* 500 nodes with a free end */
     ck_assert(isfinite(pd_bar_frequency(&bar, &on, 1)));
-    const PdBarTheory finest = lattice(0.0005, 0.0015, true, true, 1e-5);
+    const PdBarTheory finest = lattice(0.0005, 0.0015, PD_PARTIAL_VOLUMES, true, 1e-5);
     ck_assert(isnan(pd_bar_frequency(&bar, &finest, 1))); /* 50,000 nodes: lost in rounding */
     bar.right_fixed = true;
     PdBarModes *modes = pd_bar_modes_create(&bar, &on);

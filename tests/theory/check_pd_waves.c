@@ -28,7 +28,7 @@ START_TEST(golden_dispersion)
         } else if (strcmp(kind, "plane") == 0) {
             value = pd_waves_plane(form, across, x);
         } else if (strcmp(kind, "lattice") == 0) {
-            const PdWaveLattice lattice = {form, x, true, 1};
+            const PdWaveLattice lattice = {form, x, PD_PARTIAL_VOLUMES, 1};
             value = pd_waves_lattice(&lattice, across, 0, 0.1);
             digits = 0.51e-6;
         } else {
@@ -104,13 +104,18 @@ START_TEST(fine_lattices_come_to_it)
 {
     for (int shape = PD_CONSTANT; shape <= PD_CONICAL; shape++)
         for (int across = 0; across < 2; across++)
-            for (int diagonal = 0; diagonal < 2; diagonal++) {
-                const PdWaveLattice lattice = {(PdShape)shape, 60, true, 1};
+            for (int k = 0; k < 4; k++) {
+                const int diagonal = k % 2, volumes = k < 2 ? PD_PARTIAL_VOLUMES : PD_HHB_VOLUMES;
+                const PdWaveLattice lattice = {(PdShape)shape, 60, (PdVolumes)volumes, 1};
                 ck_assert_double_eq_tol(pd_waves_lattice(&lattice, across, diagonal * M_PI / 4, 3),
                                         pd_waves_plane((PdShape)shape, across, 3), 0.01);
             }
-    const PdWaveLattice four = {PD_CONSTANT, 4, true, 1};
+    const PdWaveLattice four = {PD_CONSTANT, 4, PD_PARTIAL_VOLUMES, 1};
     ck_assert_double_eq_tol(pd_waves_energy_factor(&four), 1.139778064086419, 1e-12);
+    /* what the family lacks of the integral, and of its area, by an independent program */
+    const PdWaveLattice beyond = {PD_CONSTANT, 4, PD_HHB_VOLUMES, 1};
+    ck_assert_double_eq_tol(pd_waves_energy_factor(&beyond), 0.984447693123092, 1e-12);
+    ck_assert_double_eq_tol(pd_waves_area_factor(&beyond), 1.01704442153494, 1e-12);
     ck_assert(isnan(pd_waves_lattice(&four, false, 0, 4 * M_PI * 1.001)));
     ck_assert(isfinite(pd_waves_lattice(&four, false, M_PI / 4, 4 * M_PI * 1.001)));
     /* what the rows and the diagonals see differs: short waves depend on the direction */

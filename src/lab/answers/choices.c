@@ -58,9 +58,9 @@ const Choice choices[] = {
      "and "
      "is up to 4 % thinner than given."},
     {CONCERN_BEAM, METHOD_PD, "the edge of the horizon", "not given.",
-     "a node at the distance of the horizon belongs to the family; one whose area lies partly within counts "
-     "by "
-     "that part (pd.volume_correction)."},
+     "a node at the distance of the horizon belongs to the family; its volume counts by the line of PDLAMMPS, "
+     "from 1 half a spacing within to 1/2 at the horizon, which is not the share of its area; with hhb the "
+     "line goes on to 0 half a spacing beyond (pd.volume_correction)."},
     {CONCERN_BEAM, METHOD_PD, "surface correction", "a factor G from another book.",
      "the energy of uniform stretches along and across, over what a node's family holds; one by the volume "
      "of "

@@ -5,6 +5,9 @@
 
 #include <math.h>
 
+_Static_assert((int)PD_WHOLE_VOLUMES == (int)VOLUME_NONE && (int)PD_HHB_VOLUMES == (int)VOLUME_HHB,
+               "theory and method count volumes by the same numbers");
+
 static PdShape shape_of(Influence influence)
 {
     return influence == INFLUENCE_CONICAL ? PD_CONICAL : PD_CONSTANT;
@@ -16,7 +19,7 @@ double waves_on_lattice(const Settings *settings, Influence influence, bool tran
     const Lattice *on = &settings->lattice;
     PdWaveLattice lattice = {.shape = shape_of(influence),
                              .ratio = on->horizon / on->spacing,
-                             .partial_volumes = on->volume_correction == VOLUME_PARTIAL,
+                             .volumes = (PdVolumes)on->volume_correction,
                              .factor = 1};
     if (on->surface_correction == SURFACE_ENERGY)
         lattice.factor = pd_waves_energy_factor(&lattice);

@@ -80,6 +80,10 @@ static bool has_its_like(const Settings *settings, Status *status)
         return status_fail(status, STATUS_USAGE, "scenario.method: LAMMPS gets nodes with bonds only (pd)");
     if (settings->n_changes > 0)
         return status_fail(status, STATUS_USAGE, "changes: LAMMPS gets runs without changes in mid-run only");
+    if (settings->lattice.volume_correction == VOLUME_HHB)
+        return status_fail(
+            status, STATUS_USAGE,
+            "pd.volume_correction: LAMMPS has no bonds longer than the horizon (none | partial)");
     return settings->lattice.influence == INFLUENCE_CONSTANT ||
            status_fail(status, STATUS_USAGE,
                        "pd.influence: LAMMPS has bonds of one stiffness for every length (constant)");

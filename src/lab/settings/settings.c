@@ -20,6 +20,15 @@ double lattice_horizon(const Settings *settings)
     return given > 0 ? given : 3 * lattice_spacing(settings);
 }
 
+double lattice_reach(const Settings *settings)
+{
+    /* a cone binds nothing beyond the horizon */
+    const VolumeCorrection how = settings->lattice.influence == INFLUENCE_CONICAL
+                                     ? VOLUME_PARTIAL
+                                     : settings->lattice.volume_correction;
+    return volume_reach(how, lattice_horizon(settings), lattice_spacing(settings));
+}
+
 /* Copies the next item of a list up to its comma and returns what follows; NULL at the end. */
 static const char *next_item(const char *list, char item[LIST_MAX])
 {

@@ -195,6 +195,9 @@ extern const char *const settings_method_words[];
 double lattice_spacing(const Settings *);
 double lattice_horizon(const Settings *);
 
+/* The members of a family lie no farther than this. */
+double lattice_reach(const Settings *);
+
 /* The lists inside texts. */
 enum { OVERTONES_MAX = 15, TIMES_MAX = 64 };
 

@@ -9,9 +9,10 @@
  *     rho u_i'' = sum_j c G w V_j s n + rho b,    s = (|xi + eta| - |xi|)/|xi|,   n = sign(xi + eta)
  *
  * On a line |xi + eta| - |xi| is eta n itself as long as no node overtakes another, so the stretch is linear
- * in the displacements at any amplitude. w is the share of node j's cell within the horizon (volume
- * correction "partial", as in two dimensions): then the sum over j gives back E exactly where delta is a
- * whole number of spacings; with w = 1 it gives E (1 + h/delta).
+ * in the displacements at any amplitude. w is what node j's volume counts for
+ * (pd_plane/bonds/volume.h; here that of "hhb" is the share of its cell within the horizon, and "partial" is
+ * the same unless delta/h has a fraction above 1/2): then the sum over j gives back E exactly where delta is
+ * a whole number of spacings; with w = 1 it gives E (1 + h/delta).
  *
  * Ends. A fixed end is the middle between its first node and that node's mirror image: beyond it lie mirrored
  * nodes, u(-X) = -u(X), whose bonds are like all others. So the end itself stays at rest, no node lacks

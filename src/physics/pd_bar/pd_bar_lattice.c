@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The lattice of the bar, made once when the bar is created; pd_bar.h has the equations.
  *
- *     w_m = 1 for m h <= delta - h/2, else (delta + h/2 - m h)/h          partial volumes
+ *     w_m as pd_plane/bonds/volume.h has it, m h = |xi|                   volume factor
  *     g_i = (E/2)/(sum_j c w V_j |xi|/4),  G = (g_i + g_j)/2              surface correction
  *     k_m = c G w_m V/|xi|,  c = 2E/delta^2,  V = h,  |xi| = m h          stiffness of a bond
  *     conical: c (1 - |xi|/delta), c = E/(h^2 sum_m (1 - m h/delta) w_m m)
@@ -38,18 +38,12 @@ static double micromodulus(const PdBarDef *def, const PdBarLattice *lattice)
     return def->youngs_modulus / (lattice->h * lattice->h * sum);
 }
 
-/* |xi| <= delta is decided with a tolerance, as on the lattice of the beams. */
+/* A cone binds nothing beyond the horizon. */
 static int reach_of(const PdBarDef *def)
 {
-    return (int)floor(def->horizon / def->spacing * (1 + 1e-9));
-}
-
-/* The share of the cell at m h that lies within the horizon, 1 without volume correction. */
-static double weight(const PdBarDef *def, double h, int m)
-{
-    if (def->volume_correction == VOLUME_NONE || m * h <= def->horizon - h / 2)
-        return 1;
-    return (def->horizon + h / 2 - m * h) / h;
+    const VolumeCorrection how =
+        def->influence == INFLUENCE_CONICAL ? VOLUME_PARTIAL : def->volume_correction;
+    return (int)floor(volume_reach(how, def->horizon, def->spacing) / def->spacing);
 }
 
 /* g_i, 1: the energy density of a unit strain, E/2, over what the family of node i stores, sum c w V |xi|/4.
@@ -103,7 +97,8 @@ void *pd_bar_lattice(const PdBarDef *def, PdBarLattice *lattice)
         return NULL;
     lattice->factor = memory;
     for (int m = 1; m <= lattice->reach; m++) {
-        lattice->weight[m - 1] = weight(def, lattice->h, m);
+        lattice->weight[m - 1] =
+            volume_factor(def->volume_correction, def->horizon, lattice->h, m * lattice->h);
         lattice->influence[m - 1] =
             def->influence == INFLUENCE_CONICAL ? fmax(0, 1 - m * lattice->h / def->horizon) : 1;
         lattice->stiffness[m - 1] = memory + (size_t)m * lattice->padded;

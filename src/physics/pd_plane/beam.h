@@ -9,6 +9,7 @@
 
 #include "base/patience.h"
 #include "physics/method.h"
+#include "physics/pd_plane/bonds/volume.h"
 #include "physics/pd_plane/plate/plate.h"
 
 typedef enum BeamProblem {
@@ -18,7 +19,6 @@ typedef enum BeamProblem {
     BEAM_PLATE
 } BeamProblem;
 typedef enum SurfaceCorrection { SURFACE_NONE, SURFACE_ENERGY, SURFACE_VOLUME } SurfaceCorrection;
-typedef enum VolumeCorrection { VOLUME_NONE, VOLUME_PARTIAL } VolumeCorrection;
 /* How a bond's stiffness depends on its length (the micromodulus): not at all, or as 1 - |xi|/delta. */
 typedef enum Influence { INFLUENCE_CONSTANT, INFLUENCE_CONICAL } Influence;
 typedef enum Clamp { CLAMP_FULL, CLAMP_GUIDE } Clamp;

@@ -106,13 +106,13 @@ static int draw_family(const Family *family, Area area, int cell)
 {
     char caption[48];
     const double scale = scale_of(family, caption, sizeof caption);
-    const double horizon = family->settings->lattice.horizon / family->body.spacing * (1 + 1e-9);
+    const double farthest = lattice_reach(family->settings) / family->body.spacing;
     /* who is missing: beyond a surface there is no node */
     for (int q = -family->reach; q <= family->reach; q++)
         for (int p = -family->reach; p <= family->reach; p++) {
             const bool inside = family->i + p >= 0 && family->i + p < family->body.nx && family->j + q >= 0 &&
                                 family->j + q < family->body.ny;
-            if (!inside && hypot(p, q) <= horizon)
+            if (!inside && hypot(p, q) <= farthest)
                 area_put(area, (family->reach + p + 1) * cell - 1, family->reach - q, 0x00b7, STYLE_FAINT);
         }
     for (int k = 0; k < family->count; k++)

@@ -39,7 +39,7 @@ static NodeRow row_of(const Screen *screen, int room)
     const BarSupports supports = settings->supports.ends;
     NodeRow row = {
         .nodes = (int)sim->counts[0],
-        .reach = (int)floor(lattice_horizon(settings) / lattice_spacing(settings) * (1 + 1e-9)),
+        .reach = (int)floor(lattice_reach(settings) / lattice_spacing(settings)),
         .left = supports == BAR_FIXED_FREE || supports == BAR_FIXED_FIXED,
         .right = supports == BAR_FREE_FIXED || supports == BAR_FIXED_FIXED,
     };

@@ -10,6 +10,9 @@
 #include <math.h>
 #include <stdio.h>
 
+_Static_assert((int)PD_WHOLE_VOLUMES == (int)VOLUME_NONE && (int)PD_HHB_VOLUMES == (int)VOLUME_HHB,
+               "theory and method count volumes by the same numbers");
+
 PdBarDef bar_pd_definition(const Settings *settings)
 {
     const BarSupports ends = settings->supports.ends;
@@ -36,7 +39,7 @@ PdBarTheory bar_lattice_of(const Settings *settings)
 {
     return (PdBarTheory){.spacing = lattice_spacing(settings),
                          .horizon = lattice_horizon(settings),
-                         .partial_volumes = settings->lattice.volume_correction == VOLUME_PARTIAL,
+                         .volumes = (PdVolumes)settings->lattice.volume_correction,
                          .conical = settings->lattice.influence == INFLUENCE_CONICAL,
                          .energy_correction = settings->lattice.surface_correction == SURFACE_ENERGY,
                          .dt = bar_time_step(settings),

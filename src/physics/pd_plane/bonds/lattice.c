@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The lattice of a beam, made once when the beam is created: families, surface correction, numbers of bonds.
  *
- *     family           |xi| <= delta (1 + 1e-9); at delta = 4 dx the tolerance decides which nodes belong
- *     partial areas    w = 1 for |xi| <= delta - dx/2, else (delta + dx/2 - |xi|)/dx
+ *     family, w        as pd_plane/bonds/volume.h has them
  *     micromodulus     c = 6 E/(pi delta^3 (1 - nu)), nu = 1/3                                 (4)
- *                      or conical, c_1 (1 - |xi|/delta) with c_1 = 4 c; then nodes at the very
- *                      distance delta are no family, for nothing binds them
+ *                      or conical, c_1 (1 - |xi|/delta) with c_1 = 4 c; then nodes from the
+ *                      distance delta on are no family, for nothing binds them
  *
  * The correction G of eq. 8, of a bond in direction n between i and j, is one of
  *
  *     energy   g_i = (9/16) E / (sum_j c n^4 |xi| w V/4) for x and for y,  gbar = (g_i + g_j)/2,
  *              G = ((n_x/gbar_x)^2 + (n_y/gbar_y)^2)^(-1/2)
- *     volume   G = 2 pi delta^2/(V_i + V_j),  V_i = sum_j w V of all nodes within delta
+ *     volume   G = 2 pi delta^2/(V_i + V_j),  V_i = sum_j w V of all members
  *
  * (9/16) E is the energy density of a unit uniaxial strain at nu = 1/3 in plane stress, E/(2 (1 - nu^2)); the
  * sum below it is what the family of node i stores. */
@@ -29,15 +28,12 @@ static const double inverse_root_series[LATTICE_SERIES] = {0.5,
                                                            0.2460985445241859,
                                                            -0.22559118152047733};
 
-/* w of a node at this distance. */
-static double partial_area(const BeamDef *def, double length)
+static double factor_at(const BeamDef *def, double length)
 {
-    const double dx = def->spacing, delta = def->horizon;
-    const bool whole = def->volume_correction == VOLUME_NONE || length <= delta - dx / 2;
-    return whole ? 1 : (delta + dx / 2 - length) / dx;
+    return volume_factor(def->volume_correction, def->horizon, def->spacing, length);
 }
 
-/* One direction of bonds, (p, q) spacings: length, partial area and the coefficients of the series by which
+/* One direction of bonds, (p, q) spacings: length, volume factor and the coefficients of the series by which
  * the kernels get the stretch. With e = (|xi + eta|^2 - |xi|^2)/|xi|^2 the elongation over the deformed
  * length is e times a power series in e; what is stored is in powers of d = e |xi|^2 itself and over |xi|,
  * C_k = a_k/|xi|^(2k+3) with the a_k above, so that no kernel divides. */
@@ -51,7 +47,7 @@ static void add_offset(Lattice *lattice, const BeamDef *def, int p, int q)
     offset->y = q * dx;
     offset->squared = offset->x * offset->x + offset->y * offset->y;
     offset->length = sqrt(offset->squared);
-    offset->weight = partial_area(def, offset->length);
+    offset->weight = factor_at(def, offset->length);
     offset->influence = def->influence == INFLUENCE_CONICAL ? fmax(0, 1 - offset->length / delta) : 1;
     double scale = 1 / offset->length;
     for (int k = 0; k < LATTICE_SERIES; k++) {
@@ -64,8 +60,9 @@ static void add_offset(Lattice *lattice, const BeamDef *def, int p, int q)
  * through the rows that a node reaches. */
 static void add_offsets(Lattice *lattice, const BeamDef *def)
 {
-    const double tolerance = def->influence == INFLUENCE_CONICAL ? -1e-9 : 1e-9;
-    double dx = lattice->spacing, limit = def->horizon * (1 + tolerance);
+    const double dx = lattice->spacing, limit = def->influence == INFLUENCE_CONICAL
+                                                    ? def->horizon * (1 - 1e-9)
+                                                    : volume_reach(def->volume_correction, def->horizon, dx);
     lattice->reach = (int)(limit / dx);
     for (int q = 0; q <= lattice->reach; q++) {
         lattice->first[q] = lattice->n_offsets;
@@ -79,8 +76,8 @@ static void add_offsets(Lattice *lattice, const BeamDef *def)
 /* g_x and g_y of node (i, j), 1: (9/16) E over the energy density that its family stores at a unit strain
  * along x, or y, where a bond is stretched by s = n_x^2 (n_y^2) and half of its energy c s^2 |xi| w V/2 is
  * the node's. `ends`: how many of its two bonds in directions xi and -xi exist. The notch is ignored: the
- * correction is that of the body without it. In the bulk g is not 1 either (1.1398 at delta = 4 dx, partial
- * areas): it repairs the sum over nodes too, which is less than the integral. */
+ * correction is that of the body without it. In the bulk g is not 1 either (1.1398 at delta = 4 dx,
+ * partial): it repairs the sum over nodes too, which is less than the integral. */
 static void energy_factors(const Lattice *lattice, int i, int j, double *factor_x, double *factor_y)
 {
     double volume = lattice->spacing * lattice->spacing, sum_x = 0, sum_y = 0;
@@ -101,14 +98,14 @@ static void energy_factors(const Lattice *lattice, int i, int j, double *factor_
 /* V_i = sum w V over the nodes that are there, m^2: less than pi delta^2 near the surface. */
 static double family_area(const Lattice *lattice, const BeamDef *def, int i, int j)
 {
-    const double dx = lattice->spacing, limit = def->horizon * (1 + 1e-9);
+    const double dx = lattice->spacing, limit = volume_reach(def->volume_correction, def->horizon, dx);
     const int reach = (int)(limit / dx);
     double area = 0;
     for (int q = 0; q <= reach; q++)
         for (int p = q == 0 ? 1 : -reach; p <= reach; p++) {
             const int ends = lattice_has(lattice, i + p, j + q) + lattice_has(lattice, i - p, j - q);
             if (hypot(p * dx, q * dx) <= limit)
-                area += ends * partial_area(def, sqrt(p * dx * (p * dx) + q * dx * (q * dx))) * dx * dx;
+                area += ends * factor_at(def, sqrt(p * dx * (p * dx) + q * dx * (q * dx))) * dx * dx;
         }
     return area;
 }

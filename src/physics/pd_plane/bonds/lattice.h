@@ -22,8 +22,8 @@ enum {
     LATTICE_TILE = 128,    /* columns of a tile at most: what a sweep needs stays in the first-level cache */
     LATTICE_BLOCK = 8,     /* columns are padded to whole blocks, whatever the vector width */
     LATTICE_REACH_MAX = 8, /* horizon / spacing at most */
-    LATTICE_OFFSETS_MAX = 98, /* half a family of that reach */
-    LATTICE_SERIES = 6,       /* terms of the force's series, see bonds.h */
+    LATTICE_OFFSETS_MAX = 112, /* half a family of that reach and half a spacing */
+    LATTICE_SERIES = 6,        /* terms of the force's series, see bonds.h */
     /* some milliseconds of building lie between two questions of its patience */
     LATTICE_NODES_A_QUESTION = 4096,
     LATTICE_BONDS_A_QUESTION = 65536
@@ -34,7 +34,7 @@ typedef struct Offset {
     int p, q;                      /* other end minus owner, in columns and rows */
     double x, y;                   /* xi, m */
     double length, squared;        /* |xi| and |xi|^2 */
-    double weight;                 /* w: the share of the other end's area that lies within the horizon */
+    double weight;                 /* w: what the other end's volume counts for, volume.h */
     double influence;              /* its micromodulus over that of |xi| = 0 */
     double series[LATTICE_SERIES]; /* C_k: (1 - |xi|/|xi + eta|)/|xi| = d (C_0 + C_1 d + ...) */
 } Offset;
