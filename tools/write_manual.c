@@ -484,7 +484,7 @@ static void write_stage(const Stage *stage)
     say_line(stage->sentence);
     puts(".PP\n.nf");
     if (widest > PAGE - INDENT) /* it stands further out than the text */
-        printf(".in %zun\n", PAGE - widest);
+        printf(".in %zun\n", widest < PAGE ? PAGE - widest : 0);
     for (const char *line = stage->ascii; *line; line += strspn(line, "\n")) {
         char one[128];
         const size_t length = strcspn(line, "\n");
@@ -505,7 +505,9 @@ static bool write_stages(const char *argument)
     return simulation != NULL;
 }
 
-/* "SCENARIO KEY=VALUE ... | KEY=VALUE ...": the stages that the values behind the bar change or add. */
+/* "SCENARIO KEY=VALUE ... | KEY=VALUE ...": the stages that the values behind the bar change or add; or those
+ * of
+ * "| scenario NAME KEY=VALUE ...". */
 static bool write_changed_stages(const char *argument)
 {
     char base[128], whole[256];
@@ -513,12 +515,17 @@ static bool write_changed_stages(const char *argument)
     if (!bar)
         return false;
     snprintf(base, sizeof base, "%.*s", (int)(bar - argument), argument);
-    snprintf(whole, sizeof whole, "%.127s %.127s", base, bar + 3);
+    static const char other_scenario[] = " | scenario ";
+    if (strncmp(bar, other_scenario, strlen(other_scenario)) == 0)
+        snprintf(whole, sizeof whole, "%s", bar + strlen(other_scenario));
+    else
+        snprintf(whole, sizeof whole, "%.127s %.127s", base, bar + 3);
     Simulation *changed = simulation_of(whole), *usual = simulation_of(base);
     for (int i = 0; changed && usual && i < changed->n_stages; i++) {
         const Stage *stage = &changed->stages[i];
         const int other = simulation_find_stage(usual, stage->id);
-        if (other < 0 || strcmp(usual->stages[other].ascii, stage->ascii) != 0)
+        if (other < 0 || strcmp(usual->stages[other].ascii, stage->ascii) != 0 ||
+            strcmp(usual->stages[other].sentence, stage->sentence) != 0)
             write_stage(stage);
     }
     const bool good = changed && usual;
