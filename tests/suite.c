@@ -13,6 +13,11 @@ const char *source_path(const char *relative)
     return path;
 }
 
+bool suite_wide(void)
+{
+    return getenv("MATVIB_WIDE") != NULL;
+}
+
 int main(int count, char **arguments)
 {
     setenv("CK_DEFAULT_TIMEOUT", "600", 0); /* seconds: finds what hangs, and on a busy machine nothing else */

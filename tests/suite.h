@@ -4,6 +4,7 @@
 #define TESTS_SUITE_H
 
 #include <check.h>
+#include <stdbool.h>
 
 /* Each test program defines it: adds its cases to the suite. */
 void add_cases(Suite *suite);
@@ -11,5 +12,9 @@ void add_cases(Suite *suite);
 /* The path of a file of the source tree, e.g. source_path("tests/golden/mpm.txt"); valid until the next call.
  */
 const char *source_path(const char *relative);
+
+/* Whether every case is wanted (MATVIB_WIDE is set, as for make check-long). Where it is not, a test that
+ * crosses bodies, sizes and glyphs takes a part of the crossings, always the same and each of them once. */
+bool suite_wide(void);
 
 #endif

@@ -402,7 +402,9 @@ START_TEST(every_page_is_entered_in_one_state)
         if (page + 1 < count)
             press(bench, now->n_fields > 0 && now->until.kind == UNTIL_NOTHING ? "n" : "Enter");
     }
-    for (int page = count - 1; page >= 0; page--) {
+    /* backwards, and leaving pages out: each lesson one of both, where not everything is wanted */
+    const bool back = suite_wide() || _i % 2 == 0, leaving = suite_wide() || !back;
+    for (int page = count - 1; back && page >= 0; page--) {
         if (page + 1 < count)
             press(bench, "b");
         ck_assert_int_eq(shown->page, page);
@@ -412,7 +414,7 @@ START_TEST(every_page_is_entered_in_one_state)
     close_bench(bench);
     bench = open_lesson(name);
     shown = &bench->lab.screen.lesson;
-    for (int page = 0; page < count; page++) {
+    for (int page = 0; leaving && page < count; page++) {
         ck_assert_int_eq(shown->page, page);
         check_same(bench, pages[page], "from one that was left out");
         static const char *const else_done[] = {"3 Tab Right z > Space", "e 5 Tab", "> <"};
@@ -423,9 +425,10 @@ START_TEST(every_page_is_entered_in_one_state)
             press(bench, "Esc"); /* Space at the end of a run may ask */
         if (page + 1 < count)
             press(bench, "n");
-        free(pages[page]);
     }
     close_bench(bench);
+    for (int page = 0; page < count; page++)
+        free(pages[page]);
 }
 END_TEST
 

@@ -109,9 +109,19 @@ START_TEST(a_lesson_may_ask_for_it_and_wait_for_it)
 }
 END_TEST
 
+START_TEST(every_command_has_a_key)
+{
+    for (int i = 0; i < n_commands; i++)
+        ck_assert_msg(commands[i].keys && *commands[i].keys,
+                      "%s has no key: its row in src/view/help/command_rows.inc names one behind the name",
+                      commands[i].name);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *added = tcase_create("new command");
+    tcase_add_test(added, every_command_has_a_key);
     tcase_add_test(added, its_key_carries_it_out);
     tcase_add_test(added, the_line_takes_and_completes_its_name);
     tcase_add_test(added, the_help_tells_of_it);

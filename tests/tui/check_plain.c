@@ -104,8 +104,9 @@ START_TEST(every_key_is_reached)
         char key[COMMAND_KEY_MAX];
         command_first_key(&commands[i], key);
         if (strcmp(key, ":") != 0) { /* it begins what is no key */
-            line(talk, key);
-            ck_assert_msg(command_set_has(&talk->plain.lab.screen.used, commands[i].id), "%s", key);
+            const char *said = line(talk, key);
+            ck_assert_msg(command_set_has(&talk->plain.lab.screen.used, commands[i].id),
+                          "%s: its key '%s' says: %s", commands[i].name, key, said);
         }
         close_talk(talk);
     }

@@ -261,6 +261,8 @@ START_TEST(the_forces_add_up)
     static const int nodes[] = {14596 /* under the load */, 3640 /* at the notch */, 7455};
     for (int n = 0; n < 3; n++) {
         char words[200], row[256];
+        if (!suite_wide() && n != _i % 3)
+            continue;
         snprintf(words, sizeof words, "notched-beam-coarse 80x24 950 inspect focus 5 particle %d stage %d",
                  nodes[n], _i);
         Scene scene;
