@@ -94,7 +94,9 @@ static void write_sheet(const Marking *marking, const char *file, const Grades *
     leaflet_line(sheet, LEAFLET_TITLE, "%s", *grades->student ? grades->student : file);
     leaflet_line(sheet, LEAFLET_SMALL, "%s   %s", marking->lesson.title, file);
     if (*grades->remark)
-        leaflet_line(sheet, LEAFLET_TEXT, "No marks: %s.", grades->remark);
+        leaflet_line(sheet, LEAFLET_TEXT,
+                     grades->count > 0 ? "Recorded by another program, %s." : "No marks: %s.",
+                     grades->remark);
     for (int i = 0; i < grades->count; i++) {
         const Grade *grade = &grades->grades[i];
         const ExerciseMark *mark = &grade->mark;
@@ -131,7 +133,7 @@ static bool mark_all(Marking *marking, const Options *options, Status *status)
             break;
         char file[NAME_SHOWN_MAX]; /* the table goes to a terminal too */
         visible_text(file, sizeof file, options->words[i]);
-        marking->refused += *grades->remark != '\0';
+        marking->refused += grades->count == 0;
         write_rows(marking, file, grades);
         if (marking->sheets)
             write_sheet(marking, file, grades);

@@ -344,6 +344,7 @@ static bool read_line(Reader *reader, char *line)
         return status_fail(reader->status, STATUS_USAGE, "is not text in UTF-8");
     Lesson *lesson = reader->lesson;
     lesson->version = hash_bytes(hash_bytes(lesson->version, line, strlen(line)), "\n", 1);
+    lesson->version_1 = hash_bytes(hash_bytes(lesson->version_1, line, strlen(line)), "\n", 1);
     if (*line == '#')
         return true;
     if (!lesson_knows_braces(lesson, line, reader->status))
@@ -358,7 +359,7 @@ bool lesson_read(FILE *stream, const char *name, LessonJudge may_do, Lesson *les
     char line[LINE_BYTES_MAX + 1];
     bool sound = true;
     InputGot got;
-    *lesson = (Lesson){.version = HASH_BEGIN};
+    *lesson = (Lesson){.version = HASH_BEGIN, .version_1 = HASH_BEGIN};
     while (sound && (got = input_line(&lines, line, sizeof line, status)) != INPUT_END)
         if (got == INPUT_WRONG)
             sound = false;

@@ -101,7 +101,8 @@ typedef struct Lesson {
     int n_pages;
     LessonVariant variants[LESSON_VARIANTS_MAX];
     int n_variants;
-    uint64_t version; /* of its lines: tells one text of a lesson from another */
+    uint64_t version;   /* of its lines: tells one text of a lesson from another */
+    uint64_t version_1; /* the same as matvib 1 wrote it into recordings */
 } Lesson;
 
 /* A lesson that is part of the program, from data/lessons. */

@@ -24,11 +24,12 @@ typedef struct Loop {
     long frames;
     int frame_fd; /* -1: nobody listens */
     Replay replay;
-    bool fast;          /* replay as fast as it can */
-    double replayed_at; /* when its last key was done again */
-    bool told;          /* something stands on the shell's last line that tell how far the opening has come */
-    bool stale;         /* the picture shown is out of date */
-    bool unannounced;   /* a picture is not yet announced, for the terminal has not taken all of it */
+    char origin[SESSION_ORIGIN_MAX]; /* of what is replayed; "": nothing is to be said of it */
+    bool fast;                       /* replay as fast as it can */
+    double replayed_at;              /* when its last key was done again */
+    bool told;        /* something stands on the shell's last line that tell how far the opening has come */
+    bool stale;       /* the picture shown is out of date */
+    bool unannounced; /* a picture is not yet announced, for the terminal has not taken all of it */
 } Loop;
 
 static double now(void *context)
@@ -162,10 +163,19 @@ static double replay_due(const Loop *loop)
     return loop->fast ? 0 : loop->replayed_at + replay_next(&loop->replay)->seconds;
 }
 
+/* Begun and ended, for the first key takes a message away. */
+static void say_replay(Loop *loop, const char *how, const char *what)
+{
+    if (*loop->origin)
+        laboratory_say(&loop->lab, MESSAGE_INFO, "%s, %s", how, loop->origin);
+    else
+        laboratory_say(&loop->lab, MESSAGE_INFO, "%s: %s", how, what);
+}
+
 static void end_replay(Loop *loop, const char *how)
 {
     replay_end(&loop->replay, &loop->lab);
-    laboratory_say(&loop->lab, MESSAGE_INFO, "%s: the laboratory is yours", how);
+    say_replay(loop, how, "the laboratory is yours");
     loop->stale = true;
 }
 
@@ -252,10 +262,12 @@ int loop_run(const LaboratoryOptions *options, const Session *replay, Session *r
     loop->lab.recording = recording;
     session_note_start(recording, &loop->lab);
     loop->replay = (Replay){.session = replay};
+    if (replay)
+        session_origin(replay, loop->origin, sizeof loop->origin);
     loop->fast = options->fast;
     loop->replayed_at = now(NULL);
     if (is_replaying(loop))
-        laboratory_say(&loop->lab, MESSAGE_INFO, "a session is done again: any key takes over");
+        say_replay(loop, "a session is done again", "any key takes over");
     else if (replay)
         end_replay(loop, "the session holds no keys");
     loop->stale = true;

@@ -168,14 +168,39 @@ static bool remark(Grades *grades, const char *text)
     return true;
 }
 
+/* Recordings of matvib 1 are done again: their digits may differ, and what is marked is the lesson of today.
+ */
+static bool is_of_1(const SessionFacts *facts)
+{
+    return strncmp(facts->program, "1.", 2) == 0;
+}
+
+/* The homework that matvib 1 brought along has changed since. */
+static const struct {
+    const char *lesson;
+    uint64_t version;
+} texts_of_1[] = {{"homework-late", 0x00ddb700b77f03be},
+                  {"homework-energy", 0xdaeb3d01169de117},
+                  {"homework-crack", 0xf6663dd757d82d59}};
+
+static bool is_of_lesson(const SessionFacts *facts, const GradingTask *task, const Lesson *lesson)
+{
+    if (!is_of_1(facts))
+        return facts->version == lesson->version;
+    for (size_t i = 0; i < sizeof texts_of_1 / sizeof *texts_of_1; i++)
+        if (strcmp(texts_of_1[i].lesson, task->lesson) == 0 && texts_of_1[i].version == facts->version)
+            return true;
+    return facts->version == lesson->version_1;
+}
+
 /* What is no homework of this lesson, or not all of it. */
-static const char *why_refused(const SessionFacts *facts, const Lesson *lesson)
+static const char *why_refused(const SessionFacts *facts, const GradingTask *task, const Lesson *lesson)
 {
     if (!*facts->lesson || facts->version == 0)
         return "foreign: it is not the session of a lesson";
-    if (facts->version != lesson->version)
+    if (!is_of_lesson(facts, task, lesson))
         return "foreign: it is of another lesson, or of another text of this one";
-    if (strcmp(facts->program, PACKAGE_VERSION) != 0)
+    if (strcmp(facts->program, PACKAGE_VERSION) != 0 && !is_of_1(facts))
         return "foreign: it is of another version of matvib";
     if (!*facts->student)
         return "foreign: it has no name (matvib lesson NAME --name)";
@@ -218,8 +243,10 @@ bool grading_session(const GradingTask *task, const char *file, Grades *grades, 
     if (session) {
         session_facts(session, &facts);
         snprintf(grades->student, sizeof grades->student, "%s", facts.student);
-        const char *refused = why_refused(&facts, &lesson);
+        const char *refused = why_refused(&facts, task, &lesson);
         sound = refused ? remark(grades, refused) : replay_session(task, session, grades, status);
+        if (sound && grades->count > 0)
+            session_origin(session, grades->remark, sizeof grades->remark);
     } else {
         snprintf(grades->remark, sizeof grades->remark, "damaged: %s", why.text);
     }

@@ -28,9 +28,9 @@ enum { GRADING_REMARK_MAX = 256 };
 
 typedef struct Grades {
     char student[STUDENT_MAX];       /* "": not known */
-    char remark[GRADING_REMARK_MAX]; /* why there are no marks; "": there are */
+    char remark[GRADING_REMARK_MAX]; /* why there are no marks, or what is to be known of them; "": nothing */
     Grade grades[LESSON_PAGES_MAX];
-    int count;
+    int count; /* 0: there are no marks */
 } Grades;
 
 /* Marks one session. What is wrong with it is the remark; false: given up by the patience, no memory, or the

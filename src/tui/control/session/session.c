@@ -212,8 +212,7 @@ static bool write_head_lines(FILE *file, const Session *session, Status *status)
         fprintf(file, "lesson %s\n", session->lesson);
     if (*session->student)
         fprintf(file, "student %s\n", session->student);
-    if (session->version)
-        fprintf(file, "version %016" PRIx64 " %s\n", session->version, session->program);
+    fprintf(file, "version %016" PRIx64 " %s\n", session->version, session->program);
     for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
         if (session->reached[i] > 0)
             fprintf(file, "reached %s %d\n", builtin_lessons[i].name, session->reached[i]);
@@ -274,6 +273,13 @@ void session_facts(const Session *session, SessionFacts *facts)
                             .version = session->version,
                             .ended = session->ended,
                             .sound = session->sound};
+}
+
+void session_origin(const Session *session, char *out, size_t size)
+{
+    *out = '\0';
+    if (strcmp(session->program, PACKAGE_VERSION) != 0)
+        snprintf(out, size, "of matvib %s: digits may differ", *session->program ? session->program : "1");
 }
 
 const SessionEvent *session_event(const Session *session, size_t index)

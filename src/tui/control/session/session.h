@@ -5,7 +5,7 @@
  * The file is text. "scenario NAME" and lines "| ..." hold the resolved scenario; "paused" that it opened
  * paused; "first" that it was the first of its user; "lesson NAME" that it opened with a lesson, "reached
  * NAME PAGE" how far one had come in it, "student NAME" whose homework it is, "version HASH PROGRAM" of the
- * lesson's text and the program; then one line a key,
+ * lesson's text (0: there is none) and the program; then one line a key,
  *
  *     at STEP[/STAGE] SECONDS WIDTHxHEIGHT NAME [X Y]
  *
@@ -31,7 +31,7 @@
 typedef struct Laboratory Laboratory;
 typedef struct Session Session;
 
-enum { SESSION_NAME_MAX = 256 };
+enum { SESSION_NAME_MAX = 256, SESSION_ORIGIN_MAX = 128 };
 
 /* One key, and where it came. */
 typedef struct SessionEvent {
@@ -77,6 +77,10 @@ Session *session_read_stream(FILE *, const char *name, Status *);
 
 /* Makes the options those of the session: settings, scenario, paused, lesson, reached. */
 void session_options(const Session *, LaboratoryOptions *);
+
+/* What is to be said before it is done again: "of matvib 1.0.0: digits may differ"; "": nothing, it is of
+ * this program. Programs before 2 named themselves only in a lesson. */
+void session_origin(const Session *, char *out, size_t size);
 
 /* What was noted, in order; NULL: there are no more. */
 const SessionEvent *session_event(const Session *, size_t index);
