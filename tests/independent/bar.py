@@ -22,8 +22,9 @@ def hat(r):
 def hat_mean(r, h):
     """uGIMP: the hat's mean over a width 2h, and its slope, which is the difference of hats over 2h."""
     near, far = abs(r) < h, abs(r) > 1 - h
-    value = np.where(near, 1 - (r * r + h * h) / (2 * h), np.where(far, np.maximum(1 + h - abs(r), 0) ** 2 / (4 * h), 1 - abs(r)))
-    slope = np.where(near, -r / h, np.where(far, -np.sign(r) * np.maximum(1 + h - abs(r), 0) / (2 * h), -np.sign(r)))
+    rest, sign = np.maximum(1 + h - abs(r), 0), np.sign(r)  # how far it reaches into the hat from outside
+    value = np.where(near, 1 - (r * r + h * h) / (2 * h), np.where(far, rest ** 2 / (4 * h), 1 - abs(r)))
+    slope = np.where(near, -r / h, np.where(far, -sign * rest / (2 * h), -sign))
     return value, slope
 
 
@@ -197,8 +198,9 @@ def bar_of(given, default_start):
         n, A = given["initial.overtones"].split(":")
         modes.append((int(n), float(A)))
     number = lambda key, other: float(given.get(key, other))
-    return Bar(number("bar.length", 0), number("bar.youngs_modulus", 0), number("bar.density", 0), given["bar.supports"],
-               modes, number("mesh.cell_size", 0), int(given["mesh.particles_per_cell"]), int(given["mesh.padding"]),
+    return Bar(number("bar.length", 0), number("bar.youngs_modulus", 0), number("bar.density", 0),
+               given["bar.supports"], modes, number("mesh.cell_size", 0), int(given["mesh.particles_per_cell"]),
+               int(given["mesh.padding"]),
                given["mpm.algorithm"], given["mpm.shape"], given["mpm.transfer"], number("mpm.flip_fraction", 1),
                number("mpm.mass_blend", 1), int(given.get("mpm.fmpm_order", 2)),
                given.get("mpm.affine_start", default_start), number("time.courant", 0))
@@ -217,10 +219,10 @@ def compare(name, case, default_start):
     allowed = dict.fromkeys(names, 1e-12 * energy) | {"v_cm": 1e-12 * scale, "x_cm": 1e-13 * bar.L}
 
     def particle(p, values):
-        for what, got, expected, most in zip(("x", "v", "stress", "density", "slope"),
-                                             (bar.x[p], bar.v[p], bar.stress[p], bar.rho[p], bar.C[p]), values,
-                                             (1e-13 * bar.L, 1e-11 * v_most, 1e-11 * stress_most, 1e-12, 1e-11 * v_most)):
-            told.near(f"{what} of particle {p} at step {step}", got, expected, most)
+        digits = (("x", bar.x, 1e-13 * bar.L), ("v", bar.v, 1e-11 * v_most), ("stress", bar.stress, 1e-11 * stress_most),
+                  ("density", bar.rho, 1e-12), ("slope", bar.C, 1e-11 * v_most))
+        for (what, field, most), expected in zip(digits, values):
+            told.near(f"{what} of particle {p} at step {step}", field[p], expected, most)
 
     for at, expected in samples:
         while step < at:

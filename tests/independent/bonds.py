@@ -32,19 +32,20 @@ class Body:
         """Half of each family: partners above, and in the same row those to the right."""
         dx, delta, parts = self.dx, self.delta, []
         node = np.arange(self.nx * self.ny).reshape(self.ny, self.nx)
-        farthest = delta + dx / 2 if volume == "hhb" else delta
-        open_end = volume == "hhb" or influence == "conical"  # there such a bond would have no stiffness
-        farthest *= 1 - 1e-9 if open_end else 1 + 1e-9
+        farthest = (delta + dx / 2) * (1 - 1e-9) if volume == "hhb" else delta * (1 + 1e-9)
+        if influence == "conical":
+            farthest = delta * (1 - 1e-9)
         reach = int(farthest / dx)
         for q in range(min(reach + 1, self.ny)):
             for p in range(-reach if q else 1, reach + 1):
                 length = np.hypot(p * dx, q * dx)
-                if length > farthest or (open_end and influence == "conical" and length >= delta * (1 - 1e-9)):
+                if length > farthest:
                     continue
                 first = node[:self.ny - q, max(0, -p):self.nx - max(0, p)].ravel()
                 w = 1 if volume == "none" or length <= delta - dx / 2 else (delta + dx / 2 - length) / dx
                 shape = 1 - length / delta if influence == "conical" else 1
-                parts.append(np.array([first, first + q * self.nx + p] + [np.full(len(first), x) for x in (p * dx, q * dx, w, shape)]))
+                alike = np.outer((p * dx, q * dx, w, shape), np.ones(len(first)))
+                parts.append(np.vstack([first, first + q * self.nx + p, alike]))
         bonds = np.concatenate(parts, axis=1)
         bonds = bonds[:, np.lexsort((bonds[1], bonds[0]))]
         self.i, self.j = bonds[:2].astype(int)
@@ -65,9 +66,12 @@ class Body:
     def surface_factors(self, surface):
         """G of each bond."""
         if surface == "energy":  # an ellipse with the half axes g
-            return (((self.xi / self.length) / ((self.g[:, self.i] + self.g[:, self.j]) / 2)) ** 2).sum(0) ** -0.5
-        area = self.families(self.w * self.V, self.w * self.V)
-        return 2 * np.pi * self.delta ** 2 / (area[self.i] + area[self.j]) if surface == "volume" else np.ones(len(self.i))
+            axes = (self.g[:, self.i] + self.g[:, self.j]) / 2
+            return ((self.xi / self.length / axes) ** 2).sum(0) ** -0.5
+        if surface == "volume":
+            area = self.families(self.w * self.V, self.w * self.V)
+            return 2 * np.pi * self.delta ** 2 / (area[self.i] + area[self.j])
+        return np.ones(len(self.i))
 
     def cut_along(self, x0, y0, x1, y1):
         """Takes away the bonds that cross a line, and tells how many these are."""
@@ -92,7 +96,7 @@ class Body:
 
     # --- what is held, and what pulls --------------------------------------------------------------------------
     def hold(self, step, places=False):
-        """Supports: (nodes, (vx, vy)), None where they leave a component free. The clamp holds what is in its channel."""
+        """Supports are (nodes, (vx, vy)), None a component that is free; the clamp holds what is in its channel."""
         for nodes, speeds in self.supports:
             for axis, speed in enumerate(speeds):
                 if speed is not None:
@@ -110,9 +114,10 @@ class Body:
         density = np.zeros_like(self.u)
         density[1] = self.rho * self.weight
         for nodes, traction, ramp, until in self.loads:
-            late = step - round(until / self.dt) if until < np.inf else -1
             share = min(1, step * self.dt / ramp) if ramp > 0 else 1
-            density[:, nodes] += np.array(traction)[:, None] * share * (late < 0.25) * (0.5 if late > -0.25 else 1) / self.dx
+            late = step - round(until / self.dt) if until < np.inf else -1
+            share *= 0 if late > 0.25 else 0.5 if late > -0.25 else 1
+            density[:, nodes] += np.array(traction)[:, None] * share / self.dx
         return density
 
     def take_reaction(self):
@@ -152,7 +157,8 @@ class Body:
         now = self.xi + eta
         length = np.hypot(*now)
         self.s = (eta * (self.xi + now)).sum(0) / (self.length * (length + self.length))
-        self.gone = np.flatnonzero(self.alive & (self.s >= self.s0) & ~self.protected[self.i] & ~self.protected[self.j])
+        safe = self.protected[self.i] | self.protected[self.j]
+        self.gone = np.flatnonzero(self.alive & (self.s >= self.s0) & ~safe)
         self.dissipated += self.energies()[self.gone].sum()
         self.alive[self.gone], self.k[self.gone] = False, 0
         self.broken += len(self.gone)

@@ -14,9 +14,10 @@ def plate(L, h, dx, delta, rows, **more):
             "left": lambda p, q: (left, p, left, q), "right": lambda p, q: (right, p, right, q)}
     for kind, words in rows:
         if kind == "loads":
-            p, q, sx, sy, *times = map(float, words[1:])
-            ramp, until = times + [0.0, np.inf][len(times):]
-            body.loads.append((body.region(*edge[words[0]](p, q)), (sx, sy), ramp, until))
+            p, q, sx, sy = map(float, words[1:5])
+            given = dict(zip(words[5::2], map(float, words[6::2])))
+            nodes = body.region(*edge[words[0]](p, q))
+            body.loads.append((nodes, (sx, sy), given.get("ramp", 0), given.get("until", np.inf)))
             continue
         place = [float(word) for word in words[:4]]
         if kind == "cuts":
@@ -39,7 +40,8 @@ def plate_of(case):
     rows = [(words[0].split(".")[0], words[1:]) for words in case if len(words) > 4 and "." in words[0]]
     body = plate(number("plate.length"), number("plate.height"), number("pd.spacing"), delta, rows, E=E,
                  rho=number("plate.density", 1), dt=number("time.step"), s0=np.sqrt(4 * np.pi * G0 / (9 * E * delta)),
-                 surface=given.get("pd.surface_correction", "energy"), volume=given.get("pd.volume_correction", "partial"))
+                 surface=given.get("pd.surface_correction", "energy"),
+                 volume=given.get("pd.volume_correction", "partial"))
     body.probe = body.region(*2 * (number("probe.x", body.X[0]), number("probe.y", body.Y[0])))
     return body
 
