@@ -83,6 +83,11 @@ refuse "a file that exists" "a.svg: exists (--force replaces it)" mode5 --output
 refuse "a rate that is none" "--fps: not a number from 0.1 to 100: 0" mode5 --fps 0 --output z.svg
 refuse "a part that ends before it begins" "--from: 2 comes after --to: 1" mode5 --from 2 --to 1 --output z.svg
 refuse "a part that does not come" "there is nothing to be seen from time 50 to 60 (--from, --to)" mode5 --end 2 --from 50 --to 60 --output z.svg
+# before it begins: a picture a tenth of the run's time, of which there are so many in fact
+refuse "more pictures than a film has" \
+	"the film would have about 1000000 pictures (at most 36000: --to 2000, or --speed 100)" mode5 --end 1e5 --output z.cast
+expect "a short one" 0 mode5 --end 20 --output p.cast
+result "has as many of them as it should" test $((($(events p.cast) - 200) * ($(events p.cast) - 200))) -le 16
 refuse "a session with parameters" "a.session: a session has its own scenario and parameters" a.session --end 2 --output z.svg
 refuse "a scenario that is none" "nothing: no such scenario or file (see: matvib list)" nothing --output z.svg
 mkdir folder

@@ -401,11 +401,35 @@ static bool replay_all(Script *script, const Session *session, Status *status)
     return sound && draw(script, status);
 }
 
+/* Whether the run from where the camera begins has room in a film: at its pace so many steps are a frame, and
+ * a picture is due each so many frames, if there is a step between. A run that may end by itself is only
+ * tried. */
+static bool has_room(const Script *script, double dt, Status *status)
+{
+    const Screen *screen = &script->lab.screen;
+    const Camera *camera = script->camera;
+    const double from = fmax(camera->from, 0),
+                 to = fmin(camera->to, (double)experiment_last_step(screen->experiment) * dt),
+                 steps = (to - from) / dt, frames = steps / screen->playback.pace,
+                 due = fmax(ceil((1 - 1e-9) * camera->speed / camera->fps / FRAME_SECONDS), 1),
+                 pictures = fmin(frames / due, steps);
+    if (pictures < FILM_PICTURES_MAX || camera->idle < 1 / camera->fps ||
+        experiment_settings(screen->experiment)->time.rest)
+        return true;
+    return status_fail(
+        status, STATUS_USAGE, "the film would have about %.0f pictures (at most %d: --to %g, or --speed %g)",
+        pictures, FILM_PICTURES_MAX,
+        from + player_next_125(FILM_PICTURES_MAX * fmax(due * screen->playback.pace, 1) * dt, -1),
+        player_next_125(camera->fps * FRAME_SECONDS * frames / FILM_PICTURES_MAX, 1));
+}
+
 /* Without keys: the run itself, to its end or to where the camera is told to stop. */
 static bool film_run(Script *script, Status *status)
 {
     Laboratory *lab = &script->lab;
     const double dt = experiment_simulation(lab->screen.experiment)->dt;
+    if (laboratory_active(lab) && !has_room(script, dt, status))
+        return false;
     if (script->camera->from > 0)
         player_seek(lab, (long)fmin(ceil(script->camera->from / dt - 1e-9), 1e15), 0);
     while (laboratory_active(lab) && experiment_time(lab->screen.experiment) <= script->camera->to)
