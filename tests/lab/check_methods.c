@@ -267,7 +267,7 @@ START_TEST(derived_numbers_of_the_lattice)
         {"lattice_horizon", 1.5},
         {"family", 6},
         {"micromodulus", 200 / 2.25},
-        {"bulk_modulus", 100},
+        {"modulus_of_bonds", 100},
         {"end_factor", 2},
         {"dt_crit", 0.0880243},
         {"omega_predicted", 5.58684},

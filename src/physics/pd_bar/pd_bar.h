@@ -86,7 +86,7 @@ typedef struct PdBarFacts {
     double micromodulus; /* c for a unit cross-section */
     size_t nodes;
     size_t family;        /* bonds of a node in the bulk */
-    double bulk_modulus;  /* E that a uniform strain finds far from the ends */
+    double modulus;       /* E that a uniform strain finds far from the ends */
     double end_factor;    /* g of the last node at a free end; 1: no correction, or no free end */
     double critical_step; /* 2 / omega_max, by the largest eigenvalue of the lattice with its ends */
 } PdBarFacts;

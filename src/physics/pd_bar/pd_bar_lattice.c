@@ -185,7 +185,7 @@ void pd_bar_facts(const Simulation *sim, PdBarFacts *facts)
     *facts = (PdBarFacts){.micromodulus = lattice->micromodulus,
                           .nodes = (size_t)lattice->n,
                           .family = 2 * (size_t)lattice->reach,
-                          .bulk_modulus = lattice->micromodulus * lattice->h * lattice->h * moment,
+                          .modulus = lattice->micromodulus * lattice->h * lattice->h * moment,
                           .end_factor = lattice->factor[pd_bar_at(lattice, last)],
                           .critical_step = bar->critical_step};
 }

@@ -120,7 +120,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     pd_bar_facts(sim, &facts);
     derived_add(out, &n, "family", "bonds of a node", "1", (double)facts.family, true);
     derived_add(out, &n, "micromodulus", "micromodulus c", "force/length^4", facts.micromodulus, false);
-    derived_add(out, &n, "bulk_modulus", "E of the bonds", "force/area", facts.bulk_modulus, false);
+    derived_add(out, &n, "modulus_of_bonds", "E of the bonds", "force/area", facts.modulus, false);
     derived_add(out, &n, "end_factor", "g at a free end", "1", facts.end_factor, false);
     derived_add(out, &n, "dt_crit", "critical dt", "time", facts.critical_step, false);
     derived_add(out, &n, "largest_courant", "courant limit", "1",
