@@ -9,8 +9,30 @@
  * w beyond the ends, oddly about a fixed end and evenly about a free one. Nothing holds the free-free bar:
  * there the body force accelerates it as a whole, u = b t^2/2, and only the traction stretches it. */
 #include "theory/bar.h"
+#include "theory/bar_modes.h"
 
 #include <math.h>
+
+bool bar_is_layered(const BarTheory *bar)
+{
+    return bar->joint > 0 &&
+           (bar->joint_modulus != bar->youngs_modulus || bar->joint_density != bar->density);
+}
+
+static bool is_beyond(const BarTheory *bar, double x)
+{
+    return bar->joint > 0 && x > bar->joint;
+}
+
+double bar_modulus_at(const BarTheory *bar, double x)
+{
+    return is_beyond(bar, x) ? bar->joint_modulus : bar->youngs_modulus;
+}
+
+double bar_density_at(const BarTheory *bar, double x)
+{
+    return is_beyond(bar, x) ? bar->joint_density : bar->density;
+}
 
 static bool is_free_free(const BarTheory *bar)
 {
@@ -20,6 +42,16 @@ static bool is_free_free(const BarTheory *bar)
 double bar_wave_speed(const BarTheory *bar)
 {
     return sqrt(bar->youngs_modulus / bar->density);
+}
+
+static double speed_beyond(const BarTheory *bar)
+{
+    return bar->joint > 0 ? sqrt(bar->joint_modulus / bar->joint_density) : bar_wave_speed(bar);
+}
+
+double bar_fastest_speed(const BarTheory *bar)
+{
+    return fmax(bar_wave_speed(bar), speed_beyond(bar));
 }
 
 /* beta_n: (2n - 1) pi/2L with one free end, n pi/L with two equal ends; paper M's eq. 17 with L as a
@@ -32,14 +64,22 @@ double bar_wave_number(const BarTheory *bar, int number)
     return (one_free_end ? number - 0.5 : number) * M_PI / bar->length;
 }
 
+double bar_largest_wave_number(const BarTheory *bar, int number)
+{
+    return bar_is_layered(bar) ? bar_frequency(bar, number) / fmin(bar_wave_speed(bar), speed_beyond(bar))
+                               : bar_wave_number(bar, number);
+}
+
 double bar_frequency(const BarTheory *bar, int number)
 {
+    if (bar_is_layered(bar) && number > 0)
+        return bar_modes_of_two(bar, number).frequency;
     return bar_wave_number(bar, number) * bar_wave_speed(bar);
 }
 
 /* phi_n = sin beta_n x with the left end fixed, cos beta_n x with it free (eq. 16); mode 0 of the
  * free-free bar is rigid motion. */
-double bar_mode_shape(const BarTheory *bar, int number, double x)
+static double sine_shape(const BarTheory *bar, int number, double x)
 {
     if (number < 1)
         return is_free_free(bar) ? 1 : 0;
@@ -47,21 +87,53 @@ double bar_mode_shape(const BarTheory *bar, int number, double x)
     return bar->left_fixed ? sin(phase) : cos(phase);
 }
 
-/* phi'(x) */
-static double mode_slope(const BarTheory *bar, int number, double x)
+/* Whether a mode is one of two materials, which is no sine. */
+static bool is_of_two(const BarTheory *bar, int number)
+{
+    return number > 0 && bar_is_layered(bar);
+}
+
+double bar_mode_shape(const BarTheory *bar, int number, double x)
+{
+    if (!is_of_two(bar, number))
+        return sine_shape(bar, number, x);
+    const BarMode mode = bar_modes_of_two(bar, number);
+    return bar_modes_shape(&mode, x);
+}
+
+double bar_start_shape(const BarTheory *bar, int number, double x)
+{
+    return bar->of_sines ? sine_shape(bar, number, x) : bar_mode_shape(bar, number, x);
+}
+
+/* The slope of sine_shape() */
+static double sine_slope(const BarTheory *bar, int number, double x)
 {
     double beta = bar_wave_number(bar, number);
     return bar->left_fixed ? beta * cos(beta * x) : -beta * sin(beta * x);
 }
 
-/* int phi dx / L: (1 - cos beta L)/(beta L) left fixed, sin(beta L)/(beta L) left free; 0 free-free, by
- * symmetry. */
-static double mode_mean(const BarTheory *bar, int number)
+/* phi'(x) */
+static double mode_slope(const BarTheory *bar, int number, double x)
+{
+    if (!is_of_two(bar, number))
+        return sine_slope(bar, number, x);
+    const BarMode mode = bar_modes_of_two(bar, number);
+    return bar_modes_slope(&mode, x);
+}
+
+/* int rho phi dx / int rho dx; of one material (1 - cos beta L)/(beta L) left fixed, sin(beta L)/(beta L)
+ * left free; 0 free-free, where the motion is none of the whole. */
+double bar_mode_mean(const BarTheory *bar, int number)
 {
     if (is_free_free(bar))
         return number < 1 ? 1 : 0;
     if (number < 1)
         return 0;
+    if (is_of_two(bar, number)) {
+        const BarMode mode = bar_modes_of_two(bar, number);
+        return bar_modes_mean(bar, &mode);
+    }
     double angle = bar_wave_number(bar, number) * bar->length;
     return (bar->left_fixed ? 1 - cos(angle) : sin(angle)) / angle;
 }
@@ -70,7 +142,7 @@ double bar_initial_velocity(const BarTheory *bar, double x)
 {
     double sum = 0;
     for (int i = 0; i < bar->n_modes; i++)
-        sum += bar->modes[i].velocity * bar_mode_shape(bar, bar->modes[i].number, x);
+        sum += bar->modes[i].velocity * bar_start_shape(bar, bar->modes[i].number, x);
     return sum;
 }
 
@@ -78,8 +150,18 @@ double bar_initial_slope(const BarTheory *bar, double x)
 {
     double sum = 0;
     for (int i = 0; i < bar->n_modes; i++)
-        sum += bar->modes[i].velocity * mode_slope(bar, bar->modes[i].number, x);
+        sum +=
+            bar->modes[i].velocity * (bar->of_sines ? sine_slope : mode_slope)(bar, bar->modes[i].number, x);
     return sum;
+}
+
+double bar_share_of_sine(const BarTheory *bar, int start, int number)
+{
+    if (!is_of_two(bar, number))
+        return start == number ? 1 : 0;
+    const BarMode mode = bar_modes_of_two(bar, number);
+    /* cos(x) = sin(x + pi/2) */
+    return bar_modes_share(bar, &mode, bar_wave_number(bar, start), bar->left_fixed ? 0 : M_PI / 2);
 }
 
 /* The static displacement under the loads, 0 <= x <= L: E w'' = -rho b with w = 0 or E w' = t at the ends.
@@ -204,7 +286,7 @@ double bar_stress(const BarTheory *bar, double x, double t)
         strain += static_slope(bar, x);
         strain -= (continued_slope(bar, x - way) + continued_slope(bar, x + way)) / 2;
     }
-    return bar->youngs_modulus * strain;
+    return bar_modulus_at(bar, x) * strain;
 }
 
 /* Eq. 20 for each mode, A mbar cos(omega t), mbar its mean over the bar; the load's part in closed form. */
@@ -213,7 +295,7 @@ double bar_centre_velocity(const BarTheory *bar, double t)
     double sum = 0;
     for (int i = 0; i < bar->n_modes; i++) {
         int number = bar->modes[i].number;
-        sum += bar->modes[i].velocity * mode_mean(bar, number) * cos(bar_frequency(bar, number) * t);
+        sum += bar->modes[i].velocity * bar_mode_mean(bar, number) * cos(bar_frequency(bar, number) * t);
     }
     if (is_loaded(bar)) {
         /* int W'(x -+ ct) dx over the bar is a difference of two values of W */

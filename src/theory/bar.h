@@ -23,24 +23,39 @@ typedef struct BarTheory {
     } modes[BAR_MODES_MAX];
     double body_force; /* b, per unit mass */
     double traction;   /* t, at each free end, outwards positive */
-    /* For bar_waves.h; what is here knows a bar of one material without a pulse. */
-    struct {
+    double joint;      /* where a second material begins; 0: the bar is of one */
+    double joint_modulus, joint_density;
+    bool of_sines; /* of two materials: it starts with the modes of a bar of one, and not with its own */
+    struct {       /* bar_waves.h; what is here knows no pulse */
         double centre, width, velocity; /* v = velocity exp(-((x - centre)/width)^2); of velocity 0 none */
     } pulse;
-    double joint; /* where a second material begins; 0: the bar is of one */
-    double joint_modulus, joint_density;
 } BarTheory;
 
-double bar_wave_speed(const BarTheory *bar);              /* c = sqrt(E / rho) */
-double bar_wave_number(const BarTheory *bar, int number); /* beta_n, eq. 17 */
-double bar_frequency(const BarTheory *bar, int number);   /* omega_n, eq. 18, radians per unit time */
+/* Whether the second material differs from the first. */
+bool bar_is_layered(const BarTheory *bar);
+double bar_modulus_at(const BarTheory *bar, double x); /* E and rho at a place */
+double bar_density_at(const BarTheory *bar, double x);
+
+double bar_wave_speed(const BarTheory *bar);              /* c = sqrt(E / rho), of the first material */
+double bar_fastest_speed(const BarTheory *bar);           /* the greater of both materials' */
+double bar_wave_number(const BarTheory *bar, int number); /* beta_n, eq. 17, of a bar of one material */
+double bar_largest_wave_number(const BarTheory *bar, int number); /* omega_n over the slower speed */
+double bar_frequency(const BarTheory *bar, int number);           /* omega_n, eq. 18, radians per unit time */
 double bar_mode_shape(const BarTheory *bar, int number, double x); /* phi_n(x), eq. 16 */
 
+/* What the bar starts with for mode n: phi_n, or of two materials, if it starts so, that of one. */
+double bar_start_shape(const BarTheory *bar, int number, double x);
 double bar_initial_velocity(const BarTheory *bar, double x); /* eq. 19 with overtones */
 double bar_initial_slope(const BarTheory *bar, double x);    /* its derivative by x */
 
-/* The continuum's fields and means at a time; loads by superposition (d'Alembert). A body force accelerates
- * the free-free bar as a whole. Beyond the bar's ends there is no answer. */
+/* How much of mode n is in a velocity of the shape of mode `start` of a bar of one material:
+ * int rho phi s dx / int rho phi^2 dx; times the mean of the mode over the mass, for v_cm. */
+double bar_share_of_sine(const BarTheory *bar, int start, int number);
+double bar_mode_mean(const BarTheory *bar, int number);
+
+/* The continuum's fields and means at a time; loads by superposition (d'Alembert), of a bar of one material.
+ * A body force accelerates the free-free bar as a whole. Of two materials that start with sines the motion
+ * is not here (bar_waves.h). Beyond the bar's ends there is no answer. */
 double bar_displacement(const BarTheory *bar, double x, double t);
 double bar_velocity(const BarTheory *bar, double x, double t);
 double bar_stress(const BarTheory *bar, double x, double t);
@@ -77,7 +92,7 @@ typedef struct Dispersion {
 Dispersion dispersion_of_bar(const BarTheory *bar, const BarMesh *mesh, double wave_number);
 
 /* Whether v_cm(t) is predicted whole: hat, fixed-free, flip_fraction 1, FLIP, any mass blend, USF or MUSL,
- * no load. */
+ * no load, one material. */
 bool dispersion_predicts_centre_velocity(const BarTheory *bar, const BarMesh *mesh);
 
 /* The predicted v_cm at step k (t = k dt), summed over the modes. */

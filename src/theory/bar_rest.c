@@ -109,6 +109,17 @@ static void add_outer(const BarRest *rest, double *band, int first, const double
                 band[(first + r) * (rest->reach + 1) + r - c] += scale * a[r] * a[c];
 }
 
+/* Mass and stiffness of a particle of a cell over those of the first material's. */
+static double density_in(const BarRest *rest, int cell)
+{
+    return cell < rest->joint ? 1 : rest->density_beyond;
+}
+
+static double modulus_in(const BarRest *rest, int cell)
+{
+    return cell < rest->joint ? 1 : rest->modulus_beyond;
+}
+
 /* The matrices of bar_rest.h in units of rho dx and E/dx: a particle has mass and volume 1/P of a cell's.
  *
  *     M_l,i = sum_p m N_i      M_ij = sum_p m N_i N_j      K_ij = sum_p V E N_i' N_j'
@@ -122,18 +133,30 @@ static void assemble(BarRest *rest, bool apic)
         for (int j = 0; j < rest->per_cell; j++) {
             const int first = cell + rest->origin - rest->first_node;
             double n[REST_SUPPORT_MAX], slope[REST_SUPPORT_MAX], arm[REST_SUPPORT_MAX], spread = 0;
+            const double mass = part * density_in(rest, cell);
             bar_rest_weights(rest, cell, j, n, slope, arm);
-            add_outer(rest, rest->consistent, first, n, part);
-            add_outer(rest, rest->stiffness, first, slope, part);
+            add_outer(rest, rest->consistent, first, n, mass);
+            add_outer(rest, rest->stiffness, first, slope, part * modulus_in(rest, cell));
             for (int a = 0; a <= rest->degree; a++) {
                 if (first + a >= 0 && first + a < rest->nodes)
-                    rest->mass[first + a] += part * n[a];
+                    rest->mass[first + a] += mass * n[a];
                 spread += n[a] * arm[a] * arm[a];
                 arm[a] *= n[a];
             }
             if (apic)
-                add_outer(rest, rest->consistent, first, arm, part / spread);
+                add_outer(rest, rest->consistent, first, arm, mass / spread);
         }
+}
+
+/* The first cell of the second material. Of a longer bar each part keeps its cells, or half of those that are
+ * kept. */
+static int joint_among(const BarTheory *bar, const BarMesh *mesh, int cells)
+{
+    const double all = round(bar->length / mesh->cell_size), at = round(bar->joint / mesh->cell_size);
+    const double half = floor(cells / 2.0);
+    if (!bar_is_layered(bar))
+        return cells;
+    return (int)(cells >= all ? at : at < half ? at : all - at < cells - half ? cells - (all - at) : half);
 }
 
 /* Lumped mass, consistent mass and stiffness of the nodes that move. False: none does, or memory is short;
@@ -143,8 +166,13 @@ bool bar_rest_make(BarRest *rest, const BarTheory *bar, const BarMesh *mesh, int
     /* open knots that lie more than two cells beyond the bar's end change no function that the bar touches */
     const int padding = mesh->padding < 2 ? mesh->padding : 2;
     const int degree = bar_rest_degree(mesh->shape);
-    *rest =
-        (BarRest){.cells = cells, .per_cell = mesh->particles_per_cell, .degree = degree, .reach = degree};
+    *rest = (BarRest){.cells = cells,
+                      .per_cell = mesh->particles_per_cell,
+                      .joint = joint_among(bar, mesh, cells),
+                      .density_beyond = bar->joint_density / bar->density,
+                      .modulus_beyond = bar->joint_modulus / bar->youngs_modulus,
+                      .degree = degree,
+                      .reach = degree};
     rest->origin = bar->left_fixed ? 0 : padding;
     rest->mesh_cells = rest->origin + cells + (bar->right_fixed ? 0 : padding);
     /* the nodes that the bar's cells touch, less the one that each support holds */
@@ -168,7 +196,7 @@ void bar_rest_free(BarRest *rest)
 }
 
 /* v_i = sum m N_i phi(x_p) / m_i: what mapping and eq. 4 of paper M make of a mode phi of unit velocity. */
-void bar_rest_sample(const BarRest *rest, const BarTheory *bar, int number, double *velocity)
+void bar_rest_sample(const BarRest *rest, const BarTheory *bar, BarShape *shape, int number, double *velocity)
 {
     const double part = 1.0 / rest->per_cell, cell_size = bar->length / rest->cells;
     memset(velocity, 0, (size_t)rest->nodes * sizeof *velocity);
@@ -177,10 +205,10 @@ void bar_rest_sample(const BarRest *rest, const BarTheory *bar, int number, doub
             double n[REST_SUPPORT_MAX];
             bar_rest_weights(rest, cell, j, n, NULL, NULL);
             const int first = cell + rest->origin - rest->first_node;
-            const double v = bar_mode_shape(bar, number, (cell + (j + 0.5) / rest->per_cell) * cell_size);
+            const double v = shape(bar, number, (cell + (j + 0.5) / rest->per_cell) * cell_size);
             for (int a = 0; a <= rest->degree; a++)
                 if (first + a >= 0 && first + a < rest->nodes)
-                    velocity[first + a] += part * v * n[a];
+                    velocity[first + a] += part * density_in(rest, cell) * v * n[a];
         }
     for (int i = 0; i < rest->nodes; i++)
         velocity[i] /= rest->mass[i];

@@ -8,8 +8,9 @@
  * other.
  *
  * Lengths are in cells, masses in rho dx, stiffnesses in E/dx; a time step is then the courant number, and a
- * frequency is one of dx/c. Only nodes that are free and have mass are kept, counted from 0. A band matrix is
- * stored by rows: B(i, i - d) at [i * (reach + 1) + d], d = 0 .. reach; what lies left of it is 0. */
+ * frequency is one of dx/c: all of the first material, where there are two. Only nodes that are free and have
+ * mass are kept, counted from 0. A band matrix is stored by rows: B(i, i - d) at [i * (reach + 1) + d], d = 0
+ * .. reach; what lies left of it is 0. */
 #ifndef THEORY_BAR_REST_H
 #define THEORY_BAR_REST_H
 
@@ -18,12 +19,14 @@
 enum { REST_SUPPORT_MAX = 4 };
 
 typedef struct BarRest {
-    int cells, per_cell;    /* of the bar */
-    int degree;             /* p of the shape functions; a cell touches p + 1 nodes */
-    int origin, mesh_cells; /* cells before the bar; cells in all */
-    int first_node, nodes;  /* those that are kept: first_node .. first_node + nodes - 1 of the mesh */
-    int reach;              /* half-width of the bands */
-    double *mass;           /* M_l = sum m N, the lumped mass */
+    int cells, per_cell;                   /* of the bar */
+    int joint;                             /* the first cell of the second material; of one: cells */
+    double density_beyond, modulus_beyond; /* of the second material over the first */
+    int degree;                            /* p of the shape functions; a cell touches p + 1 nodes */
+    int origin, mesh_cells;                /* cells before the bar; cells in all */
+    int first_node, nodes; /* those that are kept: first_node .. first_node + nodes - 1 of the mesh */
+    int reach;             /* half-width of the bands */
+    double *mass;          /* M_l = sum m N, the lumped mass */
     double *consistent; /* consistent mass M_c = sum m N N^T; with APIC M_c + sum m (N d)(N d)^T / sum N d^2,
                         d from particle to node */
     double *stiffness;  /* K = sum V N' N'^T */
@@ -38,8 +41,9 @@ void bar_rest_weights(const BarRest *, int cell, int j, double n[REST_SUPPORT_MA
 bool bar_rest_make(BarRest *, const BarTheory *, const BarMesh *, int cells);
 void bar_rest_free(BarRest *);
 
-/* Nodal velocities sum m N phi / M_l of a mode of unit velocity. */
-void bar_rest_sample(const BarRest *, const BarTheory *, int number, double *velocity);
+/* Nodal velocities sum m N phi / M_l of a mode of unit velocity, as phi is. */
+typedef double BarShape(const BarTheory *, int number, double x);
+void bar_rest_sample(const BarRest *, const BarTheory *, BarShape *phi, int number, double *velocity);
 
 /* The degree of the splines that a shape's weights at rest are: 1, 2, 3. */
 int bar_rest_degree(MeshShape);

@@ -15,7 +15,11 @@
  *                 g1 = ((Z1 - Z2) f1 + 2 Z2 g2)/(Z1 + Z2)     f2 = (2 Z1 f1 + (Z2 - Z1) g2)/(Z1 + Z2)
  *
  * Integrals over time obey the same, with the integral along the first part of the way added; a displacement
- * is that of v, and the momentum changes by that of the stress at a fixed end. */
+ * is that of v, and the momentum changes by that of the stress at a fixed end.
+ *
+ * What leaves the joint at t comes of what left it a way to and fro earlier, and of the start before that. So
+ * of two materials it is worked out for the times t - i tau_1 - j tau_2, the earliest first: each division is
+ * met once, though 2^n ways lead through n of them. */
 #include "theory/bar_waves.h"
 
 #include <math.h>
@@ -31,25 +35,10 @@ typedef struct Waves {
     int parts;
 } Waves;
 
-static bool has_joint(const BarTheory *bar)
-{
-    return bar->joint > 0;
-}
-
-double bar_waves_modulus(const BarTheory *bar, double x)
-{
-    return has_joint(bar) && x > bar->joint ? bar->joint_modulus : bar->youngs_modulus;
-}
-
-double bar_waves_density(const BarTheory *bar, double x)
-{
-    return has_joint(bar) && x > bar->joint ? bar->joint_density : bar->density;
-}
-
 static Waves waves_of(const BarTheory *bar)
 {
-    Waves waves = {.bar = bar, .parts = has_joint(bar) ? 2 : 1};
-    const double edges[] = {0, has_joint(bar) ? bar->joint : bar->length, bar->length};
+    Waves waves = {.bar = bar, .parts = bar_is_layered(bar) ? 2 : 1};
+    const double edges[] = {0, waves.parts == 2 ? bar->joint : bar->length, bar->length};
     for (int i = 0; i < waves.parts; i++) {
         const double e = i ? bar->joint_modulus : bar->youngs_modulus;
         const double rho = i ? bar->joint_density : bar->density;
@@ -63,14 +52,34 @@ static double duration(const Part *part)
     return (part->right - part->left) / part->speed;
 }
 
+/* Nothing but a pulse, or sines on two materials, makes waves that bar.h does not know. */
+static bool are_there(const BarTheory *bar)
+{
+    return bar->pulse.velocity != 0 || (bar_is_layered(bar) && bar->of_sines);
+}
+
+/* How many pairs (i, j) there are at most, in both directions. */
+static void count_ways(const Waves *waves, double t, double counts[2])
+{
+    for (int i = 0; i < 2; i++)
+        counts[i] = floor(t / (2 * duration(&waves->part[i]))) + 1;
+}
+
+static bool is_within_reach(const Waves *waves, double t)
+{
+    double counts[2];
+    if (waves->parts == 1)
+        return true;
+    count_ways(waves, t, counts);
+    return counts[0] * counts[1] <= BAR_WAVES_MOST;
+}
+
 bool bar_waves_known(const BarTheory *bar, double end)
 {
     const Waves waves = waves_of(bar);
-    if (!has_joint(bar))
-        return true;
-    if (bar->body_force != 0 || bar->traction != 0)
+    if (bar_is_layered(bar) && (bar->body_force != 0 || bar->traction != 0))
         return false;
-    return end <= BAR_WAVES_DIVIDED * 2 * fmin(duration(&waves.part[0]), duration(&waves.part[1]));
+    return !are_there(bar) || is_within_reach(&waves, end);
 }
 
 double bar_waves_reflected(const BarTheory *bar)
@@ -118,13 +127,18 @@ double bar_waves_start_slope(const BarTheory *bar, double x)
 
 double bar_waves_start_stress(const BarTheory *bar, double x)
 {
-    return -sqrt(bar_waves_modulus(bar, x) * bar_waves_density(bar, x)) * pulse(bar, x);
+    return -sqrt(bar_modulus_at(bar, x) * bar_density_at(bar, x)) * pulse(bar, x);
 }
 
-/* The modes are waves of the one material; of two they start as a velocity, half to each side. */
+/* Modes of the bar are bar.h's; what is none starts as a velocity, half to each side. */
+static bool are_waves(const Waves *waves)
+{
+    return waves->parts > 1 && waves->bar->of_sines;
+}
+
 static double mode_share(const Waves *waves, double x)
 {
-    return waves->parts > 1 ? bar_initial_velocity(waves->bar, x) / 2 : 0;
+    return are_waves(waves) ? bar_initial_velocity(waves->bar, x) / 2 : 0;
 }
 
 /* int phi dx from the left end: (1 - cos beta x)/beta left fixed, sin(beta x)/beta left free; x of rigid
@@ -133,9 +147,9 @@ static double mode_share_until(const Waves *waves, double x)
 {
     const BarTheory *bar = waves->bar;
     double sum = 0;
-    for (int i = 0; waves->parts > 1 && i < bar->n_modes; i++) {
+    for (int i = 0; are_waves(waves) && i < bar->n_modes; i++) {
         const double beta = bar_wave_number(bar, bar->modes[i].number);
-        const double whole = !(beta > 0)       ? bar_mode_shape(bar, 0, x) * x
+        const double whole = !(beta > 0)       ? bar_start_shape(bar, 0, x) * x
                              : bar->left_fixed ? (1 - cos(beta * x)) / beta
                                                : sin(beta * x) / beta;
         sum += bar->modes[i].velocity * whole / 2;
@@ -147,40 +161,112 @@ static double mode_share_until(const Waves *waves, double x)
 
 typedef enum Way { TO_RIGHT, TO_LEFT } Way;
 
+static double edge_of(const Part *part, Way way)
+{
+    return way == TO_RIGHT ? part->right : part->left;
+}
+
+static Way opposite(Way way)
+{
+    return way == TO_RIGHT ? TO_LEFT : TO_RIGHT;
+}
+
+/* What an end makes of a velocity. */
+static double sign_at(const Waves *waves, Way way)
+{
+    const bool fixed = way == TO_RIGHT ? waves->bar->right_fixed : waves->bar->left_fixed;
+    return fixed ? -1 : 1;
+}
+
+/* What is at x of the start itself: the wave from `begun`, or the integral over the time since. */
+static double from_start(const Waves *waves, int of, Way way, bool integral, double x, double begun)
+{
+    const double c = waves->part[of].speed, sign = way == TO_RIGHT ? 1 : -1;
+    if (!integral)
+        return mode_share(waves, begun) + (way == TO_RIGHT ? pulse(waves->bar, begun) : 0);
+    double sum = mode_share_until(waves, x) - mode_share_until(waves, begun);
+    sum += way == TO_RIGHT ? pulse_until(waves->bar, x) - pulse_until(waves->bar, begun) : 0;
+    return sum * sign / c;
+}
+
+/* What has come to the joint by t through part `of` and had not been there before: straight, then by the
+ * end. It is all there after twice the duration. */
+static double first_at_joint(const Waves *waves, int of, bool integral, double t)
+{
+    const Part *part = &waves->part[of];
+    const Way way = of ? TO_LEFT : TO_RIGHT, back = opposite(way);
+    const double joint = edge_of(part, way), end = edge_of(part, back), whole = duration(part);
+    const double sign = way == TO_RIGHT ? 1 : -1, later = fmin(t - whole, whole);
+    if (t <= whole)
+        return from_start(waves, of, way, integral, joint, joint - sign * part->speed * t);
+    const double by_end =
+        sign_at(waves, back) * from_start(waves, of, back, integral, end, end + sign * part->speed * later);
+    return integral ? from_start(waves, of, way, true, joint, end) + by_end : by_end;
+}
+
+/* What leaves the joint at t into both parts, from the earliest pair (i, j) to (0, 0): `row` has what left at
+ * (i + 1, j) into the part whose way is the shorter, out[inner] what left at (i, j + 1) into the other. */
+static void leaving_joint(const Waves *waves, bool integral, double t, double out[2])
+{
+    enum { ROW = 92 }; /* more than the root of BAR_WAVES_MOST: the inner ones are the fewer */
+    _Static_assert((ROW - 1) * (ROW - 1) > BAR_WAVES_MOST, "a row has room");
+    double counts[2], row[ROW];
+    const Part *part = waves->part;
+    const double z[2] = {part[0].impedance, part[1].impedance};
+    const double ways[2] = {2 * duration(&part[0]), 2 * duration(&part[1])};
+    const int outer = ways[0] <= ways[1] ? 0 : 1, inner = 1 - outer;
+    double all[2]; /* that comes to the joint from the start, and by an end */
+    out[0] = out[1] = NAN;
+    if (!is_within_reach(waves, t))
+        return;
+    count_ways(waves, t, counts);
+    for (int k = 0; k < 2; k++)
+        all[k] = integral ? first_at_joint(waves, k, true, ways[k]) : 0;
+    int known = 0; /* of the row before */
+    for (int i = (int)counts[outer]; i >= 0; i--) {
+        const double at = t - i * ways[outer];
+        int last = (int)counts[inner];
+        while (last >= 0 && !(at - last * ways[inner] > 0))
+            last--;
+        for (int j = last; j >= 0; j--) {
+            const double now = at - j * ways[inner];
+            double met[2];
+            met[outer] = j < known ? all[outer] + sign_at(waves, outer ? TO_RIGHT : TO_LEFT) * row[j]
+                                   : first_at_joint(waves, outer, integral, fmin(now, ways[outer]));
+            met[inner] = j < last ? all[inner] + sign_at(waves, inner ? TO_RIGHT : TO_LEFT) * out[inner]
+                                  : first_at_joint(waves, inner, integral, fmin(now, ways[inner]));
+            out[0] = ((z[0] - z[1]) * met[0] + 2 * z[1] * met[1]) / (z[0] + z[1]);
+            out[1] = ((z[1] - z[0]) * met[1] + 2 * z[0] * met[0]) / (z[0] + z[1]);
+            row[j] = out[outer];
+        }
+        known = last + 1;
+    }
+}
+
 /* A wave at (x, t), or its integral over time up to there. */
 static double wave(const Waves *waves, int of, Way way, bool integral, double x, double t);
 
 /* What goes out of an end or of the joint into the part at time t. */
 static double outgoing(const Waves *waves, int of, Way way, bool integral, double t)
 {
-    const Part *part = &waves->part[of];
-    const double at = way == TO_RIGHT ? part->left : part->right;
-    const int beyond = way == TO_RIGHT ? of - 1 : of + 1;
-    const Way back = way == TO_RIGHT ? TO_LEFT : TO_RIGHT;
-    const double met = wave(waves, of, back, integral, at, t);
-    if (beyond < 0 || beyond >= waves->parts) {
-        const bool fixed = way == TO_RIGHT ? waves->bar->left_fixed : waves->bar->right_fixed;
-        return fixed ? -met : met;
-    }
-    const double z = part->impedance, other = waves->part[beyond].impedance;
-    return ((z - other) * met + 2 * other * wave(waves, beyond, way, integral, at, t)) / (z + other);
+    const Way back = opposite(way);
+    double from_joint[2];
+    if (waves->parts == 1 || (way == TO_RIGHT) == (of == 0))
+        return sign_at(waves, back) * wave(waves, of, back, integral, edge_of(&waves->part[of], back), t);
+    leaving_joint(waves, integral, t, from_joint);
+    return from_joint[of];
 }
 
 static double wave(const Waves *waves, int of, Way way, bool integral, double x, double t)
 {
     const Part *part = &waves->part[of];
     const double c = part->speed, sign = way == TO_RIGHT ? 1 : -1;
-    const double from = way == TO_RIGHT ? part->left : part->right, passed = fabs(x - from) / c;
+    const double passed = fabs(x - edge_of(part, opposite(way))) / c;
     const double begun = x - sign * c * fmin(t, passed); /* where it was at t = 0, or the end */
-    double sum = 0;
-    if (integral) {
-        sum = mode_share_until(waves, x) - mode_share_until(waves, begun);
-        sum += way == TO_RIGHT ? pulse_until(waves->bar, x) - pulse_until(waves->bar, begun) : 0;
-        sum *= sign / c;
-    } else if (t <= passed) {
-        sum = mode_share(waves, begun) + (way == TO_RIGHT ? pulse(waves->bar, begun) : 0);
-    }
-    return t <= passed ? sum : sum + outgoing(waves, of, way, integral, t - passed);
+    if (t <= passed)
+        return from_start(waves, of, way, integral, x, begun);
+    return (integral ? from_start(waves, of, way, true, x, begun) : 0) +
+           outgoing(waves, of, way, integral, t - passed);
 }
 
 /* Of one material all comes back after four times the length: without so many such times, so that the way to
@@ -196,10 +282,10 @@ static int part_at(const Waves *waves, double x)
     return waves->parts > 1 && x > waves->part[0].right;
 }
 
-/* Nothing but a pulse, or two materials, makes waves that bar.h does not know. */
-static bool are_there(const BarTheory *bar)
+/* What is of modes and loads. */
+static bool has_rest(const BarTheory *bar)
 {
-    return bar->pulse.velocity != 0 || has_joint(bar);
+    return !(bar_is_layered(bar) && bar->of_sines);
 }
 
 /* Both waves at a place and time, or their integrals over time; 0 where there are none. */
@@ -221,14 +307,14 @@ static Both both_at(const BarTheory *bar, bool integral, double x, double t)
 
 double bar_waves_velocity(const BarTheory *bar, double x, double t)
 {
-    const double rest = has_joint(bar) ? 0 : bar_velocity(bar, x, t);
+    const double rest = !has_rest(bar) ? 0 : bar_velocity(bar, x, t);
     const Both both = both_at(bar, false, x, t);
     return rest + both.to_right + both.to_left;
 }
 
 double bar_waves_stress(const BarTheory *bar, double x, double t)
 {
-    const double rest = has_joint(bar) ? 0 : bar_stress(bar, x, t);
+    const double rest = !has_rest(bar) ? 0 : bar_stress(bar, x, t);
     const Both both = both_at(bar, false, x, t);
     return rest + both.impedance * (both.to_left - both.to_right);
 }
@@ -236,7 +322,7 @@ double bar_waves_stress(const BarTheory *bar, double x, double t)
 /* The mass, and the momentum at t = 0 of what goes by waves. */
 static double mass_of(const BarTheory *bar)
 {
-    const double joint = has_joint(bar) ? bar->joint : bar->length;
+    const double joint = bar_is_layered(bar) ? bar->joint : bar->length;
     return bar->density * joint + bar->joint_density * (bar->length - joint);
 }
 
@@ -254,7 +340,7 @@ static double start_momentum(const Waves *waves)
 
 double bar_waves_displacement(const BarTheory *bar, double x, double t)
 {
-    const double rest = has_joint(bar) ? 0 : bar_displacement(bar, x, t);
+    const double rest = !has_rest(bar) ? 0 : bar_displacement(bar, x, t);
     const Both both = both_at(bar, true, x, t);
     double drift = 0;
     if (both.left_out > 0 && !bar->left_fixed && !bar->right_fixed) {
@@ -273,7 +359,7 @@ static double impulse_at(const Waves *waves, int part, double x, double t)
 
 double bar_waves_centre_velocity(const BarTheory *bar, double t)
 {
-    const double rest = has_joint(bar) ? 0 : bar_centre_velocity(bar, t);
+    const double rest = !has_rest(bar) ? 0 : bar_centre_velocity(bar, t);
     if (!are_there(bar))
         return rest;
     const Waves waves = waves_of(bar);

@@ -12,20 +12,18 @@ double bar_waves_start_velocity(const BarTheory *, double x);
 double bar_waves_start_slope(const BarTheory *, double x);
 double bar_waves_start_stress(const BarTheory *, double x);
 
-/* Whether the motion is known up to a time. A wave that meets the joint again and again divides each time:
- * of two materials it is followed through the joint BAR_WAVES_DIVIDED times, and no load is known. */
-enum { BAR_WAVES_DIVIDED = 14 };
+/* Whether the motion is known up to a time. Of two materials a wave divides each time it meets the joint;
+ * what has gone i times to and fro in the one and j times in the other is there at the same time, whatever
+ * the order, so that there are as many waves as such pairs: of up to BAR_WAVES_MOST the motion is known. What
+ * starts with modes of the bar itself is known for ever, and of two materials no load is. */
+enum { BAR_WAVES_MOST = 8192 };
 bool bar_waves_known(const BarTheory *, double end);
 
-/* The fields and v_cm at a time up to which the motion is known. */
+/* The fields and v_cm at a time; NAN where that needs more waves. */
 double bar_waves_displacement(const BarTheory *, double x, double t);
 double bar_waves_velocity(const BarTheory *, double x, double t);
 double bar_waves_stress(const BarTheory *, double x, double t);
 double bar_waves_centre_velocity(const BarTheory *, double t);
-
-/* E and rho at a place. */
-double bar_waves_modulus(const BarTheory *, double x);
-double bar_waves_density(const BarTheory *, double x);
 
 /* What a joint sends back of a wave's velocity that comes from the left, and what it lets on:
  * (Z1 - Z2)/(Z1 + Z2) and 2 Z1/(Z1 + Z2), Z = sqrt(E rho). */

@@ -118,7 +118,8 @@ bool dispersion_predicts_centre_velocity(const BarTheory *bar, const BarMesh *me
     bool supports = bar->left_fixed && !bar->right_fixed;
     bool method = mesh->shape == MESH_HAT && bar_mesh_flip(mesh) == 1 &&
                   (mesh->algorithm == MESH_USF || mesh->algorithm == MESH_MUSL);
-    if (!supports || !method || bar->body_force != 0 || bar->traction != 0 || bar->pulse.velocity != 0)
+    if (!supports || !method || bar->body_force != 0 || bar->traction != 0 || bar->pulse.velocity != 0 ||
+        bar_is_layered(bar))
         return false;
     for (int i = 0; i < bar->n_modes; i++)
         if (!dispersion_of_bar(bar, mesh, bar_wave_number(bar, bar->modes[i].number)).known)

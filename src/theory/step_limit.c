@@ -85,7 +85,8 @@ double step_limit_with_ends(const BarTheory *bar, const BarMesh *mesh)
     quiet_begin();
     if (bar_rest_make(&rest, bar, mesh, kept)) {
         if (reserve(&work, (size_t)rest.nodes))
-            limit = sqrt(2 / largest_eigenvalue(&rest, mesh, &work));
+            limit = sqrt(2 / largest_eigenvalue(&rest, mesh, &work)) * bar_fastest_speed(bar) /
+                    bar_wave_speed(bar);
         release(&work);
     } else if (rest.nodes < 1) {
         limit = INFINITY;

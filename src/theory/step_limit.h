@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The largest courant number dt c / dx with which a bar at rest on its mesh stays bounded.
+/* The largest courant number dt c / dx with which a bar at rest on its mesh stays bounded; of two materials
+ * c is the faster one's.
  *
  * The eigenvalues of the linearised step first leave the unit circle at -1, and there the problem is
  * symmetric:

@@ -21,6 +21,7 @@
  * for because small steps have lambda near 1. */
 #include "theory/step_spectrum.h"
 #include "base/linear/cholesky.h"
+#include "theory/bar_modes.h"
 #include "theory/bar_rest.h"
 #include "theory/quiet.h"
 
@@ -35,7 +36,7 @@
 
 enum {
     CELLS_MOST = 2000,
-    CELLS_MOST_HELD_CUBIC = 20000,
+    CELLS_MOST_LONG = 20000,
     CELLS_MOST_DENSE = 64,
     SOLVES_MOST = 40,
     WORK_MOST = 1000000
@@ -513,12 +514,12 @@ static bool choose_among_all(Search *search, double complex *mu)
     return good;
 }
 
-/* The mode as the step's unknowns: nodal velocities of M v = p, or momenta. False: not enough memory. */
-static bool sample(Search *search, int number)
+/* A shape as the step's unknowns: nodal velocities of M v = p, or momenta. False: not enough memory. */
+static bool sample(Search *search, BarShape *shape, int number)
 {
     const BarRest *rest = &search->step.rest;
     const double share = search->mesh->consistent;
-    bar_rest_sample(rest, search->bar, number, search->sampled);
+    bar_rest_sample(rest, search->bar, shape, number, search->sampled);
     if (!search->step.of_momenta && share == 0)
         return true;
     for (int i = 0; i < rest->nodes; i++)
@@ -531,7 +532,7 @@ static bool sample(Search *search, int number)
 static StepMode find_mode(Search *search, int number, double complex mu)
 {
     StepMode mode = {.frequency = NAN, .decay = NAN, .overlap = NAN, .with_ends = true};
-    if (!sample(search, number) || !go_on(&search->step, 0.5 / SOLVES_MOST))
+    if (!sample(search, bar_mode_shape, number) || !go_on(&search->step, 0.5 / SOLVES_MOST))
         return mode;
     begin(&search->step, search->sampled, mu, search->x);
     if (iterate(&search->step, &search->band, &mu, search->x, search->y))
@@ -546,21 +547,55 @@ static StepMode find_mode(Search *search, int number, double complex mu)
     return mode;
 }
 
-/* Of longer bars the endless mesh's answer will do (step_spectrum.h); of wide bands it has to, sooner. */
+/* The same with the overlap of what the bar starts with. */
+static StepMode find_start(Search *search, int number, double complex mu)
+{
+    StepMode mode = find_mode(search, number, mu);
+    if (mode.known && search->bar->of_sines) {
+        mode.known = sample(search, bar_start_shape, number);
+        mode.overlap = overlap(&search->step, search->x, search->sampled);
+    }
+    return mode;
+}
+
+/* Of longer bars the endless mesh's answer will do (step_spectrum.h); of wide bands it has to, sooner. A
+ * joint is not in it: then the mode is looked for as long as that can be waited for. */
 static double cells_most(const BarTheory *bar, const BarMesh *mesh)
 {
     const bool held_cubic = mesh->shape == MESH_BSPLINE3 && (bar->left_fixed || bar->right_fixed);
     const double width = 2 * bar_rest_degree(mesh->shape) * fmax(1, mesh->fmpm_order) + 1;
-    return fmin(held_cubic ? CELLS_MOST_HELD_CUBIC : CELLS_MOST, WORK_MOST / (width * width));
+    return fmin(held_cubic || bar_is_layered(bar) ? CELLS_MOST_LONG : CELLS_MOST,
+                WORK_MOST / (width * width));
+}
+
+/* Of two materials each turns its part of the wave faster or slower, and the mode as its energy is shared. */
+static Dispersion wave_of_two(const BarTheory *bar, const BarMesh *mesh, int number)
+{
+    const BarMode mode = bar_modes_of_two(bar, number);
+    const double share = bar_modes_energy_beyond(bar, &mode);
+    BarTheory beyond = *bar;
+    beyond.youngs_modulus = bar->joint_modulus, beyond.density = bar->joint_density;
+    const Dispersion one = dispersion_of_bar(bar, mesh, mode.part[0].wave_number);
+    const Dispersion other = dispersion_of_bar(&beyond, mesh, mode.part[1].wave_number);
+    return (Dispersion){.known = one.known && other.known,
+                        .frequency = (1 - share) * one.frequency + share * other.frequency,
+                        .decay = (1 - share) * one.decay + share * other.decay};
+}
+
+static Dispersion endless_wave(const BarTheory *bar, const BarMesh *mesh, int number)
+{
+    return bar_is_layered(bar) && number > 0 ? wave_of_two(bar, mesh, number)
+                                             : dispersion_of_bar(bar, mesh, bar_wave_number(bar, number));
 }
 
 StepMode step_mode(const BarTheory *bar, const BarMesh *mesh, int number)
 {
-    const double wave_number = bar_wave_number(bar, number);
-    const Dispersion wave = dispersion_of_bar(bar, mesh, wave_number);
+    const Dispersion wave = endless_wave(bar, mesh, number);
     StepMode mode = {.known = wave.known, .frequency = wave.frequency, .decay = wave.decay, .overlap = 1};
     const double cells = round(bar->length / mesh->cell_size);
-    if (!wave.known || wave_number == 0 || cells > cells_most(bar, mesh))
+    const bool is_long = cells > cells_most(bar, mesh);
+    mode.known = wave.known && !(is_long && bar_is_layered(bar));
+    if (!mode.known || bar_wave_number(bar, number) == 0 || is_long)
         return mode;
 
     mode.known = false;
@@ -582,7 +617,7 @@ StepMode step_mode(const BarTheory *bar, const BarMesh *mesh, int number)
         if (band->rows && search.x && search.sampled) {
             search.y = search.x + n;
             search.scrap = search.sampled + n / 2;
-            mode = find_mode(&search, number, cexp((I * wave.frequency - wave.decay) * mesh->dt) - 1);
+            mode = find_start(&search, number, cexp((I * wave.frequency - wave.decay) * mesh->dt) - 1);
         }
         free(search.sampled);
         free(search.x);

@@ -7,7 +7,10 @@
  * eigenvalue of the vector that the sampled mode overlaps most:
  *
  *     frequency = arg(lambda)/dt,   decay = -ln|lambda|/dt
- *     overlap = |sum m conj(v) s| / (|v|_m |s|_m),   s = sum m N phi / m */
+ *     overlap = |sum m conj(v) s| / (|v|_m |s|_m),   s = sum m N phi / m
+ *
+ * Of two materials phi is the mode of both (bar_modes.h), and each particle has its own modulus and mass;
+ * where the bar starts with the sine of one, the overlap is that of the sine. */
 #ifndef THEORY_STEP_SPECTRUM_H
 #define THEORY_STEP_SPECTRUM_H
 
@@ -24,7 +27,8 @@ typedef struct StepMode {
 
 /* Mode number n >= 1 on the mesh with its time step mesh->dt; the rigid motion has frequency 0. Some ms at
  * 1000 cells; the endless mesh from 2000 cells on, and from 20000 where a cubic spline is held: held ends of
- * those are soft by .012 dx (6e-7 of the frequency there). */
+ * those are soft by .012 dx (6e-7 of the frequency there). Of two materials, which no endless mesh has, it is
+ * not known of more than 20000 cells. */
 StepMode step_mode(const BarTheory *, const BarMesh *, int number);
 
 #endif

@@ -593,7 +593,9 @@ START_TEST(other_ways_on_the_same_mesh)
         }
     ck_assert_ptr_null(dispersion_other_way(&settings, 5, 5, &frequency));
     ck_assert_ptr_null(dispersion_other_way(&settings, 0, 26, &frequency));
-    settings.joint.place = 10; /* of which the prediction knows nothing */
+    settings.joint.place = 10; /* between equals nothing changes; else no wave has one length */
+    ck_assert_ptr_nonnull(dispersion_other_way(&settings, 0, 5, &frequency));
+    settings.joint.beyond.youngs_modulus = 400;
     ck_assert_ptr_null(dispersion_other_way(&settings, 0, 5, &frequency));
 }
 END_TEST

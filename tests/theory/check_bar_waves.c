@@ -31,6 +31,7 @@ static void add_joint(BarTheory *theory, double modulus, double density)
     theory->joint = 15;
     theory->joint_modulus = modulus;
     theory->joint_density = density;
+    theory->of_sines = true;
 }
 
 /* A joint between equals divides nothing: the modes, by their own formula. */
@@ -97,7 +98,8 @@ START_TEST(two_materials_obey)
     BarTheory theory = pulsed(_i % SUPPORTS);
     theory.n_modes = 1;
     theory.modes[0].number = 1, theory.modes[0].velocity = 1e-3;
-    add_joint(&theory, _i < SUPPORTS ? 400 : 25, _i < SUPPORTS ? 4 : 1);
+    add_joint(&theory, _i % 2 ? 400 : 25, _i % 2 ? 4 : 1);
+    theory.of_sines = _i < SUPPORTS;
     enum { CELLS = 5000 };
     double first = 0;
     for (double t = 0.3; t < 7; t += 0.9) {
@@ -139,12 +141,43 @@ START_TEST(impedances)
     add_joint(&theory, 400, 4);
     ck_assert_double_eq_tol(bar_waves_reflected(&theory), -0.6, 1e-15);
     ck_assert_double_eq_tol(bar_waves_transmitted(&theory), 0.4, 1e-15);
-    /* 14 times through the shorter way, 10 long at a speed of 10, and back */
-    ck_assert(bar_waves_known(&theory, 14 * 2 - 1e-9) && !bar_waves_known(&theory, 14 * 2 + 1e-9));
+    /* to and fro in 3 through one part and in 2 through the other: 74 times 110 pairs are the most */
+    ck_assert(bar_waves_known(&theory, 219.9) && !bar_waves_known(&theory, 220.1));
+    ck_assert(isfinite(bar_waves_displacement(&theory, 12, 219.9)));
+    ck_assert(isnan(bar_waves_displacement(&theory, 12, 230)) &&
+              isnan(bar_waves_velocity(&theory, 12, 1e300)));
+    ck_assert(isnan(bar_waves_stress(&theory, 24, HUGE_VAL)) && isnan(bar_waves_stress(&theory, 24, NAN)));
+    theory.of_sines = false; /* its own modes need no waves */
+    ck_assert(bar_waves_known(&theory, 1e9));
     theory.traction = 1;
     ck_assert(!bar_waves_known(&theory, 1));
     theory.joint = 0;
     ck_assert(bar_waves_known(&theory, 1e9));
+}
+END_TEST
+
+/* A sine on two materials, by its waves long after 2^n of them have left the joint, and as the sum of the
+ * modes that it is made of. */
+START_TEST(a_sine_is_a_sum_of_modes)
+{
+    enum { MODES = 400 };
+    BarTheory waves = bar(_i);
+    waves.n_modes = 1;
+    waves.modes[0].number = 2, waves.modes[0].velocity = 1e-3;
+    add_joint(&waves, 400, 4);
+    BarTheory modes = waves;
+    modes.of_sines = false;
+    for (double t = 0; t < 130; t += 32.1) {
+        double v = 0, centre = _i == 0 ? bar_waves_centre_velocity(&waves, 0) : 0;
+        for (int n = 1; n <= MODES; n++) {
+            const double part = 1e-3 * bar_share_of_sine(&waves, 2, n) * cos(bar_frequency(&modes, n) * t);
+            v += part * bar_mode_shape(&modes, n, 7.7);
+            centre += part * bar_mode_mean(&modes, n);
+        }
+        if (_i != 0) /* a free bar moves as a whole besides */
+            ck_assert_double_eq_tol(bar_waves_velocity(&waves, 7.7, t), v, 2e-6);
+        ck_assert_double_eq_tol(bar_waves_centre_velocity(&waves, t), centre, 2e-8);
+    }
 }
 END_TEST
 
@@ -169,6 +202,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(test, a_pulse_comes_back, 0, SUPPORTS);
     tcase_add_loop_test(test, two_materials_obey, 0, 2 * SUPPORTS);
     tcase_add_test(test, impedances);
+    tcase_add_loop_test(test, a_sine_is_a_sum_of_modes, 0, SUPPORTS);
     tcase_add_test(test, slopes_of_the_start);
     suite_add_tcase(suite, test);
 }

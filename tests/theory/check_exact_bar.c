@@ -211,6 +211,107 @@ START_TEST(rigid_motion)
 }
 END_TEST
 
+/* --- two materials -------------------------------------------------------------------------------- */
+
+static BarTheory of_two(int supports, double joint, double modulus, double density)
+{
+    BarTheory bar = paper_bar(supports);
+    bar.joint = joint, bar.joint_modulus = modulus, bar.joint_density = density;
+    return bar;
+}
+
+/* By an independent program, fixed-free. */
+START_TEST(frequencies_of_two_materials)
+{
+    static const struct {
+        double joint, modulus, density, omega[5];
+    } known[] = {
+        {12.5,
+         400,
+         1,
+         {.672854936454344, 2.51327412287183, 4.35369330928933, 5.69940318219801, 7.53982236861551}},
+        {10,
+         50,
+         4,
+         {.279391658935777, .867736532339063, 1.49380547283947, 2.12433756543386, 2.72381574065493}},
+    };
+    for (int i = 0; i < 2; i++) {
+        const BarTheory bar = of_two(0, known[i].joint, known[i].modulus, known[i].density);
+        for (int n = 1; n <= 5; n++)
+            ck_assert_double_eq_tol(bar_frequency(&bar, n), known[i].omega[n - 1],
+                                    1e-14 * known[i].omega[n - 1] * 4);
+    }
+    BarTheory equal = of_two(0, 10, 100, 1);
+    const BarTheory one = paper_bar(0);
+    equal.of_sines = true;
+    for (int n = 1; n < 20; n++)
+        ck_assert_double_eq(bar_frequency(&equal, n), bar_frequency(&one, n));
+}
+END_TEST
+
+/* Both sides of the joint and both ends by the equation of each support, with a = k_1 l_1, b = k_2 l_2. */
+static double condition(const BarTheory *bar, double omega)
+{
+    const double z1 = sqrt(bar->youngs_modulus * bar->density);
+    const double z2 = sqrt(bar->joint_modulus * bar->joint_density);
+    const double a = omega * bar->joint / sqrt(bar->youngs_modulus / bar->density);
+    const double b = omega * (bar->length - bar->joint) / sqrt(bar->joint_modulus / bar->joint_density);
+    const double value = bar->left_fixed    ? bar->right_fixed ? z1 * cos(a) * sin(b) + z2 * sin(a) * cos(b)
+                                                               : z1 * cos(a) * cos(b) - z2 * sin(a) * sin(b)
+                            : bar->right_fixed ? z2 * cos(a) * cos(b) - z1 * sin(a) * sin(b)
+                                            : z1 * sin(a) * cos(b) + z2 * cos(a) * sin(b);
+    return value / (z1 + z2);
+}
+
+/* The n-th has so many zeros, reaches 1, and is as much in a sine as the sum over the bar says. */
+START_TEST(modes_of_two_materials)
+{
+    static const double seconds[][2] = {{50, 4}, {400, 1}, {1e4, 1e-2}, {100, 9}};
+    enum { PLACES = 20000 };
+    for (int second = 0; second < 4; second++)
+        for (int n = 1; n < 25; n += n < 6 ? 1 : 6) {
+            const BarTheory bar = of_two(_i, 10, seconds[second][0], seconds[second][1]);
+            const double beta = bar_wave_number(&bar, 3);
+            double most = 0, before = 0, momentum = 0, mass = 0, both = 0, own = 0;
+            int zeros = 0;
+            ck_assert_double_eq_tol(condition(&bar, bar_frequency(&bar, n)), 0, 1e-13 * n);
+            for (int i = 0; i < PLACES; i++) {
+                const double x = (i + 0.5) / PLACES * bar.length, phi = bar_mode_shape(&bar, n, x);
+                const double rho = bar_density_at(&bar, x),
+                             sine = bar.left_fixed ? sin(beta * x) : cos(beta * x);
+                zeros += i > 0 && phi * before < 0;
+                most = fmax(most, fabs(phi)), before = phi;
+                momentum += rho * phi, mass += rho, both += rho * phi * sine, own += rho * phi * phi;
+            }
+            ck_assert_int_eq(zeros, bar.left_fixed || bar.right_fixed ? n - 1 : n);
+            ck_assert_double_eq_tol(most, 1, 1e-4);
+            ck_assert_double_eq_tol(bar_mode_mean(&bar, n), momentum / mass, 2e-5);
+            ck_assert_double_eq_tol(bar_share_of_sine(&bar, 3, n), both / own, 1e-4);
+            ck_assert_double_eq_tol(bar_mode_shape(&bar, n, 10), bar_mode_shape(&bar, n, 10 + 1e-13), 1e-11);
+        }
+}
+END_TEST
+
+/* Newton and Hooke, by second differences, on both sides. */
+START_TEST(motion_of_two_materials)
+{
+    const BarTheory bar = of_two(_i, 10, 50, 4);
+    const double h = 1e-3;
+    expect_ends(&bar);
+    for (double x = 0.73; x < 24; x += 2.413)
+        for (double t = 0.41; t < 23; t += 3.771) {
+            const double here = bar_displacement(&bar, x, t);
+            const double before = bar_displacement(&bar, x, t - h), after = bar_displacement(&bar, x, t + h);
+            const double left = bar_displacement(&bar, x - h, t), right = bar_displacement(&bar, x + h, t);
+            const double e = x > 10 ? 50 : 100, rho = x > 10 ? 4 : 1;
+            ck_assert_double_eq_tol(rho * (after - 2 * here + before), e * (right - 2 * here + left), 1e-11);
+            ck_assert_double_eq_tol((after - before) / (2 * h), bar_velocity(&bar, x, t), 1e-7);
+            ck_assert_double_eq_tol(e * (right - left) / (2 * h), bar_stress(&bar, x, t), 1e-6);
+            ck_assert_double_eq_tol(bar_stress(&bar, 10, t), bar_stress(&bar, 10 + 1e-13, t), 1e-12);
+        }
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *vibration = tcase_create("vibration");
@@ -218,6 +319,9 @@ void add_cases(Suite *suite)
     tcase_add_test(vibration, a_dense_bar_has_other_units);
     tcase_add_loop_test(vibration, fields_keep_the_energy_of_their_modes, 0, 4);
     tcase_add_test(vibration, rigid_motion);
+    tcase_add_test(vibration, frequencies_of_two_materials);
+    tcase_add_loop_test(vibration, modes_of_two_materials, 0, 4);
+    tcase_add_loop_test(vibration, motion_of_two_materials, 0, 4);
     suite_add_tcase(suite, vibration);
     TCase *fields = tcase_create("fields");
     tcase_add_loop_test(fields, waves_and_ends, 0, 4);

@@ -18,16 +18,10 @@ static bool is_among(const char *const *keys, const char *key)
     return false;
 }
 
-/* Whether it differs from its neutral value, at which it does nothing. */
 static bool is_at_work(const Settings *settings, const Parameter *parameter)
 {
-    char text[LIST_MAX];
-    if (parameter->output || !settings_have(settings, parameter))
-        return false;
-    if (parameter->type != PARAMETER_TEXT)
-        return settings_number(settings, parameter) != parameter->neutral;
-    settings_get(settings, parameter, text);
-    return *text != '\0';
+    return !parameter->output && settings_have(settings, parameter) &&
+           settings_are_at_work(settings, parameter);
 }
 
 /* NULL: the reference does not exist. */

@@ -79,6 +79,7 @@ void references_readout(const References *refs, const double *rows, size_t n_row
     *readout = (Readout){.measured = NAN,
                          .predicted = NAN,
                          .exact = NAN,
+                         .swing = NAN,
                          .error_frequency = NAN,
                          .error_period = NAN,
                          .predicted_error_frequency = NAN,
@@ -97,6 +98,8 @@ void references_readout(const References *refs, const double *rows, size_t n_row
         readout->time = rows[(n_rows - 1) * (size_t)n_columns + 1];
     if (refs->solver && refs->solver->readout)
         refs->solver->readout(refs, rows, n_rows, n_columns, readout);
+    if (readout->moving && readout->exact_known && readout->exact > 0)
+        readout->swing = readout->is_period ? readout->exact : 2 * M_PI / readout->exact;
     if (refs->unaccounted[REFERENCE_PREDICTED] || refs->unaccounted[REFERENCE_FREQUENCY]) {
         readout->predicted_known = false;
         readout->predicted = readout->kept_predicted = NAN;

@@ -154,7 +154,9 @@ int findings_text(const Finding *findings, int n_findings, bool with_exact, int 
         text_rounded(measured, finding->measured, 4);
         text_rounded(exact, finding->exact, 4);
         int n = snprintf(text, sizeof text, "%s%s %s", i ? "  " : "", finding->label,
-                         isfinite(finding->measured) ? measured : "not yet");
+                         isfinite(finding->measured) ? measured
+                         : finding->missing          ? finding->missing
+                                                     : "not yet");
         if (with_exact && finding->exact != 0)
             n += snprintf(text + n, sizeof text - (size_t)n, " (%s %s)",
                           finding->word ? finding->word : "exact", exact);

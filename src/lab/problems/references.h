@@ -70,6 +70,8 @@ struct Readout {
     bool measured_known, predicted_known, exact_known;
     bool is_period; /* the three numbers are periods, not frequencies */
     double measured, predicted, exact;
+    double swing;                         /* how long about one swing takes, in units of time, whether that is
+                                           * known exactly or not: for windows and paces; NAN: nothing swings */
     double error_frequency, error_period; /* measured against exact, in percent */
     double predicted_error_frequency;     /* predicted against exact, in percent */
     double late;                          /* periods behind the exact answer at `time` */
@@ -93,11 +95,12 @@ struct Readout {
 /* A number of the run as it stands, beside the right one: what is judged besides a frequency, or where there
  * is none. */
 typedef struct Finding {
-    const char *name;  /* ASCII: "v_error" */
-    const char *label; /* on screen: "L2 error of v" */
-    double measured;   /* NAN: there is none yet */
-    double exact;      /* an error's is 0 */
-    const char *word;  /* what that is called; NULL: exact */
+    const char *name;    /* ASCII: "v_error" */
+    const char *label;   /* on screen: "L2 error of v" */
+    double measured;     /* NAN: there is none yet */
+    double exact;        /* an error's is 0 */
+    const char *word;    /* what that is called; NULL: exact */
+    const char *missing; /* why it is not measured, in two or three words; NULL: not yet */
 } Finding;
 
 enum { FINDINGS_MAX = 6 };

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Edits: another run in the place of this one, or another future of it. */
+#include "lab/problems/known.h"
 #include "lab/run/experiment_internal.h"
 #include "lab/settings/changes.h"
 #include "lab/settings/parameters.h"
@@ -122,10 +123,19 @@ typedef struct Difference {
     bool restart, live;
 } Difference;
 
-static bool recomputes(const Settings *settings, const Parameter *parameter)
+/* Another end is another run where it is for the problem, or where other answers are known so far. */
+static bool end_matters(const Settings *now, const Settings *wanted)
+{
+    bool matters = now->problem->end_matters;
+    for (Reference r = 0; r < REFERENCES; r++)
+        matters = matters || !known_unaccounted(now, r) != !known_unaccounted(wanted, r);
+    return matters && now->time.end != wanted->time.end;
+}
+
+static bool recomputes(const Parameter *parameter)
 {
     if (strcmp(parameter->key, "time.end") == 0)
-        return settings->problem->end_matters;
+        return false; /* that is end_matters() */
     /* the critical stretch says the same */
     if (strcmp(parameter->key, "pd.critical_energy") == 0)
         return false;
@@ -148,8 +158,9 @@ static Difference compare(const Settings *now, const Settings *wanted)
     if (now->problem != wanted->problem || now->method != wanted->method || !changes_same(now, wanted) ||
         !settings_rows_same(now, wanted))
         return (Difference){true, false};
+    difference.restart = end_matters(now, wanted);
     for (int i = 0; i < n_parameters; i++)
-        if (differs(now, wanted, &parameters[i]) && recomputes(now, &parameters[i])) {
+        if (differs(now, wanted, &parameters[i]) && recomputes(&parameters[i])) {
             if (parameters[i].live)
                 difference.live = true;
             else
@@ -221,7 +232,7 @@ static bool edit_live(Experiment *experiment, const Settings *wanted, Status *st
         remains = experiment_remains(experiment);
     for (int i = 0; i < n_parameters; i++) {
         char text[LIST_MAX];
-        if (!differs(&before, wanted, &parameters[i]) || !recomputes(wanted, &parameters[i]))
+        if (!differs(&before, wanted, &parameters[i]) || !recomputes(&parameters[i]))
             continue;
         settings_get(wanted, &parameters[i], text);
         if (!experiment_change(experiment, step, parameters[i].key, text, status)) {
@@ -273,7 +284,7 @@ bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *sta
         return false;
     take_over_rest(&experiment->base, wanted);
     take_over_rest(&experiment->now, wanted);
-    if (wanted->time.end != experiment->base.time.end && !wanted->problem->end_matters) {
+    if (wanted->time.end != experiment->base.time.end) {
         experiment_set_end(experiment, wanted->time.end);
         if (experiment->pending)
             experiment_seek(experiment, experiment->goal_step, experiment->goal_stage);

@@ -59,9 +59,30 @@ static bool check_changes(const Settings *settings, Status *status)
     return true;
 }
 
+/* A part of the problem that the method knows nothing of must not be dropped in silence. */
+static bool check_stated(const Settings *settings, Status *status)
+{
+    const Problem *problem = settings->problem;
+    for (int i = 0; i < n_parameters; i++) {
+        const Parameter *parameter = &parameters[i];
+        char text[LIST_MAX];
+        if (!parameter->stated || !parameter_applies(parameter, problem) ||
+            settings_have(settings, parameter) || !settings_are_at_work(settings, parameter) ||
+            (parameter->type != PARAMETER_TEXT &&
+             settings_number(settings, parameter) == parameter_usual(parameter, problem)))
+            continue;
+        settings_get(settings, parameter, text);
+        return status_fail(
+            status, STATUS_USAGE, "scenario.method: %s does not know %s, which is %s here (%s)",
+            settings_method_words[settings->method], parameter->key, text,
+            settings_method_words[parameter_methods(parameter, problem) & BY_MPM ? METHOD_MPM : METHOD_PD]);
+    }
+    return true;
+}
+
 bool settings_check(const Settings *settings, Status *status)
 {
-    if (!problem_allows(settings->problem, settings->method, status) ||
+    if (!problem_allows(settings->problem, settings->method, status) || !check_stated(settings, status) ||
         !settings_rows_check(settings, status) ||
         !problem_solver(settings->problem, settings->method)->check(settings, status))
         return false;

@@ -46,8 +46,9 @@ typedef struct Parameter {
     const char *automatic;      /* a word that stands for 0, "auto"; NULL: none */
     double automatic_value;     /* it stands for this instead of 0 */
     Nudge nudge;
-    bool live;        /* may change in mid-run */
-    int methods;      /* that read it; 0: every one */
+    bool live;   /* may change in mid-run */
+    int methods; /* that read it; 0: every one */
+    bool stated; /* it is a part of the problem: at work, it is refused by a method that does not read it */
     const char *help; /* one line */
     double usual;     /* the default, where the problem has no other */
     double neutral;   /* the value at which it does nothing to the run, as if there were no such parameter */
@@ -139,6 +140,9 @@ double parameter_usual(const Parameter *, const Problem *);
 
 /* Where the problem overrides its row; NULL: nowhere. */
 const ParameterUse *parameter_use(const Parameter *, const Problem *);
+
+/* Whether it differs from its neutral value, at which it does nothing. */
+bool settings_are_at_work(const Settings *, const Parameter *);
 
 /* Whether a run of these settings reads it: of their problem and of their method. */
 bool settings_have(const Settings *, const Parameter *);

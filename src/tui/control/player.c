@@ -17,8 +17,6 @@
 #define LATE_SECONDS     9.0
 #define RUN_SECONDS      15.0
 
-static const double tau = 6.283185307179586;
-
 /* --- the second run -------------------------------------------------------------------------------- */
 
 void player_tell_second(Laboratory *lab)
@@ -242,9 +240,8 @@ void player_choose_pace(Screen *screen)
     const Readout *readout = experiment_readout(experiment);
     double dt = experiment_simulation(experiment)->dt;
     double seconds = 1, steps = 0;
-    if (readout->moving && readout->exact_known && readout->exact > 0) {
-        const double period = readout->is_period ? readout->exact : tau / readout->exact;
-        const double end = dt * (double)experiment_last_step(experiment);
+    if (readout->swing > 0) {
+        const double period = readout->swing, end = dt * (double)experiment_last_step(experiment);
         seconds = period_seconds(readout, period, end);
         steps = period / dt;
     }

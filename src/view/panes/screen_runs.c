@@ -114,9 +114,8 @@ static double reach_of(Experiment *experiment, int field, const double *now, siz
         reach = fmax(reach, parts[part]);
     if (count > 0)
         sim->method->field(sim, sim->position[0], count - 1, 1, &length);
-    double span = experiment_settings(experiment)->time.end;
-    if (readout->moving && readout->exact_known && readout->exact > 0 && !readout->drifting)
-        span = readout->is_period ? readout->exact : 2 * M_PI / readout->exact;
+    const double span =
+        readout->swing > 0 && !readout->drifting ? readout->swing : experiment_settings(experiment)->time.end;
     for (int i = 0; i <= TIMES; i++)
         for (int k = 1; k <= PLACES; k++) {
             double value = fabs(references_profile(refs, name, length * k / PLACES, span * i / TIMES));

@@ -12,9 +12,8 @@ static double automatic_window(const Screen *screen, double end)
 {
     enum { PERIODS = 4 };
     const Readout *readout = experiment_readout(screen_clock_run(screen));
-    double window = end;
-    if (readout->moving && readout->exact_known && readout->exact > 0 && !readout->drifting)
-        window = axis_step_up(PERIODS * (readout->is_period ? readout->exact : 2 * M_PI / readout->exact));
+    const double window =
+        readout->swing > 0 && !readout->drifting ? axis_step_up(PERIODS * readout->swing) : end;
     return window < end ? window : end;
 }
 

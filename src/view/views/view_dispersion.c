@@ -129,8 +129,11 @@ static void mode_lines(const Screen *screen, bool brief, char first[160], char s
     if (!screen_shows_predicted(screen))
         return;
     if (!found || isnan(mode.predicted)) {
-        snprintf(second, 160,
-                 found ? "such a wave does not swing with this time step" : "too short a wave for this mesh");
+        const bool has_waves = dispersion_modes(experiment_settings(screen->experiment)) > 0;
+        snprintf(second, 160, "%s",
+                 found       ? "such a wave does not swing with this time step"
+                 : has_waves ? "too short a wave for this mesh"
+                             : "its modes are no waves of one length here");
         return;
     }
     /* the readout's prediction knows of free ends, the curve does not */

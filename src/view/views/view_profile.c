@@ -49,9 +49,8 @@ static double exact_reach(const Run *run, const char *field, const double *x, si
     enum { TIMES = 24, PLACES = 12 };
     const References *refs = experiment_references(run->experiment);
     const Readout *readout = run->readout;
-    double span = run->settings->time.end, reach = 0;
-    if (readout->exact_known && readout->moving && !readout->drifting)
-        span = readout->is_period ? readout->exact : 2 * M_PI / readout->exact;
+    const double span = readout->swing > 0 && !readout->drifting ? readout->swing : run->settings->time.end;
+    double reach = 0;
     for (int i = 0; count > 0 && i <= TIMES; i++)
         for (int k = 0; k <= PLACES; k++) {
             double place = x[(count - 1) * (size_t)k / PLACES];

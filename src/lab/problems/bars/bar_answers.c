@@ -36,6 +36,7 @@ bool bar_theory_of(const Settings *settings, BarTheory *theory, Status *status)
         theory->joint = settings->joint.place;
         theory->joint_modulus = settings->joint.beyond.youngs_modulus;
         theory->joint_density = settings->joint.beyond.density;
+        theory->of_sines = settings->start.shape == SHAPE_SINE && bar_is_layered(theory);
     }
     theory->modes[0].number = settings->start.mode;
     theory->modes[0].velocity = settings->start.velocity;
@@ -137,12 +138,7 @@ int bar_watched_mode(const BarTheory *theory)
  * leaves none. */
 static bool moves_centre(const BarTheory *theory, int mode)
 {
-    BarTheory alone = *theory;
-    alone.body_force = alone.traction = alone.joint = alone.pulse.velocity = 0;
-    alone.n_modes = 1;
-    alone.modes[0].number = mode;
-    alone.modes[0].velocity = 1;
-    return fabs(bar_centre_velocity(&alone, 0)) > 1e-9;
+    return fabs(bar_mode_mean(theory, mode)) > 1e-9;
 }
 
 /* By symmetry the centre of mass may stand still, or move evenly: then the strain energy is watched. It
@@ -187,14 +183,45 @@ static const double DIES = 0.9; /* share of the energy that a period keeps */
 
 enum { MODES_FITTED = 6 };
 
+/* How much of a mode of two materials the column shows, of a start with sines. */
+static double shown_of_sines(const BarTheory *theory, bool centre, int mode)
+{
+    double sum = 0;
+    for (int i = 0; i < theory->n_modes; i++)
+        sum += theory->modes[i].velocity * bar_share_of_sine(theory, theory->modes[i].number, mode);
+    return fabs(centre ? sum * bar_mode_mean(theory, mode) : sum);
+}
+
+/* The modes of which a sine is made on two materials, those that show most first. Returns how many. */
+static int modes_of_sines(const BarTheory *theory, bool centre, int first, int modes[MODES_FITTED])
+{
+    enum { BEYOND = 12 };
+    for (int count = 0; count < MODES_FITTED; count++) {
+        double most = 0;
+        for (int mode = 1; mode <= first + BEYOND; mode++) {
+            bool taken = mode == first;
+            for (int k = 0; k < count; k++)
+                taken = taken || modes[k] == mode;
+            const double shown = taken ? 0 : shown_of_sines(theory, centre, mode);
+            if (shown > most)
+                most = shown, modes[count] = mode;
+        }
+        if (!(most > 0))
+            return count;
+    }
+    return MODES_FITTED;
+}
+
 /* The modes that show in the column: the watched one, those that were given a velocity, and the lowest of
- * those that a load sets in motion. Returns how many. */
+ * those that a load sets in motion, or those that a sine on two materials is made of. Returns how many. */
 static int modes_shown(const BarTheory *theory, const BarWatch *watch, int modes[MODES_FITTED])
 {
     enum { BY_LOAD = 12 }; /* modes up to this number; their shares fall as the square of it, or faster */
     const bool centre = strcmp(watch->column, "v_cm") == 0;
     int candidates[1 + BAR_MODES_MAX + BY_LOAD] = {watch->mode}, n = 1, count = 0;
-    for (int i = 0; i < theory->n_modes; i++)
+    if (theory->of_sines)
+        n += modes_of_sines(theory, centre, watch->mode, candidates + 1);
+    for (int i = 0; i < theory->n_modes && !theory->of_sines; i++)
         if (theory->modes[i].velocity != 0 && theory->modes[i].number > 0)
             candidates[n++] = theory->modes[i].number;
     for (int mode = 1; is_loaded(theory) && mode <= BY_LOAD; mode++)
@@ -292,11 +319,11 @@ double bar_profile(const References *refs, const char *field, double x, double t
     if (strcmp(field, "stress") == 0)
         return bar_waves_stress(theory, x, time);
     /* a pulse's stress of the start stretches, and changes no density */
-    const double modulus = bar_waves_modulus(theory, x), strain = bar_waves_stress(theory, x, time) / modulus;
+    const double modulus = bar_modulus_at(theory, x), strain = bar_waves_stress(theory, x, time) / modulus;
     if (strcmp(field, "strain") == 0)
         return strain;
     if (strcmp(field, "density") == 0)
-        return bar_waves_density(theory, x) / (1 + strain - bar_waves_start_stress(theory, x) / modulus);
+        return bar_density_at(theory, x) / (1 + strain - bar_waves_start_stress(theory, x) / modulus);
     return NAN;
 }
 
@@ -361,9 +388,12 @@ void bar_derived_wave(Derived out[DERIVED_MAX], int *n, const Settings *settings
     const BarWatch watch = predicted_watch(settings, theory, frequency, dt);
     if (!watch.moving)
         return;
-    int mode = bar_watched_mode(theory);
-    derived_add(out, n, "beta", "wave number", "1/length", bar_wave_number(theory, mode > 0 ? mode : 1),
-                false);
+    if (bar_is_layered(theory)) {
+        derived_add(out, n, "beta", "wave number", "1/length", watch.exact / bar_wave_speed(theory), false);
+        derived_add(out, n, "beta2", "  beyond the joint", "1/length",
+                    watch.exact / sqrt(theory->joint_modulus / theory->joint_density), false);
+    } else
+        derived_add(out, n, "beta", "wave number", "1/length", bar_wave_number(theory, watch.mode), false);
     derived_add_answer(out, n, REFERENCE_FREQUENCY, "omega", "frequency w", "1/time", watch.exact);
     if (watch.predicted_known)
         derived_add_answer(out, n, REFERENCE_PREDICTED, "omega_predicted", "w of this mesh", "1/time",

@@ -156,7 +156,8 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     int mode = bar_watched_mode(&theory);
     if (bar_watch(&theory).moving)
         derived_add(out, &n, "cells_per_wave", "cells/wave", "1",
-                    2 * M_PI / bar_wave_number(&theory, mode > 0 ? mode : 1) / settings->mesh.cell_size,
+                    2 * M_PI / bar_largest_wave_number(&theory, mode > 0 ? mode : 1) /
+                        settings->mesh.cell_size,
                     false);
     /* the sampled mode is a mixture, and swings at more than the frequency predicted */
     const StepMode found = step_mode(&theory, &mesh, mode);
@@ -198,8 +199,12 @@ bool bar_limit(const Settings *settings, char *text, size_t size, Status *status
 
 /* --- every mode on the mesh ----------------------------------------------------------------------- */
 
+/* Of two materials a mode is no wave of one length. */
 static int modes(const Settings *settings)
 {
+    BarTheory theory;
+    if (!bar_theory_of(settings, &theory, NULL) || bar_is_layered(&theory))
+        return 0;
     return bar_modes_of(round(settings->geometry.length / settings->mesh.cell_size));
 }
 
@@ -283,15 +288,7 @@ static const char *unaccounted(const Settings *settings, Reference reference)
     return "bar2.joint";
 }
 
-static const char *const of_continuum[] = {
-    BAR_KEYS, BAR_MESH_KEYS, BAR_TRANSFER_KEYS, BAR_WAVE_KEYS, "bar2.joint", BAR_JOINT_KEYS, NULL};
-/* A second material has no mode of the bar. */
-static const char *const of_mesh[] = {BAR_KEYS,      BAR_MESH_KEYS,  BAR_TRANSFER_KEYS,
-                                      BAR_WAVE_KEYS, BAR_JOINT_KEYS, NULL};
-static const char *const of_frequency[] = {BAR_KEYS,      BAR_MESH_KEYS,  BAR_TRANSFER_KEYS,
-                                           BAR_WAVE_KEYS, BAR_JOINT_KEYS, NULL};
-static const char *const of_energy[] = {
-    BAR_KEYS, BAR_MESH_KEYS, BAR_TRANSFER_KEYS, BAR_WAVE_KEYS, "bar2.joint", BAR_JOINT_KEYS, NULL};
+static const char *const known[] = {BAR_KEYS, BAR_MESH_KEYS, BAR_TRANSFER_KEYS, BAR_WAVE_KEYS, NULL};
 /* The continuum does not know by what it is computed; its frequencies do not depend on the loads. */
 static const char *const method_changes[] = {"mpm.algorithm",  "mpm.transfer",   "mpm.flip_fraction",
                                              "mpm.mass_blend", "mpm.fmpm_order", NULL};
@@ -301,10 +298,10 @@ static const char *const all_changes[] = {
 
 const Solver bar_by_mpm = {
     .method = METHOD_MPM,
-    .understands = {[REFERENCE_EXACT] = {of_continuum, method_changes},
-                    [REFERENCE_PREDICTED] = {of_mesh, NULL},
-                    [REFERENCE_FREQUENCY] = {of_frequency, all_changes},
-                    [REFERENCE_ENERGY] = {of_energy, all_changes}},
+    .understands = {[REFERENCE_EXACT] = {known, method_changes},
+                    [REFERENCE_PREDICTED] = {known, NULL},
+                    [REFERENCE_FREQUENCY] = {known, all_changes},
+                    [REFERENCE_ENERGY] = {known, all_changes}},
     .unaccounted = unaccounted,
     .check = check,
     .simulate = simulate,

@@ -97,28 +97,50 @@ static double share_of_pulse(const Sample *sample, bool beyond)
     return sum / (bar->pulse.velocity * bar->pulse.width * sqrt(M_PI));
 }
 
-/* The pulse has gone through the joint, and has not come back to it from an end. */
-static bool has_divided(const BarTheory *bar, double time)
+/* From when on, and up to when, what a joint has made of the pulse is in one piece on one side of it: while
+ * nothing else is there, it has left the joint, and no fixed end has begun to turn it. */
+typedef struct Span {
+    double from, to;
+} Span;
+
+static Span span_in_one_piece(const BarTheory *bar, bool beyond)
 {
-    const double c1 = sqrt(bar->youngs_modulus / bar->density);
-    const double c2 = sqrt(bar->joint_modulus / bar->joint_density);
-    const double met = (bar->joint - bar->pulse.centre) / c1, passing = 2.5 * bar->pulse.width / c1;
-    const double again = met + 2 * fmin(bar->joint / c1, (bar->length - bar->joint) / c2);
-    return met > passing && time >= met + passing && time <= again - passing;
+    const double half = 3.5; /* widths to each side: 4e-7 of the pulse are beyond them */
+    const double c = bar_wave_speed(bar), passing = half * bar->pulse.width / c;
+    const double left = bar->joint / c;
+    const double right = (bar->length - bar->joint) / sqrt(bar->joint_modulus / bar->joint_density);
+    const double met = (bar->joint - bar->pulse.centre) / c;
+    const bool turned = beyond ? bar->right_fixed : bar->left_fixed;
+    const double again = fmin(2 * fmin(left, right), turned ? beyond ? right : left : INFINITY);
+    const bool whole = met >= passing && bar->pulse.centre / c >= passing;
+    return (Span){met + passing, whole ? met + again - passing : -INFINITY};
+}
+
+/* What is sent back, or let on beyond the joint. `over`: the pulse there is so many times as long. */
+static Finding joint_finding(const Sample *sample, const char *name, const char *label, bool beyond,
+                             double over, double exact)
+{
+    const Span span = span_in_one_piece(sample->theory, beyond);
+    Finding finding = {name, label, NAN, exact, NULL, NULL};
+    if (sample->time > span.to && span.to > 0)
+        finding.missing = "no longer";
+    else if (!(span.from < span.to))
+        finding.missing = "never in one piece";
+    else if (sample->time >= span.from)
+        finding.measured = share_of_pulse(sample, beyond) / over;
+    return finding;
 }
 
 static int joint_findings(const Sample *sample, Finding *out)
 {
     const BarTheory *bar = sample->theory;
-    const bool divided = has_divided(bar, sample->time);
-    const double speeds =
-        sqrt(bar->joint_modulus / bar->joint_density) / sqrt(bar->youngs_modulus / bar->density);
-    int n = 0;
-    out[n++] = (Finding){"reflected", "sent back R", divided ? share_of_pulse(sample, false) : NAN,
-                         bar_waves_reflected(bar), NULL};
-    out[n++] = (Finding){"transmitted", "let on T", divided ? share_of_pulse(sample, true) / speeds : NAN,
-                         bar_waves_transmitted(bar), NULL};
-    return n;
+    const double speeds = sqrt(bar->joint_modulus / bar->joint_density) / bar_wave_speed(bar);
+    for (int i = 0; i < bar->n_modes; i++)
+        if (bar->modes[i].velocity != 0)
+            return 0; /* what moves there is not of the pulse alone */
+    out[0] = joint_finding(sample, "reflected", "sent back R", false, 1, bar_waves_reflected(bar));
+    out[1] = joint_finding(sample, "transmitted", "let on T", true, speeds, bar_waves_transmitted(bar));
+    return 2;
 }
 
 int bar_findings(const References *refs, const Simulation *sim, Finding out[FINDINGS_MAX])
@@ -130,14 +152,20 @@ int bar_findings(const References *refs, const Simulation *sim, Finding out[FIND
         return 0;
     if (theory->joint > 0)
         n = joint_findings(&sample, out);
-    out[n++] = (Finding){"v_error", "L2 error of v", relative_distance(&sample), 0, NULL};
+    out[n++] = (Finding){"v_error", "L2 error of v", relative_distance(&sample), 0, NULL, NULL};
     if (theory->joint == 0) {
-        out[n++] =
-            (Finding){"v_peak", "peak/start", largest(sample.v, sample.count) / fabs(theory->pulse.velocity),
-                      largest(sample.exact, sample.count) / fabs(theory->pulse.velocity), NULL};
-        out[n++] = (Finding){"lag", "late by cells",
+        out[n++] = (Finding){"v_peak",
+                             "peak/start",
+                             largest(sample.v, sample.count) / fabs(theory->pulse.velocity),
+                             largest(sample.exact, sample.count) / fabs(theory->pulse.velocity),
+                             NULL,
+                             NULL};
+        out[n++] = (Finding){"lag",
+                             "late by cells",
                              delay_of(&sample) * bar_wave_speed(theory) / bar_answers(refs)->mesh.cell_size,
-                             0, NULL};
+                             0,
+                             NULL,
+                             NULL};
     }
     free(sample.x);
     return n;

@@ -83,15 +83,34 @@ static double field_of(const Simulation *sim, const char *name, size_t particle)
     return value;
 }
 
+/* The first particle stands a little beside the support: what is borne there is on the line through it and
+ * the next. */
+static double stress_at_support(const Simulation *sim)
+{
+    const double x = field_of(sim, "x0", 0), next = field_of(sim, "x0", 1);
+    const double stress = field_of(sim, "stress", 0), beside = field_of(sim, "stress", 1);
+    return stress + (stress - beside) * x / (next - x);
+}
+
 static int findings(const References *refs, const Simulation *sim, Finding *out)
 {
     const HangingColumn *column = own_column(refs);
     const size_t last = sim->counts[0] - 1;
-    out[0] = (Finding){"u_last", "last particle's u", field_of(sim, "u", last),
-                       column_displacement(column, field_of(sim, "x0", last)), NULL};
-    out[1] = (Finding){"stress_first", "stress at the support", field_of(sim, "stress", 0),
-                       column_stress(column, field_of(sim, "x0", 0)), NULL};
-    return 2;
+    int n = 0;
+    out[n++] = (Finding){.name = "u_last",
+                         .label = "last particle's u",
+                         .measured = field_of(sim, "u", last),
+                         .exact = column_displacement(column, field_of(sim, "x0", last))};
+    out[n++] = (Finding){.name = "stress_first",
+                         .label = "first particle's stress",
+                         .measured = field_of(sim, "stress", 0),
+                         .exact = column_stress(column, field_of(sim, "x0", 0))};
+    if (last > 0)
+        out[n++] = (Finding){.name = "stress_support",
+                             .label = "stress at the support",
+                             .measured = stress_at_support(sim),
+                             .exact = column_stress(column, 0)};
+    return n;
 }
 
 static int derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])

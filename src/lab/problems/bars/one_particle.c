@@ -125,10 +125,13 @@ static int findings(const References *refs, const Simulation *sim, Finding *out)
     sim->method->field(sim, simulation_find_field(sim, 0, "v"), 0, 1, &velocity);
     if (oscillator->velocity == 0)
         return 0;
-    out[0] = (Finding){"invariant", "invariant/start",
+    out[0] = (Finding){"invariant",
+                       "invariant/start",
                        oscillator_energy(oscillator, strain, velocity) /
                            oscillator_energy(oscillator, 0, oscillator->velocity),
-                       1, NULL};
+                       1,
+                       NULL,
+                       NULL};
     return 1;
 }
 

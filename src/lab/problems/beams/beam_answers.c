@@ -151,14 +151,15 @@ int beam_find_rest(const References *refs, const Simulation *sim, Finding *out)
         sim->method->row((Simulation *)sim, row);
     const double now = row[simulation_find_series(sim, "u_probe")];
     if (isfinite(body->solved)) {
-        out[n++] = (Finding){"u_middle", "middle", now, body->solved, "one solution"};
-        out[n++] = (Finding){"off", "off by", now / body->solved - 1, 0, NULL};
-        out[n++] = (Finding){"sag_ratio", "one solution over Timoshenko", body->solved / theory, 0, NULL};
+        out[n++] = (Finding){"u_middle", "middle", now, body->solved, "one solution", NULL};
+        out[n++] = (Finding){"off", "off by", now / body->solved - 1, 0, NULL, NULL};
+        out[n++] =
+            (Finding){"sag_ratio", "one solution over Timoshenko", body->solved / theory, 0, NULL, NULL};
     } else {
-        out[n++] = (Finding){"u_middle", "middle", now, theory, "Timoshenko"};
+        out[n++] = (Finding){"u_middle", "middle", now, theory, "Timoshenko", NULL};
     }
     if (sim->kinetic_left > 0 || sim->at_rest)
-        out[n++] = (Finding){"kinetic_left", "kinetic over its largest", sim->kinetic_left, 0, NULL};
+        out[n++] = (Finding){"kinetic_left", "kinetic over its largest", sim->kinetic_left, 0, NULL, NULL};
     return n;
 }
 
