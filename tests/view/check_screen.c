@@ -77,7 +77,7 @@ static const Picture pictures[] = {
     {"waves-line", "mode5-peridynamics 80x24 200 lower 5 variant 2"},
     {"hanging", "hanging-beam 132x43 5000"},
     {"pulse", "pulse 80x24 1000 running"},
-    {"two-materials", "two-materials 132x43 1100"},
+    {"two-materials", "two-materials 132x43 1500"},
     {"column", "column 80x24 20000 running"},
     {"late-cure", "late-cure 80x24 1310 duel"},
     {"blend-node", "mode5 132x43 300 mpm.mass_blend=auto inspect node stage 2"},
