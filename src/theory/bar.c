@@ -64,6 +64,11 @@ double bar_wave_number(const BarTheory *bar, int number)
     return (one_free_end ? number - 0.5 : number) * M_PI / bar->length;
 }
 
+static BarMode mode_of_two(const BarTheory *bar, int number)
+{
+    return bar_modes_of_two(bar, bar_wave_number(bar, number) * bar->length);
+}
+
 double bar_largest_wave_number(const BarTheory *bar, int number)
 {
     return bar_is_layered(bar) ? bar_frequency(bar, number) / fmin(bar_wave_speed(bar), speed_beyond(bar))
@@ -73,7 +78,7 @@ double bar_largest_wave_number(const BarTheory *bar, int number)
 double bar_frequency(const BarTheory *bar, int number)
 {
     if (bar_is_layered(bar) && number > 0)
-        return bar_modes_of_two(bar, number).frequency;
+        return mode_of_two(bar, number).frequency;
     return bar_wave_number(bar, number) * bar_wave_speed(bar);
 }
 
@@ -97,7 +102,7 @@ double bar_mode_shape(const BarTheory *bar, int number, double x)
 {
     if (!is_of_two(bar, number))
         return sine_shape(bar, number, x);
-    const BarMode mode = bar_modes_of_two(bar, number);
+    const BarMode mode = mode_of_two(bar, number);
     return bar_modes_shape(&mode, x);
 }
 
@@ -118,7 +123,7 @@ static double mode_slope(const BarTheory *bar, int number, double x)
 {
     if (!is_of_two(bar, number))
         return sine_slope(bar, number, x);
-    const BarMode mode = bar_modes_of_two(bar, number);
+    const BarMode mode = mode_of_two(bar, number);
     return bar_modes_slope(&mode, x);
 }
 
@@ -131,7 +136,7 @@ double bar_mode_mean(const BarTheory *bar, int number)
     if (number < 1)
         return 0;
     if (is_of_two(bar, number)) {
-        const BarMode mode = bar_modes_of_two(bar, number);
+        const BarMode mode = mode_of_two(bar, number);
         return bar_modes_mean(bar, &mode);
     }
     double angle = bar_wave_number(bar, number) * bar->length;
@@ -159,7 +164,7 @@ double bar_share_of_sine(const BarTheory *bar, int start, int number)
 {
     if (!is_of_two(bar, number))
         return start == number ? 1 : 0;
-    const BarMode mode = bar_modes_of_two(bar, number);
+    const BarMode mode = mode_of_two(bar, number);
     /* cos(x) = sin(x + pi/2) */
     return bar_modes_share(bar, &mode, bar_wave_number(bar, start), bar->left_fixed ? 0 : M_PI / 2);
 }

@@ -11,7 +11,8 @@ typedef struct Way {
 
 static Way way_of(const BarTheory *bar)
 {
-    const double c1 = bar_wave_speed(bar), c2 = sqrt(bar->joint_modulus / bar->joint_density);
+    const double c1 = sqrt(bar->youngs_modulus / bar->density),
+                 c2 = sqrt(bar->joint_modulus / bar->joint_density);
     return (Way){.first = bar->left_fixed ? 0 : M_PI / 2,
                  .through = {bar->joint / c1, (bar->length - bar->joint) / c2},
                  .ratio = sqrt(bar->joint_modulus * bar->joint_density) /
@@ -26,7 +27,7 @@ static double across(double q, double theta)
 }
 
 /* How much theta has grown at the right end, and its derivative by omega. */
-static double growth(const Way *way, double omega, double *slope)
+static double growth_at(const Way *way, double omega, double *slope)
 {
     const double theta = way->first + omega * way->through[0];
     const double s = sin(theta), c = cos(theta), q = way->ratio;
@@ -34,7 +35,7 @@ static double growth(const Way *way, double omega, double *slope)
     return across(q, theta) - way->first + omega * way->through[1];
 }
 
-/* growth = beta_n L by Newton's method between bounds: the joint moves theta by less than pi/2. */
+/* Of that growth by Newton's method between bounds: the joint moves theta by less than pi/2. */
 static double find_frequency(const Way *way, double wanted)
 {
     enum { TURNS = 200 };
@@ -43,7 +44,7 @@ static double find_frequency(const Way *way, double wanted)
     double omega = wanted / whole;
     for (int turn = 0; turn < TURNS; turn++) {
         double slope;
-        const double error = growth(way, omega, &slope) - wanted, next = omega - error / slope;
+        const double error = growth_at(way, omega, &slope) - wanted, next = omega - error / slope;
         if (fabs(next - omega) <= 2e-16 * omega)
             return next;
         if (error > 0)
@@ -61,11 +62,11 @@ static double crest(double from, double to)
     return floor(to / M_PI - 0.5) >= ceil(from / M_PI - 0.5) ? 1 : fmax(fabs(sin(from)), fabs(sin(to)));
 }
 
-BarMode bar_modes_of_two(const BarTheory *bar, int number)
+BarMode bar_modes_of_two(const BarTheory *bar, double growth)
 {
     const Way way = way_of(bar);
     BarMode mode = {.joint = bar->joint};
-    mode.frequency = find_frequency(&way, bar_wave_number(bar, number) * bar->length);
+    mode.frequency = find_frequency(&way, growth);
     for (int i = 0; i < 2; i++) {
         mode.part[i].from = i ? bar->joint : 0;
         mode.part[i].wave_number =

@@ -25,8 +25,8 @@ typedef struct BarMode {
     } part[2];
 } BarMode;
 
-/* Mode n >= 1 of a bar with a joint. */
-BarMode bar_modes_of_two(const BarTheory *, int number);
+/* Of a bar with a joint; `growth` of the phase: beta_n L of mode n >= 1 (bar_wave_number). */
+BarMode bar_modes_of_two(const BarTheory *, double growth);
 
 double bar_modes_shape(const BarMode *, double x);
 double bar_modes_slope(const BarMode *, double x);

@@ -571,7 +571,7 @@ static double cells_most(const BarTheory *bar, const BarMesh *mesh)
 /* Of two materials each turns its part of the wave faster or slower, and the mode as its energy is shared. */
 static Dispersion wave_of_two(const BarTheory *bar, const BarMesh *mesh, int number)
 {
-    const BarMode mode = bar_modes_of_two(bar, number);
+    const BarMode mode = bar_modes_of_two(bar, bar_wave_number(bar, number) * bar->length);
     const double share = bar_modes_energy_beyond(bar, &mode);
     BarTheory beyond = *bar;
     beyond.youngs_modulus = bar->joint_modulus, beyond.density = bar->joint_density;

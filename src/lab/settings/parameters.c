@@ -113,15 +113,6 @@ int parameter_methods(const Parameter *parameter, const Problem *problem)
     return use && use->methods ? use->methods : parameter->methods;
 }
 
-bool settings_are_at_work(const Settings *settings, const Parameter *parameter)
-{
-    char text[LIST_MAX];
-    if (parameter->type != PARAMETER_TEXT)
-        return settings_number(settings, parameter) != parameter->neutral;
-    settings_get(settings, parameter, text);
-    return *text != '\0';
-}
-
 bool settings_have(const Settings *settings, const Parameter *parameter)
 {
     const int methods = parameter_methods(parameter, settings->problem);

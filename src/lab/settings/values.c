@@ -326,6 +326,15 @@ void settings_get(const Settings *settings, const Parameter *parameter, char out
     write_value(settings, parameter, 0, out);
 }
 
+bool settings_are_at_work(const Settings *settings, const Parameter *parameter)
+{
+    char text[LIST_MAX];
+    if (parameter->type != PARAMETER_TEXT)
+        return settings_number(settings, parameter) != parameter->neutral;
+    settings_get(settings, parameter, text);
+    return *text != '\0';
+}
+
 void settings_show(const Settings *settings, const Parameter *parameter, char out[LIST_MAX])
 {
     write_value(settings, parameter, 6, out);
