@@ -4,6 +4,7 @@
 #include "lab/problems/bars/bar_theory.h"
 #include "lab/lab_case.h"
 #include "lab/settings/scenario.h"
+#include "physics/pd_plane/fracture/crack.h"
 #include "suite.h"
 
 #include <math.h>
@@ -328,6 +329,13 @@ static char *page_of_equations(void)
     return page;
 }
 
+static void expect_number(const char *page, const char *format, double number)
+{
+    char text[80];
+    snprintf(text, sizeof text, format, number);
+    ck_assert_msg(strstr(page, text), "matvib-equations(7) has no \"%s\"", text);
+}
+
 static void expect_stages(const char *page, const Settings *settings, const char *scenario)
 {
     Status status = {0};
@@ -390,6 +398,26 @@ START_TEST(the_manual_has_every_stage)
 }
 END_TEST
 
+START_TEST(the_manual_has_the_numbers_of_the_program)
+{
+    char *page = page_of_equations();
+    expect_number(page, "phi > %g and", CRACK_DAMAGE);
+    expect_number(page, "every %g steps", BEAM_REST_EVERY);
+    expect_number(page, "below %g of its largest", BEAM_REST_SHARE);
+    Settings settings = beam_settings(&problem_supported_beam, 1e-5);
+    set(&settings, "pd.spacing", "0.5e-3");
+    set(&settings, "pd.horizon", "2e-3");
+    set(&settings, "pd.volume_correction", "partial");
+    Simulation *beam = problem_simulate(&settings, 1, NULL);
+    ck_assert_ptr_nonnull(beam);
+    const size_t middle = beam->columns * (beam->rows / 2) + beam->columns / 2;
+    const double g = simulation_value(beam, simulation_find_field(beam, 0, "surface_x"), middle);
+    expect_number(page, "g is not 1 (%.6f at", g);
+    simulation_destroy(beam);
+    free(page);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("methods");
@@ -405,5 +433,6 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, derived_numbers_of_the_lattice);
     tcase_add_test(tcase, a_change_of_the_load_is_taken_back);
     tcase_add_test(tcase, the_manual_has_every_stage);
+    tcase_add_test(tcase, the_manual_has_the_numbers_of_the_program);
     suite_add_tcase(suite, tcase);
 }
