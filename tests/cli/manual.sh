@@ -28,6 +28,16 @@ both=$(echo "$problems" | tr -d '|' | tr ' ' '\n' | while read -r word; do
 done | tr '\n' ' ')
 result "those that both methods solve" test "$both" = "bar simply-supported-beam moving-cantilever "
 
+# a bond's stiffness, what it bears and what it makes of a wave, of both influences
+for formula in 'c = 2E/(A delta^2)' 'c1 = E/(dx^2 sum over m of (1 - m dx/delta) w_m m)' 'w_m (1 - m dx/delta) (delta/dx)^2/(2 sum' \
+	'c = 9 E / (\(*p \(*d^3)' 'c1 = 36 E / (\(*p \(*d^3)' 's0 = sqrt(4 \(*p G0 / (9 E \(*d))' 's0 = sqrt(5 \(*p G0 / (9 E \(*d))'; do
+	result "matvib.5 has $formula" sh -c 'grep -q -F -e "$1"' - "$formula" <<END
+$(plain "$man/matvib.5" | sed 's/\\ / /g')
+END
+done
+"$MATVIB" params notched-beam >params
+result "params has s0 of both" grep -q 's0 = sqrt(4 pi G0/(9 E delta)), conical influence 5 pi' params
+
 # every command that stands in an example runs, in the order of the page
 PATH=$(dirname "$MATVIB"):$PATH
 examples "$man/matvib.1" | grep '^[a-z]' >commands

@@ -81,6 +81,7 @@ result "its cracks" says out '^cracks  2 tips  fastest 1862 m/s = 0.61 c_R  brok
 result "where and when it branched, and how rough it is" says out \
 	'^branch x 69.8, y 20.0 mm, 26.0 us  half angle 26 deg  surface made / length 1.39$'
 result "what it cost" says out '^cost  305.3 J/m^2: path 182.1  beside 66.7  far 0.0  beyond s0 56.6$'
+result "at which step, and without what goes with it" says out '^all with this time step, 1e-7 s; as it falls the cost comes to some 249 J/m^2$'
 expect "a bar under a load" 0 pull --end 20
 result "by the work" says out '^energy, first period to last, .* % of the work$'
 

@@ -144,6 +144,24 @@ START_TEST(a_cone_runs_as_predicted)
         const double w = pd_bar_dispersion(&bar, &fine, z / 0.2).space_only, c = bar_wave_speed(&bar);
         ck_assert_double_eq_tol(pow(w / (c * z / 0.2), 2), pd_waves_line(PD_CONICAL, z), 4e-3);
     }
+    /* as the help has it: the weights of the sum, and long waves */
+    for (int volumes = PD_WHOLE_VOLUMES; volumes <= PD_HHB_VOLUMES; volumes++) {
+        PdBarTheory on = lattice(0.5, 1.5, (PdVolumes)volumes, false, 1e-6);
+        on.conical = true;
+        const double theta = 0.3, ratio = 3, w[] = {1, 1, 0.5}, c = bar_wave_speed(&bar), beta = theta / 0.5;
+        double sum = 0, all = 0;
+        for (int m = 1; m <= 3; m++) {
+            const double cone = (1 - m / ratio) * (volumes == PD_WHOLE_VOLUMES ? 1 : w[m - 1]);
+            sum += cone / m * pow(sin(m * theta / 2), 2);
+            all += cone * m;
+        }
+        sum *= 8 * pow(c / 1.5, 2) * ratio * ratio / (2 * all);
+        const double omega = pd_bar_dispersion(&bar, &on, beta).space_only;
+        ck_assert_double_eq_tol(omega, sqrt(sum), 1e-12 * omega);
+        const double slow = beta / 100, falls = slow * slow * (1.5 * 1.5 - 2.0 / 3 * 0.5 * 0.5) / 80;
+        ck_assert_double_eq_tol((1 - pd_bar_dispersion(&bar, &on, slow).space_only / (slow * c)) / falls, 1,
+                                1e-4);
+    }
 }
 END_TEST
 
@@ -166,7 +184,7 @@ START_TEST(free_end)
         const BarTheory bar = theory(true, false, cases[k].mode);
         const double exact = bar_frequency(&bar, cases[k].mode);
         /* so small a step that time adds nothing */
-        const PdBarTheory on = lattice(cases[k].spacing, 3 * cases[k].spacing, true, cases[k].energy, 1e-5);
+        const PdBarTheory on = lattice(cases[k].spacing, 3 * cases[k].spacing, PD_PARTIAL_VOLUMES, cases[k].energy, 1e-5);
         const double endless = pd_bar_dispersion(&bar, &on, bar_wave_number(&bar, cases[k].mode)).frequency;
         ck_assert_double_eq_tol(100 * (endless / exact - 1), cases[k].endless, 6e-5);
         ck_assert_double_eq_tol(100 * (pd_bar_frequency(&bar, &on, cases[k].mode) / exact - 1), cases[k].ends,

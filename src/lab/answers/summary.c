@@ -242,14 +242,20 @@ static void add_time(Writer *writer, const char *word, double seconds, const cha
         add(writer, "%s %.2f %s", word, 1e6 * seconds, unit);
 }
 
-/* Each share per area of the crack, so that it can be set beside G0. */
-static void add_cost(Writer *writer, const CrackPrice *price)
+/* Each share per area of the crack, so that it can be set beside G0. A bond breaks at the first step beyond
+ * s0, so what it held beyond goes with the time step; without it stands what the cost comes to as that falls,
+ * but for what else differs between the runs. */
+static void add_cost(Writer *writer, const CrackPrice *price, double dt)
 {
     const CrackCost *cost = &price->cost;
+    char step[NUMBER_TEXT_MAX];
     add(writer, "cost  %.1f J/m^2: path %.1f  beside %.1f  far %.1f  beyond s0 %.1f\n",
         cost->total / cost->area, cost->through / cost->area, cost->beside / cost->area,
         cost->far / cost->area, cost->beyond / cost->area);
     add(writer, "G0  %.1f J/m^2, on this lattice %.1f\n", price->critical_energy, cost->plane);
+    text_rounded(step, dt, 6);
+    add(writer, "all with this time step, %s s; as it falls the cost comes to some %.0f J/m^2\n", step,
+        (cost->total - cost->beyond) / cost->area);
 }
 
 /* First break, angles, tip, speed against Rayleigh's, and where the energy went. */
@@ -263,7 +269,7 @@ void summary_crack_text(const RunSummary *summary, const char *microseconds, cha
         crack_fronts_lines(&summary->fronts, summary->rayleigh_speed, microseconds, lines[0], lines[1]);
         add(&writer, "cracks  %s\n%s%s", lines[0], lines[1], lines[1][0] ? "\n" : "");
         if (summary->price_known)
-            add_cost(&writer, &summary->price);
+            add_cost(&writer, &summary->price, summary->dt);
     }
     if (!summary->crack_known)
         return;
@@ -289,7 +295,7 @@ void summary_crack_text(const RunSummary *summary, const char *microseconds, cha
         add(&writer, "tip's speed  at most %.0f m/s = %.2f c_R\n", crack->fastest,
             crack->fastest / summary->rayleigh_speed);
     if (summary->price_known)
-        add_cost(&writer, &summary->price);
+        add_cost(&writer, &summary->price, summary->dt);
 }
 
 /* The energy's change in per cent; less than 5e-4 % is written as 0. */

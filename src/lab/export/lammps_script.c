@@ -18,13 +18,18 @@ static bool leaves_channel(const LammpsBody *body)
 static void write_body_differences(FILE *file, const LammpsBody *body)
 {
     const Settings *settings = body->settings;
-    if (settings->lattice.surface_correction != SURFACE_NONE)
+    const bool surface = settings->lattice.surface_correction != SURFACE_NONE,
+               volume = settings->lattice.volume_correction != VOLUME_PARTIAL;
+    if (surface)
         fputs("# - there is no surface correction, so the skin is soft; compare with\n"
               "#   pd.surface_correction=none\n",
               file);
-    if (settings->lattice.volume_correction != VOLUME_PARTIAL)
+    if (volume)
         fputs("# - volumes near the horizon count in part; compare with pd.volume_correction=partial\n",
               file);
+    /* matvib would find another step for the other lattice, and the rows of the two would not meet */
+    if (surface || volume)
+        LAMMPS_LINE(file, "#   and with time.step=@, the step of this script\n", body->sim->dt);
     fputs("# - nodes that come nearer than nine tenths of their first distance, and than 1.35 dx, push each "
           "other\n"
           "#   away (short-range forces), though not across a cut\n"
@@ -250,6 +255,10 @@ void lammps_write_script(FILE *file, const LammpsBody *body)
         fputs("\n# bonds are made of the straight beam, then it is bent\nrun 0\n"
               "variable ux atomfile ux.matvib\nvariable uy atomfile uy.matvib\n"
               "displace_atoms all move v_ux v_uy 0 units box\n\n",
+              file);
+    if (lammps_breaks(body) && !lammps_starts_bent(body))
+        fputs("\n# bonds are made before they are counted, or those that do not count yet seem broken\nrun 0 "
+              "post no\n",
               file);
     write_probe(file, body, every);
     if (lammps_breaks(body))

@@ -173,7 +173,16 @@ static const HelpPassage pd_bar_before[] = {
      "bar, with cross-section A = 1."},
     {false, "On a line the stretch is linear in the displacements, at any amplitude.", NULL},
     {false,
-     "w counts a node at the edge of the horizon by the part of its cell inside. G is the mean of the two "
+     "Conical influence: c₁ (1 - |ξ|/δ) in place of c, c₁ = E/(Δx² Σ (1 - mΔx/δ) w_m m) over one side, which "
+     "is "
+     "6E/(A δ²) on a fine lattice.",
+     "Conical influence: c1 (1 - |xi|/delta) in place of c, c1 = E/(dx^2 sum (1 - m dx/delta) w_m m) over "
+     "one "
+     "side, which is 6E/(A delta^2) on a fine lattice."},
+    {false,
+     "w counts a node at the edge of the horizon by the part of its cell inside: partial leaves out those "
+     "whose "
+     "middle lies beyond, hhb does not. G is the mean of the two "
      "nodes' surface factors: the energy of a uniform strain over what their families hold.",
      NULL},
 };
@@ -226,6 +235,12 @@ static const HelpPassage pd_bar_after[] = {
      "corrected; W is what the run shows. For long waves w = beta c (1 - beta^2 (delta^2 + dx^2)/48): the "
      "horizon sets the error, more than the spacing."},
     {false,
+     "Conical influence: w_m (1 - mΔx/δ) times (δ/Δx)²/(2 Σ w_m m (1 - mΔx/δ)) in place of w_m. For long "
+     "waves "
+     "ω = βc (1 - β²(δ² - ⅔ Δx²)/80).",
+     "Conical influence: w_m (1 - m dx/delta) times (delta/dx)^2/(2 sum w_m m (1 - m dx/delta)) in place of "
+     "w_m. For long waves w = beta c (1 - beta^2 (delta^2 - 2/3 dx^2)/80)."},
+    {false,
      "Exact for a bar fixed at both ends. With a free end the frequencies are eigenvalues of the lattice as "
      "it lies.",
      NULL},
@@ -244,12 +259,21 @@ static const HelpPassage beam_before[] = {
      "eta how far the two have moved apart; c = 6E/(pi delta^3 (1-nu)) with nu = 1/3, the only value that "
      "this "
      "theory has in two dimensions."},
+    {false, "Conical influence: c₁ (1 - |ξ|/δ) in place of c, c₁ = 4c.",
+     "Conical influence: c1 (1 - |xi|/delta) in place of c, c1 = 4c."},
     {false,
-     "w counts a point at the edge of the horizon by the part of its area inside (partial volume). "
+     "w makes points near the horizon count less and less, from 1 at |ξ| = δ - Δx/2 along (δ + Δx/2 - "
+     "|ξ|)/Δx: "
+     "partial leaves out those beyond δ, hhb goes on to 0. It is not the share of their area. "
      "G makes up for what bonds near a surface lack (surface correction).",
-     NULL},
-    {false, "A bond breaks for ever at the critical stretch: s₀ = √(4πG₀/(9Eδ)).",
-     "A bond breaks for ever at the critical stretch: s0 = sqrt(4 pi G0/(9 E delta))."},
+     "w makes points near the horizon count less and less, from 1 at |xi| = delta - dx/2 along (delta + dx/2 "
+     "- "
+     "|xi|)/dx: partial leaves out those beyond delta, hhb goes on to 0. It is not the share of their area. "
+     "G makes up for what bonds near a surface lack (surface correction)."},
+    {false, "A bond breaks for ever at the critical stretch: s₀ = √(4πG₀/(9Eδ)), conical √(5πG₀/(9Eδ)).",
+     "A bond breaks for ever at the critical stretch: s0 = sqrt(4 pi G0/(9 E delta)), conical sqrt(5 pi "
+     "G0/(9 E "
+     "delta))."},
 };
 
 static const HelpPassage plane_before[] = {

@@ -129,7 +129,11 @@ static void draw_law_heading(const Screen *screen, Area area, Style heading, con
     char nodes[64] = "nodes";
     if (paper)
         text_append(nodes, sizeof nodes, " by their largest s, log scale to %d", most);
-    Legend legend[4] = {{LINE_SOLID, '*', STYLE_MEASURED, "f = c s", NULL}};
+    Legend legend[4] = {{LINE_SOLID, '*', STYLE_MEASURED,
+                         experiment_settings(screen->experiment)->lattice.influence == INFLUENCE_CONICAL
+                             ? "f = c1 s, shortest"
+                             : "f = c s",
+                         NULL}};
     int n = 1;
     if (breaks)
         legend[n++] = (Legend){LINE_DASHED, '-', STYLE_EXACT, "s0", NULL};
