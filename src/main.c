@@ -67,8 +67,8 @@ static int open_laboratory(bool for_lesson, int count, char **arguments, Status 
         status_prefix(status, "--name");
         return (int)status->code;
     }
-    if (options.key || options.handout)
-        return cli_lesson_papers(&options, student, status);
+    if (options.handout)
+        return cli_lesson_handout(&options, student, status);
     bool again = options.replay || options.last;
     if (again && (options.n_words > 0 || options.n_overrides > 0 || options.steps > 0 || options.paused)) {
         status_fail(status, STATUS_USAGE, "%s: a session has its own scenario and parameters",

@@ -39,8 +39,9 @@ int cli_grade(int count, char **arguments, Status *);
 int cli_fit(int count, char **arguments, Status *);
 int cli_sound(int count, char **arguments, Status *);
 int cli_list(int count, char **arguments, Status *);
-int cli_list_lessons(Status *);                                        /* what `lesson --list` prints */
-int cli_lesson_papers(const Options *, const char *student, Status *); /* `lesson --key`, `--handout` */
+int cli_list_lessons(Status *);                                         /* what `lesson --list` prints */
+int cli_lesson_handout(const Options *, const char *student, Status *); /* what `lesson --handout` writes */
+int cli_grade_key(const Options *, Status *);                           /* what `grade --key` prints */
 int cli_show(int count, char **arguments, Status *);
 int cli_params(int count, char **arguments, Status *);
 

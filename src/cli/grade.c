@@ -180,7 +180,11 @@ int cli_grade(int count, char **arguments, Status *status)
 {
     Options options;
     Marking marking = {.refused = 0};
-    if (!options_parse("grade", count, arguments, &options, status) ||
+    if (!options_parse("grade", count, arguments, &options, status))
+        return (int)status->code;
+    if (options.key)
+        return cli_grade_key(&options, status);
+    if ((options.name && !status_fail(status, STATUS_USAGE, "--name: goes with --key")) ||
         !options_words(&options, 2, WORDS_MAX, "LESSON SESSION...", status) ||
         !read_limit(options.limit, &marking.task.seconds, status) || !may_write(&options, status) ||
         !lesson_load(options.words[0], command_line_for_lessons, &marking.lesson, status))

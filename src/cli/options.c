@@ -61,8 +61,9 @@ const Option options_table[] = {
      AT(figure)},
     {"--name", "NAME", " lesson ", "whose homework it is: the exercises' variants are drawn from it",
      OPTION_TEXT, AT(name)},
-    {"--key", NULL, " lesson ", "prints the right answers, with --name those of that student", OPTION_FLAG,
+    {"--key", NULL, " grade ", "prints the right answers of LESSON, and judges its exercises", OPTION_FLAG,
      AT(key)},
+    {"--name", "NAME", " grade ", "with --key: those of that student", OPTION_TEXT, AT(name)},
     {"--handout", "FILE", " lesson ", "the questions on paper: FILE.pdf", OPTION_TEXT, AT(handout)},
     {"--output", "FILE", " grade ", "where the table of marks goes (standard output)", OPTION_TEXT,
      AT(output)},
@@ -269,8 +270,16 @@ static bool take(const Option *option, const char *value, Options *options, Stat
 
 /* --- the whole line ------------------------------------------------------------------------------- */
 
+/* Options that stand elsewhere now. */
+static const struct {
+    const char *command, *name, *place;
+} moved[] = {{"lesson", "--key", "matvib grade --key LESSON"}};
+
 static bool unknown(const char *command, const char *name, Status *status)
 {
+    for (size_t i = 0; i < sizeof moved / sizeof *moved; i++)
+        if (strcmp(moved[i].command, command) == 0 && strcmp(moved[i].name, name) == 0)
+            return status_fail(status, STATUS_USAGE, "%s: is %s", name, moved[i].place);
     enum { MOST = 64 };
     const char *known[MOST + 1] = {NULL};
     int count = 0;

@@ -38,7 +38,7 @@ Below 2 %.
 END
 
 # the right number of page 1 for a name
-key_of() { "$MATVIB" lesson own.lesson --key --name "$1" | sed -n 's/^   \([-0-9.e]*\) within .*/\1/p'; }
+key_of() { "$MATVIB" grade --key own.lesson --name "$1" | sed -n 's/^   \([-0-9.e]*\) within .*/\1/p'; }
 # student NAME FILE: does what play.script says
 student() { "$MATVIB" lesson own.lesson --name "$1" --record "$2" --script play.script; }
 # row FILE SESSION PAGE: what stands in the table for it: value, right answer, mark, tries
@@ -49,7 +49,7 @@ marks() { cut -d, -f2,5,6 "$1" | sort; }
 holds() { grep "$2" "$1" | grep -q "$3"; } # FILE LINE PATTERN: a line of the file has it
 
 # --- the key ---
-"$MATVIB" lesson own.lesson --key --name "Ada Lovelace" >key 2>err
+"$MATVIB" grade --key own.lesson --name "Ada Lovelace" >key 2>err
 result "the key has a title and a name" says key '^Own homework   for Ada Lovelace$'
 result "and the variant" says key '^  initial.mode = [0-9]*$'
 result "the right choice" says key '^   this$'
@@ -95,6 +95,7 @@ wait 15
 expect Done.
 key n
 wait 1
+expect 1 or 2: your first answer counts
 key 1 n
 wait 1
 key Enter
@@ -119,6 +120,7 @@ expect Not yet: abs(error) < 2 %:
 key n
 wait 1
 key 2 b n 1
+expect Your first answer counts: that.
 END
 result "all wrong" student "Emmy Noether" wrong.session
 printf 'wait 1\nkey n n\n' >play.script
@@ -288,6 +290,26 @@ sealed many.raw many.session
 expect "60000 keys on a large screen" 1 own.lesson many.session --limit 2 --output many.csv
 result "get no mark" remark_is many.csv many.session "Ada Lovelace" "it takes too long to be done again"
 
+# --- the lesson's text, and the scenarios that it opens, which lie beside it ---
+mkdir -p class
+"$MATVIB" show mode5 | sed 's/^end = .*/end = 20/' >class/short.ini
+sed 's/^@do open mode5/@do open short.ini/' own.lesson >class/own.lesson
+printf 'wait 1\nkey Enter\ntype 5\nkey Enter\nexpect Not 5\n' >play.script
+result "a scenario beside the lesson is found" "$MATVIB" lesson class/own.lesson --name Ida --record ida.session --script play.script
+expect "and marked" 0 class/own.lesson ida.session --output ida.csv
+result "with its number" holds ida.csv '^Ida,1 ' '^Ida,1 Frequency,5,-[0-9.]*,0,1,'
+cp class/own.lesson commented
+{ echo '# a word to teachers' && cat commented; } >class/own.lesson
+edited class/short.ini 's/^end = 20/end = 20 # not long/' commented
+{ echo '# no more' && cat commented; } >class/short.ini
+expect "a comment changes nothing" 0 class/own.lesson ida.session --output ida2.csv
+result "at all" cmp ida.csv ida2.csv
+edited commented 's/^end = 20/end = 21/' class/short.ini
+expect "another scenario does" 1 class/own.lesson ida.session --output ida3.csv
+result "and is told" says ida3.csv 'foreign: it is of another lesson, or of another text of this one'
+rm class/short.ini
+refuse "a scenario that is missing" "class/own.lesson: class/short.ini: cannot be read: No such file or directory" class/own.lesson ida.session
+
 # --- paper ---
 if "$MATVIB" lesson own.lesson --handout probe.pdf >out 2>err; then
 	result "a handout" test "$(head -c 5 probe.pdf)" = %PDF-
@@ -328,7 +350,7 @@ solve() {
 	/^   to be read/ { print "key Enter\ntype because\nkey Enter" }' key
 }
 for lesson in late energy crack; do
-	"$MATVIB" lesson homework-$lesson --key --name "Ada Lovelace" >key 2>err
+	"$MATVIB" grade --key homework-$lesson --name "Ada Lovelace" >key 2>err
 	result "homework-$lesson: a key" lines err 0
 	{
 		echo 'wait 2'
@@ -337,8 +359,6 @@ for lesson in late energy crack; do
 	result "homework-$lesson: all is done as the key says" "$MATVIB" lesson homework-$lesson --name "Ada Lovelace" \
 		--script play.script --record homework-$lesson.session
 	expect "homework-$lesson is marked" 0 homework-$lesson homework-$lesson.session --output $lesson.csv --threads 1
-	"$MATVIB" grade homework-$lesson homework-$lesson.session --threads 2 >two.csv 2>err
-	result "homework-$lesson: the same with two threads" cmp $lesson.csv two.csv
 	wanted=$(grep -c -e ' within .*(' -e '^   one way' key)
 	result "homework-$lesson: every number and goal is right" test "$(grep -c ',1,1,[0-9]*,[^,]*,$' $lesson.csv)" -ge "$wanted"
 done
@@ -381,18 +401,35 @@ refuse "no session" "LESSON SESSION... is missing (see: matvib --help)" own.less
 refuse "no such lesson" "latte: no such lesson or file (did you mean late?)" latte right.session
 refuse "no limit" "--limit: not a number from 1 to 1e+06: soon" own.lesson right.session --limit soon
 refuse "no folder for the table" "none/m.csv: there is no folder none" own.lesson right.session --output none/m.csv
+refuse "a name without a key" "--name: goes with --key" own.lesson right.session --name Ada
+refuse "a key of one lesson" "right.session: is one argument too many (LESSON)" --key own.lesson right.session
 subcommand=lesson
-refuse "a key of which lesson" "--key: which lesson? (matvib lesson NAME --key)" --key
+refuse "the key is the teacher's" "--key: is matvib grade --key LESSON" own.lesson --key
 refuse "a handout of which lesson" "--handout: which lesson? (matvib lesson NAME --handout FILE.pdf)" --handout a.pdf
 refuse "an empty name" "--name: the name is empty" own.lesson --name " "
 refuse "a name that acts" '--name: \x1b[2J: is no name (UTF-8 without control characters)' own.lesson --name "$(printf '\033[2J')"
 sed 's/^@solve.*/@solve set mesh.cell_size 2.5/' own.lesson >stuck.lesson
-"$MATVIB" lesson stuck.lesson --key >out 2>err
+"$MATVIB" grade --key stuck.lesson >out 2>err
 result "a way that leads elsewhere is told" says err '^matvib: page 2: its own way misses the goal: Not yet: abs(error) < 2 %: it is'
 sed 's/^@variant.*/@variant mesh.cell_size from 0.61 to 0.62/;s/{initial.mode}/m/' own.lesson >odd.lesson
-"$MATVIB" lesson odd.lesson --key >out 2>err
+"$MATVIB" grade --key odd.lesson >out 2>err
 result "a variant that the scenario cannot have is told" says err '^matvib: page 1: set mesh.cell_size 0.6'
+# judged LINES: what a key says of a lesson whose first page ends so
+judged() {
+	printf '@title x\n@page y\n@do open mode5\n@do set time.end 20\n%b\n' "$1" >judged.lesson
+	"$MATVIB" grade --key judged.lesson >out 2>err
+}
+judged '@do set mpm.algorithm musl\n@ask a\n@answer energy_change within 0.1'
+result "a tolerance that takes 0 is refused" says err '^matvib: page 1: its tolerance takes 0 too, which anybody may guess (right is '
+judged '@do set mpm.algorithm musl\n@ask a\n@answer 100 + energy_change within 1 %'
+result "or what it is at the start" says err '^matvib: page 1: its tolerance takes 100 too, which it is at the start (right is '
+judged '@variant initial.mode from 3 to 12\n@ask a\n@answer error within 60 %'
+result "or another student's answer" says err '^matvib: page 1: its tolerance takes -[0-9.]* too, the answer for initial.mode = '
+judged '@variant initial.mode from 3 to 12\n@ask a\n@answer steps within 1 %'
+result "an answer that no variant changes too" says err 'page 1: its tolerance takes 2000 too, the answer for initial.mode = '
+judged '@goal abs(error) < 50 %\n@solve set mesh.cell_size 0.5'
+result "and a goal that is fulfilled already" says err '^matvib: page 1: its run fulfils the goal as it is$'
 sed 's/^@answer error/@answer crack_start/' own.lesson >unknown.lesson
-"$MATVIB" lesson unknown.lesson --key >out 2>err
+"$MATVIB" grade --key unknown.lesson >out 2>err
 result "an answer that the run does not have is told" says err '^matvib: page 1: what is right is not known of its run$'
 echo "1..$number"

@@ -43,6 +43,28 @@ bool exercise_accepts(const Exercise *exercise, double right, double given)
     return fabs(given - right) <= allowed * (1 + 1e-9); /* 0.9 within 0.1 is 1, whatever 1 - 0.9 is in bits */
 }
 
+double exercise_at_start(const Exercise *exercise, const ExpressionRun *end)
+{
+    const Expression *sum = &exercise->expression;
+    RunSummary start = *end->summary;
+    bool of_motion = false;
+    for (int i = 0; i < sum->n_steps; i++)
+        of_motion |= sum->steps[i].kind == STEP_WORD && !sum->steps[i].word->beforehand;
+    if (!of_motion || sum->has_was)
+        return NAN;
+    start.readout.measured_known = false;
+    start.readout.error_frequency = start.readout.error_period = NAN;
+    start.readout.late = start.energy_change = start.time = 0;
+    start.steps = 0;
+    start.crack = (CrackFacts){0};
+    start.fronts = (FrontsFacts){0};
+    start.price_known = false;
+    for (int i = 0; i < start.n_columns; i++)
+        if (strcmp(start.columns[i].quantity.name, "broken_bonds") == 0)
+            start.last_row[i] = 0;
+    return expression_value(sum, &(ExpressionRun){end->settings, &start}, end);
+}
+
 bool exercise_read_number(const char *text, double *number)
 {
     char copy[ANSWER_MAX];

@@ -35,6 +35,10 @@ bool exercise_read_goal(const char *text, Exercise *, Status *);
 /* Whether an answer is near enough to the right one. */
 bool exercise_accepts(const Exercise *, double right, double given);
 
+/* What the number is as long as the run has not begun to move; NAN: it does not depend on that, or is not
+ * known. `end` is what the run came to at its end. */
+double exercise_at_start(const Exercise *, const ExpressionRun *end);
+
 /* A number as a student writes it: "1.5", "1,5", "1.5 %". */
 bool exercise_read_number(const char *text, double *number);
 

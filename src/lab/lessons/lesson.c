@@ -22,6 +22,8 @@ typedef struct Reader {
     LessonPage *page; /* NULL: before the first */
     LessonPart *part; /* of the page that is being read */
     bool paragraph;   /* the next line of text goes on with the last */
+    bool opened;      /* up to the page's question a scenario has been opened, */
+    bool opens;       /* or is behind it */
     LessonJudge may_do;
     Status *status;
 } Reader;
@@ -87,9 +89,30 @@ static bool judge_page(const Reader *reader, const LessonPage *page, Status *sta
     return true;
 }
 
+const char *lesson_opening(const char *line)
+{
+    static const char *const words[] = {"open ", "full "};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        const char *name = line + strlen(words[i]);
+        if (strncmp(line, words[i], strlen(words[i])) == 0 && name[strspn(name, " ")])
+            return name + strspn(name, " ");
+    }
+    return NULL;
+}
+
 static bool end_page(Reader *reader)
 {
-    return !reader->page || judge_page(reader, reader->page, reader->status);
+    const LessonPage *page = reader->page;
+    if (!page)
+        return true;
+    const ExerciseKind kind = lesson_exercise(page);
+    const bool of_run = kind == EXERCISE_NUMBER || kind == EXERCISE_GOAL;
+    if (of_run && !reader->opened)
+        return status_fail(reader->status, STATUS_USAGE,
+                           "page \"%.40s\" asks about a run that no page up to it opens (@do open SCENARIO)",
+                           page->title);
+    reader->opened |= reader->opens;
+    return judge_page(reader, page, reader->status);
 }
 
 static bool read_page(Reader *reader, const char *text)
@@ -125,6 +148,8 @@ static bool add_action(Reader *reader, LessonPart *part, const char *word, const
 
 static bool read_do(Reader *reader, const char *text)
 {
+    bool *opens = reader->part == &reader->page->first ? &reader->opened : &reader->opens;
+    *opens |= lesson_opening(text) != NULL;
     return add_action(reader, reader->part, "@do", text);
 }
 
@@ -343,10 +368,10 @@ static bool read_line(Reader *reader, char *line)
     if (!visible_is_clean(line))
         return status_fail(reader->status, STATUS_USAGE, "is not text in UTF-8");
     Lesson *lesson = reader->lesson;
-    lesson->version = hash_bytes(hash_bytes(lesson->version, line, strlen(line)), "\n", 1);
     lesson->version_1 = hash_bytes(hash_bytes(lesson->version_1, line, strlen(line)), "\n", 1);
     if (*line == '#')
         return true;
+    lesson->version = hash_bytes(hash_bytes(lesson->version, line, strlen(line)), "\n", 1);
     if (!lesson_knows_braces(lesson, line, reader->status))
         return false;
     return *line == '@' ? read_word(reader, line + 1) : read_text(reader, line);

@@ -101,8 +101,9 @@ typedef struct Lesson {
     int n_pages;
     LessonVariant variants[LESSON_VARIANTS_MAX];
     int n_variants;
-    uint64_t version;   /* of its lines: tells one text of a lesson from another */
-    uint64_t version_1; /* the same as matvib 1 wrote it into recordings */
+    uint64_t version;   /* of its lines, and of those of the scenario files that it opens, without comments:
+                           tells one text of a lesson from another */
+    uint64_t version_1; /* the same as matvib 1 wrote it into recordings: of its own lines, with comments */
 } Lesson;
 
 /* A lesson that is part of the program, from data/lessons. */
@@ -118,9 +119,14 @@ extern const BuiltinLesson builtin_lessons[]; /* generated; ended by a NULL name
  * lines those are is known to the table of commands (view/help/commands.h). False: the status says why. */
 typedef bool (*LessonJudge)(const char *line, Status *);
 
-/* Reads a lesson by built-in name or, failing that, by path. False: "FILE:LINE: what is wrong (what is
+/* Reads a lesson by built-in name or, failing that, by path. The scenario files that a lesson in a file opens
+ * are sought beside it. False: "FILE:LINE: what is wrong (what is
  * allowed)"; nothing is left to be freed. */
 bool lesson_load(const char *name_or_path, LessonJudge, Lesson *lesson, Status *status);
+
+/* The same with the variants of a student ("": of nobody in particular). */
+bool lesson_load_for(const char *name_or_path, const char *student, LessonJudge, Lesson *lesson,
+                     Status *status);
 
 /* The same from a stream; `name` stands for FILE. */
 bool lesson_read(FILE *stream, const char *name, LessonJudge, Lesson *lesson, Status *status);
@@ -132,6 +138,9 @@ bool lesson_draw(Lesson *, const char *student, Status *);
 bool lesson_knows_braces(const Lesson *, const char *line, Status *);
 
 ExerciseKind lesson_exercise(const LessonPage *);
+
+/* The scenario that a line opens, behind "open" or "full"; NULL: it opens none. */
+const char *lesson_opening(const char *line);
 
 void lesson_free(Lesson *lesson); /* also an empty one */
 

@@ -67,25 +67,53 @@ bool variant_read(const char *text, Variant *variant, Status *status)
                        variant->key, from, to);
 }
 
-void variant_draw(const Variant *variant, const char *title, const char *student, char out[NUMBER_TEXT_MAX])
-{
+/* The values that there are: whole numbers of steps, from the first to the last. */
+typedef struct Values {
     int mantissa, exponent;
-    find_step(variant, &mantissa, &exponent);
-    const double step = mantissa * pow(10, exponent);
-    const double first = ceil(variant->from / step - 1e-6), last = floor(variant->to / step + 1e-6);
-    uint64_t hash = HASH_BEGIN;
-    const char *const parts[] = {student, title, variant->key};
-    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
-        hash = hash_bytes(hash, parts[i], strlen(parts[i]) + 1); /* with the end, so that parts stay parts */
-    const double index = (double)(mix(hash) % (uint64_t)(last - first + 1));
-    /* written as a whole number of steps, so that no rounding of a product is in it */
+    double step, first, last;
+} Values;
+
+static Values values_of(const Variant *variant)
+{
+    Values values;
+    find_step(variant, &values.mantissa, &values.exponent);
+    values.step = values.mantissa * pow(10, values.exponent);
+    values.first = ceil(variant->from / values.step - 1e-6);
+    values.last = floor(variant->to / values.step + 1e-6);
+    return values;
+}
+
+/* Written as a whole number of steps, so that no rounding of a product is in it. */
+static void write_value(const Values *values, double steps, char out[NUMBER_TEXT_MAX])
+{
     char text[NUMBER_TEXT_MAX];
-    snprintf(text, sizeof text, "%.0fe%d", (first + index) * mantissa, exponent);
+    snprintf(text, sizeof text, "%.0fe%d", steps * values->mantissa, values->exponent);
     enum { DIGITS = 6 }; /* more than most have; 8.5e10 is read better than 85000000000 */
     const double value = strtod(text, NULL);
     text_rounded(out, value, DIGITS);
     if (strtod(out, NULL) != value)
         text_shortest(out, value);
+}
+
+void variant_draw(const Variant *variant, const char *title, const char *student, char out[NUMBER_TEXT_MAX])
+{
+    const Values values = values_of(variant);
+    uint64_t hash = HASH_BEGIN;
+    const char *const parts[] = {student, title, variant->key};
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
+        hash = hash_bytes(hash, parts[i], strlen(parts[i]) + 1); /* with the end, so that parts stay parts */
+    const double index = (double)(mix(hash) % (uint64_t)(values.last - values.first + 1));
+    write_value(&values, values.first + index, out);
+}
+
+bool variant_beside(const Variant *variant, const char *value, int direction, char out[NUMBER_TEXT_MAX])
+{
+    const Values values = values_of(variant);
+    const double steps = round(strtod(value, NULL) / values.step) + direction;
+    if (!(steps >= values.first && steps <= values.last))
+        return false;
+    write_value(&values, steps, out);
+    return true;
 }
 
 bool variant_student(const char *text, char out[STUDENT_MAX], Status *status)

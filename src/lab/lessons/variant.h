@@ -23,6 +23,9 @@ bool variant_read(const char *text, Variant *, Status *);
  * from A to B with few digits. */
 void variant_draw(const Variant *, const char *title, const char *student, char out[NUMBER_TEXT_MAX]);
 
+/* The value on the side of a drawn one that another student has: direction -1 or 1. False: there is none. */
+bool variant_beside(const Variant *, const char *value, int direction, char out[NUMBER_TEXT_MAX]);
+
 /* A student's name with single spaces between its words. False: it is none, and the status says why. */
 bool variant_student(const char *text, char out[STUDENT_MAX], Status *);
 

@@ -128,6 +128,9 @@ static void footer_text(const Screen *screen, char *out, size_t size)
     if (page->question && page->n_choices == 0 && shown->answer < 0)
         snprintf(out, size, "Enter: your %s   n goes on",
                  lesson_exercise(page) == EXERCISE_WORDS ? "words" : "answer");
+    else if (page->question && shown->answer < 0 && shown->counts)
+        snprintf(out, size, "1 %s %d: your first answer counts", page->n_choices == 2 ? "or" : "to",
+                 page->n_choices);
     else if (page->question && shown->answer < 0)
         snprintf(out, size, "1 %s %d, or ↑ ↓ Enter: your answer", page->n_choices == 2 ? "or" : "to",
                  page->n_choices);

@@ -110,6 +110,7 @@ typedef struct LessonShown {
     bool met;          /* what the page waits for has happened */
     char verdict[320]; /* on the last answer, or the last run; "": none */
     bool verdict_right;
+    bool counts; /* answers are somebody's homework: of a choice the first one is marked */
     int scroll;
     int reached[LESSONS_MAX]; /* per lesson of the program: pages that were turned to */
 } LessonShown;

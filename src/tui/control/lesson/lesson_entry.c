@@ -124,7 +124,7 @@ static void run_line(Laboratory *lab, const char *line)
                  lab->screen.prompt.problem);
         laboratory_say(lab, MESSAGE_ERROR, "%s", lab->play.refused);
     }
-    if (done && strncmp(line, "open ", 5) == 0)
+    if (done && lesson_opening(line))
         player_pause(lab); /* a page is read before it is run */
     if (screen_view_in(&lab->screen, lab->screen.panes.focus)) {
         /* on a small screen a view comes to the front: below the page, to which the keys still go */
@@ -294,11 +294,6 @@ bool lesson_entry_cancel(Laboratory *lab)
 
 /* --- the state of a page ---------------------------------------------------------------------------- */
 
-static bool opens(const char *line)
-{
-    return strncmp(line, "open ", 5) == 0;
-}
-
 /* Only goes to a place of the run, whatever the place before it was. */
 static bool is_move(const LessonAction *action)
 {
@@ -319,7 +314,7 @@ static bool is_look(const LessonAction *action)
 static void queue_action(LessonPlay *play, LessonAction action)
 {
     const bool in_step = action.goal && action.goal->kind == UNTIL_STAGE;
-    if (action.line && opens(action.line))
+    if (action.line && lesson_opening(action.line))
         play->n_queue = 0;
     for (int i = play->n_queue - 1; i >= 0 && (is_move(&action) || in_step); i--) {
         LessonAction *before = &play->queue[i];
@@ -357,7 +352,7 @@ static void queue_goal(LessonPlay *play, const LessonPage *page)
 static bool has_opening(const LessonPart *part)
 {
     for (int i = 0; i < part->n_actions; i++)
-        if (opens(part->actions[i]))
+        if (lesson_opening(part->actions[i]))
             return true;
     return false;
 }

@@ -82,8 +82,13 @@ void lesson_exercise_choose(Laboratory *lab, int choice)
 {
     const LessonPage *page = lesson_entry_page(lab);
     ExerciseMark *mark = lesson_judge_mark(lab);
-    if (mark->tries++ > 0)
+    char first[ANSWER_MAX + 40];
+    if (mark->tries++ > 0) {
+        snprintf(first, sizeof first, "Your first answer counts: %s.", mark->value);
+        if (lab->screen.lesson.counts)
+            lesson_judge_say(lab, mark->right, first);
         return;
+    }
     mark->judged = true;
     mark->right = choice == page->right;
     snprintf(mark->value, sizeof mark->value, "%s", page->choices[choice]);

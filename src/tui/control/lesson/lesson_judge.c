@@ -15,12 +15,17 @@ static const LessonPage *page_of(const Laboratory *lab)
     return &lab->screen.lesson.lesson->pages[lab->screen.lesson.page];
 }
 
+bool lesson_judge_counts(const Laboratory *lab)
+{
+    const char *opened = lab->options.lesson;
+    return opened && strncmp(opened, lab->play.name, sizeof lab->play.name - 1) == 0;
+}
+
 /* The mark of the page that is open. */
 ExerciseMark *lesson_judge_mark(Laboratory *lab)
 {
-    const char *opened = lab->options.lesson;
-    const bool kept = opened && strncmp(opened, lab->play.name, sizeof lab->play.name - 1) == 0;
-    return kept ? &lab->homework.marks[lab->screen.lesson.page] : &lab->homework.elsewhere;
+    return lesson_judge_counts(lab) ? &lab->homework.marks[lab->screen.lesson.page]
+                                    : &lab->homework.elsewhere;
 }
 
 void lesson_judge_enter(Laboratory *lab)
@@ -64,24 +69,38 @@ static bool summary_before(const Exercise *exercise, const Settings *entered, Ru
     return !exercise->expression.has_was || run_numbers_beforehand(entered, before, status);
 }
 
-bool lesson_judge_number(Laboratory *lab, double *right, Status *status)
+bool lesson_judge_run(Laboratory *lab, const Settings *of, RunSummary *summary, Status *status)
+{
+    Settings settings = *of;
+    Waiting waiting = {lab, lab->host.now(lab->host.context)};
+    settings.patience = (Patience){wait_for_run, &waiting};
+    return export_run(&settings, &(Outputs){0}, lab->options.threads > 0 ? lab->options.threads : 1,
+                      wait_for_run, &waiting, summary, status);
+}
+
+bool lesson_judge_value(const Laboratory *lab, const Settings *settings, const RunSummary *summary,
+                        double *value, Status *status)
 {
     const Exercise *exercise = page_of(lab)->exercise;
-    Settings settings = lab->play.run.entered;
-    Waiting waiting = {lab, lab->host.now(lab->host.context)};
-    RunSummary summary, before;
-    settings.patience = (Patience){wait_for_run, &waiting};
+    RunSummary before;
+    *value = NAN;
+    if (!summary_before(exercise, settings, &before, status))
+        return false;
+    *value = expression_value(&exercise->expression, &(ExpressionRun){settings, summary},
+                              &(ExpressionRun){settings, &before});
+    return true;
+}
+
+bool lesson_judge_number(Laboratory *lab, double *right, Status *status)
+{
+    const ExerciseRun *run = &lab->play.run;
+    RunSummary summary;
     *right = NAN;
-    if (!lab->play.run.known)
+    if (!run->known)
         return status_fail(status, STATUS_USAGE,
                            "this page was given up on its way: turn to another one and back");
-    if (!export_run(&settings, &(Outputs){0}, lab->options.threads > 0 ? lab->options.threads : 1,
-                    wait_for_run, &waiting, &summary, status) ||
-        !summary_before(exercise, &settings, &before, status))
-        return false;
-    *right = expression_value(&exercise->expression, &(ExpressionRun){&settings, &summary},
-                              &(ExpressionRun){&settings, &before});
-    return true;
+    return lesson_judge_run(lab, &run->entered, &summary, status) &&
+           lesson_judge_value(lab, &run->entered, &summary, right, status);
 }
 
 /* --- goals ------------------------------------------------------------------------------------------ */

@@ -6,6 +6,7 @@
 #define TUI_LESSON_JUDGE_H
 
 #include "lab/lessons/lesson.h"
+#include "lab/export/export.h"
 
 typedef struct Laboratory Laboratory;
 
@@ -26,6 +27,7 @@ typedef struct ExerciseRun {
 /* The page's state is reached: from here the reader answers. */
 void lesson_judge_enter(Laboratory *);
 
+bool lesson_judge_counts(const Laboratory *); /* what is answered is of the lesson that was opened with */
 ExerciseMark *lesson_judge_mark(Laboratory *);
 
 /* Says on the page how it went. */
@@ -33,6 +35,12 @@ void lesson_judge_say(Laboratory *, bool right, const char *text);
 
 /* Holds the run against the page's goal, where it has ended and has not been held yet. True: it is met. */
 bool lesson_judge_goal(Laboratory *);
+
+/* What a run comes to, done to its end on the spot. False: it failed or was given up. */
+bool lesson_judge_run(Laboratory *, const Settings *, RunSummary *, Status *);
+
+/* What the page's exercise is of a run that came to this; NAN: not known. False: `was` has no run. */
+bool lesson_judge_value(const Laboratory *, const Settings *, const RunSummary *, double *value, Status *);
 
 /* The right number of the page, from a run of its own to the end. NAN: it is not known. False: the run failed
  * or was given up. */

@@ -28,12 +28,9 @@ bool lesson_play_open(Laboratory *lab, const char *name, Status *status)
         return true;
     }
     Lesson lesson;
-    if (!lesson_load(name, command_line_for_lessons, &lesson, status))
+    if (!lesson_load_for(name, lab->options.student ? lab->options.student : "", command_line_for_lessons,
+                         &lesson, status))
         return false;
-    if (!lesson_draw(&lesson, lab->options.student ? lab->options.student : "", status)) {
-        lesson_free(&lesson);
-        return false;
-    }
     forget_lesson(lab);
     lab->play.lesson = lesson;
     snprintf(lab->play.name, sizeof lab->play.name, "%s", name);
@@ -41,6 +38,7 @@ bool lesson_play_open(Laboratory *lab, const char *name, Status *status)
     shown->open = true;
     shown->lesson = &lab->play.lesson;
     shown->page = -1;
+    shown->counts = lab->options.student && lesson_judge_counts(lab);
     const int *reached = lesson_entry_reached(lab);
     const int page = reached && *reached > 1 && *reached < lesson.n_pages ? *reached - 1 : 0;
     lesson_entry_show(lab, page);

@@ -21,8 +21,19 @@
 
 enum { HISTORY = 64 << 20 };
 
+enum { KEPT_MAX = 8 };
+
+/* What a run came to: several pages may ask about it. */
+typedef struct Kept {
+    bool known;
+    Settings settings;
+    RunSummary summary;
+} Kept;
+
 typedef struct Grader {
     Laboratory lab;
+    Kept kept[KEPT_MAX]; /* of a key; the oldest gives way */
+    unsigned n_kept;
     Canvas canvas;
     const GradingTask *task;
     double time; /* virtual */
@@ -297,9 +308,89 @@ static bool solve(Grader *grader, const LessonPage *page, Grade *grade, Status *
                                             grade->page + 1, lab->screen.lesson.verdict);
 }
 
+/* What a run comes to. NULL: it failed, or takes too long. */
+static const RunSummary *run_of(Grader *grader, const Settings *settings, Status *status)
+{
+    for (int i = 0; i < KEPT_MAX; i++)
+        if (grader->kept[i].known && settings_same(&grader->kept[i].settings, settings))
+            return &grader->kept[i].summary;
+    Kept *kept = &grader->kept[grader->n_kept++ % KEPT_MAX];
+    kept->settings = *settings;
+    kept->known = lesson_judge_run(&grader->lab, settings, &kept->summary, status);
+    return kept->known ? &kept->summary : NULL;
+}
+
+static bool number_of(Grader *grader, const Settings *settings, double *number, Status *status)
+{
+    const RunSummary *summary = run_of(grader, settings, status);
+    return summary && lesson_judge_value(&grader->lab, settings, summary, number, status);
+}
+
+static bool may_not_take(const Grade *grade, double other, const char *what, Status *status)
+{
+    char number[NUMBER_TEXT_MAX];
+    exercise_write_number(other, number);
+    return status_fail(status, STATUS_FAILED, "page %d: its tolerance takes %s too, %s (right is %s)",
+                       grade->page + 1, number, what, grade->mark.right_answer);
+}
+
+/* Who has the next value of a variant, above or below, is asked for another number. */
+static bool differs_from_neighbours(Grader *grader, const Grade *grade, double right, Status *status)
+{
+    const Lesson *lesson = &grader->lab.play.lesson;
+    const Exercise *exercise = lesson->pages[grade->page].exercise;
+    for (int i = 0; i < lesson->n_variants; i++) {
+        const LessonVariant *variant = &lesson->variants[i];
+        for (int direction = -1; direction <= 1 && variant->page == grade->page; direction += 2) {
+            Settings settings = grader->lab.play.run.entered;
+            char value[NUMBER_TEXT_MAX], what[KEY_MAX + NUMBER_TEXT_MAX + 40];
+            double other;
+            if (!variant_beside(&variant->variant, variant->value, direction, value))
+                continue;
+            if (!settings_set(&settings, variant->variant.key, value, status) ||
+                !settings_check(&settings, status) || !number_of(grader, &settings, &other, status))
+                return status_prefix(status, "page %d with %s = %s", grade->page + 1, variant->variant.key,
+                                     value);
+            snprintf(what, sizeof what, "the answer for %s = %s", variant->variant.key, value);
+            if (exercise_accepts(exercise, right, other))
+                return may_not_take(grade, other, what, status);
+        }
+    }
+    return true;
+}
+
+static bool answer_number(Grader *grader, Grade *grade, Status *status)
+{
+    const Settings *settings = &grader->lab.play.run.entered;
+    const Exercise *exercise = grader->lab.play.lesson.pages[grade->page].exercise;
+    double right;
+    if (!number_of(grader, settings, &right, status))
+        return false;
+    if (!isfinite(right))
+        return status_fail(status, STATUS_FAILED, "page %d: what is right is not known of its run",
+                           grade->page + 1);
+    exercise_write_number(right, grade->mark.right_answer);
+    const RunSummary *end = run_of(grader, settings, status);
+    const double start = end ? exercise_at_start(exercise, &(ExpressionRun){settings, end}) : NAN;
+    if (exercise_accepts(exercise, right, 0))
+        return may_not_take(grade, 0, "which anybody may guess", status);
+    if (isfinite(start) && exercise_accepts(exercise, right, start))
+        return may_not_take(grade, start, "which it is at the start", status);
+    return differs_from_neighbours(grader, grade, right, status);
+}
+
+/* The run that the page shows is not what it asks for. */
+static bool is_open(Grader *grader, const Grade *grade, Status *status)
+{
+    double met;
+    if (!number_of(grader, &grader->lab.play.run.entered, &met, status))
+        return false;
+    return !(met > 0) ||
+           status_fail(status, STATUS_FAILED, "page %d: its run fulfils the goal as it is", grade->page + 1);
+}
+
 static bool answer_page(Grader *grader, Grade *grade, Status *status)
 {
-    double right;
     Laboratory *lab = &grader->lab;
     if (!turn_to(grader, grade->page, status))
         return false;
@@ -309,15 +400,9 @@ static bool answer_page(Grader *grader, Grade *grade, Status *status)
         snprintf(grade->mark.right_answer, sizeof grade->mark.right_answer, "%s", page->choices[page->right]);
         return true;
     case EXERCISE_NUMBER:
-        if (!lesson_judge_number(lab, &right, status))
-            return false;
-        if (!isfinite(right))
-            return status_fail(status, STATUS_FAILED, "page %d: what is right is not known of its run",
-                               grade->page + 1);
-        exercise_write_number(right, grade->mark.right_answer);
-        return true;
+        return answer_number(grader, grade, status);
     case EXERCISE_GOAL:
-        return solve(grader, page, grade, status);
+        return is_open(grader, grade, status) && solve(grader, page, grade, status);
     default:
         return true;
     }

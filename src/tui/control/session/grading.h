@@ -38,7 +38,9 @@ typedef struct Grades {
 bool grading_session(const GradingTask *, const char *file, Grades *, Status *);
 
 /* The right answers of a student's variants ("": of nobody's): each mark holds the right answer and, of a
- * goal, in its value what the way to it of the lesson comes to. */
+ * goal, in its value what the way to it of the lesson comes to. An exercise that marks what says nothing is
+ * refused: a number whose tolerance takes 0, what it is before the run has begun, or what is right for who has
+ * the next value of a variant; a goal that the page's own run fulfils. */
 bool grading_key(const GradingTask *, const char *student, Grades *, Status *);
 
 #endif
