@@ -19,7 +19,8 @@ run() { # SCENARIO OPTIONS...
 			for (i = 1; i < NF; i++) { if ($i == "measured") m = $(i + 1); if ($i == "theory") theory = $(i + 1) }
 			print "size", 100 * (size / theory - 1); print "skin", 100 * (m / size - 1) }
 		/^error / { after("frequency", "frequency_error"); after("period", "period_error")
-			sub(/.*\(frequency predicted/, "mesh"); after("mesh", "predicted_error") }
+			sub(/.*\(frequency predicted/, "mesh"); after("mesh", "predicted_error")
+			print "predicted_period", 100 / (1 + $2 / 100) - 100 }
 		/^(late|early) / { after("by", "periods") }
 		/^a period keeps/ { after("predicted", "kept") }
 		/^energy E\* / { after("E*", "lost") }
@@ -104,6 +105,17 @@ slope() { # NAME OF FROM TO OVER FACTOR: (OF TO - OF FROM)/(OVER TO - OVER FROM)
 	cat measured.more >>measured && rm measured.more
 }
 
+# Where particles cross cells with hats a run is chaotic: what 41 starts within 1 % of it gain of energy, per cent; the
+# least, the median, the most. One that leaves the mesh has no row.
+starts() { # SCENARIO OPTIONS...
+	"$MATVIB" sweep "$@" --vary initial.velocity=.99:1.01:41 --quiet >starts.csv 2>err
+	awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next } { print 100 * ($at["energy_left"] - 1) }' starts.csv |
+		sort -g | awk '{ gain[NR] = $1 }
+			END { print "least", gain[1]; print "median", gain[int((NR + 1) / 2)]; print "most", gain[NR]; print "rows", NR }' \
+			>measured
+	result "matvib sweep $*: most starts have a row" awk '$1 == "rows" { good = $2 > 35 } END { exit !good }' measured
+}
+
 # What `matvib sound` says: the pitches as they are heard, their beat, the interval in cents.
 heard() { # SCENARIO OPTIONS...
 	"$MATVIB" sound "$@" --seconds 1 --output heard.wav --force >summary 2>err || result "matvib sound $*" told_and_failed
@@ -164,6 +176,16 @@ claim() { result "$1: $2$3$4" agrees "$1" "$2" "$3" "$4" "$5" "${6:-1}" "${7:-0}
 
 scenario=data/scenarios lesson=data/lessons
 
+# Why a mode is late is told with the same words wherever it is.
+tells_why() { # FILE
+	tr -d '"' <"$MATVIB_SRCDIR/$1" | tr -s '\n ' '  ' >text
+	grep -q "The lag is all lumping: over lumped masses the way to nodes and back is a filter (F" text &&
+		grep -q "), and the mesh is too slow (K" text
+}
+for file in README.md src/view/help/help_text.c $lesson/late.lesson $lesson/cure.lesson $lesson/filters.lesson; do
+	result "$file tells why mode 5 is late" tells_why $file
+done
+
 run mode5
 claim $scenario/mode5-fine.ini "falls from " 4.2 " % to" predicted_error
 claim $scenario/mode10-fine.ini "close to the " 4.2 " % of mode5" predicted_error
@@ -173,6 +195,13 @@ claim $lesson/late.lesson "w is " 4.2 " % too low" predicted_error
 claim $lesson/late.lesson "so every period is " 4.4 " % too long" period_error
 claim $lesson/late.lesson "4.2 % of 90 periods are " 3.8 "" periods
 claim README.md "The frequency is " 4.2 " % low" predicted_error
+claim src/lab/answers/choices.c "nearer to the period (" .57 " off" predicted_period -1 5
+claim src/lab/answers/choices.c "off, " .76 " from the frequency" predicted_error 1 5
+run mode5 --set mpm.transfer=apic --end 2
+claim $lesson/late.lesson "mesh is too slow (K, " 1.3 " %)" predicted_error
+awk '$1 == "predicted_error" { print "filter", 100 * (1 - (1 - 0.042388) / (1 + $2 / 100)) }' measured >filter
+mv filter measured
+claim $lesson/late.lesson "is a filter (F, " 3.0 " %)" filter
 run mode5 --end 13.1
 claim $lesson/late.lesson "The error was -" 4.24 " %" frequency_error
 run mode5 --set time.courant=0.05 --end 13.1
@@ -224,11 +253,11 @@ claim $lesson/late.lesson "Nearly: " 4.7 " % against" predicted_error
 run mode5 --set mpm.mass_blend=0.5 --end 13.1
 claim $lesson/cure.lesson "From -4.24 % to -" 1.35 " %" frequency_error
 run mode5 --set mpm.mass_blend=auto --end 13.1
-claim $lesson/cure.lesson "-" 0.03 " %: less than" frequency_error
-claim $scenario/late-cure.ini "B is late by " 0.02 " %" predicted_error
+claim $lesson/cure.lesson "-" 0.04 " %: a hundredth" frequency_error
+claim $scenario/late-cure.ini "B is late by " 0.04 " %" predicted_error
 run mode5 --set mpm.transfer=fmpm --set mpm.fmpm_order=4
 claim $lesson/filters.lesson "The mode is " 1.7 " % too early" predicted_error
-claim $lesson/cure.lesson "By " 1.7 " %. Lumping puts" predicted_error
+claim $lesson/cure.lesson "By " 1.7 " %. The lag is all lumping" predicted_error
 claim $lesson/filters.lesson "" 99.87 " % of the energy stay in one period" kept
 run mode5 --set mpm.transfer=fmpm
 claim $lesson/filters.lesson "one period keeps " 68 " % of the energy" kept
@@ -284,10 +313,9 @@ claim $lesson/two-methods.lesson "B: " 0.8655 " ms" measured 1000
 claim $lesson/two-methods.lesson "So B is right by " 0.2 " %" period_error
 claim $lesson/two-methods.lesson "By " "1.0" " %. But the skin" real_size 115766.92 -100
 grown moving-cantilever-hat-coarse --end 0.004
-claim $lesson/cell-by-cell.lesson "It is " 1.2 " thousand times" grown .001
-claim $lesson/cell-by-cell.lesson "" "0.30" " µm of a swing" off 1e6
+claim $lesson/cell-by-cell.lesson "" 0.3 " µm of a swing" off 1e6
 stopped moving-cantilever-hat-coarse
-claim $lesson/cell-by-cell.lesson "after " 4.41 " ms the energy is ten thousand times" stopped 1000
+claim $lesson/cell-by-cell.lesson "after " 4.4 " ms the energy is ten thousand times" stopped 1000
 stopped moving-cantilever-hat
 claim $scenario/moving-cantilever-hat.ini "ten thousandfold until the run is stopped, " 0.453 " ms after the start" stopped 1000
 grown moving-cantilever-hat-coarse --end 0.004 --set mpm.shape=gimp
@@ -313,20 +341,6 @@ claim $lesson/energy.lesson "" 0.03 " %. If you" lost
 run mode1 --set initial.velocity=1 --set mesh.padding=16 --end 1
 awk '$1 == "exact" { print "reach", 1 / $2 }' measured >reach && mv reach measured
 claim $lesson/crossing.lesson "swings by " 1.6 " cells" reach
-run crossing
-claim $lesson/crossing.lesson "+" 24 " %, and" lost
-claim $lesson/cure.lesson "heat it by " 24 " % with lumped" lost
-shares 50 100 crossing
-claim $lesson/crossing.lesson "" 67 " % of the motion is in" null
-run crossing --set mpm.mass_blend=auto
-claim $lesson/cure.lesson "with the blend by " 240 " %" lost
-run crossing --end 60
-claim $lesson/crossing.lesson "With the old cells it was " 20 " %" lost
-run crossing --set mesh.cell_size=0.5 --end 60
-claim $lesson/crossing.lesson "" 97 " % more at t = 60" lost
-run crossing --set mpm.shape=gimp
-claim $lesson/crossing.lesson "The energy is back, to " 0.002 " %" lost
-
 shown column
 claim $lesson/hang.lesson "For small strains it would be " 0.312 ":" u_last_linear
 claim $lesson/hang.lesson "stretched by " 2.5 " % at the top" strain_largest 100
@@ -510,6 +524,42 @@ claim $lesson/crack-speed.lesson "reach " 0.59 " of their c_R" of_rayleigh
 
 # what takes longer: with MATVIB_LONG alone
 if [ -n "$MATVIB_LONG" ]; then
+	starts crossing
+	claim $scenario/crossing.ini "the median gains " 19 " %" median
+	claim $lesson/crossing.lesson "the median " 19 " %" median
+	claim $lesson/cure.lesson "(median " 19 "), the blend" median
+	claim $lesson/cure.lesson "lumped masses gain " 2 " to 393 %" least
+	claim $lesson/cure.lesson "gain 2 to " 393 " %" most
+	for file in $lesson/homework-energy.lesson $lesson/crossing.lesson $scenario/crossing.ini; do
+		claim $file "" 2 " to 393 %" least
+		claim $file "2 to " 393 " %" most
+	done
+	starts crossing --set mpm.mass_blend=auto
+	claim $lesson/cure.lesson "the blend " 8 " to 275 %" least
+	claim $lesson/cure.lesson "8 to " 275 " %" most
+	claim $lesson/cure.lesson "275 % (median " 32 ")" median
+	starts crossing --end 60
+	claim $lesson/crossing.lesson "With the old cells it was " 11 " %" median
+	starts crossing --set mesh.cell_size=0.5 --end 60
+	claim $lesson/crossing.lesson "those starts " 34 " % more at t = 60" median
+	starts crossing --set mpm.shape=gimp
+	claim $lesson/crossing.lesson "The energy is back, to " 0.1 " %" most
+	claim $lesson/crossing.lesson "The energy is back, to " 0.1 " %" least
+	for i in $(seq 0 40); do
+		shares 50 100 crossing --set "initial.velocity=$(awk -v i="$i" 'BEGIN { printf "%.10g", .99 + i / 2000 }')"
+		grep '^null' measured
+	done | sort -g -k 2 >nulls
+	sed -n '1s/null/least/p; $s/null/most/p' nulls >measured
+	claim $lesson/crossing.lesson "with " 60 " to 83 % of the motion" least
+	claim $lesson/crossing.lesson "60 to " 83 " % of the motion" most
+	for i in $(seq 0 10); do
+		grown moving-cantilever-hat-coarse --end 0.004 \
+			--set "initial.amplitude=$(awk -v i="$i" 'BEGIN { printf "%.10g", 3e-6 * (.99 + i / 500) }')"
+		grep '^grown' measured
+	done | sort -g -k 2 >growths
+	sed -n '1s/grown/least/p; $s/grown/most/p' growths >measured
+	claim $lesson/cell-by-cell.lesson "within 1 %: " 59 "0 to" least .1
+	claim $lesson/cell-by-cell.lesson "590 to " 129 "0)" most .1
 	run supported-beam
 	for file in supported-beam-coarse supported-beam-uncorrected; do
 		claim $scenario/$file.ini "instead of " 0.854 " ms" measured 1000

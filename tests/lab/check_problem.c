@@ -577,7 +577,7 @@ START_TEST(other_ways_on_the_same_mesh)
         const char *name;
         double fifth, tenth;
     } known[] = {{"lumped", -4.2388, -17.7099},
-                 {"mu*", -.0226, -.7016},
+                 {"mu*", -.0361, -.7647},
                  {"consistent", 1.6996, 7.8753},
                  {"FMPM(2)", 1.3946, .411},
                  {"FMPM(4)", 1.6987, 7.612}};
@@ -592,6 +592,12 @@ START_TEST(other_ways_on_the_same_mesh)
                                     number == 5 ? known[i].fifth : known[i].tenth, 5.1e-4);
         }
     ck_assert_ptr_null(dispersion_other_way(&settings, 5, 5, &frequency));
+    settings.time.courant = 0.8;
+    dispersion_other_way(&settings, 1, 5, &frequency);
+    ck_assert_double_eq_tol(100 * (frequency / (10 * 4.5 * M_PI / 25) - 1), -.0455, 5.1e-5);
+    settings.mpm.shape = MPM_BSPLINE3; /* whose share is below what is allowed */
+    settings.time.courant = 0.1;
+    ck_assert_str_eq(dispersion_other_way(&settings, 1, 5, &frequency), "no mu*");
     ck_assert_ptr_null(dispersion_other_way(&settings, 0, 26, &frequency));
     settings.joint.place = 10; /* between equals nothing changes; else no wave has one length */
     ck_assert_ptr_nonnull(dispersion_other_way(&settings, 0, 5, &frequency));

@@ -136,34 +136,27 @@ START_TEST(momentum_is_kept)
 {
     for (int shape = MPM_HAT; shape <= MPM_CPDI; shape++)
         for (int algorithm = MPM_USF; algorithm <= MPM_MUSL; algorithm++) {
-            expect_momentum(MPM_FLIP, 0.0, (MpmShape)shape, (MpmAlgorithm)algorithm, _i);
+            expect_momentum(MPM_FLIP, BAR_MASS_BLEND_LEAST, (MpmShape)shape, (MpmAlgorithm)algorithm, _i);
             expect_momentum(MPM_FMPM, 1.0, (MpmShape)shape, (MpmAlgorithm)algorithm, _i);
         }
 }
 END_TEST
 
-/* Frequency and decay of a run against those of a wave: with hats a sampled mode is an eigenvector of the
- * step. Its amplitude q at the nodes obeys q'' = trace q' - determinant q, which is fitted over some steps.
- */
-static void expect_wave(MeshAlgorithm algorithm, bool gimp, int order, double blend, double alpha, int mode)
+/* What a run makes of a wave: with hats a sampled mode is an eigenvector of the step. Its amplitude q at the
+ * nodes obeys q'' = trace q' - determinant q, which is fitted over some steps. */
+static void fit_wave(const BarCase *bar, int mode, double *trace, double *determinant)
 {
     enum { STEPS = 120 };
-    BarCase bar = bar_case(mode, 1e-7);
-    bar.def.algorithm = (MpmAlgorithm)algorithm;
-    bar.def.shape = gimp ? MPM_GIMP : MPM_HAT;
-    bar.def.transfer = order > 0 ? MPM_FMPM : MPM_FLIP;
-    bar.def.fmpm_order = order > 0 ? order : 1;
-    bar.def.mass_blend = blend;
-    bar.def.flip_fraction = alpha;
-    Simulation *sim = bar_case_create(&bar);
-    double q[STEPS], beta = bar_case_wave_number(&bar, mode);
+    Simulation *sim = bar_case_create(bar);
+    double q[STEPS], beta = bar_case_wave_number(bar, mode), half = bar->def.cell_size / 2;
     Status status;
     for (int k = 0; k < STEPS; k++) {
         ck_assert(simulation_stage(sim, &status) && simulation_stage(sim, &status));
         double *v = field_now(sim, 1, "velocity"), *x = field_now(sim, 1, "x");
         q[k] = 0;
         for (size_t i = 0; i < sim->counts[1]; i++)
-            q[k] += (x[i] > 24.5 ? 0.5 : 1) * v[i] * (x[i] > 0 && x[i] < 25.5 ? sin(beta * x[i]) : 0);
+            q[k] +=
+                (x[i] > 25 - half ? 0.5 : 1) * v[i] * (x[i] > 0 && x[i] < 25 + half ? sin(beta * x[i]) : 0);
         free(v);
         free(x);
         advance(sim, 0); /* the rest of the step */
@@ -174,9 +167,26 @@ static void expect_wave(MeshAlgorithm algorithm, bool gimp, int order, double bl
         aa += q[k - 1] * q[k - 1], ab += q[k - 1] * q[k - 2], bb += q[k - 2] * q[k - 2];
         ac += q[k - 1] * q[k], bc += q[k - 2] * q[k];
     }
-    const double trace = (ac * bb - bc * ab) / (aa * bb - ab * ab);
-    const double determinant = -(bc * aa - ac * ab) / (aa * bb - ab * ab);
-    const BarTheory theory = {.length = 25, .youngs_modulus = 100, .density = 1, .left_fixed = true};
+    *trace = (ac * bb - bc * ab) / (aa * bb - ab * ab);
+    *determinant = -(bc * aa - ac * ab) / (aa * bb - ab * ab);
+    simulation_destroy(sim);
+}
+
+/* The usual bar on such a mesh. */
+static const BarTheory usual_bar = {.length = 25, .youngs_modulus = 100, .density = 1, .left_fixed = true};
+
+/* Frequency and decay of a run against those of a wave. */
+static void expect_wave(MeshAlgorithm algorithm, bool gimp, int order, double blend, double alpha, int mode)
+{
+    BarCase bar = bar_case(mode, 1e-7);
+    bar.def.algorithm = (MpmAlgorithm)algorithm;
+    bar.def.shape = gimp ? MPM_GIMP : MPM_HAT;
+    bar.def.transfer = order > 0 ? MPM_FMPM : MPM_FLIP;
+    bar.def.fmpm_order = order > 0 ? order : 1;
+    bar.def.mass_blend = blend;
+    bar.def.flip_fraction = alpha;
+    double trace, determinant;
+    fit_wave(&bar, mode, &trace, &determinant);
     const BarMesh mesh = {.cell_size = 1,
                           .particles_per_cell = 2,
                           .padding = 4,
@@ -186,14 +196,13 @@ static void expect_wave(MeshAlgorithm algorithm, bool gimp, int order, double bl
                           .consistent = 1 - blend,
                           .fmpm_order = order,
                           .dt = 0.01};
-    const Dispersion wave = dispersion_of_bar(&theory, &mesh, beta);
+    const Dispersion wave = dispersion_of_bar(&usual_bar, &mesh, bar_case_wave_number(&bar, mode));
     ck_assert(wave.known);
     const double lambda = exp(-wave.decay * 0.01);
     ck_assert_msg(fabs(trace - 2 * lambda * cos(wave.frequency * 0.01)) <= 1e-9 &&
                       fabs(determinant - lambda * lambda) <= 1e-9,
                   "algorithm %d, k %d, mu %g, n %d: %.12f %.12f, not %.12f %.12f", algorithm, order, blend,
                   mode, trace, determinant, 2 * lambda * cos(wave.frequency * 0.01), lambda * lambda);
-    simulation_destroy(sim);
 }
 
 START_TEST(runs_are_as_predicted)
@@ -356,10 +365,67 @@ END_TEST
 
 START_TEST(best_blend)
 {
-    static const double best[] = {1.0 / 3, 5.0 / 18, 5.0 / 19, 17.0 / 66}; /* P = 1 .. 4 */
-    for (int per_cell = 1; per_cell <= 4; per_cell++) {
-        ck_assert_double_eq_tol(bar_mass_blend_auto(MPM_HAT, per_cell), best[per_cell - 1], 1e-16);
-        ck_assert_double_eq(bar_mass_blend_auto(MPM_BSPLINE3, per_cell), BAR_MASS_BLEND_LEAST);
+    static const struct {
+        MpmShape shape;
+        int per_cell;
+        double courant, best;
+    } known[] = {
+        {MPM_HAT, 1, 0, 1.0 / 3},      {MPM_HAT, 2, 0, 5.0 / 18},    {MPM_HAT, 3, 0, 5.0 / 19},
+        {MPM_HAT, 4, 0, 17.0 / 66},    {MPM_HAT, 2, 0.1, 0.28},      {MPM_GIMP, 2, 0.4, 0.28 + 0.1 / 3},
+        {MPM_CPDI, 2, 0.8, 0.42},      {MPM_HAT, 2, 5, 1},           {MPM_BSPLINE2, 2, 0, -1.0 / 24},
+        {MPM_BSPLINE2, 4, 1, 0.15625}, {MPM_BSPLINE3, 2, 0.8, 0.08},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        ck_assert_double_eq_tol(bar_mass_blend_auto(known[i].shape, known[i].per_cell, known[i].courant),
+                                known[i].best, 1e-15);
+}
+END_TEST
+
+/* Errors of the frequency of mode 5 in per cent, P = 2, by courant number and cells of 1, 1/2, 1/4, 1/8: of
+ * second order with the share for C -> 0, of fourth with mu*(C). A reference solver's digits. */
+static const struct {
+    double courant, still[4], best[4];
+} orders[] = {
+    {0.1, {-.0226, .0011, .0007, .0002}, {-.036126, -.002224, -.000138, -.000009}},
+    {0.4, {.1780, .0512, .0132, .0033}, {-.039255, -.002414, -.000150, -.000009}},
+    {0.8, {.8360, .2122, .0532, .0133}, {-.045542, -.002787, -.000173, -.000011}},
+};
+
+static double predicted_error(double cell, double courant, double blend, double beta)
+{
+    const BarMesh mesh = {.cell_size = cell,
+                          .particles_per_cell = 2,
+                          .padding = 4,
+                          .shape = MESH_HAT,
+                          .flip_fraction = 1,
+                          .consistent = 1 - blend,
+                          .dt = courant * cell / 10};
+    const Dispersion wave = dispersion_of_bar(&usual_bar, &mesh, beta);
+    ck_assert(wave.known);
+    return 100 * (wave.frequency / (10 * beta) - 1);
+}
+
+START_TEST(fourth_order_at_any_step)
+{
+    const double courant = orders[_i].courant;
+    BarCase bar = bar_case(5, 1e-6);
+    bar.def.courant = courant;
+    bar.def.mass_blend = 0;
+    const double beta = bar_case_wave_number(&bar, 5);
+    for (int k = 0; k < 4; k++) {
+        const double cell = 1.0 / (1 << k);
+        const double best = predicted_error(cell, courant, bar_mass_blend_auto(MPM_HAT, 2, courant), beta);
+        ck_assert_double_eq_tol(best, orders[_i].best[k], 5.1e-7);
+        ck_assert_double_eq_tol(predicted_error(cell, courant, 5.0 / 18, beta), orders[_i].still[k],
+                                k ? 5.1e-5 : 5.1e-4);
+        if (k > 1)
+            continue;
+        bar.def.cell_size = cell; /* and measured where it costs little */
+        double trace, determinant;
+        fit_wave(&bar, 5, &trace, &determinant);
+        const double measured = acos(trace / 2) / (courant * cell / 10);
+        ck_assert_double_eq_tol(determinant, 1, 1e-9);
+        ck_assert_double_eq_tol(100 * (measured / (10 * beta) - 1), orders[_i].best[k], 2e-6);
     }
 }
 END_TEST
@@ -369,18 +435,22 @@ START_TEST(what_does_not_fit_is_refused)
     static const struct {
         double blend;
         MpmTransfer transfer;
+        MpmShape shape;
         int order;
         const char *words;
     } wrong[] = {
-        {0.04, MPM_FLIP, 2, "mpm.mass_blend: with 0.04 the largest stable step nearly vanishes"},
-        {1.5, MPM_FLIP, 2, "mpm.mass_blend: 1.5 is out of range"},
-        {0.5, MPM_APIC, 2, "mpm.mass_blend: less than 1 is for mpm.transfer = flip"},
-        {0.0, MPM_FMPM, 2, "mpm.mass_blend: less than 1 is for mpm.transfer = flip"},
-        {1.0, MPM_FMPM, 9, "mpm.fmpm_order: 9 is out of range (1 to 8)"},
+        {0.04, MPM_FLIP, MPM_HAT, 2, "mpm.mass_blend: with 0.04 the largest stable step nearly vanishes"},
+        {1.5, MPM_FLIP, MPM_HAT, 2, "mpm.mass_blend: 1.5 is out of range"},
+        {0.5, MPM_APIC, MPM_HAT, 2, "mpm.mass_blend: less than 1 is for mpm.transfer = flip"},
+        {0.0, MPM_FMPM, MPM_HAT, 2, "mpm.mass_blend: less than 1 is for mpm.transfer = flip"},
+        {1.0, MPM_FMPM, MPM_HAT, 9, "mpm.fmpm_order: 9 is out of range (1 to 8)"},
+        {0.0, MPM_FLIP, MPM_BSPLINE2, 2,
+         "mpm.mass_blend: auto would be -0.04 with this shape, and below 0.05 the"},
     };
     BarDef def = bar_default();
     def.mass_blend = wrong[_i].blend;
     def.transfer = wrong[_i].transfer;
+    def.shape = wrong[_i].shape;
     def.fmpm_order = wrong[_i].order;
     Status status = {0};
     ck_assert(!bar_check(&def, &status));
@@ -401,6 +471,7 @@ void add_cases(Suite *suite)
     tcase_add_test(test, stretching_domains_keep_the_energy);
     tcase_add_test(test, no_domain_over_two_cells);
     tcase_add_test(test, best_blend);
-    tcase_add_loop_test(test, what_does_not_fit_is_refused, 0, 5);
+    tcase_add_loop_test(test, fourth_order_at_any_step, 0, sizeof orders / sizeof *orders);
+    tcase_add_loop_test(test, what_does_not_fit_is_refused, 0, 6);
     suite_add_tcase(suite, test);
 }

@@ -152,7 +152,8 @@ static void load(Simulation *sim, const void *bytes)
 /* mu, with what 0 stands for. */
 static double blend_of(const BarDef *def, double mass_blend)
 {
-    return mass_blend == 0.0 ? bar_mass_blend_auto(def->shape, def->particles_per_cell) : mass_blend;
+    return mass_blend == 0.0 ? bar_mass_blend_auto(def->shape, def->particles_per_cell, def->courant)
+                             : mass_blend;
 }
 
 /* How momentum is transferred: the values that the run would have then, if they fit each other. C of APIC

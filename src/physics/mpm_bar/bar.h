@@ -66,15 +66,19 @@ typedef struct BarDef {
 /* Paper M's first mode, at rest: L 25, E 100, rho 1, dx 1, two particles per cell, USF, hat, courant 0.1. */
 BarDef bar_default(void);
 
-/* The mass blend mu* that takes the error of order (dx/wavelength)^2 out of the frequency, in the range that
- * is allowed:
+/* The mass blend mu* that takes the error of order (dx/wavelength)^2 out of the frequency, that of the time
+ * step included: what is left is of fourth order, for small motions of a uniform bar (transfer FLIP). C is
+ * the courant number, of a bar of two materials that of the faster one; where the speeds differ no share
+ * serves both.
  *
- *     (P^2 + 1)/(4 P^2 + 2)   hat, uGIMP, CPDI
- *     none above 0 for B-splines, whose consistent mass is best: the least that is allowed
+ *     mu*(C) = 1/2 - (B - C^2/12)/(2 A), at most 1
+ *     hat, uGIMP, CPDI:  A = 1/6 + 1/(12 P^2),  B = 1/12:  mu* = 1/2 - (1 - C^2) P^2/(4 P^2 + 2)
+ *     B-spline 2:        A = 1/4,  B = 1/4 + 1/(12 P^2):   mu* = (C^2 - 1/P^2)/6
+ *     B-spline 3:        A = B = 1/3:                      mu* = C^2/8
  *
- * "Mass blend" and mu* are words of our own; blends of lumped and consistent mass are as old as finite
- * elements. */
-double bar_mass_blend_auto(MpmShape shape, int particles_per_cell);
+ * Of B-splines it is mostly below what is allowed: bar_check() refuses it then. "Mass blend" and mu* are
+ * words of our own; blends of lumped and consistent mass are as old as finite elements. */
+double bar_mass_blend_auto(MpmShape shape, int particles_per_cell, double courant);
 
 /* Below this the matrix may be nearly singular where particles are few: see bar_check(). */
 #define BAR_MASS_BLEND_LEAST 0.05

@@ -62,12 +62,20 @@ static bool check_joint(const BarDef *def, Status *status)
            positive(def->joint_density, "bar2.density", status);
 }
 
-double bar_mass_blend_auto(MpmShape shape, int particles_per_cell)
+/* A wave of angle theta per cell: omega^2 = (c/dx)^2 K F/Mh^2 with Mh = (1 - mu) F + mu, F = 1 - A theta^2 +
+ * ..., K = theta^2 (1 - B theta^2 + ...), and leapfrog in time adds C^2 theta^2/12, so that
+ *
+ *     Omega/omega - 1 = theta^2/2 (C^2/12 - B + A - 2 mu A) + O(theta^4) */
+double bar_mass_blend_auto(MpmShape shape, int particles_per_cell, double courant)
 {
-    if (shape == MPM_BSPLINE2 || shape == MPM_BSPLINE3)
-        return BAR_MASS_BLEND_LEAST;
-    const double square = (double)particles_per_cell * particles_per_cell;
-    return (square + 1.0) / (4.0 * square + 2.0);
+    const double twelfth = 1.0 / (12.0 * particles_per_cell * particles_per_cell);
+    double filter = 1.0 / 6.0 + twelfth, stiffness = 1.0 / 12.0; /* A, B */
+    if (shape == MPM_BSPLINE2) {
+        filter = 1.0 / 4.0;
+        stiffness = 1.0 / 4.0 + twelfth;
+    } else if (shape == MPM_BSPLINE3)
+        filter = stiffness = 1.0 / 3.0;
+    return fmin(1.0, 0.5 - (stiffness - courant * courant / 12.0) / (2.0 * filter));
 }
 
 /* M_c alone is singular where there are fewer particles than nodes, and nearly so where a cell at the end of
@@ -75,7 +83,14 @@ double bar_mass_blend_auto(MpmShape shape, int particles_per_cell)
  * floor that does not depend on how particles lie (USF and MUSL, hats: .24 at mu .05, .049 at .01). */
 static bool check_mass_blend(const BarDef *def, Status *status)
 {
-    const double mu = def->mass_blend;
+    const double mu = def->mass_blend,
+                 best = bar_mass_blend_auto(def->shape, def->particles_per_cell, def->courant);
+    if (mu == 0.0 && best < BAR_MASS_BLEND_LEAST)
+        return status_fail(
+            status, STATUS_USAGE,
+            "mpm.mass_blend: auto would be %.4g with this shape, and below %g the largest stable "
+            "step nearly vanishes where a cell is nearly empty (%g to 1)",
+            best, BAR_MASS_BLEND_LEAST, BAR_MASS_BLEND_LEAST);
     if (mu != 0.0 && !(mu >= BAR_MASS_BLEND_LEAST && mu <= 1.0))
         return status_fail(status, STATUS_USAGE,
                            mu >= 0.0 && mu <= 1.0

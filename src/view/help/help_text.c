@@ -24,9 +24,9 @@ static const HelpWord bar_words[] = {
      "w times the time step. It is no loss: E* takes velocity and stress where they belong together, and "
      "does not ripple. What E* loses is lost."},
     {"K and F",
-     "view 5, the two reasons for the error of w. K: the masses are lumped on the nodes. F: what is left "
-     "of a wave that goes from the particles to the nodes and back. Its axis goes by square roots, so "
-     "that an error that grows like the square of n is a straight line."},
+     "view 5, the error of w. The lag is all lumping: over lumped masses the way to nodes and back is a "
+     "filter (F), and the mesh is too slow (K). With consistent masses it is 1/F. The axis goes by square "
+     "roots: an error that grows like the square of n is a straight line."},
 };
 
 static const HelpWord pd_bar_words[] = {

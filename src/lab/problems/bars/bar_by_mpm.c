@@ -10,10 +10,16 @@
 #include <math.h>
 #include <stdio.h>
 
+static double best_blend(const Settings *settings)
+{
+    return bar_mass_blend_auto(settings->mpm.shape, settings->mesh.particles_per_cell,
+                               settings->time.courant);
+}
+
 double bar_mass_blend_of(const Settings *settings)
 {
     const double given = settings->mpm.mass_blend;
-    return given > 0 ? given : bar_mass_blend_auto(settings->mpm.shape, settings->mesh.particles_per_cell);
+    return given > 0 ? given : best_blend(settings);
 }
 
 BarMesh bar_mesh_of(const Settings *settings, double dt)
@@ -173,6 +179,25 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     return n;
 }
 
+/* The largest courant number that is stable, asked for one that is not. The best mass blend depends on it:
+ * what is stable with the share of the step asked for need not be with its own, so the step falls until it
+ * is. */
+static double stable_courant(const Settings *settings, const BarTheory *theory, double largest)
+{
+    enum { TRIES_MAX = 100 };
+    Settings smaller = *settings;
+    if (settings->mpm.mass_blend > 0)
+        return largest;
+    for (int i = 0; i < TRIES_MAX; i++) {
+        smaller.time.courant = largest * (1 - 1e-4);
+        const BarMesh mesh = bar_mesh_of(&smaller, bar_time_step(&smaller));
+        largest = step_limit(theory, &mesh);
+        if (smaller.time.courant <= largest)
+            break;
+    }
+    return smaller.time.courant;
+}
+
 bool bar_limit(const Settings *settings, char *text, size_t size, Status *status)
 {
     BarTheory theory;
@@ -188,7 +213,7 @@ bool bar_limit(const Settings *settings, char *text, size_t size, Status *status
         return status_fail(
             status, STATUS_USAGE,
             "time.courant: %.6g is unstable on this mesh (at most %.5g, or time.unstable = yes)", courant,
-            largest);
+            stable_courant(settings, &theory, largest));
     if (courant > largest)
         snprintf(text, size, "courant %.4g is beyond the largest stable one, %.5g: this run will blow up",
                  courant, largest);
@@ -242,15 +267,15 @@ static bool mode(const Settings *settings, int number, ModeOnMesh *out)
 /* Lumped and consistent masses, the blend between, and FMPM that comes to the consistent ones. */
 static const char *other_way(const Settings *settings, int which, int number, double *frequency)
 {
+    const double best = best_blend(settings);
+    const bool allowed = best >= BAR_MASS_BLEND_LEAST;
     const struct {
         const char *name;
         double blend;
         int order;
     } ways[] = {
-        {"lumped", 1, 0},
-        {"mu*", bar_mass_blend_auto(settings->mpm.shape, settings->mesh.particles_per_cell), 0},
-        {"consistent", 0, 0},
-        {"FMPM(2)", 1, 2},
+        {"lumped", 1, 0},     {allowed ? "mu*" : "no mu*", allowed ? best : 1, 0},
+        {"consistent", 0, 0}, {"FMPM(2)", 1, 2},
         {"FMPM(4)", 1, 4},
     };
     BarTheory theory;
