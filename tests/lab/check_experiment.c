@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* An experiment against fresh runs: whatever way led to a moment, it is the same to the last bit. */
 #include "lab/lab_case.h"
+#include "lab/settings/scenario.h"
 #include "suite.h"
 
 #include <math.h>
@@ -630,6 +631,23 @@ START_TEST(another_end_does_not_recompute)
 }
 END_TEST
 
+/* But where an answer is known up to one end and not to the other. */
+START_TEST(an_end_beyond_an_answer_recomputes)
+{
+    Settings settings;
+    Status status = {0};
+    ck_assert(scenario_load("two-materials", &settings, &status));
+    Experiment *experiment = open_experiment(&settings, MEGABYTE);
+    edit_one(experiment, "time.end", "300");
+    ck_assert_int_ge(column_of(experiment, "v_cm_exact"), 0);
+    edit_one(experiment, "time.end", "3000");
+    ck_assert_int_lt(column_of(experiment, "v_cm_exact"), 0);
+    edit_one(experiment, "time.end", "8");
+    ck_assert_int_ge(column_of(experiment, "v_cm_exact"), 0);
+    experiment_destroy(experiment);
+}
+END_TEST
+
 START_TEST(a_failed_run_keeps_its_rows)
 {
     /* the bar leaves its mesh */
@@ -825,6 +843,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, given_changes_stay_with_the_scenario);
     tcase_add_test(tcase, a_filter_survives_a_change_in_the_past);
     tcase_add_test(tcase, another_end_does_not_recompute);
+    tcase_add_test(tcase, an_end_beyond_an_answer_recomputes);
     tcase_add_test(tcase, a_failed_run_keeps_its_rows);
     tcase_add_test(tcase, the_state_before_a_stage_is_known);
     tcase_add_test(tcase, curves_are_pinned_and_unpinned);

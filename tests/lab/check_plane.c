@@ -40,16 +40,6 @@ static Readout read_out(Experiment *experiment)
     return readout;
 }
 
-static int column_of(const Experiment *experiment, const char *name)
-{
-    Column columns[COLUMNS_MAX];
-    const int n = references_columns(experiment_references(experiment), columns);
-    for (int i = 0; i < n; i++)
-        if (strcmp(columns[i].quantity.name, name) == 0)
-            return i;
-    return -1;
-}
-
 static void expect_columns(const Experiment *experiment, const char *const *names)
 {
     Column columns[COLUMNS_MAX];

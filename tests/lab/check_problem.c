@@ -2,6 +2,8 @@
 /* Problems with their references: columns, answers, readouts, advice. */
 #include "lab/answers/dispersion.h"
 #include "lab/problems/bars/bar_theory.h"
+#include "lab/problems/known.h"
+#include "lab/settings/scenario.h"
 #include "lab/lab_case.h"
 #include "suite.h"
 #include "theory/beam.h"
@@ -606,6 +608,127 @@ START_TEST(other_ways_on_the_same_mesh)
 }
 END_TEST
 
+/* --- two materials -------------------------------------------------------------------------------- */
+
+static Settings loaded(const char *scenario, const char *const *pairs)
+{
+    Settings settings;
+    Status status = {0};
+    ck_assert_msg(scenario_load(scenario, &settings, &status), "%s", status.text);
+    for (; *pairs; pairs += 2)
+        set(&settings, pairs[0], pairs[1]);
+    return settings;
+}
+
+/* Met at 4, half as long as 2.8; the left part takes 10, the right one 5. A fixed end turns the velocity on
+ * its way, a free one lets it be told until it is back. */
+START_TEST(an_echo_is_told_while_it_is_in_one_piece)
+{
+    static const struct {
+        const char *supports;
+        double time;
+        const char *told;
+    } cases[] = {
+        {"free-free", 6.7, "sent back R not yet  let on T not yet"},
+        {"free-free", 6.85, "sent back R -0.333"},
+        {"free-free", 11, "sent back R -0.3333  let on T 0.6667"},
+        {"free-free", 11.3, "sent back R no longer  let on T no longer"},
+        {"fixed-free", 11, "sent back R -0.3333  let on T 0.6667"},
+        {"fixed-free", 11.3, "sent back R no longer  let on T no longer"},
+        {"fixed-fixed", 5, "sent back R not yet  let on T never in one piece"},
+        {"fixed-fixed", 9.5, "sent back R -0.3333  let on T no longer"},
+        {"fixed-fixed", 11, "sent back R -0.3333  let on T no longer"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const char *const pairs[] = {"bar.supports", cases[i].supports, NULL};
+        Settings settings = loaded("two-materials", pairs);
+        settings.time.end = cases[i].time;
+        Experiment *experiment = open_experiment(&settings, 1 << 20);
+        ck_assert(experiment_advance(experiment, 1000000, NULL));
+        Finding findings[FINDINGS_MAX];
+        char told[200];
+        const int n = references_findings(experiment_references(experiment),
+                                          experiment_simulation(experiment), findings);
+        ck_assert_int_eq(n, 3);
+        findings_text(findings, 2, false, sizeof told, told, sizeof told);
+        ck_assert_msg(strstr(told, cases[i].told) == told, "%s, %g: %s", cases[i].supports, cases[i].time,
+                      told);
+        experiment_destroy(experiment);
+    }
+    /* where a mode swings besides, nothing of the pulse alone can be told */
+    static const char *const swinging[] = {"initial.velocity", "1e-4", NULL};
+    Settings settings = loaded("two-materials", swinging);
+    Experiment *experiment = open_experiment(&settings, 1 << 20);
+    Finding findings[FINDINGS_MAX];
+    ck_assert_int_eq(
+        references_findings(experiment_references(experiment), experiment_simulation(experiment), findings),
+        1);
+    experiment_destroy(experiment);
+}
+END_TEST
+
+/* With the exact shape the run shows the frequency that is predicted, with the sine a mixture about it, which
+ * is told; v_cm has its exact answer with both, and with a load neither. */
+START_TEST(two_materials_have_a_frequency)
+{
+    static const char *const two[] = {
+        "mesh.cell_size",   "0.5",  "bar2.joint", "12.5", "bar2.youngs_modulus", "400",
+        "initial.velocity", "1e-4", NULL};
+    Settings settings = loaded("mode5", two);
+    settings.time.end = 10;
+    Readout sine = read_out(&settings);
+    set(&settings, "initial.shape", "exact");
+    Readout exact = read_out(&settings);
+    ck_assert_double_eq_tol(exact.exact, 7.53982236861551, 1e-13);
+    ck_assert(exact.predicted_known && exact.measured_known && sine.measured_known);
+    ck_assert_double_eq_tol(exact.measured, exact.predicted, 1e-3); /* of 10 units; closer: check_step */
+    ck_assert_double_eq_tol(sine.measured, exact.predicted, 2e-2);
+    ck_assert(exact.overlap > READOUT_PURE && sine.overlap < 0.3 && sine.predicted == exact.predicted);
+    Experiment *experiment = open_experiment(&settings, 1 << 20);
+    ck_assert_int_ge(column_of(experiment, "v_cm_exact"), 0);
+    ck_assert_int_lt(column_of(experiment, "v_cm_predicted"), 0);
+    experiment_destroy(experiment);
+    settings.time.end = 1e4; /* for ever */
+    ck_assert_ptr_null(known_unaccounted(&settings, REFERENCE_EXACT));
+    set(&settings, "initial.shape", "sine");
+    ck_assert_str_eq(known_unaccounted(&settings, REFERENCE_EXACT), "bar2.joint");
+    settings.time.end = 100;
+    ck_assert_ptr_null(known_unaccounted(&settings, REFERENCE_EXACT));
+    set(&settings, "load.body_force", "0.01");
+    ck_assert_str_eq(known_unaccounted(&settings, REFERENCE_EXACT), "bar2.joint");
+    ck_assert_ptr_null(known_unaccounted(&settings, REFERENCE_FREQUENCY));
+    /* between equals nothing is changed */
+    static const char *const equals[] = {"mesh.cell_size", "0.5", "bar2.joint", "12.5", NULL};
+    Settings joined = loaded("mode5", equals), one = loaded("mode5", equals);
+    set(&one, "bar2.joint", "none");
+    joined.time.end = one.time.end = 5;
+    const Readout a = read_out(&joined), b = read_out(&one);
+    ck_assert_double_eq(a.measured, b.measured);
+    ck_assert_double_eq(a.predicted, b.predicted);
+    ck_assert_double_eq(a.exact, b.exact);
+}
+END_TEST
+
+START_TEST(a_column_s_support_bears_its_weight)
+{
+    static const char *const none[] = {NULL};
+    const Settings settings = loaded("column", none);
+    Derived derived[DERIVED_MAX];
+    const int count = problem_derived(&settings, NULL, derived);
+    double bears = NAN;
+    for (int i = 0; i < count; i++)
+        if (strcmp(derived[i].name, "stress_support") == 0)
+            bears = derived[i].value;
+    ck_assert_double_eq_tol(bears, 1 * 0.1 * 25, 1e-14);
+    Experiment *experiment = open_experiment(&settings, 1 << 20);
+    Finding findings[FINDINGS_MAX];
+    references_findings(experiment_references(experiment), experiment_simulation(experiment), findings);
+    ck_assert_str_eq(findings[1].label, "first particle's stress");
+    ck_assert_double_eq_tol(findings[1].exact, 0.1 * (25 - 0.25), 1e-14);
+    experiment_destroy(experiment);
+}
+END_TEST
+
 START_TEST(every_problem_has_its_method)
 {
     for (int p = 0; problems[p]; p++) {
@@ -644,6 +767,9 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, derived_numbers_follow_from_the_settings);
     tcase_add_test(tcase, the_last_step_is_the_first_to_reach_the_end);
     tcase_add_test(tcase, a_run_cut_short_leaves_out_what_comes_later);
+    tcase_add_test(tcase, an_echo_is_told_while_it_is_in_one_piece);
+    tcase_add_test(tcase, two_materials_have_a_frequency);
+    tcase_add_test(tcase, a_column_s_support_bears_its_weight);
     tcase_add_test(tcase, every_problem_has_its_method);
     tcase_add_test(tcase, other_ways_on_the_same_mesh);
     suite_add_tcase(suite, tcase);

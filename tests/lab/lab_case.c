@@ -105,3 +105,13 @@ void expect_same_records(const Record *a, const Record *b, const char *what)
         i++;
     ck_assert_msg(i == a->count, "%s: row %zu differs", what, i);
 }
+
+int column_of(const Experiment *experiment, const char *name)
+{
+    Column columns[COLUMNS_MAX];
+    const int n = references_columns(experiment_references(experiment), columns);
+    for (int i = 0; i < n; i++)
+        if (strcmp(columns[i].quantity.name, name) == 0)
+            return i;
+    return -1;
+}

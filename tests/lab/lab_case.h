@@ -27,4 +27,7 @@ unsigned char *state_of(const Simulation *sim, size_t *size);
 void expect_same_states(const Simulation *a, const Simulation *b, const char *what);
 void expect_same_records(const Record *a, const Record *b, const char *what);
 
+/* The index of a column of the series; -1: there is none. */
+int column_of(const Experiment *, const char *name);
+
 #endif

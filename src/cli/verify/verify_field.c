@@ -70,25 +70,25 @@ static const VerifyRow pulse[] = {
 
 /* --- two materials ------------------------------------------------------------------------------------- */
 
-#define JOINT_ROWS(label, keys, back, on)                                                                    \
+/* At t = 8: the pulse is in one piece on both sides. */
+#define JOINT_ROWS(label, keys)                                                                              \
     {.what = label ": R",                                                                                    \
      .scenario = "two-materials " keys,                                                                      \
      .quantity = quantity_finding,                                                                           \
      .column = "reflected",                                                                                  \
      .decimals = 5,                                                                                          \
-     .reference = WITHIN(back, 6e-6),                                                                        \
      .theory = quantity_exact_finding,                                                                       \
      .tolerance = 4e-4},                                                                                     \
     {                                                                                                        \
         .what = "  T", .quantity = quantity_finding, .column = "transmitted", .decimals = 5,                 \
-        .reference = WITHIN(on, 6e-6), .theory = quantity_exact_finding, .tolerance = 4e-4                   \
+        .theory = quantity_exact_finding, .tolerance = 4e-4                                                  \
     }
 
 static const VerifyRow joint[] = {
-    JOINT_ROWS("E 400, rho 1", "", -.33337, .66669),
-    JOINT_ROWS("E 25, rho 1", "bar2.youngs_modulus=25", .33317, 1.33366),
-    JOINT_ROWS("E 100, rho 4", "bar2.youngs_modulus=100 bar2.density=4", -.33359, .66679),
-    JOINT_ROWS("E 400, rho 4", "bar2.density=4", -.60005, .40001),
+    JOINT_ROWS("E 400, rho 1", ""),
+    JOINT_ROWS("E 25, rho 1", "bar2.youngs_modulus=25"),
+    JOINT_ROWS("E 100, rho 4", "bar2.youngs_modulus=100 bar2.density=4"),
+    JOINT_ROWS("E 400, rho 4", "bar2.density=4"),
     {.what = "E 400, rho 1, mu*: R",
      .scenario = "two-materials mpm.mass_blend=auto",
      .quantity = quantity_finding,

@@ -102,6 +102,48 @@ static void line_words(const Screen *screen, bool brief, char *out, size_t size)
     }
 }
 
+/* Whether a plot over time draws a reference so. */
+static bool is_drawn(const Screen *screen, LineStyle line)
+{
+    int n;
+    const Column *columns = experiment_columns(screen->experiment, &n);
+    for (int i = 0; i < n; i++)
+        if (columns[i].kind != COLUMN_MEASURED && columns[i].of >= 0 &&
+            time_plot_shows(screen, &columns[i]) && time_plot_legend(columns, i).line == line)
+            return true;
+    return false;
+}
+
+/* Takes the sentences with a word out of a text. */
+static void drop_sentences(char *text, const char *word)
+{
+    char *to = text;
+    for (char *from = text, *next; *from; from = next) {
+        for (next = from; *next && !(strchr(".?!", *next) && (next[1] == ' ' || !next[1]));)
+            next++;
+        while (*next && (strchr(".?!", *next) || *next == ' '))
+            next++;
+        const size_t length = (size_t)(next - from);
+        const char *found = strstr(from, word);
+        if (found && found < next)
+            continue;
+        memmove(to, from, length);
+        to += length;
+    }
+    *to = '\0';
+}
+
+/* What a scenario says of itself, without what it says of lines that are not drawn: their answer may have
+ * left, or be hidden. */
+static void about_text(const Screen *screen, char about[ABOUT_MAX])
+{
+    memcpy(about, experiment_settings(screen->experiment)->about, ABOUT_MAX);
+    if (!is_drawn(screen, LINE_DOTTED))
+        drop_sentences(about, "otted");
+    if (!is_drawn(screen, LINE_DASHED))
+        drop_sentences(about, "ashed");
+}
+
 /* Cuts a text to the whole sentences that fit; the help has all of it. */
 static void keep_sentences(char *text, int width, int rows)
 {
@@ -206,7 +248,7 @@ static void draw_caption(const Screen *screen, Area area)
     if (has_news)
         last -= draw_from_below(area, y, last, news, style);
     char about[ABOUT_MAX];
-    memcpy(about, experiment_settings(screen->experiment)->about, sizeof about);
+    about_text(screen, about);
     keep_sentences(about, width, last - y + 1);
     if (about[0])
         area_paragraph(area, 1, y, width, last - y + 1, about, STYLE_NORMAL);
