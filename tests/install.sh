@@ -19,6 +19,7 @@ cat >"$scratch/wanted" <<'END'
 ./share/doc/matvib/README.md
 ./share/man/man1/matvib.1
 ./share/man/man5/matvib.5
+./share/man/man7/matvib-checks.7
 ./share/man/man7/matvib-equations.7
 ./share/metainfo/org.example.matvib.metainfo.xml
 ./share/zsh/site-functions/_matvib

@@ -11,7 +11,7 @@ examples() { plain "$1" | awk '/^\.EE/ { on = 0; print "" } on { print } /^\.EX/
 quiet() { test ! -s "$1" || { cat "$1" && false; }; }
 
 if command -v groff >/dev/null 2>&1; then
-	for page in matvib.1 matvib.5 matvib-equations.7; do
+	for page in matvib.1 matvib.5 matvib-equations.7 matvib-checks.7; do
 		groff -ww -K utf8 -man -Tutf8 "$man/$page" >page.txt 2>warnings
 		result "$page is formatted without a warning" quiet warnings
 	done
@@ -72,13 +72,27 @@ typed() { # FILE OF COMMANDS
 		result "$line" sh -c "cd in-$1 && $(short "$line")"
 	done <"$1"
 }
-plain "$man/matvib.1" | awk '/^\.nf/ { on = 1; next } /^\.fi/ { on = 0 } on' | sed -e ':a' -e '/\\$/N; s/\\\n *//; ta' |
-	grep '^matvib ' >commands
+longer() { # PAGE: the commands between .nf and .fi
+	plain "$man/$1" | awk '/^\.nf/ { on = 1; next } /^\.fi/ { on = 0 } on' | sed -e ':a' -e '/\\$/N; s/\\\n *//; ta' | grep '^matvib '
+}
+longer matvib.1 >commands
+longer matvib-checks.7 >checks
 result "matvib.1 has longer examples" test "$(wc -l <commands)" -ge 7
 sed -n 's/^    build\/\(matvib .*\)/\1/p' "$MATVIB_SRCDIR/README.md" | sed 's/   *.*//' >readme
 result "the README has commands" test "$(wc -l <readme)" -ge 19
+result "matvib-checks.7 has commands" test "$(wc -l <checks)" -ge 17
 typed commands
 typed readme
+typed checks
+# when bonds broke first, and how many have in the end
+broken() {
+	awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "broken_bonds") c = i; next }
+		$c > 0 && !first { first = $1 } { step = $1; last = $c } END { print first, step, last }' "in-checks/$1.csv"
+}
+broke() { test "$(broken "$1")" = "$2"; }
+result "bonds break as in PDMATLAB2D" broke octave "24 160 1480"
+result "and on its own plate" broke ornl "94 641 6236"
+result "and in LAMMPS" broke plate "92 641 6192"
 
 # every scenario that stands in an example reads back
 examples "$man/matvib.5" | awk '/^\[scenario\]/ { n++ } n { print > ("example" n ".ini") }'
