@@ -84,6 +84,30 @@ static void write_rows(const Marking *marking, const char *file, const Grades *g
     }
 }
 
+/* --- sessions that are one ------------------------------------------------------------------------- */
+
+/* Another session of the same lines, or of the same keys at the same times; it may stand before or behind. */
+static void tell_twin(const Marking *marking, const Options *options, const GradingOrigin *origins, int own,
+                      Grades *grades)
+{
+    int twin = -1;
+    for (int i = 0; i < marking->sessions; i++) {
+        const bool same = i != own && origins[i].known && origins[own].known;
+        if (same && origins[i].check == origins[own].check)
+            twin = i;
+        else if (same && origins[i].keys == origins[own].keys && twin < 0)
+            twin = i;
+    }
+    if (twin < 0 || grades->count == 0)
+        return;
+    char file[NAME_SHOWN_MAX];
+    visible_text(file, sizeof file, options->words[twin + 1]);
+    text_append(grades->remark, sizeof grades->remark, "%s%s %.100s", *grades->remark ? "; " : "",
+                origins[twin].check == origins[own].check ? "the same recording as"
+                                                          : "the same keys at the same times as",
+                file);
+}
+
 /* --- a page for each student ------------------------------------------------------------------------ */
 
 static void write_sheet(const Marking *marking, const char *file, const Grades *grades)
@@ -95,7 +119,7 @@ static void write_sheet(const Marking *marking, const char *file, const Grades *
     leaflet_line(sheet, LEAFLET_SMALL, "%s   %s", marking->lesson.title, file);
     if (*grades->remark)
         leaflet_line(sheet, LEAFLET_TEXT,
-                     grades->count > 0 ? "Recorded by another program, %s." : "No marks: %s.",
+                     grades->count > 0 ? "Remark: %s." : "No marks: %s.",
                      grades->remark);
     for (int i = 0; i < grades->count; i++) {
         const Grade *grade = &grades->grades[i];
@@ -124,13 +148,17 @@ static void write_sheet(const Marking *marking, const char *file, const Grades *
 static bool mark_all(Marking *marking, const Options *options, Status *status)
 {
     Grades *grades = malloc(sizeof *grades);
-    bool sound = grades || status_fail(status, STATUS_FAILED, "out of memory");
+    GradingOrigin *origins = calloc((size_t)marking->sessions, sizeof *origins);
+    bool sound = (grades && origins) || status_fail(status, STATUS_FAILED, "out of memory");
+    for (int i = 0; i < marking->sessions && sound; i++)
+        grading_origin(&marking->task, &marking->lesson, options->words[i + 1], &origins[i]);
     csv_header(marking->table, marking->dialect, heads, CELLS);
     for (int i = 1; i < options->n_words && sound; i++) {
         marking->session = i - 1;
         sound = grading_session(&marking->task, options->words[i], grades, status);
         if (!sound)
             break;
+        tell_twin(marking, options, origins, i - 1, grades);
         char file[NAME_SHOWN_MAX]; /* the table goes to a terminal too */
         visible_text(file, sizeof file, options->words[i]);
         marking->refused += grades->count == 0;
@@ -139,6 +167,7 @@ static bool mark_all(Marking *marking, const Options *options, Status *status)
             write_sheet(marking, file, grades);
     }
     free(grades);
+    free(origins);
     return sound;
 }
 

@@ -11,8 +11,10 @@
 #include "tui/control/session/grading.h"
 #include "tui/control/session/session.h"
 
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 
 /* Pages that are entered at once, on the way, and by way of more than one place of the run. */
 static const char lesson_text[] = "@title Any time\n@about for the test\n"
@@ -318,12 +320,47 @@ START_TEST(a_page_given_up_is_not_judged)
 }
 END_TEST
 
+/* Whoever records learns at once that the disk is full, not when all is done. */
+START_TEST(a_recording_that_ends_is_told)
+{
+    static Live live;
+    LaboratoryOptions options;
+    Status status = {STATUS_DONE, ""};
+    char folder[64];
+    const Message *message = &live.lab.screen.message;
+    enter_with_lesson(folder);
+    open_live(&live, &options);
+    Session *session = session_begin(&options, &status);
+    session_record(session, "any.session", true);
+    live.lab.recording = session;
+    session_note_start(session, &live.lab);
+    press_at_once(&live, "^C"); /* the page is on its way: others would wait */
+    ck_assert_int_ne(message->kind, MESSAGE_ERROR);
+    struct rlimit limit, none;
+    signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &limit);
+    none = (struct rlimit){.rlim_cur = 100, .rlim_max = limit.rlim_max};
+    ck_assert_int_eq(setrlimit(RLIMIT_FSIZE, &none), 0);
+    press_at_once(&live, "z");
+    ck_assert_int_eq(setrlimit(RLIMIT_FSIZE, &limit), 0);
+    ck_assert_int_eq(message->kind, MESSAGE_ERROR);
+    ck_assert_ptr_nonnull(strstr(message->text, "this session is kept no further: any.session"));
+    press_at_once(&live, "z");
+    ck_assert_int_ne(message->kind, MESSAGE_ERROR); /* once */
+    ck_assert(!session_finish(session, &status));
+    session_free(session);
+    close_live(&live);
+    leave_folder(folder);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *homework = tcase_create("homework");
     tcase_set_timeout(homework, 60);
     tcase_add_test(homework, marks_are_what_was_seen);
     tcase_add_test(homework, a_page_given_up_is_not_judged);
+    tcase_add_test(homework, a_recording_that_ends_is_told);
     tcase_add_test(homework, so_they_are_of_recordings);
     suite_add_tcase(suite, homework);
 }

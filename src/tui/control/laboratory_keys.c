@@ -258,6 +258,14 @@ static void take_key(Laboratory *lab, const Key *key)
         laboratory_say(lab, MESSAGE_INFO, "the key %s does nothing; ? tells what the others do", key->name);
 }
 
+/* Who hands in what is missing half of it should know at once. */
+static void tell_lost_recording(Laboratory *lab)
+{
+    Status why = {STATUS_DONE, ""};
+    if (lab->recording && session_is_lost(lab->recording, &why))
+        laboratory_say(lab, MESSAGE_ERROR, "this session is kept no further: %s", why.text);
+}
+
 void laboratory_key(Laboratory *lab, const Key *key)
 {
     if (!visible_is_clean(key->name))
@@ -266,6 +274,7 @@ void laboratory_key(Laboratory *lab, const Key *key)
         return;
     lesson_entry_note(lab, key);
     take_key(lab, key);
+    tell_lost_recording(lab);
     lesson_play_continue(lab);
     lab->given_up = false;
 }

@@ -266,6 +266,21 @@ bool grading_session(const GradingTask *task, const char *file, Grades *grades, 
     return sound;
 }
 
+void grading_origin(const GradingTask *task, const Lesson *lesson, const char *file, GradingOrigin *origin)
+{
+    enum { KEYS_LEAST = 5 }; /* fewer may be the same by chance */
+    SessionFacts facts;
+    Session *session = session_read(file, NULL);
+    *origin = (GradingOrigin){.known = false};
+    if (session) {
+        session_facts(session, &facts);
+        origin->known = facts.n_keys > KEYS_LEAST && !why_refused(&facts, task, lesson);
+        origin->check = facts.check;
+        origin->keys = facts.keys;
+    }
+    session_free(session);
+}
+
 /* --- the key ---------------------------------------------------------------------------------------- */
 
 /* Goes to a page, until its state is reached. */

@@ -33,14 +33,23 @@ typedef struct Grades {
     int count; /* 0: there are no marks */
 } Grades;
 
+/* What sessions are told apart by: two of the same keys at the same times are one, whoever's name they have.
+ */
+typedef struct GradingOrigin {
+    bool known; /* it gets marks, and has keys enough to tell */
+    uint64_t check, keys;
+} GradingOrigin;
+
+void grading_origin(const GradingTask *, const Lesson *, const char *file, GradingOrigin *);
+
 /* Marks one session. What is wrong with it is the remark; false: given up by the patience, no memory, or the
  * lesson cannot be read, and the status says so. */
 bool grading_session(const GradingTask *, const char *file, Grades *, Status *);
 
 /* The right answers of a student's variants ("": of nobody's): each mark holds the right answer and, of a
  * goal, in its value what the way to it of the lesson comes to. An exercise that marks what says nothing is
- * refused: a number whose tolerance takes 0, what it is before the run has begun, or what is right for who has
- * the next value of a variant; a goal that the page's own run fulfils. */
+ * refused: a number whose tolerance takes 0, what it is before the run has begun, or what is right for who
+ * has the next value of a variant; a goal that the page's own run fulfils. */
 bool grading_key(const GradingTask *, const char *student, Grades *, Status *);
 
 #endif

@@ -113,6 +113,15 @@ static bool is_whole(const Session *session, const char *name, Status *status)
                        session->count);
 }
 
+bool session_is_lost(Session *session, Status *status)
+{
+    if (session->told || !session->begun || (session->trouble.code == STATUS_DONE && !session->full))
+        return false;
+    session->told = true;
+    *status = session->trouble;
+    return session->trouble.code != STATUS_DONE || !is_whole(session, session->record, status);
+}
+
 bool session_finish(Session *session, Status *status)
 {
     OutputFile *file = &session->file;
@@ -271,6 +280,9 @@ void session_facts(const Session *session, SessionFacts *facts)
                             .lesson = session->lesson,
                             .program = session->program,
                             .version = session->version,
+                            .check = session->check,
+                            .keys = session->keys,
+                            .n_keys = session->count,
                             .ended = session->ended,
                             .sound = session->sound};
 }

@@ -63,6 +63,9 @@ void session_note_end(Session *, const Laboratory *);
 /* From the first key on every line goes to this file as it comes, and outlives a crash. */
 void session_record(Session *, const char *file, bool force);
 
+/* Says once that no more lines go to that file, and why. */
+bool session_is_lost(Session *, Status *);
+
 /* That file is complete. False: something is missing in it, and the status says why. */
 bool session_finish(Session *, Status *);
 
@@ -89,8 +92,11 @@ const SessionEvent *session_event(const Session *, size_t index);
 typedef struct SessionFacts {
     const char *student, *lesson, *program;
     uint64_t version; /* of the lesson's text */
-    bool ended;       /* it goes on to its end */
-    bool sound;       /* its check is that of its lines */
+    uint64_t check;   /* of its lines, */
+    uint64_t keys;    /* and of those of its keys and their times alone */
+    size_t n_keys;
+    bool ended; /* it goes on to its end */
+    bool sound; /* its check is that of its lines */
 } SessionFacts;
 
 void session_facts(const Session *, SessionFacts *);

@@ -19,6 +19,7 @@ struct Session {
     char student[STUDENT_MAX], program[SESSION_PROGRAM_MAX];
     uint64_t version; /* of the lesson's text */
     uint64_t check;   /* of the lines so far */
+    uint64_t keys;    /* of those of keys, where it was read */
     bool ended, sound;
     bool paused, first;
     SessionEvent *events;
@@ -28,6 +29,7 @@ struct Session {
     bool replaces, begun;
     OutputFile file; /* behind `record`, once there is a key */
     Status trouble;  /* why not all of it could be written */
+    bool told;       /* that is known to who sits there */
     double last;     /* when the last event came, by the host's clock */
 };
 

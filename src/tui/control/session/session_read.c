@@ -160,6 +160,7 @@ static bool read_line(Session *session, char *line, FILE *scenario, Status *stat
     enum { AT, STOP, END, EVENT_WORDS } word = AT;
     while (word < EVENT_WORDS && strncmp(line, words[word], strlen(words[word])) != 0)
         word++;
+    session->keys = hash_bytes(hash_bytes(session->keys, line, strlen(line)), "\n", 1);
     if (word == EVENT_WORDS)
         return status_fail(status, STATUS_USAGE, "unknown line: %.40s (%s)", line, allowed);
     if (!read_event(line + strlen(words[word]), word == AT, &event))
@@ -209,7 +210,7 @@ Session *session_read_stream(FILE *file, const char *name, Status *status)
     FILE *scenario = open_memstream(&text, &size);
     bool sound = session && scenario;
     if (session)
-        session->check = HASH_BEGIN;
+        session->check = session->keys = HASH_BEGIN;
     if (!sound)
         status_fail(status, STATUS_FAILED, "not enough memory for a session");
     sound = sound && read_lines(session, file, name, scenario, status);
