@@ -9,6 +9,7 @@
  * number, applied at the end: factors of units are powers of ten, so nothing is rounded on the way. */
 #include "base/quantity.h"
 
+#include "base/math/functions.h"
 #include "base/text.h"
 
 #include <ctype.h>
@@ -186,7 +187,7 @@ static bool to_power(Reader *reader, Value *value)
     const int power = minus ? '0' - *reader->at++ : *reader->at++ - '0';
     if (power < 0 && value->number == 0)
         return fail(reader, "divides by zero");
-    value->number = pow(value->number, power);
+    value->number = math_pow(value->number, power);
     value->tens *= power;
     for (int i = 0; i < BASES; i++)
         value->bases[i] *= power;

@@ -5,6 +5,7 @@
 #include "cli/options.h"
 #include "cli/progress.h"
 
+#include "base/math/functions.h"
 #include "base/output.h"
 #include "base/text.h"
 #include "lab/answers/summary.h"
@@ -75,7 +76,7 @@ static bool tune(const Readout *readout, double pitch, Tones *tones, Status *sta
 
 static void print_tones(const Tones *tones)
 {
-    const double cents = 1200 * log2(tones->measured / tones->exact);
+    const double cents = 1200 * math_log2(tones->measured / tones->exact);
     const char *unit = tones->in_hertz ? " Hz" : " per unit of time";
     printf("left: measured %.6g%s   right: exact %.6g%s   %.0f cents %s\n", tones->measured, unit,
            tones->exact, unit, fabs(cents), cents < 0 ? "flat" : "sharp");

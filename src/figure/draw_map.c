@@ -2,6 +2,8 @@
 /* The heat map of a body, and the bar that tells its colours. */
 #include "figure/draw.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -57,7 +59,7 @@ static void add_point(double *points, size_t *count, double x, double y)
 {
     if (*count >= 2) {
         const double *a = points + 2 * *count - 4, *b = a + 2;
-        const double dx = x - a[0], dy = y - a[1], length = hypot(dx, dy);
+        const double dx = x - a[0], dy = y - a[1], length = math_hypot(dx, dy);
         if (length > 0 && fabs((b[0] - a[0]) * dy - (b[1] - a[1]) * dx) < 0.003 * length)
             --*count;
     }

@@ -2,6 +2,8 @@
 /* A sketch with axes on paper: frame, ticks, strokes cut at the frame, marks, labels and legend. */
 #include "figure/draw.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -73,7 +75,7 @@ static void tick_label(const Axis *axis, double tick, char *out, size_t size)
     char text[TICK_TEXT_MAX];
     axis_label(axis, tick, text);
     if (axis->scale == SCALE_LOG) /* powers of ten, all in one way */
-        snprintf(text, sizeof text, "1e%ld", lround(log10(tick)));
+        snprintf(text, sizeof text, "1e%ld", lround(math_log10(tick)));
     ink_words(text, out, size);
 }
 

@@ -5,6 +5,7 @@
  * agree to half of the last digit shown. */
 #include "physics/calculation.h"
 
+#include "base/math/functions.h"
 #include "base/text.h"
 
 #include <math.h>
@@ -74,7 +75,7 @@ CalculationTerm *calculation_add(CalculationSum *sum, int factors, double a, dou
 /* The place of the first digit: 0 for 1 to 9.99, -1 for 0.1. */
 static int place_of(double value)
 {
-    return value == 0 ? 0 : (int)floor(log10(fabs(value)));
+    return value == 0 ? 0 : (int)floor(math_log10(fabs(value)));
 }
 
 /* A sum as it is printed with so many digits, and what the printed numbers come to. */
@@ -186,7 +187,7 @@ static void attempt(Attempt *try, const CalculationSum *sum, int shown, int term
     const double result = put(text, zero, place_of(zero) - last + 1);
     if (sum->unit)
         calculation_write(text, CALCULATION_SPACE "%s", sum->unit);
-    try->value = (base + scale * total - result) / pow(10, last);
+    try->value = (base + scale * total - result) / math_pow(10, last);
 }
 
 enum { LINE_MAX = 4096 };

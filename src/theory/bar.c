@@ -11,6 +11,8 @@
 #include "theory/bar.h"
 #include "theory/bar_modes.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 
 bool bar_is_layered(const BarTheory *bar)
@@ -89,7 +91,7 @@ static double sine_shape(const BarTheory *bar, int number, double x)
     if (number < 1)
         return is_free_free(bar) ? 1 : 0;
     double phase = bar_wave_number(bar, number) * x;
-    return bar->left_fixed ? sin(phase) : cos(phase);
+    return bar->left_fixed ? math_sin(phase) : math_cos(phase);
 }
 
 /* Whether a mode is one of two materials, which is no sine. */
@@ -115,7 +117,7 @@ double bar_start_shape(const BarTheory *bar, int number, double x)
 static double sine_slope(const BarTheory *bar, int number, double x)
 {
     double beta = bar_wave_number(bar, number);
-    return bar->left_fixed ? beta * cos(beta * x) : -beta * sin(beta * x);
+    return bar->left_fixed ? beta * math_cos(beta * x) : -beta * math_sin(beta * x);
 }
 
 /* phi'(x) */
@@ -140,7 +142,7 @@ double bar_mode_mean(const BarTheory *bar, int number)
         return bar_modes_mean(bar, &mode);
     }
     double angle = bar_wave_number(bar, number) * bar->length;
-    return (bar->left_fixed ? 1 - cos(angle) : sin(angle)) / angle;
+    return (bar->left_fixed ? 1 - math_cos(angle) : math_sin(angle)) / angle;
 }
 
 double bar_initial_velocity(const BarTheory *bar, double x)
@@ -249,7 +251,7 @@ double bar_displacement(const BarTheory *bar, double x, double t)
         double omega = bar_frequency(bar, bar->modes[i].number);
         double shape = bar_mode_shape(bar, bar->modes[i].number, x);
         /* a rigid motion has no frequency: sin(omega t)/omega becomes t */
-        sum += bar->modes[i].velocity * shape * (omega > 0 ? sin(omega * t) / omega : t);
+        sum += bar->modes[i].velocity * shape * (omega > 0 ? math_sin(omega * t) / omega : t);
     }
     if (is_loaded(bar)) {
         double way = bar_wave_speed(bar) * t;
@@ -266,7 +268,8 @@ double bar_velocity(const BarTheory *bar, double x, double t)
     double sum = 0;
     for (int i = 0; i < bar->n_modes; i++) {
         int number = bar->modes[i].number;
-        sum += bar->modes[i].velocity * bar_mode_shape(bar, number, x) * cos(bar_frequency(bar, number) * t);
+        sum += bar->modes[i].velocity * bar_mode_shape(bar, number, x) *
+               math_cos(bar_frequency(bar, number) * t);
     }
     if (is_loaded(bar)) {
         double c = bar_wave_speed(bar);
@@ -284,7 +287,7 @@ double bar_stress(const BarTheory *bar, double x, double t)
         int number = bar->modes[i].number;
         double omega = bar_frequency(bar, number);
         if (omega > 0)
-            strain += bar->modes[i].velocity * mode_slope(bar, number, x) * sin(omega * t) / omega;
+            strain += bar->modes[i].velocity * mode_slope(bar, number, x) * math_sin(omega * t) / omega;
     }
     if (is_loaded(bar)) {
         double way = bar_wave_speed(bar) * t;
@@ -300,7 +303,7 @@ double bar_centre_velocity(const BarTheory *bar, double t)
     double sum = 0;
     for (int i = 0; i < bar->n_modes; i++) {
         int number = bar->modes[i].number;
-        sum += bar->modes[i].velocity * bar_mode_mean(bar, number) * cos(bar_frequency(bar, number) * t);
+        sum += bar->modes[i].velocity * bar_mode_mean(bar, number) * math_cos(bar_frequency(bar, number) * t);
     }
     if (is_loaded(bar)) {
         /* int W'(x -+ ct) dx over the bar is a difference of two values of W */

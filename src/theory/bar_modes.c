@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "theory/bar_modes.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 #include <stdbool.h>
 
@@ -22,15 +24,15 @@ static Way way_of(const BarTheory *bar)
 /* theta behind the joint from that before it: in the same quadrant, tan(theta_2) = q tan(theta). */
 static double across(double q, double theta)
 {
-    const double s = sin(theta), c = cos(theta);
-    return theta + atan2((q - 1) * s * c, c * c + q * s * s);
+    const double s = math_sin(theta), c = math_cos(theta);
+    return theta + math_atan2((q - 1) * s * c, c * c + q * s * s);
 }
 
 /* How much theta has grown at the right end, and its derivative by omega. */
 static double growth_at(const Way *way, double omega, double *slope)
 {
     const double theta = way->first + omega * way->through[0];
-    const double s = sin(theta), c = cos(theta), q = way->ratio;
+    const double s = math_sin(theta), c = math_cos(theta), q = way->ratio;
     *slope = q / (c * c + q * q * s * s) * way->through[0] + way->through[1];
     return across(q, theta) - way->first + omega * way->through[1];
 }
@@ -59,7 +61,8 @@ static double find_frequency(const Way *way, double wanted)
 /* The greatest |sin| from one phase to a later one: 1 where a crest lies between. */
 static double crest(double from, double to)
 {
-    return floor(to / M_PI - 0.5) >= ceil(from / M_PI - 0.5) ? 1 : fmax(fabs(sin(from)), fabs(sin(to)));
+    return floor(to / M_PI - 0.5) >= ceil(from / M_PI - 0.5) ? 1
+                                                             : fmax(fabs(math_sin(from)), fabs(math_sin(to)));
 }
 
 BarMode bar_modes_of_two(const BarTheory *bar, double growth)
@@ -75,7 +78,7 @@ BarMode bar_modes_of_two(const BarTheory *bar, double growth)
     const double met = way.first + mode.frequency * way.through[0];
     mode.part[0].phase = way.first;
     mode.part[1].phase = across(way.ratio, met);
-    const double beyond = hypot(sin(met), cos(met) / way.ratio);
+    const double beyond = math_hypot(math_sin(met), math_cos(met) / way.ratio);
     const double most =
         fmax(crest(way.first, met),
              beyond * crest(mode.part[1].phase, mode.part[1].phase + mode.frequency * way.through[1]));
@@ -92,13 +95,13 @@ static double phase_at(const BarMode *mode, int i, double x)
 double bar_modes_shape(const BarMode *mode, double x)
 {
     const int i = x > mode->joint;
-    return mode->part[i].size * sin(phase_at(mode, i, x));
+    return mode->part[i].size * math_sin(phase_at(mode, i, x));
 }
 
 double bar_modes_slope(const BarMode *mode, double x)
 {
     const int i = x > mode->joint;
-    return mode->part[i].size * mode->part[i].wave_number * cos(phase_at(mode, i, x));
+    return mode->part[i].size * mode->part[i].wave_number * math_cos(phase_at(mode, i, x));
 }
 
 static double end_of(const BarTheory *bar, int i)
@@ -117,7 +120,8 @@ double bar_modes_mean(const BarTheory *bar, const BarMode *mode)
     double momentum = 0, mass = 0;
     for (int i = 0; i < 2; i++) {
         const double rho = density_of(bar, i), from = mode->part[i].from, to = end_of(bar, i);
-        momentum += rho * mode->part[i].size * (cos(phase_at(mode, i, from)) - cos(phase_at(mode, i, to))) /
+        momentum += rho * mode->part[i].size *
+                    (math_cos(phase_at(mode, i, from)) - math_cos(phase_at(mode, i, to))) /
                     mode->part[i].wave_number;
         mass += rho * (to - from);
     }
@@ -128,7 +132,7 @@ double bar_modes_mean(const BarTheory *bar, const BarMode *mode)
 static double cosine(double u, double w, double length)
 {
     const double half = w * length / 2;
-    return length * cos(u) * (fabs(half) > 1e-8 ? sin(half) / half : 1);
+    return length * math_cos(u) * (fabs(half) > 1e-8 ? math_sin(half) / half : 1);
 }
 
 /* 2 sin a sin b = cos(a - b) - cos(a + b) */

@@ -22,6 +22,8 @@
  * met once, though 2^n ways lead through n of them. */
 #include "theory/bar_waves.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 
 /* One material of the bar, from left to right; without a joint the second is empty. */
@@ -100,7 +102,7 @@ double bar_waves_transmitted(const BarTheory *bar)
 static double pulse(const BarTheory *bar, double x)
 {
     const double s = (x - bar->pulse.centre) / bar->pulse.width;
-    return bar->pulse.velocity != 0 ? bar->pulse.velocity * exp(-s * s) : 0;
+    return bar->pulse.velocity != 0 ? bar->pulse.velocity * math_exp(-s * s) : 0;
 }
 
 /* Its integral from the left end: A w sqrt(pi)/2 erf((x - x0)/w). */
@@ -109,7 +111,7 @@ static double pulse_until(const BarTheory *bar, double x)
     const double w = bar->pulse.width, half = sqrt(M_PI) / 2 * w * bar->pulse.velocity;
     if (bar->pulse.velocity == 0)
         return 0;
-    return half * (erf((x - bar->pulse.centre) / w) + erf(bar->pulse.centre / w));
+    return half * (math_erf((x - bar->pulse.centre) / w) + math_erf(bar->pulse.centre / w));
 }
 
 double bar_waves_start_velocity(const BarTheory *bar, double x)
@@ -150,8 +152,8 @@ static double mode_share_until(const Waves *waves, double x)
     for (int i = 0; are_waves(waves) && i < bar->n_modes; i++) {
         const double beta = bar_wave_number(bar, bar->modes[i].number);
         const double whole = !(beta > 0)       ? bar_start_shape(bar, 0, x) * x
-                             : bar->left_fixed ? (1 - cos(beta * x)) / beta
-                                               : sin(beta * x) / beta;
+                             : bar->left_fixed ? (1 - math_cos(beta * x)) / beta
+                                               : math_sin(beta * x) / beta;
         sum += bar->modes[i].velocity * whole / 2;
     }
     return sum;

@@ -6,6 +6,8 @@
  *     cantilever        omega = (lambda_1/L)^2 sqrt(r^2 E/rho),   1 + cosh lambda_1 cos lambda_1 = 0 */
 #include "theory/beam.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 #include <stdbool.h>
 
@@ -54,7 +56,7 @@ static double rayleigh_lamb(const BeamTheory *beam, double omega)
     const double slow = omega * omega * beam->density / beam->youngs_modulus;
     const double p = sqrt(k * k - slow * (1 - nu * nu)), q = sqrt(k * k - slow * 2 * (1 + nu));
     const double sum = k * k + q * q;
-    return sum * sum * tanh(p * a) - 4 * (k * k) * (p * q) * tanh(q * a);
+    return sum * sum * math_tanh(p * a) - 4 * (k * k) * (p * q) * math_tanh(q * a);
 }
 
 double beam_period_plane(const BeamTheory *beam)
@@ -84,7 +86,7 @@ double beam_bending_stress(const BeamTheory *beam, double x, double y, double t)
     const double period = beam_period_timoshenko(beam), k = M_PI / beam->length, omega = 2 * M_PI / period;
     const double slack =
         omega * omega * beam->density * 2 * (1 + beam->poisson) / (kappa * beam->youngs_modulus);
-    return beam->youngs_modulus * y * (k * k - slack) * sin(k * x) * beam_midpoint(beam, period, t);
+    return beam->youngs_modulus * y * (k * k - slack) * math_sin(k * x) * beam_midpoint(beam, period, t);
 }
 
 /* The same force spread as in a beam at rest, sxy = 3 Q/(2 A) (1 - (2 y/h)^2), with w = a sin kx
@@ -94,7 +96,7 @@ double beam_bending_stress(const BeamTheory *beam, double x, double y, double t)
 double beam_shear_stress(const BeamTheory *beam, double x, double y, double t)
 {
     const double period = beam_period_timoshenko(beam), k = M_PI / beam->length, omega = 2 * M_PI / period;
-    const double mean = beam->density * omega * omega * beam_midpoint(beam, period, t) * cos(k * x) / k;
+    const double mean = beam->density * omega * omega * beam_midpoint(beam, period, t) * math_cos(k * x) / k;
     const double share = 2 * y / beam->height;
     return 1.5 * mean * (1 - share * share);
 }
@@ -139,13 +141,13 @@ static void let_go(const BeamTheory *beam, double period, double t, double *u, d
 {
     const double omega = 2 * M_PI / period, g = beam->damping / 2, square = omega * omega - g * g;
     const double p = sqrt(fabs(square)), near = 1e-6 * omega;
-    const double e = exp(-g * t);
+    const double e = math_exp(-g * t);
     double sine = t * e, cosine = e;
     if (square > 0 && p > near) {
-        sine = e * sin(p * t) / p;
-        cosine = e * cos(p * t);
+        sine = e * math_sin(p * t) / p;
+        cosine = e * math_cos(p * t);
     } else if (p > near) { /* each exponential by itself: neither overflows */
-        const double slow = exp((p - g) * t), fast = exp(-(p + g) * t);
+        const double slow = math_exp((p - g) * t), fast = math_exp(-(p + g) * t);
         sine = (slow - fast) / (2 * p);
         cosine = (slow + fast) / 2;
     }
@@ -157,7 +159,7 @@ double beam_midpoint(const BeamTheory *beam, double period, double t)
 {
     double u, v;
     if (beam->damping == 0)
-        return beam->amplitude * cos(2 * M_PI * t / period);
+        return beam->amplitude * math_cos(2 * M_PI * t / period);
     let_go(beam, period, t, &u, &v);
     return u;
 }
@@ -166,7 +168,7 @@ double beam_midpoint_velocity(const BeamTheory *beam, double period, double t)
 {
     double omega = 2 * M_PI / period, u, v;
     if (beam->damping == 0)
-        return -beam->amplitude * omega * sin(omega * t);
+        return -beam->amplitude * omega * math_sin(omega * t);
     let_go(beam, period, t, &u, &v);
     return v;
 }

@@ -17,6 +17,7 @@
  * and shear force of a section follow, M = E I w'' and Q = E I w'''. */
 #include "theory/beam.h"
 #include "theory/quiet.h"
+#include "base/math/functions.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
@@ -63,7 +64,7 @@ struct MovingCantilever {
 static double characteristic(double x, void *context)
 {
     (void)context;
-    return 1 / cosh(x) + cos(x);
+    return 1 / math_cosh(x) + math_cos(x);
 }
 
 /* The n-th root, n from 1, lies near (n - 1/2) pi. NAN: the solver gave up (not seen). */
@@ -87,17 +88,18 @@ static double clamped_free_root(gsl_root_fsolver *solver, int n)
  * with exponentials, for their difference loses its digits towards the tip. */
 static double mode_derivative(double lambda, int derivative, double s)
 {
-    double sigma = (sinh(lambda) - sin(lambda)) / (cosh(lambda) + cos(lambda));
+    double sigma = (math_sinh(lambda) - math_sin(lambda)) / (math_cosh(lambda) + math_cos(lambda));
     /* 1 - sigma, without subtracting two like numbers */
-    double rest = (exp(-lambda) + cos(lambda) + sin(lambda)) / (cosh(lambda) + cos(lambda));
+    double rest =
+        (math_exp(-lambda) + math_cos(lambda) + math_sin(lambda)) / (math_cosh(lambda) + math_cos(lambda));
     double x = lambda * s;
-    double grows = rest / 2 * exp(x), falls = (1 + sigma) / 2 * exp(-x);
+    double grows = rest / 2 * math_exp(x), falls = (1 + sigma) / 2 * math_exp(-x);
     double square = derivative == 0 ? 1 : derivative == 1 ? lambda : lambda * lambda;
     double hyperbolic = derivative % 2 == 1 ? grows - falls : grows + falls;
-    double circular = derivative == 0   ? -cos(x) + sigma * sin(x)
-                      : derivative == 1 ? sin(x) + sigma * cos(x)
-                      : derivative == 2 ? cos(x) - sigma * sin(x)
-                                        : -sin(x) - sigma * cos(x);
+    double circular = derivative == 0   ? -math_cos(x) + sigma * math_sin(x)
+                      : derivative == 1 ? math_sin(x) + sigma * math_cos(x)
+                      : derivative == 2 ? math_cos(x) - sigma * math_sin(x)
+                                        : -math_sin(x) - sigma * math_cos(x);
     return (derivative == 3 ? lambda : 1) * square * (hyperbolic + circular);
 }
 
@@ -148,7 +150,7 @@ static int modal_equations(double t, const double y[], double rate[], void *cont
     double length = modes->length + modes->speed * t, ratio = modes->speed / length;
     for (int m = 0; m < MODES; m++) {
         double wave_number = modes->lambda[m] / length;
-        double sum = modes->stiffness * pow(wave_number, 4) * y[m];
+        double sum = modes->stiffness * math_pow(wave_number, 4) * y[m];
         for (int n = 0; n < MODES; n++) {
             sum += 2 * ratio * modes->b[m][n] * y[MODES + n];
             sum += ratio * ratio * (modes->c[m][n] - 2 * modes->b[m][n]) * y[n];
@@ -184,7 +186,7 @@ static bool integrate_motion(const Modes *modes, const BeamTheory *beam, MovingC
 {
     gsl_odeiv2_system system = {modal_equations, NULL, 2 * MODES, (void *)modes};
     /* velocities are larger than displacements by about omega_1 */
-    double omega = sqrt(modes->stiffness) * pow(modes->lambda[0] / modes->length, 2);
+    double omega = sqrt(modes->stiffness) * math_pow(modes->lambda[0] / modes->length, 2);
     double weights[2 * MODES];
     for (int n = 0; n < MODES; n++)
         weights[n] = 1, weights[MODES + n] = omega;
@@ -244,7 +246,7 @@ static MovingCantilever *solve(const BeamTheory *beam, double speed, double end,
         return NULL;
     /* the fastest mode is fastest where the beam is shortest */
     double shortest = fmin(beam->length, beam->length + speed * end);
-    double fastest = sqrt(modes.stiffness) * pow(modes.lambda[MODES - 1] / shortest, 2);
+    double fastest = sqrt(modes.stiffness) * math_pow(modes.lambda[MODES - 1] / shortest, 2);
     double spacing = 2 * M_PI / fastest / SAMPLES_PER_FAST_PERIOD;
     double steps = ceil(fmax(1, end / spacing));
     if (!(steps <= SAMPLES_MAX))
@@ -375,7 +377,7 @@ static double bent(const MovingCantilever *solution, int derivative, double x, d
     for (int n = 0; n < MODES; n++)
         sum += modal_at(solution, k, u, n) *
                mode_derivative(solution->modes.lambda[n], derivative, fmin(x / length, 1));
-    return sum / pow(length, derivative);
+    return sum / math_pow(length, derivative);
 }
 
 /* sxx = -M y/I = -E y w''. */

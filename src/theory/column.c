@@ -5,6 +5,8 @@
  *     mean of x over the bar   = (e^{kL} - (e^{kL} - 1)/(kL))/k */
 #include "theory/column.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 
 static double rate(const HangingColumn *column)
@@ -21,7 +23,7 @@ double column_stress(const HangingColumn *column, double x)
 double column_displacement(const HangingColumn *column, double x)
 {
     const double k = rate(column);
-    return k == 0 ? 0 : exp(k * (column->length - x)) * expm1(k * x) / k - x;
+    return k == 0 ? 0 : math_exp(k * (column->length - x)) * math_expm1(k * x) / k - x;
 }
 
 double column_linear(const HangingColumn *column, double x)
@@ -34,5 +36,5 @@ double column_centre(const HangingColumn *column)
     const double k = rate(column), kl = k * column->length;
     if (fabs(kl) < 1e-4) /* by its series, as the closed form cancels */
         return column->length * (0.5 + kl / 3 + kl * kl / 8);
-    return (exp(kl) - expm1(kl) / kl) / k;
+    return (math_exp(kl) - math_expm1(kl) / kl) / k;
 }

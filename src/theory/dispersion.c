@@ -19,6 +19,7 @@
 #include "theory/bar.h"
 #include "theory/bar_rest.h"
 #include "theory/quiet.h"
+#include "base/math/functions.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_min.h>
@@ -67,7 +68,7 @@ static Response response_of(const BarMesh *mesh, const Rows *rows, double theta)
 {
     double filter = 1, stiffness = 0;
     for (int d = 1; d < REST_SUPPORT_MAX; d++) {
-        const double s = sin(d * theta / 2);
+        const double s = math_sin(d * theta / 2);
         filter -= 4 * s * s * rows->consistent[d];
         stiffness -= 4 * s * s * rows->stiffness[d];
     }
@@ -102,13 +103,13 @@ Dispersion dispersion_of_bar(const BarTheory *bar, const BarMesh *mesh, double w
     /* 2 root - trace, in small numbers only, so that small steps keep their digits */
     double gap = pull - ((1 - g) * (1 - g) + 4 * loss) / (1 + g + 2 * root);
     if (root > 0 && gap >= 0 && gap <= 4 * root) {
-        wave.frequency = 2 * asin(sqrt(gap / (4 * root))) / mesh->dt;
-        wave.decay = -log(determinant) / (2 * mesh->dt);
+        wave.frequency = 2 * math_asin(sqrt(gap / (4 * root))) / mesh->dt;
+        wave.decay = -math_log(determinant) / (2 * mesh->dt);
     } else {
         /* overdamped: two real eigenvalues, of which the larger lasts longer */
         double discriminant = fmax(0, trace * trace / 4 - determinant);
         wave.frequency = trace < 0 ? M_PI / mesh->dt : 0;
-        wave.decay = -log(fabs(trace) / 2 + sqrt(discriminant)) / mesh->dt;
+        wave.decay = -math_log(fabs(trace) / 2 + sqrt(discriminant)) / mesh->dt;
     }
     return wave;
 }
@@ -148,20 +149,20 @@ static double predicted_mode(const BarTheory *bar, const BarMesh *mesh, int numb
     double to_nodes = 0;
     for (int j = 0; j < mesh->particles_per_cell; j++) {
         double xi = (j + 0.5) / mesh->particles_per_cell;
-        to_nodes += 2 * (1 - xi) * cos(theta * xi) / mesh->particles_per_cell;
+        to_nodes += 2 * (1 - xi) * math_cos(theta * xi) / mesh->particles_per_cell;
     }
-    double node_sum = mesh->cell_size / (2 * bar->length) / tan(theta / 2);
+    double node_sum = mesh->cell_size / (2 * bar->length) / math_tan(theta / 2);
     double amplitude = to_nodes * node_sum / wave.filter;
 
     /* the part of the particles' velocity in the null space of the grid never changes: the offset */
     double particle_size = mesh->cell_size / mesh->particles_per_cell;
-    double start = particle_size / bar->length / (2 * sin(beta * particle_size / 2));
+    double start = particle_size / bar->length / (2 * math_sin(beta * particle_size / 2));
     double offset = start - amplitude;
 
     /* velocity and stress are known half a step apart; which is ahead depends on the algorithm */
     double half = mesh->algorithm == MESH_MUSL ? -0.5 : 0.5;
     double angle = wave.frequency * mesh->dt;
-    return offset + amplitude * cos(angle * ((double)k + half)) / cos(angle / 2);
+    return offset + amplitude * math_cos(angle * ((double)k + half)) / math_cos(angle / 2);
 }
 
 double dispersion_centre_velocity(const BarTheory *bar, const BarMesh *mesh, long k)

@@ -8,6 +8,7 @@
  * start is the largest line of the spectrum, a discrete Fourier transform under a Hann window. */
 #include "theory/frequency.h"
 #include "theory/quiet.h"
+#include "base/math/functions.h"
 
 #include <float.h>
 #include <gsl/gsl_errno.h>
@@ -32,7 +33,7 @@ static void chirp(size_t k, size_t n, double *real, double *imaginary)
 {
     unsigned long long square = (unsigned long long)k * k % (2 * (unsigned long long)n);
     double angle = M_PI * (double)square / (double)n;
-    *real = cos(angle), *imaginary = -sin(angle);
+    *real = math_cos(angle), *imaginary = -math_sin(angle);
 }
 
 /* Bluestein: with k j = (k^2 + j^2 - (k - j)^2)/2 the transform
@@ -63,7 +64,7 @@ static void transform_amplitudes(const double *windowed, size_t n, size_t m, dou
     }
     gsl_fft_complex_radix2_inverse(signal, 1, m);
     for (size_t k = 0; k <= n / 2; k++)
-        out[k] = hypot(signal[2 * k], signal[2 * k + 1]);
+        out[k] = math_hypot(signal[2 * k], signal[2 * k + 1]);
 }
 
 /* Amplitudes of the lines k = 0 .. count/2 at angular frequency 2 pi k/(count dt), under a Hann window
@@ -86,7 +87,7 @@ bool frequency_spectrum(const double *values, size_t count, double *out)
     for (size_t k = 0; k < count; k++)
         mean += values[k] / (double)count;
     for (size_t k = 0; k < count; k++) {
-        double s = sin(M_PI * (double)k / (double)count);
+        double s = math_sin(M_PI * (double)k / (double)count);
         windowed[k] = (values[k] - mean) * s * s;
     }
     transform_amplitudes(windowed, count, m, work, out);
@@ -140,7 +141,7 @@ static double residual(const Record *record, const double *unknowns, size_t k)
     for (int line = 0; line < record->n_lines; line++) {
         const double phase = record->ratios[line] * unknowns[0] * time;
         const double *at = unknowns + place_of(line);
-        sum = sum + at[0] * cos(phase) + at[1] * sin(phase);
+        sum = sum + at[0] * math_cos(phase) + at[1] * math_sin(phase);
     }
     return sum - scaled_value(record, k);
 }
@@ -168,7 +169,7 @@ static int jacobian(const gsl_vector *unknowns, void *context, gsl_matrix *out)
             const size_t at = place_of(line);
             const double ratio = record->ratios[line], angle = ratio * gsl_vector_get(unknowns, 0);
             const double a = gsl_vector_get(unknowns, at), b = gsl_vector_get(unknowns, at + 1);
-            const double cosine = cos(angle * time), sine = sin(angle * time);
+            const double cosine = math_cos(angle * time), sine = math_sin(angle * time);
             slope += ratio * time * (b * cosine - a * sine);
             gsl_matrix_set(out, k, at, cosine);
             gsl_matrix_set(out, k, at + 1, sine);
@@ -192,8 +193,8 @@ static double linear_part(const Record *record, double angle, double unknowns[UN
         row[2] = 1;
         for (int line = 0; line < record->n_lines; line++) {
             const double phase = record->ratios[line] * angle * time;
-            row[place_of(line) - 1] = cos(phase);
-            row[place_of(line)] = sin(phase);
+            row[place_of(line) - 1] = math_cos(phase);
+            row[place_of(line)] = math_sin(phase);
         }
         for (size_t i = 0; i < n; i++) {
             right[i] += row[i] * value;
@@ -293,7 +294,8 @@ static double find_start(const Record *record)
     double bin = M_PI * (double)(count - 1) / (double)count;
     double place = (double)peak;
     if (peak > 5 && peak < count / 2 && lines[peak - 1] > 0 && lines[peak + 1] > 0) {
-        double left = log(lines[peak - 1] / lines[peak]), right = log(lines[peak + 1] / lines[peak]);
+        double left = math_log(lines[peak - 1] / lines[peak]),
+               right = math_log(lines[peak + 1] / lines[peak]);
         place += left + right < 0 ? (left - right) / (2 * (left + right)) : 0;
     }
     free(lines);
@@ -344,10 +346,10 @@ static void fill_fit(const Record *record, const double unknowns[UNKNOWNS_MAX], 
     double a = unknowns[1] * record->scale, b = unknowns[2] * record->scale;
     fit->frequency = unknowns[0] / half;
     double shift = fit->frequency * middle;
-    fit->cosine = a * cos(shift) - b * sin(shift);
-    fit->sine = a * sin(shift) + b * cos(shift);
+    fit->cosine = a * math_cos(shift) - b * math_sin(shift);
+    fit->sine = a * math_sin(shift) + b * math_cos(shift);
     fit->offset = unknowns[3] * record->scale + record->middle;
-    fit->amplitude = hypot(a, b);
+    fit->amplitude = math_hypot(a, b);
     double squares = 0;
     for (size_t k = 0; k < record->count; k++) {
         double left = residual(record, unknowns, k);

@@ -17,6 +17,7 @@
 #include "theory/noise.h"
 
 #include "base/assertion.h"
+#include "base/math/functions.h"
 
 #include <gsl/gsl_cdf.h>
 #include <math.h>
@@ -39,7 +40,7 @@ typedef struct Judged {
 static double neighbours(const Judged *judged, double r, size_t k)
 {
     const double apart = (judged->times[k] - judged->times[k - 1]) / judged->step;
-    return r > 0 ? fmin(pow(r, apart), TOGETHER) : 0;
+    return r > 0 ? fmin(math_pow(r, apart), TOGETHER) : 0;
 }
 
 /* The determinant of a positive definite matrix and the answer of matrix x = right, by Cholesky in place. */
@@ -80,14 +81,14 @@ static double unlikely(const Judged *judged, double r, double *variance)
                 matrix[i][j] += q[i] * q[j];
         }
         squares += e * e;
-        log_r -= 2 * log(scale);
+        log_r -= 2 * math_log(scale);
     }
     const double determinant = solve(matrix, right, m);
     for (int i = 0; i < m; i++)
         squares -= right[i] * right[i];
     const double freedom = (double)judged->count - m;
     *variance = fmax(squares, 1e-300) / freedom;
-    return log_r + log(determinant) + freedom * log(*variance);
+    return log_r + math_log(determinant) + freedom * math_log(*variance);
 }
 
 /* The most likely r: the best of a scan over -log(1 - r), then by the golden section around it. */
@@ -96,7 +97,7 @@ static double most_likely(const Judged *judged, double *variance)
     const double golden = (sqrt(5) - 1) / 2, width = 0.25;
     double best = 0, least = unlikely(judged, 0, variance);
     for (double x = width; x <= SLOWEST; x += width) {
-        const double now = unlikely(judged, 1 - exp(-x), variance);
+        const double now = unlikely(judged, 1 - math_exp(-x), variance);
         if (now < least) {
             least = now;
             best = x;
@@ -105,12 +106,13 @@ static double most_likely(const Judged *judged, double *variance)
     double low = fmax(best - width, 0), high = best + width;
     for (int i = 0; i < HALVINGS; i++) {
         const double left = high - golden * (high - low), right = low + golden * (high - low);
-        if (unlikely(judged, 1 - exp(-left), variance) < unlikely(judged, 1 - exp(-right), variance))
+        if (unlikely(judged, 1 - math_exp(-left), variance) <
+            unlikely(judged, 1 - math_exp(-right), variance))
             high = right;
         else
             low = left;
     }
-    const double r = 1 - exp(-(low + high) / 2);
+    const double r = 1 - math_exp(-(low + high) / 2);
     if (unlikely(judged, r, variance) < unlikely(judged, 0, variance))
         return unlikely(judged, r, variance), r;
     return 0;

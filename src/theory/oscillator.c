@@ -13,6 +13,8 @@
  */
 #include "theory/oscillator.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 
 /* 2 ((w - 1) e^w + 1) = sum over k >= 2 of 2 (k - 1) w^k / k!, whose first terms cancel in the closed form.
@@ -20,7 +22,7 @@
 static double twice_potential(double w)
 {
     if (fabs(w) > 0.5)
-        return 2 * ((w - 1) * exp(w) + 1);
+        return 2 * ((w - 1) * math_exp(w) + 1);
     double sum = 0, term = w;
     for (int k = 2; k < 24; k++) {
         term *= w / k;
@@ -36,7 +38,8 @@ static double strain_of_root(double h)
     if (h == 0)
         return 0;
     for (int i = 0; i < 60; i++) {
-        const double root = copysign(sqrt(twice_potential(w)), w), step = (root - h) * root / (w * exp(w));
+        const double root = copysign(sqrt(twice_potential(w)), w),
+                     step = (root - h) * root / (w * math_exp(w));
         w -= step;
         if (fabs(step) <= 1e-16 * fabs(w))
             break;
@@ -50,15 +53,15 @@ static double period_of(const Oscillator *oscillator)
     double sum = 0;
     for (int i = 0; i < PARTS; i++) {
         const double phi = 2 * M_PI * (i + 0.5) / PARTS;
-        const double h = oscillator->velocity / oscillator->speed * sin(phi), w = strain_of_root(h);
-        sum += h / (w * exp(w));
+        const double h = oscillator->velocity / oscillator->speed * math_sin(phi), w = strain_of_root(h);
+        sum += h / (w * math_exp(w));
     }
     return oscillator->cell / oscillator->speed * 2 * M_PI * sum / PARTS;
 }
 
 static double acceleration(const Oscillator *oscillator, double w)
 {
-    return -oscillator->speed * oscillator->speed / oscillator->cell * w * exp(w);
+    return -oscillator->speed * oscillator->speed / oscillator->cell * w * math_exp(w);
 }
 
 static void advance(const Oscillator *oscillator, double time, double *w, double *v)

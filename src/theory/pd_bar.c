@@ -6,6 +6,7 @@
 #include "theory/pd_bar.h"
 
 #include "base/linear/band.h"
+#include "base/math/functions.h"
 #include "theory/quiet.h"
 
 #include <float.h>
@@ -49,7 +50,7 @@ static double strength(const PdBarTheory *lattice, int m)
 static double verlet(double omega, double dt)
 {
     double half = omega * dt / 2;
-    return half <= 1 ? 2 * asin(half) / dt : NAN;
+    return half <= 1 ? 2 * math_asin(half) / dt : NAN;
 }
 
 /* A wave exp(i(beta x - omega t)) on the endless lattice, theta = beta h. The bonds to both sides at distance
@@ -70,7 +71,7 @@ Dispersion pd_bar_dispersion(const BarTheory *bar, const PdBarTheory *lattice, d
     if (!(theta <= M_PI * (1 + 1e-12))) /* shorter than two spacings: to the nodes it is a longer one */
         return wave;
     for (int m = 1; m <= reach_of(lattice); m++) {
-        double s = sin(m * theta / 2);
+        double s = math_sin(m * theta / 2);
         sum += strength(lattice, m) / m * s * s;
         moment += strength(lattice, m) * m;
     }
@@ -168,7 +169,7 @@ static bool is_resolved(const BarTheory *bar, const PdBarTheory *lattice, int nu
     double row = 0;
     for (int m = 1; m <= reach_of(lattice); m++)
         row += 2 * scale * strength(lattice, m) / m;
-    return DBL_EPSILON * 2 * LARGEST_FACTOR * row <= 1e-8 * pow(bar_frequency(bar, number), 2);
+    return DBL_EPSILON * 2 * LARGEST_FACTOR * row <= 1e-8 * math_pow(bar_frequency(bar, number), 2);
 }
 
 /* Frequency of mode `number` (from 1) of the lattice with its ends, in 1/time. Between two mirrors every sine
@@ -223,7 +224,7 @@ double pd_bar_centre_velocity(const PdBarModes *modes, long step)
 {
     double sum = 0;
     for (int k = 0; k < modes->count; k++)
-        sum += modes->share[k] * cos(modes->frequency[k] * (double)step * modes->dt);
+        sum += modes->share[k] * math_cos(modes->frequency[k] * (double)step * modes->dt);
     return sum;
 }
 

@@ -16,6 +16,7 @@
  * Source: S. A. Silling (2000), section 6, with the micromoduli of two dimensions. */
 #include "theory/pd_waves.h"
 
+#include "base/math/functions.h"
 #include "theory/quiet.h"
 
 #include <gsl/gsl_integration.h>
@@ -27,7 +28,7 @@
 static double cin(double z)
 {
     if (z > 2)
-        return M_EULER + log(z) - gsl_sf_Ci(z);
+        return M_EULER + math_log(z) - gsl_sf_Ci(z);
     double sum = 0, power = 1;
     for (int k = 1; k <= 16; k++) {
         power *= -z * z / ((2 * k - 1) * (2 * k));
@@ -44,7 +45,7 @@ double pd_waves_line(PdShape shape, double z)
         return 4 * cin(z) / (z * z);
     /* 12 (Cin(z) - 1 + sin z/z)/z^2; by its series where the terms cancel */
     if (z > 2)
-        return 12 * (cin(z) - 1 + sin(z) / z) / (z * z);
+        return 12 * (cin(z) - 1 + math_sin(z) / z) / (z * z);
     double sum = 0, power = 1;
     for (int k = 1; k <= 16; k++) {
         power *= -z * z / ((2 * k - 1) * (2 * k));
@@ -107,7 +108,7 @@ double pd_volumes_factor(PdVolumes volumes, double m, double length)
 /* c w V/|xi| of a bond (p, q) in units of E/delta^2 and of spacings; 0: not of the family. */
 static double stiffness(const PdWaveLattice *lattice, int p, int q)
 {
-    const double length = hypot(p, q), m = lattice->ratio;
+    const double length = math_hypot(p, q), m = lattice->ratio;
     if (length == 0 || length > pd_volumes_reach(lattice->volumes, m))
         return 0;
     const double within = pd_volumes_factor(lattice->volumes, m, length);
@@ -118,7 +119,7 @@ static double stiffness(const PdWaveLattice *lattice, int p, int q)
 double pd_waves_lattice(const PdWaveLattice *lattice, bool transverse, double angle, double z)
 {
     const int reach = (int)pd_volumes_reach(lattice->volumes, lattice->ratio);
-    const double x = cos(angle), y = sin(angle), step = z / lattice->ratio; /* k dx */
+    const double x = math_cos(angle), y = math_sin(angle), step = z / lattice->ratio; /* k dx */
     const double longest = transverse ? 3.0 / 8 : 9.0 / 8;
     double sum = 0;
     if (!(fmax(fabs(x), fabs(y)) * step <= M_PI * (1 + 1e-12)) || !(z > 0))
@@ -127,7 +128,7 @@ double pd_waves_lattice(const PdWaveLattice *lattice, bool transverse, double an
         for (int p = -reach; p <= reach; p++) {
             const double k = stiffness(lattice, p, q), length2 = (double)p * p + (double)q * q;
             const double along = transverse ? q * x - p * y : p * x + q * y;
-            const double half = sin(step * (p * x + q * y) / 2);
+            const double half = math_sin(step * (p * x + q * y) / 2);
             if (k > 0)
                 sum += k * along * along / length2 * 2 * half * half;
         }
@@ -141,7 +142,7 @@ double pd_waves_energy_factor(const PdWaveLattice *lattice)
     for (int q = -reach; q <= reach; q++)
         for (int p = -reach; p <= reach; p++)
             if (p != 0)
-                sum += stiffness(lattice, p, q) * pow(p, 4) / (hypot(p, q) * hypot(p, q)) / 4;
+                sum += stiffness(lattice, p, q) * math_pow(p, 4) / (math_hypot(p, q) * math_hypot(p, q)) / 4;
     return 9.0 / 16 / (sum / (lattice->ratio * lattice->ratio));
 }
 
@@ -151,7 +152,7 @@ double pd_waves_area_factor(const PdWaveLattice *lattice)
     double area = 0;
     for (int q = -reach; q <= reach; q++)
         for (int p = -reach; p <= reach; p++) {
-            const double length = hypot(p, q);
+            const double length = math_hypot(p, q);
             if (length > 0 && length <= pd_volumes_reach(lattice->volumes, lattice->ratio))
                 area += pd_volumes_factor(lattice->volumes, lattice->ratio, length);
         }

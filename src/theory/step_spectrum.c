@@ -21,6 +21,7 @@
  * for because small steps have lambda near 1. */
 #include "theory/step_spectrum.h"
 #include "base/linear/cholesky.h"
+#include "base/math/functions.h"
 #include "theory/bar_modes.h"
 #include "theory/bar_rest.h"
 #include "theory/quiet.h"
@@ -63,6 +64,22 @@ static int least(int a, int b)
     return a < b ? a : b;
 }
 
+/* The C library's cabs and the compiler's division of complex numbers differ from machine to machine. */
+static double size_of(double complex a)
+{
+    return math_hypot(creal(a), cimag(a));
+}
+
+/* a/b without overflow (R. L. Smith, Communications of the ACM 5, 1962) */
+static double complex quotient(double complex a, double complex b)
+{
+    const bool steep = fabs(cimag(b)) > fabs(creal(b));
+    if (steep) /* a/b = (-i a)/(-i b) */
+        a = cimag(a) - I * creal(a), b = cimag(b) - I * creal(b);
+    const double ratio = cimag(b) / creal(b), whole = creal(b) + cimag(b) * ratio;
+    return (creal(a) + cimag(a) * ratio) / whole + I * ((cimag(a) - creal(a) * ratio) / whole);
+}
+
 /* Gauss' elimination with row pivots, in place; x: right-hand side in, solution out. */
 static void solve(ComplexBand *band, double complex *x)
 {
@@ -71,7 +88,7 @@ static void solve(ComplexBand *band, double complex *x)
         const int rows_end = least(n, k + width + 1), columns_end = least(n, k + 2 * width + 1);
         int pivot = k;
         for (int i = k + 1; i < rows_end; i++)
-            if (cabs(*entry(band, i, k)) > cabs(*entry(band, pivot, k)))
+            if (size_of(*entry(band, i, k)) > size_of(*entry(band, pivot, k)))
                 pivot = i;
         if (pivot != k) {
             for (int j = k; j < columns_end; j++) {
@@ -86,7 +103,7 @@ static void solve(ComplexBand *band, double complex *x)
         if (*entry(band, k, k) == 0)
             *entry(band, k, k) = 1e-300;
         for (int i = k + 1; i < rows_end; i++) {
-            const double complex factor = *entry(band, i, k) / *entry(band, k, k);
+            const double complex factor = quotient(*entry(band, i, k), *entry(band, k, k));
             if (factor == 0)
                 continue;
             for (int j = k + 1; j < columns_end; j++)
@@ -97,7 +114,7 @@ static void solve(ComplexBand *band, double complex *x)
     for (int k = n - 1; k >= 0; k--) {
         for (int j = k + 1; j < least(n, k + 2 * width + 1); j++)
             x[k] -= *entry(band, k, j) * x[j];
-        x[k] /= *entry(band, k, k);
+        x[k] = quotient(x[k], *entry(band, k, k));
     }
 }
 
@@ -285,7 +302,7 @@ static void begin(const Step *step, const double *sampled, double complex mu, do
             mass += value(&step->mass, i, j);
         }
         x[2 * i] = sampled[i];
-        x[2 * i + 1] = -pull / (mu * mass);
+        x[2 * i + 1] = quotient(-pull, mu * mass);
     }
 }
 
@@ -334,7 +351,7 @@ static bool iterate(const Step *step, ComplexBand *band, double complex *mu, dou
             const double complex gap = x[i] - change * y[i];
             error += creal(gap * conj(gap));
         }
-        if (!isfinite(cabs(change)))
+        if (!isfinite(size_of(change)))
             return false;
         memcpy(x, y, (size_t)n * sizeof *x);
         normalise(x, n);
@@ -361,7 +378,7 @@ static double overlap(const Step *step, const double complex *x, const double *s
         own += weight * creal(x[2 * i] * conj(x[2 * i]));
         of_sample += weight * sampled[i] * sampled[i];
     }
-    return cabs(both) / sqrt(own * of_sample);
+    return size_of(both) / sqrt(own * of_sample);
 }
 
 /* x <- M^-1 x with the mass blend. False: not enough memory. */
@@ -394,14 +411,14 @@ static double space_frequency(const Step *step, double share, const double compl
     const int n = step->rest.nodes;
     double complex largest = 0;
     for (int i = 0; i < n; i++)
-        if (cabs(x[2 * i]) > cabs(largest))
+        if (size_of(x[2 * i]) > size_of(largest))
             largest = x[2 * i];
     double above = 0, below = 0;
     for (int i = 0; i < n; i++) {
         a[i] = 0;
         for (int j = first_of(&step->stiffness, i); j < end_of(&step->stiffness, i); j++)
-            a[i] += *in_band(&step->stiffness, i, j) * creal(x[2 * j] / largest);
-        below += a[i] * creal(x[2 * i] / largest);
+            a[i] += *in_band(&step->stiffness, i, j) * creal(quotient(x[2 * j], largest));
+        below += a[i] * creal(quotient(x[2 * i], largest));
     }
     if (share > 0) {
         if (!solve_mass(step, share, a))
@@ -439,13 +456,13 @@ static StepMode read_mode(const Search *search, double complex mu)
     const Step *step = &search->step;
     StepMode mode = {.known = true, .with_ends = true};
     mode.overlap = overlap(step, search->x, search->sampled);
-    mode.frequency = fabs(carg(1 + mu)) / step->courant * search->rate;
-    mode.decay = -log1p(2 * creal(mu) + creal(mu * conj(mu))) / (2 * step->courant) * search->rate;
+    mode.frequency = fabs(math_atan2(cimag(mu), 1 + creal(mu))) / step->courant * search->rate;
+    mode.decay = -math_log1p(2 * creal(mu) + creal(mu * conj(mu))) / (2 * step->courant) * search->rate;
     if (step->alpha == 1 && step->usl == 0) {
         const double omega = space_frequency(step, search->mesh->consistent, search->x, search->scrap);
         const double half = omega * step->courant / 2;
         if (half <= 1) {
-            mode.frequency = 2 * asin(half) / step->courant * search->rate;
+            mode.frequency = 2 * math_asin(half) / step->courant * search->rate;
             mode.decay = 0;
         }
     }
@@ -617,7 +634,8 @@ StepMode step_mode(const BarTheory *bar, const BarMesh *mesh, int number)
         if (band->rows && search.x && search.sampled) {
             search.y = search.x + n;
             search.scrap = search.sampled + n / 2;
-            mode = find_start(&search, number, cexp((I * wave.frequency - wave.decay) * mesh->dt) - 1);
+            const double turn = wave.frequency * mesh->dt, kept = math_exp(-wave.decay * mesh->dt);
+            mode = find_start(&search, number, kept * (math_cos(turn) + I * math_sin(turn)) - 1);
         }
         free(search.sampled);
         free(search.x);

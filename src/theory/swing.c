@@ -14,6 +14,7 @@
  * Three unknowns either way, by least squares over the whole record: what has died counts for nothing. */
 #include "theory/swing.h"
 #include "theory/quiet.h"
+#include "base/math/functions.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
@@ -62,15 +63,15 @@ bool swing_fit(const double *values, size_t stride, size_t count, double dt, dou
     double x[UNKNOWNS];
     if (!least_squares(values, stride, count, lag, squared, x))
         return false;
-    const double kept = squared ? cbrt(x[2]) : -x[1]; /* exp(-2 decay h) */
+    const double kept = squared ? math_cbrt(x[2]) : -x[1]; /* exp(-2 decay h) */
     const double cosine = squared ? (x[0] / kept - 1) / 2 : x[0] / (2 * sqrt(kept));
     if (!(kept > 0 && fabs(cosine) < 1))
         return false;
-    *out = (Swing){acos(cosine) / h / (squared ? 2 : 1), -log(kept) / (2 * h)};
+    *out = (Swing){math_acos(cosine) / h / (squared ? 2 : 1), -math_log(kept) / (2 * h)};
     return true;
 }
 
 double swing_kept(double decay, double frequency)
 {
-    return exp(-2 * decay * 2 * M_PI / frequency);
+    return math_exp(-2 * decay * 2 * M_PI / frequency);
 }

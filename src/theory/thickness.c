@@ -5,6 +5,7 @@
  * rows beside it. */
 #include "theory/beam.h"
 #include "theory/quiet.h"
+#include "base/math/functions.h"
 
 #include <gsl/gsl_eigen.h>
 #include <math.h>
@@ -28,7 +29,7 @@ static int take_modes(const gsl_vector *squares, const gsl_matrix *modes, double
     for (size_t mode = 1; mode < squares->size && count < most; mode++) {
         const double omega = sqrt(fmax(0, gsl_vector_get(squares, mode)) / density);
         if (is_even(modes, mode) && omega * dt / 2 < 1)
-            frequencies[count++] = 2 / dt * asin(omega * dt / 2);
+            frequencies[count++] = 2 / dt * math_asin(omega * dt / 2);
     }
     return count;
 }

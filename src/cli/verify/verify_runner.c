@@ -4,6 +4,8 @@
  */
 #include "cli/verify/verify_runner.h"
 
+#include "base/math/functions.h"
+
 #include <string.h>
 
 /* --- a row --------------------------------------------------------------------------------------- */
@@ -22,7 +24,7 @@ static void print_band(char out[64], Band band, int decimals)
     const int of_number = decimals;
     int length = 0;
     /* more digits than the number has, where both ends would look the same */
-    while (band.high > band.low && band.high - band.low < 1.9 * pow(10, -decimals) && decimals < 12)
+    while (band.high > band.low && band.high - band.low < 1.9 * math_pow(10, -decimals) && decimals < 12)
         decimals++;
     if (band.low == band.high)
         snprintf(out, 64, "%.*f", decimals, band.low);

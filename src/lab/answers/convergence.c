@@ -6,6 +6,7 @@
 #include "lab/answers/convergence.h"
 #include "lab/answers/waves.h"
 #include "lab/settings/parameters.h"
+#include "base/math/functions.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -243,7 +244,7 @@ bool convergence_point(const ConvergenceStudy *study, const Settings *settings, 
 double convergence_order(const ConvergencePoint *a, const ConvergencePoint *b)
 {
     const double ratio = a->error / b->error;
-    return a->known && b->known && ratio > 0 ? log(ratio) / log(a->size / b->size) : NAN;
+    return a->known && b->known && ratio > 0 ? math_log(ratio) / math_log(a->size / b->size) : NAN;
 }
 
 double convergence_limit(const ConvergenceStudy *study, const Settings *settings)
@@ -276,7 +277,7 @@ double convergence_fitted_order(const ConvergencePoint *points, int count)
             !before || (point->error * before->error > 0 && fabs(point->error) < fabs(before->error));
         if (!falls)
             return NAN;
-        const double x = log(point->size), y = log(fabs(point->error));
+        const double x = math_log(point->size), y = math_log(fabs(point->error));
         n += 1;
         sum_x += x;
         sum_y += y;

@@ -11,6 +11,7 @@
  * between blocks of steps whether to go on. */
 #include "lab/answers/fit_internal.h"
 
+#include "base/math/functions.h"
 #include "base/text.h"
 #include "lab/settings/parameters.h"
 #include "theory/quiet.h"
@@ -107,7 +108,7 @@ static double spread_of(const FitTask *task)
     for (size_t k = 0; k < task->count; k++)
         mean += task->values[k] / (double)task->count;
     for (size_t k = 0; k < task->count; k++)
-        squares += pow(task->values[k] - mean, 2) / (double)task->count;
+        squares += math_pow(task->values[k] - mean, 2) / (double)task->count;
     return squares > 0 ? sqrt(squares) : fabs(mean);
 }
 

@@ -7,6 +7,7 @@
  * cannot tell from their own. Then at some shares and multiples of each p_i. */
 #include "lab/answers/fit_internal.h"
 
+#include "base/math/functions.h"
 #include "theory/frequency.h"
 
 #include <math.h>
@@ -81,7 +82,7 @@ static void find_aliases(Search *search, int key, double own, double wanted, Beg
 {
     const FitTask *task = search->task;
     const double nudged = swings_of_run(search, key, NUDGE);
-    const double power = nudged > 0 ? log(nudged / own) / log(NUDGE) : 0;
+    const double power = nudged > 0 ? math_log(nudged / own) / math_log(NUDGE) : 0;
     if (fabs(power) < WEAKEST)
         return;
     const double span = task->times[task->count - 1] - task->times[0];
@@ -92,7 +93,7 @@ static void find_aliases(Search *search, int key, double own, double wanted, Beg
             for (int beside = -1; beside <= 1; beside++) {
                 const double omega = fold * j + side * wanted + beside * swing;
                 if (omega > own / FARTHEST && omega < own * FARTHEST && *count - before < ALIASES_MAX)
-                    begin_at(list, count, key, pow(omega / own, 1 / power));
+                    begin_at(list, count, key, math_pow(omega / own, 1 / power));
             }
 }
 

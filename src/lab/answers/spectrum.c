@@ -4,6 +4,7 @@
  * gain of that average. */
 #include "lab/answers/spectrum.h"
 #include "theory/frequency.h"
+#include "base/math/functions.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -31,8 +32,8 @@ static size_t settled_rows(const Record *record)
  * What lies above that is folded back, as always, but weaker. */
 static double gain_of_means(size_t stride, double angle)
 {
-    const double across = (double)stride * sin(angle / (2 * (double)stride));
-    return across > 0 ? sin(angle / 2) / across : 1;
+    const double across = (double)stride * math_sin(angle / (2 * (double)stride));
+    return across > 0 ? math_sin(angle / 2) / across : 1;
 }
 
 /* Samples from rows [first, first + count * stride): each the mean of its rows. */

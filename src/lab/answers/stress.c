@@ -4,10 +4,12 @@
  *     r = sqrt(((sxx - syy)/2)^2 + sxy^2),   tan 2a = 2 sxy/(sxx - syy) */
 #include "lab/answers/stress.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 
 Principal stress_principal(double xx, double yy, double xy)
 {
-    const double mean = (xx + yy) / 2, half = (xx - yy) / 2, radius = hypot(half, xy);
-    return (Principal){mean + radius, mean - radius, atan2(xy, half) / 2};
+    const double mean = (xx + yy) / 2, half = (xx - yy) / 2, radius = math_hypot(half, xy);
+    return (Principal){mean + radius, mean - radius, math_atan2(xy, half) / 2};
 }

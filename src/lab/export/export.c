@@ -7,6 +7,7 @@
 #include "lab/answers/invariant.h"
 #include "lab/settings/parameters.h"
 #include "lab/answers/summary.h"
+#include "base/math/functions.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -188,7 +189,7 @@ static bool start(Export *export, Status *status)
 static double done_share(const Export *export)
 {
     const double left = export->sim->kinetic_left, by_time = (double)export->sim->step / (double)export->last;
-    return left > 0 ? fmax(by_time, fmin(1, -log10(left) / 10)) : by_time;
+    return left > 0 ? fmax(by_time, fmin(1, -math_log10(left) / 10)) : by_time;
 }
 
 /* True if the run came to its end or failed by itself; what it wrote is good either way. */

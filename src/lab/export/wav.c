@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "lab/export/wav.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 #include <stdint.h>
 
@@ -37,7 +39,7 @@ static void put_head(FILE *file, uint32_t samples)
 static void put_sample(FILE *file, double frequency, double time, double seconds)
 {
     const double edge = fmin(1, fmin(time, seconds - time) / FADE_SECONDS);
-    const long value = lround(32767 * LOUDNESS * edge * sin(tau * frequency * time));
+    const long value = lround(32767 * LOUDNESS * edge * math_sin(tau * frequency * time));
     put_number(file, (uint32_t)(value & 0xffff), 2);
 }
 

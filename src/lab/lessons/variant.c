@@ -3,6 +3,7 @@
 #include "lab/lessons/variant.h"
 
 #include "base/hash.h"
+#include "base/math/functions.h"
 #include "base/visible.h"
 #include "lab/settings/parameters.h"
 
@@ -24,13 +25,13 @@ static void find_step(const Variant *variant, int *mantissa, int *exponent)
 {
     static const int mantissas[] = {1, 2, 5};
     const double range = variant->to - variant->from;
-    *exponent = (int)floor(log10(range / VALUES_MOST)) - 1;
+    *exponent = (int)floor(math_log10(range / VALUES_MOST)) - 1;
     if (variant->whole && *exponent < 0)
         *exponent = 0;
     for (;; ++*exponent)
         for (int i = 0; i < 3; i++) {
             *mantissa = mantissas[i];
-            if (range / (*mantissa * pow(10, *exponent)) <= VALUES_MOST - 1 + 1e-6)
+            if (range / (*mantissa * math_pow(10, *exponent)) <= VALUES_MOST - 1 + 1e-6)
                 return;
         }
 }
@@ -77,7 +78,7 @@ static Values values_of(const Variant *variant)
 {
     Values values;
     find_step(variant, &values.mantissa, &values.exponent);
-    values.step = values.mantissa * pow(10, values.exponent);
+    values.step = values.mantissa * math_pow(10, values.exponent);
     values.first = ceil(variant->from / values.step - 1e-6);
     values.last = floor(variant->to / values.step + 1e-6);
     return values;

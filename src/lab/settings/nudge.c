@@ -2,6 +2,7 @@
 /* From one value of a parameter to the next, and to the other answer to a question. */
 #include "lab/settings/parameters.h"
 
+#include "base/math/functions.h"
 #include "base/text.h"
 
 #include <math.h>
@@ -24,7 +25,7 @@ static double rung_value(long rung)
 /* The first rung above a positive value (direction 1) or below it (-1). */
 static long next_rung(double value, int direction)
 {
-    long rung = 3 * (long)floor(log10(value)) - 3;
+    long rung = 3 * (long)floor(math_log10(value)) - 3;
     while (rung_value(rung) <= value * (1 + 1e-12))
         rung++;
     if (direction > 0)
@@ -38,7 +39,7 @@ static long next_rung(double value, int direction)
 /* Up and down the ladder ... -2 -1 0 1 2 5 ...; the least rung beside 0 depends on what is usual. */
 static double next_on_ladder(double value, int direction, double usual, bool whole)
 {
-    double least = whole ? 1 : 1e-3 * (usual == 0 ? 1 : pow(10, floor(log10(fabs(usual)) + 1e-9)));
+    double least = whole ? 1 : 1e-3 * (usual == 0 ? 1 : math_pow(10, floor(math_log10(fabs(usual)) + 1e-9)));
     int outwards = value < 0 ? -direction : direction;
     if (value == 0)
         return direction * rung_value(next_rung(least, 1) - 1);
@@ -72,8 +73,8 @@ static double next_digit(double value, int direction, double usual)
     const double towards = value * (1 + direction * copysign(1e-9, value));
     if (value == 0)
         return next_on_ladder(0, direction, usual, false);
-    const double next = as_typed(value + direction * pow(10, floor(log10(fabs(towards))) - 1));
-    const double least = 1e-3 * pow(10, usual == 0 ? 0 : floor(log10(fabs(usual)) + 1e-9));
+    const double next = as_typed(value + direction * math_pow(10, floor(math_log10(fabs(towards))) - 1));
+    const double least = 1e-3 * math_pow(10, usual == 0 ? 0 : floor(math_log10(fabs(usual)) + 1e-9));
     return fabs(next) < fabs(value) && fabs(next) < least ? 0 : next;
 }
 

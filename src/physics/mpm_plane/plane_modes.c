@@ -28,6 +28,7 @@
 
 #include "base/linear/band.h"
 #include "base/linear/cholesky.h"
+#include "base/math/functions.h"
 #include "physics/mpm_plane/plane_state.h"
 
 #include <math.h>
@@ -201,7 +202,7 @@ static bool lowest_mode(Lattice2 *lattice, double *omega2, double *lumped2, Stat
     const size_t n = lattice->size;
     double *x = lattice->work, *y = x + n, *z = y + n;
     for (size_t u = 0; u < n; u++)
-        x[u] = u % 2 ? sin(M_PI * (double)(u / 2 / (size_t)lattice->rows) / (lattice->columns - 1)) : 0;
+        x[u] = u % 2 ? math_sin(M_PI * (double)(u / 2 / (size_t)lattice->rows) / (lattice->columns - 1)) : 0;
     clear_held(lattice, x);
     *omega2 = 0;
     for (int k = 0; k < ITERATIONS_MAX; k++) {
@@ -235,10 +236,10 @@ static double period_of(const PlaneDef *def, double dt, double omega2, double lu
     const double F = omega2 / lumped2, g = def->flip_fraction + (1 - def->flip_fraction) * F;
     const double w = lumped2 * dt * dt;
     if (def->flip_fraction == 1 && def->algorithm != MPM_USL)
-        return M_PI * dt / asin(sqrt(omega2) * dt / 2);
+        return M_PI * dt / math_asin(sqrt(omega2) * dt / 2);
     const bool last = def->algorithm == MPM_USL;
     const double trace = g + 1 - (last ? w : F * w), det = last ? g * (1 - w) + F * w : g;
-    return 2 * M_PI * dt / acos(trace / (2 * sqrt(det)));
+    return 2 * M_PI * dt / math_acos(trace / (2 * sqrt(det)));
 }
 
 /* *period in s; NAN where the band would take more than NUMBERS_MAX numbers, and for the cantilever, which
@@ -276,8 +277,8 @@ static double endless_limit(const PlaneDef *def)
     const double P = def->particles_per_cell, alpha = def->flip_fraction;
     double most = 0;
     for (int k = 1; k <= WAVES; k++) {
-        const double theta = M_PI * k / WAVES, K = 2 * (1 - cos(theta));
-        const double F = 1 - (1.0 / 3 + 1 / (6 * P * P)) * (1 - cos(theta)), g = alpha + (1 - alpha) * F;
+        const double theta = M_PI * k / WAVES, K = 2 * (1 - math_cos(theta));
+        const double F = 1 - (1.0 / 3 + 1 / (6 * P * P)) * (1 - math_cos(theta)), g = alpha + (1 - alpha) * F;
         const double inverse = def->algorithm == MPM_USL ? K * (1 - F / (1 + g)) / 2 : F * K / (2 * (1 + g));
         most = fmax(most, inverse);
     }

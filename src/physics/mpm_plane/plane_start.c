@@ -17,6 +17,8 @@
  * (z/L)^2 h sqrt(E/(12 rho)), z = pi or that of the cantilever: the same swing a quarter of a period on. */
 #include "physics/mpm_plane/plane_state.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 
 static const double cantilever_root = 1.8751040687119611; /* the first of 1 + cosh z cos z = 0 */
@@ -32,15 +34,15 @@ static Deflection deflection(const PlaneDef *def, double x)
     const double U = def->amplitude;
     if (!def->leaves_channel) {
         const double k = M_PI / def->length;
-        return (Deflection){U * sin(k * x), U * k * cos(k * x), -U * k * k * sin(k * x)};
+        return (Deflection){U * math_sin(k * x), U * k * math_cos(k * x), -U * k * k * math_sin(k * x)};
     }
     if (!(x > 0))
         return (Deflection){0, 0, 0};
     const double z = cantilever_root, k = z / def->length, a = k * x;
-    const double r = (sinh(z) - sin(z)) / (cosh(z) + cos(z));
-    return (Deflection){U * (cosh(a) - cos(a) - r * (sinh(a) - sin(a))),
-                        U * k * (sinh(a) + sin(a) - r * (cosh(a) - cos(a))),
-                        U * k * k * (cosh(a) + cos(a) - r * (sinh(a) + sin(a)))};
+    const double r = (math_sinh(z) - math_sin(z)) / (math_cosh(z) + math_cos(z));
+    return (Deflection){U * (math_cosh(a) - math_cos(a) - r * (math_sinh(a) - math_sin(a))),
+                        U * k * (math_sinh(a) + math_sin(a) - r * (math_cosh(a) - math_cos(a))),
+                        U * k * k * (math_cosh(a) + math_cos(a) - r * (math_sinh(a) + math_sin(a)))};
 }
 
 /* omega = (z/L)^2 h sqrt(E/(12 rho)), 1/s: Euler and Bernoulli's, of a beam without shear. */

@@ -16,6 +16,8 @@
  * The kernels serve as the operator: at displacements of 1e-9 spacings they are linear to 1e-9. */
 #include "physics/pd_plane/beam_internal.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -90,7 +92,7 @@ static double iterate(Beam *beam, double *v, double *previous, Status *status)
     /* a unit vector has no component above 1, so no displacement exceeds `tiny` */
     for (int k = 0; k < STEPS_MAX; k++) {
         /* how many iterations it takes is not known beforehand */
-        double share = 1 - exp(-(double)k / STEPS_USUAL);
+        double share = 1 - math_exp(-(double)k / STEPS_USUAL);
         share = BUILDING_CRITICAL + (1 - BUILDING_CRITICAL) * share;
         if (!beam_go_on(beam, share, status))
             return -1;

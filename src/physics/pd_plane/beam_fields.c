@@ -5,6 +5,7 @@
  * largest stretch of nodes, which need all bonds, go through the vector loops of beam_shares.c. SI units. */
 #include "base/assertion.h"
 #include "physics/pd_plane/beam_internal.h"
+#include "base/math/functions.h"
 
 #include <math.h>
 #include <string.h>
@@ -171,7 +172,7 @@ static double node_field(const Beam *beam, int field, size_t node)
     case F_SURFACE:
         return (lattice->factor_x[node] + lattice->factor_y[node]) / 2;
     case F_SPEED:
-        return hypot(nodes->vx[at], nodes->vy[at]);
+        return math_hypot(nodes->vx[at], nodes->vy[at]);
     case F_FAMILY:
         return family_size(beam, i, j);
     case F_SURFACE_X:

@@ -13,6 +13,7 @@
 #include "physics/pd_plane/beam_modes.h"
 #include "base/linear/cholesky.h"
 #include "physics/pd_plane/beam_internal.h"
+#include "base/math/functions.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -125,7 +126,7 @@ static void fill(const Model *model, const bool *held, double *x)
             for (int component = 0; component < 2; component++) {
                 const size_t at = unknown(lattice, i, j, component);
                 hash ^= hash << 13, hash ^= hash >> 17, hash ^= hash << 5;
-                const double wave = component ? sin(M_PI * (i + 0.5) / lattice->nx) : 0,
+                const double wave = component ? math_sin(M_PI * (i + 0.5) / lattice->nx) : 0,
                              any = (double)hash / 4294967296.0 - 0.5;
                 x[at] = held[at] ? 0 : model->half_wave ? wave : any;
             }

@@ -5,6 +5,7 @@
  * An error names the key. */
 #include "physics/pd_plane/beam_internal.h"
 
+#include "base/math/functions.h"
 #include "physics/pd_plane/plate/cuts.h"
 
 #include <math.h>
@@ -236,8 +237,8 @@ bool beam_set_problem(Beam *beam, Status *status)
 static void bend_supported(const Beam *beam, double x, double y, double u[2])
 {
     double k = M_PI / beam->def.length, U = beam->def.amplitude;
-    u[0] = -y * U * k * cos(k * x);
-    u[1] = U * sin(k * x);
+    u[0] = -y * U * k * math_cos(k * x);
+    u[1] = U * math_sin(k * x);
 }
 
 /* Eqs. 17, 18, the first mode of a cantilever with tip 2U: k = z/L, 1 + cosh z cos z = 0,
@@ -253,9 +254,9 @@ static void bend_cantilever(const Beam *beam, double x, double y, double u[2])
         return;
     const double z = 1.8751040687119611; /* the first root of 1 + cosh z cos z = 0 */
     double k = z / beam->def.length, U = beam->def.amplitude;
-    double ratio = (sinh(z) - sin(z)) / (cosh(z) + cos(z));
-    u[0] = -U * k * y * (sinh(k * x) + sin(k * x) - ratio * (cosh(k * x) - cos(k * x)));
-    u[1] = U * (cosh(k * x) - cos(k * x) - ratio * (sinh(k * x) - sin(k * x)));
+    double ratio = (math_sinh(z) - math_sin(z)) / (math_cosh(z) + math_cos(z));
+    u[0] = -U * k * y * (math_sinh(k * x) + math_sin(k * x) - ratio * (math_cosh(k * x) - math_cos(k * x)));
+    u[1] = U * (math_cosh(k * x) - math_cos(k * x) - ratio * (math_sinh(k * x) - math_sin(k * x)));
 }
 
 /* The nodes of a patch get a velocity and begin where they belong, in the components that are given. */

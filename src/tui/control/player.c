@@ -2,6 +2,7 @@
 /* The run on screen: playing and pausing it, going to another time of it. */
 #include "tui/control/laboratory.h"
 
+#include "base/math/functions.h"
 #include "base/text.h"
 #include "lab/answers/summary.h"
 
@@ -207,7 +208,7 @@ double player_next_125(double value, int direction)
     double best = 0;
     for (int decade = -3; decade <= 9; decade++)
         for (int i = 0; i < 3; i++) {
-            double candidate = mantissas[i] * pow(10, decade);
+            double candidate = mantissas[i] * math_pow(10, decade);
             if (direction > 0 && candidate > value * (1 + 1e-9) && (best <= 0 || candidate < best))
                 best = candidate;
             if (direction < 0 && candidate < value * (1 - 1e-9) && candidate > best)

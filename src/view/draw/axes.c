@@ -2,6 +2,8 @@
 /* Round ticks and the places of values: linear, by square roots, by powers of ten; and how axes are drawn. */
 #include "view/draw/sketch.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -17,7 +19,7 @@ static double power_of_ten(int exponent)
 
 static int decade_of(double value)
 {
-    int decade = (int)floor(log10(value));
+    int decade = (int)floor(math_log10(value));
     /* log10 of 1000 may be a hair below 3 */
     while (power_of_ten(decade + 1) <= value * (1 + 1e-12))
         decade++;
@@ -132,7 +134,7 @@ Axis axis_make_log(double low, double high, int most)
 {
     if (!(low > 0) || !(low < high) || !isfinite(high))
         low = 0.1, high = 1;
-    const int first = decade_of(low), last = decade_of(high) + (decade_of(high) < log10(high) - 1e-9);
+    const int first = decade_of(low), last = decade_of(high) + (decade_of(high) < math_log10(high) - 1e-9);
     const int decades = last > first ? last - first : 1, step = (decades + most - 1) / (most < 2 ? 2 : most);
     return (Axis){.scale = SCALE_LOG,
                   .low = power_of_ten(first),
@@ -148,7 +150,9 @@ double axis_place(const Axis *axis, double value)
     case SCALE_ROOT:
         return value < 0 ? -sqrt(-value) : sqrt(value);
     case SCALE_LOG:
-        return value > 0 ? log10(value) : isnan(value) ? value : -400; /* below all that a double can be */
+        return value > 0      ? math_log10(value)
+               : isnan(value) ? value
+                              : -400; /* below all that a double can be */
     }
     return value;
 }

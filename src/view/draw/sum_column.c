@@ -2,6 +2,7 @@
 /* Columns of numbers that add up as they are printed. */
 #include "view/draw/sum_column.h"
 
+#include "base/math/functions.h"
 #include "base/text.h"
 
 #include <math.h>
@@ -21,14 +22,14 @@ static double rounded(double value, int decimals)
  * keeps all decimals, so that base and sum are not rounded apart. */
 static bool adds_up(const double *terms, size_t n, double base, double gain, double scale, Writing writing)
 {
-    const double half = 0.5 * pow(10, -writing.sum_decimals) * (1 + 1e-9);
+    const double half = 0.5 * math_pow(10, -writing.sum_decimals) * (1 + 1e-9);
     double total = 0;
     for (size_t i = 0; i < n; i++)
         total += rounded(terms[i] * scale, writing.decimals);
     if (base == 0)
         return fabs(total - rounded(gain * scale, writing.sum_decimals)) < half;
     const double said = rounded(gain * scale, writing.decimals);
-    return fabs(total - said) < 0.5 * pow(10, -writing.decimals) &&
+    return fabs(total - said) < 0.5 * math_pow(10, -writing.decimals) &&
            fabs(rounded(base * scale, writing.decimals) + said -
                 rounded((base + gain) * scale, writing.sum_decimals)) < half;
 }
@@ -39,7 +40,7 @@ enum { DIGITS = 5 };
 static int columns_before(double value)
 {
     const double size = fabs(value);
-    return (value < 0) + (size < 10 ? 1 : (int)floor(log10(size)) + 1) + 1;
+    return (value < 0) + (size < 10 ? 1 : (int)floor(math_log10(size)) + 1) + 1;
 }
 
 static int larger(int a, int b)
@@ -56,17 +57,17 @@ Writing writing_of(const double *terms, size_t n, double base, double gain, int 
     Writing writing = {0, DIGITS, DIGITS};
     if (!(most > 0))
         return (Writing){0, 0, 0};
-    const int magnitude = (int)floor(log10(most));
+    const int magnitude = (int)floor(math_log10(most));
     if (magnitude < -3 || magnitude > 3)
         writing.exponent = 3 * (int)floor(magnitude / 3.0);
-    const double scale = pow(10, -writing.exponent);
+    const double scale = math_pow(10, -writing.exponent);
     int before = larger(columns_before(base * scale), columns_before(sum * scale));
     before = larger(before, columns_before(gain * scale));
     for (size_t i = 0; i < n; i++)
         before = larger(before, columns_before(terms[i] * scale));
     const int room = width - before;
     const double least = fabs(gain) > 0 ? fabs(gain) : most;
-    int wanted = DIGITS - 1 - (int)floor(log10(least * scale));
+    int wanted = DIGITS - 1 - (int)floor(math_log10(least * scale));
     wanted = wanted < room ? wanted : room;
     for (int sum_decimals = wanted; sum_decimals >= 0; sum_decimals--)
         for (int decimals = sum_decimals; decimals <= room; decimals++) {
@@ -98,7 +99,7 @@ Format format_of(const double *values, size_t n, int digits, int width)
             most = fmax(most, fabs(values[i]));
     if (!(most > 0))
         return (Format){false, 0};
-    const int magnitude = (int)floor(log10(most));
+    const int magnitude = (int)floor(math_log10(most));
     Format format = {magnitude < -3 || magnitude > 5, 0};
     format.decimals = format.exponents ? digits - 1 : larger(digits - 1 - magnitude, 0);
     for (size_t i = 0; i < n; i++)
@@ -120,7 +121,7 @@ Format format_of(const double *values, size_t n, int digits, int width)
 void sum_column_write(Area area, int end, int y, double value, Writing writing, int decimals, Style style)
 {
     char text[64];
-    const double scaled = value * pow(10, -writing.exponent);
+    const double scaled = value * math_pow(10, -writing.exponent);
     snprintf(text, sizeof text, "%.*f", decimals, rounded(scaled, decimals));
     /* the points stand under each other */
     int shift = writing.decimals - decimals;

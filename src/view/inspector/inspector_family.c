@@ -6,6 +6,8 @@
 #include "view/views/views.h"
 #include "view/map/family.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,7 +30,7 @@ static Ray ray_of(const Family *family, const Link *link)
         ray.direction[d] = steps[d] * family->body.spacing +
                            simulation_value(sim, sim->displacement[d], link->index) -
                            simulation_value(sim, sim->displacement[d], family->node);
-    const double length = hypot(ray.direction[0], ray.direction[1]);
+    const double length = math_hypot(ray.direction[0], ray.direction[1]);
     for (int d = 0; d < 2 && length > 0; d++)
         ray.direction[d] /= length;
     ray.pull = link->pull / (family->body.spacing * family->body.spacing);
@@ -79,9 +81,9 @@ static double scale_of(const Family *family, char *caption, size_t size)
         snprintf(caption, size, "%% of s0");
         return 100 / s0;
     }
-    const int exponent = most > 0 ? (int)floor(log10(most)) - 1 : 0;
+    const int exponent = most > 0 ? (int)floor(math_log10(most)) - 1 : 0;
     snprintf(caption, size, "s x10^%d", exponent);
-    return pow(10, -exponent);
+    return math_pow(10, -exponent);
 }
 
 static void draw_bond(const Family *family, Area area, const Ray *ray, int cell, double scale)
@@ -112,7 +114,7 @@ static int draw_family(const Family *family, Area area, int cell)
         for (int p = -family->reach; p <= family->reach; p++) {
             const bool inside = family->i + p >= 0 && family->i + p < family->body.nx && family->j + q >= 0 &&
                                 family->j + q < family->body.ny;
-            if (!inside && hypot(p, q) <= farthest)
+            if (!inside && math_hypot(p, q) <= farthest)
                 area_put(area, (family->reach + p + 1) * cell - 1, family->reach - q, 0x00b7, STYLE_FAINT);
         }
     for (int k = 0; k < family->count; k++)

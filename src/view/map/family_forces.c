@@ -2,6 +2,8 @@
 /* The forces of a node's bonds as they add up to its own, by the side on which they pull. */
 #include "view/map/family.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -100,13 +102,13 @@ static void round_to_sum(double *terms, int count, double sum, double unit)
 static void round_rows(ForceSum *sum, int exponent, int decimals)
 {
     enum { ALL = SIDES, LOAD, F };
-    const double unit = pow(10, -decimals);
+    const double unit = math_pow(10, -decimals);
     for (int d = 0; d < 2; d++) {
         double terms[SIDES];
         for (int i = 0; i < sum->count; i++) {
-            sum->rows[i].value[d] = round(sum->rows[i].value[d] * pow(10, -exponent) / unit) * unit;
+            sum->rows[i].value[d] = round(sum->rows[i].value[d] * math_pow(10, -exponent) / unit) * unit;
             if (i < SIDES)
-                terms[i] = sum->exact[i][d] * pow(10, -exponent);
+                terms[i] = sum->exact[i][d] * math_pow(10, -exponent);
         }
         /* from the force of the node upwards */
         if (sum->count > F)
@@ -127,8 +129,8 @@ int family_forces(const Family *family, Area area)
     for (int i = 0; i < sum.count; i++)
         for (int d = 0; d < 2; d++)
             most = fmax(most, fabs(sum.rows[i].value[d]));
-    const int exponent = most > 0 && isfinite(most) ? 3 * (int)floor(log10(most) / 3) : 0;
-    const double size = most * pow(10, -exponent);
+    const int exponent = most > 0 && isfinite(most) ? 3 * (int)floor(math_log10(most) / 3) : 0;
+    const double size = most * math_pow(10, -exponent);
     const int decimals = DECIMALS - (size >= 10) - (size >= 100);
     round_rows(&sum, exponent, decimals);
     const int name_columns = area.rect.width < FAMILY_WORDS ? area.rect.width - 2 * FORCE_COLUMN : 20;

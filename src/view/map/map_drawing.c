@@ -4,6 +4,8 @@
  * is wide, but for rounding. */
 #include "view/map/map_drawing.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 #include <stdio.h>
 
@@ -340,7 +342,7 @@ void map_drawing(const Screen *screen, Area area, Style heading)
     drawing.bottom = drawing.top + rise;
     const double stretch = rise / (body.size[1] * drawing.scale / 2);
     char title[96], scale[64];
-    scale_words(stretch, fabs(log(stretch)) < 0.2, "x", scale, sizeof scale);
+    scale_words(stretch, fabs(math_log(stretch)) < 0.2, "x", scale, sizeof scale);
     snprintf(title, sizeof title, "the %s at t = 0  %s", settings->problem->body, scale);
     area_rule(area, 0, title, heading);
     draw_all(&drawing, 1);

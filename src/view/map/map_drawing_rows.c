@@ -3,6 +3,8 @@
  * their size. */
 #include "view/map/map_drawing.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 #include <stdio.h>
 
@@ -80,7 +82,7 @@ static void draw_traction(const Drawing *drawing, int row, double ends[2][2])
                     map_arrow(sx, sy), STYLE_HEADING);
     }
     char text[NUMBER_TEXT_MAX + 8], number[NUMBER_TEXT_MAX];
-    text_rounded(number, 1e-6 * hypot(sx, sy), 4);
+    text_rounded(number, 1e-6 * math_hypot(sx, sy), 4);
     snprintf(text, sizeof text, " %s MPa ", number);
     if (lies)
         drawing_label(drawing, fmax(x[0], x[1]) + 2, y[0], 1, text, STYLE_NORMAL);

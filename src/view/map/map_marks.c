@@ -3,6 +3,7 @@
  * chosen node as signs. */
 #include "view/map/map.h"
 
+#include "base/math/functions.h"
 #include "lab/answers/crack.h"
 #include "view/panes/screen_runs.h"
 
@@ -71,7 +72,7 @@ static void draw_notch(Map *map)
     }
     /* the paper's angle, from the notch towards the load: an answer, as the exact curves are */
     const double side = settings->loads.position < end[0] ? -1 : 1, rise = top - depth - end[1];
-    const double at[2] = {end[0] + side * rise * tan(CRACK_PAPER_ANGLE * M_PI / 180), end[1] + rise};
+    const double at[2] = {end[0] + side * rise * math_tan(CRACK_PAPER_ANGLE * M_PI / 180), end[1] + rise};
     if (screen_shows_exact(map->screen))
         map_body_line(map, end, at, (Pen){STYLE_FAINT, RANK_ANGLE, 4, '\''});
     map_body_line(map, (double[]){end[0], 0}, end, (Pen){STYLE_HEADING, RANK_NOTCH, 1, '|'});

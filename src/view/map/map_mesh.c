@@ -6,6 +6,7 @@
 #include "view/map/map.h"
 #include "view/panes/stage_flow.h"
 
+#include "base/math/functions.h"
 #include "lab/answers/stress.h"
 
 #include <math.h>
@@ -46,7 +47,7 @@ static void take_momentum(const Map *map, const MeshNodes *mesh, double *spare)
     if (!take_nodes(map, mesh, "px", mesh->momentum) || !take_nodes(map, mesh, "py", spare))
         return;
     for (size_t i = 0; i < mesh->count; i++)
-        mesh->momentum[i] = hypot(mesh->momentum[i] - mesh->mass[i] * map->sim->common_speed, spare[i]);
+        mesh->momentum[i] = math_hypot(mesh->momentum[i] - mesh->mass[i] * map->sim->common_speed, spare[i]);
 }
 
 Flow map_flow(const Map *map, bool *inside)
@@ -126,7 +127,7 @@ static size_t chosen_links(const Map *map, Link links[LINKS_MAX], double *column
 /* From one place to another, a little short of both; a cell is twice as high as wide. */
 static bool shorten(double from[2], double to[2])
 {
-    const double dx = to[0] - from[0], dy = to[1] - from[1], length = hypot(dx, 2 * dy);
+    const double dx = to[0] - from[0], dy = to[1] - from[1], length = math_hypot(dx, 2 * dy);
     if (length < 2.5 * BESIDE)
         return false;
     const double share = 1.5 * BESIDE / length;
@@ -206,7 +207,8 @@ static void draw_cross(Map *map)
     const double values[2] = {own.most, own.least};
     for (int i = 0; i < 2; i++) {
         const double angle = own.angle + i * M_PI / 2, length = fabs(values[i]) * arm;
-        const double across = length * cos(angle) * map->scale_x, up = length * sin(angle) * map->scale_y;
+        const double across = length * math_cos(angle) * map->scale_x,
+                     up = length * math_sin(angle) * map->scale_y;
         map_line(map, column - across, row + up, column + across, row - up,
                  (Pen){values[i] < 0 ? STYLE_THIRD : STYLE_MEASURED, RANK_CROSS, values[i] < 0 ? 2 : 1, 0});
     }

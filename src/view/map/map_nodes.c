@@ -3,6 +3,8 @@
  * a crack is where the net has come apart. */
 #include "view/map/map.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 
 enum { LINKS_MAX = 256 };
@@ -18,7 +20,7 @@ static void draw_bonds(Map *map, size_t node, double column, double row)
     for (size_t k = 0; k < count && k < LINKS_MAX; k++) {
         const size_t other = links[k].index;
         const double p = (double)((long)other % nx - i), q = (double)((long)other / nx - j);
-        if (other <= node || links[k].broken || hypot(p, q) > NEAREST)
+        if (other <= node || links[k].broken || math_hypot(p, q) > NEAREST)
             continue;
         double to_column, to_row;
         map_node_place(map, other, &to_column, &to_row);

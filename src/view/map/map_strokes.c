@@ -3,6 +3,8 @@
  * direction; map_draw_lines() shows them. */
 #include "view/map/map.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 
 static void mark_dot(Map *map, double x, double y, const Pen *pen, uint32_t letter)
@@ -48,7 +50,7 @@ void map_line(Map *map, double from_x, double from_y, double to_x, double to_y, 
 
 void map_body_line(Map *map, const double from[2], const double to[2], Pen pen)
 {
-    const double length = hypot(to[0] - from[0], to[1] - from[1]);
+    const double length = math_hypot(to[0] - from[0], to[1] - from[1]);
     /* each piece begins with a dot: one of a dotted line must hold some of its gaps */
     const double dots = 2 * length * map->scale_x, gaps = 2 * (pen.every > 1 ? pen.every : 1);
     const int pieces = 1 + (int)fmin(fmin(40, length / (4 * map->body.spacing)), dots / gaps);

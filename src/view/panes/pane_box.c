@@ -8,6 +8,8 @@
 #include "view/plots/runs.h"
 #include "view/plots/time_plot.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -167,7 +169,7 @@ static void rate_text(const Screen *screen, bool brief, char *out, size_t size)
     if (screen->playback.state != STATE_RUNNING || !(rate > 0) || left < 1)
         return;
     const double seconds = (double)left / rate;
-    const double grain = pow(10, floor(log10(rate)) - 1); /* two digits: the third would dance */
+    const double grain = math_pow(10, floor(math_log10(rate)) - 1); /* two digits: the third would dance */
     snprintf(out, size,
              brief       ? " "
              : rate < 10 ? " %.1f steps/s, "

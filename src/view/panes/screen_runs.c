@@ -3,6 +3,8 @@
  * fields reach, and their times and units as text. */
 #include "view/panes/screen_runs.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -60,7 +62,7 @@ void screen_time_text(const Screen *screen, double time, char *out, size_t size)
 {
     const Problem *facts = screen_problem(screen);
     const double unit = facts->shown_time, dt = experiment_simulation(screen->experiment)->dt / unit;
-    int decimals = dt > 0 ? (int)ceil(-log10(dt) - 1e-9) : 2;
+    int decimals = dt > 0 ? (int)ceil(-math_log10(dt) - 1e-9) : 2;
     decimals = decimals < 0 ? 0 : decimals > 6 ? 6 : decimals;
     snprintf(out, size, "t %.*f%s", decimals, time / unit, facts->shown_time_unit);
 }

@@ -3,6 +3,7 @@
 #include "view/draw/sketch.h"
 #include "view/tell/tell.h"
 
+#include "base/math/functions.h"
 #include "base/text.h"
 
 #include <math.h>
@@ -34,7 +35,7 @@ static Measure measure_of(const Axis *axis, const char *name)
     } else if (comma && (!comma[1] || comma[1] == ' ')) {
         const char *word = comma + 1 + strspn(comma + 1, " ");
         const size_t unit = strcspn(word, " "); /* behind it stands how the axis goes */
-        measure.scale = pow(10, axis->exponent);
+        measure.scale = math_pow(10, axis->exponent);
         if (unit > 0)
             snprintf(measure.unit, sizeof measure.unit, " %.*s", unit < 22 ? (int)unit : 22, word);
         *comma = '\0';

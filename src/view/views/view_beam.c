@@ -5,6 +5,7 @@
 #include "view/tell/words.h"
 #include "view/views/views.h"
 
+#include "base/math/functions.h"
 #include "base/text.h"
 #include "lab/answers/crack.h"
 
@@ -174,7 +175,7 @@ static void draw_scale(const Map *map, Area area, int y)
 {
     Axis axis = axis_make(map->low, map->high, 5);
     const double ends[3] = {map->low, (map->low + map->high) / 2, map->high};
-    const double middle = ends[1] * pow(10, axis.decimals - axis.exponent);
+    const double middle = ends[1] * math_pow(10, axis.decimals - axis.exponent);
     axis.decimals += fabs(middle - round(middle)) > 1e-6 * (1 + fabs(middle));
     char text[TICK_TEXT_MAX], scale[TICK_TEXT_MAX];
     int x = 1;

@@ -3,6 +3,7 @@
  * nodes stand: each by its most stretched whole bond. */
 #include "view/panes/panes.h"
 #include "view/views/views.h"
+#include "base/math/functions.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -90,7 +91,7 @@ static void add_counts(Plot *plot, const int *bins, int dots, int most)
     for (int i = 0; i < dots; i++) {
         const double x = plot->x.low + (plot->x.high - plot->x.low) * (i + 0.25) / dots;
         plot_point(plot, x, floor_y);
-        plot_point(plot, x, floor_y + room * log1p(bins[i]) / log1p(most));
+        plot_point(plot, x, floor_y + room * math_log1p(bins[i]) / math_log1p(most));
     }
 }
 

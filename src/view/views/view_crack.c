@@ -5,6 +5,7 @@
 #include "view/plots/runs.h"
 #include "view/plots/time_plot.h"
 
+#include "base/math/functions.h"
 #include "lab/answers/crack.h"
 
 #include <math.h>
@@ -113,7 +114,7 @@ static void draw_path(const Screen *screen, Area area, Style heading)
                      rise = settings->geometry.height - notch.y;
         plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
         plot_point(&plot, notch.x, notch.y);
-        plot_point(&plot, notch.x + towards * rise * tan(CRACK_PAPER_ANGLE * M_PI / 180),
+        plot_point(&plot, notch.x + towards * rise * math_tan(CRACK_PAPER_ANGLE * M_PI / 180),
                    settings->geometry.height);
     }
     for (int r = 0; r < n_runs; r++)
@@ -155,7 +156,7 @@ static double tip_angle(const double *row, const void *context)
 {
     const CrackColumns *columns = context;
     const double rise = row[columns->y] - columns->notch.y, aside = row[columns->x] - columns->notch.x;
-    return rise > 0 ? atan(aside / rise) * 180 / M_PI : NAN;
+    return rise > 0 ? math_atan(aside / rise) * 180 / M_PI : NAN;
 }
 
 /* What the crack has cost per area, J/m^2. Its first few millimetres say little: bonds break around them. */

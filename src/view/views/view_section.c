@@ -6,6 +6,7 @@
  * shear of the beam but that of cells that cannot bend. */
 #include "view/map/map.h"
 #include "view/views/views.h"
+#include "base/math/functions.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -88,7 +89,7 @@ static void add_up(Section *section)
     section->resultant = 0;
     for (size_t j = 0; j < section->rows; j++)
         section->resultant +=
-            section->mean[j] * pow(section->y[j] - section->middle, section->of->power) * area;
+            section->mean[j] * math_pow(section->y[j] - section->middle, section->of->power) * area;
 }
 
 /* The line -y duy/dx by the slope over two spacings, one at an end; the stresses of theory as it knows the
@@ -186,7 +187,7 @@ static void append_quantity(char out[160], const char *before, double value, con
 {
     Axis axis = axis_symmetric(fabs(value), 3);
     char number[NUMBER_TEXT_MAX], scale[TICK_TEXT_MAX];
-    text_fitted(value / pow(10, axis.exponent), 3, 8, number);
+    text_fitted(value / math_pow(10, axis.exponent), 3, 8, number);
     axis_scale_text(&axis, unit, scale);
     text_append(out, 160, "%s %s%s%s", before, number, scale[0] ? " " : "", scale);
 }

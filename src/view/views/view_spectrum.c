@@ -4,6 +4,7 @@
 #include "view/plots/runs.h"
 #include "view/views/views.h"
 
+#include "base/math/functions.h"
 #include "lab/answers/dispersion.h"
 
 #include <math.h>
@@ -157,7 +158,7 @@ static double place_of_peak(const double *a, size_t k)
 {
     if (!(a[k - 1] > 0) || !(a[k + 1] > 0))
         return (double)k;
-    const double left = log(a[k - 1] / a[k]), right = log(a[k + 1] / a[k]);
+    const double left = math_log(a[k - 1] / a[k]), right = math_log(a[k + 1] / a[k]);
     return left + right < 0 ? (double)k + (left - right) / (2 * (left + right)) : (double)k;
 }
 

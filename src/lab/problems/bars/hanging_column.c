@@ -4,6 +4,7 @@
 #include "lab/problems/bars/bar_answers.h"
 #include "lab/problems/solvers.h"
 #include "theory/column.h"
+#include "base/math/functions.h"
 
 #include <math.h>
 #include <string.h>
@@ -66,7 +67,7 @@ static double profile(const References *refs, const char *field, double x, doubl
            : strcmp(field, "v") == 0       ? 0
            : strcmp(field, "stress") == 0  ? stress
            : strcmp(field, "strain") == 0  ? strain
-           : strcmp(field, "density") == 0 ? column->density * exp(-strain)
+           : strcmp(field, "density") == 0 ? column->density * math_exp(-strain)
                                            : NAN;
 }
 

@@ -4,6 +4,7 @@
 #include "lab/problems/bars/bar_answers.h"
 #include "lab/problems/solvers.h"
 #include "theory/oscillator.h"
+#include "base/math/functions.h"
 
 #include <math.h>
 #include <string.h>
@@ -69,7 +70,7 @@ static double exact_x_cm(References *refs, long step, double time, const double 
     double strain, velocity;
     (void)step, (void)row;
     oscillator_at(oscillator_of(refs), time, &strain, &velocity);
-    return oscillator_of(refs)->cell / 2 * exp(strain);
+    return oscillator_of(refs)->cell / 2 * math_exp(strain);
 }
 
 static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
@@ -93,7 +94,7 @@ static double profile(const References *refs, const char *field, double x, doubl
     const Oscillator *oscillator = oscillator_of(refs);
     double strain, velocity;
     oscillator_at(oscillator, time, &strain, &velocity);
-    const double u = oscillator->cell / 2 * expm1(strain);
+    const double u = oscillator->cell / 2 * math_expm1(strain);
     return strcmp(field, "u") == 0        ? u
            : strcmp(field, "x") == 0      ? x + u
            : strcmp(field, "v") == 0      ? velocity

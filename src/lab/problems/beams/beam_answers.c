@@ -3,6 +3,7 @@
  * record. */
 #include "lab/problems/beams/beam_answers.h"
 
+#include "base/math/functions.h"
 #include "theory/beam.h"
 #include "theory/swing.h"
 
@@ -213,7 +214,7 @@ double beam_supported_profile(const References *refs, const char *field, double 
                    ? beam_sag_at(&body->real, body->weight, between)
                    : NAN;
     }
-    double shape = sin(M_PI * x / beam->length);
+    double shape = math_sin(M_PI * x / beam->length);
     if (strcmp(field, "uy") == 0)
         return shape * beam_midpoint(beam, own(refs)->timoshenko, time);
     if (strcmp(field, "vy") == 0)
@@ -440,7 +441,7 @@ double beam_moving_envelope(const References *refs, const char *column, double t
     if (strcmp(column, "u_probe") == 0)
         return tip * sqrt(growth);
     if (strcmp(column, "v_probe") == 0)
-        return tip * beam_cantilever_frequency(beam, beam->length) * pow(growth, -1.5);
+        return tip * beam_cantilever_frequency(beam, beam->length) * math_pow(growth, -1.5);
     return NAN;
 }
 

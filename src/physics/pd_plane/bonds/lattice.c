@@ -16,6 +16,8 @@
  * sum below it is what the family of node i stores. */
 #include "physics/pd_plane/bonds/lattice.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -67,7 +69,7 @@ static void add_offsets(Lattice *lattice, const BeamDef *def)
     for (int q = 0; q <= lattice->reach; q++) {
         lattice->first[q] = lattice->n_offsets;
         for (int p = q == 0 ? 1 : -lattice->reach; p <= lattice->reach; p++)
-            if (hypot(p * dx, q * dx) <= limit)
+            if (math_hypot(p * dx, q * dx) <= limit)
                 add_offset(lattice, def, p, q);
     }
     lattice->first[lattice->reach + 1] = lattice->n_offsets;
@@ -104,7 +106,7 @@ static double family_area(const Lattice *lattice, const BeamDef *def, int i, int
     for (int q = 0; q <= reach; q++)
         for (int p = q == 0 ? 1 : -reach; p <= reach; p++) {
             const int ends = lattice_has(lattice, i + p, j + q) + lattice_has(lattice, i - p, j - q);
-            if (hypot(p * dx, q * dx) <= limit)
+            if (math_hypot(p * dx, q * dx) <= limit)
                 area += ends * factor_at(def, sqrt(p * dx * (p * dx) + q * dx * (q * dx))) * dx * dx;
         }
     return area;

@@ -5,6 +5,7 @@
 #include "physics/pd_plane/fracture/crack.h"
 #include "physics/pd_plane/beam_internal.h"
 #include "physics/pd_plane/fracture/crack_speed.h"
+#include "base/math/functions.h"
 
 #include <math.h>
 
@@ -110,7 +111,7 @@ static double path_length(const Beam *beam)
         double next_y = lattice_y(&beam->lattice, j), next_x;
         if (!is_above_notch(beam, j) || !row_centre(beam, j, &next_x))
             continue;
-        length += hypot(next_x - x, next_y - y);
+        length += math_hypot(next_x - x, next_y - y);
         x = next_x;
         y = next_y;
     }
@@ -223,5 +224,5 @@ double crack_angle(const Simulation *sim, double height)
         syy += y * y;
     }
     double spread = n * syy - sy * sy;
-    return n < 2 ? NAN : atan((n * sxy - sx * sy) / spread) * 180 / M_PI;
+    return n < 2 ? NAN : math_atan((n * sxy - sx * sy) / spread) * 180 / M_PI;
 }

@@ -5,6 +5,7 @@
 #include "physics/pd_plane/fracture/crack_cost.h"
 #include "physics/pd_plane/beam_internal.h"
 #include "physics/pd_plane/fracture/crack.h"
+#include "base/math/functions.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -29,7 +30,7 @@ static double distance(const double at[2], const double c[2], const double d[2])
     const double x = d[0] - c[0], y = d[1] - c[1], squared = x * x + y * y;
     double along = squared > 0 ? ((at[0] - c[0]) * x + (at[1] - c[1]) * y) / squared : 0;
     along = fmin(1, fmax(0, along));
-    return hypot(c[0] + along * x - at[0], c[1] + along * y - at[1]);
+    return math_hypot(c[0] + along * x - at[0], c[1] + along * y - at[1]);
 }
 
 /* Whether a place is farther from the rectangle about a segment than this, and so from the segment: for most

@@ -7,6 +7,8 @@
  * whose root between 0 and 1 is 2 - 2/sqrt(3). */
 #include "physics/pd_plane/fracture/crack_speed.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 
 double crack_speed_rayleigh(double youngs_modulus, double density)
@@ -34,5 +36,5 @@ double crack_speed(const double *x, const double *y, size_t n, double dt)
         sum_x += from_middle * x[k];
         sum_y += from_middle * y[k];
     }
-    return hypot(sum_x, sum_y) / (count * (count * count - 1) / 12 * dt);
+    return math_hypot(sum_x, sum_y) / (count * (count * count - 1) / 12 * dt);
 }

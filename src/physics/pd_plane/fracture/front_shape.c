@@ -2,6 +2,8 @@
 /* Lines, groups, tips, branches and paths of the cracks of a plate (front_shape.h, fronts.h). */
 #include "physics/pd_plane/fracture/front_shape.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -188,8 +190,8 @@ double crack_fronts_angle(const CrackFront *front, double reach)
     double way[2];
     way[front->axis] = front->sign;
     way[1 - front->axis] = front->sign * slope;
-    const double cosine = (way[0] * front->along[0] + way[1] * front->along[1]) / hypot(1, slope);
-    return acos(fmin(1, fmax(-1, cosine))) * 180 / M_PI;
+    const double cosine = (way[0] * front->along[0] + way[1] * front->along[1]) / math_hypot(1, slope);
+    return math_acos(fmin(1, fmax(-1, cosine))) * 180 / M_PI;
 }
 
 /* --- branches -------------------------------------------------------------------------------- */
@@ -213,7 +215,7 @@ static double half_angle(const Growth *growth, int f, int from)
         line_add(&low, k * beam->lattice.spacing, groups[0].centre);
         line_add(&high, k * beam->lattice.spacing, groups[n - 1].centre);
     }
-    const double angle = (atan(line_slope(&high)) - atan(line_slope(&low))) / 2 * 180 / M_PI;
+    const double angle = (math_atan(line_slope(&high)) - math_atan(line_slope(&low))) / 2 * 180 / M_PI;
     return angle > 0 ? angle : NAN; /* branches that meet again have none */
 }
 

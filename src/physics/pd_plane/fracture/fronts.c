@@ -5,6 +5,7 @@
  * steps by whoever shows or tabulates the cracks; nothing here changes the motion. */
 #include "physics/pd_plane/fracture/front_shape.h"
 
+#include "base/math/functions.h"
 #include "physics/pd_plane/fracture/crack.h"
 #include "physics/pd_plane/fracture/crack_speed.h"
 
@@ -22,7 +23,7 @@ enum { NODE_WHOLE, NODE_CRACKED, NODE_OF_CUT, NODE_ASKED };
 static void add_end(CrackFronts *fronts, const Beam *beam, const PlateCut *cut, const double from[2],
                     const double to[2])
 {
-    const double x = to[0] - from[0], y = to[1] - from[1], length = hypot(x, y);
+    const double x = to[0] - from[0], y = to[1] - from[1], length = math_hypot(x, y);
     if (!beam_holds(beam, to[0], to[1]) || fronts->count == CRACK_FRONTS_MAX)
         return;
     CrackFront *front = &fronts->fronts[fronts->count++];
@@ -180,7 +181,7 @@ static int front_of_node(const Growth *growth, uint32_t node)
     int nearest = FRONT_NONE;
     double least = (1 + 1e-9) * beam->def.horizon;
     for (int f = 0; f < growth->fronts->count; f++) {
-        const double *end = growth->fronts->fronts[f].end, away = hypot(x - end[0], y - end[1]);
+        const double *end = growth->fronts->fronts[f].end, away = math_hypot(x - end[0], y - end[1]);
         if (away < least)
             least = away, nearest = f;
     }
@@ -190,7 +191,7 @@ static int front_of_node(const Growth *growth, uint32_t node)
         if (other_i < 0 || other_i >= lattice->nx || other_j < 0 || other_j >= lattice->ny)
             continue;
         const int f = growth->front_of[(size_t)other_j * (size_t)lattice->nx + (size_t)other_i];
-        const double away = hypot(offset->p, offset->q) * lattice->spacing;
+        const double away = math_hypot(offset->p, offset->q) * lattice->spacing;
         if (f != FRONT_NONE && (away < least || (away == least && f < nearest)))
             least = away, nearest = f;
     }
@@ -322,7 +323,7 @@ static double path_length(const CrackPath *path)
 {
     double length = 0;
     for (size_t k = 1; k < path->count; k++)
-        length += hypot(path->x[k] - path->x[k - 1], path->y[k] - path->y[k - 1]);
+        length += math_hypot(path->x[k] - path->x[k - 1], path->y[k] - path->y[k - 1]);
     return length;
 }
 
@@ -356,7 +357,7 @@ static double length_of_cuts(const Beam *beam)
     double length = 0;
     for (int i = 0; i < beam->def.plate.n_cuts; i++) {
         const PlateCut *cut = &beam->def.plate.cuts[i];
-        length += hypot(cut->x1 - cut->x0, cut->y1 - cut->y0);
+        length += math_hypot(cut->x1 - cut->x0, cut->y1 - cut->y0);
     }
     return length;
 }

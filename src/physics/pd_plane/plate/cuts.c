@@ -13,6 +13,8 @@
  * and one that only one end takes for cut would pull on one side alone. */
 #include "physics/pd_plane/plate/cuts.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 
 /* A node as the cut sees it. */
@@ -23,7 +25,7 @@ typedef struct Seen {
 
 static double cut_length(const PlateCut *cut)
 {
-    return hypot(cut->x1 - cut->x0, cut->y1 - cut->y0);
+    return math_hypot(cut->x1 - cut->x0, cut->y1 - cut->y0);
 }
 
 static Seen see(const PlateCut *cut, const Lattice *lattice, int i, int j)

@@ -2,13 +2,15 @@
 /* Is what a plate has sound? Each line names the row as in a scenario file. */
 #include "physics/pd_plane/plate/plate_check.h"
 
+#include "base/math/functions.h"
+
 #include <math.h>
 
 /* The cut parts something, for a bond that crosses its line is at least a spacing long. */
 static bool check_cuts(const PlateDef *plate, const Lattice *lattice, Status *status)
 {
     for (const PlateCut *cut = plate->cuts; cut < plate->cuts + plate->n_cuts; cut++)
-        if (!(hypot(cut->x1 - cut->x0, cut->y1 - cut->y0) > 1e-6 * lattice->spacing))
+        if (!(math_hypot(cut->x1 - cut->x0, cut->y1 - cut->y0) > 1e-6 * lattice->spacing))
             return status_fail(status, STATUS_USAGE, "cuts.%s: has no length (two places: X0 Y0 X1 Y1)",
                                cut->name);
     return true;
@@ -50,7 +52,7 @@ static bool check_speeds(const PlateRegion *regions, int count, const char *sect
                          Status *status)
 {
     for (const PlateRegion *region = regions; region < regions + count; region++) {
-        const double speed = hypot(region->vx, region->vy);
+        const double speed = math_hypot(region->vx, region->vy);
         if (!(speed <= fastest))
             return status_fail(status, STATUS_USAGE,
                                "%s.%s: %g m/s is faster than waves in the plate (at most "

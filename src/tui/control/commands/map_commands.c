@@ -3,6 +3,7 @@
 #include "tui/control/laboratory.h"
 #include "tui/control/commands/commands.h"
 
+#include "base/math/functions.h"
 #include "base/text.h"
 #include "view/views/view.h"
 
@@ -55,7 +56,7 @@ void command_map_magnify(Screen *screen, int direction)
 {
     const double most = fmax(FIRST_MAGNIFIED, (double)experiment_simulation(screen->experiment)->columns / 4);
     const double wanted = direction > 0 ? 2 * screen->eye.magnified : screen->eye.magnified / 2;
-    screen->eye.magnified = limited(wanted, 1, exp2(ceil(log2(most))));
+    screen->eye.magnified = limited(wanted, 1, ldexp(1, (int)ceil(math_log2(most))));
 }
 
 void command_map_pan(Screen *screen, int x, int y)
