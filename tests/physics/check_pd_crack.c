@@ -6,6 +6,7 @@
 #include "physics/pd_plane/fracture/crack_cost.h"
 #include "suite.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -53,7 +54,7 @@ START_TEST(the_crack_goes_as_the_paper_says)
     ck_assert_double_eq_tol(crack.fastest, 879, 0.02 * 879);
     /* G0 = 35.68: what the path's own bonds take lies below it, what is dissipated above */
     CrackCost cost;
-    ck_assert(crack_cost(sim, &cost));
+    ck_assert(crack_cost(sim, &(Patience){0}, &cost));
     ck_assert_double_eq_tol(cost.plane / 35.68, 0.9537, 2e-4);
     ck_assert_double_eq_tol(cost.total / cost.area, 44.7, 0.5);
     ck_assert_double_eq_tol(cost.through / cost.area, 31.2, 1);
@@ -63,6 +64,50 @@ START_TEST(the_crack_goes_as_the_paper_says)
 END_TEST
 
 /* The load's width rules the start: five millimetres instead of three bring it forward by a quarter. */
+typedef struct Asked {
+    int count, most;
+    double share;
+} Asked;
+
+static bool goes_on(double share, void *context)
+{
+    Asked *asked = context;
+    ck_assert_msg(asked->count == 0 ? share == 0 : share > asked->share && share <= 1, "%g after %g", share,
+                  asked->share);
+    asked->share = share;
+    return ++asked->count <= asked->most;
+}
+
+/* A shattered plate and a path of many pieces: it is asked often enough, from 0 on, and given up at each
+ * answer; what it comes to does not depend on who asks. */
+START_TEST(a_cost_can_be_given_up)
+{
+    enum { PIECES = 30000 };
+    static double x[PIECES], y[PIECES];
+    for (int k = 0; k < PIECES; k++)
+        x[k] = 0.02 + 1e-6 * k, y[k] = 0.02;
+    const BeamDef def = struck_plate();
+    Simulation *sim = beam_case_create(&def, NULL);
+    advance(sim, 700);
+    const double pairs = series_now(sim, "broken_bonds") * (PIECES + 1);
+    const CrackPath path = {PIECES, x, y};
+    CrackCost alone, cost;
+    Asked asked = {0, INT_MAX, 0};
+    ck_assert(crack_cost_along(sim, &path, 1, 0.03, &(Patience){0}, &alone));
+    ck_assert(crack_cost_along(sim, &path, 1, 0.03, &(Patience){goes_on, &asked}, &cost));
+    ck_assert_mem_eq(&alone, &cost, sizeof cost);
+    ck_assert_double_gt(cost.far, 0);
+    ck_assert_msg(asked.count > 3 && asked.count > 0.7 * pairs / CRACK_COST_PAIRS_A_QUESTION,
+                  "asked %d times over %g pairs", asked.count, pairs);
+    for (int most = 0; most < 3; most++) {
+        asked = (Asked){0, most, 0};
+        ck_assert(!crack_cost_along(sim, &path, 1, 0.03, &(Patience){goes_on, &asked}, &cost));
+        ck_assert_int_eq(asked.count, most + 1);
+    }
+    simulation_destroy(sim);
+}
+END_TEST
+
 START_TEST(a_wider_load_cracks_earlier)
 {
     BeamDef def = beam_default(BEAM_NOTCHED);
@@ -88,7 +133,7 @@ START_TEST(half_the_step_overshoots_half)
         def.dt /= k + 1;
         Simulation *sim = beam_case_create(&def, NULL);
         advance(sim, 900 * (k + 1));
-        ck_assert(crack_cost(sim, &cost));
+        ck_assert(crack_cost(sim, &(Patience){0}, &cost));
         ck_assert_double_gt(cost.through, 0);
         ck_assert_double_eq_tol(cost.through + cost.beside + cost.far + cost.beyond,
                                 series_now(sim, "dissipated"), 1e-12 * cost.total);
@@ -105,6 +150,9 @@ void add_cases(Suite *suite)
     TCase *paper = tcase_create("paper");
     tcase_add_test(paper, the_crack_goes_as_the_paper_says);
     tcase_add_test(paper, a_wider_load_cracks_earlier);
+    TCase *cost = tcase_create("cost");
+    tcase_add_test(cost, a_cost_can_be_given_up);
+    suite_add_tcase(suite, cost);
     tcase_add_test(paper, half_the_step_overshoots_half);
     suite_add_tcase(suite, paper);
 }

@@ -467,7 +467,7 @@ double quantity_twentieth_break(VerifyRun *run, const VerifyRow *row)
 double quantity_plane_energy(VerifyRun *run, const VerifyRow *row)
 {
     CrackCost cost;
-    return crack_cost(run->sim, &cost) ? scaled(row, cost.plane) : NAN;
+    return crack_cost(run->sim, &(Patience){0}, &cost) ? scaled(row, cost.plane) : NAN;
 }
 
 double quantity_broken_bonds(VerifyRun *run, const VerifyRow *row)

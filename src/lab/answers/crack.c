@@ -27,21 +27,23 @@ bool crack_facts(const Simulation *sim, CrackFacts *facts)
     return true;
 }
 
-static bool cost_of_fronts(const Simulation *sim, const CrackFronts *fronts, CrackCost *cost)
+static bool cost_of_fronts(const Simulation *sim, const CrackFronts *fronts, const Patience *patience,
+                           CrackCost *cost)
 {
     CrackPath paths[CRACK_FRONTS_MAX * CRACK_PATHS_MAX];
     int count = 0;
     for (int f = 0; f < fronts->count; f++)
         for (int k = 0; k < fronts->fronts[f].n_paths; k++)
             paths[count++] = fronts->fronts[f].paths[k];
-    return crack_cost_along(sim, paths, count, fronts->length, cost);
+    return crack_cost_along(sim, paths, count, fronts->length, patience, cost);
 }
 
 bool crack_price(const Simulation *sim, const Settings *settings, const CrackFronts *fronts,
-                 CrackPrice *price)
+                 const Patience *patience, CrackPrice *price)
 {
     price->critical_energy = settings->bonds.critical_energy;
-    const bool known = fronts ? cost_of_fronts(sim, fronts, &price->cost) : crack_cost(sim, &price->cost);
+    const bool known = fronts ? cost_of_fronts(sim, fronts, patience, &price->cost)
+                              : crack_cost(sim, patience, &price->cost);
     return known && price->cost.area > 0;
 }
 

@@ -109,9 +109,9 @@ void summary_crack(RunSummary *summary, const Simulation *sim, const Settings *s
     summary->fronts_known = crack_fronts_update(&fronts, sim);
     if (summary->fronts_known)
         crack_fronts_facts(&fronts, &summary->fronts);
-    summary->price_known =
-        (summary->crack_known || summary->fronts_known) &&
-        crack_price(sim, settings, summary->fronts_known ? &fronts : NULL, &summary->price);
+    summary->price_known = (summary->crack_known || summary->fronts_known) &&
+                           crack_price(sim, settings, summary->fronts_known ? &fronts : NULL,
+                                       &settings->patience, &summary->price);
     crack_fronts_free(&fronts);
     if (summary->crack_known || summary->fronts_known)
         summary->rayleigh_speed = crack_rayleigh_speed(settings);

@@ -143,6 +143,8 @@ static bool sum_up(const Export *export, RunSummary *summary, Status *status)
                  invariant);
     summary->n_derived = problem_derived(export->settings, export->sim, summary->derived);
     summary_crack(summary, export->sim, export->settings);
+    if (!patience_lasts(&export->settings->patience, 1)) /* the cost of many broken bonds takes its time */
+        return status_fail(status, STATUS_FAILED, "interrupted");
     return errno != ENOMEM || status_fail(status, STATUS_FAILED, "not enough memory to sum the run up");
 }
 

@@ -315,20 +315,36 @@ static void draw_bars(const Screen *screen, Area area, const double parts[PARTS]
     plot_close(&plot);
 }
 
+/* A picture takes no keys while it is drawn, so its work has a bound: so many questions, a quarter of a
+ * second or so. */
+enum { QUESTIONS_MAX = 256 };
+
+static bool is_quick(double share, void *context)
+{
+    int *asked = context;
+    (void)share;
+    return ++*asked <= QUESTIONS_MAX;
+}
+
 static void draw_cost(const Screen *screen, Area area, Style heading)
 {
     static const Legend targets[] = {{LINE_DOTTED, '.', STYLE_EXACT, "G0", NULL},
                                      {LINE_DASHED, '-', STYLE_PREDICTED, "a plane of this lattice", NULL}};
     CrackPrice price;
+    int asked = 0;
+    const Patience quickly = {is_quick, &asked};
     const bool known =
         crack_price(experiment_simulation(screen->experiment), experiment_settings(screen->experiment),
-                    experiment_fronts(screen->experiment), &price);
+                    experiment_fronts(screen->experiment), &quickly, &price);
     heading_draw(area, heading, "where the energy went, J/m^2", "", targets,
                  known && screen_shows_exact(screen) ? 2 : 0);
     if (!known) {
         area_paragraph(
             area, 1, 1, area.rect.width - 2, area.rect.height - 1,
-            "There is no crack as yet, or s0 was changed on the way: then no bond's share is known.",
+            asked > QUESTIONS_MAX
+                ? "So many bonds broke that a picture would take too long: the summary at the end of a run "
+                  "tells."
+                : "There is no crack as yet, or s0 was changed on the way: then no bond's share is known.",
             STYLE_FAINT);
         return;
     }

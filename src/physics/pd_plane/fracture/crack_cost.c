@@ -105,25 +105,39 @@ static double plane_energy(const Beam *beam)
     return sum / (lattice->spacing * beam->def.thickness);
 }
 
+/* Each broken bond is held against each piece of the paths; the patience is asked after so many pairs, some
+ * milliseconds. */
 bool crack_cost_along(const Simulation *sim, const CrackPath *paths, int n_paths, double length,
-                      CrackCost *cost)
+                      const Patience *patience, CrackCost *cost)
 {
     const Beam *beam = (const Beam *)sim;
     const Lattice *lattice = &beam->lattice;
-    if (beam->head->critical_stretch != beam->def.critical_stretch)
+    const size_t bytes = lattice_slots(lattice) / 8;
+    size_t pieces = 1, pairs = 0;
+    if (beam->head->critical_stretch != beam->def.critical_stretch || !patience_lasts(patience, 0))
         return false;
+    for (const CrackPath *path = paths; path < paths + n_paths; path++)
+        pieces += path->count;
     *cost = (CrackCost){.area = length * beam->def.thickness, .plane = plane_energy(beam)};
-    for (size_t byte = 0; byte < lattice_slots(lattice) / 8; byte++)
+    for (size_t byte = 0; byte < bytes; byte++) {
         for (size_t bit = 0; beam->broken[byte] >> bit != 0; bit++)
-            if ((beam->broken[byte] & ~beam->notched[byte]) >> bit & 1)
+            if ((beam->broken[byte] & ~beam->notched[byte]) >> bit & 1) {
                 add_bond(cost, beam, paths, n_paths, lattice_slot_place(lattice, 8 * byte + bit));
+                pairs += pieces;
+            }
+        if (++pairs >= CRACK_COST_PAIRS_A_QUESTION) {
+            if (!patience_lasts(patience, (double)byte / (double)bytes))
+                return false;
+            pairs = 0;
+        }
+    }
     cost->total = beam->head->dissipated;
     cost->beyond = cost->total - cost->through - cost->beside - cost->far;
     return true;
 }
 
 /* The path begins at the notch's end. */
-bool crack_cost(const Simulation *sim, CrackCost *cost)
+bool crack_cost(const Simulation *sim, const Patience *patience, CrackCost *cost)
 {
     Crack crack;
     if (!crack_measure(sim, &crack))
@@ -131,5 +145,5 @@ bool crack_cost(const Simulation *sim, CrackCost *cost)
     const Beam *beam = (const Beam *)sim;
     double x[PATH_MAX_ROWS + 1] = {beam->def.notch_position}, y[PATH_MAX_ROWS + 1] = {beam->def.notch_depth};
     const CrackPath path = {1 + crack_path(sim, x + 1, y + 1, PATH_MAX_ROWS), x, y};
-    return crack_cost_along(sim, &path, 1, crack.length, cost);
+    return crack_cost_along(sim, &path, 1, crack.length, patience, cost);
 }

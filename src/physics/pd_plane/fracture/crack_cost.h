@@ -10,6 +10,7 @@
 #ifndef PHYSICS_PD_CRACK_COST_H
 #define PHYSICS_PD_CRACK_COST_H
 
+#include "base/patience.h"
 #include "physics/method.h"
 
 /* Straight pieces from place to place, m. */
@@ -28,12 +29,16 @@ typedef struct CrackCost {
     double total;   /* J: dissipated so far; the sum of the four */
 } CrackCost;
 
-/* False: the simulation has no notch that a crack could begin at, or s0 was changed on the way (then no
- * bond's share is known). */
-bool crack_cost(const Simulation *beam, CrackCost *cost);
+/* So many pairs of a broken bond and a piece of a path, or eights of bonds, lie between two questions. */
+enum { CRACK_COST_PAIRS_A_QUESTION = 262144 };
+
+/* False: the simulation has no notch that a crack could begin at, s0 was changed on the way (then no bond's
+ * share is known), or it was given up. */
+bool crack_cost(const Simulation *beam, const Patience *, CrackCost *cost);
 
 /* The same of any body by peridynamics in the plane whose cracks run along these paths and are of that length
- * (m) together. False: s0 was changed on the way. */
-bool crack_cost_along(const Simulation *, const CrackPath *paths, int n_paths, double length, CrackCost *);
+ * (m) together. False: s0 was changed on the way, or it was given up. */
+bool crack_cost_along(const Simulation *, const CrackPath *paths, int n_paths, double length,
+                      const Patience *, CrackCost *);
 
 #endif
