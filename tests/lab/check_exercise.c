@@ -407,6 +407,17 @@ START_TEST(a_name_is_a_name)
     Status status = {STATUS_DONE, ""};
     ck_assert(variant_student("  Ada   Lovelace ", name, &status));
     ck_assert_str_eq(name, "Ada Lovelace");
+    ck_assert(variant_student("Ada\xc2\xa0Lovelace \xe3\x80\x80\xe2\x80\x89", name, &status)); /* other blanks */
+    ck_assert_str_eq(name, "Ada Lovelace");
+    ck_assert(variant_student("Zo\xc3\xab", name, &status));
+    ck_assert_str_eq(name, "Zo\xc3\xab");
+    const bool composed = variant_student("Zoe\xcc\x88", name, &status); /* e and two dots, as a Mac has it */
+#ifdef HAVE_UTF8PROC
+    ck_assert(composed);
+    ck_assert_str_eq(name, "Zo\xc3\xab");
+#else
+    ck_assert(!composed && strstr(status.text, "an accent is a character of its own"));
+#endif
     ck_assert(variant_student("\xd0\xa1\xd0\xbe\xd1\x84\xd1\x8c\xd1\x8f", name, &status));
     ck_assert(!variant_student("   ", name, &status));
     ck_assert_str_eq(status.text, "the name is empty");

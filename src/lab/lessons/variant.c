@@ -10,6 +10,9 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#ifdef HAVE_UTF8PROC
+#include <utf8proc.h>
+#endif
 
 enum { VALUES_MOST = 50 };
 
@@ -117,6 +120,54 @@ bool variant_beside(const Variant *variant, const char *value, int direction, ch
     return true;
 }
 
+/* Bytes of the blank that a text begins with: a space, or what only looks like one (no-break, wide, ...). */
+static size_t blank_bytes(const char *text)
+{
+    static const char *const blanks[] = {" ", "\xc2\xa0", "\xe2\x80\xaf", "\xe2\x81\x9f", "\xe3\x80\x80"};
+    for (size_t i = 0; i < sizeof blanks / sizeof *blanks; i++)
+        if (strncmp(text, blanks[i], strlen(blanks[i])) == 0)
+            return strlen(blanks[i]);
+    const bool is_typographic = strncmp(text, "\xe2\x80", 2) == 0 && (unsigned char)text[2] >= 0x80 &&
+                                (unsigned char)text[2] <= 0x8a; /* U+2000 to U+200A */
+    return is_typographic ? 3 : 0;
+}
+
+#ifdef HAVE_UTF8PROC
+static char *compose(const char *text, Status *status)
+{
+    char *composed = (char *)utf8proc_NFC((const utf8proc_uint8_t *)text);
+    if (!composed)
+        status_fail(status, STATUS_FAILED, "not enough memory for a name");
+    return composed;
+}
+#else
+/* Combining marks of letters (U+0300 to U+036F), voicing marks of kana and the parts of Korean syllables. */
+static bool is_combining(const char *text)
+{
+    const unsigned char *byte = (const unsigned char *)text;
+    return byte[0] == 0xcc || (byte[0] == 0xcd && byte[1] < 0xb0) ||
+           (byte[0] == 0xe3 && byte[1] == 0x82 && (byte[2] == 0x99 || byte[2] == 0x9a)) ||
+           (byte[0] == 0xe1 && byte[1] >= 0x84 && byte[1] <= 0x87);
+}
+
+static char *compose(const char *text, Status *status)
+{
+    char *same = strdup(text);
+    for (const char *at = text; same && *at; at++)
+        if (is_combining(at)) {
+            status_fail(status, STATUS_USAGE,
+                        "%.80s: an accent is a character of its own (a letter with its accent as one; this "
+                        "matvib was built without libutf8proc, which joins them)",
+                        text);
+            free(same);
+            return NULL;
+        }
+    if (!same)
+        status_fail(status, STATUS_FAILED, "not enough memory for a name");
+    return same;
+}
+#endif
+
 bool variant_student(const char *text, char out[STUDENT_MAX], Status *status)
 {
     enum { CHARACTERS_MAX = 60 };
@@ -126,19 +177,26 @@ bool variant_student(const char *text, char out[STUDENT_MAX], Status *status)
     if (!visible_is_clean(text))
         return status_fail(status, STATUS_USAGE, "%.80s: is no name (UTF-8 without control characters)",
                            text);
-    for (; *text && fits; text++) {
-        if (*text == ' ') {
+    char *name = compose(text, status);
+    if (!name)
+        return false;
+    for (const char *at = name; *at && fits;) {
+        const size_t blank = blank_bytes(at);
+        if (blank > 0) {
             space = used > 0;
+            at += blank;
             continue;
         }
-        characters += ((unsigned char)*text & 0xc0) != 0x80;
+        characters += ((unsigned char)*at & 0xc0) != 0x80;
         fits = characters <= CHARACTERS_MAX && used + 2 < STUDENT_MAX;
         if (space && fits)
             out[used++] = ' ';
         space = false;
         if (fits)
-            out[used++] = *text;
+            out[used++] = *at;
+        at++;
     }
+    free(name);
     out[used] = '\0';
     if (used == 0)
         return status_fail(status, STATUS_USAGE, "the name is empty");

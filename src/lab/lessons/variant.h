@@ -26,7 +26,10 @@ void variant_draw(const Variant *, const char *title, const char *student, char 
 /* The value on the side of a drawn one that another student has: direction -1 or 1. False: there is none. */
 bool variant_beside(const Variant *, const char *value, int direction, char out[NUMBER_TEXT_MAX]);
 
-/* A student's name with single spaces between its words. False: it is none, and the status says why. */
+/* A student's name with single spaces between its words and none around them, its characters composed: the
+ * same name has the same bytes, whatever keyboard or system they come from (NFC, Unicode annex 15, by
+ * libutf8proc). False: it is none, and the status says why; so it does of accents that a program built
+ * without that library cannot compose. */
 bool variant_student(const char *text, char out[STUDENT_MAX], Status *);
 
 #endif
