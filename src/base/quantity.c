@@ -3,10 +3,12 @@
  *
  *     sum      [+|-] product { (+|-) product }
  *     product  power { (*|/) power | unit }            a unit behind a number multiplies it
- *     power    (number | unit | pi | ( sum )) [%] [^ [-] whole number]
+ *     power    (number | unit | pi | ( sum )) [%] [^ [-] whole number]; a digit right behind a unit is its
+ * power
  *
- * "1/2 mm" is half a millimetre, "kN/mm^2" what it says. Every value carries a power of ten beside its
- * number, applied at the end: factors of units are powers of ten, so nothing is rounded on the way. */
+ * "1/2 mm" is half a millimetre, "kN/mm^2" and "kN/mm2" what they say, "3 1/ms" three in a millisecond. Every
+ * value carries a power of ten beside its number, applied at the end: factors of units are powers of ten, so
+ * nothing is rounded on the way. */
 #include "base/quantity.h"
 
 #include "base/math/functions.h"
@@ -27,17 +29,21 @@ typedef struct Value {
     int bases[BASES]; /* m, kg, s */
 } Value;
 
+enum { UNIT_NAME_MAX = 32 };
+
 typedef struct Reader {
-    const char *at;
+    const char *text, *at;
     int depth;
-    const char *why; /* NULL: sound so far */
+    const char *why;          /* NULL: sound so far */
+    char name[UNIT_NAME_MAX]; /* of a unit that there is none of; "" */
 } Reader;
 
 static const struct {
     const char *name;
     int tens, bases[BASES];
-} units[] = {{"m", 0, {1, 0, 0}},    {"g", -3, {0, 1, 0}}, {"s", 0, {0, 0, 1}},  {"N", 0, {1, 1, -2}},
-             {"Pa", 0, {-1, 1, -2}}, {"J", 0, {2, 1, -2}}, {"W", 0, {2, 1, -3}}, {"Hz", 0, {0, 0, -1}}};
+} units[] = {{"m", 0, {1, 0, 0}},    {"g", -3, {0, 1, 0}}, {"s", 0, {0, 0, 1}}, {"N", 0, {1, 1, -2}},
+             {"Pa", 0, {-1, 1, -2}}, {"J", 0, {2, 1, -2}}, {"W", 0, {2, 1, -3}}};
+/* no Hz: a rate is no count of cycles */
 
 static const struct {
     const char *name;
@@ -101,16 +107,34 @@ static bool unit_of(const char *word, int tens, Value *value)
     return false;
 }
 
+/* What no unit is called so, with what is written behind it, "t/m^3"; where no number stands before, it is
+ * none. */
+static bool fail_unit(Reader *reader, const char *word)
+{
+    size_t length = 0;
+    if (strcspn(reader->text, "0123456789") >= (size_t)(word - reader->text))
+        return fail(reader, "is not a number");
+    while (length < UNIT_NAME_MAX - 1 && word[length] &&
+           (is_letter(word[length]) || strchr("0123456789^/*-", word[length])))
+        length++;
+    while (((unsigned char)word[length] & 0xc0) == 0x80) /* whole characters */
+        length--;
+    if (!reader->why)
+        snprintf(reader->name, sizeof reader->name, "%.*s", (int)length, word);
+    return fail(reader, "cannot be read");
+}
+
 /* A unit, one with a prefix, or a prefix alone (not c); "m" is a metre. */
 static bool read_word(Reader *reader, Value *value)
 {
     char word[8];
+    const char *begin = reader->at;
     size_t length = 0;
     int tens = 0;
     while (is_letter(reader->at[length]))
         length++;
     if (length > LETTERS_MAX)
-        return fail(reader, "is not a number");
+        return fail_unit(reader, begin);
     memcpy(word, reader->at, length);
     word[length] = '\0';
     reader->at += length;
@@ -122,9 +146,9 @@ static bool read_word(Reader *reader, Value *value)
         return true;
     const char *rest = prefix_of(word, &tens);
     if (rest && *rest)
-        return unit_of(rest, tens, value) || fail(reader, "is not a number");
+        return unit_of(rest, tens, value) || fail_unit(reader, begin);
     *value = (Value){.number = 1, .tens = tens};
-    return (rest && tens != -2) || fail(reader, "is not a number");
+    return (rest && tens != -2) || fail_unit(reader, begin);
 }
 
 /* --- arithmetic --------------------------------------------------------------------------------------- */
@@ -196,8 +220,12 @@ static bool to_power(Reader *reader, Value *value)
 
 static bool read_power(Reader *reader, Value *value)
 {
+    const int none[BASES] = {0};
     if (!read_primary(reader, value))
         return false;
+    if (is_letter(reader->at[-1]) && isdigit((unsigned char)*reader->at) &&
+        memcmp(value->bases, none, sizeof none) != 0)
+        return to_power(reader, value);
     skip_spaces(reader);
     if (*reader->at == '%') {
         reader->at++;
@@ -229,6 +257,8 @@ static bool read_product(Reader *reader, Value *value)
     for (;;) {
         Value other;
         skip_spaces(reader);
+        if (reader->at[0] == '1' && reader->at[1] == '/' && is_letter(reader->at[2]))
+            reader->at++; /* "3 1/ms" */
         const bool divides = *reader->at == '/';
         if (divides || *reader->at == '*')
             reader->at++;
@@ -283,11 +313,14 @@ bool quantity_read(const char *text, const char *unit, double *value, char *why)
         return true;
     Value read = {0}, wanted = {0};
     const int none[BASES] = {0};
-    Reader reader = {.at = text}, known = {.at = unit};
+    Reader reader = {.text = text, .at = text}, known = {.text = unit, .at = unit};
     const bool sound = read_all(&reader, &read);
     const double number = sound ? shifted(read.number, read.tens) : NAN;
     if (!sound || !isfinite(number)) {
-        snprintf(why, QUANTITY_WHY_MAX, "%s", sound ? "is too large" : reader.why);
+        if (reader.name[0])
+            snprintf(why, QUANTITY_WHY_MAX, "%s: no unit %s here", reader.why, reader.name);
+        else
+            snprintf(why, QUANTITY_WHY_MAX, "%s", sound ? "is too large" : reader.why);
         return false;
     }
     if (memcmp(read.bases, none, sizeof none) == 0) {

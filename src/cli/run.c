@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "cli/describe.h"
 #include "lab/export/export.h"
+#include "lab/export/vtk.h"
 #include "lab/answers/summary.h"
 #include "lab/settings/changes.h"
 
@@ -24,16 +25,20 @@ static bool writes_to_standard_output(const Outputs *outputs)
     return false;
 }
 
-static void print_files(FILE *to, const Outputs *outputs)
+/* What was written, of many frames for ParaView the file that names them. */
+static void print_files(FILE *to, const Outputs *outputs, size_t frames)
 {
-    const char *const names[] = {outputs->series, outputs->particles, outputs->nodes, outputs->bonds,
-                                 outputs->vtk};
+    char *vtk = outputs->vtk && frames > 0
+                    ? frames > 1 ? vtk_collection_name(outputs->vtk) : vtk_frame_name(outputs->vtk, 0, 1)
+                    : NULL;
+    const char *const names[] = {outputs->series, outputs->particles, outputs->nodes, outputs->bonds, vtk};
     int printed = 0;
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (names[i] && strcmp(names[i], "-") != 0)
             fprintf(to, "%s%s", printed++ ? ", " : "wrote ", names[i]);
     if (printed)
         fputc('\n', to);
+    free(vtk);
 }
 
 static void print_summary(const Options *options, const Settings *settings, const RunSummary *summary,
@@ -50,7 +55,7 @@ static void print_summary(const Options *options, const Settings *settings, cons
     if (*advice)
         fprintf(to, "%s\n", advice);
     fprintf(to, "%swall time %.3g s\n", text, took);
-    print_files(to, &options->outputs);
+    print_files(to, &options->outputs, summary->frames);
 }
 
 /* Times that no table is written at are a slip. Those of a scenario file wait for a run with tables. */

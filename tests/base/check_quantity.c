@@ -40,7 +40,13 @@ static const struct {
     {"74 us", "s", 74e-6},
     {"36 km/(3600 s)", "m/s", 10},
     {"100 J/m^2", "J/m^2", 100},
-    {"10 kHz", "1/s", 1e4},
+    {"2700 kg/m3", "kg/m^3", 2700},
+    {"2.7 g/cm3", "kg/m^3", 2700},
+    {"70 kN/mm2", "Pa", 70e9},
+    {"9.81 m/s2", "m/s^2", 9.81},
+    {"1/ms", "1/s", 1000},
+    {"3 1/ms", "1/s", 3000},
+    {"(1+1) 1/ms", "1/s", 2000},
     {"25 mm", "mm", 25}, /* a unit with a prefix of its own */
     {"2 m / (8 m)", "m", 0.25},
 };
@@ -57,12 +63,27 @@ END_TEST
 static const char *const bad[][3] = {
     {"", "m", "is not a number"},
     {"abc", "m", "is not a number"},
-    {"0x10", "", "is not a number"},
+    {"0x10", "", "cannot be read: no unit x10 here"},
     {"inf", "", "is not a number"},
     {"nan", "", "is not a number"},
     {"1 2", "", "is not a number"},
-    {"5 mx", "m", "is not a number"},
-    {"5 c", "m", "is not a number"},
+    {"5 mx", "m", "cannot be read: no unit mx here"},
+    {"5 c", "m", "cannot be read: no unit c here"},
+    {"2.7 t/m^3", "kg/m^3", "cannot be read: no unit t/m^3 here"},
+    {"2.7 kg/ft3 (about)", "kg/m^3", "cannot be read: no unit ft3 here"},
+    {"1 kHz", "1/s", "cannot be read: no unit kHz here"},
+    {"3 furlongs", "m", "cannot be read: no unit furlongs here"},
+    {"3 "
+     "\303\245\303\245\303\245\303\245\303\245\303\245\303\245\303\245\303\245\303\245\303\245\303\245\303"
+     "\245\303\245\303\245\303\245",
+     "m",
+     "cannot be read: no unit "
+     "\303\245\303\245\303\245\303\245\303\245\303\245\303\245\303\245\303\245\303\245\303\245\303\245\303"
+     "\245\303\245\303\245 here"},
+    {"t/m^3", "kg/m^3", "is not a number"},
+    {"5 m22", "m", "has a power that is no whole number up to 9"},
+    {"5 k3", "", "is not a number"},
+    {"2 1/3", "", "is not a number"},
     {"3 +", "", "is not a number"},
     {"1,5", "", "is not a number"},
     {"(1+2", "", "has a bracket that is not closed"},

@@ -23,8 +23,8 @@ run() { # SCENARIO OPTIONS...
 			print "predicted_period", 100 / (1 + $2 / 100) - 100 }
 		/^(late|early) / { after("by", "periods") }
 		/^a period keeps/ { after("predicted", "kept") }
-		/^energy E\* / { after("E*", "lost") }
-		/^energy, first/ { after("last,", "lost") }
+		/^energy E\* / { after("by", "lost") }
+		/^energy, first/ { after("by", "lost") }
 		/^crack / { after("break", "first"); after("twentieth", "twentieth"); after("zone", "through") }
 		/^L2 / { after("v", "v_error") # and late, not early
 			for (i = 1; i < NF; i++) if ($i == "cells" && $(i + 1) > 0) print "lag", $(i + 1) }

@@ -101,7 +101,7 @@ static const struct {
     {"[cuts]\na = 0 0 1cm\n", "f.ini:4: cuts.a: y1 is missing (X0 Y0 X1 Y1)"},
     {"[cuts]\na = 0 0 1cm 1cm 5\n", "f.ini:4: cuts.a: 5 is too much (X0 Y0 X1 Y1)"},
     {"[cuts]\na = 0 0 1cx 1cm\n",
-     "f.ini:4: cuts.a: x1: 1cx is not a number (a place in m, or a share such as 50%)"},
+     "f.ini:4: cuts.a: x1: 1cx cannot be read: no unit cx here (a place in m, or a share such as 50%)"},
     {"[cuts]\na = 0 0 1s 1cm\n",
      "f.ini:4: cuts.a: x1: 1s is not in m (a place in m, or a share such as 50%)"},
     {"[cuts]\na = 0 0 50%/2 1cm\n",

@@ -217,7 +217,7 @@ static const struct {
      "f.ini:4: cell_size: the value begins like a comment (a space before # or ; makes it one)"},
     {BAR "[mesh]\ncell_size = 1 2\n", "f.ini:4: mesh.cell_size: 1 2 is not a number (> 0)"},
     {BAR "[mesh]\ncell_size = 0,5\n", "f.ini:4: mesh.cell_size: 0,5 is not a number (> 0)"},
-    {BAR "[mesh]\ncell_size = 0x1p3\n", "f.ini:4: mesh.cell_size: 0x1p3 is not a number (> 0)"},
+    {BAR "[mesh]\ncell_size = 0x1p3\n", "f.ini:4: mesh.cell_size: 0x1p3 cannot be read: no unit x1p3 here (> 0)"},
     {BAR "[mesh]\ncell_size = inf\n", "f.ini:4: mesh.cell_size: inf is not a number (> 0)"},
     {BAR "[mesh]\ncell_size = 1e999\n", "f.ini:4: mesh.cell_size: 1e999 is not a number (> 0)"},
     {BAR "[mesh]\ncell_size = -1\n", "f.ini:4: mesh.cell_size: -1 is out of range (> 0)"},

@@ -309,7 +309,7 @@ void summary_energy_text(const RunSummary *summary, char out[SUMMARY_MAX])
     out[0] = '\0';
     if (summary->energy_measure == ENERGY_NOT_KNOWN || !isfinite(change))
         return;
-    add(&writer, fabs(change) < 5e-4 ? "%s %.3f %% of the %s" : "%s %+.3g %% of the %s",
+    add(&writer, fabs(change) < 5e-4 ? "%s changed by %.3f %% of the %s" : "%s changed by %+.3g %% of the %s",
         names[summary->energy_measure], fabs(change) < 5e-4 ? 0 : change,
         summary->energy_of_work   ? "work"
         : summary->energy_of_feed ? "start, nearly all of it feed motion"

@@ -19,7 +19,7 @@ void summary_crack(RunSummary *, const Simulation *, const Settings *);
 /* The same numbers for a run on screen, to its newest step. */
 void summary_of(Experiment *, RunSummary *);
 
-/* "energy E* -82.5 % of the start": the measure, the change, relative to what. "": not known. */
+/* "energy E* changed by -82.5 % of the start": the measure, the change, relative to what. "": not known. */
 void summary_energy_text(const RunSummary *, char out[SUMMARY_MAX]);
 
 /* The crack in a few lines of at most 76 columns, each ended by '\n'; "": there is no crack. What a

@@ -134,6 +134,7 @@ static bool sum_up(const Export *export, RunSummary *summary, Status *status)
     summary->dt = export->sim->dt;
     summary->time = simulation_time(export->sim);
     summary->rows = export->rows;
+    summary->frames = export->next_frame > 0 ? export->frames.count : 0;
     references_readout(export->refs, record->rows, rows, record->n_columns, &summary->readout);
     summary->readout.time = summary->time;
     summary->readout.late = readout_late(&summary->readout, summary->time);
