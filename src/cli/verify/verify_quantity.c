@@ -5,6 +5,7 @@
 #include "lab/answers/crack.h"
 #include "physics/pd_plane/fracture/crack_cost.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -331,6 +332,35 @@ double quantity_energy_left(VerifyRun *run, const VerifyRow *row)
 {
     double first = mean(run, "kinetic", 0, row->from) + mean(run, "strain", 0, row->from);
     return (mean(run, "kinetic", row->to, INFINITY) + mean(run, "strain", row->to, INFINITY)) / first;
+}
+
+static int by_size(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static void try_starts(VerifyRun *run, const VerifyRow *row)
+{
+    for (int i = 0; i < VERIFY_STARTS; i++) {
+        const double off = 0.01 * (2.0 * i / (VERIFY_STARTS - 1) - 1);
+        char scenario[256];
+        VerifyRun other;
+        snprintf(scenario, sizeof scenario, "%s initial.velocity=%.17g", run->scenario,
+                 run->settings.start.velocity * (1 + off));
+        if (verify_run_open(&other, scenario, run->threads, run->settings.patience))
+            run->starts[run->n_starts++] = quantity_energy_left(&other, row);
+        verify_run_close(&other);
+    }
+    qsort(run->starts, (size_t)run->n_starts, sizeof *run->starts, by_size);
+    run->starts_known = true;
+}
+
+double quantity_energy_left_of_starts(VerifyRun *run, const VerifyRow *row)
+{
+    if (!run->starts_known)
+        try_starts(run, row);
+    return run->n_starts > VERIFY_STARTS / 2 ? run->starts[(int)(row->scale * (run->n_starts - 1))] : NAN;
 }
 
 double quantity_energy_off_work(VerifyRun *run, const VerifyRow *row)

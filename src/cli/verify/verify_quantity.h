@@ -53,6 +53,10 @@ double quantity_first_above(VerifyRun *, const VerifyRow *); /* time at which co
 double quantity_energy_left(VerifyRun *, const VerifyRow *);
 double quantity_energy_off_work(VerifyRun *, const VerifyRow *);
 
+/* The first of these over many starts, whose velocities lie within 1 % of the run's: `scale` of them are
+ * below (0 the least, .5 the median, 1 the most). What is chaotic has no other number. */
+double quantity_energy_left_of_starts(VerifyRun *, const VerifyRow *);
+
 /* What all energies have gained at the end beyond the start and the work, percent of the work. */
 double quantity_energy_gained(VerifyRun *, const VerifyRow *);
 

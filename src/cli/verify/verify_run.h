@@ -7,6 +7,8 @@
 #include "lab/problems/references.h"
 #include "theory/frequency.h"
 
+enum { VERIFY_STARTS = 21 };
+
 typedef struct VerifyRun {
     const char *scenario; /* as the row names it; NULL: none was run */
     int threads;
@@ -21,7 +23,10 @@ typedef struct VerifyRun {
     Readout readout;
     Derived derived[DERIVED_MAX];
     int n_derived;
-    Status failure; /* why there is no run; code STATUS_DONE: there is */
+    bool starts_known;
+    int n_starts;                 /* those of VERIFY_STARTS near this one that came to their end */
+    double starts[VERIFY_STARTS]; /* what energy they have left, in order */
+    Status failure;               /* why there is no run; code STATUS_DONE: there is */
 } VerifyRun;
 
 /* As simulation_steps(), asking the patience of the settings on the way; `share` of the run is done before.
