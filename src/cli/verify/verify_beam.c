@@ -340,6 +340,7 @@ const VerifyCheck verify_beam_checks[] = {
     {"P-fig7", "velocity of its tip, as in figure 7", VERIFY_ROWS(moving_velocity), NULL},
     {"P-rest", "damping, and a beam at rest under its weight: not from the two papers", VERIFY_ROWS(rest),
      "One solution over Timoshenko's sag at the real span and height. Near the skin\n"
-     "  bonds are missing: the less a correction gives back, the softer the beam."},
+     "  bonds are missing, and partial volumes leave the inside soft: the less a\n"
+     "  correction gives back, the softer the beam."},
     {NULL, NULL, NULL, 0, NULL},
 };

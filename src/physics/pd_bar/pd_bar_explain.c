@@ -13,9 +13,9 @@ const Stage pd_bar_stage_table[PD_BAR_STAGES] = {
          "Beyond a fixed end the bar goes on as its own mirror image; a free end has nothing there.", "u",
          "u"},
     [PD_BAR_BONDS] = {"bonds", "bond forces",
-                      "s = (|ξ+η| − |ξ|)/|ξ|,   c = 2E/(A δ²)\n"
+                      "s = (|ξ+η| − |ξ|)/|ξ|,   c = c(|ξ|)\n"
                       "f(i) = Σ c G w s V sign(ξ+η)",
-                      "s = (|xi+eta| - |xi|)/|xi|,   c = 2E/(A delta^2)\n"
+                      "s = (|xi+eta| - |xi|)/|xi|,   c = c(|xi|)\n"
                       "f(i) = sum c G w s V sign(xi+eta)",
                       "eqs. 2, 3, 8",
                       "Each bond pulls as much as it is stretched; a node feels the sum of its family.",
