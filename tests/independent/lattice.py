@@ -25,17 +25,16 @@ class Stiffness:
                 if speed is not None:
                     self.free[self.place[axis, nodes]] = False
         main, beside = (np.zeros((blocks, self.size, self.size)) for _ in range(2))
-        n, i, j = body.xi / body.length, body.i, body.j
-        for a in (0, 1):
-            for b in (0, 1):
-                stiff = body.k / body.length * n[a] * n[b]
-                for p, q, sign in ((i, i, 1), (j, j, 1), (i, j, -1), (j, i, -1)):
-                    row, column = self.place[a, p], self.place[b, q]
-                    value = sign * stiff * self.free[row] * self.free[column]
-                    for matrix, far in ((main, 0), (beside, 1)):
-                        here = np.flatnonzero(column // self.size - row // self.size == far)
-                        r, c = row[here], column[here]
-                        np.add.at(matrix, (r // self.size, r % self.size, c % self.size), value[here])
+        n, own = body.xi / body.length, np.concatenate([node, body.i, body.j])
+        other = np.concatenate([node, body.j, body.i])
+        for a, b in ((0, 0), (0, 1), (1, 0), (1, 1)):
+            stiff = body.k / body.length * n[a] * n[b]
+            row, column = self.place[a, own], self.place[b, other]
+            value = np.concatenate([body.families(stiff, stiff), -stiff, -stiff]) * self.free[row] * self.free[column]
+            for matrix, far in ((main, 0), (beside, 1)):
+                here = column // self.size - row // self.size == far
+                r, c = row[here], column[here]
+                matrix[r // self.size, r % self.size, c % self.size] = value[here]
         unused = np.ones(blocks * self.size, bool)
         unused[self.place] = False
         alone = np.flatnonzero(~self.free | unused)
@@ -80,7 +79,7 @@ def compare_period(told, words, volume, influence):
 
 
 if __name__ == "__main__":
-    finest = 0.1  # mm: a finer lattice takes a gigabyte
+    finest = 0.15  # mm: finer lattices take long, and the finest a gigabyte
     told = golden.Comparison("periods.txt")
     for words in golden.lines("periods.txt"):
         if float(words[0]) > finest:
