@@ -40,6 +40,23 @@ printf 'a\000b\n' | "$MATVIB" mode1 --plain >out 2>err
 result "a zero byte is refused" test $? -eq 2
 printf 'step\n' | "$MATVIB" mode1 --plain --record s.session >out
 result "a session is kept" test -s s.session
+
+# letters are those of the locale's encoding
+cat >letters.lesson <<'END'
+@title Schwingung für Zoë
+@about Ein Versuch
+@page Größe
+@do open mode1
+Übung: die Dauer ist ∆t = 0,5 s, ein Wort ohne jede Lücke: ääääääääääääääääääääääääääääääääääääääääääääääääääääääääääääääääääääääääääääääää, und 波.
+END
+echo step | "$MATVIB" lesson letters.lesson --plain >out
+result "letters are written" says out 'Größe'
+result "wide ones too" says out '波\.'
+result "of a title, a rule goes and the letters stay" says out 'Schwingung für Zoë  *1/1'
+result "no line of them is wider" sh -c '! grep -q ".\{73\}" out'
+LC_ALL=C "$MATVIB" lesson letters.lesson --plain </dev/null >out
+result "where the encoding has none there are marks" says out 'Gr??e'
+result "and nothing else" sh -c '! LC_ALL=C grep -q "[^ -~]" out'
 refuse "a session to be done again" "--plain: lines come from standard input (leave the session out)" --plain --replay s.session
 refuse "a script too" "--plain: lines come from standard input (leave --script out)" --plain --script x
 

@@ -7,11 +7,13 @@
 #include "base/visible.h"
 #include "tui/control/session/session.h"
 
+#include <limits.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
+#include <wchar.h>
 
 #define PROGRESS_SECONDS 5.0 /* of the wall, between two words about work that takes long */
 
@@ -38,9 +40,19 @@ static double wall(void)
 
 /* --- what is told ------------------------------------------------------------------------------------- */
 
+/* In the encoding of the locale, with a question mark for what it does not have. */
 static void put(Plain *plain, const char *text)
 {
-    fputs(text, plain->out);
+    for (const char *at = text; *at;) {
+        char bytes[MB_LEN_MAX];
+        mbstate_t state = {0};
+        const uint32_t glyph = glyph_next(&at);
+        const size_t count = glyph < 0x80 ? (size_t)-1 : wcrtomb(bytes, (wchar_t)glyph, &state);
+        if (count != (size_t)-1)
+            fwrite(bytes, 1, count, plain->out);
+        else
+            fputc(glyph < 0x80 ? (int)glyph : '?', plain->out);
+    }
     plain->said = true;
 }
 

@@ -106,6 +106,13 @@ void canvas_to_ascii(Canvas *canvas)
         canvas->cells[i].glyph = glyph_ascii(canvas->cells[i].glyph);
 }
 
+void canvas_to_words(Canvas *canvas)
+{
+    const size_t count = (size_t)canvas->width * (size_t)canvas->height;
+    for (size_t i = 0; i < count; i++)
+        canvas->cells[i].glyph = glyph_told(canvas->cells[i].glyph);
+}
+
 /* --- dumps --- */
 
 char *canvas_dump(const Canvas *canvas)

@@ -84,5 +84,6 @@ char *canvas_dump_styles(const Canvas *);
 /* Replaces what is not ASCII, one column for one column ('?' where nothing stands for it); for terminals
  * without UTF-8. */
 void canvas_to_ascii(Canvas *);
+void canvas_to_words(Canvas *); /* letters stay (glyph_told) */
 
 #endif

@@ -135,14 +135,18 @@ static const struct {
     {0x25cf, 0x25cf, 'O'}, {0x2800, 0x28ff, ':'},
 };
 
-uint32_t glyph_ascii(uint32_t glyph)
+uint32_t glyph_told(uint32_t glyph)
 {
-    if (glyph < 0x80)
-        return glyph;
-    for (size_t i = 0; i < sizeof foldings / sizeof *foldings; i++)
+    for (size_t i = 0; glyph >= 0x80 && i < sizeof foldings / sizeof *foldings; i++)
         if (glyph >= foldings[i].first && glyph <= foldings[i].last)
             return (uint32_t)foldings[i].ascii;
-    return REPLACEMENT;
+    return glyph;
+}
+
+uint32_t glyph_ascii(uint32_t glyph)
+{
+    const uint32_t told = glyph_told(glyph);
+    return told < 0x80 ? told : REPLACEMENT;
 }
 
 void glyphs_plain(Glyphs glyphs, const char *text, char *out, size_t size)

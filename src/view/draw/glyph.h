@@ -30,6 +30,9 @@ uint32_t glyph_shown(uint32_t glyph);
 /* What stands for it where only ASCII can be shown, one cell for one cell; '?' where nothing does. */
 uint32_t glyph_ascii(uint32_t glyph);
 
+/* The same where letters are told in words: one that nothing stands for stays what it is. */
+uint32_t glyph_told(uint32_t glyph);
+
 /* Cells that a text takes; characters that it has. */
 int glyphs_columns(const char *utf8);
 int glyphs_count(const char *utf8);

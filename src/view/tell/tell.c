@@ -35,7 +35,7 @@ static void tell_drawn(const Screen *screen, void (*draw)(const Screen *, Area),
     words->lost |= !canvas_open(&canvas, all.width, rows, NULL);
     if (canvas.cells) {
         draw(&plain, (Area){&canvas, all, GLYPHS_ASCII});
-        canvas_to_ascii(&canvas);
+        canvas_to_words(&canvas);
         words_canvas(words, &canvas, numbered);
     }
     canvas_close(&canvas);

@@ -34,16 +34,20 @@ static void put_line(Words *words, const char *head, size_t head_bytes, const ch
     words->text[words->used] = '\0';
 }
 
-/* Bytes of the next line of at most `width`, broken behind a word where there is one. */
+/* Bytes of the next line of at most `width` columns, broken behind a word where there is one. */
 static size_t line_bytes(const char *text, size_t width)
 {
-    const size_t length = strlen(text);
-    if (length <= width)
-        return length;
-    size_t end = width;
-    while (end > 0 && text[end] != ' ')
-        end--;
-    return end > 0 ? end : width;
+    const char *at = text;
+    size_t columns = 0, fit = 0, word = 0;
+    while (*at && columns <= width) {
+        if (*at == ' ' && at > text)
+            word = (size_t)(at - text);
+        fit = (size_t)(at - text);
+        columns += (size_t)glyph_columns(glyph_next(&at));
+    }
+    if (columns <= width)
+        return (size_t)(at - text);
+    return word > 0 ? word : fit;
 }
 
 static void put_paragraph(Words *words, size_t indent, const char *text)
@@ -60,15 +64,15 @@ static void put_paragraph(Words *words, size_t indent, const char *text)
 
 void words_say(Words *words, int indent, const char *format, ...)
 {
-    char text[2048], shown[2 * sizeof text];
+    char text[2048], spelled[2 * sizeof text], shown[4 * sizeof text];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    glyphs_plain(GLYPHS_ASCII, text, shown, sizeof shown);
+    glyphs_plain(GLYPHS_ASCII, text, spelled, sizeof spelled);
     size_t length = 0;
-    for (const char *at = shown; *at;)
-        shown[length++] = (char)glyph_ascii(glyph_shown(glyph_next(&at)));
+    for (const char *at = spelled; *at && length + 4 < sizeof shown;)
+        length += glyph_put(shown + length, glyph_told(glyph_shown(glyph_next(&at))));
     shown[length] = '\0';
     put_paragraph(words, (size_t)indent, shown);
 }
@@ -108,7 +112,7 @@ static void strip(char *line)
 
 static bool has_words(const char *line)
 {
-    while (*line && !isalnum((unsigned char)*line))
+    while (*line && !isalnum((unsigned char)*line) && (unsigned char)*line < 0x80)
         line++;
     return *line != '\0';
 }

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is told in plain words: a growing text of short lines, printable ASCII alone, for whoever has no
- * screen to look at. */
+/* What is told in plain words: a growing text of short lines for whoever has no screen to look at. Signs are
+ * printable ASCII; letters that come from outside stay what they are, in UTF-8. */
 #ifndef VIEW_WORDS_H
 #define VIEW_WORDS_H
 
 #include "view/draw/canvas.h"
 
-enum { WORDS_WIDTH = 72 }; /* no line is wider */
+enum { WORDS_WIDTH = 72 }; /* no line has more columns */
 
 typedef struct Words {
     char *text; /* lines, each ended by '\n'; NULL: nothing has been said */
