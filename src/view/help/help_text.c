@@ -27,6 +27,9 @@ static const HelpWord bar_words[] = {
      "view 5, the error of w. The lag is all lumping: over lumped masses the way to nodes and back is a "
      "filter (F), and the mesh is too slow (K). With consistent masses it is 1/F. The axis goes by square "
      "roots: an error that grows like the square of n is a straight line."},
+    {"R, T",
+     "of a pulse that meets a joint: what is sent back of its velocity, and what is let on, while each is "
+     "in one piece. Of two materials mode n is their own n-th; a sine is a mixture of them."},
 };
 
 static const HelpWord pd_bar_words[] = {
