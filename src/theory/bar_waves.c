@@ -210,11 +210,13 @@ static double first_at_joint(const Waves *waves, int of, bool integral, double t
  * (i + 1, j) into the part whose way is the shorter, out[inner] what left at (i, j + 1) into the other. */
 static void leaving_joint(const Waves *waves, bool integral, double t, double out[2])
 {
-    enum { ROW = 92 }; /* more than the root of BAR_WAVES_MOST: the inner ones are the fewer */
+    enum { ROW = 66 }; /* more than the root of BAR_WAVES_MOST: the inner ones are the fewer */
     _Static_assert((ROW - 1) * (ROW - 1) > BAR_WAVES_MOST, "a row has room");
     double counts[2], row[ROW];
     const Part *part = waves->part;
     const double z[2] = {part[0].impedance, part[1].impedance};
+    const double back = (z[0] - z[1]) / (z[0] + z[1]); /* for the left part; for the right one its negative */
+    const double on[2] = {1 - back, 1 + back};
     const double ways[2] = {2 * duration(&part[0]), 2 * duration(&part[1])};
     const int outer = ways[0] <= ways[1] ? 0 : 1, inner = 1 - outer;
     double all[2]; /* that comes to the joint from the start, and by an end */
@@ -237,8 +239,8 @@ static void leaving_joint(const Waves *waves, bool integral, double t, double ou
                                    : first_at_joint(waves, outer, integral, fmin(now, ways[outer]));
             met[inner] = j < last ? all[inner] + sign_at(waves, inner ? TO_RIGHT : TO_LEFT) * out[inner]
                                   : first_at_joint(waves, inner, integral, fmin(now, ways[inner]));
-            out[0] = ((z[0] - z[1]) * met[0] + 2 * z[1] * met[1]) / (z[0] + z[1]);
-            out[1] = ((z[1] - z[0]) * met[1] + 2 * z[0] * met[0]) / (z[0] + z[1]);
+            out[0] = back * met[0] + on[0] * met[1];
+            out[1] = on[1] * met[0] - back * met[1];
             row[j] = out[outer];
         }
         known = last + 1;

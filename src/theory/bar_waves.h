@@ -16,7 +16,7 @@ double bar_waves_start_stress(const BarTheory *, double x);
  * what has gone i times to and fro in the one and j times in the other is there at the same time, whatever
  * the order, so that there are as many waves as such pairs: of up to BAR_WAVES_MOST the motion is known. What
  * starts with modes of the bar itself is known for ever, and of two materials no load is. */
-enum { BAR_WAVES_MOST = 8192 };
+enum { BAR_WAVES_MOST = 4096 };
 bool bar_waves_known(const BarTheory *, double end);
 
 /* The fields and v_cm at a time; NAN where that needs more waves. */
