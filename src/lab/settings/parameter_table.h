@@ -20,7 +20,7 @@ static const char *const clamps[] = {"full", "guide", NULL};
 static const char *const plane_ends[] = {"section", "point", NULL};
 static const char *const start_shapes[] = {"sine", "exact", NULL};
 static const char *const plane_starts[] = {"deflection", "velocity", NULL};
-static const char *const plane_stresses[] = {"relaxed", "grid", "exact", NULL};
+static const char *const plane_stresses[] = {"relaxed", "grid", "beam", NULL};
 static const char *const flags[] = {"no", "yes", NULL};
 
 /* Enum members are read and written as int. */

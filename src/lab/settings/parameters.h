@@ -39,12 +39,13 @@ typedef struct Parameter {
     const char *dimension; /* in units of one's own that fit each other: "force/area"; "" for a number */
     const char *unit;      /* SI: "Pa" */
     ParameterType type;
-    size_t offset;              /* of the member in Settings */
-    double least, most;         /* inclusive range */
-    bool above_least;           /* the least itself is not allowed */
-    const char *const *choices; /* ended by NULL */
-    const char *automatic;      /* a word that stands for 0, "auto"; NULL: none */
-    double automatic_value;     /* it stands for this instead of 0 */
+    size_t offset;                    /* of the member in Settings */
+    double least, most;               /* inclusive range */
+    bool above_least;                 /* the least itself is not allowed */
+    const char *const *choices;       /* ended by NULL */
+    const char *renamed, *renamed_to; /* a choice's word in older files, and the one it has now; NULL: none */
+    const char *automatic;            /* a word that stands for 0, "auto"; NULL: none */
+    double automatic_value;           /* it stands for this instead of 0 */
     Nudge nudge;
     bool live;   /* may change in mid-run */
     int methods; /* that read it; 0: every one */

@@ -8,7 +8,7 @@
  *
  * A method that carries stress from step to step has to be told the stress of that shape:
  *
- *     exact        exx = -Y w''(X), nothing else
+ *     beam         exx = -Y w''(X), nothing else
  *     grid         B u of the nodal displacements u = (-y w', w), as the first step would strain it
  *     relaxed      the same of u = (-y w', w + nu w'' y^2/2): sections that widen where they are pressed, so
  *                  that syy = 0. Without it 1 - (1 - nu^2) of the energy rings through the height.
