@@ -134,14 +134,41 @@ static double scaled_value(const Record *record, size_t k)
     return (record->values[k] - record->middle) / record->scale;
 }
 
-/* The fitted curve less the record. */
-static double residual(const Record *record, const double *unknowns, size_t k)
+/* cos and sin of each line's phase r_l angle t at one sample, and what turns them to the next one. */
+typedef struct Lines {
+    double cosine[FREQUENCY_LINES_MAX], sine[FREQUENCY_LINES_MAX];
+    double turn_cosine[FREQUENCY_LINES_MAX], turn_sine[FREQUENCY_LINES_MAX];
+} Lines;
+
+/* Of sample k, after that of k - 1: cos(p + d) = cos p cos d - sin p sin d, and anew every so many, which
+ * keeps the error below 1e-14. */
+static void turn_lines(const Record *record, double angle, size_t k, Lines *lines)
 {
-    double sum = unknowns[3], time = scaled_time(record, k);
+    enum { ANEW = 16 };
     for (int line = 0; line < record->n_lines; line++) {
-        const double phase = record->ratios[line] * unknowns[0] * time;
+        const double whole = record->ratios[line] * angle;
+        const double c = lines->cosine[line], s = lines->sine[line];
+        if (k == 0) {
+            const double step = whole * 2 / (double)(record->count - 1);
+            lines->turn_cosine[line] = math_cos(step), lines->turn_sine[line] = math_sin(step);
+        }
+        if (k % ANEW == 0) {
+            const double phase = whole * scaled_time(record, k);
+            lines->cosine[line] = math_cos(phase), lines->sine[line] = math_sin(phase);
+        } else {
+            lines->cosine[line] = c * lines->turn_cosine[line] - s * lines->turn_sine[line];
+            lines->sine[line] = s * lines->turn_cosine[line] + c * lines->turn_sine[line];
+        }
+    }
+}
+
+/* The fitted curve less the record, at sample k, whose lines these are. */
+static double residual(const Record *record, const double *unknowns, const Lines *lines, size_t k)
+{
+    double sum = unknowns[3];
+    for (int line = 0; line < record->n_lines; line++) {
         const double *at = unknowns + place_of(line);
-        sum = sum + at[0] * math_cos(phase) + at[1] * math_sin(phase);
+        sum = sum + at[0] * lines->cosine[line] + at[1] * lines->sine[line];
     }
     return sum - scaled_value(record, k);
 }
@@ -153,8 +180,11 @@ static int residuals(const gsl_vector *unknowns, void *context, gsl_vector *out)
     double at[UNKNOWNS_MAX];
     for (size_t j = 0; j < unknowns_of(record); j++)
         at[j] = gsl_vector_get(unknowns, j);
-    for (size_t k = 0; k < record->count; k++)
-        gsl_vector_set(out, k, residual(record, at, k));
+    Lines lines = {0};
+    for (size_t k = 0; k < record->count; k++) {
+        turn_lines(record, at[0], k, &lines);
+        gsl_vector_set(out, k, residual(record, at, &lines, k));
+    }
     return GSL_SUCCESS;
 }
 
@@ -163,13 +193,14 @@ static int residuals(const gsl_vector *unknowns, void *context, gsl_vector *out)
 static int jacobian(const gsl_vector *unknowns, void *context, gsl_matrix *out)
 {
     const Record *record = context;
+    Lines lines = {0};
     for (size_t k = 0; k < record->count; k++) {
         double time = scaled_time(record, k), slope = 0;
+        turn_lines(record, gsl_vector_get(unknowns, 0), k, &lines);
         for (int line = 0; line < record->n_lines; line++) {
             const size_t at = place_of(line);
-            const double ratio = record->ratios[line], angle = ratio * gsl_vector_get(unknowns, 0);
+            const double ratio = record->ratios[line], cosine = lines.cosine[line], sine = lines.sine[line];
             const double a = gsl_vector_get(unknowns, at), b = gsl_vector_get(unknowns, at + 1);
-            const double cosine = math_cos(angle * time), sine = math_sin(angle * time);
             slope += ratio * time * (b * cosine - a * sine);
             gsl_matrix_set(out, k, at, cosine);
             gsl_matrix_set(out, k, at + 1, sine);
@@ -188,13 +219,14 @@ static double linear_part(const Record *record, double angle, double unknowns[UN
 {
     const size_t n = unknowns_of(record) - 1;
     double matrix[LINEAR_MAX * LINEAR_MAX] = {0}, right[LINEAR_MAX] = {0}, row[LINEAR_MAX], squares = 0;
+    Lines lines = {0};
     for (size_t k = 0; k < record->count; k++) {
-        double time = scaled_time(record, k), value = scaled_value(record, k);
+        const double value = scaled_value(record, k);
+        turn_lines(record, angle, k, &lines);
         row[2] = 1;
         for (int line = 0; line < record->n_lines; line++) {
-            const double phase = record->ratios[line] * angle * time;
-            row[place_of(line) - 1] = math_cos(phase);
-            row[place_of(line)] = math_sin(phase);
+            row[place_of(line) - 1] = lines.cosine[line];
+            row[place_of(line)] = lines.sine[line];
         }
         for (size_t i = 0; i < n; i++) {
             right[i] += row[i] * value;
@@ -351,8 +383,10 @@ static void fill_fit(const Record *record, const double unknowns[UNKNOWNS_MAX], 
     fit->offset = unknowns[3] * record->scale + record->middle;
     fit->amplitude = math_hypot(a, b);
     double squares = 0;
+    Lines lines = {0};
     for (size_t k = 0; k < record->count; k++) {
-        double left = residual(record, unknowns, k);
+        turn_lines(record, unknowns[0], k, &lines);
+        double left = residual(record, unknowns, &lines, k);
         squares += left * left;
     }
     fit->residual = sqrt(squares / (double)record->count) * record->scale / fit->amplitude;

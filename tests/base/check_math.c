@@ -592,6 +592,34 @@ START_TEST(quick_results_are_better_than_they_claim)
 END_TEST
 #endif
 
+#ifdef HAVE_MPFR
+/* near multiples of pi/2, where of x - k pi/2 little is left */
+START_TEST(angles_are_reduced_to_the_last_bits)
+{
+    mpfr_t x, wanted, got;
+    mpfr_inits2(200, x, wanted, got, (mpfr_ptr)0);
+    mpfr_set_emin(mpfr_get_emin_min()), mpfr_set_emax(mpfr_get_emax_max());
+    long judged = 0;
+    for (long i = 0; i < arguments(); i++) {
+        const double k = floor(drawn(1, 6e8)), at = k * (pi.high / 2);
+        const DoubleDouble value = sine(reduced(at), (int)((long)k & 1));
+        if (isnan(value.high))
+            continue;
+        mpfr_set_d(x, at, MPFR_RNDN);
+        (long)k & 1 ? mpfr_cos(wanted, x, MPFR_RNDN) : mpfr_sin(wanted, x, MPFR_RNDN);
+        mpfr_set_d(got, value.high, MPFR_RNDN);
+        mpfr_add_d(got, got, value.low, MPFR_RNDN);
+        mpfr_reldiff(got, wanted, got, MPFR_RNDN);
+        const double error = mpfr_get_d(got, MPFR_RNDN);
+        ck_assert_msg(error < ERROR_SINE, "%a: 2^%.2f", at, math_log2(error));
+        judged++;
+    }
+    mpfr_clears(x, wanted, got, (mpfr_ptr)0);
+    ck_assert_int_gt(judged, arguments() / 2);
+}
+END_TEST
+#endif
+
 void add_cases(Suite *suite)
 {
     TCase *rounding = tcase_create("rounding");
@@ -602,6 +630,7 @@ void add_cases(Suite *suite)
     tcase_add_test(rounding, hardest_arguments);
     tcase_add_test(rounding, limits_are_those_of_the_standard);
 #ifdef HAVE_MPFR
+    tcase_add_test(rounding, angles_are_reduced_to_the_last_bits);
     tcase_add_loop_test(rounding, quick_results_are_better_than_they_claim, 0,
                         (int)(sizeof errors / sizeof *errors));
 #endif

@@ -61,7 +61,8 @@ typedef struct Angle {
     int quadrant;   /* modulo 4 */
 } Angle;
 
-/* r = x - k pi/2, |r| <= pi/4, to 2^-94 for |x| <= 1e9: k < 2^30, so that k times 23 bits is exact */
+/* r = x - k pi/2, |r| <= pi/4, to k 2^-123, for |x| <= 1e9: k < 2^30, so that k times 23 bits is exact, and x
+ * less the first of the products too. */
 static Angle reduced(double x)
 {
     if (fabs(x) < 0.785)
@@ -69,11 +70,10 @@ static Angle reduced(double x)
     if (!(fabs(x) <= 1e9))
         return (Angle){nowhere, 0};
     const double k = nearest(x * 0.6366197723675814);
-    const DoubleDouble a = dd_sum(x, -k * half_pi_parts[0]), b = dd_sum(a.high, -k * half_pi_parts[1]),
-                       c = dd_sum(b.high, -k * half_pi_parts[2]);
-    const double low = (a.low + b.low) + (c.low - k * half_pi_parts[3]);
-    const DoubleDouble r = dd_sum_quick(c.high, low);
-    return (Angle){fabs(r.high) > 0x1p-28 ? r : nowhere, (int)((long)k & 3)};
+    const DoubleDouble a = dd_sum(x - k * half_pi_parts[0], -k * half_pi_parts[1]),
+                       b = dd_sum(a.high, -k * half_pi_parts[2]);
+    const DoubleDouble r = dd_sum(b.high, a.low + (b.low - k * half_pi_parts[3]));
+    return (Angle){fabs(r.high) > 0x1p-56 * fabs(k) ? r : nowhere, (int)((long)k & 3)};
 }
 
 /* sin (or, a turn on, cos) of r = i/64 + t + r_low, A = sin i/64 and B = cos i/64 (cos and -sin):
