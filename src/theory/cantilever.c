@@ -88,18 +88,19 @@ static double clamped_free_root(gsl_root_fsolver *solver, int n)
  * with exponentials, for their difference loses its digits towards the tip. */
 static double mode_derivative(double lambda, int derivative, double s)
 {
-    double sigma = (math_sinh(lambda) - math_sin(lambda)) / (math_cosh(lambda) + math_cos(lambda));
+    const double sine = math_sin(lambda), cosine = math_cos(lambda), sum = math_cosh(lambda) + cosine;
+    double sigma = (math_sinh(lambda) - sine) / sum;
     /* 1 - sigma, without subtracting two like numbers */
-    double rest =
-        (math_exp(-lambda) + math_cos(lambda) + math_sin(lambda)) / (math_cosh(lambda) + math_cos(lambda));
+    double rest = (math_exp(-lambda) + cosine + sine) / sum;
     double x = lambda * s;
     double grows = rest / 2 * math_exp(x), falls = (1 + sigma) / 2 * math_exp(-x);
     double square = derivative == 0 ? 1 : derivative == 1 ? lambda : lambda * lambda;
     double hyperbolic = derivative % 2 == 1 ? grows - falls : grows + falls;
-    double circular = derivative == 0   ? -math_cos(x) + sigma * math_sin(x)
-                      : derivative == 1 ? math_sin(x) + sigma * math_cos(x)
-                      : derivative == 2 ? math_cos(x) - sigma * math_sin(x)
-                                        : -math_sin(x) - sigma * math_cos(x);
+    const double sin_x = math_sin(x), cos_x = math_cos(x);
+    double circular = derivative == 0   ? -cos_x + sigma * sin_x
+                      : derivative == 1 ? sin_x + sigma * cos_x
+                      : derivative == 2 ? cos_x - sigma * sin_x
+                                        : -sin_x - sigma * cos_x;
     return (derivative == 3 ? lambda : 1) * square * (hyperbolic + circular);
 }
 

@@ -24,12 +24,13 @@ static const double half_pi_parts[] = {0x1.921fb4p+0, 0x1.4442dp-24, 0x1.846988p
                     ln2_parts[] = {0x1.62e42fefa3p-1, 0x1.3de6af278ece6p-42};
 
 /* errors of the quick results, of themselves; tests measure less than half of it */
-#define ERROR_SINE    0x1p-65
-#define ERROR_TANGENT 0x1p-63
+#define ERROR_SINE    0x1p-64
+#define ERROR_TANGENT 0x1p-64
 #define ERROR_ANGLE   0x1p-65
-#define ERROR_EXP     0x1p-64
-#define ERROR_EXPM1   0x1p-58
-#define ERROR_LOG     0x1p-65
+#define ERROR_EXP     0x1p-65
+#define ERROR_SINH    0x1p-63 /* from 0.34 on; tanh too */
+#define ERROR_EXPM1   0x1p-58 /* and both below */
+#define ERROR_LOG     0x1p-67
 #define ERROR_ALGEBRA 0x1p-92
 
 /* Whether every number within `error` of a's size from a is rounded to the same double: that one. Where
@@ -257,6 +258,11 @@ double math_expm1(double x)
     return is_settled(value, ERROR_EXPM1, &rounded) ? rounded : accurate_expm1(x);
 }
 
+static double error_sinh(double x)
+{
+    return fabs(x) < 0.34 ? ERROR_EXPM1 : ERROR_SINH;
+}
+
 /* twice sinh and cosh: e + e/(1 + e) with e = e^x - 1 where e^x - e^-x cancels; x > 0 */
 static DoubleDouble double_sinh(double x)
 {
@@ -275,7 +281,7 @@ double math_sinh(double x)
     if (!(fabs(x) < 711) || x == 0)
         return isnan(x) || x == 0 ? x : copysign(INFINITY, x);
     double rounded;
-    return is_settled(dd_scaled(double_sinh(fabs(x)), copysign(0.5, x)), ERROR_EXPM1, &rounded)
+    return is_settled(dd_scaled(double_sinh(fabs(x)), copysign(0.5, x)), error_sinh(x), &rounded)
                ? rounded
                : accurate_sinh(x);
 }
@@ -294,7 +300,7 @@ double math_tanh(double x)
         return isnan(x) || x == 0 ? x : copysign(1, x);
     double rounded;
     const DoubleDouble value = dd_divide(double_sinh(fabs(x)), double_cosh(x));
-    return is_settled(dd_scaled(value, copysign(1, x)), ERROR_EXPM1, &rounded) ? rounded : accurate_tanh(x);
+    return is_settled(dd_scaled(value, copysign(1, x)), error_sinh(x), &rounded) ? rounded : accurate_tanh(x);
 }
 
 /* no quick way: one or a few calls a row, and beyond 6 it differs from 1 by less than 2^-55 */

@@ -40,9 +40,10 @@ static Deflection deflection(const PlaneDef *def, double x)
         return (Deflection){0, 0, 0};
     const double z = cantilever_root, k = z / def->length, a = k * x;
     const double r = (math_sinh(z) - math_sin(z)) / (math_cosh(z) + math_cos(z));
-    return (Deflection){U * (math_cosh(a) - math_cos(a) - r * (math_sinh(a) - math_sin(a))),
-                        U * k * (math_sinh(a) + math_sin(a) - r * (math_cosh(a) - math_cos(a))),
-                        U * k * k * (math_cosh(a) + math_cos(a) - r * (math_sinh(a) + math_sin(a)))};
+    const double cosh_a = math_cosh(a), sinh_a = math_sinh(a), cos_a = math_cos(a), sin_a = math_sin(a);
+    return (Deflection){U * (cosh_a - cos_a - r * (sinh_a - sin_a)),
+                        U * k * (sinh_a + sin_a - r * (cosh_a - cos_a)),
+                        U * k * k * (cosh_a + cos_a - r * (sinh_a + sin_a))};
 }
 
 /* omega = (z/L)^2 h sqrt(E/(12 rho)), 1/s: Euler and Bernoulli's, of a beam without shear. */

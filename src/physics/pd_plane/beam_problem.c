@@ -255,8 +255,10 @@ static void bend_cantilever(const Beam *beam, double x, double y, double u[2])
     const double z = 1.8751040687119611; /* the first root of 1 + cosh z cos z = 0 */
     double k = z / beam->def.length, U = beam->def.amplitude;
     double ratio = (math_sinh(z) - math_sin(z)) / (math_cosh(z) + math_cos(z));
-    u[0] = -U * k * y * (math_sinh(k * x) + math_sin(k * x) - ratio * (math_cosh(k * x) - math_cos(k * x)));
-    u[1] = U * (math_cosh(k * x) - math_cos(k * x) - ratio * (math_sinh(k * x) - math_sin(k * x)));
+    const double cosh_x = math_cosh(k * x), sinh_x = math_sinh(k * x), cos_x = math_cos(k * x),
+                 sin_x = math_sin(k * x);
+    u[0] = -U * k * y * (sinh_x + sin_x - ratio * (cosh_x - cos_x));
+    u[1] = U * (cosh_x - cos_x - ratio * (sinh_x - sin_x));
 }
 
 /* The nodes of a patch get a velocity and begin where they belong, in the components that are given. */
