@@ -54,6 +54,8 @@ result "letters are written" says out 'Größe'
 result "wide ones too" says out '波\.'
 result "of a title, a rule goes and the letters stay" says out 'Schwingung für Zoë  *1/1'
 result "no line of them is wider" sh -c '! grep -q ".\{73\}" out'
+printf '%80s\n' '' | sed 's/ /ä/g' | "$MATVIB" mode1 --plain >out
+result "a line is broken by columns" says out '^  ä\{70\}$'
 LC_ALL=C "$MATVIB" lesson letters.lesson --plain </dev/null >out
 result "where the encoding has none there are marks" says out 'Gr??e'
 result "and nothing else" sh -c '! LC_ALL=C grep -q "[^ -~]" out'
