@@ -368,6 +368,7 @@ static void write_quantity(const Quantity *quantity)
     say_line(quantity->meaning);
 }
 
+/* All columns; those that cost more than the step say that they are to be asked for. */
 static bool write_series(const char *scenario)
 {
     Settings settings;
@@ -375,13 +376,21 @@ static bool write_series(const char *scenario)
     Column columns[COLUMNS_MAX];
     Simulation *simulation = NULL;
     References *references = NULL;
-    if (scenario_load(scenario, &settings, &status) && (simulation = problem_simulate(&settings, 1, &status)))
+    Simulation *plain =
+        scenario_load(scenario, &settings, &status) ? problem_simulate(&settings, 1, &status) : NULL;
+    strcpy(settings.output.columns, "all");
+    if (plain && (simulation = problem_simulate(&settings, 1, &status)))
         references = problem_references(&settings, simulation, &status);
     int count = references ? references_columns(references, columns) : 0;
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < count; i++) {
+        const char *name = columns[i].quantity.name;
         write_quantity(&columns[i].quantity);
+        if (simulation_find_series(simulation, name) >= 0 && simulation_find_series(plain, name) < 0)
+            puts("(where\n.B \\-\\-columns\nasks for it)");
+    }
     references_destroy(references);
     simulation_destroy(simulation);
+    simulation_destroy(plain);
     return count > 0;
 }
 

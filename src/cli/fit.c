@@ -38,7 +38,9 @@ static void close_data(Data *data)
  * simulation's, which goes. */
 static bool choose_column(Data *data, const Options *options, const Settings *settings, Status *status)
 {
-    Simulation *simulation = problem_simulate(settings, 1, status);
+    Settings asked = *settings;
+    strcpy(asked.output.columns, "all");
+    Simulation *simulation = problem_simulate(&asked, 1, status);
     if (!simulation)
         return false;
     char known[160] = "";

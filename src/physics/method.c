@@ -320,6 +320,34 @@ static bool find_thing(const Simulation *sim, const char *thing, int *field, siz
     return *field >= 0 || refuse_field(sim, set, thing + end, status);
 }
 
+bool simulation_asks(const char *names, const char *column)
+{
+    const size_t length = strlen(column);
+    for (const char *at = names + strspn(names, ", "); *at; at += strspn(at, ", ")) {
+        const size_t n = strcspn(at, ", ");
+        if ((n == length && memcmp(at, column, n) == 0) || (n == 3 && memcmp(at, "all", 3) == 0))
+            return true;
+        at += n;
+    }
+    return false;
+}
+
+bool simulation_is_costly(const Simulation *sim, const char *column)
+{
+    for (const char *const *name = sim->method->costly; name && *name; name++)
+        if (strcmp(*name, column) == 0)
+            return true;
+    return false;
+}
+
+void simulation_ask_columns(Simulation *sim, const char *names)
+{
+    ASSERT(!sim->follow);
+    for (int i = sim->n_series - 1; i >= 0; i--)
+        if (simulation_is_costly(sim, sim->series[i].name) && !simulation_asks(names, sim->series[i].name))
+            sim->method->leave_out(sim, i);
+}
+
 bool simulation_follow(Simulation *sim, const char *thing, Status *status)
 {
     int field = -1;

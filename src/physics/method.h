@@ -156,6 +156,11 @@ typedef struct Method {
     /* Called between steps only: the series at the present state. Must not change what comes. */
     void (*row)(Simulation *, double *row);
 
+    /* The columns of the series that cost more than the step does, ended by NULL, and what leaves one of them
+     * out from now on; called before the first step. Both NULL: there is none. */
+    const char *const *costly;
+    void (*leave_out)(Simulation *, int column);
+
     /* Values [first, first + count) of a field at the present stage. */
     void (*field)(const Simulation *, int field, size_t first, size_t count, double *out);
 
@@ -241,7 +246,7 @@ struct Simulation {
     bool at_rest; /* the run was to end at rest, and has: nothing moves any more; simulation_steps() stands */
 
     /* Set by who keeps the rows of the series and does not need all of them whole: what takes long to find
-     * may be NAN in the others. */
+     * (and was not left out) may be NAN in the others. */
     bool spares_rows; /* whole is the last one of a call of simulation_steps() */
     long whole_rows;  /* whole are those of steps that are multiples of it; 0: of all */
 
@@ -290,6 +295,14 @@ void simulation_release_names(struct Follow *);
  * such thing; the status says what there is. Before the first step only. */
 enum { FOLLOW_MAX = 4, FOLLOW_TEXT_MAX = 64 };
 bool simulation_follow(Simulation *, const char *thing, Status *);
+
+/* Leaves out of the series the columns that cost more than the step does, but for those that are asked for:
+ * names parted by commas, or "all"; "": none. Before the first step, and before anything is followed. */
+void simulation_ask_columns(Simulation *, const char *names);
+
+/* Whether such a list has a column, and whether it is one that it takes. */
+bool simulation_asks(const char *names, const char *column);
+bool simulation_is_costly(const Simulation *, const char *column);
 
 /* A snapshot: the state with step and stage. Taken between slices of a stage it is that of its beginning,
  * so take it between stages. */

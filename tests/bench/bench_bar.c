@@ -149,6 +149,7 @@ static Simulation *engine_create(BarDef def, double v0, CpuLevel level)
         exit(1);
     }
     bar_use_kernels(sim, level);
+    simulation_ask_columns(sim, ""); /* the default rows */
     return sim;
 }
 

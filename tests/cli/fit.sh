@@ -61,7 +61,7 @@ refuse "no data" "fit: --data FILE is missing" mode5 --vary bar.density
 refuse "no parameters" "fit: --vary KEY,... is missing" mode5 --data d.csv
 refuse "a parameter that it has not" "beam.length: this run has no such parameter" mode5 --data d.csv --vary beam.length
 refuse "one that is no number" "mpm.shape: is no real number and cannot be fitted" mode5 --data d.csv --vary mpm.shape
-refuse "a column that it has not" "--column: u_probe is no column of the series ($("$MATVIB" run mode5 --steps 1 --series - --quiet | head -n 1 | tr ',' '\n' | grep -v -x -e step -e time -e 'v_cm_.*' | paste -sd , | sed 's/,/, /g'))" mode5 --data d.csv --vary bar.density --column u_probe
+refuse "a column that it has not" "--column: u_probe is no column of the series ($("$MATVIB" run mode5 --steps 1 --columns all --series - --quiet | head -n 1 | tr ',' '\n' | grep -v -x -e step -e time -e 'v_cm_.*' | paste -sd , | sed 's/,/, /g'))" mode5 --data d.csv --vary bar.density --column u_probe
 refuse "a file that exists" "f.csv: exists (--force replaces it)" mode5 --data d.csv --vary bar.density --output f.csv
 printf 'time,v_cm\n-1,0\n0,1\n1,2\n' >early.csv
 refuse "times before the run" "early.csv: a time below 0: -1 (a run begins at 0)" mode5 --data early.csv --vary bar.density

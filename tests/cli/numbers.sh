@@ -48,7 +48,7 @@ run() { # SCENARIO OPTIONS...
 shares() { # FROM TO SCENARIO OPTIONS...
 	from=$1 to=$2
 	shift 2
-	"$MATVIB" run "$@" --series shares.csv --force --quiet 2>err || result "matvib run $*" told_and_failed
+	"$MATVIB" run "$@" --columns all --series shares.csv --force --quiet 2>err || result "matvib run $*" told_and_failed
 	awk -F, -v from="$from" -v to="$to" '
 		NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
 		$at["time"] >= from && $at["time"] <= to {

@@ -11,7 +11,7 @@ nothing_else() { test "$(ls)" = "$(printf 'err\nout')"; }
 # --- tables ---
 expect "the paper's first mode runs" 0 mode1 --series a.csv --particles p.csv --nodes n.csv
 result "columns of the series" header a.csv \
-	step,time,v_cm,v_cm_exact,v_cm_predicted,x_cm,kinetic,kinetic_grid,kinetic_null,strain,work,total
+	step,time,v_cm,v_cm_exact,v_cm_predicted,x_cm,kinetic,strain,work,total
 result "columns of the particles" header p.csv step,time,particle,x0,x,u,v,stress,strain,density,mass
 result "columns of the nodes" header n.csv step,time,node,x,mass,momentum,velocity,f_int,f_ext,f
 result "a row for each step" lines a.csv 10002
@@ -24,6 +24,17 @@ expect "it repeats" 0 a.csv.ini --series b.csv --quiet
 result "the same bytes" cmp -s a.csv b.csv
 result "also beside" cmp -s a.csv.ini b.csv.ini
 result "quiet" lines out 0
+
+expect "columns that are asked for" 0 mode1 --steps 9 --columns kinetic_null,v_cm --series c.csv --quiet
+result "are written" header c.csv step,time,v_cm,kinetic_null
+result "and asked for beside" says c.csv.ini '^columns = kinetic_null,v_cm$'
+expect "all" 0 mode1 --steps 9 --columns all --series c.csv --quiet --force
+result "are all" header c.csv \
+	step,time,v_cm,v_cm_exact,v_cm_predicted,x_cm,kinetic,kinetic_grid,kinetic_null,strain,work,total
+expect "what stands beside repeats them" 0 c.csv.ini --series d.csv --quiet
+result "with the same bytes" cmp -s c.csv d.csv
+refuse "a column that there is not" "--columns: output.columns: v_probe is no column of the series (all, step, time, v_cm, v_cm_exact, v_cm_predicted, x_cm, kinetic, strain, work, total)" \
+	mode1 --steps 9 --columns v_cm,v_probe --series e.csv
 
 "$MATVIB" show mode1 >shown.ini
 expect "what show prints repeats it too" 0 shown.ini --series - --quiet

@@ -558,6 +558,31 @@ START_TEST(rows_that_are_spared)
 }
 END_TEST
 
+/* Columns that are left out change no other, and no bit of the run. */
+START_TEST(columns_that_are_left_out)
+{
+    const PlaneDef def = small(_i);
+    Simulation *whole = create(&def), *bare = create(&def);
+    double rows[20 * 16], again[20 * 16];
+    Status status;
+    simulation_ask_columns(bare, "");
+    ck_assert_int_eq(bare->n_series, whole->n_series - 2);
+    ck_assert_int_eq(simulation_find_series(bare, "kinetic_grid"), -1);
+    ck_assert(simulation_steps(whole, 19, rows, NULL, &status));
+    ck_assert(simulation_steps(bare, 19, again, NULL, &status));
+    simulation_row(whole, rows + 19 * whole->n_series);
+    simulation_row(bare, again + 19 * bare->n_series);
+    for (int i = 0; i < bare->n_series; i++) {
+        const int other = simulation_find_series(whole, bare->series[i].name);
+        for (int row = 0; row < 20; row++)
+            ck_assert_double_eq(again[row * bare->n_series + i], rows[row * whole->n_series + other]);
+    }
+    expect_same_state(whole, bare, "bare");
+    simulation_destroy(whole);
+    simulation_destroy(bare);
+}
+END_TEST
+
 /* A beam bent like a bow: nodes of neighbours do not stand side by side any more, and some particles are so
  * far from the others of their block that they give to the grid by themselves. */
 static PlaneDef bow(int number)
@@ -886,6 +911,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(test, beside_the_grids_edge, 0, 2);
     tcase_add_loop_test(test, any_width_any_threads, 0, WIDE_ONES);
     tcase_add_loop_test(test, rows_that_are_spared, 0, 2);
+    tcase_add_loop_test(test, columns_that_are_left_out, 0, 2);
     tcase_add_loop_test(test, bits_of_a_bow, 0, 6);
     tcase_add_test(test, memory_of_a_beam);
     tcase_add_loop_test(test, crossings_are_told, 0, 4);

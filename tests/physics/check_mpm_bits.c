@@ -352,6 +352,44 @@ START_TEST(the_table_of_nodes_holds_kinetic_grid)
 }
 END_TEST
 
+/* Columns that are left out change no other: stage by stage and in tiles, rows by themselves and of a call.
+ */
+START_TEST(columns_that_are_left_out)
+{
+    BarCase bar = bar_case(5, 0.1);
+    bar.def.length = _i % 2 ? 700 : 20;
+    if (_i >= 2) {
+        bar.def.joint = bar.def.length / 2;
+        bar.def.joint_modulus = 400;
+        bar.def.joint_density = 2;
+    }
+    static const char *const asked[] = {"all", "", "kinetic_grid", "kinetic_null"};
+    static const int left_out[] = {0, 2, 1, 1};
+    double rows[4][40 * 16]; /* of steps 1 to 39, and the last once more */
+    Simulation *sims[4];
+    for (int k = 0; k < 4; k++) {
+        sims[k] = bar_case_create(&bar);
+        simulation_ask_columns(sims[k], asked[k]);
+        ck_assert_int_eq(sims[k]->n_series, sims[0]->n_series - left_out[k]);
+        Status status;
+        ck_assert(simulation_steps(sims[k], 39, rows[k], NULL, &status));
+        simulation_row(sims[k], rows[k] + 39 * sims[k]->n_series);
+        expect_same_state(sims[0], sims[k], asked[k]);
+    }
+    for (int k = 1; k < 4; k++)
+        for (int i = 0; i < sims[k]->n_series; i++) {
+            const char *name = sims[k]->series[i].name;
+            const int other = simulation_find_series(sims[0], name);
+            for (int row = 0; row < 40; row++) {
+                const double value = rows[k][row * sims[k]->n_series + i];
+                ck_assert_double_eq(value, rows[0][row * sims[0]->n_series + other]);
+            }
+        }
+    for (int k = 0; k < 4; k++)
+        simulation_destroy(sims[k]);
+}
+END_TEST
+
 /* Equations fit their box, and links are a partition of unity. */
 START_TEST(words_fit)
 {
@@ -399,6 +437,7 @@ void add_cases(Suite *suite)
     tcase_add_test(test, live_changes_belong_to_the_state);
     tcase_add_test(test, fields_come_and_go_with_the_stages);
     tcase_add_loop_test(test, the_table_of_nodes_holds_kinetic_grid, 0, VARIANTS);
+    tcase_add_loop_test(test, columns_that_are_left_out, 0, 4);
     tcase_add_loop_test(test, words_fit, 0, VARIANTS);
     suite_add_tcase(suite, test);
 }

@@ -149,6 +149,7 @@ static const VerifyRow column[] = {
         .decimals = digits + 2, .reference = WITHIN(share, 0.51 * 1e-##digits),                              \
         .eigenvalue = quantity_predicted_kept, .tolerance = 1e-##digits                                      \
     }
+#define WHOLE " output.columns=all" /* the null space too */
 /* Share of the kinetic energy that is in the null space, in the mean of a period of the lumped
  * mesh before `end`. */
 #define HIDDEN_ROW(label, keys, end, share, slack)                                                           \
@@ -203,15 +204,15 @@ static const VerifyRow cures[] = {
     PERIOD_KEEPS_ROW("  n = 10", "mode10" FMPM, 3, .048),
     PERIOD_KEEPS_ROW("FMPM(4), n = 5", "mode5" FMPM4, 4, .9987),
     PERIOD_KEEPS_ROW("  n = 10", "mode10" FMPM4, 3, .847),
-    HIDDEN_ROW("null space: lumped, t = 20", "mode10", 20, .19, .0051),
+    HIDDEN_ROW("null space: lumped, t = 20", "mode10" WHOLE, 20, .19, .0051),
     HIDDEN_ROW("  t = 50", NULL, 50, .64, .0051),
     HIDDEN_ROW("  t = 100", NULL, 100, .93, .0051),
-    HIDDEN_ROW("5/18, t = 20", "mode10" STILL, 20, .26, .0051),
+    HIDDEN_ROW("5/18, t = 20", "mode10" STILL WHOLE, 20, .26, .0051),
     HIDDEN_ROW("  t = 50", NULL, 50, .76, .0051),
     HIDDEN_ROW("  t = 100", NULL, 100, .96, .0051),
-    HIDDEN_ROW("APIC, t = 20", "mode10 mpm.transfer=apic", 20, 0, 5e-4),
-    HIDDEN_ROW("FMPM(2), t = 20", "mode10" FMPM, 20, 0, 5e-5),
-    HIDDEN_ROW("FMPM(4), t = 20", "mode10" FMPM4, 20, 0, 5e-5),
+    HIDDEN_ROW("APIC, t = 20", "mode10 mpm.transfer=apic" WHOLE, 20, 0, 5e-4),
+    HIDDEN_ROW("FMPM(2), t = 20", "mode10" FMPM WHOLE, 20, 0, 5e-5),
+    HIDDEN_ROW("FMPM(4), t = 20", "mode10" FMPM4 WHOLE, 20, 0, 5e-5),
     KEPT_ROW("crossing, uGIMP: FMPM(2)", "crossing mpm.shape=gimp mesh.padding=16" FMPM, .976),
     KEPT_ROW("  FMPM(4)", "crossing mpm.shape=gimp mesh.padding=16" FMPM4, .985),
     KEPT_ROW("  5/18", "crossing mpm.shape=gimp mesh.padding=16" STILL, .9945),

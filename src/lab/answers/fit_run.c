@@ -74,7 +74,9 @@ bool fit_run(Search *search, const Settings *settings, const double *times, doub
     search->result->runs++;
     if (!settings_check(settings, &search->why))
         return false;
-    Simulation *simulation = problem_simulate(settings, search->task->threads, &search->why);
+    Settings asked = *settings;
+    snprintf(asked.output.columns, sizeof asked.output.columns, "%s", search->task->column);
+    Simulation *simulation = problem_simulate(&asked, search->task->threads, &search->why);
     if (!simulation)
         return false;
     const int column = simulation_find_series(simulation, search->task->column);

@@ -2,6 +2,7 @@
 /* A run from its start to its end without a screen, tables and frames written on the way: the engine of
  * `matvib run` and of a sweep. Goes in batches of steps up to the next row, frame, change or question whether
  * to go on. */
+#include "base/text.h"
 #include "lab/settings/changes.h"
 #include "lab/export/export_internal.h"
 #include "lab/answers/invariant.h"
@@ -12,6 +13,7 @@
 #include <errno.h>
 #include <limits.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -149,6 +151,38 @@ static bool sum_up(const Export *export, RunSummary *summary, Status *status)
     return errno != ENOMEM || status_fail(status, STATUS_FAILED, "not enough memory to sum the run up");
 }
 
+bool export_writes(const Settings *settings, const Simulation *sim, int i, const char *column)
+{
+    const char *asked = settings->output.columns;
+    return i < 2 ||
+           (asked[strspn(asked, ", ")] ? simulation_asks(asked, column) : !simulation_is_costly(sim, column));
+}
+
+/* What is written, in the order of the series; what is asked for is there. */
+static bool choose_columns(Export *export, Status *status)
+{
+    const char *asked = export->settings->output.columns, *at = asked + strspn(asked, ", ");
+    char known[512] = "all";
+    for (int i = 0; i < export->n_columns; i++) {
+        const char *name = export->columns[i].quantity.name;
+        if (export_writes(export->settings, export->sim, i, name))
+            export->written[export->n_written++] = i;
+        text_list_add(known, sizeof known, name);
+    }
+    for (; *at; at += strspn(at, ", ")) {
+        char name[80];
+        snprintf(name, sizeof name, "%.*s", (int)strcspn(at, ", "), at);
+        at += strcspn(at, ", ");
+        bool found = strcmp(name, "all") == 0;
+        for (int i = 0; i < export->n_columns; i++)
+            found = found || strcmp(name, export->columns[i].quantity.name) == 0;
+        if (!found)
+            return status_fail(status, STATUS_USAGE, "output.columns: %.60s is no column of the series (%s)",
+                               name, known);
+    }
+    return true;
+}
+
 static bool prepare(Export *export, int threads, Status *status)
 {
     const Settings *settings = export->settings;
@@ -167,6 +201,8 @@ static bool prepare(Export *export, int threads, Status *status)
     if (!export->refs)
         return false;
     export->n_columns = references_columns(export->refs, export->columns);
+    if (!choose_columns(export, status))
+        return false;
     export->block = malloc(BLOCK * (size_t) export->sim->n_series * sizeof *export->block);
     export->vtk = calloc(export->frames.count + 1, sizeof *export->vtk);
     if (!export->block || !export->vtk)

@@ -60,6 +60,9 @@ typedef struct RunSummary {
     Status failure;
 } RunSummary;
 
+/* Whether the series has a column, the i-th of the references', by output.columns: step and time always. */
+bool export_writes(const Settings *, const Simulation *, int i, const char *column);
+
 /* Called now and then with the share done in [0, 1]; returns false to stop the run (^C). May be NULL. */
 typedef bool (*RunProgress)(double share, void *context);
 

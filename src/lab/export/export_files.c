@@ -176,9 +176,9 @@ static void write_table_header(const Export *export, const Table *table)
 static void write_series_header(const Export *export)
 {
     const char *names[COLUMNS_MAX];
-    for (int i = 0; i < export->n_columns; i++)
-        names[i] = export->columns[i].quantity.name;
-    csv_header(export->series.stream, export->outputs->dialect, names, export->n_columns);
+    for (int i = 0; i < export->n_written; i++)
+        names[i] = export->columns[export->written[i]].quantity.name;
+    csv_header(export->series.stream, export->outputs->dialect, names, export->n_written);
 }
 
 bool export_open_files(Export *export, Status *status)
@@ -209,7 +209,10 @@ bool export_write_row(Export *export, const double *row, Status *status)
     export->rows++;
     if (!export->series.stream)
         return true;
-    csv_row(export->series.stream, export->outputs->dialect, row, export->n_columns);
+    double written[COLUMNS_MAX];
+    for (int i = 0; i < export->n_written; i++)
+        written[i] = row[export->written[i]];
+    csv_row(export->series.stream, export->outputs->dialect, written, export->n_written);
     return output_sound(&export->series, status);
 }
 
@@ -294,8 +297,8 @@ static void describe(FILE *to, const Quantity *quantity)
 
 static void describe_series(const Export *export, FILE *to)
 {
-    for (int i = 0; i < export->n_columns; i++)
-        describe(to, &export->columns[i].quantity);
+    for (int i = 0; i < export->n_written; i++)
+        describe(to, &export->columns[export->written[i]].quantity);
 }
 
 static void describe_table(const Export *export, const Table *table, FILE *to)

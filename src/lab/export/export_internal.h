@@ -25,7 +25,8 @@ typedef struct Export {
     References *refs;
     Column columns[COLUMNS_MAX];
     int n_columns;
-    long last, planned_last; /* they differ where the run failed */
+    int written[COLUMNS_MAX], n_written; /* those of the series, by output.columns */
+    long last, planned_last;             /* they differ where the run failed */
     Frames frames;
     size_t next_frame;
     OutputFile series, series_beside;

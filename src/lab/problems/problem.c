@@ -45,6 +45,8 @@ Simulation *problem_simulate(const Settings *settings, int threads, Status *stat
 {
     const Solver *solver = need_solver(settings, status);
     Simulation *sim = solver ? solver->simulate(settings, threads, status) : NULL;
+    if (sim)
+        simulation_ask_columns(sim, settings->output.columns);
     if (!sim ||
         (problem_check_steps(settings->time.end, sim->dt, status) && follow_all(settings, sim, status)))
         return sim;

@@ -407,6 +407,7 @@ static bool edit_second(Duel *duel, const Settings *wanted, Status *status)
     settings->output.every = wanted->output.every;
     settings->output.frames = wanted->output.frames;
     memcpy(settings->output.at, wanted->output.at, sizeof settings->output.at);
+    memcpy(settings->output.columns, wanted->output.columns, sizeof settings->output.columns);
     const bool sound = experiment_edit(duel->b, settings, status);
     free(settings);
     seek_second(duel);

@@ -262,6 +262,7 @@ static void take_over_rest(Settings *to, const Settings *from)
     to->output.every = from->output.every;
     to->output.frames = from->output.frames;
     memcpy(to->output.at, from->output.at, sizeof to->output.at);
+    memcpy(to->output.columns, from->output.columns, sizeof to->output.columns);
 }
 
 bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *status)

@@ -97,7 +97,10 @@ bool experiment_open(Experiment *experiment, const Settings *settings, size_t hi
     if (!goes_on(settings, status) || !settings_check(settings, status) ||
         !changes_advice(settings, experiment->advice, sizeof experiment->advice, status))
         return false;
-    experiment->sim = problem_simulate(settings, threads, status);
+    /* a view may show any of the columns, whatever is written of the run */
+    Settings shown = *settings;
+    strcpy(shown.output.columns, "all");
+    experiment->sim = problem_simulate(&shown, threads, status);
     if (experiment->sim)
         experiment->sim->whole_rows = WHOLE_ROWS;
     if (experiment->sim)

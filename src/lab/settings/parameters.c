@@ -221,6 +221,7 @@ void parameter_range(const Parameter *parameter, const Problem *problem, char *o
                  strcmp(parameter->key, "initial.overtones") == 0 ? "mode:velocity,..."
                  : strcmp(parameter->key, "initial.pulse") == 0   ? "centre,width,velocity"
                  : strcmp(parameter->key, "output.follow") == 0   ? "particle 12 velocity, ..."
+                 : strcmp(parameter->key, "output.columns") == 0  ? "all | v_cm,kinetic_null,..."
                                                                   : "time,time,...");
     } else if (isinf(parameter->least)) {
         snprintf(out, size, "any number");

@@ -107,6 +107,14 @@ static void cut_comment(char *line)
         line[--n] = '\0';
 }
 
+/* The .csv.ini of 1.x, whose series had all columns and no key that asks for them. */
+static void note_column(Entries *entries, const char *line)
+{
+    static const char *const columns[] = {"# kinetic_grid [", "# kinetic_null ["};
+    for (size_t i = 0; i < sizeof columns / sizeof *columns; i++)
+        entries->whole_rows = entries->whole_rows || strncmp(line, columns[i], strlen(columns[i])) == 0;
+}
+
 /* --- what a line is ------------------------------------------------------------------------------- */
 
 static size_t word_length(const char *text)
@@ -219,6 +227,7 @@ static char *next_line(char *out, int size, void *context)
         fail(reader, "the line cannot be read", "KEY = VALUE");
     if (reader->failed || !raw_line(reader, raw) || !clean_line(reader, raw))
         return NULL;
+    note_column(reader->entries, raw);
     cut_comment(raw);
     if (!accept_line(reader, raw))
         return NULL;

@@ -27,7 +27,8 @@ typedef struct Entry {
 typedef struct Entries {
     Entry *all;
     int count, room;
-    int lines; /* of the file */
+    int lines;       /* of the file */
+    bool whole_rows; /* its comments describe a column that is written only when it is asked for */
 } Entries;
 
 /* The sections there are, in the order in which they are written; ended by NULL. */

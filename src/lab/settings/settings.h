@@ -152,10 +152,12 @@ typedef struct TimeSettings {
 
 /* What a run writes; it does not make it another run. */
 typedef struct Output {
-    int every;             /* steps from row to row */
-    int frames;            /* 0: the last step alone */
-    char at[LIST_MAX];     /* "0,1e-4,2e-4"; "": none */
-    char follow[LIST_MAX]; /* "particle 12 v, node 7 momentum": columns of the series; "": none */
+    int every;              /* steps from row to row */
+    int frames;             /* 0: the last step alone */
+    char at[LIST_MAX];      /* "0,1e-4,2e-4"; "": none */
+    char follow[LIST_MAX];  /* "particle 12 v, node 7 momentum": columns of the series; "": none */
+    char columns[LIST_MAX]; /* "all", or those of the series that are written; "": all that cost no more than
+                             * the step does */
 } Output;
 
 struct Settings {

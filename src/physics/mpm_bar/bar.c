@@ -228,6 +228,8 @@ static const Method method = {
     .stage = bar_stage,
     .steps = bar_steps,
     .row = bar_row,
+    .costly = bar_costly,
+    .leave_out = bar_leave_out,
     .field = bar_field,
     .links = bar_links,
     .shapes = bar_shapes,
@@ -376,8 +378,7 @@ Simulation *bar_create(const BarDef *definition, Status *status)
     sim->n_sets = BAR_SETS;
     sim->counts[BAR_PARTICLES] = (size_t)bar->n_particles;
     sim->counts[BAR_NODES] = (size_t)bar->n_nodes;
-    sim->series = bar_series;
-    sim->n_series = BAR_SERIES;
+    bar_set_series(bar);
     axial_set_motion(sim, HAS_MESH, bar->def.cell_size / bar->def.particles_per_cell);
     sim->dt = bar->dt;
     if (!begin(bar, status)) {

@@ -90,8 +90,8 @@ bool bar_check(const BarDef *definition, Status *status);
 /* Builds the simulation at t = 0. NULL: the status says what is wrong with the definition or that there is
  * not enough memory. Fields: particles x0 x u v stress strain density mass (the CSV columns, in this order,
  * with APIC also affine), then what only the screen shows; nodes x mass momentum velocity f_int f_ext f, then
- * likewise. Series: v_cm x_cm kinetic kinetic_grid kinetic_null strain work total (total = kinetic + strain;
- * less the work it keeps its value).
+ * likewise. Series: v_cm x_cm kinetic kinetic_grid kinetic_null strain work total (the fourth and fifth may
+ * be left out; total = kinetic + strain; less the work it keeps its value).
  *
  * A run fails, with particle, step and time in its status, when a particle leaves the mesh, when 1 + de <= 0
  * for one (or one overtakes its neighbour), and when the energy is more than 1e4 times what the start and the

@@ -6,11 +6,13 @@
  *     kinetic_null what the grid cannot see at all (bar_null.h)
  *     strain       sum stress^2 volume / (2 E)
  *
- * A row is taken between steps, when velocities and stresses of USF are half a step apart: kinetic + strain
- * ripples by about omega dt/2 of itself though nothing is lost (E* of lab/problems is the sum without
- * ripple). stress^2/2E is the energy of small strains; where particles cross cells, strains are large enough
- * to tell it from E (e exp(e) - exp(e) + 1), e = stress/E, which is what the updates of stress and density
- * really store. Each sum is kept in BAR_LANES partial sums, so that neither vectors nor tiles leave a trace.
+ * The second and third are left out where nobody asks for them: they need the grid, and the third takes
+ * longer than the step. A row is taken between steps, when velocities and stresses of USF are half a step
+ * apart: kinetic + strain ripples by about omega dt/2 of itself though nothing is lost (E* of lab/problems is
+ * the sum without ripple). stress^2/2E is the energy of small strains; where particles cross cells, strains
+ * are large enough to tell it from E (e exp(e) - exp(e) + 1), e = stress/E, which is what the updates of
+ * stress and density really store. Each sum is kept in BAR_LANES partial sums, so that neither vectors nor
+ * tiles leave a trace.
  */
 #include "physics/mpm_bar/bar_null.h"
 #include "physics/mpm_bar/bar_state.h"
@@ -107,20 +109,62 @@ double bar_energy(const Bar *bar)
     return kinetic_of(bar, &sums) + strain_of(bar, &sums);
 }
 
-/* The BAR_SERIES numbers of bar_series: v_cm = sum v / n, x_cm = dx sum (cell - origin + s) / n with the
+enum { V_CM, X_CM, KINETIC, KINETIC_GRID, KINETIC_NULL, STRAIN, WORK, TOTAL };
+
+void bar_set_series(Bar *bar)
+{
+    Simulation *sim = &bar->sim;
+    for (int k = 0; k < BAR_SERIES; k++) {
+        bar->series[k] = bar_series[k];
+        bar->series_entry[k] = k;
+    }
+    bar->has_grid_energy = bar->has_null_energy = true;
+    sim->series = bar->series;
+    sim->n_series = BAR_SERIES;
+}
+
+const char *const bar_costly[] = {"kinetic_grid", "kinetic_null", NULL};
+
+void bar_leave_out(Simulation *sim, int column)
+{
+    Bar *bar = bar_of(sim);
+    *(bar->series_entry[column] == KINETIC_GRID ? &bar->has_grid_energy : &bar->has_null_energy) = false;
+    sim->n_series--;
+    for (int k = column; k < sim->n_series; k++) {
+        bar->series[k] = bar->series[k + 1];
+        bar->series_entry[k] = bar->series_entry[k + 1];
+    }
+}
+
+bool bar_row_needs_grid(const Bar *bar)
+{
+    return bar->has_grid_energy || bar->has_null_energy;
+}
+
+/* Those of the BAR_SERIES numbers that are not left out. */
+static void choose(const Bar *bar, const double *all, double *row)
+{
+    for (int k = 0; k < bar->sim.n_series; k++)
+        row[k] = all[bar->series_entry[k]];
+}
+
+/* The numbers of bar_series: v_cm = sum v / n, x_cm = dx sum (cell - origin + s) / n with the
  * whole cells summed exactly in cell_sum, then the energies. */
 void bar_write_row(const Bar *bar, const BarSums *sums, const double *grid_lanes, double null_energy,
                    int64_t cell_sum, double *row)
 {
     const double kinetic = kinetic_of(bar, sums), strain = strain_of(bar, sums);
-    row[0] = fold(sums->v) / bar->n_particles;
-    row[1] = bar->dx * (((double)cell_sum + fold(sums->s)) / bar->n_particles);
-    row[2] = kinetic;
-    row[3] = 0.5 * fold(grid_lanes);
-    row[4] = null_energy;
-    row[5] = strain;
-    row[6] = bar->head->work;
-    row[7] = kinetic + strain;
+    const double all[BAR_SERIES] = {
+        [V_CM] = fold(sums->v) / bar->n_particles,
+        [X_CM] = bar->dx * (((double)cell_sum + fold(sums->s)) / bar->n_particles),
+        [KINETIC] = kinetic,
+        [KINETIC_GRID] = 0.5 * fold(grid_lanes),
+        [KINETIC_NULL] = null_energy,
+        [STRAIN] = strain,
+        [WORK] = bar->head->work,
+        [TOTAL] = kinetic + strain,
+    };
+    choose(bar, all, row);
 }
 
 /* The same of two materials: v_cm = sum m v / sum m, x_cm likewise. */
@@ -128,34 +172,44 @@ static void write_row_of_parts(const Bar *bar, const double *grid_lanes, double 
 {
     const BarParts parts = sum_parts(bar);
     const double whole = both(bar->joint, bar->joint_weight, bar->n_particles - bar->joint);
-    row[0] = both(fold(parts.of[0].v), bar->joint_weight, fold(parts.of[1].v)) / whole;
-    row[1] = bar->dx * (parts.moment / whole);
-    row[2] = kinetic_of_parts(bar, &parts);
-    row[3] = 0.5 * fold(grid_lanes);
-    row[4] = null_energy;
-    row[5] = strain_of_parts(bar, &parts);
-    row[6] = bar->head->work;
-    row[7] = row[2] + row[5];
+    const double kinetic = kinetic_of_parts(bar, &parts), strain = strain_of_parts(bar, &parts);
+    const double all[BAR_SERIES] = {
+        [V_CM] = both(fold(parts.of[0].v), bar->joint_weight, fold(parts.of[1].v)) / whole,
+        [X_CM] = bar->dx * (parts.moment / whole),
+        [KINETIC] = kinetic,
+        [KINETIC_GRID] = 0.5 * fold(grid_lanes),
+        [KINETIC_NULL] = null_energy,
+        [STRAIN] = strain,
+        [WORK] = bar->head->work,
+        [TOTAL] = kinetic + strain,
+    };
+    choose(bar, all, row);
 }
 
-static void write_row(const Bar *bar, double *row)
+void bar_step_row(Bar *bar, double *row)
 {
     BarSums sums = {.v = {0}};
     double grid[BAR_LANES] = {0};
-    BarNull null = {0};
-    bar->kernels->node_sums(bar, 0, bar->n_nodes, grid);
-    bar_null_add(bar, &null, bar->n_cells);
+    double unseen = 0;
+    if (bar->has_grid_energy)
+        bar->kernels->node_sums(bar, 0, bar->n_nodes, grid);
+    if (bar->has_null_energy) {
+        BarNull null = {0};
+        bar_null_add(bar, &null, bar->n_cells);
+        unseen = bar_null_energy(bar, &null);
+    }
     if (bar->def.joint > 0.0) {
-        write_row_of_parts(bar, grid, bar_null_energy(bar, &null), row);
+        write_row_of_parts(bar, grid, unseen, row);
         return;
     }
     bar->kernels->particle_sums(bar, 0, bar->places, &sums);
-    bar_write_row(bar, &sums, grid, bar_null_energy(bar, &null), bar->head->cell_sum, row);
+    bar_write_row(bar, &sums, grid, unseen, bar->head->cell_sum, row);
 }
 
 void bar_row(Simulation *sim, double *row)
 {
     Bar *bar = bar_of(sim);
-    bar_map_and_fix(bar); /* the grid is scratch between steps */
-    write_row(bar, row);
+    if (bar_row_needs_grid(bar))
+        bar_map_and_fix(bar); /* the grid is scratch between steps */
+    bar_step_row(bar, row);
 }

@@ -90,6 +90,9 @@ struct Bar {
     Set sets[BAR_SETS];
     Field fields[BAR_FIELDS]; /* those that there are at present, and which each of them is */
     int field_kinds[BAR_FIELDS];
+    Quantity series[BAR_SERIES]; /* those that are not left out, and which each of them is */
+    int series_entry[BAR_SERIES];
+    bool has_grid_energy, has_null_energy; /* not left out */
 
     /* model: constant */
     BarDef def;
@@ -275,7 +278,7 @@ int bar_cell_of(const Bar *bar, int particle);
 /* bar_fields.c, bar_exchange.c, bar_explain.c: what front ends read. The fields there are depend on live
  * parameters. */
 void bar_list_fields(Bar *bar);
-extern const Quantity bar_series[BAR_SERIES];
+extern const Quantity bar_series[BAR_SERIES]; /* all that there may be, in the order of the rows */
 void bar_field(const Simulation *sim, int field, size_t first, size_t count, double *out);
 size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t max);
 size_t bar_shapes(const Simulation *sim, const double *at, Link *out, size_t max);
@@ -308,8 +311,15 @@ void bar_map_and_fix(Bar *bar);
  * after map and boundary conditions. */
 double bar_energy(const Bar *bar);
 void bar_row(Simulation *sim, double *row);
+void bar_step_row(Bar *bar, double *row); /* the grid being there, if it needs it */
+void bar_set_series(Bar *bar);
+extern const char *const bar_costly[];
+void bar_leave_out(Simulation *sim, int column);
 void bar_write_row(const Bar *bar, const BarSums *sums, const double *grid_lanes, double null_energy,
                    int64_t cell_sum, double *row);
+
+/* Whether a row needs the grid after map and boundary conditions. */
+bool bar_row_needs_grid(const Bar *bar);
 
 /* bar_cells.c: particles find their cells. False: the run fails, or a particle jumped (bar->jumped). */
 bool bar_settle(Bar *bar, int first, int end, Status *status);

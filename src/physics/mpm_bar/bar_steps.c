@@ -54,7 +54,7 @@ static void put_back(Simulation *sim)
     bar_count_odd_cells(bar);
 }
 
-/* Whole steps over the whole bar, stage by stage. The row needs the grid after map and boundary conditions,
+/* Whole steps over the whole bar, stage by stage. A row may need the grid after map and boundary conditions,
  * which are also the first two stages of the next step: they are done once for both. */
 static bool whole_steps(Bar *bar, long count, double *rows, Status *status)
 {
@@ -68,10 +68,10 @@ static bool whole_steps(Bar *bar, long count, double *rows, Status *status)
         if (!check_energy(bar, status))
             return false;
         bar->sim.step++;
-        if (rows)
-            bar_row(&bar->sim, rows + n * BAR_SERIES);
-        else if (n + 1 < count)
+        if (n + 1 < count || (rows && bar_row_needs_grid(bar)))
             bar_map_and_fix(bar);
+        if (rows)
+            bar_step_row(bar, rows + n * bar->sim.n_series);
     }
     return true;
 }

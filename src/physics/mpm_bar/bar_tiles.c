@@ -77,21 +77,23 @@ static void add_task(Pipeline *pipeline, int what, int step)
 }
 
 /* The tasks in the order of the stages, step after step. A row is of the state after a step: its sums over
- * particles follow the step's last stage, its sums over nodes the next step's boundary conditions. */
+ * particles follow the step's last stage, its sums over nodes, if it has any, the next step's boundary
+ * conditions. */
 static void plan(Pipeline *pipeline, const Bar *bar, int steps, bool with_rows)
 {
     const BarSchedule *schedule = bar_schedule(bar);
+    const bool needs_grid = with_rows && bar_row_needs_grid(bar);
     pipeline->n_tasks = 0;
     for (int step = 0; step < steps; step++) {
         for (int stage = 0; stage < schedule->count; stage++) {
             add_task(pipeline, (int)schedule->ops[stage], step);
-            if (with_rows && step > 0 && schedule->ops[stage] == OP_FIX)
+            if (needs_grid && step > 0 && schedule->ops[stage] == OP_FIX)
                 add_task(pipeline, SUM_NODES, step - 1);
         }
         if (with_rows)
             add_task(pipeline, SUM_PARTICLES, step);
     }
-    if (with_rows) { /* the grid of the last row is that of the step after */
+    if (needs_grid) { /* the grid of the last row is that of the step after */
         add_task(pipeline, OP_MAP, steps);
         add_task(pipeline, OP_FIX, steps);
         add_task(pipeline, SUM_NODES, steps - 1);
@@ -121,8 +123,10 @@ static bool do_task(Bar *bar, Pipeline *pipeline, Task *task, int end)
             ready--;
     } else if (task->what == SUM_NODES) {
         int last = end == bar->n_cells ? bar->n_nodes : end;
-        bar->kernels->node_sums(bar, task->done, last, pipeline->rows[task->step].grid);
-        bar_null_add(bar, &pipeline->rows[task->step].null, end);
+        if (bar->has_grid_energy)
+            bar->kernels->node_sums(bar, task->done, last, pipeline->rows[task->step].grid);
+        if (bar->has_null_energy)
+            bar_null_add(bar, &pipeline->rows[task->step].null, end);
     } else {
         int64_t before = bar->head->cell_sum;
         bar->pipeline_step = task->step;
@@ -184,10 +188,11 @@ bool bar_tiled_steps(Bar *bar, long count, double *rows)
         good = run_pipeline(bar, &pipeline);
         if (!good)
             break;
-        for (int step = 0; rows && step < steps; step++, rows += BAR_SERIES) {
+        for (int step = 0; rows && step < steps; step++, rows += bar->sim.n_series) {
             cell_sum += pipeline.rows[step].edges;
             bar_write_row(bar, &pipeline.rows[step].sums, pipeline.rows[step].grid,
-                          bar_null_energy(bar, &pipeline.rows[step].null), cell_sum, rows);
+                          bar->has_null_energy ? bar_null_energy(bar, &pipeline.rows[step].null) : 0,
+                          cell_sum, rows);
         }
         bar_report_crossings(bar);
         bar->sim.step += steps;

@@ -73,9 +73,9 @@ double plane_step(const PlaneDef *);
 /* Builds the simulation at t = 0. NULL: the status says why not. Fields: particles x0 y0 x y ux uy vx vy sxx
  * syy sxy density mass (the CSV columns), then what only the screen shows; nodes x y mass px py fx fy, then
  * likewise. vx is that in the laboratory. Series: u_probe v_probe, length (cantilever), kinetic kinetic_grid
- * kinetic_null strain work total; kinetic energies leave the cantilever's common speed out. total = kinetic +
- * strain, which changes little: the work is that of the channel in the laboratory, where drawing the beam
- * along counts too.
+ * kinetic_null (these two may be left out) strain work total; kinetic energies leave the cantilever's common
+ * speed out. total = kinetic + strain, which changes little: the work is that of the channel in the
+ * laboratory, where drawing the beam along counts too.
  *
  * A run fails, with particle, step and time in its status, when a particle leaves the grid, when
  * 1 + exx + eyy <= 0 for one in a step, and when the energy is more than 1e4 times that of the start: looked

@@ -6,10 +6,11 @@
  *     kinetic_null what the grid cannot see at all (plane_null.c)
  *     strain       b sum ((sxx^2 + syy^2 - 2 nu sxx syy)/2E + sxy^2/2G) m/rho,  G = E/(2 (1 + nu))
  *
- * and the probe, the mean of up to four particles beside the point. Velocities and stresses stand half a step
- * apart, so kinetic + strain ripples by some omega dt, worst where thickness modes ring. kinetic less
- * kinetic_grid is not all hidden: lumped masses see even a smooth mode with too little energy (1.7e-3 of it
- * at 4 cells in the height, 4e-4 at 8). */
+ * of which the second and third are left out where nobody asks for them, and the probe, the mean of up to
+ * four particles beside the point. Velocities and stresses stand half a step apart, so kinetic + strain
+ * ripples by some omega dt, worst where thickness modes ring. kinetic less kinetic_grid is not all hidden:
+ * lumped masses see even a smooth mode with too little energy (1.7e-3 of it at 4 cells in the height, 4e-4 at
+ * 8). */
 #include "physics/mpm_plane/kernels/plane_kernels.h"
 
 #include <math.h>
@@ -119,6 +120,31 @@ void plane_set_series(Plane *plane)
     sim->series = plane->series;
 }
 
+static bool has(const Plane *plane, enum Entry entry)
+{
+    for (int k = 0; k < plane->sim.n_series; k++)
+        if (plane->series_entry[k] == (int)entry)
+            return true;
+    return false;
+}
+
+bool plane_row_needs_grid(const Plane *plane)
+{
+    return has(plane, KINETIC_GRID) || has(plane, KINETIC_NULL);
+}
+
+const char *const plane_costly[] = {"kinetic_grid", "kinetic_null", NULL};
+
+void plane_leave_out(Simulation *sim, int column)
+{
+    Plane *plane = plane_of(sim);
+    sim->n_series--;
+    for (int k = column; k < sim->n_series; k++) {
+        plane->series[k] = plane->series[k + 1];
+        plane->series_entry[k] = plane->series_entry[k + 1];
+    }
+}
+
 void plane_write_row(Plane *plane, double *row, bool whole)
 {
     const Energies energy = energies(plane);
@@ -161,6 +187,7 @@ void plane_write_row(Plane *plane, double *row, bool whole)
 void plane_row(Simulation *sim, double *row)
 {
     Plane *plane = plane_of(sim);
-    plane_map_and_hold(plane, NULL); /* the grid is scratch between steps; all particles lie on it */
+    if (plane_row_needs_grid(plane))
+        plane_map_and_hold(plane, NULL); /* the grid is scratch between steps; all particles lie on it */
     plane_write_row(plane, row, true);
 }

@@ -331,7 +331,10 @@ bool plane_steps(Simulation *, long count, double *rows, long *done, Status *);
 /* plane_rows.c */
 double plane_energy(const Plane *);
 void plane_row(Simulation *, double *row);
-/* With the grid as it stands after map and supports; a row that is not whole, or not due to be
+extern const char *const plane_costly[];
+void plane_leave_out(Simulation *, int column);
+bool plane_row_needs_grid(const Plane *); /* as it stands after map and supports */
+/* With that grid, if it needs it; a row that is not whole, or not due to be
  * (Simulation.whole_rows), has no kinetic_null (NAN), which takes several times as long as a step. */
 void plane_write_row(Plane *, double *row, bool whole);
 void plane_set_series(Plane *);

@@ -48,7 +48,7 @@ static void put_back(Simulation *sim)
     memcpy(plane->block, plane->backup, plane->bytes_particles);
 }
 
-/* The row needs the grid after map and supports, which are also the first two stages of the next step: they
+/* A row may need the grid after map and supports, which are also the first two stages of the next step: they
  * are done once for both, and the map goes with the stages before it. */
 static bool whole_steps(Simulation *sim, long count, double *rows, Status *status)
 {
@@ -62,7 +62,7 @@ static bool whole_steps(Simulation *sim, long count, double *rows, Status *statu
         int n_tasks = 0;
         for (int stage = 2; stage < schedule->count; stage++)
             tasks[n_tasks++] = (PlaneTask){schedule->ops[stage], step};
-        if (rows || n + 1 < count) {
+        if (n + 1 < count || (rows && plane_row_needs_grid(plane))) {
             tasks[n_tasks++] = (PlaneTask){PLANE_MAP, step + 1};
             tasks[n_tasks++] = (PlaneTask){PLANE_HOLD, step + 1};
         }

@@ -187,13 +187,18 @@ static long series_rows(const Laboratory *lab)
 static double series_bytes(const Laboratory *lab)
 {
     enum { SAMPLES = 200 };
-    const Record *record = experiment_record(lab->screen.experiment);
+    const Experiment *experiment = lab->screen.experiment;
+    const Record *record = experiment_record(experiment);
+    int count;
+    const Column *columns = experiment_columns(experiment, &count);
     size_t rows = 0;
     double bytes = 0;
     for (size_t i = 0; i < record->count; i += 1 + record->count / SAMPLES, rows++)
         for (int k = 0; k < record->n_columns; k++) {
             char number[NUMBER_TEXT_MAX];
-            bytes += (double)text_shortest(number, record_row(record, i)[k]) + 1;
+            if (export_writes(experiment_settings(experiment), experiment_simulation(experiment), k,
+                              columns[k].quantity.name))
+                bytes += (double)text_shortest(number, record_row(record, i)[k]) + 1;
         }
     return rows ? bytes / (double)rows * (double)series_rows(lab) : 0;
 }
