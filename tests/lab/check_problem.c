@@ -682,7 +682,7 @@ START_TEST(two_materials_have_a_frequency)
     ck_assert_double_eq_tol(exact.exact, 7.53982236861551, 1e-13);
     ck_assert(exact.predicted_known && exact.measured_known && sine.measured_known);
     ck_assert_double_eq_tol(exact.measured, exact.predicted, 1e-3); /* of 10 units; closer: check_step */
-    ck_assert_double_eq_tol(sine.measured, exact.predicted, 2e-2);
+    ck_assert_double_eq_tol(sine.measured, exact.predicted, 5e-3);  /* .2 without its other lines */
     ck_assert(exact.overlap > READOUT_PURE && sine.overlap < 0.3 && sine.predicted == exact.predicted);
     Experiment *experiment = open_experiment(&settings, 1 << 20);
     ck_assert_int_ge(column_of(experiment, "v_cm_exact"), 0);
