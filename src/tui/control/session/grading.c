@@ -190,9 +190,7 @@ static bool is_of_1(const SessionFacts *facts)
 static const struct {
     const char *lesson;
     uint64_t version;
-} texts_of_1[] = {{"homework-late", 0x00ddb700b77f03be},
-                  {"homework-energy", 0xdaeb3d01169de117},
-                  {"homework-crack", 0xf6663dd757d82d59}};
+} texts_of_1[] = {{"homework-energy", 0xdaeb3d01169de117}, {"homework-crack", 0xf6663dd757d82d59}};
 
 static bool is_of_lesson(const SessionFacts *facts, const GradingTask *task, const Lesson *lesson)
 {
@@ -202,6 +200,16 @@ static bool is_of_lesson(const SessionFacts *facts, const GradingTask *task, con
         if (strcmp(texts_of_1[i].lesson, task->lesson) == 0 && texts_of_1[i].version == facts->version)
             return true;
     return facts->version == lesson->version_1;
+}
+
+static void say_origin(const Session *session, const SessionFacts *facts, const Lesson *lesson,
+                       Grades *grades)
+{
+    if (is_of_1(facts) && facts->version != lesson->version_1)
+        snprintf(grades->remark, sizeof grades->remark,
+                 "of matvib %s, where this lesson asked otherwise: a 0 may have been right", facts->program);
+    else
+        session_origin(session, grades->remark, sizeof grades->remark);
 }
 
 /* What is no homework of this lesson, or not all of it. */
@@ -257,7 +265,7 @@ bool grading_session(const GradingTask *task, const char *file, Grades *grades, 
         const char *refused = why_refused(&facts, task, &lesson);
         sound = refused ? remark(grades, refused) : replay_session(task, session, grades, status);
         if (sound && grades->count > 0)
-            session_origin(session, grades->remark, sizeof grades->remark);
+            say_origin(session, &facts, &lesson, grades);
     } else {
         snprintf(grades->remark, sizeof grades->remark, "damaged: %s", why.text);
     }
