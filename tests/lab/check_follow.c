@@ -16,13 +16,15 @@ enum { STEPS = 60, COLUMNS = 40 };
 
 static const struct {
     const char *scenario, *follow[2];
-    int set;
-    size_t index;
-    const char *field;
+    struct {
+        int set;
+        size_t index;
+        const char *field;
+    } of[2];
 } cases[] = {
-    {"mode5", {"particle 12 velocity", "node 7 momentum"}, 0, 12, "v"},
-    {"crossing", {"node 9 f", "particle 3 u"}, 1, 9, "f"},
-    {"supported-beam-coarse", {"particle 40 uy", "particle 0 damage"}, 0, 40, "uy"},
+    {"mode5", {"particle 12 velocity", "node 7 momentum"}, {{0, 12, "v"}, {1, 7, "momentum"}}},
+    {"crossing", {"node 9 f", "particle 3 u"}, {{1, 9, "f"}, {0, 3, "u"}}},
+    {"supported-beam-coarse", {"particle 40 uy", "particle 7 uy"}, {{0, 40, "uy"}, {0, 7, "uy"}}},
 };
 
 static Simulation *simulate(const char *scenario)
@@ -64,9 +66,12 @@ START_TEST(it_is_a_column_and_nothing_else)
         ck_assert_int_eq(memcmp(rows + k * own, others + k * (own + 2), (size_t)own * sizeof *rows), 0);
     ck_assert_int_eq(followed->step, STEPS);
     ck_assert_int_eq(followed->stage, 0);
-    const double value = in_table(plain, cases[_i].set, cases[_i].index, cases[_i].field);
-    ck_assert_double_eq(others[(STEPS - 1) * (own + 2) + own], value);
-    ck_assert_double_ne(value, others[own]); /* it moves */
+    for (int i = 0; i < 2; i++) {
+        const double value =
+            in_table(plain, cases[_i].of[i].set, cases[_i].of[i].index, cases[_i].of[i].field);
+        ck_assert_double_eq(others[(STEPS - 1) * (own + 2) + own + i], value);
+        ck_assert_double_ne(value, others[own + i]); /* it moves */
+    }
     double row[COLUMNS];
     simulation_row(followed, row);
     ck_assert_int_eq(memcmp(row, others + (STEPS - 1) * (own + 2), (size_t)(own + 2) * sizeof *row), 0);

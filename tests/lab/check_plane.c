@@ -235,6 +235,9 @@ START_TEST(what_is_refused)
     expect_refused(beam, "mesh.velocity", "1", "no parameter of problem simply-supported-beam");
     expect_refused(beam, "time.courant", "1.8", "is unstable on this mesh (at most 1.7");
     expect_refused(beam, "beam.poisson", "0.5", "0.499");
+    Settings last = beam; /* whose limit is lower, and is asked for from lower on */
+    last.mpm.algorithm = MPM_USL;
+    expect_refused(last, "time.courant", "0.9", "is unstable on this mesh (at most 0.");
     expect_refused(moving, "mesh.velocity", "11", "out of range (0 to motion.speed = 10)");
     expect_refused(moving, "supports.ends", "point", "no parameter of problem moving-cantilever");
     expect_refused(moving, "motion.channel", "1.25e-3", "too short for time.end");

@@ -3,6 +3,7 @@
  */
 #include "physics/mpm_plane/kernels/plane_kernels.h"
 #include "physics/mpm_plane/plane_modes.h"
+#include "physics/mpm_plane/plane_state.h"
 #include "physics/run_case.h"
 #include "suite.h"
 #include "theory/frequency.h"
@@ -894,9 +895,56 @@ START_TEST(definitions_that_are_refused)
 }
 END_TEST
 
+/* Of every particle of a bent beam, where shear is more than the rest in some. */
+START_TEST(von_mises_has_its_shear)
+{
+    const PlaneDef def = small(false);
+    Simulation *sim = create(&def);
+    Status status;
+    ck_assert(simulation_steps(sim, 20, NULL, NULL, &status));
+    double *xx = field_now(sim, 0, "sxx"), *yy = field_now(sim, 0, "syy"), *xy = field_now(sim, 0, "sxy"),
+           *mises = field_now(sim, 0, "mises"), most = 0;
+    for (size_t p = 0; p < sim->counts[0]; p++) {
+        const double squares = xx[p] * xx[p] + yy[p] * yy[p] - xx[p] * yy[p], shear = 3 * xy[p] * xy[p];
+        ck_assert_double_eq_tol(mises[p], sqrt(squares + shear), 1e-12 * mises[p]);
+        most = fmax(most, shear / (squares + shear));
+    }
+    ck_assert_double_gt(most, 0.1);
+    free(xx), free(yy), free(xy), free(mises);
+    simulation_destroy(sim);
+}
+END_TEST
+
+/* USF takes the strain before it integrates: what is told of its velocities later in the step is the same. */
+START_TEST(velocities_that_strained)
+{
+    const PlaneDef def = small(false);
+    Simulation *sim = create(&def);
+    Status status;
+    ck_assert(simulation_steps(sim, 20, NULL, NULL, &status));
+    const Plane *plane = plane_of_const(sim);
+    double before[2][2], after[2];
+    const int nodes[2] = {(int)sim->counts[1] / 2, (int)sim->counts[1] / 2 + 1};
+    while (!plane_has_done(plane, PLANE_STRAIN))
+        ck_assert(simulation_stage(sim, &status));
+    for (int i = 0; i < 2; i++)
+        plane_strain_velocity(plane, nodes[i], before[i]);
+    while (!plane_has_done(plane, PLANE_INTEGRATE))
+        ck_assert(simulation_stage(sim, &status));
+    for (int i = 0; i < 2; i++) {
+        plane_strain_velocity(plane, nodes[i], after);
+        for (int axis = 0; axis < 2; axis++)
+            ck_assert_double_eq_tol(after[axis], before[i][axis], 1e-9 * hypot(before[i][0], before[i][1]));
+    }
+    simulation_destroy(sim);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *test = tcase_create("plane");
+    tcase_add_test(test, von_mises_has_its_shear);
+    tcase_add_test(test, velocities_that_strained);
     tcase_add_test(test, predicted_periods);
     tcase_add_test(test, the_run_swings_as_predicted);
     tcase_add_loop_test(test, the_largest_step, 0, 4);

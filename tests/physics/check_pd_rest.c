@@ -3,6 +3,7 @@
  * rest by one solution. */
 #include "physics/beam_case.h"
 #include "physics/pd_plane/beam_modes.h"
+#include "physics/pd_plane/plate/patches.h"
 #include "suite.h"
 #include "theory/beam.h"
 
@@ -379,10 +380,22 @@ START_TEST(travel_is_not_braked)
 }
 END_TEST
 
+/* It counts half in the step nearest to its end, and whole in the one before. */
+START_TEST(a_load_ends_in_the_nearest_step)
+{
+    const double dt = 0.01;
+    const Load load = {.until = 2.6 * dt};
+    ck_assert_double_eq(load_share(&load, 2 * dt, dt), 1);
+    ck_assert_double_eq(load_share(&load, 3 * dt, dt), 0.5);
+    ck_assert_double_eq(load_share(&load, 4 * dt, dt), 0);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *digits = tcase_create("digits");
     tcase_add_test(digits, golden_decay);
+    tcase_add_test(digits, a_load_ends_in_the_nearest_step);
     tcase_add_test(digits, golden_rest);
     tcase_add_test(digits, golden_sags);
     tcase_add_test(digits, nothing_holds_a_free_body);
