@@ -134,6 +134,9 @@ static void mode_lines(const Screen *screen, bool brief, char first[160], char s
                  found       ? "such a wave does not swing with this time step"
                  : has_waves ? "too short a wave for this mesh"
                              : "its modes are no waves of one length here");
+        if (!has_waves && readout->predicted_known)
+            text_append(first, 160, ", %s %+.2f %%", brief ? legend_short_name("predicted") : "predicted",
+                        percent(readout->predicted / readout->exact));
         return;
     }
     /* the readout's prediction knows of free ends, the curve does not */
@@ -262,7 +265,7 @@ static int last_mode(Experiment *experiment, int variant)
     const int all = dispersion_modes(experiment_settings(experiment));
     const int mode = experiment_readout(experiment)->mode;
     const int near = mode > NEAR / 2 ? 2 * mode : NEAR;
-    return variant == 1 && near < all ? near : all;
+    return all == 0 || (variant == 1 && near < all) ? near : all; /* 0: of which there are no waves */
 }
 
 static void draw_bar(const Screen *screen, Area area, Style heading, int variant, bool with_ways)
