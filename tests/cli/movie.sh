@@ -55,6 +55,8 @@ printf 'key Space\nwait 60\nkey ]\n' >keys.script
 expect "a script" 0 keys.script --end 2 --output k.cast
 expect "without long waits" 0 keys.script --end 2 --idle 1 --output l.cast
 result "is a minute shorter" awk "BEGIN { d = $(seconds k.cast) - $(seconds l.cast); exit !(d > 55 && d < 62) }"
+expect "at twice the speed" 0 keys.script --end 2 --idle 1 --speed 2 --output n.cast
+result "a wait is cut to the same" awk "BEGIN { d = $(seconds l.cast) - $(seconds n.cast); exit !(d >= 0 && d < 0.5) }"
 "$MATVIB" mode1 --paused --script keys.script --record a.session >out 2>err
 expect "a session" 0 a.session --output m.cast
 result "has its scenario" grep -q mode1 m.cast
