@@ -34,7 +34,7 @@ enum {
     TEXT_BYTES = 256,
     SECONDS_A_LINE = 20,
     SECONDS_A_SEQUENCE = 600,
-    SECONDS_TO_SHRINK = 240
+    SECONDS_TO_SHRINK = 20
 };
 
 /* One or more lines of a script that belong together. */

@@ -42,20 +42,6 @@ struct Script {
     const SessionEvent *awaited; /* of the session that is filmed: the next key */
 };
 
-/* Whatever waits for the clock waits no longer when the camera is told to stop. */
-static double now(void *context)
-{
-    const Script *script = context;
-    return script->time + (script->camera && !camera_goes_on(script->camera) ? BEYOND_PATIENCE : 0);
-}
-
-static void worked(void *context, long steps)
-{
-    Script *script = context;
-    if (script->rate > 0)
-        script->time += (double)steps / script->rate;
-}
-
 static bool go_on(void *context)
 {
     const Script *script = context;
@@ -66,6 +52,20 @@ static bool go_on(void *context)
     const double spent =
         (double)(at.tv_sec - script->begun.tv_sec) + 1e-9 * (double)(at.tv_nsec - script->begun.tv_nsec);
     return script->patience == 0 || spent < script->patience;
+}
+
+/* Whatever waits for the clock waits no longer when the camera is told to stop, or patience is at its end. */
+static double now(void *context)
+{
+    const Script *script = context;
+    return script->time + (go_on(context) ? 0 : BEYOND_PATIENCE);
+}
+
+static void worked(void *context, long steps)
+{
+    Script *script = context;
+    if (script->rate > 0)
+        script->time += (double)steps / script->rate;
 }
 
 static void nothing(void *context)
