@@ -404,8 +404,9 @@ START_TEST(every_page_is_entered_in_one_state)
         if (page + 1 < count)
             press(bench, now->n_fields > 0 && now->until.kind == UNTIL_NOTHING ? "n" : "Enter");
     }
-    /* backwards, and leaving pages out: each lesson one of both, where not everything is wanted */
-    const bool back = suite_wide() || _i % 2 == 0, leaving = suite_wide() || !back;
+    /* backwards, and leaving pages out: where not everything is wanted, each lesson on a bar one of both */
+    const bool line = experiment_simulation(bench->lab.screen.experiment)->dimensions == 1;
+    const bool back = suite_wide() || (line && _i % 2 == 0), leaving = suite_wide() || (line && _i % 2 != 0);
     for (int page = count - 1; back && page >= 0; page--) {
         if (page + 1 < count)
             press(bench, "b");
