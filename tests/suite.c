@@ -20,7 +20,8 @@ bool suite_wide(void)
 
 int main(int count, char **arguments)
 {
-    setenv("CK_DEFAULT_TIMEOUT", "600", 0); /* seconds: finds what hangs, and on a busy machine nothing else */
+    setenv("CK_DEFAULT_TIMEOUT", "600",
+           0); /* seconds: finds what hangs, and on a busy machine nothing else */
     const char *name = strrchr(arguments[0], '/');
     Suite *suite = suite_create(name ? name + 1 : arguments[0]);
     add_cases(suite);

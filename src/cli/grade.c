@@ -118,8 +118,7 @@ static void write_sheet(const Marking *marking, const char *file, const Grades *
     leaflet_line(sheet, LEAFLET_TITLE, "%s", *grades->student ? grades->student : file);
     leaflet_line(sheet, LEAFLET_SMALL, "%s   %s", marking->lesson.title, file);
     if (*grades->remark)
-        leaflet_line(sheet, LEAFLET_TEXT,
-                     grades->count > 0 ? "Remark: %s." : "No marks: %s.",
+        leaflet_line(sheet, LEAFLET_TEXT, grades->count > 0 ? "Remark: %s." : "No marks: %s.",
                      grades->remark);
     for (int i = 0; i < grades->count; i++) {
         const Grade *grade = &grades->grades[i];

@@ -407,7 +407,8 @@ START_TEST(a_name_is_a_name)
     Status status = {STATUS_DONE, ""};
     ck_assert(variant_student("  Ada   Lovelace ", name, &status));
     ck_assert_str_eq(name, "Ada Lovelace");
-    ck_assert(variant_student("Ada\xc2\xa0Lovelace \xe3\x80\x80\xe2\x80\x89", name, &status)); /* other blanks */
+    ck_assert(
+        variant_student("Ada\xc2\xa0Lovelace \xe3\x80\x80\xe2\x80\x89", name, &status)); /* other blanks */
     ck_assert_str_eq(name, "Ada Lovelace");
     ck_assert(variant_student("Zo\xc3\xab", name, &status));
     ck_assert_str_eq(name, "Zo\xc3\xab");

@@ -184,7 +184,8 @@ START_TEST(free_end)
         const BarTheory bar = theory(true, false, cases[k].mode);
         const double exact = bar_frequency(&bar, cases[k].mode);
         /* so small a step that time adds nothing */
-        const PdBarTheory on = lattice(cases[k].spacing, 3 * cases[k].spacing, PD_PARTIAL_VOLUMES, cases[k].energy, 1e-5);
+        const PdBarTheory on =
+            lattice(cases[k].spacing, 3 * cases[k].spacing, PD_PARTIAL_VOLUMES, cases[k].energy, 1e-5);
         const double endless = pd_bar_dispersion(&bar, &on, bar_wave_number(&bar, cases[k].mode)).frequency;
         ck_assert_double_eq_tol(100 * (endless / exact - 1), cases[k].endless, 6e-5);
         ck_assert_double_eq_tol(100 * (pd_bar_frequency(&bar, &on, cases[k].mode) / exact - 1), cases[k].ends,

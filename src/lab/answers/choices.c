@@ -61,7 +61,8 @@ const Choice choices[] = {
      "and "
      "is up to 4 % thinner than given."},
     {CONCERN_BEAM, METHOD_PD, "the edge of the horizon", "not given.",
-     "a node at the distance of the horizon belongs to the family; its volume counts by the line of PDLAMMPS, "
+     "a node at the distance of the horizon belongs to the family; its volume counts by the line of "
+     "PDLAMMPS, "
      "from 1 half a spacing within to 1/2 at the horizon, which is not the share of its area; with hhb the "
      "line goes on to 0 half a spacing beyond (pd.volume_correction)."},
     {CONCERN_BEAM, METHOD_PD, "surface correction", "a factor G from another book.",
