@@ -563,7 +563,7 @@ if [ -n "$MATVIB_LONG" ]; then
 	for i in $(seq 0 40); do
 		shares 50 100 crossing --set "initial.velocity=$(awk -v i="$i" 'BEGIN { printf "%.10g", .99 + i / 2000 }')"
 		grep '^null' measured
-	done | sort -g -k 2 >nulls
+	done | grep '^null' | sort -g -k 2 >nulls # one that leaves the mesh has none
 	sed -n '1s/null/least/p; $s/null/most/p' nulls >measured
 	claim $lesson/crossing.lesson "with " 60 " to 83 % of the motion" least
 	claim $lesson/crossing.lesson "60 to " 83 " % of the motion" most
@@ -571,7 +571,7 @@ if [ -n "$MATVIB_LONG" ]; then
 		grown moving-cantilever-hat-coarse --end 0.004 \
 			--set "initial.amplitude=$(awk -v i="$i" 'BEGIN { printf "%.10g", 3e-6 * (.99 + i / 500) }')"
 		grep '^grown' measured
-	done | sort -g -k 2 >growths
+	done | grep '^grown' | sort -g -k 2 >growths
 	sed -n '1s/grown/least/p; $s/grown/most/p' growths >measured
 	claim $lesson/cell-by-cell.lesson "within 1 %: " 59 "0 to" least .1
 	claim $lesson/cell-by-cell.lesson "590 to " 129 "0)" most .1
