@@ -142,8 +142,19 @@ bool bar_row_needs_grid(const Bar *bar)
 }
 
 /* Those of the BAR_SERIES numbers that are not left out. */
-static void choose(const Bar *bar, const double *all, double *row)
+static void write_row(const Bar *bar, double v_cm, double x_cm, double kinetic, double strain,
+                      const double *grid_lanes, double null_energy, double *row)
 {
+    const double all[BAR_SERIES] = {
+        [V_CM] = v_cm,
+        [X_CM] = x_cm,
+        [KINETIC] = kinetic,
+        [KINETIC_GRID] = 0.5 * fold(grid_lanes),
+        [KINETIC_NULL] = null_energy,
+        [STRAIN] = strain,
+        [WORK] = bar->head->work,
+        [TOTAL] = kinetic + strain,
+    };
     for (int k = 0; k < bar->sim.n_series; k++)
         row[k] = all[bar->series_entry[k]];
 }
@@ -153,18 +164,9 @@ static void choose(const Bar *bar, const double *all, double *row)
 void bar_write_row(const Bar *bar, const BarSums *sums, const double *grid_lanes, double null_energy,
                    int64_t cell_sum, double *row)
 {
-    const double kinetic = kinetic_of(bar, sums), strain = strain_of(bar, sums);
-    const double all[BAR_SERIES] = {
-        [V_CM] = fold(sums->v) / bar->n_particles,
-        [X_CM] = bar->dx * (((double)cell_sum + fold(sums->s)) / bar->n_particles),
-        [KINETIC] = kinetic,
-        [KINETIC_GRID] = 0.5 * fold(grid_lanes),
-        [KINETIC_NULL] = null_energy,
-        [STRAIN] = strain,
-        [WORK] = bar->head->work,
-        [TOTAL] = kinetic + strain,
-    };
-    choose(bar, all, row);
+    const double x_cm = bar->dx * (((double)cell_sum + fold(sums->s)) / bar->n_particles);
+    write_row(bar, fold(sums->v) / bar->n_particles, x_cm, kinetic_of(bar, sums), strain_of(bar, sums),
+              grid_lanes, null_energy, row);
 }
 
 /* The same of two materials: v_cm = sum m v / sum m, x_cm likewise. */
@@ -172,18 +174,9 @@ static void write_row_of_parts(const Bar *bar, const double *grid_lanes, double 
 {
     const BarParts parts = sum_parts(bar);
     const double whole = both(bar->joint, bar->joint_weight, bar->n_particles - bar->joint);
-    const double kinetic = kinetic_of_parts(bar, &parts), strain = strain_of_parts(bar, &parts);
-    const double all[BAR_SERIES] = {
-        [V_CM] = both(fold(parts.of[0].v), bar->joint_weight, fold(parts.of[1].v)) / whole,
-        [X_CM] = bar->dx * (parts.moment / whole),
-        [KINETIC] = kinetic,
-        [KINETIC_GRID] = 0.5 * fold(grid_lanes),
-        [KINETIC_NULL] = null_energy,
-        [STRAIN] = strain,
-        [WORK] = bar->head->work,
-        [TOTAL] = kinetic + strain,
-    };
-    choose(bar, all, row);
+    const double v_cm = both(fold(parts.of[0].v), bar->joint_weight, fold(parts.of[1].v)) / whole;
+    write_row(bar, v_cm, bar->dx * (parts.moment / whole), kinetic_of_parts(bar, &parts),
+              strain_of_parts(bar, &parts), grid_lanes, null_energy, row);
 }
 
 void bar_step_row(Bar *bar, double *row)
